@@ -1,0 +1,124 @@
+// Framing beside memcpy and a byte sum of the same bytes. One iteration is one pass over a stream
+// of 16 MB, so bytes per second compare directly.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <random>
+#include <span>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include <sbgc/checksum.hpp>
+#include <sbgc/frame.hpp>
+#include <sbgc/parser.hpp>
+
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr std::size_t stream_size = std::size_t{16} << 20;
+constexpr std::uint8_t realtime_data_id = 25;
+constexpr std::size_t realtime_body_size = 124;
+
+/// Frames of the size of CMD_REALTIME_DATA_4 with random bodies, one behind the other.
+const Bytes& clean_stream() {
+  static const Bytes stream = [] {
+    std::mt19937 random(1);
+    Bytes bytes;
+    bytes.reserve(stream_size + sbgc::max_frame_size);
+    std::array<std::uint8_t, sbgc::max_frame_size> frame{};
+    while (bytes.size() < stream_size) {
+      std::uint8_t* const body = sbgc::frame_body(frame.data());
+      std::generate_n(body, realtime_body_size,
+                      [&] { return static_cast<std::uint8_t>(random()); });
+      const std::size_t size =
+          sbgc::finish_frame(frame.data(), realtime_data_id, realtime_body_size);
+      bytes.insert(bytes.end(), frame.data(), frame.data() + size);
+    }
+    return bytes;
+  }();
+  return stream;
+}
+
+/// The clean stream with every hundredth byte, on average, replaced by another.
+const Bytes& corrupt_stream() {
+  static const Bytes stream = [] {
+    std::mt19937 random(2);
+    Bytes bytes = clean_stream();
+    for (std::uint8_t& byte : bytes) {
+      if (random() % 100 == 0) byte = static_cast<std::uint8_t>(byte + 1 + random() % 255);
+    }
+    return bytes;
+  }();
+  return stream;
+}
+
+const Bytes& noise() {
+  static const Bytes stream = [] {
+    std::mt19937 random(3);
+    Bytes bytes(clean_stream().size());
+    std::generate(bytes.begin(), bytes.end(), [&] { return static_cast<std::uint8_t>(random()); });
+    return bytes;
+  }();
+  return stream;
+}
+
+void count_bytes(benchmark::State& state, const Bytes& bytes) {
+  state.SetBytesProcessed(static_cast<std::int64_t>(bytes.size()) * state.iterations());
+}
+
+void memory_copy(benchmark::State& state) {
+  const Bytes& bytes = clean_stream();
+  Bytes copy(bytes.size());
+  for (auto _ : state) {
+    std::memcpy(copy.data(), bytes.data(), bytes.size());
+    benchmark::ClobberMemory();
+  }
+  count_bytes(state, bytes);
+}
+
+void byte_sum(benchmark::State& state) {
+  const Bytes& bytes = clean_stream();
+  for (auto _ : state) benchmark::DoNotOptimize(sbgc::byte_sum(bytes.data(), bytes.size()));
+  count_bytes(state, bytes);
+}
+
+/// Feeds `bytes` in chunks of `chunk_size`, which the compiler knows as an owner's does.
+template <const Bytes& (*stream)(), std::size_t chunk_size = stream_size * 2>
+void parse(benchmark::State& state) {
+  const Bytes& bytes = stream();
+  sbgc::ParserCounters counters;
+  for (auto _ : state) {
+    sbgc::Parser parser;
+    std::uint64_t sum = 0;
+    const auto sink = [&sum](const sbgc::Frame& frame) {
+      sum += frame.id + frame.body.size() + frame.body.front();
+    };
+    std::span<const std::uint8_t> rest(bytes);
+    while (rest.size() >= chunk_size) {
+      parser.feed(rest.first(chunk_size), sink);
+      rest = rest.subspan(chunk_size);
+    }
+    parser.feed(rest, sink);
+    parser.flush(sink);
+    benchmark::DoNotOptimize(sum);
+    counters = parser.counters();
+  }
+  count_bytes(state, bytes);
+  state.counters["frames"] = static_cast<double>(counters.frames);
+}
+
+BENCHMARK(memory_copy)->Name("frames/memcpy");
+BENCHMARK(byte_sum)->Name("frames/byte_sum");
+BENCHMARK(parse<clean_stream>)->Name("frames/clean");
+BENCHMARK(parse<clean_stream, 4096>)->Name("frames/clean_chunk4096");
+BENCHMARK(parse<clean_stream, 64>)->Name("frames/clean_chunk64");
+BENCHMARK(parse<clean_stream, 1>)->Name("frames/clean_byte");
+BENCHMARK(parse<corrupt_stream>)->Name("frames/corrupt_1pct");
+BENCHMARK(parse<noise>)->Name("frames/noise");
+
+}  // namespace

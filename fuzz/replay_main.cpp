@@ -1,0 +1,43 @@
+// Stands in for libFuzzer's main where there is no libFuzzer: runs the fuzz target once on nothing,
+// then once on every file named on the command line or found in a folder named there.
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <span>
+#include <vector>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void replay(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::vector<std::uint8_t> input{std::istreambuf_iterator<char>(file), {}};
+  LLVMFuzzerTestOneInput(input.data(), input.size());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int count = 0;
+  LLVMFuzzerTestOneInput(nullptr, 0);
+  for (const char* argument : std::span(argv, static_cast<std::size_t>(argc)).subspan(1)) {
+    if (fs::is_directory(argument)) {
+      for (const auto& entry : fs::directory_iterator(argument)) {
+        replay(entry.path());
+        ++count;
+      }
+    } else if (fs::exists(argument)) {
+      replay(argument);
+      ++count;
+    }
+  }
+  std::printf("%d inputs replayed\n", count);
+  return 0;
+}

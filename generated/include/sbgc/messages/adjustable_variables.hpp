@@ -1,0 +1,391 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// Settings that can be changed on the fly, without saving them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <sbgc/codec.hpp>
+#include <sbgc/enums.hpp>
+#include <sbgc/units.hpp>
+
+namespace sbgc {
+
+static_assert(codec_version == 1, "generated code and runtime do not belong together");
+
+/// One adjustable variable and its value.
+struct AdjVarValue {
+  static constexpr std::size_t wire_size = 5;
+
+  /// Which variable (Appendix B).
+  VariableId param_id{};
+  /// The value, widened to 32 bits whatever the variable's own type is. Errata: E007.
+  std::int32_t param_value{};
+
+  constexpr bool operator==(const AdjVarValue&) const = default;
+};
+
+constexpr void get(const std::uint8_t* from, AdjVarValue& value) noexcept {
+  get(from, value.param_id);
+  get(from + 1, value.param_value);
+}
+constexpr void put(std::uint8_t* to, const AdjVarValue& value) noexcept {
+  put(to, value.param_id);
+  put(to + 1, value.param_value);
+}
+
+/// RC signals that start actions; the range of a signal is split into five levels.
+struct TriggerSlot {
+  static constexpr std::size_t wire_size = 6;
+
+  /// RC signal. Errata: E104.
+  RcMap src_ch{};
+  /// Action that each level of the signal starts.
+  std::array<MenuCommand, 5> action{};
+
+  constexpr bool operator==(const TriggerSlot&) const = default;
+};
+
+constexpr void get(const std::uint8_t* from, TriggerSlot& value) noexcept {
+  get(from, value.src_ch);
+  get(from + 1, value.action);
+}
+constexpr void put(std::uint8_t* to, const TriggerSlot& value) noexcept {
+  put(to, value.src_ch);
+  put(to + 1, value.action);
+}
+
+/// RC signals that change adjustable variables.
+struct AnalogSlot {
+  static constexpr std::size_t wire_size = 4;
+
+  /// RC signal. Errata: E104.
+  RcMap src_ch{};
+  /// Variable that it changes (Appendix B).
+  VariableId param_id{};
+  /// Begin of the working range, as a share of the variable's own range. Errata: E073.
+  std::uint8_t min_val{};
+  /// End of the working range, as a share of the variable's own range. Errata: E073.
+  std::uint8_t max_val{};
+
+  constexpr bool operator==(const AnalogSlot&) const = default;
+};
+
+constexpr void get(const std::uint8_t* from, AnalogSlot& value) noexcept {
+  get(from, value.src_ch);
+  get(from + 1, value.param_id);
+  get(from + 2, value.min_val);
+  get(from + 3, value.max_val);
+}
+constexpr void put(std::uint8_t* to, const AnalogSlot& value) noexcept {
+  put(to, value.src_ch);
+  put(to + 1, value.param_id);
+  put(to + 2, value.min_val);
+  put(to + 3, value.max_val);
+}
+
+/// Values of adjustable variables.
+///
+/// CMD_SET_ADJ_VARS_VAL (31), in both directions; 1 to 201 bytes, and later firmware may append
+/// more.
+/// Since board 3.0.
+/// Source: Incoming commands L505-L507.
+struct SetAdjVarsVal {
+  static constexpr CommandId command = CommandId::set_adj_vars_val;
+  static constexpr Direction direction = Direction::both;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 1;
+  static constexpr std::size_t max_size = 201;
+  static constexpr Availability since{0, 30};
+
+  /// The variables.
+  BoundedArray<AdjVarValue, 50> params{};
+  /// What later firmware appends; kept, and written back.
+  BoundedBytes<254> tail{};
+
+  constexpr bool operator==(const SetAdjVarsVal&) const = default;
+};
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      SetAdjVarsVal& out) noexcept {
+  detail::Reader reader(body, 0);
+  std::uint8_t num_vars = 0;
+  reader.value(num_vars, "num_vars");
+  reader.array(out.params, num_vars, "params");
+  return reader.end(out.tail);
+}
+
+[[nodiscard]] constexpr WriteResult encode(const SetAdjVarsVal& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  detail::Writer writer(out, 0);
+  writer.value(static_cast<std::uint8_t>(in.params.size()), "num_vars");
+  writer.array(in.params, "params");
+  writer.array(in.tail, "tail");
+  return writer.end();
+}
+
+/// Ask for the values of adjustable variables.
+///
+/// CMD_GET_ADJ_VARS_VAL (64), to the board; 1 to 41 bytes.
+/// Since board 3.0.
+/// Source: Outgoing commands L793-L802; Variables L1174-L1176. Errata: E090.
+struct GetAdjVarsVal {
+  static constexpr CommandId command = CommandId::get_adj_vars_val;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 1;
+  static constexpr std::size_t max_size = 41;
+  static constexpr Availability since{0, 30};
+
+  /// Which variables (Appendix B). Errata: E042.
+  BoundedArray<VariableId, 254> param_id{};
+
+  constexpr bool operator==(const GetAdjVarsVal&) const = default;
+};
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      GetAdjVarsVal& out) noexcept {
+  detail::Reader reader(body, 0);
+  std::uint8_t num_vars = 0;
+  reader.value(num_vars, "num_vars");
+  reader.array(out.param_id, num_vars, "param_id");
+  return reader.end();
+}
+
+[[nodiscard]] constexpr WriteResult encode(const GetAdjVarsVal& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  detail::Writer writer(out, 0);
+  writer.value(static_cast<std::uint8_t>(in.param_id.size()), "num_vars");
+  writer.array(in.param_id, "param_id");
+  return writer.end();
+}
+
+/// Which RC signals start actions and which ones change adjustable variables.
+///
+/// CMD_READ_ADJ_VARS_CFG (43), from the board; 128 bytes, and later firmware may append more.
+/// Since board 3.0.
+/// Source: Incoming commands L509-L535. Errata: E114.
+struct ReadAdjVarsCfg {
+  static constexpr CommandId command = CommandId::read_adj_vars_cfg;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 128;
+  static constexpr std::size_t max_size = 128;
+  static constexpr Availability since{0, 30};
+
+  /// RC signals that start actions; the range of a signal is split into five levels.
+  std::array<TriggerSlot, 10> trigger_slots{};
+  /// RC signals that change adjustable variables.
+  std::array<AnalogSlot, 15> analog_slots{};
+  /// Reserved; kept as it is.
+  Bytes<8> reserved{};
+  /// What later firmware appends; kept, and written back.
+  BoundedBytes<127> tail{};
+
+  constexpr bool operator==(const ReadAdjVarsCfg&) const = default;
+};
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      ReadAdjVarsCfg& out) noexcept {
+  if (body.size() < 128) return detail::wrong_size(body.size(), 128);
+  const std::uint8_t* const from = body.data();
+  get(from, out.trigger_slots);
+  get(from + 60, out.analog_slots);
+  get(from + 120, out.reserved);
+  return detail::get_tail(body, 128, out.tail);
+}
+
+[[nodiscard]] constexpr WriteResult encode(const ReadAdjVarsCfg& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  const std::size_t size = 128 + in.tail.size();
+  if (out.size() < size) return {0, {Code::buffer_too_small}};
+  std::uint8_t* const to = out.data();
+  put(to, in.trigger_slots);
+  put(to + 60, in.analog_slots);
+  put(to + 120, in.reserved);
+  detail::put_tail(to + 128, in.tail);
+  return {size, {}};
+}
+
+/// Ask which RC signals start actions and which ones change adjustable variables.
+///
+/// CMD_READ_ADJ_VARS_CFG (43), to the board; 0 bytes.
+/// Since board 3.0.
+/// Source: Outgoing commands L867-L869.
+struct ReadAdjVarsCfgRequest {
+  static constexpr CommandId command = CommandId::read_adj_vars_cfg;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 0;
+  static constexpr Availability since{0, 30};
+
+  constexpr bool operator==(const ReadAdjVarsCfgRequest&) const = default;
+};
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      ReadAdjVarsCfgRequest& out) noexcept {
+  if (body.size() != 0) return detail::wrong_size(body.size(), 0);
+  static_cast<void>(out);
+  return {};
+}
+
+[[nodiscard]] constexpr WriteResult encode(const ReadAdjVarsCfgRequest& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  static_cast<void>(in);
+  static_cast<void>(out);
+  return {0, {}};
+}
+
+/// What one trigger slot and one analog slot do at the moment. From firmware 2.62b5 on a request of
+/// 7 bytes gives these bytes other meanings.
+///
+/// CMD_ADJ_VARS_STATE (46), from the board; 15 bytes, and later firmware may append more.
+/// Since board 3.0.
+/// Source: Incoming commands L592-L598; Variables L1228-L1232. Errata: E208.
+struct AdjVarsState {
+  static constexpr CommandId command = CommandId::adj_vars_state;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 15;
+  static constexpr std::size_t max_size = 15;
+  static constexpr Availability since{0, 30};
+
+  /// RC signal of the trigger slot. Unit: no unit, one count is 1/500. Range: -500 to 500. Errata:
+  /// E070.
+  CentredRcSignal trigger_rc_data{};
+  /// Action that it has started. Range: 0 to 255.
+  MenuCommand trigger_action{};
+  /// RC signal of the analog slot. Unit: no unit, one count is 1/500. Range: -500 to 500. Errata:
+  /// E070.
+  CentredRcSignal analog_rc_data{};
+  /// Value of the variable, in its own units.
+  std::int32_t analog_value{};
+  /// Reserved; kept as it is.
+  Bytes<6> reserved{};
+  /// What later firmware appends; kept, and written back.
+  BoundedBytes<240> tail{};
+
+  constexpr bool operator==(const AdjVarsState&) const = default;
+};
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      AdjVarsState& out) noexcept {
+  if (body.size() < 15) return detail::wrong_size(body.size(), 15);
+  const std::uint8_t* const from = body.data();
+  get(from, out.trigger_rc_data);
+  get(from + 2, out.trigger_action);
+  get(from + 3, out.analog_rc_data);
+  get(from + 5, out.analog_value);
+  get(from + 9, out.reserved);
+  return detail::get_tail(body, 15, out.tail);
+}
+
+[[nodiscard]] constexpr WriteResult encode(const AdjVarsState& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  const std::size_t size = 15 + in.tail.size();
+  if (out.size() < size) return {0, {Code::buffer_too_small}};
+  std::uint8_t* const to = out.data();
+  put(to, in.trigger_rc_data);
+  put(to + 2, in.trigger_action);
+  put(to + 3, in.analog_rc_data);
+  put(to + 5, in.analog_value);
+  put(to + 9, in.reserved);
+  detail::put_tail(to + 15, in.tail);
+  return {size, {}};
+}
+
+/// Ask what one trigger slot and one analog slot do.
+///
+/// CMD_ADJ_VARS_STATE (46), to the board, simple form; 2 bytes.
+/// Since board 3.0.
+/// Source: Outgoing commands L997-L1000.
+struct AdjVarsStateRequest {
+  static constexpr CommandId command = CommandId::adj_vars_state;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::simple;
+  static constexpr std::size_t min_size = 2;
+  static constexpr std::size_t max_size = 2;
+  static constexpr Availability since{0, 30};
+
+  /// Trigger slot, counted from 0. Errata: E114.
+  std::uint8_t trigger_slot{};
+  /// Analog slot, counted from 0. Errata: E114.
+  std::uint8_t analog_slot{};
+
+  constexpr bool operator==(const AdjVarsStateRequest&) const = default;
+};
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      AdjVarsStateRequest& out) noexcept {
+  if (body.size() != 2) return detail::wrong_size(body.size(), 2);
+  const std::uint8_t* const from = body.data();
+  get(from, out.trigger_slot);
+  get(from + 1, out.analog_slot);
+  return {};
+}
+
+[[nodiscard]] constexpr WriteResult encode(const AdjVarsStateRequest& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  if (out.size() < 2) return {0, {Code::buffer_too_small}};
+  std::uint8_t* const to = out.data();
+  put(to, in.trigger_slot);
+  put(to + 1, in.analog_slot);
+  return {2, {}};
+}
+
+/// Ask for the state of adjustable variables, as later firmware does it.
+///
+/// CMD_ADJ_VARS_STATE (46), to the board, extended form; 7 bytes.
+/// Since firmware 2.62b5.
+/// Source: Outgoing commands L997-L1000. Errata: E208.
+struct AdjVarsStateRequestExt {
+  static constexpr CommandId command = CommandId::adj_vars_state;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::extended;
+  static constexpr std::size_t min_size = 7;
+  static constexpr std::size_t max_size = 7;
+  static constexpr Availability since{2625, 0};
+
+  /// Not documented. Errata: E208.
+  Bytes<7> params{};
+
+  constexpr bool operator==(const AdjVarsStateRequestExt&) const = default;
+};
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      AdjVarsStateRequestExt& out) noexcept {
+  if (body.size() != 7) return detail::wrong_size(body.size(), 7);
+  const std::uint8_t* const from = body.data();
+  get(from, out.params);
+  return {};
+}
+
+[[nodiscard]] constexpr WriteResult encode(const AdjVarsStateRequestExt& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  if (out.size() < 7) return {0, {Code::buffer_too_small}};
+  std::uint8_t* const to = out.data();
+  put(to, in.params);
+  return {7, {}};
+}
+
+/// Store which RC signals start actions and which ones change adjustable variables.
+///
+/// CMD_WRITE_ADJ_VARS_CFG (44), to the board; 128 bytes, and later firmware may append more.
+/// Since board 3.0.
+/// Source: Outgoing commands L871-L875.
+struct WriteAdjVarsCfg : ReadAdjVarsCfg {
+  static constexpr CommandId command = CommandId::write_adj_vars_cfg;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 128;
+  static constexpr std::size_t max_size = 128;
+  static constexpr Availability since{0, 30};
+
+  constexpr bool operator==(const WriteAdjVarsCfg&) const = default;
+};
+
+}  // namespace sbgc

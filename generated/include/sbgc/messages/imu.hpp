@@ -1,0 +1,279 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// Choosing, correcting and replacing the sensors of the board.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <sbgc/codec.hpp>
+#include <sbgc/enums.hpp>
+#include <sbgc/units.hpp>
+
+namespace sbgc {
+
+static_assert(codec_version == 1, "generated code and runtime do not belong together");
+
+/// Choose the IMU that is configured and calibrated.
+///
+/// CMD_SELECT_IMU_3 (24), to the board, simple form; 1 bytes.
+/// Since board 3.0.
+/// Source: Outgoing commands L757-L759; Variables L1168-L1169.
+struct SelectImu3 {
+  static constexpr CommandId command = CommandId::select_imu_3;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::simple;
+  static constexpr std::size_t min_size = 1;
+  static constexpr std::size_t max_size = 1;
+  static constexpr Availability since{0, 30};
+
+  /// Which IMU. Errata: E051, E053.
+  SelectedImu imu_type{};
+
+  constexpr bool operator==(const SelectImu3&) const = default;
+};
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      SelectImu3& out) noexcept {
+  if (body.size() != 1) return detail::wrong_size(body.size(), 1);
+  const std::uint8_t* const from = body.data();
+  get(from, out.imu_type);
+  return {};
+}
+
+[[nodiscard]] constexpr WriteResult encode(const SelectImu3& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  if (out.size() < 1) return {0, {Code::buffer_too_small}};
+  std::uint8_t* const to = out.data();
+  put(to, in.imu_type);
+  return {1, {}};
+}
+
+/// Choose an IMU, with parameters that later firmware takes.
+///
+/// CMD_SELECT_IMU_3 (24), to the board, extended form; 2 to 12 bytes.
+/// Since board 3.0.
+/// Source: Outgoing commands L757-L759; Variables L1168-L1169. Errata: E206.
+struct SelectImu3Ext {
+  static constexpr CommandId command = CommandId::select_imu_3;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::extended;
+  static constexpr std::size_t min_size = 2;
+  static constexpr std::size_t max_size = 12;
+  static constexpr Availability since{0, 30};
+
+  /// Which IMU. Errata: E051, E053.
+  SelectedImu imu_type{};
+  /// Its meaning is not documented. Errata: E206.
+  std::uint8_t param{};
+  /// Further parameters; not documented. At most 10. Errata: E206.
+  BoundedBytes<253> params{};
+
+  constexpr bool operator==(const SelectImu3Ext&) const = default;
+};
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      SelectImu3Ext& out) noexcept {
+  if (body.size() < 2) return detail::wrong_size(body.size(), 2);
+  const std::uint8_t* const from = body.data();
+  get(from, out.imu_type);
+  get(from + 1, out.param);
+  detail::Reader reader(body, 2);
+  reader.rest(out.params, "params");
+  return reader.end();
+}
+
+[[nodiscard]] constexpr WriteResult encode(const SelectImu3Ext& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  if (out.size() < 2) return {0, {Code::buffer_too_small}};
+  std::uint8_t* const to = out.data();
+  put(to, in.imu_type);
+  put(to + 1, in.param);
+  detail::Writer writer(out, 2);
+  writer.array(in.params, "params");
+  return writer.end();
+}
+
+/// Attitude of an IMU as two unit vectors.
+///
+/// CMD_AHRS_HELPER (56), from the board; 24 bytes, and later firmware may append more.
+/// Since board 3.0.
+/// Source: Incoming commands L582-L585; Variables L1192, L1196-L1197.
+struct AhrsHelper {
+  static constexpr CommandId command = CommandId::ahrs_helper;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 24;
+  static constexpr std::size_t max_size = 24;
+  static constexpr Availability since{0, 30};
+
+  /// Unit vector that points up. Range: -1 to 1. Errata: E015, E038, E108.
+  Xyz<float> z1_vector{};
+  /// Unit vector that points north. Range: -1 to 1. Errata: E015, E038, E108.
+  Xyz<float> h1_vector{};
+  /// What later firmware appends; kept, and written back.
+  BoundedBytes<231> tail{};
+
+  constexpr bool operator==(const AhrsHelper&) const = default;
+};
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      AhrsHelper& out) noexcept {
+  if (body.size() < 24) return detail::wrong_size(body.size(), 24);
+  const std::uint8_t* const from = body.data();
+  get(from, out.z1_vector);
+  get(from + 12, out.h1_vector);
+  return detail::get_tail(body, 24, out.tail);
+}
+
+[[nodiscard]] constexpr WriteResult encode(const AhrsHelper& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  const std::size_t size = 24 + in.tail.size();
+  if (out.size() < size) return {0, {Code::buffer_too_small}};
+  std::uint8_t* const to = out.data();
+  put(to, in.z1_vector);
+  put(to + 12, in.h1_vector);
+  detail::put_tail(to + 24, in.tail);
+  return {size, {}};
+}
+
+/// Ask for the attitude of an IMU. An IMU of higher grade can replace or correct the board's own:
+/// send 50 to 100 of these a second. Useful values of MODE: 0 asks for the main IMU, 2 for the
+/// frame IMU. From a sensor on the camera, 1 replaces its attitude and 5 corrects it. From a sensor
+/// on the frame, 3 replaces the attitude of the frame and 7 corrects it; 11 replaces it and
+/// corrects that of the camera; 15 corrects both. Z1_ONLY and H1_ONLY may be added to any of these.
+///
+/// CMD_AHRS_HELPER (56), to the board, simple form; 1 bytes.
+/// Since board 3.0.
+/// Source: Outgoing commands L946-L953; Variables L1192-L1197. Errata: E023.
+struct AhrsHelperRequest {
+  static constexpr CommandId command = CommandId::ahrs_helper;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::simple;
+  static constexpr std::size_t min_size = 1;
+  static constexpr std::size_t max_size = 1;
+  static constexpr Availability since{0, 30};
+
+  /// Which IMU; without SET. Errata: E023.
+  AhrsHelperMode mode{};
+
+  constexpr bool operator==(const AhrsHelperRequest&) const = default;
+};
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      AhrsHelperRequest& out) noexcept {
+  if (body.size() != 1) return detail::wrong_size(body.size(), 1);
+  const std::uint8_t* const from = body.data();
+  get(from, out.mode);
+  return {};
+}
+
+[[nodiscard]] constexpr WriteResult encode(const AhrsHelperRequest& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  if (out.size() < 1) return {0, {Code::buffer_too_small}};
+  std::uint8_t* const to = out.data();
+  put(to, in.mode);
+  return {1, {}};
+}
+
+/// Ask for the attitude of an IMU or set it. An IMU of higher grade can replace or correct the
+/// board's own: send 50 to 100 of these a second. Useful values of MODE: 0 asks for the main IMU, 2
+/// for the frame IMU. From a sensor on the camera, 1 replaces its attitude and 5 corrects it. From
+/// a sensor on the frame, 3 replaces the attitude of the frame and 7 corrects it; 11 replaces it
+/// and corrects that of the camera; 15 corrects both. Z1_ONLY and H1_ONLY may be added to any of
+/// these.
+///
+/// CMD_AHRS_HELPER (56), to the board, extended form; 25 to 26 bytes.
+/// Since board 3.0.
+/// Source: Outgoing commands L946-L953; Variables L1192-L1197. Errata: E023, E122.
+struct AhrsHelperRequestExt {
+  static constexpr CommandId command = CommandId::ahrs_helper;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::extended;
+  static constexpr std::size_t min_size = 25;
+  static constexpr std::size_t max_size = 26;
+  static constexpr Availability since{0, 30};
+
+  /// What to do.
+  AhrsHelperMode mode{};
+  /// Unit vector that points up; not used when asking. Range: -1 to 1. Errata: E015, E038, E108.
+  Xyz<float> z1_vector{};
+  /// Unit vector that points north; not used when asking. Range: -1 to 1. Errata: E015, E038, E108.
+  Xyz<float> h1_vector{};
+  /// Its meaning is not documented. At most 1. Since firmware 2.69b5. Errata: E209.
+  BoundedBytes<230> param{};
+
+  constexpr bool operator==(const AhrsHelperRequestExt&) const = default;
+};
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      AhrsHelperRequestExt& out) noexcept {
+  if (body.size() < 25) return detail::wrong_size(body.size(), 25);
+  const std::uint8_t* const from = body.data();
+  get(from, out.mode);
+  get(from + 1, out.z1_vector);
+  get(from + 13, out.h1_vector);
+  detail::Reader reader(body, 25);
+  reader.rest(out.param, "param");
+  return reader.end();
+}
+
+[[nodiscard]] constexpr WriteResult encode(const AhrsHelperRequestExt& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  if (out.size() < 25) return {0, {Code::buffer_too_small}};
+  std::uint8_t* const to = out.data();
+  put(to, in.mode);
+  put(to + 1, in.z1_vector);
+  put(to + 13, in.h1_vector);
+  detail::Writer writer(out, 25);
+  writer.array(in.param, "param");
+  return writer.end();
+}
+
+/// Correct the zero of a gyroscope by hand.
+///
+/// CMD_GYRO_CORRECTION (75), to the board; 9 bytes.
+/// Since board 3.0.
+/// Source: Outgoing commands L955-L961; Variables L1198-L1201.
+struct GyroCorrection {
+  static constexpr CommandId command = CommandId::gyro_correction;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 9;
+  static constexpr std::size_t max_size = 9;
+  static constexpr Availability since{0, 30};
+
+  /// Which IMU. Errata: E051, E053.
+  ImuIndex imu_type{};
+  /// Offset of the zero of each axis. Unit: gyro unit, one count is 1/1000. Errata: E042.
+  Xyz<GyroOffset> gyro_zero_corr{};
+  /// Offset of the rotation about the vertical, to correct the heading; the board spreads it over
+  /// the axes. Unit: gyro unit, one count is 1/1000.
+  GyroOffset gyro_zero_heading_corr{};
+
+  constexpr bool operator==(const GyroCorrection&) const = default;
+};
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      GyroCorrection& out) noexcept {
+  if (body.size() != 9) return detail::wrong_size(body.size(), 9);
+  const std::uint8_t* const from = body.data();
+  get(from, out.imu_type);
+  get(from + 1, out.gyro_zero_corr);
+  get(from + 7, out.gyro_zero_heading_corr);
+  return {};
+}
+
+[[nodiscard]] constexpr WriteResult encode(const GyroCorrection& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  if (out.size() < 9) return {0, {Code::buffer_too_small}};
+  std::uint8_t* const to = out.data();
+  put(to, in.imu_type);
+  put(to + 1, in.gyro_zero_corr);
+  put(to + 7, in.gyro_zero_heading_corr);
+  return {9, {}};
+}
+
+}  // namespace sbgc

@@ -1,0 +1,105 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// Scripts that the user writes and the board runs.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <sbgc/codec.hpp>
+#include <sbgc/enums.hpp>
+#include <sbgc/units.hpp>
+
+namespace sbgc {
+
+static_assert(codec_version == 1, "generated code and runtime do not belong together");
+
+/// Start or stop a script.
+///
+/// CMD_RUN_SCRIPT (57), to the board; 34 bytes.
+/// Since board 3.0.
+/// Source: Outgoing commands L934-L938.
+struct RunScript {
+  static constexpr CommandId command = CommandId::run_script;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 34;
+  static constexpr std::size_t max_size = 34;
+  static constexpr Availability since{0, 30};
+
+  /// What to do. Errata: E105.
+  ScriptMode mode{};
+  /// Slot of the script; whether slots count from 0 or from 1 is unknown. Errata: E079.
+  std::uint8_t slot{};
+  /// Reserved; kept as it is.
+  Bytes<32> reserved{};
+
+  constexpr bool operator==(const RunScript&) const = default;
+};
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      RunScript& out) noexcept {
+  if (body.size() != 34) return detail::wrong_size(body.size(), 34);
+  const std::uint8_t* const from = body.data();
+  get(from, out.mode);
+  get(from + 1, out.slot);
+  get(from + 2, out.reserved);
+  return {};
+}
+
+[[nodiscard]] constexpr WriteResult encode(const RunScript& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  if (out.size() < 34) return {0, {Code::buffer_too_small}};
+  std::uint8_t* const to = out.data();
+  put(to, in.mode);
+  put(to + 1, in.slot);
+  put(to + 2, in.reserved);
+  return {34, {}};
+}
+
+/// Progress of a script that was started with debugging.
+///
+/// CMD_SCRIPT_DEBUG (58), from the board; 3 bytes, and later firmware may append more.
+/// Since board 3.0.
+/// Source: Incoming commands L577-L580; Outgoing commands L916-L928.
+struct ScriptDebug {
+  static constexpr CommandId command = CommandId::script_debug;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 3;
+  static constexpr std::size_t max_size = 3;
+  static constexpr Availability since{0, 30};
+
+  /// Number of the script's command that runs now.
+  std::uint16_t cmd_count{};
+  /// What went wrong; codes that are not listed are possible. Errata: E110.
+  FileError err_code{};
+  /// What later firmware appends; kept, and written back.
+  BoundedBytes<252> tail{};
+
+  constexpr bool operator==(const ScriptDebug&) const = default;
+};
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      ScriptDebug& out) noexcept {
+  if (body.size() < 3) return detail::wrong_size(body.size(), 3);
+  const std::uint8_t* const from = body.data();
+  get(from, out.cmd_count);
+  get(from + 2, out.err_code);
+  return detail::get_tail(body, 3, out.tail);
+}
+
+[[nodiscard]] constexpr WriteResult encode(const ScriptDebug& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  const std::size_t size = 3 + in.tail.size();
+  if (out.size() < size) return {0, {Code::buffer_too_small}};
+  std::uint8_t* const to = out.data();
+  put(to, in.cmd_count);
+  put(to + 2, in.err_code);
+  detail::put_tail(to + 3, in.tail);
+  return {size, {}};
+}
+
+}  // namespace sbgc

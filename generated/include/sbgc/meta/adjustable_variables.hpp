@@ -1,0 +1,334 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// adjustable_variables: what is known about messages and fields at run time.
+#pragma once
+
+#include <sbgc/messages/adjustable_variables.hpp>
+#include <sbgc/meta.hpp>
+#include <sbgc/meta/enums.hpp>
+
+namespace sbgc {
+
+template <>
+struct Meta<AdjVarValue> {
+  static constexpr FieldInfo fields[] = {
+      {.name = "param_id",
+       .spec_name = "PARAM_ID",
+       .summary = "Which variable (Appendix B)."},
+      {.name = "param_value",
+       .spec_name = "PARAM_VALUE",
+       .summary = "The value, widened to 32 bits whatever the variable's own type is.",
+       .is_variable_value = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.param_id);
+    visitor(fields[1], value.param_value);
+  }
+};
+
+template <>
+struct Meta<TriggerSlot> {
+  static constexpr FieldInfo fields[] = {
+      {.name = "src_ch",
+       .spec_name = "SRC_CH",
+       .summary = "RC signal."},
+      {.name = "action",
+       .spec_name = "ACTION{1..5}",
+       .summary = "Action that each level of the signal starts."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.src_ch);
+    visitor(fields[1], value.action);
+  }
+};
+
+template <>
+struct Meta<AnalogSlot> {
+  static constexpr FieldInfo fields[] = {
+      {.name = "src_ch",
+       .spec_name = "SRC_CH",
+       .summary = "RC signal."},
+      {.name = "param_id",
+       .spec_name = "PARAM_ID",
+       .summary = "Variable that it changes (Appendix B)."},
+      {.name = "min_val",
+       .spec_name = "MIN_VAL",
+       .summary = "Begin of the working range, as a share of the variable's own range."},
+      {.name = "max_val",
+       .spec_name = "MAX_VAL",
+       .summary = "End of the working range, as a share of the variable's own range."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.src_ch);
+    visitor(fields[1], value.param_id);
+    visitor(fields[2], value.min_val);
+    visitor(fields[3], value.max_val);
+  }
+};
+
+template <>
+struct Meta<SetAdjVarsVal> {
+  static constexpr MessageInfo info{
+      .name = "SetAdjVarsVal",
+      .command = "CMD_SET_ADJ_VARS_VAL",
+      .summary = "Values of adjustable variables.",
+      .id = 31,
+      .direction = Direction::both,
+      .min_size = 1,
+      .max_size = 201,
+      .since = {0, 30}};
+  static constexpr Range num_vars_range{1, 40};
+  static constexpr FieldInfo fields[] = {
+      {.name = "num_vars",
+       .spec_name = "NUM_VARS",
+       .summary = "How many variables follow.",
+       .range = &num_vars_range},
+      {.name = "params",
+       .spec_name = "params",
+       .summary = "The variables."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], Counter{value.params.size()});
+    visitor(fields[1], value.params);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<GetAdjVarsVal> {
+  static constexpr const char* answers[] = {"SetAdjVarsVal"};
+  static constexpr MessageInfo info{
+      .name = "GetAdjVarsVal",
+      .command = "CMD_GET_ADJ_VARS_VAL",
+      .summary = "Ask for the values of adjustable variables.",
+      .id = 64,
+      .direction = Direction::to_board,
+      .min_size = 1,
+      .max_size = 41,
+      .since = {0, 30},
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr Range num_vars_range{1, 40};
+  static constexpr FieldInfo fields[] = {
+      {.name = "num_vars",
+       .spec_name = "NUM_VARS",
+       .summary = "How many variables follow.",
+       .range = &num_vars_range},
+      {.name = "param_id",
+       .spec_name = "PARAM_ID",
+       .summary = "Which variables (Appendix B)."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], Counter{value.param_id.size()});
+    visitor(fields[1], value.param_id);
+  }
+};
+
+template <>
+struct Meta<ReadAdjVarsCfg> {
+  static constexpr MessageInfo info{
+      .name = "ReadAdjVarsCfg",
+      .command = "CMD_READ_ADJ_VARS_CFG",
+      .summary = "Which RC signals start actions and which ones change adjustable variables.",
+      .id = 43,
+      .direction = Direction::from_board,
+      .min_size = 128,
+      .max_size = 128,
+      .since = {0, 30}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "trigger_slots",
+       .spec_name = "trigger_slots",
+       .summary = "RC signals that start actions; the range of a signal is split into five levels."},
+      {.name = "analog_slots",
+       .spec_name = "analog_slots",
+       .summary = "RC signals that change adjustable variables."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.trigger_slots);
+    visitor(fields[1], value.analog_slots);
+    visitor(fields[2], value.reserved);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<ReadAdjVarsCfgRequest> {
+  static constexpr const char* answers[] = {"ReadAdjVarsCfg"};
+  static constexpr MessageInfo info{
+      .name = "ReadAdjVarsCfgRequest",
+      .command = "CMD_READ_ADJ_VARS_CFG",
+      .summary = "Ask which RC signals start actions and which ones change adjustable variables.",
+      .id = 43,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .since = {0, 30},
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<AdjVarsState> {
+  static constexpr MessageInfo info{
+      .name = "AdjVarsState",
+      .command = "CMD_ADJ_VARS_STATE",
+      .summary = "What one trigger slot and one analog slot do at the moment.",
+      .id = 46,
+      .direction = Direction::from_board,
+      .min_size = 15,
+      .max_size = 15,
+      .since = {0, 30}};
+  static constexpr Range trigger_rc_data_range{-500, 500};
+  static constexpr Range trigger_action_range{0, 255};
+  static constexpr Range analog_rc_data_range{-500, 500};
+  static constexpr FieldInfo fields[] = {
+      {.name = "trigger_rc_data",
+       .spec_name = "TRIGGER_RC_DATA",
+       .summary = "RC signal of the trigger slot.",
+       .range = &trigger_rc_data_range},
+      {.name = "trigger_action",
+       .spec_name = "TRIGGER_ACTION",
+       .summary = "Action that it has started.",
+       .range = &trigger_action_range},
+      {.name = "analog_rc_data",
+       .spec_name = "ANALOG_RC_DATA",
+       .summary = "RC signal of the analog slot.",
+       .range = &analog_rc_data_range},
+      {.name = "analog_value",
+       .spec_name = "ANALOG_VALUE",
+       .summary = "Value of the variable, in its own units."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.trigger_rc_data);
+    visitor(fields[1], value.trigger_action);
+    visitor(fields[2], value.analog_rc_data);
+    visitor(fields[3], value.analog_value);
+    visitor(fields[4], value.reserved);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<AdjVarsStateRequest> {
+  static constexpr const char* answers[] = {"AdjVarsState"};
+  static constexpr MessageInfo info{
+      .name = "AdjVarsStateRequest",
+      .command = "CMD_ADJ_VARS_STATE",
+      .summary = "Ask what one trigger slot and one analog slot do.",
+      .id = 46,
+      .direction = Direction::to_board,
+      .min_size = 2,
+      .max_size = 2,
+      .since = {0, 30},
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "trigger_slot",
+       .spec_name = "TRIGGER_SLOT",
+       .summary = "Trigger slot, counted from 0."},
+      {.name = "analog_slot",
+       .spec_name = "ANALOG_SLOT",
+       .summary = "Analog slot, counted from 0."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.trigger_slot);
+    visitor(fields[1], value.analog_slot);
+  }
+};
+
+template <>
+struct Meta<AdjVarsStateRequestExt> {
+  static constexpr const char* answers[] = {"AdjVarsState"};
+  static constexpr MessageInfo info{
+      .name = "AdjVarsStateRequestExt",
+      .command = "CMD_ADJ_VARS_STATE",
+      .summary = "Ask for the state of adjustable variables, as later firmware does it.",
+      .id = 46,
+      .direction = Direction::to_board,
+      .min_size = 7,
+      .max_size = 7,
+      .since = {2625, 0},
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "params",
+       .spec_name = "PARAMS",
+       .summary = "Not documented."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.params);
+  }
+};
+
+template <>
+struct Meta<WriteAdjVarsCfg> : Meta<ReadAdjVarsCfg> {
+  static constexpr MessageInfo info{
+      .name = "WriteAdjVarsCfg",
+      .command = "CMD_WRITE_ADJ_VARS_CFG",
+      .summary = "Store which RC signals start actions and which ones change adjustable variables.",
+      .id = 44,
+      .direction = Direction::to_board,
+      .min_size = 128,
+      .max_size = 128,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = true,
+                 .retry_is_safe = true,
+                 .timeout_ms = 2000},
+      .stores = "ReadAdjVarsCfg"};
+};
+
+}  // namespace sbgc

@@ -1,0 +1,16 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// What is known about all messages at run time.
+#pragma once
+
+#include <sbgc/meta/system.hpp>
+#include <sbgc/meta/parameters.hpp>
+#include <sbgc/meta/realtime.hpp>
+#include <sbgc/meta/control.hpp>
+#include <sbgc/meta/calibration.hpp>
+#include <sbgc/meta/imu.hpp>
+#include <sbgc/meta/peripherals.hpp>
+#include <sbgc/meta/adjustable_variables.hpp>
+#include <sbgc/meta/storage.hpp>
+#include <sbgc/meta/scripting.hpp>
+#include <sbgc/meta/debug.hpp>

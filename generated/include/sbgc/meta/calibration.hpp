@@ -1,0 +1,609 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// calibration: what is known about messages and fields at run time.
+#pragma once
+
+#include <sbgc/messages/calibration.hpp>
+#include <sbgc/meta.hpp>
+#include <sbgc/meta/enums.hpp>
+
+namespace sbgc {
+
+template <>
+struct Meta<AxisTuning> {
+  static constexpr FieldInfo fields[] = {
+      {.name = "tracking_error",
+       .spec_name = "TRACKING_ERROR",
+       .summary = "How badly the axis holds its target."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.tracking_error);
+    visitor(fields[1], value.reserved);
+  }
+};
+
+template <>
+struct Meta<CalibAcc> {
+  static constexpr MessageInfo info{
+      .name = "CalibAcc",
+      .command = "CMD_CALIB_ACC",
+      .summary = "Calibrate the accelerometer of the active IMU.",
+      .id = 65,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .answer = {.messages = {},
+                 .confirmations = 2,
+                 .confirmation_is_certain = true,
+                 .retry_is_safe = false,
+                 .timeout_ms = 30000}};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<CalibAccExt> {
+  static constexpr MessageInfo info{
+      .name = "CalibAccExt",
+      .command = "CMD_CALIB_ACC",
+      .summary = "Calibrate the accelerometer of an IMU, or manage its calibrations.",
+      .id = 65,
+      .direction = Direction::to_board,
+      .min_size = 12,
+      .max_size = 12,
+      .answer = {.messages = {},
+                 .confirmations = 2,
+                 .confirmation_is_certain = true,
+                 .retry_is_safe = false,
+                 .timeout_ms = 30000}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "imu_idx",
+       .spec_name = "IMU_IDX",
+       .summary = "Which IMU."},
+      {.name = "action",
+       .spec_name = "ACTION",
+       .summary = "What to do."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.imu_idx);
+    visitor(fields[1], value.action);
+    visitor(fields[2], value.reserved);
+  }
+};
+
+template <>
+struct Meta<CalibGyro> {
+  static constexpr MessageInfo info{
+      .name = "CalibGyro",
+      .command = "CMD_CALIB_GYRO",
+      .summary = "Calibrate the gyroscope of the active IMU.",
+      .id = 103,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .answer = {.messages = {},
+                 .confirmations = 2,
+                 .confirmation_is_certain = true,
+                 .retry_is_safe = false,
+                 .timeout_ms = 30000}};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<CalibGyroExt> {
+  static constexpr MessageInfo info{
+      .name = "CalibGyroExt",
+      .command = "CMD_CALIB_GYRO",
+      .summary = "Calibrate the gyroscope of an IMU, or manage its calibrations.",
+      .id = 103,
+      .direction = Direction::to_board,
+      .min_size = 12,
+      .max_size = 12,
+      .answer = {.messages = {},
+                 .confirmations = 2,
+                 .confirmation_is_certain = true,
+                 .retry_is_safe = false,
+                 .timeout_ms = 30000}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "imu_idx",
+       .spec_name = "IMU_IDX",
+       .summary = "Which IMU."},
+      {.name = "action",
+       .spec_name = "ACTION",
+       .summary = "What to do."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.imu_idx);
+    visitor(fields[1], value.action);
+    visitor(fields[2], value.reserved);
+  }
+};
+
+template <>
+struct Meta<CalibMag> {
+  static constexpr MessageInfo info{
+      .name = "CalibMag",
+      .command = "CMD_CALIB_MAG",
+      .summary = "Calibrate the magnetometer.",
+      .id = 59,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = false,
+                 .timeout_ms = 500}};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<CalibExtGain> {
+  static constexpr MessageInfo info{
+      .name = "CalibExtGain",
+      .command = "CMD_CALIB_EXT_GAIN",
+      .summary = "Calibrate the gains of the signals from a flight controller.",
+      .id = 71,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = true,
+                 .retry_is_safe = false,
+                 .timeout_ms = 30000}};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<CalibPoles> {
+  static constexpr MessageInfo info{
+      .name = "CalibPoles",
+      .command = "CMD_CALIB_POLES",
+      .summary = "Find out poles and direction of the motors.",
+      .id = 80,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = true,
+                 .retry_is_safe = false,
+                 .timeout_ms = 30000}};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<CalibOffset> {
+  static constexpr MessageInfo info{
+      .name = "CalibOffset",
+      .command = "CMD_CALIB_OFFSET",
+      .summary = "Calibrate the offset of the follow mode.",
+      .id = 79,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = false,
+                 .timeout_ms = 500}};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<CalibBat> {
+  static constexpr MessageInfo info{
+      .name = "CalibBat",
+      .command = "CMD_CALIB_BAT",
+      .summary = "Calibrate the measurement of the battery voltage.",
+      .id = 66,
+      .direction = Direction::to_board,
+      .min_size = 2,
+      .max_size = 2,
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = false,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "actual_voltage",
+       .spec_name = "ACTUAL_VOLTAGE",
+       .summary = "The true voltage, measured by other means."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.actual_voltage);
+  }
+};
+
+template <>
+struct Meta<CalibInfo> {
+  static constexpr MessageInfo info{
+      .name = "CalibInfo",
+      .command = "CMD_CALIB_INFO",
+      .summary = "What a host shows while sensors are calibrated.",
+      .id = 49,
+      .direction = Direction::from_board,
+      .min_size = 33,
+      .max_size = 33,
+      .since = {0, 30}};
+  static constexpr Range progress_range{0, 100};
+  static constexpr Range acc_cur_axis_range{0, 2};
+  static constexpr Range imu_temp_cels_range{-127, 127};
+  static constexpr Range temp_calib_gyro_enabled_range{0, 1};
+  static constexpr Range temp_calib_gyro_t_min_cels_range{-127, 127};
+  static constexpr Range temp_calib_gyro_t_max_cels_range{-127, 127};
+  static constexpr Range temp_calib_acc_enabled_range{0, 1};
+  static constexpr Range temp_calib_acc_slot_num_range{0, 3};
+  static constexpr Range temp_calib_acc_t_min_cels_range{-127, 127};
+  static constexpr Range temp_calib_acc_t_max_cels_range{-127, 127};
+  static constexpr Range h1_err_length_range{0, 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "progress",
+       .spec_name = "PROGRESS",
+       .summary = "How much of the calibration is done.",
+       .range = &progress_range},
+      {.name = "imu_type",
+       .spec_name = "IMU_TYPE",
+       .summary = "IMU that this is about."},
+      {.name = "acc_data",
+       .spec_name = "ACC_DATA",
+       .summary = "Accelerometer, as in CMD_REALTIME_DATA_3."},
+      {.name = "gyro_abs_val",
+       .spec_name = "GYRO_ABS_VAL",
+       .summary = "Strength of the gyroscope's signal."},
+      {.name = "acc_cur_axis",
+       .spec_name = "ACC_CUR_AXIS",
+       .summary = "Axis of the accelerometer that is calibrated next.",
+       .range = &acc_cur_axis_range},
+      {.name = "acc_limits_info",
+       .spec_name = "ACC_LIMITS_INFO",
+       .summary = "Directions of the accelerometer that are calibrated."},
+      {.name = "imu_temp_cels",
+       .spec_name = "IMU_TEMP_CELS",
+       .summary = "Temperature of the IMU.",
+       .range = &imu_temp_cels_range},
+      {.name = "temp_calib_gyro_enabled",
+       .spec_name = "TEMP_CALIB_GYRO_ENABLED",
+       .summary = "1 if the gyroscope's calibration over temperature is used.",
+       .range = &temp_calib_gyro_enabled_range},
+      {.name = "temp_calib_gyro_t_min_cels",
+       .spec_name = "TEMP_CALIB_GYRO_T_MIN_CELS",
+       .summary = "Lowest temperature of the gyroscope's calibration.",
+       .range = &temp_calib_gyro_t_min_cels_range},
+      {.name = "temp_calib_gyro_t_max_cels",
+       .spec_name = "TEMP_CALIB_GYRO_T_MAX_CELS",
+       .summary = "Highest temperature of the gyroscope's calibration.",
+       .range = &temp_calib_gyro_t_max_cels_range},
+      {.name = "temp_calib_acc_enabled",
+       .spec_name = "TEMP_CALIB_ACC_ENABLED",
+       .summary = "1 if the accelerometer's calibration over temperature is used.",
+       .range = &temp_calib_acc_enabled_range},
+      {.name = "temp_calib_acc_slot_num",
+       .spec_name = "TEMP_CALIB_ACC_SLOT_NUM",
+       .summary = "Calibrated temperatures of the accelerometer in the directions +X, +Y, +Z, -X, -Y, -Z.",
+       .range = &temp_calib_acc_slot_num_range},
+      {.name = "temp_calib_acc_t_min_cels",
+       .spec_name = "TEMP_CALIB_ACC_T_MIN_CELS",
+       .summary = "Lowest temperature of the accelerometer's calibration.",
+       .range = &temp_calib_acc_t_min_cels_range},
+      {.name = "temp_calib_acc_t_max_cels",
+       .spec_name = "TEMP_CALIB_ACC_T_MAX_CELS",
+       .summary = "Highest temperature of the accelerometer's calibration.",
+       .range = &temp_calib_acc_t_max_cels_range},
+      {.name = "h1_err_length",
+       .spec_name = "H1_ERR_LENGTH",
+       .summary = "Length of the difference between the estimated and the reference heading vector; the vectors have length 1.",
+       .range = &h1_err_length_range},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.progress);
+    visitor(fields[1], value.imu_type);
+    visitor(fields[2], value.acc_data);
+    visitor(fields[3], value.gyro_abs_val);
+    visitor(fields[4], value.acc_cur_axis);
+    visitor(fields[5], value.acc_limits_info);
+    visitor(fields[6], value.imu_temp_cels);
+    visitor(fields[7], value.temp_calib_gyro_enabled);
+    visitor(fields[8], value.temp_calib_gyro_t_min_cels);
+    visitor(fields[9], value.temp_calib_gyro_t_max_cels);
+    visitor(fields[10], value.temp_calib_acc_enabled);
+    visitor(fields[11], value.temp_calib_acc_slot_num);
+    visitor(fields[12], value.temp_calib_acc_t_min_cels);
+    visitor(fields[13], value.temp_calib_acc_t_max_cels);
+    visitor(fields[14], value.h1_err_length);
+    visitor(fields[15], value.reserved);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<CalibInfoRequest> {
+  static constexpr const char* answers[] = {"CalibInfo"};
+  static constexpr MessageInfo info{
+      .name = "CalibInfoRequest",
+      .command = "CMD_CALIB_INFO",
+      .summary = "Ask for what to show while sensors are calibrated.",
+      .id = 49,
+      .direction = Direction::to_board,
+      .min_size = 12,
+      .max_size = 12,
+      .since = {0, 30},
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "imu_type",
+       .spec_name = "IMU_TYPE",
+       .summary = "Which IMU."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.imu_type);
+    visitor(fields[1], value.reserved);
+  }
+};
+
+template <>
+struct Meta<CalibMotorMagLink> {
+  static constexpr MessageInfo info{
+      .name = "CalibMotorMagLink",
+      .command = "CMD_CALIB_MOTOR_MAG_LINK",
+      .summary = "Body from the board, not documented.",
+      .id = 74,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 255,
+      .since = {0, 30}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Whatever it holds."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<CalibMotorMagLinkRequest> {
+  static constexpr MessageInfo info{
+      .name = "CalibMotorMagLinkRequest",
+      .command = "CMD_CALIB_MOTOR_MAG_LINK",
+      .summary = "Body to the board, not documented.",
+      .id = 74,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 255,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = false,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Whatever it holds."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<EncodersCalibOffset4> {
+  static constexpr MessageInfo info{
+      .name = "EncodersCalibOffset4",
+      .command = "CMD_ENCODERS_CALIB_OFFSET_4",
+      .summary = "Calibrate the offsets of the encoders.",
+      .id = 26,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = false,
+                 .timeout_ms = 500}};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<EncodersCalibFldOffset4> {
+  static constexpr MessageInfo info{
+      .name = "EncodersCalibFldOffset4",
+      .command = "CMD_ENCODERS_CALIB_FLD_OFFSET_4",
+      .summary = "Calibrate the offsets between encoders and the motors' magnetic fields.",
+      .id = 27,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = false,
+                 .timeout_ms = 500}};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<AutoPid> {
+  static constexpr MessageInfo info{
+      .name = "AutoPid",
+      .command = "CMD_AUTO_PID",
+      .summary = "Progress of the automatic tuning.",
+      .id = 35,
+      .direction = Direction::from_board,
+      .min_size = 57,
+      .max_size = 57,
+      .since = {0, 30}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "p",
+       .spec_name = "P",
+       .summary = "Proportional gain of each axis."},
+      {.name = "i",
+       .spec_name = "I",
+       .summary = "Integral gain of each axis, as stored."},
+      {.name = "d",
+       .spec_name = "D",
+       .summary = "Derivative gain of each axis."},
+      {.name = "lpf_freq",
+       .spec_name = "LPF_FREQ",
+       .summary = "Low-pass filter of each axis, as stored."},
+      {.name = "iter_num",
+       .spec_name = "ITER_NUM",
+       .summary = "How many rounds are done."},
+      {.name = "axes",
+       .spec_name = "axes",
+       .summary = "Result of each axis so far."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.p);
+    visitor(fields[1], value.i);
+    visitor(fields[2], value.d);
+    visitor(fields[3], value.lpf_freq);
+    visitor(fields[4], value.iter_num);
+    visitor(fields[5], value.axes);
+    visitor(fields[6], value.reserved);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<AutoPidRequest> {
+  static constexpr MessageInfo info{
+      .name = "AutoPidRequest",
+      .command = "CMD_AUTO_PID",
+      .summary = "Start or stop the automatic tuning.",
+      .id = 35,
+      .direction = Direction::to_board,
+      .min_size = 19,
+      .max_size = 19,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = false,
+                 .timeout_ms = 500}};
+  static constexpr Range profile_id_range{0, 4};
+  static constexpr Special cfg_flags_special[] = {
+      {0, "stops the tuning"},
+  };
+  static constexpr Range gain_vs_stability_range{0, 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "profile_id",
+       .spec_name = "PROFILE_ID",
+       .summary = "Profile to switch to first.",
+       .range = &profile_id_range},
+      {.name = "cfg_flags",
+       .spec_name = "CFG_FLAGS",
+       .summary = "What to tune and how.",
+       .special = cfg_flags_special},
+      {.name = "gain_vs_stability",
+       .spec_name = "GAIN_VS_STABILITY",
+       .summary = "How far to go for high gains, at the cost of stability.",
+       .range = &gain_vs_stability_range},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.profile_id);
+    visitor(fields[1], value.cfg_flags);
+    visitor(fields[2], value.gain_vs_stability);
+    visitor(fields[3], value.reserved);
+  }
+};
+
+}  // namespace sbgc

@@ -1,0 +1,501 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// control: what is known about messages and fields at run time.
+#pragma once
+
+#include <sbgc/messages/control.hpp>
+#include <sbgc/meta.hpp>
+#include <sbgc/meta/enums.hpp>
+
+namespace sbgc {
+
+template <>
+struct Meta<ControlAxis> {
+  static constexpr AlternativeUnit speed_alternative{"control_mode", 0x80, "deg/s", 1, 1000};
+  static constexpr Range angle_range{-32768, 32767};
+  static constexpr FieldInfo fields[] = {
+      {.name = "speed",
+       .spec_name = "SPEED_{AXIS}",
+       .summary = "Speed to move with; an acceleration limit of the settings may hold it back.",
+       .alternative = &speed_alternative},
+      {.name = "angle",
+       .spec_name = "ANGLE_{AXIS}",
+       .summary = "Angle to reach; in MODE_RC the RC signal, -500 to 500.",
+       .range = &angle_range},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.speed);
+    visitor(fields[1], value.angle);
+  }
+};
+
+template <>
+struct Meta<AxisState> {
+  static constexpr Range imu_angle_range{-32768, 32767};
+  static constexpr Range rc_target_angle_range{-32768, 32767};
+  static constexpr FieldInfo fields[] = {
+      {.name = "imu_angle",
+       .spec_name = "IMU_ANGLE",
+       .summary = "Measured angle; starts again after two full turns.",
+       .range = &imu_angle_range},
+      {.name = "rc_target_angle",
+       .spec_name = "RC_TARGET_ANGLE",
+       .summary = "Angle that the gimbal should hold, set by RC or by control commands.",
+       .range = &rc_target_angle_range},
+      {.name = "rc_speed",
+       .spec_name = "RC_SPEED",
+       .summary = "Speed that the gimbal should hold; 0 once the target is reached."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.imu_angle);
+    visitor(fields[1], value.rc_target_angle);
+    visitor(fields[2], value.rc_speed);
+  }
+};
+
+template <>
+struct Meta<AxisStateExt> {
+  static constexpr Range imu_angle_range{-32768, 32767};
+  static constexpr Range rc_target_angle_range{-32768, 32767};
+  static constexpr FieldInfo fields[] = {
+      {.name = "imu_angle",
+       .spec_name = "IMU_ANGLE",
+       .summary = "Measured angle; starts again after two full turns.",
+       .range = &imu_angle_range},
+      {.name = "rc_target_angle",
+       .spec_name = "RC_TARGET_ANGLE",
+       .summary = "Angle that the gimbal should hold.",
+       .range = &rc_target_angle_range},
+      {.name = "stator_rotor_angle",
+       .spec_name = "STATOR_ROTOR_ANGLE",
+       .summary = "Angle of the joint, from an encoder or the second IMU; 0 in normal position, and it counts on over full turns."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.imu_angle);
+    visitor(fields[1], value.rc_target_angle);
+    visitor(fields[2], value.stator_rotor_angle);
+    visitor(fields[3], value.reserved);
+  }
+};
+
+template <>
+struct Meta<Control> {
+  static constexpr MessageInfo info{
+      .name = "Control",
+      .command = "CMD_CONTROL",
+      .summary = "Move the camera, one mode for all axes.",
+      .id = 67,
+      .direction = Direction::to_board,
+      .min_size = 13,
+      .max_size = 13,
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = false,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "control_mode",
+       .spec_name = "CONTROL_MODE",
+       .summary = "Mode of all three axes."},
+      {.name = "axes",
+       .spec_name = "axes",
+       .summary = "Target of each axis."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.control_mode);
+    visitor(fields[1], value.axes);
+  }
+};
+
+template <>
+struct Meta<ControlExt> {
+  static constexpr MessageInfo info{
+      .name = "ControlExt",
+      .command = "CMD_CONTROL",
+      .summary = "Move the camera, with a mode for each axis.",
+      .id = 67,
+      .direction = Direction::to_board,
+      .min_size = 15,
+      .max_size = 15,
+      .since = {2555, 0},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = false,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "control_mode",
+       .spec_name = "CONTROL_MODE_{AXIS}",
+       .summary = "Mode of each axis."},
+      {.name = "axes",
+       .spec_name = "axes",
+       .summary = "Target of each axis."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.control_mode);
+    visitor(fields[1], value.axes);
+  }
+};
+
+template <>
+struct Meta<GetAngles> {
+  static constexpr MessageInfo info{
+      .name = "GetAngles",
+      .command = "CMD_GET_ANGLES",
+      .summary = "Angles and targets of the camera.",
+      .id = 73,
+      .direction = Direction::from_board,
+      .min_size = 18,
+      .max_size = 18};
+  static constexpr FieldInfo fields[] = {
+      {.name = "axes",
+       .spec_name = "axes",
+       .summary = "State of each axis."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.axes);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<GetAnglesRequest> {
+  static constexpr const char* answers[] = {"GetAngles"};
+  static constexpr MessageInfo info{
+      .name = "GetAnglesRequest",
+      .command = "CMD_GET_ANGLES",
+      .summary = "Ask for the angles and targets of the camera.",
+      .id = 73,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<GetAnglesExt> {
+  static constexpr MessageInfo info{
+      .name = "GetAnglesExt",
+      .command = "CMD_GET_ANGLES_EXT",
+      .summary = "Angles, targets and joint angles of the gimbal.",
+      .id = 61,
+      .direction = Direction::from_board,
+      .min_size = 54,
+      .max_size = 54,
+      .since = {0, 30}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "axes",
+       .spec_name = "axes",
+       .summary = "State of each axis."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.axes);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<GetAnglesExtRequest> {
+  static constexpr const char* answers[] = {"GetAnglesExt"};
+  static constexpr MessageInfo info{
+      .name = "GetAnglesExtRequest",
+      .command = "CMD_GET_ANGLES_EXT",
+      .summary = "Ask for angles, targets and joint angles.",
+      .id = 61,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .since = {0, 30},
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<MotorsOn> {
+  static constexpr MessageInfo info{
+      .name = "MotorsOn",
+      .command = "CMD_MOTORS_ON",
+      .summary = "Turn the motors on.",
+      .id = 77,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = true,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<MotorsOff> {
+  static constexpr MessageInfo info{
+      .name = "MotorsOff",
+      .command = "CMD_MOTORS_OFF",
+      .summary = "Turn the motors off.",
+      .id = 109,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = true,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<MotorsOffExt> {
+  static constexpr MessageInfo info{
+      .name = "MotorsOffExt",
+      .command = "CMD_MOTORS_OFF",
+      .summary = "Turn the motors off, in a way that later firmware lets the host choose.",
+      .id = 109,
+      .direction = Direction::to_board,
+      .min_size = 1,
+      .max_size = 1,
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = true,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "mode",
+       .spec_name = "MODE",
+       .summary = "How to turn them off; its values are not documented."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.mode);
+  }
+};
+
+template <>
+struct Meta<ExecuteMenu> {
+  static constexpr MessageInfo info{
+      .name = "ExecuteMenu",
+      .command = "CMD_EXECUTE_MENU",
+      .summary = "Carry out an action of the menu.",
+      .id = 69,
+      .direction = Direction::to_board,
+      .min_size = 1,
+      .max_size = 1,
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = false,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "cmd_id",
+       .spec_name = "CMD_ID",
+       .summary = "Which action."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.cmd_id);
+  }
+};
+
+template <>
+struct Meta<ExecuteMenuExt> {
+  static constexpr MessageInfo info{
+      .name = "ExecuteMenuExt",
+      .command = "CMD_EXECUTE_MENU",
+      .summary = "Carry out an action of the menu, with a parameter that later firmware takes.",
+      .id = 69,
+      .direction = Direction::to_board,
+      .min_size = 2,
+      .max_size = 2,
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = false,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "cmd_id",
+       .spec_name = "CMD_ID",
+       .summary = "Which action."},
+      {.name = "param",
+       .spec_name = "PARAM",
+       .summary = "Its meaning is not documented."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.cmd_id);
+    visitor(fields[1], value.param);
+  }
+};
+
+template <>
+struct Meta<HelperData> {
+  static constexpr MessageInfo info{
+      .name = "HelperData",
+      .command = "CMD_HELPER_DATA",
+      .summary = "Tell the board how the frame accelerates and leans.",
+      .id = 72,
+      .direction = Direction::to_board,
+      .min_size = 10,
+      .max_size = 10,
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = false,
+                 .timeout_ms = 500}};
+  static constexpr Range frame_angle_roll_range{-32768, 32767};
+  static constexpr Special frame_angle_roll_special[] = {
+      {0, "with FRAME_ANGLE_PITCH 0 too, not used"},
+  };
+  static constexpr Range frame_angle_pitch_range{-32768, 32767};
+  static constexpr Special frame_angle_pitch_special[] = {
+      {0, "with FRAME_ANGLE_ROLL 0 too, not used"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "frame_acc",
+       .spec_name = "FRAME_ACC_{XYZ}",
+       .summary = "Linear acceleration of the frame; keeps the horizon level in accelerated motion."},
+      {.name = "frame_angle_roll",
+       .spec_name = "FRAME_ANGLE_ROLL",
+       .summary = "Inclination of the frame to the side.",
+       .range = &frame_angle_roll_range,
+       .special = frame_angle_roll_special},
+      {.name = "frame_angle_pitch",
+       .spec_name = "FRAME_ANGLE_PITCH",
+       .summary = "Inclination of the frame forwards.",
+       .range = &frame_angle_pitch_range,
+       .special = frame_angle_pitch_special},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.frame_acc);
+    visitor(fields[1], value.frame_angle_roll);
+    visitor(fields[2], value.frame_angle_pitch);
+  }
+};
+
+template <>
+struct Meta<HelperDataExt> {
+  static constexpr MessageInfo info{
+      .name = "HelperDataExt",
+      .command = "CMD_HELPER_DATA",
+      .summary = "Tell the board how the frame accelerates, leans and turns.",
+      .id = 72,
+      .direction = Direction::to_board,
+      .min_size = 20,
+      .max_size = 20,
+      .since = {2590, 0},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = false,
+                 .timeout_ms = 500}};
+  static constexpr Range frame_angle_roll_range{-32768, 32767};
+  static constexpr Special frame_angle_roll_special[] = {
+      {0, "with FRAME_ANGLE_PITCH 0 too, not used"},
+  };
+  static constexpr Range frame_angle_pitch_range{-32768, 32767};
+  static constexpr Special frame_angle_pitch_special[] = {
+      {0, "with FRAME_ANGLE_ROLL 0 too, not used"},
+  };
+  static constexpr Special frame_speed_special[] = {
+      {0, "with all three 0, not used"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "frame_acc",
+       .spec_name = "FRAME_ACC",
+       .summary = "Linear acceleration of the frame; keeps the horizon level in accelerated motion."},
+      {.name = "frame_angle_roll",
+       .spec_name = "FRAME_ANGLE_ROLL",
+       .summary = "Inclination of the frame to the side.",
+       .range = &frame_angle_roll_range,
+       .special = frame_angle_roll_special},
+      {.name = "frame_angle_pitch",
+       .spec_name = "FRAME_ANGLE_PITCH",
+       .summary = "Inclination of the frame forwards.",
+       .range = &frame_angle_pitch_range,
+       .special = frame_angle_pitch_special},
+      {.name = "coord_sys",
+       .spec_name = "COORD_SYS",
+       .summary = "Coordinates that all the vectors are given in."},
+      {.name = "frame_speed",
+       .spec_name = "FRAME_SPEED",
+       .summary = "Angular speed of the frame; helps without encoders and without a second IMU.",
+       .special = frame_speed_special},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.frame_acc);
+    visitor(fields[1], value.frame_angle_roll);
+    visitor(fields[2], value.frame_angle_pitch);
+    visitor(fields[3], value.coord_sys);
+    visitor(fields[4], value.frame_speed);
+    visitor(fields[5], value.reserved);
+  }
+};
+
+}  // namespace sbgc

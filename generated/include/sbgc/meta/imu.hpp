@@ -1,0 +1,227 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// imu: what is known about messages and fields at run time.
+#pragma once
+
+#include <sbgc/messages/imu.hpp>
+#include <sbgc/meta.hpp>
+#include <sbgc/meta/enums.hpp>
+
+namespace sbgc {
+
+template <>
+struct Meta<SelectImu3> {
+  static constexpr MessageInfo info{
+      .name = "SelectImu3",
+      .command = "CMD_SELECT_IMU_3",
+      .summary = "Choose the IMU that is configured and calibrated.",
+      .id = 24,
+      .direction = Direction::to_board,
+      .min_size = 1,
+      .max_size = 1,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "imu_type",
+       .spec_name = "IMU_TYPE",
+       .summary = "Which IMU."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.imu_type);
+  }
+};
+
+template <>
+struct Meta<SelectImu3Ext> {
+  static constexpr MessageInfo info{
+      .name = "SelectImu3Ext",
+      .command = "CMD_SELECT_IMU_3",
+      .summary = "Choose an IMU, with parameters that later firmware takes.",
+      .id = 24,
+      .direction = Direction::to_board,
+      .min_size = 2,
+      .max_size = 12,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "imu_type",
+       .spec_name = "IMU_TYPE",
+       .summary = "Which IMU."},
+      {.name = "param",
+       .spec_name = "PARAM",
+       .summary = "Its meaning is not documented."},
+      {.name = "params",
+       .spec_name = "PARAMS",
+       .summary = "Further parameters; not documented.",
+       .max_count = 10},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.imu_type);
+    visitor(fields[1], value.param);
+    visitor(fields[2], value.params);
+  }
+};
+
+template <>
+struct Meta<AhrsHelper> {
+  static constexpr MessageInfo info{
+      .name = "AhrsHelper",
+      .command = "CMD_AHRS_HELPER",
+      .summary = "Attitude of an IMU as two unit vectors.",
+      .id = 56,
+      .direction = Direction::from_board,
+      .min_size = 24,
+      .max_size = 24,
+      .since = {0, 30}};
+  static constexpr Range z1_vector_range{-1, 1};
+  static constexpr Range h1_vector_range{-1, 1};
+  static constexpr FieldInfo fields[] = {
+      {.name = "z1_vector",
+       .spec_name = "Z1_VECTOR",
+       .summary = "Unit vector that points up.",
+       .range = &z1_vector_range},
+      {.name = "h1_vector",
+       .spec_name = "H1_VECTOR",
+       .summary = "Unit vector that points north.",
+       .range = &h1_vector_range},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.z1_vector);
+    visitor(fields[1], value.h1_vector);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<AhrsHelperRequest> {
+  static constexpr const char* answers[] = {"AhrsHelper"};
+  static constexpr MessageInfo info{
+      .name = "AhrsHelperRequest",
+      .command = "CMD_AHRS_HELPER",
+      .summary = "Ask for the attitude of an IMU.",
+      .id = 56,
+      .direction = Direction::to_board,
+      .min_size = 1,
+      .max_size = 1,
+      .since = {0, 30},
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "mode",
+       .spec_name = "MODE",
+       .summary = "Which IMU; without SET."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.mode);
+  }
+};
+
+template <>
+struct Meta<AhrsHelperRequestExt> {
+  static constexpr const char* answers[] = {"AhrsHelper"};
+  static constexpr MessageInfo info{
+      .name = "AhrsHelperRequestExt",
+      .command = "CMD_AHRS_HELPER",
+      .summary = "Ask for the attitude of an IMU or set it.",
+      .id = 56,
+      .direction = Direction::to_board,
+      .min_size = 25,
+      .max_size = 26,
+      .since = {0, 30},
+      .answer = {.messages = answers,
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr Range z1_vector_range{-1, 1};
+  static constexpr Range h1_vector_range{-1, 1};
+  static constexpr FieldInfo fields[] = {
+      {.name = "mode",
+       .spec_name = "MODE",
+       .summary = "What to do."},
+      {.name = "z1_vector",
+       .spec_name = "Z1_VECTOR",
+       .summary = "Unit vector that points up; not used when asking.",
+       .range = &z1_vector_range},
+      {.name = "h1_vector",
+       .spec_name = "H1_VECTOR",
+       .summary = "Unit vector that points north; not used when asking.",
+       .range = &h1_vector_range},
+      {.name = "param",
+       .spec_name = "PARAM",
+       .summary = "Its meaning is not documented.",
+       .max_count = 1,
+       .since = {2695, 0}},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.mode);
+    visitor(fields[1], value.z1_vector);
+    visitor(fields[2], value.h1_vector);
+    visitor(fields[3], value.param);
+  }
+};
+
+template <>
+struct Meta<GyroCorrection> {
+  static constexpr MessageInfo info{
+      .name = "GyroCorrection",
+      .command = "CMD_GYRO_CORRECTION",
+      .summary = "Correct the zero of a gyroscope by hand.",
+      .id = 75,
+      .direction = Direction::to_board,
+      .min_size = 9,
+      .max_size = 9,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "imu_type",
+       .spec_name = "IMU_TYPE",
+       .summary = "Which IMU."},
+      {.name = "gyro_zero_corr",
+       .spec_name = "GYRO_ZERO_CORR",
+       .summary = "Offset of the zero of each axis."},
+      {.name = "gyro_zero_heading_corr",
+       .spec_name = "GYRO_ZERO_HEADING_CORR",
+       .summary = "Offset of the rotation about the vertical, to correct the heading; the board spreads it over the axes."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.imu_type);
+    visitor(fields[1], value.gyro_zero_corr);
+    visitor(fields[2], value.gyro_zero_heading_corr);
+  }
+};
+
+}  // namespace sbgc

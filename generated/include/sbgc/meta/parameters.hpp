@@ -1,0 +1,1075 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// parameters: what is known about messages and fields at run time.
+#pragma once
+
+#include <sbgc/messages/parameters.hpp>
+#include <sbgc/meta.hpp>
+#include <sbgc/meta/enums.hpp>
+
+namespace sbgc {
+
+template <>
+struct Meta<AxisPid> {
+  static constexpr Range p_range{0, 255};
+  static constexpr Range i_range{0, 255};
+  static constexpr Range d_range{0, 255};
+  static constexpr Range power_range{0, 255};
+  static constexpr Range invert_range{0, 1};
+  static constexpr Range poles_range{0, 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "p",
+       .spec_name = "P",
+       .summary = "Proportional gain.",
+       .range = &p_range},
+      {.name = "i",
+       .spec_name = "I",
+       .summary = "Integral gain.",
+       .range = &i_range},
+      {.name = "d",
+       .spec_name = "D",
+       .summary = "Derivative gain.",
+       .range = &d_range},
+      {.name = "power",
+       .spec_name = "POWER",
+       .summary = "Power of the motor.",
+       .range = &power_range},
+      {.name = "invert",
+       .spec_name = "INVERT",
+       .summary = "1 if the motor's direction is inverted.",
+       .range = &invert_range},
+      {.name = "poles",
+       .spec_name = "POLES",
+       .summary = "Number of the motor's poles.",
+       .range = &poles_range},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.p);
+    visitor(fields[1], value.i);
+    visitor(fields[2], value.d);
+    visitor(fields[3], value.power);
+    visitor(fields[4], value.invert);
+    visitor(fields[5], value.poles);
+  }
+};
+
+template <>
+struct Meta<AxisRc> {
+  static constexpr Range rc_min_angle_range{-720, 720};
+  static constexpr Range rc_max_angle_range{-720, 720};
+  static constexpr Range rc_lpf_range{0, 16};
+  static constexpr Range rc_speed_range{0, 255};
+  static constexpr Range rc_follow_range{-127, 127};
+  static constexpr FieldInfo fields[] = {
+      {.name = "rc_min_angle",
+       .spec_name = "RC_MIN_ANGLE",
+       .summary = "Angle at the lowest signal.",
+       .range = &rc_min_angle_range},
+      {.name = "rc_max_angle",
+       .spec_name = "RC_MAX_ANGLE",
+       .summary = "Angle at the highest signal.",
+       .range = &rc_max_angle_range},
+      {.name = "rc_mode",
+       .spec_name = "RC_MODE",
+       .summary = "What the signal controls."},
+      {.name = "rc_lpf",
+       .spec_name = "RC_LPF",
+       .summary = "Low-pass filter of the signal.",
+       .range = &rc_lpf_range},
+      {.name = "rc_speed",
+       .spec_name = "RC_SPEED",
+       .summary = "Speed of the control.",
+       .range = &rc_speed_range},
+      {.name = "rc_follow",
+       .spec_name = "RC_FOLLOW",
+       .summary = "Roll and pitch: how much to follow the flight controller. Yaw: not 0 follows the motor.",
+       .range = &rc_follow_range},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.rc_min_angle);
+    visitor(fields[1], value.rc_max_angle);
+    visitor(fields[2], value.rc_mode);
+    visitor(fields[3], value.rc_lpf);
+    visitor(fields[4], value.rc_speed);
+    visitor(fields[5], value.rc_follow);
+  }
+};
+
+template <>
+struct Meta<AxisNotches> {
+  static constexpr Range notch_freq_range{0, 255};
+  static constexpr Range notch_width_range{0, 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "notch_freq",
+       .spec_name = "NOTCH_FREQ",
+       .summary = "Middle frequency of each of the three filters.",
+       .range = &notch_freq_range},
+      {.name = "notch_width",
+       .spec_name = "NOTCH_WIDTH",
+       .summary = "Width of each filter, between its -3 dB points.",
+       .range = &notch_width_range},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.notch_freq);
+    visitor(fields[1], value.notch_width);
+  }
+};
+
+template <>
+struct Meta<ReadParams3> {
+  static constexpr MessageInfo info{
+      .name = "ReadParams3",
+      .command = "CMD_READ_PARAMS_3",
+      .summary = "Settings of one profile together with the general settings.",
+      .id = 21,
+      .direction = Direction::from_board,
+      .min_size = 134,
+      .max_size = 134,
+      .since = {0, 30}};
+  static constexpr Range profile_id_range{0, 4};
+  static constexpr Special profile_id_special[] = {
+      {255, "the active profile"},
+  };
+  static constexpr Range acc_limiter_all_range{0, 255};
+  static constexpr Special acc_limiter_all_special[] = {
+      {0, "disabled"},
+  };
+  static constexpr Range ext_fc_gain_roll_range{-127, 127};
+  static constexpr Range ext_fc_gain_pitch_range{-127, 127};
+  static constexpr Range gyro_trust_range{0, 255};
+  static constexpr Range use_model_range{0, 1};
+  static constexpr Range rc_trim_range{-127, 127};
+  static constexpr Range rc_deadband_range{0, 255};
+  static constexpr Range rc_expo_rate_range{0, 100};
+  static constexpr Range follow_deadband_range{0, 255};
+  static constexpr Range follow_expo_rate_range{0, 100};
+  static constexpr Range follow_offset_range{-127, 127};
+  static constexpr Range gyro_deadband_range{0, 255};
+  static constexpr Range i2c_internal_pullups_range{0, 1};
+  static constexpr Range bat_threshold_alarm_range{-3000, 3000};
+  static constexpr Range bat_threshold_motors_range{-3000, 3000};
+  static constexpr Range bat_comp_ref_range{-3000, 3000};
+  static constexpr Range follow_roll_mix_start_range{0, 90};
+  static constexpr Range follow_roll_mix_range_range{0, 90};
+  static constexpr Range booster_power_range{0, 255};
+  static constexpr Range follow_speed_range{0, 255};
+  static constexpr Range frame_angle_from_motors_range{0, 1};
+  static constexpr Range rc_memory_range{-32768, 32767};
+  static constexpr Range servo_out_range{1, 32};
+  static constexpr Special servo_out_special[] = {
+      {0, "disabled"},
+  };
+  static constexpr Range servo_rate_range{5, 40};
+  static constexpr Range adaptive_pid_threshold_range{0, 255};
+  static constexpr Range adaptive_pid_rate_range{1, 255};
+  static constexpr Range adaptive_pid_recovery_factor_range{0, 10};
+  static constexpr Range follow_lpf_range{0, 16};
+  static constexpr Range cur_profile_id_range{0, 4};
+  static constexpr FieldInfo fields[] = {
+      {.name = "profile_id",
+       .spec_name = "PROFILE_ID",
+       .summary = "Profile that the settings belong to.",
+       .range = &profile_id_range,
+       .special = profile_id_special},
+      {.name = "axes",
+       .spec_name = "axes",
+       .summary = "Controller and motor of each axis."},
+      {.name = "acc_limiter_all",
+       .spec_name = "ACC_LIMITER_ALL",
+       .summary = "Limit of the acceleration of all axes.",
+       .range = &acc_limiter_all_range,
+       .special = acc_limiter_all_special},
+      {.name = "ext_fc_gain_roll",
+       .spec_name = "EXT_FC_GAIN_ROLL",
+       .summary = "Gain of the flight controller's roll signal.",
+       .range = &ext_fc_gain_roll_range},
+      {.name = "ext_fc_gain_pitch",
+       .spec_name = "EXT_FC_GAIN_PITCH",
+       .summary = "Gain of the flight controller's pitch signal.",
+       .range = &ext_fc_gain_pitch_range},
+      {.name = "rc",
+       .spec_name = "rc",
+       .summary = "Remote control of each axis."},
+      {.name = "gyro_trust",
+       .spec_name = "GYRO_TRUST",
+       .summary = "Trust in the gyroscope against the accelerometer.",
+       .range = &gyro_trust_range},
+      {.name = "use_model",
+       .spec_name = "USE_MODEL",
+       .summary = "1 if the model of the motors is used.",
+       .range = &use_model_range},
+      {.name = "pwm_freq",
+       .spec_name = "PWM_FREQ",
+       .summary = "PWM frequency of the motors."},
+      {.name = "serial_speed",
+       .spec_name = "SERIAL_SPEED",
+       .summary = "Baud rate of the serial port."},
+      {.name = "rc_trim",
+       .spec_name = "RC_TRIM_{AXIS}",
+       .summary = "Trim of the RC signals.",
+       .range = &rc_trim_range},
+      {.name = "rc_deadband",
+       .spec_name = "RC_DEADBAND",
+       .summary = "Dead band around the middle of the RC signals.",
+       .range = &rc_deadband_range},
+      {.name = "rc_expo_rate",
+       .spec_name = "RC_EXPO_RATE",
+       .summary = "Curvature of the RC signals.",
+       .range = &rc_expo_rate_range},
+      {.name = "rc_virt_mode",
+       .spec_name = "RC_VIRT_MODE",
+       .summary = "What the RC_ROLL pin receives."},
+      {.name = "rc_map",
+       .spec_name = "RC_MAP_{AXIS}",
+       .summary = "Source of control of each axis."},
+      {.name = "rc_map_cmd",
+       .spec_name = "RC_MAP_CMD",
+       .summary = "Source of the command channel."},
+      {.name = "rc_map_fc_roll",
+       .spec_name = "RC_MAP_FC_ROLL",
+       .summary = "Source of the flight controller's roll signal."},
+      {.name = "rc_map_fc_pitch",
+       .spec_name = "RC_MAP_FC_PITCH",
+       .summary = "Source of the flight controller's pitch signal."},
+      {.name = "rc_mix_fc_roll",
+       .spec_name = "RC_MIX_FC_ROLL",
+       .summary = "Where the flight controller's roll signal is mixed in."},
+      {.name = "rc_mix_fc_pitch",
+       .spec_name = "RC_MIX_FC_PITCH",
+       .summary = "Where the flight controller's pitch signal is mixed in."},
+      {.name = "follow_mode",
+       .spec_name = "FOLLOW_MODE",
+       .summary = "What the camera follows."},
+      {.name = "follow_deadband",
+       .spec_name = "FOLLOW_DEADBAND",
+       .summary = "Dead band of the follow mode.",
+       .range = &follow_deadband_range},
+      {.name = "follow_expo_rate",
+       .spec_name = "FOLLOW_EXPO_RATE",
+       .summary = "Curvature of the follow mode.",
+       .range = &follow_expo_rate_range},
+      {.name = "follow_offset",
+       .spec_name = "FOLLOW_OFFSET_{AXIS}",
+       .summary = "Offset of the follow mode.",
+       .range = &follow_offset_range},
+      {.name = "axis_top",
+       .spec_name = "AXIS_TOP",
+       .summary = "Axis of the main IMU that points up."},
+      {.name = "axis_right",
+       .spec_name = "AXIS_RIGHT",
+       .summary = "Axis of the main IMU that points right."},
+      {.name = "frame_axis_top",
+       .spec_name = "FRAME_AXIS_TOP",
+       .summary = "Axis of the frame IMU that points up."},
+      {.name = "frame_axis_right",
+       .spec_name = "FRAME_AXIS_RIGHT",
+       .summary = "Axis of the frame IMU that points right."},
+      {.name = "frame_imu_pos",
+       .spec_name = "FRAME_IMU_POS",
+       .summary = "Where the frame IMU is mounted."},
+      {.name = "gyro_deadband",
+       .spec_name = "GYRO_DEADBAND",
+       .summary = "Dead band of the gyroscope.",
+       .range = &gyro_deadband_range},
+      {.name = "gyro_sens",
+       .spec_name = "GYRO_SENS",
+       .summary = "Sensitivity of the gyroscope."},
+      {.name = "i2c_internal_pullups",
+       .spec_name = "I2C_INTERNAL_PULLUPS",
+       .summary = "1 if the I2C bus uses the controller's pull-ups.",
+       .range = &i2c_internal_pullups_range},
+      {.name = "skip_gyro_calib",
+       .spec_name = "SKIP_GYRO_CALIB",
+       .summary = "Calibration of the gyroscope at start-up."},
+      {.name = "rc_cmd_low",
+       .spec_name = "RC_CMD_LOW",
+       .summary = "Action at a low signal of the command channel."},
+      {.name = "rc_cmd_mid",
+       .spec_name = "RC_CMD_MID",
+       .summary = "Action at a middle signal of the command channel."},
+      {.name = "rc_cmd_high",
+       .spec_name = "RC_CMD_HIGH",
+       .summary = "Action at a high signal of the command channel."},
+      {.name = "menu_cmd",
+       .spec_name = "MENU_CMD_{1..5}",
+       .summary = "Actions for 1 to 5 presses of the menu button."},
+      {.name = "menu_cmd_long",
+       .spec_name = "MENU_CMD_LONG",
+       .summary = "Action for a long press of the menu button."},
+      {.name = "output",
+       .spec_name = "OUTPUT_{AXIS}",
+       .summary = "Motor output of each axis."},
+      {.name = "bat_threshold_alarm",
+       .spec_name = "BAT_THRESHOLD_ALARM",
+       .summary = "Battery voltage that sounds the alarm; negative turns it off.",
+       .range = &bat_threshold_alarm_range},
+      {.name = "bat_threshold_motors",
+       .spec_name = "BAT_THRESHOLD_MOTORS",
+       .summary = "Battery voltage that stops the motors; negative turns it off.",
+       .range = &bat_threshold_motors_range},
+      {.name = "bat_comp_ref",
+       .spec_name = "BAT_COMP_REF",
+       .summary = "Battery voltage that the motor power is compensated to; negative turns it off.",
+       .range = &bat_comp_ref_range},
+      {.name = "beeper_modes",
+       .spec_name = "BEEPER_MODES",
+       .summary = "When the board makes a sound."},
+      {.name = "follow_roll_mix_start",
+       .spec_name = "FOLLOW_ROLL_MIX_START",
+       .summary = "Angle at which pitch begins to follow roll.",
+       .range = &follow_roll_mix_start_range},
+      {.name = "follow_roll_mix_range",
+       .spec_name = "FOLLOW_ROLL_MIX_RANGE",
+       .summary = "Angle over which pitch goes on to follow roll.",
+       .range = &follow_roll_mix_range_range},
+      {.name = "booster_power",
+       .spec_name = "BOOSTER_POWER_{AXIS}",
+       .summary = "Additional power that corrects a lost synchronisation.",
+       .range = &booster_power_range},
+      {.name = "follow_speed",
+       .spec_name = "FOLLOW_SPEED_{AXIS}",
+       .summary = "Speed of the follow mode.",
+       .range = &follow_speed_range},
+      {.name = "frame_angle_from_motors",
+       .spec_name = "FRAME_ANGLE_FROM_MOTORS",
+       .summary = "1 if the frame's angle is estimated from the motors.",
+       .range = &frame_angle_from_motors_range},
+      {.name = "rc_memory",
+       .spec_name = "RC_MEMORY_{AXIS}",
+       .summary = "Angle at start-up.",
+       .range = &rc_memory_range},
+      {.name = "servo_out",
+       .spec_name = "SERVO{1..4}_OUT",
+       .summary = "Virtual channel that is output at each servo pin.",
+       .range = &servo_out_range,
+       .special = servo_out_special},
+      {.name = "servo_rate",
+       .spec_name = "SERVO_RATE",
+       .summary = "PWM frequency of the servo outputs.",
+       .range = &servo_rate_range},
+      {.name = "adaptive_pid_enabled",
+       .spec_name = "ADAPTIVE_PID_ENABLED",
+       .summary = "Axes with adaptive control."},
+      {.name = "adaptive_pid_threshold",
+       .spec_name = "ADAPTIVE_PID_THRESHOLD",
+       .summary = "Vibration that starts the adaptation.",
+       .range = &adaptive_pid_threshold_range},
+      {.name = "adaptive_pid_rate",
+       .spec_name = "ADAPTIVE_PID_RATE",
+       .summary = "Speed of the adaptation.",
+       .range = &adaptive_pid_rate_range},
+      {.name = "adaptive_pid_recovery_factor",
+       .spec_name = "ADAPTIVE_PID_RECOVERY_FACTOR",
+       .summary = "How slowly the gains come back.",
+       .range = &adaptive_pid_recovery_factor_range},
+      {.name = "follow_lpf",
+       .spec_name = "FOLLOW_LPF_{AXIS}",
+       .summary = "Low-pass filter of the follow mode.",
+       .range = &follow_lpf_range},
+      {.name = "general_flags1",
+       .spec_name = "GENERAL_FLAGS1",
+       .summary = "Settings of the whole board."},
+      {.name = "profile_flags1",
+       .spec_name = "PROFILE_FLAGS1",
+       .summary = "Settings of the profile."},
+      {.name = "spektrum_mode",
+       .spec_name = "SPEKTRUM_MODE",
+       .summary = "Protocol of a Spektrum satellite."},
+      {.name = "order_of_axes",
+       .spec_name = "ORDER_OF_AXES",
+       .summary = "Order of the motors."},
+      {.name = "euler_order",
+       .spec_name = "EULER_ORDER",
+       .summary = "Order of the Euler angles."},
+      {.name = "cur_imu",
+       .spec_name = "CUR_IMU",
+       .summary = "Currently selected IMU; written back as it was read."},
+      {.name = "cur_profile_id",
+       .spec_name = "CUR_PROFILE_ID",
+       .summary = "Active profile; written back as it was read.",
+       .range = &cur_profile_id_range},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.profile_id);
+    visitor(fields[1], value.axes);
+    visitor(fields[2], value.acc_limiter_all);
+    visitor(fields[3], value.ext_fc_gain_roll);
+    visitor(fields[4], value.ext_fc_gain_pitch);
+    visitor(fields[5], value.rc);
+    visitor(fields[6], value.gyro_trust);
+    visitor(fields[7], value.use_model);
+    visitor(fields[8], value.pwm_freq);
+    visitor(fields[9], value.serial_speed);
+    visitor(fields[10], value.rc_trim);
+    visitor(fields[11], value.rc_deadband);
+    visitor(fields[12], value.rc_expo_rate);
+    visitor(fields[13], value.rc_virt_mode);
+    visitor(fields[14], value.rc_map);
+    visitor(fields[15], value.rc_map_cmd);
+    visitor(fields[16], value.rc_map_fc_roll);
+    visitor(fields[17], value.rc_map_fc_pitch);
+    visitor(fields[18], value.rc_mix_fc_roll);
+    visitor(fields[19], value.rc_mix_fc_pitch);
+    visitor(fields[20], value.follow_mode);
+    visitor(fields[21], value.follow_deadband);
+    visitor(fields[22], value.follow_expo_rate);
+    visitor(fields[23], value.follow_offset);
+    visitor(fields[24], value.axis_top);
+    visitor(fields[25], value.axis_right);
+    visitor(fields[26], value.frame_axis_top);
+    visitor(fields[27], value.frame_axis_right);
+    visitor(fields[28], value.frame_imu_pos);
+    visitor(fields[29], value.gyro_deadband);
+    visitor(fields[30], value.gyro_sens);
+    visitor(fields[31], value.i2c_internal_pullups);
+    visitor(fields[32], value.skip_gyro_calib);
+    visitor(fields[33], value.rc_cmd_low);
+    visitor(fields[34], value.rc_cmd_mid);
+    visitor(fields[35], value.rc_cmd_high);
+    visitor(fields[36], value.menu_cmd);
+    visitor(fields[37], value.menu_cmd_long);
+    visitor(fields[38], value.output);
+    visitor(fields[39], value.bat_threshold_alarm);
+    visitor(fields[40], value.bat_threshold_motors);
+    visitor(fields[41], value.bat_comp_ref);
+    visitor(fields[42], value.beeper_modes);
+    visitor(fields[43], value.follow_roll_mix_start);
+    visitor(fields[44], value.follow_roll_mix_range);
+    visitor(fields[45], value.booster_power);
+    visitor(fields[46], value.follow_speed);
+    visitor(fields[47], value.frame_angle_from_motors);
+    visitor(fields[48], value.rc_memory);
+    visitor(fields[49], value.servo_out);
+    visitor(fields[50], value.servo_rate);
+    visitor(fields[51], value.adaptive_pid_enabled);
+    visitor(fields[52], value.adaptive_pid_threshold);
+    visitor(fields[53], value.adaptive_pid_rate);
+    visitor(fields[54], value.adaptive_pid_recovery_factor);
+    visitor(fields[55], value.follow_lpf);
+    visitor(fields[56], value.general_flags1);
+    visitor(fields[57], value.profile_flags1);
+    visitor(fields[58], value.spektrum_mode);
+    visitor(fields[59], value.order_of_axes);
+    visitor(fields[60], value.euler_order);
+    visitor(fields[61], value.cur_imu);
+    visitor(fields[62], value.cur_profile_id);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<ReadParams3Request> {
+  static constexpr const char* answers[] = {"ReadParams3"};
+  static constexpr MessageInfo info{
+      .name = "ReadParams3Request",
+      .command = "CMD_READ_PARAMS_3",
+      .summary = "Ask for the settings of one profile.",
+      .id = 21,
+      .direction = Direction::to_board,
+      .min_size = 1,
+      .max_size = 1,
+      .since = {0, 30},
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr Range profile_id_range{0, 4};
+  static constexpr Special profile_id_special[] = {
+      {255, "the active profile"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "profile_id",
+       .spec_name = "PROFILE_ID",
+       .summary = "Profile to read.",
+       .range = &profile_id_range,
+       .special = profile_id_special},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.profile_id);
+  }
+};
+
+template <>
+struct Meta<ReadParams> {
+  static constexpr const char* answers[] = {"ReadParams3"};
+  static constexpr MessageInfo info{
+      .name = "ReadParams",
+      .command = "CMD_READ_PARAMS",
+      .summary = "Ask for the settings of one profile, with the older id.",
+      .id = 82,
+      .direction = Direction::to_board,
+      .min_size = 1,
+      .max_size = 1,
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr Range profile_id_range{0, 4};
+  static constexpr Special profile_id_special[] = {
+      {255, "the active profile"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "profile_id",
+       .spec_name = "PROFILE_ID",
+       .summary = "Profile to read.",
+       .range = &profile_id_range,
+       .special = profile_id_special},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.profile_id);
+  }
+};
+
+template <>
+struct Meta<ReadParamsExt> {
+  static constexpr MessageInfo info{
+      .name = "ReadParamsExt",
+      .command = "CMD_READ_PARAMS_EXT",
+      .summary = "Further settings of one profile: filters, encoders, magnetometer.",
+      .id = 33,
+      .direction = Direction::from_board,
+      .min_size = 104,
+      .max_size = 104,
+      .since = {0, 30}};
+  static constexpr Range profile_id_range{0, 4};
+  static constexpr Special profile_id_special[] = {
+      {255, "the active profile"},
+  };
+  static constexpr Range lpf_freq_range{0, 1000};
+  static constexpr Range encoder_manual_set_time_range{0, 255};
+  static constexpr Range motor_heating_factor_range{0, 255};
+  static constexpr Range motor_cooling_factor_range{0, 255};
+  static constexpr Range follow_inside_deadband_range{0, 255};
+  static constexpr Range motor_mag_link_range{0, 255};
+  static constexpr Range encoder_limit_min_range{-127, 127};
+  static constexpr Range encoder_limit_max_range{-127, 127};
+  static constexpr Range notch1_gain_range{-100, 100};
+  static constexpr Range notch2_gain_range{-100, 100};
+  static constexpr Range notch3_gain_range{-100, 100};
+  static constexpr Range beeper_volume_range{0, 255};
+  static constexpr Range outer_p_range{0, 255};
+  static constexpr Range outer_i_range{0, 255};
+  static constexpr Range mag_trust_range{0, 255};
+  static constexpr Range mag_declination_range{-127, 127};
+  static constexpr Range acc_lpf_freq_range{0, 1000};
+  static constexpr Range d_term_lpf_freq_range{0, 60};
+  static constexpr FieldInfo fields[] = {
+      {.name = "profile_id",
+       .spec_name = "PROFILE_ID",
+       .summary = "Profile that the settings belong to.",
+       .range = &profile_id_range,
+       .special = profile_id_special},
+      {.name = "notches",
+       .spec_name = "notches",
+       .summary = "Notch filters of each axis."},
+      {.name = "lpf_freq",
+       .spec_name = "LPF_FREQ",
+       .summary = "Low-pass filter of each axis, at its -3 dB point.",
+       .range = &lpf_freq_range},
+      {.name = "filters_en",
+       .spec_name = "FILTERS_EN",
+       .summary = "Filters that are on."},
+      {.name = "encoder_offset",
+       .spec_name = "ENCODER_OFFSET",
+       .summary = "Angle of the encoder in zero position."},
+      {.name = "encoder_fld_offset",
+       .spec_name = "ENCODER_FLD_OFFSET",
+       .summary = "Angle between the encoder and the motor's magnetic field."},
+      {.name = "encoder_manual_set_time",
+       .spec_name = "ENCODER_MANUAL_SET_TIME",
+       .summary = "Time for setting the encoder by hand.",
+       .range = &encoder_manual_set_time_range},
+      {.name = "motor_heating_factor",
+       .spec_name = "MOTOR_HEATING_FACTOR",
+       .summary = "Warming in the model of the motor's temperature.",
+       .range = &motor_heating_factor_range},
+      {.name = "motor_cooling_factor",
+       .spec_name = "MOTOR_COOLING_FACTOR",
+       .summary = "Cooling in the model of the motor's temperature.",
+       .range = &motor_cooling_factor_range},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+      {.name = "follow_inside_deadband",
+       .spec_name = "FOLLOW_INSIDE_DEADBAND",
+       .summary = "How much to follow inside the dead band of the follow mode.",
+       .range = &follow_inside_deadband_range},
+      {.name = "motor_mag_link",
+       .spec_name = "MOTOR_MAG_LINK",
+       .summary = "Magnetic linkage of the motor.",
+       .range = &motor_mag_link_range},
+      {.name = "motor_gearing",
+       .spec_name = "MOTOR_GEARING",
+       .summary = "Ratio of the gear behind the motor."},
+      {.name = "encoder_limit_min",
+       .spec_name = "ENCODER_LIMIT_MIN",
+       .summary = "Lowest angle of the joint.",
+       .range = &encoder_limit_min_range},
+      {.name = "encoder_limit_max",
+       .spec_name = "ENCODER_LIMIT_MAX",
+       .summary = "Highest angle of the joint.",
+       .range = &encoder_limit_max_range},
+      {.name = "notch1_gain",
+       .spec_name = "NOTCH1_GAIN",
+       .summary = "Depth of the first notch filter; below 0 it makes a peak.",
+       .range = &notch1_gain_range},
+      {.name = "notch2_gain",
+       .spec_name = "NOTCH2_GAIN",
+       .summary = "Depth of the second notch filter; below 0 it makes a peak.",
+       .range = &notch2_gain_range},
+      {.name = "notch3_gain",
+       .spec_name = "NOTCH3_GAIN",
+       .summary = "Depth of the third notch filter; below 0 it makes a peak.",
+       .range = &notch3_gain_range},
+      {.name = "beeper_volume",
+       .spec_name = "BEEPER_VOLUME",
+       .summary = "Volume of the sounds.",
+       .range = &beeper_volume_range},
+      {.name = "encoder_gear_ratio",
+       .spec_name = "ENCODER_GEAR_RATIO",
+       .summary = "Ratio of the gear between motor and encoder."},
+      {.name = "encoder_type",
+       .spec_name = "ENCODER_TYPE",
+       .summary = "Kind of the encoder."},
+      {.name = "encoder_cfg",
+       .spec_name = "ENCODER_CFG",
+       .summary = "SPI clock, or the kind of encoder inside an I2C driver."},
+      {.name = "outer_p",
+       .spec_name = "OUTER_P",
+       .summary = "Proportional gain of the outer loop.",
+       .range = &outer_p_range},
+      {.name = "outer_i",
+       .spec_name = "OUTER_I",
+       .summary = "Integral gain of the outer loop.",
+       .range = &outer_i_range},
+      {.name = "mag_axis_top",
+       .spec_name = "MAG_AXIS_TOP",
+       .summary = "Axis of the magnetometer that points up."},
+      {.name = "mag_axis_right",
+       .spec_name = "MAG_AXIS_RIGHT",
+       .summary = "Axis of the magnetometer that points right."},
+      {.name = "mag_trust",
+       .spec_name = "MAG_TRUST",
+       .summary = "Trust in the magnetometer.",
+       .range = &mag_trust_range},
+      {.name = "mag_declination",
+       .spec_name = "MAG_DECLINATION",
+       .summary = "Magnetic declination.",
+       .range = &mag_declination_range},
+      {.name = "acc_lpf_freq",
+       .spec_name = "ACC_LPF_FREQ",
+       .summary = "Low-pass filter of the accelerometer.",
+       .range = &acc_lpf_freq_range},
+      {.name = "d_term_lpf_freq",
+       .spec_name = "D_TERM_LPF_FREQ",
+       .summary = "Low-pass filter of the derivative term.",
+       .range = &d_term_lpf_freq_range},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.profile_id);
+    visitor(fields[1], value.notches);
+    visitor(fields[2], value.lpf_freq);
+    visitor(fields[3], value.filters_en);
+    visitor(fields[4], value.encoder_offset);
+    visitor(fields[5], value.encoder_fld_offset);
+    visitor(fields[6], value.encoder_manual_set_time);
+    visitor(fields[7], value.motor_heating_factor);
+    visitor(fields[8], value.motor_cooling_factor);
+    visitor(fields[9], value.reserved);
+    visitor(fields[10], value.follow_inside_deadband);
+    visitor(fields[11], value.motor_mag_link);
+    visitor(fields[12], value.motor_gearing);
+    visitor(fields[13], value.encoder_limit_min);
+    visitor(fields[14], value.encoder_limit_max);
+    visitor(fields[15], value.notch1_gain);
+    visitor(fields[16], value.notch2_gain);
+    visitor(fields[17], value.notch3_gain);
+    visitor(fields[18], value.beeper_volume);
+    visitor(fields[19], value.encoder_gear_ratio);
+    visitor(fields[20], value.encoder_type);
+    visitor(fields[21], value.encoder_cfg);
+    visitor(fields[22], value.outer_p);
+    visitor(fields[23], value.outer_i);
+    visitor(fields[24], value.mag_axis_top);
+    visitor(fields[25], value.mag_axis_right);
+    visitor(fields[26], value.mag_trust);
+    visitor(fields[27], value.mag_declination);
+    visitor(fields[28], value.acc_lpf_freq);
+    visitor(fields[29], value.d_term_lpf_freq);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<ReadParamsExtRequest> {
+  static constexpr const char* answers[] = {"ReadParamsExt"};
+  static constexpr MessageInfo info{
+      .name = "ReadParamsExtRequest",
+      .command = "CMD_READ_PARAMS_EXT",
+      .summary = "Ask for further settings of one profile.",
+      .id = 33,
+      .direction = Direction::to_board,
+      .min_size = 1,
+      .max_size = 1,
+      .since = {0, 30},
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr Range profile_id_range{0, 4};
+  static constexpr Special profile_id_special[] = {
+      {255, "the active profile"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "profile_id",
+       .spec_name = "PROFILE_ID",
+       .summary = "Profile to read.",
+       .range = &profile_id_range,
+       .special = profile_id_special},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.profile_id);
+  }
+};
+
+template <>
+struct Meta<ReadParamsExt2> {
+  static constexpr MessageInfo info{
+      .name = "ReadParamsExt2",
+      .command = "CMD_READ_PARAMS_EXT2",
+      .summary = "Still further settings of one profile.",
+      .id = 62,
+      .direction = Direction::from_board,
+      .min_size = 151,
+      .max_size = 151,
+      .since = {0, 30}};
+  static constexpr Range profile_id_range{0, 4};
+  static constexpr Special profile_id_special[] = {
+      {255, "the active profile"},
+  };
+  static constexpr Range motor_mag_link_fine_range{0, 65535};
+  static constexpr Range acc_limiter3_range{0, 200};
+  static constexpr Range pid_gain_range{0, 255};
+  static constexpr Range frame_imu_lpf_freq_range{0, 255};
+  static constexpr Range auto_pid_gain_range{0, 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "profile_id",
+       .spec_name = "PROFILE_ID",
+       .summary = "Profile that the settings belong to.",
+       .range = &profile_id_range,
+       .special = profile_id_special},
+      {.name = "reserved_1",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+      {.name = "motor_mag_link_fine",
+       .spec_name = "MOTOR_MAG_LINK_FINE",
+       .summary = "Magnetic linkage of the motor.",
+       .range = &motor_mag_link_fine_range},
+      {.name = "acc_limiter3",
+       .spec_name = "ACC_LIMITER3",
+       .summary = "Limit of the acceleration of each axis.",
+       .range = &acc_limiter3_range,
+       .since = {2590, 0}},
+      {.name = "pid_gain",
+       .spec_name = "PID_GAIN",
+       .summary = "Factor on P, I and D of each axis.",
+       .range = &pid_gain_range},
+      {.name = "frame_imu_lpf_freq",
+       .spec_name = "FRAME_IMU_LPF_FREQ",
+       .summary = "Low-pass filter of the frame IMU.",
+       .range = &frame_imu_lpf_freq_range},
+      {.name = "auto_pid_cfg",
+       .spec_name = "AUTO_PID_CFG",
+       .summary = "CFG_FLAGS that CMD_AUTO_PID is started with."},
+      {.name = "auto_pid_gain",
+       .spec_name = "AUTO_PID_GAIN",
+       .summary = "GAIN_VS_STABILITY that CMD_AUTO_PID is started with.",
+       .range = &auto_pid_gain_range},
+      {.name = "reserved_2",
+       .spec_name = "RESERVED",
+       .summary = "Later firmware keeps settings in all of these.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.profile_id);
+    visitor(fields[1], value.reserved_1);
+    visitor(fields[2], value.motor_mag_link_fine);
+    visitor(fields[3], value.acc_limiter3);
+    visitor(fields[4], value.pid_gain);
+    visitor(fields[5], value.frame_imu_lpf_freq);
+    visitor(fields[6], value.auto_pid_cfg);
+    visitor(fields[7], value.auto_pid_gain);
+    visitor(fields[8], value.reserved_2);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<ReadParamsExt2Request> {
+  static constexpr const char* answers[] = {"ReadParamsExt2"};
+  static constexpr MessageInfo info{
+      .name = "ReadParamsExt2Request",
+      .command = "CMD_READ_PARAMS_EXT2",
+      .summary = "Ask for still further settings of one profile.",
+      .id = 62,
+      .direction = Direction::to_board,
+      .min_size = 1,
+      .max_size = 1,
+      .since = {0, 30},
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr Range profile_id_range{0, 4};
+  static constexpr Special profile_id_special[] = {
+      {255, "the active profile"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "profile_id",
+       .spec_name = "PROFILE_ID",
+       .summary = "Profile to read.",
+       .range = &profile_id_range,
+       .special = profile_id_special},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.profile_id);
+  }
+};
+
+template <>
+struct Meta<ReadProfileNames> {
+  static constexpr MessageInfo info{
+      .name = "ReadProfileNames",
+      .command = "CMD_READ_PROFILE_NAMES",
+      .summary = "Names of the profiles.",
+      .id = 28,
+      .direction = Direction::from_board,
+      .min_size = 240,
+      .max_size = 240,
+      .since = {0, 30}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "profile_name",
+       .spec_name = "PROFILE{1..5}_NAME",
+       .summary = "Name of each profile."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.profile_name);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<ReadProfileNamesRequest> {
+  static constexpr const char* answers[] = {"ReadProfileNames"};
+  static constexpr MessageInfo info{
+      .name = "ReadProfileNamesRequest",
+      .command = "CMD_READ_PROFILE_NAMES",
+      .summary = "Ask for the names of the profiles.",
+      .id = 28,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .since = {0, 30},
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<SaveParams3> {
+  static constexpr MessageInfo info{
+      .name = "SaveParams3",
+      .command = "CMD_SAVE_PARAMS_3",
+      .summary = "Save the settings that are in use, with all changes to adjustable variables, to the active profile.",
+      .id = 32,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 2000}};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<UseDefaults> {
+  static constexpr MessageInfo info{
+      .name = "UseDefaults",
+      .command = "CMD_USE_DEFAULTS",
+      .summary = "Return to the factory settings.",
+      .id = 70,
+      .direction = Direction::to_board,
+      .min_size = 1,
+      .max_size = 1,
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = false,
+                 .timeout_ms = 5000}};
+  static constexpr Range profile_id_range{0, 4};
+  static constexpr Special profile_id_special[] = {
+      {253, "erases the EEPROM"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "profile_id",
+       .spec_name = "PROFILE_ID",
+       .summary = "Profile to reset.",
+       .range = &profile_id_range,
+       .special = profile_id_special},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.profile_id);
+  }
+};
+
+template <>
+struct Meta<WriteParams3> : Meta<ReadParams3> {
+  static constexpr MessageInfo info{
+      .name = "WriteParams3",
+      .command = "CMD_WRITE_PARAMS_3",
+      .summary = "Store the settings of one profile and the general ones.",
+      .id = 22,
+      .direction = Direction::to_board,
+      .min_size = 134,
+      .max_size = 134,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = true,
+                 .retry_is_safe = true,
+                 .timeout_ms = 2000},
+      .stores = "ReadParams3"};
+};
+
+template <>
+struct Meta<WriteParams> : Meta<ReadParams3> {
+  static constexpr MessageInfo info{
+      .name = "WriteParams",
+      .command = "CMD_WRITE_PARAMS",
+      .summary = "Store the settings of one profile and the general ones, with the older id.",
+      .id = 87,
+      .direction = Direction::to_board,
+      .min_size = 134,
+      .max_size = 134,
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = true,
+                 .retry_is_safe = true,
+                 .timeout_ms = 2000},
+      .stores = "ReadParams3"};
+};
+
+template <>
+struct Meta<WriteParamsExt> : Meta<ReadParamsExt> {
+  static constexpr MessageInfo info{
+      .name = "WriteParamsExt",
+      .command = "CMD_WRITE_PARAMS_EXT",
+      .summary = "Store further settings of one profile.",
+      .id = 34,
+      .direction = Direction::to_board,
+      .min_size = 104,
+      .max_size = 104,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = true,
+                 .retry_is_safe = true,
+                 .timeout_ms = 2000},
+      .stores = "ReadParamsExt"};
+};
+
+template <>
+struct Meta<WriteParamsExt2> : Meta<ReadParamsExt2> {
+  static constexpr MessageInfo info{
+      .name = "WriteParamsExt2",
+      .command = "CMD_WRITE_PARAMS_EXT2",
+      .summary = "Store still further settings of one profile.",
+      .id = 63,
+      .direction = Direction::to_board,
+      .min_size = 151,
+      .max_size = 151,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = true,
+                 .retry_is_safe = true,
+                 .timeout_ms = 2000},
+      .stores = "ReadParamsExt2"};
+};
+
+template <>
+struct Meta<WriteProfileNames> : Meta<ReadProfileNames> {
+  static constexpr MessageInfo info{
+      .name = "WriteProfileNames",
+      .command = "CMD_WRITE_PROFILE_NAMES",
+      .summary = "Store the names of the profiles.",
+      .id = 29,
+      .direction = Direction::to_board,
+      .min_size = 240,
+      .max_size = 240,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 2000},
+      .stores = "ReadProfileNames"};
+};
+
+}  // namespace sbgc

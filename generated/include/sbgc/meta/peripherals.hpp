@@ -1,0 +1,278 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// peripherals: what is known about messages and fields at run time.
+#pragma once
+
+#include <sbgc/messages/peripherals.hpp>
+#include <sbgc/meta.hpp>
+#include <sbgc/meta/enums.hpp>
+
+namespace sbgc {
+
+template <>
+struct Meta<BeepSound> {
+  static constexpr MessageInfo info{
+      .name = "BeepSound",
+      .command = "CMD_BEEP_SOUND",
+      .summary = "Play a melody through the motors, or one of the standard sounds.",
+      .id = 89,
+      .direction = Direction::to_board,
+      .min_size = 12,
+      .max_size = 72,
+      .since = {2590, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = false,
+                 .timeout_ms = 500}};
+  static constexpr Range note_length_range{1, 255};
+  static constexpr Special note_length_special[] = {
+      {0, "without meaning unless a custom melody is played"},
+  };
+  static constexpr Range decay_factor_range{0, 15};
+  static constexpr Range note_freq_hz_range{554, 20999};
+  static constexpr Special note_freq_hz_special[] = {
+      {21000, "pause, then the envelope starts again"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "mode",
+       .spec_name = "MODE",
+       .summary = "Which sound to make."},
+      {.name = "note_length",
+       .spec_name = "NOTE_LENGTH",
+       .summary = "Length of each note of a custom melody.",
+       .range = &note_length_range,
+       .special = note_length_special},
+      {.name = "decay_factor",
+       .spec_name = "DECAY_FACTOR",
+       .summary = "How slowly a note fades after each pause; 0 turns the envelope off. Heard only with encoder firmware or while the motors are off.",
+       .range = &decay_factor_range},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+      {.name = "note_freq_hz",
+       .spec_name = "NOTE_FREQ_HZ",
+       .summary = "The notes of a custom melody.",
+       .range = &note_freq_hz_range,
+       .special = note_freq_hz_special,
+       .max_count = 30},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.mode);
+    visitor(fields[1], value.note_length);
+    visitor(fields[2], value.decay_factor);
+    visitor(fields[3], value.reserved);
+    visitor(fields[4], value.note_freq_hz);
+  }
+};
+
+template <>
+struct Meta<TriggerPin> {
+  static constexpr MessageInfo info{
+      .name = "TriggerPin",
+      .command = "CMD_TRIGGER_PIN",
+      .summary = "Switch an output pin.",
+      .id = 84,
+      .direction = Direction::to_board,
+      .min_size = 2,
+      .max_size = 2,
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "pin_id",
+       .spec_name = "PIN_ID",
+       .summary = "Which pin."},
+      {.name = "state",
+       .spec_name = "STATE",
+       .summary = "What to switch it to."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.pin_id);
+    visitor(fields[1], value.state);
+  }
+};
+
+template <>
+struct Meta<ServoOut> {
+  static constexpr MessageInfo info{
+      .name = "ServoOut",
+      .command = "CMD_SERVO_OUT",
+      .summary = "Send PWM signals to servos.",
+      .id = 36,
+      .direction = Direction::to_board,
+      .min_size = 16,
+      .max_size = 16,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr Range servo_time_range{-1, 20000};
+  static constexpr Special servo_time_special[] = {
+      {-1, "the pin is set free and floats"},
+      {0, "the pin is low all the time"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "servo_time",
+       .spec_name = "SERVO{1..8}_TIME",
+       .summary = "Pulse of each output.",
+       .range = &servo_time_range,
+       .special = servo_time_special},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.servo_time);
+  }
+};
+
+template <>
+struct Meta<I2cWriteRegBuf> {
+  static constexpr MessageInfo info{
+      .name = "I2cWriteRegBuf",
+      .command = "CMD_I2C_WRITE_REG_BUF",
+      .summary = "Write to a device on an I2C bus.",
+      .id = 39,
+      .direction = Direction::to_board,
+      .min_size = 2,
+      .max_size = 255,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = true,
+                 .retry_is_safe = false,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "device_addr",
+       .spec_name = "DEVICE_ADDR",
+       .summary = "Which device."},
+      {.name = "reg_addr",
+       .spec_name = "REG_ADDR",
+       .summary = "Register to begin with."},
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "What to write."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.device_addr);
+    visitor(fields[1], value.reg_addr);
+    visitor(fields[2], value.data);
+  }
+};
+
+template <>
+struct Meta<I2cReadRegBuf> {
+  static constexpr MessageInfo info{
+      .name = "I2cReadRegBuf",
+      .command = "CMD_I2C_READ_REG_BUF",
+      .summary = "Data of a device on an I2C bus.",
+      .id = 40,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 255,
+      .since = {0, 30}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "What was read, 1 to 255 bytes: as many as were asked for.",
+       .max_count = 255},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<I2cReadRegBufRequest> {
+  static constexpr const char* answers[] = {"I2cReadRegBuf"};
+  static constexpr MessageInfo info{
+      .name = "I2cReadRegBufRequest",
+      .command = "CMD_I2C_READ_REG_BUF",
+      .summary = "Read from a device on an I2C bus.",
+      .id = 40,
+      .direction = Direction::to_board,
+      .min_size = 3,
+      .max_size = 3,
+      .since = {0, 30},
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr Range data_len_range{1, 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "device_addr",
+       .spec_name = "DEVICE_ADDR",
+       .summary = "Which device."},
+      {.name = "reg_addr",
+       .spec_name = "REG_ADDR",
+       .summary = "Register to begin with."},
+      {.name = "data_len",
+       .spec_name = "DATA_LEN",
+       .summary = "How much to read.",
+       .range = &data_len_range},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.device_addr);
+    visitor(fields[1], value.reg_addr);
+    visitor(fields[2], value.data_len);
+  }
+};
+
+template <>
+struct Meta<ApiVirtChControl> {
+  static constexpr MessageInfo info{
+      .name = "ApiVirtChControl",
+      .command = "CMD_API_VIRT_CH_CONTROL",
+      .summary = "Set the virtual RC channels that the host provides; they can control the camera and more.",
+      .id = 45,
+      .direction = Direction::to_board,
+      .min_size = 64,
+      .max_size = 64,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr Range val_ch_range{-500, 500};
+  static constexpr Special val_ch_special[] = {
+      {-10000, "undefined, as if the signal were lost"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "val_ch",
+       .spec_name = "VAL_CH{1..32}",
+       .summary = "Signal of each channel; the board clips what goes beyond.",
+       .range = &val_ch_range,
+       .special = val_ch_special},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.val_ch);
+  }
+};
+
+}  // namespace sbgc

@@ -1,0 +1,596 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// realtime: what is known about messages and fields at run time.
+#pragma once
+
+#include <sbgc/messages/realtime.hpp>
+#include <sbgc/meta.hpp>
+#include <sbgc/meta/enums.hpp>
+
+namespace sbgc {
+
+template <>
+struct Meta<AxisSensors> {
+  static constexpr FieldInfo fields[] = {
+      {.name = "acc_data",
+       .spec_name = "ACC_DATA",
+       .summary = "Accelerometer."},
+      {.name = "gyro_data",
+       .spec_name = "GYRO_DATA",
+       .summary = "Gyroscope."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.acc_data);
+    visitor(fields[1], value.gyro_data);
+  }
+};
+
+template <>
+struct Meta<StreamConfig> {
+  static constexpr FieldInfo fields[] = {
+      {.name = "flags",
+       .spec_name = "FLAGS",
+       .summary = "Which blocks to send."},
+      {.name = "imu_type",
+       .spec_name = "IMU_TYPE",
+       .summary = "Which IMU's attitude to send."},
+      {.name = "rest",
+       .spec_name = "",
+       .summary = "What is not used of the 8 bytes; filled up with zeros.",
+       .reserved = true,
+       .optional = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.flags);
+    visitor(fields[1], value.imu_type);
+    visitor(fields[2], value.rest);
+  }
+};
+
+template <>
+struct Meta<RealtimeData> {
+  static constexpr const char* answers[] = {"RealtimeData3"};
+  static constexpr MessageInfo info{
+      .name = "RealtimeData",
+      .command = "CMD_REALTIME_DATA",
+      .summary = "Ask for live data, with the older id.",
+      .id = 68,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<RealtimeData3> {
+  static constexpr MessageInfo info{
+      .name = "RealtimeData3",
+      .command = "CMD_REALTIME_DATA_3",
+      .summary = "Live data.",
+      .id = 23,
+      .direction = Direction::from_board,
+      .min_size = 63,
+      .max_size = 63,
+      .since = {0, 30}};
+  static constexpr Range rc_range{1000, 2000};
+  static constexpr Range rc_cmd_range{1000, 2000};
+  static constexpr Range ext_fc_roll_range{1000, 2000};
+  static constexpr Special ext_fc_roll_special[] = {
+      {0, "the input serves RC control or commands"},
+  };
+  static constexpr Range ext_fc_pitch_range{1000, 2000};
+  static constexpr Special ext_fc_pitch_special[] = {
+      {0, "the input serves RC control or commands"},
+  };
+  static constexpr Range angle_range{-32768, 32767};
+  static constexpr Range frame_imu_angle_range{-32768, 32767};
+  static constexpr Range rc_angle_range{-32768, 32767};
+  static constexpr Range cur_profile_range{0, 4};
+  static constexpr FieldInfo fields[] = {
+      {.name = "axes",
+       .spec_name = "axes",
+       .summary = "Sensors of each axis."},
+      {.name = "serial_error_cnt",
+       .spec_name = "SERIAL_ERROR_CNT",
+       .summary = "Errors counted on the serial line."},
+      {.name = "system_error",
+       .spec_name = "SYSTEM_ERROR",
+       .summary = "Errors that are present; 0 is none."},
+      {.name = "system_sub_error",
+       .spec_name = "SYSTEM_SUB_ERROR",
+       .summary = "Reason of an emergency stop."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+      {.name = "rc",
+       .spec_name = "RC_{AXIS}",
+       .summary = "RC channels of the axes.",
+       .range = &rc_range},
+      {.name = "rc_cmd",
+       .spec_name = "RC_CMD",
+       .summary = "RC command channel.",
+       .range = &rc_cmd_range},
+      {.name = "ext_fc_roll",
+       .spec_name = "EXT_FC_ROLL",
+       .summary = "Signal of an external flight controller for roll.",
+       .range = &ext_fc_roll_range,
+       .special = ext_fc_roll_special},
+      {.name = "ext_fc_pitch",
+       .spec_name = "EXT_FC_PITCH",
+       .summary = "Signal of an external flight controller for pitch.",
+       .range = &ext_fc_pitch_range,
+       .special = ext_fc_pitch_special},
+      {.name = "angle",
+       .spec_name = "ANGLE_{AXIS}",
+       .summary = "Angles of the camera.",
+       .range = &angle_range},
+      {.name = "frame_imu_angle",
+       .spec_name = "FRAME_IMU_ANGLE_{AXIS}",
+       .summary = "Angles of the frame, from the second IMU if there is one.",
+       .range = &frame_imu_angle_range},
+      {.name = "rc_angle",
+       .spec_name = "RC_ANGLE_{AXIS}",
+       .summary = "Angles that RC asks for.",
+       .range = &rc_angle_range},
+      {.name = "cycle_time",
+       .spec_name = "CYCLE_TIME",
+       .summary = "Duration of one cycle of the controller."},
+      {.name = "i2c_error_count",
+       .spec_name = "I2C_ERROR_COUNT",
+       .summary = "Errors counted on the I2C bus."},
+      {.name = "error_code",
+       .spec_name = "ERROR_CODE",
+       .summary = "Older form of SYSTEM_ERROR."},
+      {.name = "bat_level",
+       .spec_name = "BAT_LEVEL",
+       .summary = "Battery voltage."},
+      {.name = "other_flags",
+       .spec_name = "OTHER_FLAGS",
+       .summary = "State of the motors."},
+      {.name = "cur_imu",
+       .spec_name = "CUR_IMU",
+       .summary = "Currently selected IMU.",
+       .since = {0, 30}},
+      {.name = "cur_profile",
+       .spec_name = "CUR_PROFILE",
+       .summary = "Active profile.",
+       .range = &cur_profile_range},
+      {.name = "motor_power",
+       .spec_name = "MOTOR_POWER_{AXIS}",
+       .summary = "Power of each motor."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.axes);
+    visitor(fields[1], value.serial_error_cnt);
+    visitor(fields[2], value.system_error);
+    visitor(fields[3], value.system_sub_error);
+    visitor(fields[4], value.reserved);
+    visitor(fields[5], value.rc);
+    visitor(fields[6], value.rc_cmd);
+    visitor(fields[7], value.ext_fc_roll);
+    visitor(fields[8], value.ext_fc_pitch);
+    visitor(fields[9], value.angle);
+    visitor(fields[10], value.frame_imu_angle);
+    visitor(fields[11], value.rc_angle);
+    visitor(fields[12], value.cycle_time);
+    visitor(fields[13], value.i2c_error_count);
+    visitor(fields[14], value.error_code);
+    visitor(fields[15], value.bat_level);
+    visitor(fields[16], value.other_flags);
+    visitor(fields[17], value.cur_imu);
+    visitor(fields[18], value.cur_profile);
+    visitor(fields[19], value.motor_power);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<RealtimeData3Request> {
+  static constexpr const char* answers[] = {"RealtimeData3"};
+  static constexpr MessageInfo info{
+      .name = "RealtimeData3Request",
+      .command = "CMD_REALTIME_DATA_3",
+      .summary = "Ask for live data.",
+      .id = 23,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .since = {0, 30},
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<RealtimeData4> {
+  static constexpr MessageInfo info{
+      .name = "RealtimeData4",
+      .command = "CMD_REALTIME_DATA_4",
+      .summary = "Live data with joint angles, currents and temperatures.",
+      .id = 25,
+      .direction = Direction::from_board,
+      .min_size = 124,
+      .max_size = 124,
+      .since = {0, 30}};
+  static constexpr Range rc_range{1000, 2000};
+  static constexpr Range rc_cmd_range{1000, 2000};
+  static constexpr Range ext_fc_roll_range{1000, 2000};
+  static constexpr Special ext_fc_roll_special[] = {
+      {0, "the input serves RC control or commands"},
+  };
+  static constexpr Range ext_fc_pitch_range{1000, 2000};
+  static constexpr Special ext_fc_pitch_special[] = {
+      {0, "the input serves RC control or commands"},
+  };
+  static constexpr Range angle_range{-32768, 32767};
+  static constexpr Range frame_imu_angle_range{-32768, 32767};
+  static constexpr Range rc_angle_range{-32768, 32767};
+  static constexpr Range cur_profile_range{0, 4};
+  static constexpr Range balance_error_range{-512, 512};
+  static constexpr Range imu_temperature_range{-127, 127};
+  static constexpr Range frame_imu_temperature_range{-127, 127};
+  static constexpr Range imu_g_err_range{0, 255};
+  static constexpr Range imu_h_err_range{0, 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "axes",
+       .spec_name = "axes",
+       .summary = "Sensors of each axis."},
+      {.name = "serial_error_cnt",
+       .spec_name = "SERIAL_ERROR_CNT",
+       .summary = "Errors counted on the serial line."},
+      {.name = "system_error",
+       .spec_name = "SYSTEM_ERROR",
+       .summary = "Errors that are present; 0 is none."},
+      {.name = "system_sub_error",
+       .spec_name = "SYSTEM_SUB_ERROR",
+       .summary = "Reason of an emergency stop."},
+      {.name = "reserved_1",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+      {.name = "rc",
+       .spec_name = "RC_{AXIS}",
+       .summary = "RC channels of the axes.",
+       .range = &rc_range},
+      {.name = "rc_cmd",
+       .spec_name = "RC_CMD",
+       .summary = "RC command channel.",
+       .range = &rc_cmd_range},
+      {.name = "ext_fc_roll",
+       .spec_name = "EXT_FC_ROLL",
+       .summary = "Signal of an external flight controller for roll.",
+       .range = &ext_fc_roll_range,
+       .special = ext_fc_roll_special},
+      {.name = "ext_fc_pitch",
+       .spec_name = "EXT_FC_PITCH",
+       .summary = "Signal of an external flight controller for pitch.",
+       .range = &ext_fc_pitch_range,
+       .special = ext_fc_pitch_special},
+      {.name = "angle",
+       .spec_name = "ANGLE_{AXIS}",
+       .summary = "Angles of the camera.",
+       .range = &angle_range},
+      {.name = "frame_imu_angle",
+       .spec_name = "FRAME_IMU_ANGLE_{AXIS}",
+       .summary = "Angles of the frame, from the second IMU if there is one.",
+       .range = &frame_imu_angle_range},
+      {.name = "rc_angle",
+       .spec_name = "RC_ANGLE_{AXIS}",
+       .summary = "Angles that RC asks for.",
+       .range = &rc_angle_range},
+      {.name = "cycle_time",
+       .spec_name = "CYCLE_TIME",
+       .summary = "Duration of one cycle of the controller."},
+      {.name = "i2c_error_count",
+       .spec_name = "I2C_ERROR_COUNT",
+       .summary = "Errors counted on the I2C bus."},
+      {.name = "error_code",
+       .spec_name = "ERROR_CODE",
+       .summary = "Older form of SYSTEM_ERROR."},
+      {.name = "bat_level",
+       .spec_name = "BAT_LEVEL",
+       .summary = "Battery voltage."},
+      {.name = "other_flags",
+       .spec_name = "OTHER_FLAGS",
+       .summary = "State of the motors."},
+      {.name = "cur_imu",
+       .spec_name = "CUR_IMU",
+       .summary = "Currently selected IMU.",
+       .since = {0, 30}},
+      {.name = "cur_profile",
+       .spec_name = "CUR_PROFILE",
+       .summary = "Active profile.",
+       .range = &cur_profile_range},
+      {.name = "motor_power",
+       .spec_name = "MOTOR_POWER_{AXIS}",
+       .summary = "Power of each motor."},
+      {.name = "rotor_angle",
+       .spec_name = "ROTOR_ANGLE",
+       .summary = "Angle of each joint, from an encoder, the second IMU or an estimate; 0 in normal position."},
+      {.name = "reserved_2",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+      {.name = "balance_error",
+       .spec_name = "BALANCE_ERROR",
+       .summary = "Motor power that imbalance costs.",
+       .range = &balance_error_range},
+      {.name = "current",
+       .spec_name = "CURRENT",
+       .summary = "Current that the board draws."},
+      {.name = "mag_data",
+       .spec_name = "MAG_DATA",
+       .summary = "Magnetometer, raw."},
+      {.name = "imu_temperature",
+       .spec_name = "IMU_TEMPERATURE",
+       .summary = "Temperature of the main IMU.",
+       .range = &imu_temperature_range},
+      {.name = "frame_imu_temperature",
+       .spec_name = "FRAME_IMU_TEMPERATURE",
+       .summary = "Temperature of the frame IMU.",
+       .range = &frame_imu_temperature_range},
+      {.name = "imu_g_err",
+       .spec_name = "IMU_G_ERR",
+       .summary = "Angle between the estimated and the reference gravity vector.",
+       .range = &imu_g_err_range},
+      {.name = "imu_h_err",
+       .spec_name = "IMU_H_ERR",
+       .summary = "Angle between the estimated and the reference heading vector.",
+       .range = &imu_h_err_range},
+      {.name = "reserved_3",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.axes);
+    visitor(fields[1], value.serial_error_cnt);
+    visitor(fields[2], value.system_error);
+    visitor(fields[3], value.system_sub_error);
+    visitor(fields[4], value.reserved_1);
+    visitor(fields[5], value.rc);
+    visitor(fields[6], value.rc_cmd);
+    visitor(fields[7], value.ext_fc_roll);
+    visitor(fields[8], value.ext_fc_pitch);
+    visitor(fields[9], value.angle);
+    visitor(fields[10], value.frame_imu_angle);
+    visitor(fields[11], value.rc_angle);
+    visitor(fields[12], value.cycle_time);
+    visitor(fields[13], value.i2c_error_count);
+    visitor(fields[14], value.error_code);
+    visitor(fields[15], value.bat_level);
+    visitor(fields[16], value.other_flags);
+    visitor(fields[17], value.cur_imu);
+    visitor(fields[18], value.cur_profile);
+    visitor(fields[19], value.motor_power);
+    visitor(fields[20], value.rotor_angle);
+    visitor(fields[21], value.reserved_2);
+    visitor(fields[22], value.balance_error);
+    visitor(fields[23], value.current);
+    visitor(fields[24], value.mag_data);
+    visitor(fields[25], value.imu_temperature);
+    visitor(fields[26], value.frame_imu_temperature);
+    visitor(fields[27], value.imu_g_err);
+    visitor(fields[28], value.imu_h_err);
+    visitor(fields[29], value.reserved_3);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<RealtimeData4Request> {
+  static constexpr const char* answers[] = {"RealtimeData4"};
+  static constexpr MessageInfo info{
+      .name = "RealtimeData4Request",
+      .command = "CMD_REALTIME_DATA_4",
+      .summary = "Ask for the longer live data.",
+      .id = 25,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .since = {0, 30},
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<RealtimeDataCustom> {
+  static constexpr MessageInfo info{
+      .name = "RealtimeDataCustom",
+      .command = "CMD_REALTIME_DATA_CUSTOM",
+      .summary = "Live data of the blocks that the request names.",
+      .id = 88,
+      .direction = Direction::from_board,
+      .min_size = 2,
+      .max_size = 110,
+      .since = {2590, 30}};
+  static constexpr Range rc_data_range{-16384, 16384};
+  static constexpr Special rc_data_special[] = {
+      {-32768, "undefined"},
+  };
+  static constexpr Range z1_vector_range{-1, 1};
+  static constexpr Range h1_vector_range{-1, 1};
+  static constexpr Range rc_channels_range{-16384, 16384};
+  static constexpr Special rc_channels_special[] = {
+      {-32768, "undefined"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "timestamp_ms",
+       .spec_name = "TIMESTAMP_MS",
+       .summary = "Time of the sample."},
+      {.name = "imu_angles",
+       .spec_name = "IMU_ANGLES",
+       .summary = "Angles of the main IMU (Euler)."},
+      {.name = "target_angles",
+       .spec_name = "TARGET_ANGLES",
+       .summary = "Angles that the gimbal should hold (Euler)."},
+      {.name = "target_speed",
+       .spec_name = "TARGET_SPEED",
+       .summary = "Speeds that the gimbal should hold over the Euler axes."},
+      {.name = "stator_rotor_angle",
+       .spec_name = "STATOR_ROTOR_ANGLE",
+       .summary = "Joint angles."},
+      {.name = "gyro_data",
+       .spec_name = "GYRO_DATA",
+       .summary = "Gyroscope after calibration."},
+      {.name = "rc_data",
+       .spec_name = "RC_DATA",
+       .summary = "RC signals of the inputs ROLL, PITCH, YAW, CMD, FC_ROLL, FC_PITCH.",
+       .range = &rc_data_range,
+       .special = rc_data_special},
+      {.name = "z1_vector",
+       .spec_name = "Z1_VECTOR",
+       .summary = "Gravity row of the rotation matrix.",
+       .range = &z1_vector_range},
+      {.name = "h1_vector",
+       .spec_name = "H1_VECTOR",
+       .summary = "Heading row of the rotation matrix; the cross product of both is the third row.",
+       .range = &h1_vector_range},
+      {.name = "rc_channels",
+       .spec_name = "RC_CHANNELS",
+       .summary = "All captured RC channels.",
+       .range = &rc_channels_range,
+       .special = rc_channels_special},
+      {.name = "acc_data",
+       .spec_name = "ACC_DATA",
+       .summary = "Accelerometer after calibration."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.timestamp_ms);
+    visitor(fields[1], value.imu_angles);
+    visitor(fields[2], value.target_angles);
+    visitor(fields[3], value.target_speed);
+    visitor(fields[4], value.stator_rotor_angle);
+    visitor(fields[5], value.gyro_data);
+    visitor(fields[6], value.rc_data);
+    visitor(fields[7], value.z1_vector);
+    visitor(fields[8], value.h1_vector);
+    visitor(fields[9], value.rc_channels);
+    visitor(fields[10], value.acc_data);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<RealtimeDataCustomRequest> {
+  static constexpr const char* answers[] = {"RealtimeDataCustom"};
+  static constexpr MessageInfo info{
+      .name = "RealtimeDataCustomRequest",
+      .command = "CMD_REALTIME_DATA_CUSTOM",
+      .summary = "Ask for live data of the blocks that FLAGS names.",
+      .id = 88,
+      .direction = Direction::to_board,
+      .min_size = 10,
+      .max_size = 10,
+      .since = {2590, 30},
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "flags",
+       .spec_name = "FLAGS",
+       .summary = "Which blocks to send."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.flags);
+    visitor(fields[1], value.reserved);
+  }
+};
+
+template <>
+struct Meta<DataStreamInterval> {
+  static constexpr MessageInfo info{
+      .name = "DataStreamInterval",
+      .command = "CMD_DATA_STREAM_INTERVAL",
+      .summary = "Start, change or end a data stream: messages that the board sends at a fixed rate, unasked.",
+      .id = 85,
+      .direction = Direction::to_board,
+      .min_size = 21,
+      .max_size = 21,
+      .since = {2590, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = true,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr Special interval_ms_special[] = {
+      {0, "ends the stream"},
+      {1, "a sample in every cycle, 0.8 ms"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "cmd_id",
+       .spec_name = "CMD_ID",
+       .summary = "Message to send: CMD_REALTIME_DATA_3, CMD_REALTIME_DATA_4, CMD_REALTIME_DATA_CUSTOM or CMD_AHRS_HELPER."},
+      {.name = "interval_ms",
+       .spec_name = "INTERVAL_MS",
+       .summary = "Time between two samples.",
+       .special = interval_ms_special},
+      {.name = "config",
+       .spec_name = "CONFIG",
+       .summary = "What the message needs to know; unused bytes are 0."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.cmd_id);
+    visitor(fields[1], value.interval_ms);
+    visitor(fields[2], value.config);
+    visitor(fields[3], value.reserved);
+  }
+};
+
+}  // namespace sbgc

@@ -1,0 +1,79 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// scripting: what is known about messages and fields at run time.
+#pragma once
+
+#include <sbgc/messages/scripting.hpp>
+#include <sbgc/meta.hpp>
+#include <sbgc/meta/enums.hpp>
+
+namespace sbgc {
+
+template <>
+struct Meta<RunScript> {
+  static constexpr MessageInfo info{
+      .name = "RunScript",
+      .command = "CMD_RUN_SCRIPT",
+      .summary = "Start or stop a script.",
+      .id = 57,
+      .direction = Direction::to_board,
+      .min_size = 34,
+      .max_size = 34,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = false,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "mode",
+       .spec_name = "MODE",
+       .summary = "What to do."},
+      {.name = "slot",
+       .spec_name = "SLOT",
+       .summary = "Slot of the script; whether slots count from 0 or from 1 is unknown."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.mode);
+    visitor(fields[1], value.slot);
+    visitor(fields[2], value.reserved);
+  }
+};
+
+template <>
+struct Meta<ScriptDebug> {
+  static constexpr MessageInfo info{
+      .name = "ScriptDebug",
+      .command = "CMD_SCRIPT_DEBUG",
+      .summary = "Progress of a script that was started with debugging.",
+      .id = 58,
+      .direction = Direction::from_board,
+      .min_size = 3,
+      .max_size = 3,
+      .since = {0, 30}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "cmd_count",
+       .spec_name = "CMD_COUNT",
+       .summary = "Number of the script's command that runs now."},
+      {.name = "err_code",
+       .spec_name = "ERR_CODE",
+       .summary = "What went wrong; codes that are not listed are possible."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.cmd_count);
+    visitor(fields[1], value.err_code);
+    visitor(tail_field, value.tail);
+  }
+};
+
+}  // namespace sbgc

@@ -1,0 +1,351 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// storage: what is known about messages and fields at run time.
+#pragma once
+
+#include <sbgc/messages/storage.hpp>
+#include <sbgc/meta.hpp>
+#include <sbgc/meta/enums.hpp>
+
+namespace sbgc {
+
+template <>
+struct Meta<EepromWrite> {
+  static constexpr MessageInfo info{
+      .name = "EepromWrite",
+      .command = "CMD_EEPROM_WRITE",
+      .summary = "Write a block to the EEPROM.",
+      .id = 47,
+      .direction = Direction::to_board,
+      .min_size = 4,
+      .max_size = 196,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = true,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "addr",
+       .spec_name = "ADDR",
+       .summary = "Where to write.",
+       .align = 64},
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "What to write.",
+       .max_count = 192,
+       .align = 64},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.addr);
+    visitor(fields[1], value.data);
+  }
+};
+
+template <>
+struct Meta<ReadFile> {
+  static constexpr MessageInfo info{
+      .name = "ReadFile",
+      .command = "CMD_READ_FILE",
+      .summary = "Part of a file.",
+      .id = 53,
+      .direction = Direction::from_board,
+      .min_size = 4,
+      .max_size = 255,
+      .since = {0, 30}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "file_size",
+       .spec_name = "FILE_SIZE",
+       .summary = "Size of the whole file."},
+      {.name = "page_offset",
+       .spec_name = "PAGE_OFFSET",
+       .summary = "Where in the file the data begin; as in the request."},
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "As many bytes as were asked for, or less at the end of the file.",
+       .max_count = 251},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.file_size);
+    visitor(fields[1], value.page_offset);
+    visitor(fields[2], value.data);
+  }
+};
+
+template <>
+struct Meta<ReadFileError> {
+  static constexpr MessageInfo info{
+      .name = "ReadFileError",
+      .command = "CMD_READ_FILE",
+      .summary = "Why a file could not be read.",
+      .id = 53,
+      .direction = Direction::from_board,
+      .min_size = 1,
+      .max_size = 1,
+      .since = {0, 30}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "err_code",
+       .spec_name = "ERR_CODE",
+       .summary = "What went wrong."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.err_code);
+  }
+};
+
+template <>
+struct Meta<ReadFileRequest> {
+  static constexpr const char* answers[] = {"ReadFile", "ReadFileError"};
+  static constexpr MessageInfo info{
+      .name = "ReadFileRequest",
+      .command = "CMD_READ_FILE",
+      .summary = "Read part of a file.",
+      .id = 53,
+      .direction = Direction::to_board,
+      .min_size = 20,
+      .max_size = 20,
+      .since = {0, 30},
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr Range max_data_size_range{0, 251};
+  static constexpr FieldInfo fields[] = {
+      {.name = "file_id",
+       .spec_name = "FILE_ID",
+       .summary = "Which file."},
+      {.name = "page_offset",
+       .spec_name = "PAGE_OFFSET",
+       .summary = "Where to begin."},
+      {.name = "max_data_size",
+       .spec_name = "MAX_SIZE",
+       .summary = "How many bytes to read at most; they must fit into one message.",
+       .range = &max_data_size_range},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.file_id);
+    visitor(fields[1], value.page_offset);
+    visitor(fields[2], value.max_data_size);
+    visitor(fields[3], value.reserved);
+  }
+};
+
+template <>
+struct Meta<WriteFile> {
+  static constexpr MessageInfo info{
+      .name = "WriteFile",
+      .command = "CMD_WRITE_FILE",
+      .summary = "Write part of a file; without data the file is deleted.",
+      .id = 54,
+      .direction = Direction::to_board,
+      .min_size = 6,
+      .max_size = 255,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = true,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "file_id",
+       .spec_name = "FILE_ID",
+       .summary = "Which file; it is made if there is none."},
+      {.name = "file_size",
+       .spec_name = "FILE_SIZE",
+       .summary = "Size that the whole file shall have."},
+      {.name = "page_offset",
+       .spec_name = "PAGE_OFFSET",
+       .summary = "Where to begin."},
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "What to write; empty deletes the file.",
+       .max_count = 249},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.file_id);
+    visitor(fields[1], value.file_size);
+    visitor(fields[2], value.page_offset);
+    visitor(fields[3], value.data);
+  }
+};
+
+template <>
+struct Meta<FsClearAll> {
+  static constexpr MessageInfo info{
+      .name = "FsClearAll",
+      .command = "CMD_FS_CLEAR_ALL",
+      .summary = "Delete all files.",
+      .id = 55,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = true,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<EepromRead> {
+  static constexpr MessageInfo info{
+      .name = "EepromRead",
+      .command = "CMD_EEPROM_READ",
+      .summary = "A block of the EEPROM.",
+      .id = 48,
+      .direction = Direction::from_board,
+      .min_size = 4,
+      .max_size = 196,
+      .since = {0, 30}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "addr",
+       .spec_name = "ADDR",
+       .summary = "Where the block lies.",
+       .align = 64},
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "What it holds, as many bytes as were asked for.",
+       .max_count = 192},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.addr);
+    visitor(fields[1], value.data);
+  }
+};
+
+template <>
+struct Meta<EepromReadRequest> {
+  static constexpr const char* answers[] = {"EepromRead"};
+  static constexpr MessageInfo info{
+      .name = "EepromReadRequest",
+      .command = "CMD_EEPROM_READ",
+      .summary = "Read a block of the EEPROM.",
+      .id = 48,
+      .direction = Direction::to_board,
+      .min_size = 6,
+      .max_size = 6,
+      .since = {0, 30},
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr Range size_range{0, 192};
+  static constexpr FieldInfo fields[] = {
+      {.name = "addr",
+       .spec_name = "ADDR",
+       .summary = "Where to begin.",
+       .align = 64},
+      {.name = "size",
+       .spec_name = "SIZE",
+       .summary = "How much to read; it must fit into one message.",
+       .range = &size_range,
+       .align = 64},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.addr);
+    visitor(fields[1], value.size);
+  }
+};
+
+template <>
+struct Meta<ReadExternalData> {
+  static constexpr MessageInfo info{
+      .name = "ReadExternalData",
+      .command = "CMD_READ_EXTERNAL_DATA",
+      .summary = "Data of the user in the EEPROM.",
+      .id = 42,
+      .direction = Direction::from_board,
+      .min_size = 128,
+      .max_size = 128,
+      .since = {0, 30}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "data",
+       .summary = "Whatever the user stored."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<ReadExternalDataRequest> {
+  static constexpr const char* answers[] = {"ReadExternalData"};
+  static constexpr MessageInfo info{
+      .name = "ReadExternalDataRequest",
+      .command = "CMD_READ_EXTERNAL_DATA",
+      .summary = "Ask for the data of the user in the EEPROM.",
+      .id = 42,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .since = {0, 30},
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<WriteExternalData> : Meta<ReadExternalData> {
+  static constexpr MessageInfo info{
+      .name = "WriteExternalData",
+      .command = "CMD_WRITE_EXTERNAL_DATA",
+      .summary = "Store data of the user in the EEPROM.",
+      .id = 41,
+      .direction = Direction::to_board,
+      .min_size = 128,
+      .max_size = 128,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 2000},
+      .stores = "ReadExternalData"};
+};
+
+}  // namespace sbgc

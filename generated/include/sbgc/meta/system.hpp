@@ -1,0 +1,631 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// system: what is known about messages and fields at run time.
+#pragma once
+
+#include <sbgc/messages/system.hpp>
+#include <sbgc/meta.hpp>
+#include <sbgc/meta/enums.hpp>
+
+namespace sbgc {
+
+template <>
+struct Meta<BoardInfo> {
+  static constexpr MessageInfo info{
+      .name = "BoardInfo",
+      .command = "CMD_BOARD_INFO",
+      .summary = "Version and features of the board.",
+      .id = 86,
+      .direction = Direction::from_board,
+      .min_size = 18,
+      .max_size = 18};
+  static constexpr Special debug_mode_special[] = {
+      {0, "a host should hide its debug output"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "board_ver",
+       .spec_name = "BOARD_VER",
+       .summary = "Hardware version."},
+      {.name = "firmware_ver",
+       .spec_name = "FIRMWARE_VER",
+       .summary = "Firmware version."},
+      {.name = "debug_mode",
+       .spec_name = "DEBUG_MODE",
+       .summary = "Whether debugging output is wanted.",
+       .special = debug_mode_special},
+      {.name = "board_features",
+       .spec_name = "BOARD_FEATURES",
+       .summary = "What the board can do."},
+      {.name = "connection_flags",
+       .spec_name = "CONNECTION_FLAGS",
+       .summary = "How this host is connected."},
+      {.name = "frw_extra_id",
+       .spec_name = "FRW_EXTRA_ID",
+       .summary = "Identifies special builds of the firmware."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Later firmware keeps more feature bits, IMU models and a base firmware version here.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.board_ver);
+    visitor(fields[1], value.firmware_ver);
+    visitor(fields[2], value.debug_mode);
+    visitor(fields[3], value.board_features);
+    visitor(fields[4], value.connection_flags);
+    visitor(fields[5], value.frw_extra_id);
+    visitor(fields[6], value.reserved);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<BoardInfoRequest> {
+  static constexpr const char* answers[] = {"BoardInfo"};
+  static constexpr MessageInfo info{
+      .name = "BoardInfoRequest",
+      .command = "CMD_BOARD_INFO",
+      .summary = "Ask for the version of board and firmware.",
+      .id = 86,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<BoardInfoRequestExt> {
+  static constexpr const char* answers[] = {"BoardInfo"};
+  static constexpr MessageInfo info{
+      .name = "BoardInfoRequestExt",
+      .command = "CMD_BOARD_INFO",
+      .summary = "Ask for the version of board and firmware, and configure this serial port.",
+      .id = 86,
+      .direction = Direction::to_board,
+      .min_size = 2,
+      .max_size = 255,
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "cfg",
+       .spec_name = "CFG",
+       .summary = "On a UART, the pause between the 20-byte packets of a Bluetooth LE link; without meaning on USB."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Of undefined size; send it empty.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.cfg);
+    visitor(fields[1], value.reserved);
+  }
+};
+
+template <>
+struct Meta<Confirm> {
+  static constexpr MessageInfo info{
+      .name = "Confirm",
+      .command = "CMD_CONFIRM",
+      .summary = "The board has carried out a command.",
+      .id = 67,
+      .direction = Direction::from_board,
+      .min_size = 1,
+      .max_size = 6};
+  static constexpr FieldInfo fields[] = {
+      {.name = "cmd",
+       .spec_name = "CMD",
+       .summary = "The command that is confirmed."},
+      {.name = "addr",
+       .spec_name = "ADDR",
+       .summary = "Address of the block that was written."},
+      {.name = "err_code",
+       .spec_name = "ERR_CODE",
+       .summary = "How the file operation ended."},
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Data of other commands; mostly empty.",
+       .max_count = 5},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.cmd);
+    visitor(fields[1], value.addr);
+    visitor(fields[2], value.err_code);
+    visitor(fields[3], value.data);
+  }
+};
+
+template <>
+struct Meta<Error> {
+  static constexpr MessageInfo info{
+      .name = "Error",
+      .command = "CMD_ERROR",
+      .summary = "An error, as the specification describes it.",
+      .id = 255,
+      .direction = Direction::from_board,
+      .min_size = 5,
+      .max_size = 5,
+      .since = {0, 30}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "error_code",
+       .spec_name = "ERROR_CODE",
+       .summary = "What went wrong; the codes are not published."},
+      {.name = "error_data",
+       .spec_name = "ERROR_DATA",
+       .summary = "Details that depend on the code."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.error_code);
+    visitor(fields[1], value.error_data);
+  }
+};
+
+template <>
+struct Meta<ErrorExt> {
+  static constexpr MessageInfo info{
+      .name = "ErrorExt",
+      .command = "CMD_ERROR",
+      .summary = "An error, as real boards send it: with the command that failed.",
+      .id = 255,
+      .direction = Direction::from_board,
+      .min_size = 6,
+      .max_size = 6,
+      .since = {0, 30}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "cmd_id",
+       .spec_name = "CMD_ID",
+       .summary = "The command that failed."},
+      {.name = "error_code",
+       .spec_name = "ERROR_CODE",
+       .summary = "What went wrong; the codes are not published."},
+      {.name = "error_data",
+       .spec_name = "ERROR_DATA",
+       .summary = "Details that depend on the code."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.cmd_id);
+    visitor(fields[1], value.error_code);
+    visitor(fields[2], value.error_data);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<BoardInfo3> {
+  static constexpr MessageInfo info{
+      .name = "BoardInfo3",
+      .command = "CMD_BOARD_INFO_3",
+      .summary = "Serial numbers, memory and scripts of the board.",
+      .id = 20,
+      .direction = Direction::from_board,
+      .min_size = 69,
+      .max_size = 69,
+      .since = {0, 30}};
+  static constexpr Special script_slot_size_special[] = {
+      {0, "the slot is empty"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "device_id",
+       .spec_name = "deviceID",
+       .summary = "Identifies the board."},
+      {.name = "mcu_id",
+       .spec_name = "mcuID",
+       .summary = "Identifies the microcontroller."},
+      {.name = "eeprom_size",
+       .spec_name = "EEPROM_SIZE",
+       .summary = "Size of the EEPROM."},
+      {.name = "script_slot_size",
+       .spec_name = "SCRIPT_SLOT{1..5}_SIZE",
+       .summary = "Size of the user-written script in each slot.",
+       .special = script_slot_size_special},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.device_id);
+    visitor(fields[1], value.mcu_id);
+    visitor(fields[2], value.eeprom_size);
+    visitor(fields[3], value.script_slot_size);
+    visitor(fields[4], value.reserved);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<BoardInfo3Request> {
+  static constexpr const char* answers[] = {"BoardInfo3"};
+  static constexpr MessageInfo info{
+      .name = "BoardInfo3Request",
+      .command = "CMD_BOARD_INFO_3",
+      .summary = "Ask for serial numbers, memory and scripts of the board.",
+      .id = 20,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .since = {0, 30},
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = true,
+                 .timeout_ms = 500}};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<Reset> {
+  static constexpr MessageInfo info{
+      .name = "Reset",
+      .command = "CMD_RESET",
+      .summary = "The board is about to restart.",
+      .id = 114,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 0};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<ResetRequest> {
+  static constexpr MessageInfo info{
+      .name = "ResetRequest",
+      .command = "CMD_RESET",
+      .summary = "Restart at once and without notice.",
+      .id = 114,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .answer = {.messages = {},
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = false,
+                 .timeout_ms = 500}};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<ResetRequestExt> {
+  static constexpr const char* answers[] = {"Reset"};
+  static constexpr MessageInfo info{
+      .name = "ResetRequestExt",
+      .command = "CMD_RESET",
+      .summary = "Restart after a while, with notice if that is asked for.",
+      .id = 114,
+      .direction = Direction::to_board,
+      .min_size = 3,
+      .max_size = 3,
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = false,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "confirm",
+       .spec_name = "CONFIRM",
+       .summary = "Whether CMD_RESET is sent back first."},
+      {.name = "delay_ms",
+       .spec_name = "DELAY_MS",
+       .summary = "How long to wait before the restart."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.confirm);
+    visitor(fields[1], value.delay_ms);
+  }
+};
+
+template <>
+struct Meta<BootMode3> {
+  static constexpr MessageInfo info{
+      .name = "BootMode3",
+      .command = "CMD_BOOT_MODE_3",
+      .summary = "Enter the bootloader at once and without notice.",
+      .id = 51,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = false,
+                 .timeout_ms = 500}};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<BootMode3Ext> {
+  static constexpr const char* answers[] = {"Reset"};
+  static constexpr MessageInfo info{
+      .name = "BootMode3Ext",
+      .command = "CMD_BOOT_MODE_3",
+      .summary = "Enter the bootloader after a while, with notice if that is asked for.",
+      .id = 51,
+      .direction = Direction::to_board,
+      .min_size = 3,
+      .max_size = 3,
+      .since = {0, 30},
+      .answer = {.messages = answers,
+                 .confirmations = 0,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = false,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "confirm",
+       .spec_name = "CONFIRM",
+       .summary = "Whether CMD_RESET is sent back first."},
+      {.name = "delay_ms",
+       .spec_name = "DELAY_MS",
+       .summary = "How long to wait before the bootloader starts."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.confirm);
+    visitor(fields[1], value.delay_ms);
+  }
+};
+
+template <>
+struct Meta<QueueParamsInfo3> {
+  static constexpr MessageInfo info{
+      .name = "QueueParamsInfo3",
+      .command = "CMD_QUEUE_PARAMS_INFO_3",
+      .summary = "Body from the board, not documented.",
+      .id = 30,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 255,
+      .since = {0, 30}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Whatever it holds."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<QueueParamsInfo3Request> {
+  static constexpr MessageInfo info{
+      .name = "QueueParamsInfo3Request",
+      .command = "CMD_QUEUE_PARAMS_INFO_3",
+      .summary = "Body to the board, not documented.",
+      .id = 30,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 255,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = false,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Whatever it holds."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<SystemState> {
+  static constexpr MessageInfo info{
+      .name = "SystemState",
+      .command = "CMD_SYSTEM_STATE",
+      .summary = "Body from the board, not documented.",
+      .id = 52,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 255,
+      .since = {0, 30}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Whatever it holds."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<SystemStateRequest> {
+  static constexpr MessageInfo info{
+      .name = "SystemStateRequest",
+      .command = "CMD_SYSTEM_STATE",
+      .summary = "Body to the board, not documented.",
+      .id = 52,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 255,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = false,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Whatever it holds."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<MavlinkInfo> {
+  static constexpr MessageInfo info{
+      .name = "MavlinkInfo",
+      .command = "CMD_MAVLINK_INFO",
+      .summary = "Body from the board, not documented.",
+      .id = 250,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 255,
+      .since = {0, 30}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Whatever it holds."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<MavlinkInfoRequest> {
+  static constexpr MessageInfo info{
+      .name = "MavlinkInfoRequest",
+      .command = "CMD_MAVLINK_INFO",
+      .summary = "Body to the board, not documented.",
+      .id = 250,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 255,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = false,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Whatever it holds."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<MavlinkDebug> {
+  static constexpr MessageInfo info{
+      .name = "MavlinkDebug",
+      .command = "CMD_MAVLINK_DEBUG",
+      .summary = "Body from the board, not documented.",
+      .id = 251,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 255,
+      .since = {0, 30}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Whatever it holds."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<MavlinkDebugRequest> {
+  static constexpr MessageInfo info{
+      .name = "MavlinkDebugRequest",
+      .command = "CMD_MAVLINK_DEBUG",
+      .summary = "Body to the board, not documented.",
+      .id = 251,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 255,
+      .since = {0, 30},
+      .answer = {.messages = {},
+                 .confirmations = 1,
+                 .confirmation_is_certain = false,
+                 .retry_is_safe = false,
+                 .timeout_ms = 500}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Whatever it holds."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+}  // namespace sbgc

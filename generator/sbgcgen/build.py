@@ -1,0 +1,42 @@
+"""The way from spec files to a checked Layout."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from sbgcgen.diagnostics import Diagnostics
+from sbgcgen.lint import lint
+from sbgcgen.lint_bodies import lint_bodies
+from sbgcgen.load import Spec, load
+from sbgcgen.model import Layout
+from sbgcgen.resolve import resolve
+from sbgcgen.schema import check_shape
+from sbgcgen.syntax import check_syntax
+
+
+@dataclass(frozen=True)
+class Protocol:
+    """A spec without findings, and what it means."""
+
+    spec: Spec
+    layout: Layout
+
+
+def load_protocol(spec_dir: Path) -> Protocol:
+    """Load, check and resolve a spec folder.
+
+    Raises SpecError with every finding. Shape errors hide what builds on the shape, so they are
+    reported first; everything else comes in one go.
+    """
+    found = Diagnostics()
+    spec = load(spec_dir, found)
+    check_shape(spec, found)
+    found.raise_if_any()
+    check_syntax(spec, found)
+    found.raise_if_any()
+    layout = resolve(spec, found)
+    lint(spec, layout, found)
+    lint_bodies(layout, found)
+    found.raise_if_any()
+    return Protocol(spec, layout)

@@ -1,0 +1,73 @@
+"""The generator's command line."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from sbgcgen.build import load_protocol
+from sbgcgen.diagnostics import SpecError
+from sbgcgen.emit import Output, inputs, outputs
+
+_ROOT = Path(__file__).resolve().parents[2]
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="sbgcgen", description="Turns the protocol in spec/ into everything in generated/."
+    )
+    commands = parser.add_subparsers(dest="command", required=True)
+    for name, text in (
+        ("generate", "write generated/; files that do not change are left alone"),
+        ("check", "tell whether generated/ is what spec/ and generator/ say; exit status 1 if not"),
+        ("lint", "check spec/ only"),
+    ):
+        sub = commands.add_parser(name, help=text, description=text)
+        sub.add_argument("--root", type=Path, default=_ROOT, help="project folder")
+        sub.add_argument("--spec", type=Path, help="spec folder, if not <root>/spec")
+        if name == "generate":
+            sub.add_argument("--output", type=Path, help="output folder, if not <root>/generated")
+            sub.add_argument("--depfile", type=Path, help="write what was read, as a Make rule")
+            sub.add_argument("--stamp", type=Path, help="touch this file when done")
+    return parser
+
+
+def _write_depfile(depfile: Path, stamp: Path, read: list[Path]) -> None:
+    names = " \\\n  ".join(str(path).replace(" ", "\\ ") for path in sorted(read))
+    depfile.write_text(f"{stamp}: \\\n  {names}\n", encoding="utf-8")
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run one command; the exit status is 0, or 1 for findings, or 2 for wrong usage."""
+    options = _parser().parse_args(arguments)
+    root: Path = options.root.resolve()
+    spec_dir: Path = (options.spec or root / "spec").resolve()
+    try:
+        protocol = load_protocol(spec_dir)
+    except SpecError as error:
+        print(error, file=sys.stderr)
+        count = len(error.diagnostics)
+        print(f"{count} error{'s' if count != 1 else ''} in {spec_dir.name}/", file=sys.stderr)
+        return 1
+    layout = protocol.layout
+    if options.command == "lint":
+        print(f"{len(layout.commands)} commands, {len(layout.messages)} messages: no errors")
+        return 0
+    folder = getattr(options, "output", None) or root / "generated"
+    output = Output(folder.resolve(), outputs(layout))
+    if options.command == "check":
+        drift = output.drift()
+        for line in drift:
+            print(line, file=sys.stderr)
+        if drift:
+            print("generated/ has drifted: run './dev generate'", file=sys.stderr)
+        return 1 if drift else 0
+    changed = output.write()
+    print(f"{len(output.files)} files, {changed} changed")
+    if options.stamp:
+        if options.depfile:
+            _write_depfile(options.depfile, options.stamp, protocol.spec.files + inputs())
+        options.stamp.parent.mkdir(parents=True, exist_ok=True)
+        options.stamp.touch()
+    return 0

@@ -1,0 +1,165 @@
+"""Puts together messages that have chosen values in all of their fields."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+from sbgcgen.edges import Edge, counting, edges
+from sbgcgen.model import Blob, Condition, Field, Message, Struct, Type
+from sbgcgen.reference_codec import LISTS, Fields, holds, is_bytes, keys_of
+
+
+@dataclass
+class Places:
+    """The places of a message that hold a value, numbered as they are met, and their edges."""
+
+    numbers: dict[str, int] = field(default_factory=dict)
+    edges: dict[str, list[Edge]] = field(default_factory=dict)
+
+    def at(self, path: str, member: Field, type_: Type) -> tuple[int, list[Edge]]:
+        """The number and the edges of a place."""
+        if path not in self.numbers:
+            self.numbers[path] = len(self.numbers)
+            self.edges[path] = edges(member, type_)
+        return self.numbers[path], self.edges[path]
+
+
+@dataclass
+class Choice:
+    """Which values to choose.
+
+    In each round every place is at another of its edges; the place's number is added, lest
+    neighbours are alike. `forced` has values of fields of the message; `lengths` those of lists and
+    texts by path. Others have a length that shows their edges, or, if `short`, the least.
+    """
+
+    places: Places
+    round: int = 0
+    context: Fields = field(default_factory=dict)
+    forced: Fields = field(default_factory=dict)
+    lengths: dict[str, int] = field(default_factory=dict)
+    short: bool = False
+    leave_out: bool = False
+    chosen: list[tuple[str, str]] = field(default_factory=list)
+    rounds_of_free: int = 1
+    rounds_of_conditional: int = 1
+
+    def why(self) -> str:
+        """What was chosen, if that is not too much to tell."""
+        text = ", ".join(f"{path} = {name}" for path, name in self.chosen)
+        return text if len(text) <= 100 else f"round {self.round} through the edges of all fields"
+
+
+def compose(message: Message, choice: Choice) -> Fields:
+    """The fields of a message by choice."""
+    return _Composer(choice).fields(message.fields, "", {})
+
+
+def conditions(message: Message) -> list[Condition]:
+    """All conditions of a message and its regions."""
+    inner = [f for m in message.fields if isinstance(m.type, Struct) for f in m.type.fields]
+    return [f.when for f in (*message.fields, *inner) if f.when]
+
+
+def satisfying(when: Condition) -> list[int]:
+    """The values that make a condition hold, without more bits than needed."""
+    return [when.mask] if when.mask else [v.value for v in when.values]
+
+
+def variable_parts(fields: tuple[Field, ...], path: str = "") -> Iterator[tuple[str, Field]]:
+    """The lists and length-prefixed texts among the fields, with their paths."""
+    for member in fields:
+        name = path + member.name
+        is_list = member.dim in ("counted", "rest")
+        if is_list:
+            yield name, member
+        if isinstance(member.type, Blob) and member.type.kind == "string":
+            yield name + "[]" * is_list, member
+        elif isinstance(member.type, Struct) and member.type.size is None:
+            yield from variable_parts(member.type.fields, f"{name}{'[]' * is_list}.")
+
+
+def documented_length(message_fields: tuple[Field, ...], member: Field) -> int:
+    """The most elements that the specification describes for a list."""
+    most = member.capacity if member.max_count is None else member.max_count
+    for counter in message_fields:
+        if counter.name == member.counter and counter.maximum is not None:
+            most = int(counter.maximum)
+    return min(most, member.capacity)
+
+
+class _Composer:
+    def __init__(self, choice: Choice) -> None:
+        self.choice = choice
+        self.conditional = False
+
+    def fields(self, fields: tuple[Field, ...], path: str, around: Fields) -> Fields:
+        values: Fields = {}
+        for member in fields:
+            if member.when and not self._is_present(member.when, {**around, **values}):
+                continue
+            outside, self.conditional = self.conditional, self.conditional or bool(member.when)
+            values[member.name] = self._member(member, fields, path, values)
+            self.conditional = outside
+        for member in fields:
+            if member.counter:
+                value = values[member.name]
+                values[member.counter] = len(value) // 2 if is_bytes(member) else len(value)
+        return values
+
+    def _is_present(self, when: Condition, values: Fields) -> bool:
+        known = self.choice.context if when.from_context else values
+        if when.may_be_missing and self.choice.leave_out:
+            return False
+        return holds(when, known.get(when.source, 0))
+
+    def _member(
+        self, member: Field, fields: tuple[Field, ...], path: str, values: Fields
+    ) -> Any:
+        name = path + member.name
+        if name in self.choice.forced:
+            return self.choice.forced[name]
+        if member.is_counter:
+            return 0  # known when its list is there
+        if member.dim == "one":
+            around = values if isinstance(member.type, Struct) and member.type.is_region else {}
+            return self._value(member, name, 0, around)
+        if member.dim not in LISTS:
+            return {key: self._value(member, f"{name}.{key}") for key in keys_of(member)}
+        count = member.count if member.dim == "fixed" else self._length(member, fields, name)
+        if is_bytes(member):
+            return counting(count).hex()
+        if member.dim == "fixed":
+            return [self._value(member, f"{name}[{i}]") for i in range(count)]
+        return [self._value(member, f"{name}[]", i) for i in range(count)]
+
+    def _length(self, member: Field, fields: tuple[Field, ...], name: str) -> int:
+        choice = self.choice
+        if name in choice.lengths:
+            return choice.lengths[name]
+        if choice.short:
+            return int(any(path.startswith(f"{name}[]") for path in choice.lengths))
+        if is_bytes(member) or isinstance(member.type, Struct):
+            typical = 2
+        else:
+            typical = len(choice.places.at(f"{name}[]", member, member.type)[1])
+        return min(typical, documented_length(fields, member))
+
+    def _value(self, member: Field, path: str, element: int = 0, around: Any = None) -> Any:
+        type_, choice = member.type, self.choice
+        if isinstance(type_, Struct):
+            return self.fields(type_.fields, f"{path}.", around or {})
+        if isinstance(type_, Blob) and type_.kind == "string":
+            length = choice.lengths.get(path, 0 if choice.short else None)
+            if length is not None:
+                return "".join(chr(65 + i % 26) for i in range(length))
+        number, found = choice.places.at(path, member, type_)
+        if self.conditional:
+            choice.rounds_of_conditional = max(choice.rounds_of_conditional, len(found))
+        else:
+            choice.rounds_of_free = max(choice.rounds_of_free, len(found))
+        name, value = found[(choice.round + number + element) % len(found)]
+        choice.chosen.append((path, name))
+        return value

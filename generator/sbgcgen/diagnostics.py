@@ -1,0 +1,70 @@
+"""Errors that point at the line of YAML that caused them and say how to mend it."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True, order=True)
+class Position:
+    """A place in a spec file; line and column count from 1."""
+
+    file: str
+    line: int = 1
+    column: int = 1
+
+    def __str__(self) -> str:
+        return f"{self.file}:{self.line}:{self.column}"
+
+
+@dataclass(frozen=True, order=True)
+class Diagnostic:
+    """One finding: where, which rule, what, and what to do about it."""
+
+    position: Position
+    code: str
+    message: str
+    hint: str = ""
+
+    def __str__(self) -> str:
+        text = f"{self.position}: {self.code} {self.message}"
+        return f"{text}\n    hint: {self.hint}" if self.hint else text
+
+
+@dataclass
+class Diagnostics:
+    """Collects findings, so that one run reports them all."""
+
+    found: list[Diagnostic] = field(default_factory=list)
+
+    def add(self, position: Position, code: str, message: str, hint: str = "") -> None:
+        """Record one finding; a repetition of the very same one is dropped."""
+        diagnostic = Diagnostic(position, code, message, hint)
+        if diagnostic not in self.found:
+            self.found.append(diagnostic)
+
+    def any_of(self, codes: Iterable[str]) -> bool:
+        """Whether any finding so far has one of these codes."""
+        return any(diagnostic.code in codes for diagnostic in self.found)
+
+    def raise_if_any(self) -> None:
+        """Raise SpecError with everything found so far, in order of position."""
+        if self.found:
+            raise SpecError(sorted(self.found))
+
+
+class SpecError(Exception):
+    """The spec can not be used; `diagnostics` says why, one entry for each mistake."""
+
+    def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
+        self.diagnostics = list(diagnostics)
+        super().__init__("\n".join(str(d) for d in self.diagnostics))
+
+
+def did_you_mean(name: str, known: Iterable[str]) -> str:
+    """A hint that names the closest known word, or "" if none is close."""
+    by_lower = {word.lower(): word for word in known}
+    close = difflib.get_close_matches(name.lower(), by_lower, n=1, cutoff=0.6)
+    return f"did you mean '{by_lower[close[0]]}'?" if close else ""

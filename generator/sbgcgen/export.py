@@ -1,0 +1,248 @@
+"""The model as plain data: generated/simplebgc.json, for tools in any language."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+from sbgcgen.model import Answer, Availability, Enum, Field, Layout, Leaf, Message, Packed, Quantity
+
+
+def _number(value: Fraction | None) -> int | float | None:
+    if value is None:
+        return None
+    return int(value) if value.denominator == 1 else float(value)
+
+
+def _version(since: Availability) -> dict[str, str] | None:
+    if not since:
+        return None
+    result = {}
+    if since.firmware:
+        beta = since.firmware % 10
+        text = f"{since.firmware // 1000}.{since.firmware // 10 % 100:02}"
+        result["firmware"] = f"{text}b{beta}" if beta else text
+    if since.board:
+        result["board"] = f"{since.board // 10}.{since.board % 10}"
+    return result
+
+
+def _enum_name(field: Field) -> str | None:
+    return field.type.name if isinstance(field.type, Enum) else None
+
+
+def _condition(field: Field) -> dict[str, Any] | None:
+    when = field.when
+    if when is None:
+        return None
+    return {
+        "context" if when.from_context else "field": when.source,
+        "has": [f.name for f in when.flags],
+        "is": [v.name for v in when.values],
+        "may_be_missing": when.may_be_missing,
+    }
+
+
+def _leaf(leaf: Leaf) -> dict[str, Any]:
+    field = leaf.field
+    quantity = field.type if isinstance(field.type, Quantity) else None
+    result: dict[str, Any] = {
+        "path": leaf.path,
+        "spec_name": leaf.spec_name,
+        "offset": leaf.offset,
+        "type": leaf.type,
+        "count": leaf.count,
+        "unit": quantity.unit if quantity else None,
+        "scale": _number(quantity.scale) if quantity else None,
+        "min": _number(field.minimum),
+        "max": _number(field.maximum),
+        "enum": _enum_name(field),
+        "reserved": field.reserved,
+        "summary": field.summary,
+    }
+    if quantity:
+        result["quantity"] = quantity.name
+        result["scale_exact"] = str(quantity.scale)
+        if quantity.offset:
+            result["add"] = _number(quantity.offset)
+    if isinstance(field.type, Packed):
+        result["packed"] = field.type.name
+    if field.special:
+        result["special"] = {str(s.value): s.meaning for s in field.special}
+    if field.max_count is not None:
+        result["max_count"] = field.max_count
+    if field.align != 1:
+        result["align"] = field.align
+    if field.variable:
+        result["value_of_variable"] = field.variable
+    if field.counter:
+        result["counted_by"] = field.counter
+    if field.when:
+        result["when"] = _condition(field)
+    if field.alternative:
+        other = field.alternative
+        result["alternative"] = {
+            "unit": other.quantity.unit,
+            "scale": _number(other.quantity.scale),
+            "flag": other.flag.name,
+            "field": other.source,
+        }
+    if field.since:
+        result["since"] = _version(field.since)
+    if field.deprecated:
+        result["deprecated"] = {
+            "since": _version(field.deprecated.since),
+            "replaced_by": field.deprecated.replaced_by or None,
+        }
+    if field.errata:
+        result["errata"] = list(field.errata)
+    if leaf.cases:
+        result["cases"] = [_leaf(case) for case in leaf.cases]
+    return result
+
+
+def _answer(answer: Answer | None) -> dict[str, Any] | None:
+    if answer is None:
+        return None
+    return {
+        "messages": list(answer.messages),
+        "confirm": answer.confirm,
+        "confirmations": answer.confirmations,
+        "timeout_ms": answer.timeout_ms,
+        "retry": "safe" if answer.retry_safe else "unsafe",
+    }
+
+
+def _message(message: Message) -> dict[str, Any]:
+    return {
+        "name": message.name,
+        "command": message.command,
+        "id": message.id,
+        "direction": message.direction,
+        "form": message.form,
+        "family": message.family,
+        "summary": message.summary,
+        "source": message.source,
+        "errata": list(message.errata),
+        "since": _version(message.since),
+        "min_size": message.min_size,
+        "max_size": message.max_size,
+        "keeps_tail": message.keeps_tail,
+        "same_as": message.same_as or None,
+        "stores": message.stores or None,
+        "context": [
+            {"name": c.name, "enum": c.type.name, "from": [f"{m}.{f}" for m, f in c.sources]}
+            for c in message.contexts
+        ],
+        "response": _answer(message.answer),
+        "layout": [_leaf(leaf) for leaf in message.leaves],
+    }
+
+
+def _enum(enum: Enum) -> dict[str, Any]:
+    return {
+        "name": enum.name,
+        "kind": enum.kind,
+        "width": enum.scalar.size,
+        "type": enum.scalar.name,
+        "summary": enum.summary,
+        "source": enum.source,
+        "errata": list(enum.errata),
+        "values": [
+            {
+                "name": value.name,
+                "value": value.value,
+                "identifier": value.identifier,
+                "named_by_specification": not value.ours,
+                "summary": value.summary,
+                "since": _version(value.since),
+                "errata": list(value.errata),
+            }
+            for value in enum.values
+        ],
+    }
+
+
+def _packed(packed: Packed) -> dict[str, Any]:
+    return {
+        "name": packed.name,
+        "width": packed.scalar.size,
+        "summary": packed.summary,
+        "source": packed.source,
+        "names": packed.names.name if packed.names else None,
+        "parts": [
+            {
+                "name": part.name,
+                "mask": None if part.is_digits else part.mask,
+                "shift": None if part.is_digits else part.shift,
+                "divide": part.divide if part.is_digits else None,
+                "modulo": part.modulo if part.is_digits else None,
+                "enum": part.enum.name if part.enum else None,
+                "summary": part.summary,
+            }
+            for part in packed.parts
+        ],
+    }
+
+
+def export(layout: Layout) -> dict[str, Any]:
+    """Everything the model knows, ready for JSON."""
+    return {
+        "protocol": layout.protocol,
+        "framing": {
+            "start": layout.framing.start,
+            "header_size": layout.framing.header_size,
+            "trailer_size": layout.framing.trailer_size,
+            "max_body": layout.framing.max_body,
+        },
+        "commands": [
+            {
+                "name": command.name,
+                "id": command.id,
+                "family": command.family,
+                "summary": command.summary,
+                "since": _version(command.since),
+                "documented": not command.undocumented,
+            }
+            for command in layout.commands
+        ],
+        "messages": [_message(message) for message in layout.messages],
+        "enums": [_enum(enum) for enum in layout.enums],
+        "packed": [_packed(packed) for packed in layout.packed],
+        "quantities": [
+            {
+                "name": q.name,
+                "type": q.scalar.name,
+                "unit": q.unit,
+                "scale": _number(q.scale),
+                "scale_exact": str(q.scale),
+                "offset": _number(q.offset),
+                "summary": q.summary,
+            }
+            for q in layout.quantities
+        ],
+        "adjustable_variables": [
+            {
+                "name": variable.name,
+                "id": variable.id,
+                "type": variable.scalar.name,
+                "min": variable.minimum,
+                "max": variable.maximum,
+                "unit": variable.quantity.unit if variable.quantity else None,
+                "scale": _number(variable.quantity.scale) if variable.quantity else None,
+                "summary": variable.summary,
+            }
+            for variable in layout.variables
+        ],
+        "errata": [
+            {
+                "number": erratum.number,
+                "kind": erratum.kind,
+                "lines": list(erratum.lines),
+                "problem": erratum.problem,
+                "reading": erratum.reading,
+                "reason": erratum.reason or None,
+            }
+            for erratum in layout.errata
+        ],
+    }

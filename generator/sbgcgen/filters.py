@@ -1,0 +1,65 @@
+"""What templates may do to values beyond Jinja's own filters: text only, no protocol."""
+
+from __future__ import annotations
+
+import json
+import textwrap
+from collections.abc import Callable
+from typing import Any
+
+from sbgcgen.model import Availability, Blob, Enum, Packed, Quantity, Scalar, Struct
+from sbgcgen.names import camel_case
+
+
+def comment(text: str, indent: int = 0, width: int = 100, mark: str = "/// ") -> str:
+    """Text as comment lines, wrapped; the first line is not indented."""
+    lines = textwrap.wrap(text, width - indent - len(mark)) or [""]
+    return f"\n{' ' * indent}".join((mark + line).rstrip() for line in lines)
+
+
+def c_string(text: str) -> str:
+    """Text as a C string literal."""
+    return json.dumps(text, ensure_ascii=False)
+
+
+def to_json(value: Any) -> str:
+    """Value as JSON, two spaces deep, in the order it was made."""
+    return json.dumps(value, indent=2, ensure_ascii=False)
+
+
+def versions(since: Availability) -> str:
+    """'firmware 2.59, board 3.0', or ''."""
+    words = []
+    if since.firmware:
+        beta = since.firmware % 10
+        text = f"firmware {since.firmware // 1000}.{since.firmware // 10 % 100:02}"
+        words.append(f"{text}b{beta}" if beta else text)
+    if since.board:
+        words.append(f"board {since.board // 10}.{since.board % 10}")
+    return ", ".join(words)
+
+
+def hexadecimal(value: int, digits: int = 2) -> str:
+    """0x3E."""
+    return f"0x{value:0{digits}X}"
+
+
+FILTERS: dict[str, Callable[..., Any]] = {
+    "comment": comment,
+    "c_string": c_string,
+    "to_json": to_json,
+    "versions": versions,
+    "hex": hexadecimal,
+    "camel": camel_case,
+}
+
+TESTS: dict[str, Callable[..., bool]] = {
+    "a_scalar": lambda t: isinstance(t, Scalar),
+    "a_quantity": lambda t: isinstance(t, Quantity),
+    "an_enum": lambda t: isinstance(t, Enum) and t.kind == "enum",
+    "a_flag_set": lambda t: isinstance(t, Enum) and t.kind == "flags",
+    "a_packed": lambda t: isinstance(t, Packed),
+    "a_blob": lambda t: isinstance(t, Blob),
+    "a_region": lambda t: isinstance(t, Struct) and t.is_region,
+    "a_struct": lambda t: isinstance(t, Struct),
+}

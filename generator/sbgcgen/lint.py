@@ -1,0 +1,99 @@
+"""Rules over the resolved protocol; what concerns one entry alone is checked while resolving."""
+
+from __future__ import annotations
+
+from sbgcgen.diagnostics import Diagnostics, did_you_mean
+from sbgcgen.load import Spec
+from sbgcgen.model import Command, Enum, Field, Layout, Message, Packed, Quantity, Struct, Variable
+from sbgcgen.names import MESSAGE_WORDS
+
+# Findings that leave a body without some of its fields, so that its size is not known.
+_UNSIZED = ("SBGC010", "SBGC021", "SBGC025", "SBGC029", "SBGC031")
+
+
+def lint(spec: Spec, layout: Layout, found: Diagnostics) -> None:
+    """Check the whole protocol; findings go into `found`."""
+    _check_ids(spec, layout, found)
+    _check_forms(layout, found)
+    _check_bodies(layout, found)
+    _check_variables(layout, found)
+    _check_stores(layout, found)
+
+
+def _check_ids(spec: Spec, layout: Layout, found: Diagnostics) -> None:
+    nodes = {name: node for _, name, node, _ in spec.entries("commands")}
+    for command in layout.commands:
+        if command.id is None and (
+            "from_board" in nodes[command.name] or "to_board" in nodes[command.name]
+        ):
+            text = f"{command.name} has a body but no id"
+            found.add(
+                nodes[command.name].at("id"), "SBGC034", text, "nothing can be sent without an id"
+            )
+    for direction in ("from_board", "to_board"):
+        seen: dict[int, Command] = {}
+        for command in layout.commands:
+            if direction not in nodes[command.name] or command.id is None:
+                continue
+            first = seen.setdefault(command.id, command)
+            if first is not command:
+                message = f"{command.name} has the id {command.id} of {first.name} ({direction})"
+                hint = f"see {first.at}; an id may be shared only in opposite directions"
+                found.add(nodes[command.name].at("id"), "SBGC011", message, hint)
+
+
+def _check_forms(layout: Layout, found: Diagnostics) -> None:
+    messages = layout.messages
+    if found.any_of(_UNSIZED):
+        return
+    for index, message in enumerate(messages):
+        for other in messages[:index]:
+            same = (message.command, message.direction) == (other.command, other.direction)
+            if same and message.min_size <= other.max_size and other.min_size <= message.max_size:
+                text = f"{message.name} and {other.name} can have the same size"
+                hint = f"forms are told apart by size; see {other.at}"
+                found.add(message.at, "SBGC014", text, hint)
+
+
+def _check_bodies(layout: Layout, found: Diagnostics) -> None:
+    taken = {s.name: s.at for family in layout.families for s in family.structs}
+    types: list[Quantity | Enum | Packed] = [*layout.quantities, *layout.enums, *layout.packed]
+    taken.update({type_.name: type_.at for type_ in types})
+    taken.update({enum.member: enum.at for enum in layout.enums})
+    for message in layout.messages:
+        for field in message.fields:
+            if field.name in MESSAGE_WORDS:
+                text = f"'{field.name}' is a member that every message has"
+                found.add(field.at, "SBGC022", text, "give the field another name with 'as'")
+        if message.name in taken:
+            text = f"'{message.name}' is the name of a message, too"
+            found.add(taken[message.name], "SBGC028", text, f"see {message.at}")
+        _check_alternatives(message, message.fields, found)
+
+
+def _check_alternatives(message: Message, fields: tuple[Field, ...], found: Diagnostics) -> None:
+    names = {f.name for f in message.fields}
+    for field in fields:
+        if field.alternative and field.alternative.source not in names:
+            source = field.alternative.source.upper()
+            text = f"the unit of '{field.name}' hangs on {source}, which {message.name} has not"
+            found.add(field.at, "SBGC026", text, "'of' names a field of the same message")
+        if isinstance(field.type, Struct):
+            _check_alternatives(message, field.type.fields, found)
+
+
+def _check_variables(layout: Layout, found: Diagnostics) -> None:
+    ids: dict[int, Variable] = {}
+    for variable in layout.variables:
+        first = ids.setdefault(variable.id, variable)
+        if first is not variable:
+            text = f"{variable.name} has the id {variable.id} of {first.name}"
+            found.add(variable.at, "SBGC011", text, f"see {first.at}")
+
+
+def _check_stores(layout: Layout, found: Diagnostics) -> None:
+    by_name = {m.name: m for m in layout.messages}
+    for message in layout.messages:
+        if message.stores and message.stores not in by_name:
+            text = f"{message.name} stores '{message.stores}', which is no message"
+            found.add(message.at, "SBGC021", text, did_you_mean(message.stores, by_name))

@@ -1,0 +1,456 @@
+"""The Layout model: the protocol fully resolved, frozen, and the only thing that templates see.
+
+Every size, offset, name and reference is decided here, once. Targets print it; none of them
+computes a layout again.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Union
+
+from sbgcgen.diagnostics import Position
+from sbgcgen.names import snake_case
+
+_NOWHERE = Position("")
+
+
+@dataclass(frozen=True)
+class Scalar:
+    """A number on the wire, little-endian."""
+
+    name: str
+    size: int
+    minimum: int | None
+    maximum: int | None
+    kind: str = "scalar"
+
+    @property
+    def is_float(self) -> bool:
+        return self.minimum is None
+
+
+def _integer(name: str, size: int, signed: bool) -> Scalar:
+    bits = 8 * size
+    low, high = (-(1 << (bits - 1)), (1 << (bits - 1)) - 1) if signed else (0, (1 << bits) - 1)
+    return Scalar(name, size, low, high)
+
+
+SCALARS: dict[str, Scalar] = {
+    "u8": _integer("u8", 1, False),
+    "i8": _integer("i8", 1, True),
+    "u16": _integer("u16", 2, False),
+    "i16": _integer("i16", 2, True),
+    "u32": _integer("u32", 4, False),
+    "i32": _integer("i32", 4, True),
+    "f32": Scalar("f32", 4, None, None),
+}
+
+
+@dataclass(frozen=True)
+class Availability:
+    """Since when something exists; encoded as on the wire (2.55b5 is 2555, board 3.0 is 30)."""
+
+    firmware: int = 0
+    board: int = 0
+
+    def __bool__(self) -> bool:
+        return bool(self.firmware or self.board)
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A physical quantity: real value = raw * scale + offset, in `unit`."""
+
+    name: str
+    scalar: Scalar
+    unit: str | None
+    accessor: str
+    scale: Fraction
+    scale_text: str
+    offset: Fraction
+    summary: str
+    errata: tuple[str, ...]
+    kind: str = "quantity"
+    at: Position = field(default=_NOWHERE, compare=False, repr=False)
+
+
+@dataclass(frozen=True)
+class EnumValue:
+    """One named value; `name` is the protocol's own unless `ours`."""
+
+    name: str
+    identifier: str
+    value: int
+    summary: str
+    ours: bool
+    since: Availability
+    errata: tuple[str, ...]
+    at: Position = field(default=_NOWHERE, compare=False, repr=False)
+
+
+@dataclass(frozen=True)
+class Enum:
+    """An enum, or (kind "flags") a set of bits whose values are masks."""
+
+    name: str
+    member: str
+    scalar: Scalar
+    kind: str
+    summary: str
+    source: str
+    errata: tuple[str, ...]
+    values: tuple[EnumValue, ...]
+    at: Position = field(default=_NOWHERE, compare=False, repr=False)
+
+
+@dataclass(frozen=True)
+class Part:
+    """A named part of a packed integer: ((raw & mask) >> shift) / divide % modulo."""
+
+    name: str
+    mask: int
+    shift: int
+    divide: int
+    modulo: int
+    enum: Enum | None
+    summary: str
+    at: Position = field(default=_NOWHERE, compare=False, repr=False)
+
+    @property
+    def is_digits(self) -> bool:
+        """Whether the part is cut out of the decimal digits rather than out of the bits."""
+        return self.divide != 1 or self.modulo != 0
+
+    @property
+    def is_bool(self) -> bool:
+        return not self.is_digits and self.enum is None and self.mask == 1 << self.shift
+
+
+@dataclass(frozen=True)
+class Packed:
+    """Several values in one integer; the raw integer is kept, so no bit is ever lost."""
+
+    name: str
+    scalar: Scalar
+    summary: str
+    source: str
+    errata: tuple[str, ...]
+    display: str
+    names: Enum | None
+    parts: tuple[Part, ...]
+    kind: str = "packed"
+    at: Position = field(default=_NOWHERE, compare=False, repr=False)
+
+
+@dataclass(frozen=True)
+class Blob:
+    """Bytes, or NUL-padded UTF-8 text (kind "text"), or a length-prefixed string (kind "string").
+
+    `size` is None for bytes that take the rest of the body; a string's size includes its prefix
+    at its longest.
+    """
+
+    kind: str
+    size: int | None
+
+
+@dataclass(frozen=True)
+class Struct:
+    """A reusable group of fields; `size` is None when it varies.
+
+    A region has a fixed size, whatever of its conditional fields are present; its last field keeps
+    the bytes that they do not use. Its conditions are about fields of the message around it.
+    """
+
+    name: str
+    summary: str
+    fields: tuple[Field, ...]
+    size: int | None
+    min_size: int
+    family: str
+    is_region: bool = False
+    kind: str = "struct"
+    at: Position = field(default=_NOWHERE, compare=False, repr=False)
+
+
+Type = Union[Scalar, Quantity, Enum, Packed, Blob, Struct]
+
+
+@dataclass(frozen=True)
+class Special:
+    """A value outside the ordinary meaning."""
+
+    value: int
+    meaning: str
+
+
+@dataclass(frozen=True)
+class Condition:
+    """When a field is present: by flags of a context or an earlier field, or by a field's value."""
+
+    source: str
+    from_context: bool
+    mask: int
+    values: tuple[EnumValue, ...]
+    flags: tuple[EnumValue, ...]
+    enum: Enum
+    may_be_missing: bool
+
+
+@dataclass(frozen=True)
+class Alternative:
+    """Another unit of the same bytes, chosen by a flag of an earlier field.
+
+    `source` is the path of that field from the message, with "{axis}" for the index in force.
+    """
+
+    quantity: Quantity
+    source: str
+    mask: int
+    flag: EnumValue
+
+
+@dataclass(frozen=True)
+class Deprecation:
+    """That something should not be used any more, since when, and what to use instead."""
+
+    since: Availability
+    replaced_by: str
+
+
+@dataclass(frozen=True)
+class Field:
+    """One member of a struct or message.
+
+    `dim` says how often the type stands: "one", "axis", "xyz", "fixed" (`count` times),
+    "counted" (as the field `counter` says) or "rest" (to the end of the body). `offset` is from
+    the start of the struct, None behind a variable part.
+    """
+
+    name: str
+    spec_name: str
+    type: Type
+    dim: str
+    count: int
+    index: tuple[str, ...]
+    counter: str
+    is_counter: bool
+    offset: int | None
+    size: int | None
+    capacity: int
+    minimum: Fraction | None
+    maximum: Fraction | None
+    special: tuple[Special, ...]
+    max_count: int | None
+    variable: str
+    align: int
+    reserved: bool
+    optional: bool
+    when: Condition | None
+    alternative: Alternative | None
+    since: Availability
+    deprecated: Deprecation | None
+    summary: str
+    errata: tuple[str, ...]
+    at: Position = field(default=_NOWHERE, compare=False, repr=False)
+
+    @property
+    def is_variable(self) -> bool:
+        """Whether the number of bytes depends on the message."""
+        return self.size is None or self.when is not None
+
+
+@dataclass(frozen=True)
+class Leaf:
+    """One value (or run of bytes) of a body in wire order, with the whole path to it.
+
+    `cases` are the leaves that a region may hold, depending on other fields.
+    """
+
+    path: str
+    field: Field
+    spec_name: str
+    type: str
+    count: int | None
+    offset: int | None
+    cases: tuple[Leaf, ...] = ()
+
+
+@dataclass(frozen=True)
+class Context:
+    """Something a body can not be read without, that stands in an earlier message."""
+
+    name: str
+    type: Enum
+    summary: str
+    sources: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What a request is answered with."""
+
+    messages: tuple[str, ...]
+    confirm: str
+    confirmations: int
+    timeout_ms: int
+    retry_safe: bool
+    errata: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Message:
+    """One body layout of one command in one direction."""
+
+    name: str
+    command: str
+    command_identifier: str
+    id: int
+    direction: str
+    form: str | None
+    family: str
+    summary: str
+    description: str
+    source: str
+    errata: tuple[str, ...]
+    since: Availability
+    deprecated: Deprecation | None
+    body: Struct
+    same_as: str
+    in_both_directions: bool
+    keeps_tail: bool
+    tail_capacity: int
+    min_size: int
+    max_size: int
+    contexts: tuple[Context, ...]
+    answer: Answer | None
+    stores: str
+    leaves: tuple[Leaf, ...]
+    at: Position = field(default=_NOWHERE, compare=False, repr=False)
+
+    @property
+    def identifier(self) -> str:
+        """The name as a member would have it."""
+        return snake_case(self.name)
+
+    @property
+    def fields(self) -> tuple[Field, ...]:
+        return self.body.fields
+
+    @property
+    def has_fixed_size(self) -> bool:
+        return self.body.size is not None
+
+
+@dataclass(frozen=True)
+class Command:
+    """One command name of the protocol; several may share an id in different directions."""
+
+    name: str
+    identifier: str
+    id: int | None
+    family: str
+    summary: str
+    source: str
+    errata: tuple[str, ...]
+    since: Availability
+    undocumented: bool
+    at: Position = field(default=_NOWHERE, compare=False, repr=False)
+
+
+@dataclass(frozen=True)
+class Variable:
+    """An adjustable variable (Appendix B)."""
+
+    name: str
+    identifier: str
+    id: int
+    scalar: Scalar
+    quantity: Quantity | None
+    minimum: int
+    maximum: int
+    summary: str
+    errata: tuple[str, ...]
+    at: Position = field(default=_NOWHERE, compare=False, repr=False)
+
+
+@dataclass(frozen=True)
+class Erratum:
+    """A decision on how to read the specification."""
+
+    number: str
+    kind: str
+    lines: tuple[str, ...]
+    problem: str
+    reading: str
+    reason: str
+    at: Position = field(default=_NOWHERE, compare=False, repr=False)
+
+
+@dataclass(frozen=True)
+class Framing:
+    """How a body is wrapped on the line."""
+
+    start: int
+    header_size: int
+    trailer_size: int
+    max_body: int
+    source: str
+    errata: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Family:
+    """A group of commands that get one header and one page."""
+
+    name: str
+    summary: str
+    structs: tuple[Struct, ...]
+    messages: tuple[Message, ...]
+
+    @property
+    def uses(self) -> tuple[str, ...]:
+        """Other families whose structs or messages this one needs."""
+        names = {
+            f.type.family for m in self.messages for f in m.fields if isinstance(f.type, Struct)
+        }
+        names |= {m.body.family for m in self.messages}
+        return tuple(sorted(names - {self.name}))
+
+    @property
+    def definitions(self) -> tuple[Message, ...]:
+        """Messages that define a C++ type of their own (a same_as in both directions does not).
+
+        Those with the body of another message come last, behind what they are made of.
+        """
+        seen: dict[str, Message] = {}
+        for message in self.messages:
+            seen.setdefault(message.name, message)
+        return tuple(sorted(seen.values(), key=lambda m: bool(m.same_as)))
+
+
+@dataclass(frozen=True)
+class Layout:
+    """The whole protocol."""
+
+    protocol: dict[str, str]
+    framing: Framing
+    families: tuple[Family, ...]
+    quantities: tuple[Quantity, ...]
+    enums: tuple[Enum, ...]
+    packed: tuple[Packed, ...]
+    commands: tuple[Command, ...]
+    variables: tuple[Variable, ...]
+    errata: tuple[Erratum, ...]
+    indices: dict[str, tuple[str, ...]]
+
+    @property
+    def messages(self) -> tuple[Message, ...]:
+        return tuple(m for family in self.families for m in family.messages)
+
+    @property
+    def definitions(self) -> tuple[Message, ...]:
+        """Messages with a type of their own, in the order of families."""
+        return tuple(m for family in self.families for m in family.definitions)

@@ -1,0 +1,395 @@
+"""Turns a Spec into the Layout model: commands, forms, messages and what answers them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+from sbgcgen.diagnostics import Diagnostics, Position, did_you_mean
+from sbgcgen.load import Map, Spec
+from sbgcgen.model import (
+    SCALARS,
+    Answer,
+    Command,
+    Context,
+    Erratum,
+    Family,
+    Field,
+    Framing,
+    Layout,
+    Message,
+    Struct,
+    Variable,
+)
+from sbgcgen.names import camel_case, snake_case
+from sbgcgen.resolve_fields import FieldResolver, leaves, max_size, min_size, total_size
+from sbgcgen.resolve_types import TypeResolver
+
+DIRECTIONS = ("from_board", "to_board")
+_FORM_SUFFIX = {None: "", "simple": "", "success": "", "extended": "Ext", "error": "Error"}
+
+
+@dataclass
+class _Draft:
+    """A message before its body is resolved."""
+
+    name: str
+    command: Command
+    direction: str
+    form: str | None
+    node: Map
+    parent: Map
+    at: Position
+
+    def get(self, key: str, default: Any = None) -> Any:
+        """A property of the form, or else of the direction it belongs to."""
+        return self.node.get(key, self.parent.get(key, default))
+
+
+class _Resolver:
+    def __init__(self, spec: Spec, found: Diagnostics) -> None:
+        self.spec = spec
+        self.found = found
+        self.types = TypeResolver(spec, found)
+        self.types.run()
+        self.framing = self._framing()
+        self.fields = FieldResolver(spec, self.types, found, self.framing.max_body)
+        self.commands = [self._command(*entry) for entry in spec.entries("commands")]
+        self.drafts: dict[tuple[str, str], _Draft] = {}
+        self.done: dict[tuple[str, str], Message] = {}
+        self.open: list[str] = []
+
+    def run(self) -> Layout:
+        for command, (_, _, node, _) in zip(self.commands, self.spec.entries("commands")):
+            for direction in DIRECTIONS:
+                if direction in node:
+                    self._draft(command, direction, node)
+        messages = self._settle_tails([self._message(draft) for draft in self.drafts.values()])
+        for name in self.fields._nodes:
+            self.fields.struct(name)
+        families = []
+        for family, content in self.spec.families.items():
+            structs = [s for s in self.fields.structs.values() if s.family == family]
+            mine = [m for m in messages if m.family == family]
+            families.append(
+                Family(family, str(content.get("summary", "")), tuple(structs), tuple(mine))
+            )
+        return Layout(
+            protocol={k: str(v) for k, v in self.spec.main.get("protocol", {}).items()},
+            framing=self.framing,
+            families=tuple(families),
+            quantities=tuple(self.types.types.quantities.values()),
+            enums=tuple(self.types.types.enums.values()),
+            packed=tuple(self.types.types.packed.values()),
+            commands=tuple(self.commands),
+            variables=tuple(self._variable(*entry) for entry in self.spec.entries("variables")),
+            errata=tuple(self._errata()),
+            indices=self.fields.indices,
+        )
+
+    # The main file
+
+    def _framing(self) -> Framing:
+        node = self.spec.main["framing"]
+        return Framing(
+            start=node["start"],
+            header_size=len(node["header"]),
+            trailer_size=len(node["trailer"]),
+            max_body=node["max_body"],
+            source=str(node["source"]),
+            errata=self.types.errata(node),
+        )
+
+    def _errata(self) -> list[Erratum]:
+        entries = self.spec.errata.get("errata", Map())
+        return [
+            Erratum(
+                number=number,
+                kind=str(node["kind"]),
+                lines=tuple(str(line) for line in node.get("lines", [])),
+                problem=" ".join(str(node["problem"]).split()),
+                reading=" ".join(str(node["reading"]).split()),
+                reason=" ".join(str(node.get("reason", "")).split()),
+                at=entries.at(number),
+            )
+            for number, node in entries.items()
+        ]
+
+    def _variable(self, family: str, name: str, node: Map, at: Position) -> Variable:
+        quantity = self.types.types.quantities.get(str(node["type"]))
+        scalar = quantity.scalar if quantity else SCALARS.get(str(node["type"]))
+        if scalar is None:
+            known = [*SCALARS, *self.types.types.quantities]
+            hint = did_you_mean(str(node["type"]), known)
+            hint = hint or "a variable is a number or a quantity"
+            self.found.add(node.at("type"), "SBGC010", f"unknown type '{node['type']}'", hint)
+            scalar = SCALARS["i32"]
+        low, _, high = str(node["range"]).partition("..")
+        minimum, maximum = int(low), int(high)
+        if minimum > maximum:
+            message = f"the range of {name} is upside down"
+            self.found.add(node.at("range"), "SBGC017", message, f"write {high}..{low}")
+        if scalar.minimum is not None and scalar.maximum is not None:
+            if min(minimum, maximum) < scalar.minimum or max(minimum, maximum) > scalar.maximum:
+                message = f"the range of {name} goes beyond {scalar.name}"
+                hint = "the range is in raw wire values"
+                self.found.add(node.at("range"), "SBGC017", message, hint)
+        return Variable(
+            name=name,
+            identifier=self.types.identifier(snake_case(name), at),
+            id=node["id"],
+            scalar=scalar,
+            quantity=quantity,
+            minimum=minimum,
+            maximum=maximum,
+            summary=self.types.summary(node, at, name),
+            errata=self.types.errata(node),
+            at=at,
+        )
+
+    # Commands and messages
+
+    def _command(self, family: str, name: str, node: Map, at: Position) -> Command:
+        return Command(
+            name=name,
+            identifier=snake_case(name.removeprefix("CMD_")),
+            id=node["id"],
+            family=family,
+            summary=self.types.summary(node, at, name),
+            source=str(node.get("source", "")),
+            errata=self.types.errata(node),
+            since=self.types.availability(node),
+            undocumented=bool(node.get("undocumented", False)),
+            at=at,
+        )
+
+    def _draft(self, command: Command, direction: str, node: Map) -> None:
+        side = node[direction]
+        forms = side.get("forms", {None: side})
+        base = camel_case(command.name.removeprefix("CMD_"))
+        answers_itself = direction == "to_board" and "from_board" in node
+        shared = any("same_as" in node.get(d, {}) for d in DIRECTIONS)
+        if answers_itself and not (shared and self._is_own_body(node, base)):
+            base += "Request"
+        for form, content in forms.items():
+            at = side["forms"].at(form) if form else node.at(direction)
+            body = content if content is not None else _no_body(at)
+            name = str(body.get("as", base + _FORM_SUFFIX[form]))
+            draft = _Draft(name, command, direction, form, body, side, at)
+            key = (name, direction)
+            if key in self.drafts:
+                first = self.drafts[key].at
+                message = f"message {name} is defined twice (first at {first})"
+                if self.drafts[key].command.name != command.name or first.file == at.file:
+                    self.found.add(at, "SBGC028", message, "give one of them a name with 'as'")
+            self.drafts[key] = draft
+
+    def _is_own_body(self, node: Map, base: str) -> bool:
+        """Whether one direction of a command has the very body of the other."""
+        return any(node[d].get("same_as") == base for d in DIRECTIONS if d in node)
+
+    def _find(self, name: str, at: Position) -> Message | None:
+        """A message by name, whichever direction defines its body."""
+        candidates = [d for (n, _), d in self.drafts.items() if n == name]
+        candidates.sort(key=lambda d: "same_as" in d.node)
+        if not candidates:
+            known = sorted({n for n, _ in self.drafts})
+            hint = did_you_mean(name, known)
+            hint = hint or "name the C++ message, such as BoardInfo"
+            self.found.add(at, "SBGC021", f"there is no message '{name}'", hint)
+            return None
+        if name in self.open:
+            hint = "write the fields out in one of them"
+            self.found.add(at, "SBGC029", f"message {name} includes itself", hint)
+            return None
+        return self._message(candidates[0])
+
+    def _message(self, draft: _Draft) -> Message:
+        key = (draft.name, draft.direction)
+        if key in self.done:
+            return self.done[key]
+        self.open.append(draft.name)
+        contexts = tuple(self._context(c) for c in draft.get("context", []))
+        same_as = str(draft.get("same_as", ""))
+        both = (draft.name, _other(draft.direction)) in self.drafts
+        body = self._body(draft, contexts, same_as, both)
+        if same_as and not contexts:
+            other = self.drafts.get((same_as, "from_board")) or self.drafts.get(
+                (same_as, "to_board")
+            )
+            contexts = (
+                self._message(other).contexts if other and same_as != draft.name else contexts
+            )
+        self.open.pop()
+        tail = str(
+            draft.get("tail", "keep" if draft.direction == "from_board" or both else "refuse")
+        )
+        limit = self.framing.max_body
+        largest = int(draft.get("max_size", max_size(body.fields, limit)))
+        if body.min_size > limit:
+            message = (
+                f"the body of {draft.name} has {body.min_size} bytes; {limit} fit into a frame"
+            )
+            self.found.add(draft.at, "SBGC013", message, "split it into several messages")
+        open_ended = any(f.dim == "rest" for f in body.fields)
+        message_ = Message(
+            name=draft.name,
+            command=draft.command.name,
+            command_identifier=draft.command.identifier,
+            id=draft.command.id or 0,
+            direction=draft.direction,
+            form=draft.form,
+            family=draft.command.family,
+            summary=self._summary(draft),
+            description=" ".join(str(draft.get("description", "")).split()),
+            source=self.types.source(draft.parent, draft.at, draft.name)
+            if not draft.node.get("source")
+            else str(draft.node["source"]),
+            errata=tuple(
+                dict.fromkeys((*self.types.errata(draft.parent), *self.types.errata(draft.node)))
+            ),
+            since=self.types.availability(draft.node)
+            or self.types.availability(draft.parent)
+            or draft.command.since,
+            deprecated=self.types.deprecation(draft.node)
+            or self.types.deprecation(draft.parent)
+            or self.types.deprecation(self._command_node(draft)),
+            body=body,
+            same_as=same_as if same_as != draft.name else "",
+            in_both_directions=both,
+            keeps_tail=tail == "keep" and not open_ended,
+            tail_capacity=max(0, limit - body.min_size),
+            min_size=body.min_size,
+            max_size=largest,
+            contexts=contexts,
+            answer=self._answer(draft),
+            stores=str(draft.get("stores", "")),
+            leaves=tuple(leaves(body.fields)) if body.min_size <= limit else (),
+            at=draft.at,
+        )
+        self.done[key] = message_
+        return message_
+
+    def _settle_tails(self, messages: list[Message]) -> list[Message]:
+        """Of several forms only the longest may grow: the others are told apart by their size."""
+        result = []
+        for message in messages:
+            forms = [
+                m.max_size
+                for m in messages
+                if m.command == message.command and m.direction == message.direction
+            ]
+            keeps = message.keeps_tail and message.max_size == max(forms)
+            result.append(replace(message, keeps_tail=keeps))
+        return result
+
+    def _command_node(self, draft: _Draft) -> Map:
+        node = self.spec.families[draft.command.family]["commands"][draft.command.name]
+        assert isinstance(node, Map)
+        return node
+
+    def _summary(self, draft: _Draft) -> str:
+        for node in (draft.node, draft.parent):
+            if node.get("summary"):
+                return self.types.summary(node, draft.at, draft.name)
+        if draft.direction == "from_board" or "from_board" not in self._command_node(draft):
+            return draft.command.summary
+        return self.types.summary(draft.node, draft.at, draft.name)
+
+    def _body(
+        self, draft: _Draft, contexts: tuple[Context, ...], same_as: str, both: bool
+    ) -> Struct:
+        at = draft.node.at("same_as") if "same_as" in draft.node else draft.parent.at("same_as")
+        fields: tuple[Field, ...] = ()
+        if same_as and (same_as != draft.name or both):
+            if same_as == draft.name:
+                other = self.drafts[(draft.name, _other(draft.direction))]
+                return self._message(other).body
+            original = self._find(same_as, at)
+            if original is not None:
+                return original.body
+        else:
+            fields = self.fields.fields(
+                draft.node.get("fields", []), draft.name, contexts, include=self._included
+            )
+        size = total_size(fields)
+        return Struct(
+            name=draft.name,
+            summary="",
+            fields=fields,
+            size=size,
+            min_size=size if size is not None else min_size(fields),
+            family=draft.command.family,
+            at=draft.at,
+        )
+
+    def _included(self, node: Map) -> list[Field]:
+        message = self._find(str(node["include"]), node.at("include"))
+        if message is None:
+            return []
+        return [
+            replace(
+                f,
+                name="reserved" if f.reserved and f.spec_name == "RESERVED" else f.name,
+                at=node.at("include"),
+            )
+            for f in message.fields
+        ]
+
+    def _context(self, node: Map) -> Context:
+        enum = self.types.enum_named(str(node["type"]), node.at("type"))
+        sources = []
+        for entry in node.get("from", []):
+            message, _, field = str(entry).partition(".")
+            sources.append((message, ".".join(snake_case(p) for p in field.split("."))))
+        return Context(
+            name=snake_case(str(node["name"])),
+            type=enum or replace(self.types.types.enums["CommandId"], name="", values=()),
+            summary=self.types.summary(node, node.position, str(node["name"])),
+            sources=tuple(sources),
+        )
+
+    def _answer(self, draft: _Draft) -> Answer | None:
+        if draft.direction != "to_board":
+            return None
+        node = draft.get("answer")
+        defaults = self.spec.main.get("defaults", {})
+        timeout = int(defaults.get("answer_timeout_ms", 0))
+        if node is None:
+            hint = "say 'answer: none', or which message or confirmation answers it"
+            self.found.add(draft.at, "SBGC032", f"{draft.name} does not say what answers it", hint)
+        if not isinstance(node, Map):
+            return Answer((), "never", 0, timeout, False, ())
+        names = node.get("message", [])
+        names = names if isinstance(names, list) else [names]
+        known = {n for n, d in self.drafts if d == "from_board"}
+        for name in names:
+            if name not in known:
+                hint = did_you_mean(str(name), known) or "name a message under 'from_board'"
+                message = f"the board sends no message '{name}'"
+                self.found.add(node.at("message"), "SBGC021", message, hint)
+        confirm = str(node.get("confirm", "never"))
+        return Answer(
+            messages=tuple(str(n) for n in names),
+            confirm=confirm,
+            confirmations=int(node.get("confirmations", 0 if confirm == "never" else 1)),
+            timeout_ms=int(node.get("timeout_ms", timeout)),
+            retry_safe=node.get("retry", "unsafe") == "safe",
+            errata=self.types.errata(node),
+        )
+
+
+def _no_body(at: Position) -> Map:
+    """The content of a form that is only named."""
+    result = Map()
+    result.position, result.keys_at = at, {}
+    return result
+
+
+def _other(direction: str) -> str:
+    return "to_board" if direction == "from_board" else "from_board"
+
+
+def resolve(spec: Spec, found: Diagnostics) -> Layout:
+    """Resolve a spec that fits the schema; findings go into `found`."""
+    return _Resolver(spec, found).run()

@@ -1,0 +1,33 @@
+/// What a board of some version understands.
+#pragma once
+
+#include <sbgc/message.hpp>
+
+namespace sbgc {
+
+/// Whether something that exists since `since` is there on a board with these versions.
+constexpr bool is_available(const Availability& since, const Availability& versions) noexcept {
+  return since.firmware <= versions.firmware && since.board <= versions.board;
+}
+
+/// The versions in a message that tells them, which is BoardInfo.
+template <class Info>
+constexpr Availability versions_of(const Info& info) noexcept {
+  return {info.firmware_ver.raw(), info.board_ver.raw()};
+}
+
+/// Whether a board with these versions knows the message.
+template <Message M>
+constexpr bool is_supported(const Availability& versions) noexcept {
+  return is_available(M::since, versions);
+}
+
+/// Whether the board that has introduced itself so knows the message:
+///     if (is_supported<BeepSound>(board_info)) ...
+template <Message M, class Info>
+  requires requires(const Info& info) { versions_of(info); }
+constexpr bool is_supported(const Info& info) noexcept {
+  return is_supported<M>(versions_of(info));
+}
+
+}  // namespace sbgc

@@ -1,0 +1,49 @@
+/// Typed sets of bits.
+#pragma once
+
+#include <concepts>
+#include <type_traits>
+
+namespace sbgc {
+
+/// True for the enums whose values are bits of a set; generated code says which.
+template <class E>
+inline constexpr bool is_flag = false;
+
+/// A set of the bits that `Flag` names. Bits without a name are kept as they came.
+template <class Flag>
+class Flags {
+ public:
+  using flag_type = Flag;
+  using raw_type = std::underlying_type_t<Flag>;
+
+  constexpr Flags() = default;
+  constexpr Flags(Flag flag) noexcept : raw_(static_cast<raw_type>(flag)) {}
+  constexpr explicit Flags(raw_type raw) noexcept : raw_(raw) {}
+
+  /// The integer as it stands on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+  constexpr bool has(Flag flag) const noexcept {
+    const auto bits = static_cast<raw_type>(flag);
+    return (raw_ & bits) == bits;
+  }
+  constexpr Flags& set(Flag flag, bool on = true) noexcept {
+    const auto bits = static_cast<raw_type>(flag);
+    raw_ = static_cast<raw_type>(on ? raw_ | bits : raw_ & ~bits);
+    return *this;
+  }
+
+  friend constexpr Flags operator|(Flags a, Flags b) noexcept {
+    return Flags(static_cast<raw_type>(a.raw_ | b.raw_));
+  }
+  friend constexpr bool operator==(const Flags&, const Flags&) = default;
+
+ private:
+  raw_type raw_{};
+};
+
+template <class Flag>
+  requires is_flag<Flag>
+constexpr Flags<Flag> operator|(Flag a, Flag b) noexcept { return Flags<Flag>(a) | Flags<Flag>(b); }
+
+}  // namespace sbgc

@@ -1,0 +1,125 @@
+/// How frames lie in a byte stream. This is the one file that knows: the parser asks it what
+/// stands at a position, the writer lets it complete a frame. Another framing (other start byte,
+/// other trailer) is another case in each of these functions.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+
+#include <sbgc/checksum.hpp>
+#include <sbgc/protocol.hpp>
+
+namespace sbgc {
+
+/// What stands at a position, as far as its bytes are there.
+enum class Verdict : std::uint8_t {
+  frame,       ///< a good frame of `size` bytes
+  incomplete,  ///< cannot be judged before `size` bytes are there
+  no_start,    ///< not a frame: another byte than the start byte
+  bad_header,  ///< not a frame: the id is 0 or the header checksum is wrong
+  bad_body,    ///< not a frame: the body checksum is wrong
+};
+
+/// A verdict and the number of bytes it speaks of (0 without a valid header).
+struct Candidate {
+  Verdict verdict{};
+  std::size_t size{};
+};
+
+/// The framing with start byte, id, body size, header checksum, body, body checksum.
+struct Framing {
+  /// Judges the bytes from `bytes` on, of which `available` (at least one) are there.
+  static constexpr Candidate inspect(const std::uint8_t* bytes, std::size_t available) noexcept {
+    if (bytes[0] != frame_start) return {Verdict::no_start, 0};
+    if (available < frame_header_size) return {Verdict::incomplete, frame_header_size};
+    if (!is_header(bytes)) return {Verdict::bad_header, 0};
+    const std::size_t body_size = bytes[2];
+    const std::size_t size = frame_size(body_size);
+    if (available < size) return {Verdict::incomplete, size};
+    const std::uint8_t* const content = bytes + frame_header_size;
+    // The same size for both, lest it be computed from the checksum: the next frame's checks would
+    // then have to wait for this one's.
+    if (byte_sum(content, body_size) != content[body_size]) return {Verdict::bad_body, size};
+    return {Verdict::frame, size};
+  }
+
+  /// The first position in [begin, end) at which inspect() would find neither no_start nor
+  /// bad_header, or `end`. Adds the number of bad headers on the way to `bad_headers`.
+  static constexpr const std::uint8_t* find(const std::uint8_t* begin, const std::uint8_t* end,
+                                            std::uint64_t& bad_headers) noexcept {
+#if defined(__SSE2__)
+    if (!std::is_constant_evaluated()) begin = skip_blocks(begin, end, bad_headers);
+#endif
+    for (; begin != end; ++begin) {
+      if (*begin != frame_start) continue;
+      if (static_cast<std::size_t>(end - begin) < frame_header_size || is_header(begin)) break;
+      ++bad_headers;
+    }
+    return begin;
+  }
+
+  /// The id and the body of a frame that inspect() found good.
+  static constexpr std::uint8_t id(const std::uint8_t* frame) noexcept { return frame[1]; }
+  static constexpr std::span<const std::uint8_t> body(const std::uint8_t* frame) noexcept {
+    return {frame + frame_header_size, frame[2]};
+  }
+
+  /// The size of a whole frame with a body of `body_size` bytes.
+  static constexpr std::size_t frame_size(std::size_t body_size) noexcept {
+    return frame_header_size + body_size + frame_trailer_size;
+  }
+
+  /// Writes header and checksum around the `body_size` bytes (at most max_body_size) at
+  /// `frame + frame_header_size`; returns the size of the frame.
+  static constexpr std::size_t finish(std::uint8_t* frame, std::uint8_t id,
+                                      std::size_t body_size) noexcept {
+    frame[0] = frame_start;
+    frame[1] = id;
+    frame[2] = static_cast<std::uint8_t>(body_size);
+    frame[3] = static_cast<std::uint8_t>(id + body_size);
+    frame[frame_header_size + body_size] = byte_sum(frame + frame_header_size, body_size);
+    return frame_size(body_size);
+  }
+
+ private:
+  /// Whether the frame_header_size bytes behind a start byte are a valid header.
+  static constexpr bool is_header(const std::uint8_t* bytes) noexcept {
+    // No command has the id 0, and a start byte followed by zeros would pass both checksums.
+    return bytes[1] != 0 && static_cast<std::uint8_t>(bytes[1] + bytes[2]) == bytes[3];
+  }
+
+#if defined(__SSE2__)
+  /// find() for as long as 16 positions with their whole headers are left. In noise, one branch
+  /// per start byte would mostly be predicted wrongly; so 16 headers are checked at a time.
+  static const std::uint8_t* skip_blocks(const std::uint8_t* begin, const std::uint8_t* end,
+                                         std::uint64_t& bad_headers) noexcept {
+    using detail::Bytes16;
+    using detail::load16;
+    constexpr std::ptrdiff_t reach = 16 + frame_header_size - 1;
+    constexpr Bytes16 start = Bytes16{} + frame_start;
+    detail::Words2 starts_passed{};
+    for (; end - begin >= reach; begin += 16) {
+      const Bytes16 id = load16(begin + 1);
+      const auto starts = reinterpret_cast<Bytes16>(load16(begin) == start);
+      const auto sums = reinterpret_cast<Bytes16>(id + load16(begin + 2) == load16(begin + 3));
+      const auto headers = starts & sums & reinterpret_cast<Bytes16>(id != 0);
+      if (const unsigned mask = detail::sign_bits(headers); mask != 0) {
+        const int position = std::countr_zero(mask);
+        unsigned before = detail::sign_bits(starts) & ((1U << position) - 1);
+        for (; before != 0; before &= before - 1) ++bad_headers;
+        begin += position;
+        break;
+      }
+      // A mask byte is 0 or -1.
+      starts_passed += detail::sum_halves(-starts);
+    }
+    bad_headers += static_cast<std::uint64_t>(starts_passed[0] + starts_passed[1]);
+    return begin;
+  }
+#endif
+};
+
+}  // namespace sbgc

@@ -1,0 +1,291 @@
+/// Messages as JSON and back, with nlohmann_json.
+///
+/// The JSON nests as the C++ struct does. Integers are raw wire values, bytes are lower-case hex,
+/// texts are strings, missing optional members are left out. Nothing is lost: from_json(to_json(m))
+/// encodes to the same bytes.
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include <nlohmann/json.hpp>
+
+#include <sbgc/json_text.hpp>
+#include <sbgc/meta.hpp>
+
+namespace sbgc {
+
+/// JSON with its keys in the order of the wire.
+using Json = nlohmann::ordered_json;
+
+/// JSON that does not describe the message it should; what() names the field and the reason.
+class JsonError : public std::runtime_error {
+ public:
+  JsonError(std::string field, const std::string& reason)
+      : std::runtime_error(field.empty() ? reason : field + ": " + reason),
+        field_(std::move(field)) {}
+
+  /// The path of the field, such as "axes.roll.angle"; empty for the whole message.
+  const std::string& field() const noexcept { return field_; }
+
+ private:
+  std::string field_;
+};
+
+namespace detail {
+
+class JsonWriter {
+ public:
+  template <class T>
+  static Json members(const T& value) {
+    Json result = Json::object();
+    Meta<T>::visit(value, [&](const FieldInfo& field, const auto& member) {
+      add(result, field.name, member);
+    });
+    return result;
+  }
+
+ private:
+  template <class T>
+  static void add(Json& object, const char* name, const T& member) {
+    object[name] = value(member);
+  }
+  template <class T>
+  static void add(Json& object, const char* name, const Optional<T>& member) {
+    if (member) object[name] = value(*member);
+  }
+  template <std::size_t n>
+  static void add(Json& object, const char* name, const BoundedBytes<n>& member) {
+    // A tail is an exception; it would only be noise where there is none.
+    if (std::string_view(name) == tail_field.name && member.empty()) return;
+    object[name] = value(member);
+  }
+
+  template <class T>
+  static Json value(const T& value) {
+    if constexpr (std::is_floating_point_v<T>) {
+      return float_to_json<Json>(value);
+    } else if constexpr (std::is_enum_v<T>) {
+      return static_cast<std::underlying_type_t<T>>(value);
+    } else if constexpr (std::is_arithmetic_v<T>) {
+      return value;
+    } else if constexpr (RawValue<T>) {
+      return value.raw();
+    } else {
+      return members(value);
+    }
+  }
+  static Json value(Counter counter) { return counter.count; }
+  template <std::size_t n>
+  static Json value(const Bytes<n>& bytes) {
+    return to_hex(bytes);
+  }
+  template <std::size_t n>
+  static Json value(const BoundedBytes<n>& bytes) {
+    return to_hex(std::span(bytes.data(), bytes.size()));
+  }
+  template <std::size_t n>
+  static Json value(const Text<n>& text) {
+    return to_utf8({text.data(), text.size()});
+  }
+  template <std::size_t n>
+  static Json value(const BoundedText<n>& text) {
+    return to_utf8({text.data(), text.size()});
+  }
+  template <class T, std::size_t n>
+  static Json value(const std::array<T, n>& array) {
+    return list(array);
+  }
+  template <class T, std::size_t n>
+  static Json value(const BoundedArray<T, n>& array) {
+    return list(array);
+  }
+
+  template <class List>
+  static Json list(const List& elements) {
+    Json result = Json::array();
+    for (const auto& element : elements) result.push_back(value(element));
+    return result;
+  }
+};
+
+class JsonReader {
+ public:
+  template <class T>
+  static void members(const Json& json, T& out, const std::string& path) {
+    if (!json.is_object()) throw JsonError(path, "an object is needed");
+    std::size_t known = 0;
+    Meta<T>::visit(out, [&](const FieldInfo& field, auto&& member) {
+      const std::string inner = join(path, field.name);
+      const auto found = json.find(field.name);
+      if (found != json.end()) {
+        ++known;
+        value(*found, member, inner);
+      } else if (!may_be_missing(field, member)) {
+        throw JsonError(inner, "it is missing");
+      }
+    });
+    if (known != json.size()) throw JsonError(join(path, unknown_key<T>(json, out)), "unknown");
+  }
+
+ private:
+  static std::string join(const std::string& path, const std::string& name) {
+    return path.empty() ? name : path + "." + name;
+  }
+
+  template <class T>
+  static std::string unknown_key(const Json& json, T& out) {
+    for (const auto& item : json.items()) {
+      bool known = false;
+      Meta<T>::visit(
+          out, [&](const FieldInfo& field, auto&&) { known = known || item.key() == field.name; });
+      if (!known) return item.key();
+    }
+    return {};
+  }
+
+  // A counter follows from its list, a tail is the exception. Everything else has to be said:
+  // a setting that is left out by mistake would be overwritten with 0.
+  template <class T>
+  static bool may_be_missing(const FieldInfo&, const Optional<T>&) {
+    return true;
+  }
+  static bool may_be_missing(const FieldInfo&, const Counter&) { return true; }
+  template <class T>
+  static bool may_be_missing(const FieldInfo& field, const T&) {
+    return field.optional;
+  }
+
+  template <class T>
+  static void value(const Json& json, T& out, const std::string& path) {
+    if constexpr (std::is_floating_point_v<T>) {
+      const auto number = float_from_json(json);
+      if (!number) throw JsonError(path, "a number is needed");
+      out = *number;
+    } else if constexpr (std::is_enum_v<T>) {
+      out = static_cast<T>(integer<std::underlying_type_t<T>>(json, path));
+    } else if constexpr (std::is_arithmetic_v<T>) {
+      out = integer<T>(json, path);
+    } else if constexpr (RawValue<T>) {
+      out = T(integer<typename T::raw_type>(json, path));
+    } else {
+      members(json, out, path);
+    }
+  }
+  static void value(const Json& json, Counter&, const std::string& path) {
+    // Lists come after their counter, so it is compared when the whole message is there.
+    static_cast<void>(integer<std::uint8_t>(json, path));
+  }
+  template <class T>
+  static void value(const Json& json, Optional<T>& out, const std::string& path) {
+    value(json, out.emplace(), path);
+  }
+  template <std::size_t n>
+  static void value(const Json& json, Bytes<n>& out, const std::string& path) {
+    const std::vector<std::uint8_t> bytes = hex(json, path);
+    if (bytes.size() != n) throw JsonError(path, std::to_string(n) + " bytes of hex are needed");
+    std::copy(bytes.begin(), bytes.end(), out.begin());
+  }
+  template <std::size_t n>
+  static void value(const Json& json, BoundedBytes<n>& out, const std::string& path) {
+    const std::vector<std::uint8_t> bytes = hex(json, path);
+    if (!out.resize(bytes.size())) throw JsonError(path, too_many(bytes.size(), n, "bytes"));
+    std::copy(bytes.begin(), bytes.end(), out.begin());
+  }
+  template <std::size_t n>
+  static void value(const Json& json, Text<n>& out, const std::string& path) {
+    text(json, out, path);
+  }
+  template <std::size_t n>
+  static void value(const Json& json, BoundedText<n>& out, const std::string& path) {
+    text(json, out, path);
+  }
+  template <class T, std::size_t n>
+  static void value(const Json& json, std::array<T, n>& out, const std::string& path) {
+    if (!json.is_array() || json.size() != n) {
+      throw JsonError(path, "a list of " + std::to_string(n) + " is needed");
+    }
+    elements(json, out, path);
+  }
+  template <class T, std::size_t n>
+  static void value(const Json& json, BoundedArray<T, n>& out, const std::string& path) {
+    if (!json.is_array()) throw JsonError(path, "a list is needed");
+    if (!out.resize(json.size())) throw JsonError(path, too_many(json.size(), n, "elements"));
+    elements(json, out, path);
+  }
+
+  template <class List>
+  static void elements(const Json& json, List& out, const std::string& path) {
+    for (std::size_t i = 0; i < json.size(); ++i) {
+      value(json[i], out[i], path + "[" + std::to_string(i) + "]");
+    }
+  }
+
+  template <class T>
+  static T integer(const Json& json, const std::string& path) {
+    if (!json.is_number_integer()) throw JsonError(path, "an integer is needed");
+    const bool huge = json.is_number_unsigned() &&
+                      json.get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max();
+    const std::int64_t number = huge ? 0 : json.get<std::int64_t>();
+    constexpr std::int64_t lowest = std::numeric_limits<T>::min();
+    constexpr std::int64_t highest = std::numeric_limits<T>::max();
+    if (huge || number < lowest || number > highest) {
+      throw JsonError(path, json.dump() + " does not fit: " + std::to_string(lowest) + " to " +
+                                std::to_string(highest));
+    }
+    return static_cast<T>(number);
+  }
+
+  static std::vector<std::uint8_t> hex(const Json& json, const std::string& path) {
+    auto bytes = json.is_string() ? from_hex(json.get_ref<const std::string&>()) : std::nullopt;
+    if (!bytes) throw JsonError(path, "a string of hex digits, two a byte, is needed");
+    return *std::move(bytes);
+  }
+
+  template <class T>
+  static void text(const Json& json, T& out, const std::string& path) {
+    if (!json.is_string()) throw JsonError(path, "a string is needed");
+    const std::string bytes = from_utf8(json.get_ref<const std::string&>());
+    if (!out.assign(bytes)) throw JsonError(path, too_many(bytes.size(), T::capacity(), "bytes"));
+  }
+
+  static std::string too_many(std::size_t size, std::size_t limit, const char* what) {
+    return std::to_string(size) + " " + what + " do not fit: at most " + std::to_string(limit);
+  }
+};
+
+}  // namespace detail
+
+/// The fields of a message.
+template <class M>
+Json to_json(const M& message) {
+  return detail::JsonWriter::members(message);
+}
+
+/// Fills `message` with what `json` says; throws JsonError when it does not describe one.
+///
+/// Every field has to be there but optional ones, counters of lists and the tail. A counter that is
+/// there must agree with its list.
+template <class M>
+void from_json(const Json& json, M& message) {
+  M result{};
+  detail::JsonReader::members(json, result, {});
+  Meta<M>::visit(std::as_const(result), [&](const FieldInfo& field, const auto& member) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(member)>, Counter>) {
+      const auto found = json.find(field.name);
+      if (found != json.end() && *found != member.count) {
+        throw JsonError(field.name, found->dump() + " is announced, but there are " +
+                                        std::to_string(member.count));
+      }
+    }
+  });
+  message = result;
+}
+
+}  // namespace sbgc

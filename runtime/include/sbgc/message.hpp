@@ -1,0 +1,36 @@
+/// Messages in frames.
+#pragma once
+
+#include <concepts>
+
+#include <sbgc/codec.hpp>
+#include <sbgc/frame.hpp>
+
+namespace sbgc {
+
+/// What every generated message has.
+template <class M>
+concept Message = requires(const M& message, std::span<std::uint8_t> out) {
+  M::command;
+  M::direction;
+  M::form;
+  M::min_size;
+  M::max_size;
+  { encode(message, out) } -> std::same_as<WriteResult>;
+};
+
+/// Writes a message with its frame around it into `out`; returns the size of the frame, or why it
+/// could not be written. max_frame_size bytes are always enough.
+template <Message M>
+[[nodiscard]] constexpr WriteResult encode_frame(const M& message,
+                                                 std::span<std::uint8_t> out) noexcept {
+  constexpr std::size_t overhead = frame_header_size + frame_trailer_size;
+  if (out.size() < overhead) return {0, {Code::buffer_too_small}};
+  const std::size_t space = out.size() - overhead;
+  const WriteResult body =
+      encode(message, {frame_body(out.data()), space < max_body_size ? space : max_body_size});
+  if (!body) return body;
+  return {finish_frame(out.data(), static_cast<std::uint8_t>(M::command), body.size), {}};
+}
+
+}  // namespace sbgc

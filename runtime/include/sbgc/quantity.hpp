@@ -1,0 +1,85 @@
+/// Physical quantities as strong types over the exact integer of the wire.
+#pragma once
+
+#include <compare>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+
+namespace sbgc {
+
+/// A real number turned into a quantity, unless it does not fit.
+///
+/// A constant converts by itself, and one that does not fit does not compile:
+///     Angle14 a = Angle14::from_degrees(-30.0);
+/// A value that is known only at run time has to be asked first:
+///     if (auto a = Angle14::from_degrees(x)) use(*a);
+template <class Q>
+class Conversion {
+ public:
+  constexpr Conversion() = default;
+  constexpr explicit Conversion(Q value) noexcept : value_(value), fits_(true) {}
+
+  /// Whether the number fits.
+  constexpr explicit operator bool() const noexcept { return fits_; }
+  /// The nearest quantity. Precondition: the number fits.
+  constexpr Q operator*() const noexcept { return value_; }
+  constexpr Q value_or(Q other) const noexcept { return fits_ ? value_ : other; }
+
+  consteval operator Q() const noexcept {  // NOLINT(google-explicit-constructor): see above
+    if (!fits_) number_does_not_fit_into_the_quantity();
+    return value_;
+  }
+
+ private:
+  // Not constexpr: reaching it at compile time is the error message.
+  static void number_does_not_fit_into_the_quantity() noexcept {}
+
+  Q value_{};
+  bool fits_{};
+};
+
+namespace detail {
+
+/// What all quantities share: real value = raw * numerator / denominator + offset.
+template <class Self, std::integral Raw, std::int64_t numerator, std::int64_t denominator,
+          std::int64_t offset_numerator = 0, std::int64_t offset_denominator = 1>
+class Quantity {
+ public:
+  using raw_type = Raw;
+
+  constexpr Quantity() = default;
+  constexpr explicit Quantity(Raw raw) noexcept : raw_(raw) {}
+
+  /// The integer as it stands on the wire.
+  constexpr Raw raw() const noexcept { return raw_; }
+  /// The physical value in the quantity's unit.
+  constexpr double real() const noexcept {
+    return static_cast<double>(raw_) * static_cast<double>(numerator) /
+               static_cast<double>(denominator) +
+           offset;
+  }
+  /// The nearest quantity to a physical value.
+  static constexpr Conversion<Self> from_real(double value) noexcept {
+    const double exact =
+        (value - offset) * static_cast<double>(denominator) / static_cast<double>(numerator);
+    constexpr double lowest = std::numeric_limits<Raw>::min();
+    constexpr double highest = std::numeric_limits<Raw>::max();
+    // Written so that NaN fails, too.
+    if (!(exact > lowest - 0.5 && exact < highest + 0.5)) return {};
+    const auto nearest = static_cast<std::int64_t>(exact < 0 ? exact - 0.5 : exact + 0.5);
+    return Conversion<Self>(Self(static_cast<Raw>(nearest)));
+  }
+
+  friend constexpr bool operator==(const Quantity&, const Quantity&) = default;
+  friend constexpr auto operator<=>(const Quantity&, const Quantity&) = default;
+
+ private:
+  static constexpr double offset =
+      static_cast<double>(offset_numerator) / static_cast<double>(offset_denominator);
+
+  Raw raw_{};
+};
+
+}  // namespace detail
+}  // namespace sbgc

@@ -1,0 +1,199 @@
+/// The small value types that messages are made of. All of them are plain values: no heap, no
+/// pointers, usable at compile time.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace sbgc {
+
+/// One value for each axis of the gimbal, in the order of the wire.
+template <class T>
+struct Axes {
+  T roll{};
+  T pitch{};
+  T yaw{};
+
+  static constexpr std::size_t size() noexcept { return 3; }
+
+  /// 0 is roll, 1 pitch, 2 yaw.
+  constexpr T& operator[](std::size_t axis) noexcept {
+    return axis == 0 ? roll : axis == 1 ? pitch : yaw;
+  }
+  constexpr const T& operator[](std::size_t axis) const noexcept {
+    return axis == 0 ? roll : axis == 1 ? pitch : yaw;
+  }
+
+  friend constexpr bool operator==(const Axes&, const Axes&) = default;
+};
+
+/// One value for each direction of space, in the order of the wire.
+template <class T>
+struct Xyz {
+  T x{};
+  T y{};
+  T z{};
+
+  static constexpr std::size_t size() noexcept { return 3; }
+
+  /// 0 is x, 1 y, 2 z.
+  constexpr T& operator[](std::size_t index) noexcept {
+    return index == 0 ? x : index == 1 ? y : z;
+  }
+  constexpr const T& operator[](std::size_t index) const noexcept {
+    return index == 0 ? x : index == 1 ? y : z;
+  }
+
+  friend constexpr bool operator==(const Xyz&, const Xyz&) = default;
+};
+
+/// A fixed number of bytes.
+template <std::size_t n>
+using Bytes = std::array<std::uint8_t, n>;
+
+/// Up to `n` elements, stored in place.
+template <class T, std::size_t n>
+class BoundedArray {
+ public:
+  using value_type = T;
+
+  static constexpr std::size_t capacity() noexcept { return n; }
+  [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }
+  [[nodiscard]] constexpr bool empty() const noexcept { return size_ == 0; }
+  constexpr T* data() noexcept { return items_.data(); }
+  constexpr const T* data() const noexcept { return items_.data(); }
+  constexpr T* begin() noexcept { return items_.data(); }
+  constexpr T* end() noexcept { return items_.data() + size_; }
+  constexpr const T* begin() const noexcept { return items_.data(); }
+  constexpr const T* end() const noexcept { return items_.data() + size_; }
+
+  /// Precondition: index < size().
+  constexpr T& operator[](std::size_t index) noexcept { return items_[index]; }
+  constexpr const T& operator[](std::size_t index) const noexcept { return items_[index]; }
+
+  constexpr void clear() noexcept { size_ = 0; }
+
+  /// False, and nothing changes, when it is full.
+  constexpr bool push_back(const T& value) noexcept {
+    if (size_ == n) return false;
+    items_[size_++] = value;
+    return true;
+  }
+
+  /// Makes it `size` elements long; elements that come back keep what they held before. False, and
+  /// nothing changes, when that is more than the capacity.
+  constexpr bool resize(std::size_t size) noexcept {
+    if (size > n) return false;
+    size_ = static_cast<std::uint8_t>(size);
+    return true;
+  }
+
+  /// Compares the elements in use only.
+  friend constexpr bool operator==(const BoundedArray& a, const BoundedArray& b) noexcept {
+    if (a.size_ != b.size_) return false;
+    for (std::size_t i = 0; i < a.size_; ++i) {
+      if (!(a.items_[i] == b.items_[i])) return false;
+    }
+    return true;
+  }
+
+ private:
+  static_assert(n <= 255, "no body holds more");
+
+  std::uint8_t size_{};
+  std::array<T, n> items_{};
+};
+
+/// Up to `n` bytes, stored in place.
+template <std::size_t n>
+using BoundedBytes = BoundedArray<std::uint8_t, n>;
+
+/// UTF-8 text in a field of `n` bytes, padded with NUL. All `n` bytes are kept as they came.
+template <std::size_t n>
+struct Text {
+  std::array<char, n> bytes{};
+
+  /// Bytes up to the padding.
+  [[nodiscard]] constexpr std::size_t size() const noexcept {
+    std::size_t length = n;
+    while (length > 0 && bytes[length - 1] == '\0') --length;
+    return length;
+  }
+  constexpr const char* data() const noexcept { return bytes.data(); }
+  static constexpr std::size_t capacity() noexcept { return n; }
+
+  /// Takes anything with data() and size(), such as std::string_view. False, and nothing changes,
+  /// when it is too long.
+  template <class String>
+  constexpr bool assign(const String& text) noexcept {
+    if (text.size() > n) return false;
+    bytes.fill('\0');
+    for (std::size_t i = 0; i < text.size(); ++i) bytes[i] = text.data()[i];
+    return true;
+  }
+
+  friend constexpr bool operator==(const Text&, const Text&) = default;
+};
+
+/// Text of up to `n` bytes behind a byte that counts them.
+template <std::size_t n>
+class BoundedText {
+ public:
+  [[nodiscard]] constexpr std::size_t size() const noexcept { return chars_.size(); }
+  constexpr const char* data() const noexcept { return chars_.data(); }
+  static constexpr std::size_t capacity() noexcept { return n; }
+
+  constexpr void clear() noexcept { chars_.clear(); }
+  /// False, and nothing changes, when it is full.
+  constexpr bool push_back(char value) noexcept { return chars_.push_back(value); }
+
+  /// As Text::assign().
+  template <class String>
+  constexpr bool assign(const String& text) noexcept {
+    if (!chars_.resize(text.size())) return false;
+    for (std::size_t i = 0; i < text.size(); ++i) chars_[i] = text.data()[i];
+    return true;
+  }
+
+  friend constexpr bool operator==(const BoundedText&, const BoundedText&) = default;
+
+ private:
+  BoundedArray<char, n> chars_{};
+};
+
+/// A value that may be missing. (std::optional is not freestanding in C++20.)
+template <class T>
+class Optional {
+ public:
+  using value_type = T;
+
+  constexpr Optional() = default;
+  constexpr Optional(const T& value) noexcept : value_(value), present_(true) {}
+
+  [[nodiscard]] constexpr bool has_value() const noexcept { return present_; }
+  constexpr explicit operator bool() const noexcept { return present_; }
+
+  /// Precondition for the access to the value: has_value().
+  constexpr T& operator*() noexcept { return value_; }
+  constexpr const T& operator*() const noexcept { return value_; }
+  constexpr T* operator->() noexcept { return &value_; }
+  constexpr const T* operator->() const noexcept { return &value_; }
+
+  constexpr void reset() noexcept { present_ = false; }
+  /// Makes it present; the value is what it held last.
+  constexpr T& emplace() noexcept {
+    present_ = true;
+    return value_;
+  }
+
+  friend constexpr bool operator==(const Optional& a, const Optional& b) noexcept {
+    return a.present_ == b.present_ && (!a.present_ || a.value_ == b.value_);
+  }
+
+ private:
+  T value_{};
+  bool present_{};
+};
+
+}  // namespace sbgc

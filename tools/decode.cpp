@@ -1,0 +1,129 @@
+// sbgc decode: a capture as JSON lines or as text for people.
+
+#include <cstdio>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <sbgc/parser.hpp>
+
+#include "commands.hpp"
+#include "decoded_frame.hpp"
+#include "input.hpp"
+#include "text.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+struct Options {
+  std::string file = "-";
+  std::string from = "auto";
+  std::string format = "text";
+  bool hex = false;
+};
+
+std::optional<Direction> direction(const std::string& from) {
+  if (from == "board") return Direction::from_board;
+  if (from == "host") return Direction::to_board;
+  return std::nullopt;
+}
+
+/// Prints frames as they come.
+class Printer {
+ public:
+  explicit Printer(const Options& options)
+      : jsonl_(options.format == "jsonl"), decoder_(direction(options.from)) {}
+
+  void operator()(const Frame& frame) {
+    const DecodedFrame decoded = decoder_.decode(frame);
+    if (jsonl_) {
+      const std::string line =
+          decoded.to_json().dump(-1, ' ', false, Json::error_handler_t::replace);
+      fmt::print("{}\n", line);
+      return;
+    }
+    print_gap(frame.offset);
+    fmt::print("{}", to_text(decoded));
+    end_ = frame.offset + Framing::frame_size(frame.body.size());
+  }
+
+  /// What can be said at the end of a capture of `size` bytes.
+  void finish(std::uint64_t size, const Parser& parser) {
+    if (jsonl_) return;
+    print_gap(size);
+    const auto counters = parser.counters();
+    fmt::print("{} frames, {} bytes skipped", counters.frames, counters.skipped_bytes);
+    fmt::print(" (bad headers: {}, bad bodies: {})\n", counters.header_errors,
+               counters.body_errors);
+  }
+
+ private:
+  void print_gap(std::uint64_t until) const {
+    if (until > end_) fmt::print("@{}  {} bytes that are no frame\n", end_, until - end_);
+  }
+
+  bool jsonl_;
+  FrameDecoder decoder_;
+  std::uint64_t end_ = 0;
+};
+
+int decode_file(const Options& options) {
+  Input input(options.file);
+  Printer print(options);
+  Parser parser;
+  HexDecoder hex;
+  std::vector<std::uint8_t> bytes;
+  std::uint64_t size = 0;
+  const auto finish = [&] {
+    parser.flush(print);
+    print.finish(size, parser);
+    std::fflush(stdout);
+  };
+  try {
+    for (auto block = input.read(); !block.empty(); block = input.read()) {
+      if (options.hex) {
+        bytes.clear();
+        hex.feed(block, bytes);
+        block = bytes;
+      }
+      size += block.size();
+      parser.feed(block, print);
+      std::fflush(stdout);
+    }
+    hex.finish();
+  } catch (const InputError&) {
+    parser.feed(bytes, print);  // what stood before the mistake is good
+    size += bytes.size();
+    finish();
+    throw;
+  }
+  finish();
+  return success;
+}
+
+}  // namespace
+
+void add_decode(CLI::App& app, int& status) {
+  auto* const command = app.add_subcommand("decode", "Show the frames of a capture");
+  auto options = std::make_shared<Options>();
+  command->add_option("file", options->file, "Capture to read; - is the standard input")
+      ->capture_default_str();
+  command
+      ->add_option("--from", options->from,
+                   "Who sent the bytes; auto takes each frame for what its size fits, the board's "
+                   "meaning first")
+      ->check(CLI::IsMember({"auto", "board", "host"}))
+      ->capture_default_str();
+  command->add_option("--format", options->format, "How to print")
+      ->check(CLI::IsMember({"text", "jsonl"}))
+      ->capture_default_str();
+  command->add_flag("--hex", options->hex, "The input is hex text, not raw bytes");
+  command->footer(
+      "The exit status is 0 when all input was read, 1 when it could not be read, 2 for wrong "
+      "usage.");
+  command->callback([options, &status] { status = decode_file(*options); });
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,49 @@
+/// A frame and everything that can be said about it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <sbgc/frame.hpp>
+#include <sbgc/json.hpp>
+#include <sbgc/visit.hpp>
+
+namespace sbgc::tools {
+
+/// One value of a message, as the text form shows it.
+struct Row {
+  std::string path;
+  std::string raw;
+  std::string meaning;
+};
+
+/// What became of one frame.
+struct DecodedFrame {
+  Frame frame{};
+  Direction direction{};
+  std::string command{};                 ///< "" if the id is unknown
+  const MessageInfo* message = nullptr;  ///< null if no message fits
+  Status status{};
+  std::string error_field{};  ///< the field that `status` is about, as far as it is known
+  Json fields{};
+  std::vector<Row> rows{};
+
+  /// The object that `sbgc decode --format jsonl` prints.
+  Json to_json() const;
+};
+
+/// Decodes frame after frame and remembers what later ones need.
+class FrameDecoder {
+ public:
+  /// `direction` says who sent the frames; without it each is taken for what its size fits.
+  explicit FrameDecoder(std::optional<Direction> direction) : direction_(direction) {}
+
+  DecodedFrame decode(const Frame& frame);
+
+ private:
+  std::optional<Direction> direction_;
+  Contexts contexts_;
+};
+
+}  // namespace sbgc::tools

@@ -1,0 +1,146 @@
+// sbgc encode: JSON lines, as sbgc decode prints them, to frames.
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <sbgc/dispatch.hpp>
+#include <sbgc/json.hpp>
+#include <sbgc/message.hpp>
+#include <sbgc/meta/all.hpp>
+#include <sbgc/validate.hpp>
+
+#include "commands.hpp"
+#include "input.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+struct Options {
+  std::string file = "-";
+  bool hex = false;
+  bool no_validate = false;
+};
+
+std::string describe(const Violation& violation) {
+  std::array<char, 128> path{};
+  violation.path.write(path.data(), path.size());
+  switch (violation.rule) {
+    case Rule::minimum:
+      return fmt::format("{}: {} is below the minimum {}", path.data(), violation.value,
+                         violation.limit);
+    case Rule::maximum:
+      return fmt::format("{}: {} is above the maximum {}", path.data(), violation.value,
+                         violation.limit);
+    case Rule::alignment:
+      return fmt::format("{}: {} is no multiple of {}", path.data(), violation.value,
+                         violation.limit);
+    case Rule::count:
+      return fmt::format("{}: {} elements, but at most {} are allowed", path.data(),
+                         violation.value, violation.limit);
+    case Rule::firmware:
+    case Rule::board:
+      return fmt::format("{}: {} needs {} version {}", path.data(), violation.value,
+                         name(violation.rule), violation.limit);
+  }
+  return path.data();
+}
+
+/// The frame of a message that is described by `fields`. Throws InputError or JsonError.
+template <class M>
+std::vector<std::uint8_t> encode_fields(const Json& fields, bool check) {
+  M message{};
+  from_json(fields, message);
+  if (check) {
+    std::string problems;
+    validate(message, [&](const Violation& violation) {
+      problems += (problems.empty() ? "" : "; ") + describe(violation);
+    });
+    if (!problems.empty()) throw InputError(problems);
+  }
+  std::vector<std::uint8_t> frame(max_frame_size);
+  const WriteResult written = encode_frame(message, frame);
+  if (!written) {
+    const char* const field = written.status.field;
+    throw InputError(fmt::format("{}{}{} ({})", field, *field == '\0' ? "" : ": ",
+                                 text(written.status.code), name(written.status.code)));
+  }
+  frame.resize(written.size);
+  return frame;
+}
+
+/// A value of the line that must be text.
+std::string text_of(const Json& line, const char* key) {
+  const auto found = line.find(key);
+  if (found == line.end()) throw InputError(fmt::format("'{}' is missing", key));
+  if (!found->is_string()) throw InputError(fmt::format("'{}' must be a string", key));
+  return found->get<std::string>();
+}
+
+std::vector<std::uint8_t> encode_line(const std::string& text, const Options& options) {
+  const Json line = Json::parse(text);
+  if (!line.is_object()) throw InputError("a line must be a JSON object");
+  const std::string name = text_of(line, "message");
+  const auto fields = line.find("fields");
+  if (fields == line.end()) throw InputError("'fields' is missing");
+  std::vector<std::uint8_t> frame;
+  bool known = false;
+  AllMessages::for_each([&]<class M>(Type<M>) {
+    if (name != Meta<M>::info.name) return;
+    known = true;
+    frame = encode_fields<M>(*fields, !options.no_validate);
+  });
+  if (!known) throw InputError(fmt::format("there is no message '{}'", name));
+  return frame;
+}
+
+void write(const std::vector<std::uint8_t>& frame, bool hex) {
+  if (hex) {
+    fmt::print("{}\n", detail::to_hex(frame));
+  } else {
+    std::fwrite(frame.data(), 1, frame.size(), stdout);
+  }
+}
+
+int encode_file(const Options& options) {
+  Input input(options.file);
+  int status = success;
+  std::string line;
+  for (std::size_t number = 1; input.read_line(line); ++number) {
+    if (line.find_first_not_of(" \t") == std::string::npos) continue;
+    try {
+      write(encode_line(line, options), options.hex);
+    } catch (const Json::parse_error& error) {
+      fmt::print(stderr, "sbgc: line {}: not valid JSON, at column {}\n", number, error.byte);
+      status = failure;
+    } catch (const std::runtime_error& error) {
+      fmt::print(stderr, "sbgc: line {}: {}\n", number, error.what());
+      status = failure;
+    }
+  }
+  return status;
+}
+
+}  // namespace
+
+void add_encode(CLI::App& app, int& status) {
+  auto* const command = app.add_subcommand("encode", "Turn JSON lines into frames");
+  auto options = std::make_shared<Options>();
+  command
+      ->add_option("file", options->file,
+                   "JSON lines as `sbgc decode --format jsonl` prints them; - is the standard "
+                   "input. Needed are 'message' and 'fields'")
+      ->capture_default_str();
+  command->add_flag("--hex", options->hex, "Print each frame as a line of hex, not as raw bytes");
+  command->add_flag("--no-validate", options->no_validate,
+                    "Encode values that the specification does not allow, too");
+  command->footer(
+      "A line that does not encode or validate is reported and left out; the exit status is then "
+      "1. It is 2 for wrong usage.");
+  command->callback([options, &status] { status = encode_file(*options); });
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,30 @@
+// The sbgc command: see `sbgc --help`.
+
+#include <cstdio>
+#include <exception>
+
+#include <CLI/CLI.hpp>
+
+#include "commands.hpp"
+
+int main(int argc, char** argv) {
+  using namespace sbgc::tools;
+  int status = success;
+  try {
+    CLI::App app("Tools for SimpleBGC gimbals and their serial protocol.", "sbgc");
+    app.require_subcommand(1);
+    app.set_help_all_flag("--help-all", "Print the help of all subcommands");
+    add_decode(app, status);
+    add_encode(app, status);
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      return app.exit(error) == 0 ? success : wrong_usage;
+    }
+    if (std::fflush(stdout) != 0) throw std::runtime_error("can not write to the standard output");
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "sbgc: %s\n", error.what());
+    return failure;
+  }
+  return status;
+}

@@ -1,0 +1,130 @@
+#include "rows.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace sbgc::tools::rows_detail {
+
+namespace {
+
+std::int64_t part_value(const PartInfo& part, std::uint32_t raw) {
+  const std::uint32_t bits = (raw & part.mask) >> part.shift;
+  const std::uint32_t digits = bits / part.divide;
+  return part.modulo != 0 ? digits % part.modulo : digits;
+}
+
+/// `display` with each {part} or {part:02} replaced.
+std::string fill_in(const PackedInfo& info, std::uint32_t raw) {
+  std::string result = info.display;
+  for (const PartInfo& part : info.parts) {
+    for (const bool padded : {false, true}) {
+      const std::string place = fmt::format("{{{}{}}}", part.name, padded ? ":02" : "");
+      const std::size_t at = result.find(place);
+      if (at == std::string::npos) continue;
+      const std::int64_t value = part_value(part, raw);
+      result.replace(at, place.size(),
+                     padded ? fmt::format("{:02}", value) : fmt::format("{}", value));
+    }
+  }
+  return result;
+}
+
+std::string part_text(const PartInfo& part, std::uint32_t raw) {
+  const std::int64_t value = part_value(part, raw);
+  if (part.values == nullptr) return fmt::format("{} {}", part.name, value);
+  const std::string named = part.values->is_flags
+                                ? flag_names(*part.values, static_cast<std::uint32_t>(value))
+                                : value_name(*part.values, value);
+  if (!named.empty()) return named;
+  return value == 0 ? "" : fmt::format("{} {}", part.name, value);
+}
+
+}  // namespace
+
+std::string value_name(const EnumInfo& info, std::int64_t value) {
+  for (const ValueInfo& known : info.values) {
+    if (known.value == value) return known.name;
+  }
+  return "";
+}
+
+std::string flag_names(const EnumInfo& info, std::uint32_t bits) {
+  std::string result;
+  const auto add = [&](const std::string& name) { result += (result.empty() ? "" : " | ") + name; };
+  for (const ValueInfo& flag : info.values) {
+    const auto mask = static_cast<std::uint32_t>(flag.value);
+    if (mask == 0 || (bits & mask) != mask) continue;
+    add(flag.name);
+    bits &= ~mask;
+  }
+  if (bits != 0) add(fmt::format("0x{:x}", bits));
+  return result;
+}
+
+std::string packed_text(const PackedInfo& info, std::uint32_t raw) {
+  if (*info.display != '\0') return fill_in(info, raw);
+  if (info.names != nullptr) {
+    const std::string named = value_name(*info.names, raw);
+    if (!named.empty()) return named;
+  }
+  std::string result;
+  for (const PartInfo& part : info.parts) {
+    const std::string text = part_text(part, raw);
+    if (!text.empty()) result += (result.empty() ? "" : ", ") + text;
+  }
+  return result;
+}
+
+std::string physical(double value, const char* unit) {
+  return *unit == '\0' ? fmt::format("{:.6g}", value) : fmt::format("{:.6g} {}", value, unit);
+}
+
+std::string variable_text(const VariableInfo& variable, std::int64_t raw) {
+  const bool plain = variable.numerator == variable.denominator && variable.offset == 0;
+  if (plain && *variable.unit == '\0') return "";
+  const auto value = static_cast<double>(raw);
+  return physical(value * variable.numerator / variable.denominator + variable.offset,
+                  variable.unit);
+}
+
+void RowCollector::bytes(std::span<const std::uint8_t> bytes, const FieldInfo& field,
+                         const std::string& path) {
+  const bool zero = std::ranges::all_of(bytes, [](std::uint8_t byte) { return byte == 0; });
+  if (zero && (field.reserved || &field == &tail_field)) return;
+  add(path, detail::to_hex(bytes), "");
+}
+
+void RowCollector::number(std::int64_t raw, const FieldInfo& field, const std::string& path,
+                          std::string meaning) {
+  raw_[path] = raw;
+  for (const Special& special : field.special) {
+    if (special.value == raw) meaning = special.meaning;
+  }
+  add(path, fmt::format("{}", raw), std::move(meaning));
+}
+
+void RowCollector::add(std::string path, std::string raw, std::string meaning) {
+  rows_.push_back({std::move(path), std::move(raw), std::move(meaning)});
+}
+
+bool RowCollector::is_alternative(const FieldInfo& field, const std::string& path) const {
+  if (field.alternative == nullptr) return false;
+  for (const char* axis : {"", ".roll", ".pitch", ".yaw"}) {
+    const bool same_axis = *axis == '\0' || path.find(axis) != std::string::npos;
+    const auto found = raw_.find(std::string(field.alternative->of) + axis);
+    if (same_axis && found != raw_.end()) return (found->second & field.alternative->mask) != 0;
+  }
+  return false;
+}
+
+void mark(std::vector<Row>& rows, const Violation& violation) {
+  std::array<char, 128> path{};
+  violation.path.write(path.data(), path.size());
+  for (Row& row : rows) {
+    if (row.path != path.data()) continue;
+    row.meaning += fmt::format("{}({} is {})", row.meaning.empty() ? "" : " ", name(violation.rule),
+                               violation.limit);
+  }
+}
+
+}  // namespace sbgc::tools::rows_detail
