@@ -83,8 +83,7 @@ class Checker {
 Bytes framed(std::uint8_t id, std::span<const std::uint8_t> body, std::size_t space) {
   Bytes out(space);
   const sbgc::WriteResult result = sbgc::write_frame(id, body, out);
-  require(static_cast<bool>(result) ==
-          (id != 0 && body.size() <= 255 && space >= body.size() + 5));
+  require(static_cast<bool>(result) == (id != 0 && body.size() <= 255 && space >= body.size() + 5));
   require(result ? result.size == body.size() + 5 : result.size == 0);
   out.resize(result.size);
   if (result) {

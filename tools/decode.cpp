@@ -69,6 +69,11 @@ class Printer {
   std::uint64_t end_ = 0;
 };
 
+/// What has been printed goes out now: a reader may be waiting for it.
+void flush_output() {
+  if (std::fflush(stdout) != 0) throw std::runtime_error("can not write to the standard output");
+}
+
 int decode_file(const Options& options) {
   Input input(options.file);
   Printer print(options);
@@ -76,26 +81,26 @@ int decode_file(const Options& options) {
   HexDecoder hex;
   std::vector<std::uint8_t> bytes;
   std::uint64_t size = 0;
+  const auto feed = [&](std::span<const std::uint8_t> block) {
+    size += block.size();
+    parser.feed(block, print);
+    flush_output();
+  };
   const auto finish = [&] {
     parser.flush(print);
     print.finish(size, parser);
-    std::fflush(stdout);
+    flush_output();
   };
   try {
     for (auto block = input.read(); !block.empty(); block = input.read()) {
-      if (options.hex) {
-        bytes.clear();
-        hex.feed(block, bytes);
-        block = bytes;
-      }
-      size += block.size();
-      parser.feed(block, print);
-      std::fflush(stdout);
+      bytes.clear();
+      if (options.hex) hex.feed(block, bytes);
+      feed(options.hex ? bytes : block);
     }
+    bytes.clear();
     hex.finish();
   } catch (const InputError&) {
-    parser.feed(bytes, print);  // what stood before the mistake is good
-    size += bytes.size();
+    feed(bytes);  // what stands before the mistake is good
     finish();
     throw;
   }

@@ -116,6 +116,9 @@ int encode_file(const Options& options) {
     } catch (const Json::parse_error& error) {
       fmt::print(stderr, "sbgc: line {}: not valid JSON, at column {}\n", number, error.byte);
       status = failure;
+    } catch (const Json::exception& error) {  // such as a number beyond every double
+      fmt::print(stderr, "sbgc: line {}: not usable JSON: {}\n", number, error.what());
+      status = failure;
     } catch (const std::runtime_error& error) {
       fmt::print(stderr, "sbgc: line {}: {}\n", number, error.what());
       status = failure;

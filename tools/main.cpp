@@ -21,7 +21,9 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
       return app.exit(error) == 0 ? success : wrong_usage;
     }
-    if (std::fflush(stdout) != 0) throw std::runtime_error("can not write to the standard output");
+    // An earlier write that failed has left its mark, though nothing is left to be flushed.
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+      throw std::runtime_error("can not write to the standard output");
   } catch (const std::exception& error) {
     std::fprintf(stderr, "sbgc: %s\n", error.what());
     return failure;

@@ -34,7 +34,7 @@ class RowCollector {
  public:
   template <class T>
   void members(const T& value, const std::string& path) {
-    const VariableInfo* variable = nullptr;
+    [[maybe_unused]] const VariableInfo* variable = nullptr;
     Meta<T>::visit(value, [&](const FieldInfo& field, const auto& member) {
       this->value(member, field, path.empty() ? field.name : path + "." + field.name);
       using Member = std::remove_cvref_t<decltype(member)>;
@@ -72,6 +72,9 @@ class RowCollector {
   }
   void value(Counter counter, const FieldInfo& field, const std::string& path) {
     number(static_cast<std::int64_t>(counter.count), field, path, "");
+  }
+  void value(const Number& number, const FieldInfo&, const std::string& path) {
+    add(path, fmt::format("{}", number.value()), name(number.type));
   }
   template <class T>
   void value(const Optional<T>& optional, const FieldInfo& field, const std::string& path) {

@@ -30,13 +30,28 @@ def load_protocol(spec_dir: Path) -> Protocol:
     reported first; everything else comes in one go.
     """
     found = Diagnostics()
+    spec, layout = _resolve(spec_dir, found)
+    lint(spec, layout, found)
+    lint_bodies(layout, found)
+    found.raise_if_any()
+    return Protocol(spec, layout)
+
+
+def load_layout(spec_dir: Path) -> Layout:
+    """Load and resolve a spec folder without the rules of style, which older ones may not know.
+
+    Raises SpecError if it can not be understood.
+    """
+    found = Diagnostics()
+    _, layout = _resolve(spec_dir, found)
+    found.raise_if_any()
+    return layout
+
+
+def _resolve(spec_dir: Path, found: Diagnostics) -> tuple[Spec, Layout]:
     spec = load(spec_dir, found)
     check_shape(spec, found)
     found.raise_if_any()
     check_syntax(spec, found)
     found.raise_if_any()
-    layout = resolve(spec, found)
-    lint(spec, layout, found)
-    lint_bodies(layout, found)
-    found.raise_if_any()
-    return Protocol(spec, layout)
+    return spec, resolve(spec, found)

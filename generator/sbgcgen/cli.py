@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import argparse
+import re
 import sys
 from pathlib import Path
 
+from sbgcgen import compat_report
 from sbgcgen.build import load_protocol
 from sbgcgen.diagnostics import SpecError
 from sbgcgen.emit import Output, inputs, outputs
@@ -22,10 +24,14 @@ def _parser() -> argparse.ArgumentParser:
         ("generate", "write generated/; files that do not change are left alone"),
         ("check", "tell whether generated/ is what spec/ and generator/ say; exit status 1 if not"),
         ("lint", "check spec/ only"),
+        ("compat", "tell what changed since another version of the spec; exit status 1 for breaks"),
     ):
         sub = commands.add_parser(name, help=text, description=text)
         sub.add_argument("--root", type=Path, default=_ROOT, help="project folder")
         sub.add_argument("--spec", type=Path, help="spec folder, if not <root>/spec")
+        if name == "compat":
+            sub.add_argument("old", metavar="OLD", help="spec folder, or git revision")
+            sub.add_argument("new", metavar="NEW", nargs="?", help="the same; default: spec/ as is")
         if name == "generate":
             sub.add_argument("--output", type=Path, help="output folder, if not <root>/generated")
             sub.add_argument("--depfile", type=Path, help="write what was read, as a Make rule")
@@ -34,15 +40,25 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _write_depfile(depfile: Path, stamp: Path, read: list[Path]) -> None:
-    names = " \\\n  ".join(str(path).replace(" ", "\\ ") for path in sorted(read))
-    depfile.write_text(f"{stamp}: \\\n  {names}\n", encoding="utf-8")
+    names = " \\\n  ".join(_escape(path) for path in sorted(read))
+    depfile.parent.mkdir(parents=True, exist_ok=True)
+    depfile.write_text(f"{_escape(stamp)}: \\\n  {names}\n", encoding="utf-8")
+
+
+def _escape(path: Path) -> str:
+    return re.sub(r"([ #\\])", r"\\\1", str(path)).replace("$", "$$")
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Run one command; the exit status is 0, or 1 for findings, or 2 for wrong usage."""
-    options = _parser().parse_args(arguments)
+    parser = _parser()
+    options = parser.parse_args(arguments)
+    if getattr(options, "depfile", None) and not options.stamp:
+        parser.error("--depfile needs --stamp")
     root: Path = options.root.resolve()
     spec_dir: Path = (options.spec or root / "spec").resolve()
+    if options.command == "compat":
+        return compat_report.run(options.old, options.new, root, spec_dir)
     try:
         protocol = load_protocol(spec_dir)
     except SpecError as error:
@@ -63,11 +79,15 @@ def main(arguments: list[str] | None = None) -> int:
         if drift:
             print("generated/ has drifted: run './dev generate'", file=sys.stderr)
         return 1 if drift else 0
-    changed = output.write()
-    print(f"{len(output.files)} files, {changed} changed")
-    if options.stamp:
+    try:
+        changed = output.write()
         if options.depfile:
             _write_depfile(options.depfile, options.stamp, protocol.spec.files + inputs())
-        options.stamp.parent.mkdir(parents=True, exist_ok=True)
-        options.stamp.touch()
+        if options.stamp:
+            options.stamp.parent.mkdir(parents=True, exist_ok=True)
+            options.stamp.touch()
+    except OSError as error:
+        print(f"can not write {error.filename}: {error.strerror}", file=sys.stderr)
+        return 1
+    print(f"{len(output.files)} files, {changed} changed")
     return 0

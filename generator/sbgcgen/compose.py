@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from sbgcgen.edges import Edge, counting, edges
-from sbgcgen.model import Blob, Condition, Field, Message, Struct, Type
-from sbgcgen.reference_codec import LISTS, Fields, holds, is_bytes, keys_of
+from sbgcgen.model import SCALARS, Announced, Blob, Condition, Field, Message, Struct, Type
+from sbgcgen.reference_codec import LISTS, CodecError, Fields, encode, holds, is_bytes, keys_of
+
+# What may be announced, with something that is so more than once.
+ALL_TYPES = [*SCALARS, "i16", "i16"]
 
 
 @dataclass
@@ -49,6 +52,8 @@ class Choice:
     def why(self) -> str:
         """What was chosen, if that is not too much to tell."""
         text = ", ".join(f"{path} = {name}" for path, name in self.chosen)
+        if not text:
+            return "as it always is"
         return text if len(text) <= 100 else f"round {self.round} through the edges of all fields"
 
 
@@ -57,10 +62,31 @@ def compose(message: Message, choice: Choice) -> Fields:
     return _Composer(choice).fields(message.fields, "", {})
 
 
+def first_that_fits(message: Message, *choices: Choice) -> bytes:
+    """The body that the first choice makes that fits into one; the last one must."""
+    for choice in choices[:-1]:
+        try:
+            return encode(message, compose(message, choice))
+        except CodecError:
+            pass
+    return encode(message, compose(message, choices[-1]))
+
+
 def conditions(message: Message) -> list[Condition]:
-    """All conditions of a message and its regions."""
-    inner = [f for m in message.fields if isinstance(m.type, Struct) for f in m.type.fields]
-    return [f.when for f in (*message.fields, *inner) if f.when]
+    """All conditions about what the message as a whole says: those of its fields and regions."""
+    regions = [m.type for m in message.fields if isinstance(m.type, Struct) and m.type.is_region]
+    inner = [member for region in regions for member in region.fields]
+    return [member.when for member in (*message.fields, *inner) if member.when]
+
+
+def full_context(message: Message) -> Fields:
+    """A context in which all that hangs on flags is there, and each type is announced."""
+    context: Fields = {}
+    for when in conditions(message):
+        if when.from_context:
+            context[when.source] = context.get(when.source, 0) | when.mask
+    context.update({c.name: ALL_TYPES for c in message.contexts if c.announced})
+    return context
 
 
 def satisfying(when: Condition) -> list[int]:
@@ -68,23 +94,27 @@ def satisfying(when: Condition) -> list[int]:
     return [when.mask] if when.mask else [v.value for v in when.values]
 
 
-def variable_parts(fields: tuple[Field, ...], path: str = "") -> Iterator[tuple[str, Field]]:
-    """The lists and length-prefixed texts among the fields, with their paths."""
+def variable_parts(
+    fields: tuple[Field, ...], path: str = ""
+) -> Iterator[tuple[str, Field, tuple[Field, ...]]]:
+    """The lists and length-prefixed texts: path, member, and the members beside it."""
     for member in fields:
         name = path + member.name
         is_list = member.dim in ("counted", "rest")
+        if isinstance(member.type, Announced):
+            continue  # as long as its context says
         if is_list:
-            yield name, member
+            yield name, member, fields
         if isinstance(member.type, Blob) and member.type.kind == "string":
-            yield name + "[]" * is_list, member
+            yield name + "[]" * is_list, member, fields
         elif isinstance(member.type, Struct) and member.type.size is None:
             yield from variable_parts(member.type.fields, f"{name}{'[]' * is_list}.")
 
 
-def documented_length(message_fields: tuple[Field, ...], member: Field) -> int:
+def documented_length(beside: tuple[Field, ...], member: Field) -> int:
     """The most elements that the specification describes for a list."""
     most = member.capacity if member.max_count is None else member.max_count
-    for counter in message_fields:
+    for counter in beside:
         if counter.name == member.counter and counter.maximum is not None:
             most = int(counter.maximum)
     return min(most, member.capacity)
@@ -94,6 +124,7 @@ class _Composer:
     def __init__(self, choice: Choice) -> None:
         self.choice = choice
         self.conditional = False
+        self.element = 0  # in lists around the place
 
     def fields(self, fields: tuple[Field, ...], path: str, around: Fields) -> Fields:
         values: Fields = {}
@@ -115,9 +146,7 @@ class _Composer:
             return False
         return holds(when, known.get(when.source, 0))
 
-    def _member(
-        self, member: Field, fields: tuple[Field, ...], path: str, values: Fields
-    ) -> Any:
+    def _member(self, member: Field, fields: tuple[Field, ...], path: str, values: Fields) -> Any:
         name = path + member.name
         if name in self.choice.forced:
             return self.choice.forced[name]
@@ -125,15 +154,35 @@ class _Composer:
             return 0  # known when its list is there
         if member.dim == "one":
             around = values if isinstance(member.type, Struct) and member.type.is_region else {}
-            return self._value(member, name, 0, around)
+            return self._value(member, name, around)
         if member.dim not in LISTS:
             return {key: self._value(member, f"{name}.{key}") for key in keys_of(member)}
+        if isinstance(member.type, Announced):
+            return self._announced(member, member.type, name)
         count = member.count if member.dim == "fixed" else self._length(member, fields, name)
         if is_bytes(member):
             return counting(count).hex()
         if member.dim == "fixed":
             return [self._value(member, f"{name}[{i}]") for i in range(count)]
-        return [self._value(member, f"{name}[]", i) for i in range(count)]
+        return [self._element(member, f"{name}[]", i) for i in range(count)]
+
+    def _announced(self, member: Field, type_: Announced, path: str) -> list[Fields]:
+        """A number of each announced type."""
+        outside, self.conditional = self.conditional, True
+        types = self.choice.context.get(type_.context, [])
+        numbers = [
+            {name: self._value(replace(member, type=SCALARS[name]), f"{path}[{i}].{name}")}
+            for i, name in enumerate(types)
+        ]
+        self.conditional = outside
+        return numbers
+
+    def _element(self, member: Field, path: str, number: int) -> Any:
+        """An element of a list; neighbours are at different edges, too."""
+        outside, self.element = self.element, self.element + number
+        value = self._value(member, path)
+        self.element = outside
+        return value
 
     def _length(self, member: Field, fields: tuple[Field, ...], name: str) -> int:
         choice = self.choice
@@ -147,7 +196,7 @@ class _Composer:
             typical = len(choice.places.at(f"{name}[]", member, member.type)[1])
         return min(typical, documented_length(fields, member))
 
-    def _value(self, member: Field, path: str, element: int = 0, around: Any = None) -> Any:
+    def _value(self, member: Field, path: str, around: Any = None) -> Any:
         type_, choice = member.type, self.choice
         if isinstance(type_, Struct):
             return self.fields(type_.fields, f"{path}.", around or {})
@@ -160,6 +209,6 @@ class _Composer:
             choice.rounds_of_conditional = max(choice.rounds_of_conditional, len(found))
         else:
             choice.rounds_of_free = max(choice.rounds_of_free, len(found))
-        name, value = found[(choice.round + number + element) % len(found)]
+        name, value = found[(choice.round + number + self.element) % len(found)]
         choice.chosen.append((path, name))
         return value

@@ -6,17 +6,21 @@ A template's path says where its output goes: `templates/<target>/a/@family@.hpp
 
 from __future__ import annotations
 
+import errno
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 import jinja2
 
+from sbgcgen import seeds, vectors
 from sbgcgen.export import export
 from sbgcgen.filters import FILTERS, TESTS
 from sbgcgen.model import Layout
 
 TEMPLATES = Path(__file__).resolve().parent.parent / "templates"
+# Every output has it, so a folder without it is not ours to clean.
+_MARK = "simplebgc.json"
 
 
 def inputs() -> list[Path]:
@@ -48,7 +52,7 @@ def _environment() -> jinja2.Environment:
 
 def outputs(layout: Layout) -> dict[str, bytes]:
     """All output files by their path below generated/."""
-    return dict(_render(layout))
+    return {**dict(_render(layout)), **dict(vectors.files(layout)), **dict(seeds.files(layout))}
 
 
 def _render(layout: Layout) -> Iterator[tuple[str, bytes]]:
@@ -94,7 +98,14 @@ class Output:
         return lines
 
     def write(self) -> int:
-        """Make the folder so; returns how many files were written or deleted."""
+        """Make the folder so; returns how many files were written or deleted.
+
+        Raises OSError, also if the folder holds something else: files that are not generated are
+        deleted, so it must be empty or hold an earlier output.
+        """
+        stale = self._stale()
+        if stale and not (self.folder / _MARK).is_file():
+            raise FileExistsError(errno.EEXIST, "it holds other files", str(self.folder))
         changed = 0
         for name, content in self.files.items():
             path = self.folder / name
@@ -103,7 +114,11 @@ class Output:
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(content)
             changed += 1
-        for name in self._stale():
-            (self.folder / name).unlink()
+        for name in stale:
+            path = self.folder / name
+            path.unlink()
             changed += 1
+            while path.parent != self.folder and not any(path.parent.iterdir()):
+                path = path.parent
+                path.rmdir()
         return changed

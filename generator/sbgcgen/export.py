@@ -5,7 +5,19 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from sbgcgen.model import Answer, Availability, Enum, Field, Layout, Leaf, Message, Packed, Quantity
+from sbgcgen.model import (
+    Announced,
+    Answer,
+    Availability,
+    Context,
+    Enum,
+    Field,
+    Layout,
+    Leaf,
+    Message,
+    Packed,
+    Quantity,
+)
 
 
 def _number(value: Fraction | None) -> int | float | None:
@@ -65,6 +77,8 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
         result["scale_exact"] = str(quantity.scale)
         if quantity.offset:
             result["add"] = _number(quantity.offset)
+    if isinstance(field.type, Announced):
+        result["announced"] = field.type.context
     if isinstance(field.type, Packed):
         result["packed"] = field.type.name
     if field.special:
@@ -113,6 +127,20 @@ def _answer(answer: Answer | None) -> dict[str, Any] | None:
     }
 
 
+def _context(context: Context) -> dict[str, Any]:
+    if context.announced is None:
+        sources = [f"{message}.{field}" for message, field in context.sources]
+        enum = context.type.name if context.type else None
+        return {"name": context.name, "enum": enum, "from": sources}
+    announced = context.announced
+    return {
+        "name": context.name,
+        "announced_by": f"{announced.message}.{announced.list}",
+        "kind": announced.kind,
+        "count": announced.count,
+    }
+
+
 def _message(message: Message) -> dict[str, Any]:
     return {
         "name": message.name,
@@ -130,10 +158,7 @@ def _message(message: Message) -> dict[str, Any]:
         "keeps_tail": message.keeps_tail,
         "same_as": message.same_as or None,
         "stores": message.stores or None,
-        "context": [
-            {"name": c.name, "enum": c.type.name, "from": [f"{m}.{f}" for m, f in c.sources]}
-            for c in message.contexts
-        ],
+        "context": [_context(context) for context in message.contexts],
         "response": _answer(message.answer),
         "layout": [_leaf(leaf) for leaf in message.leaves],
     }
@@ -230,6 +255,7 @@ def export(layout: Layout) -> dict[str, Any]:
                 "max": variable.maximum,
                 "unit": variable.quantity.unit if variable.quantity else None,
                 "scale": _number(variable.quantity.scale) if variable.quantity else None,
+                "add": _number(variable.quantity.offset) if variable.quantity else None,
                 "summary": variable.summary,
             }
             for variable in layout.variables

@@ -7,13 +7,15 @@ import textwrap
 from collections.abc import Callable
 from typing import Any
 
-from sbgcgen.model import Availability, Blob, Enum, Packed, Quantity, Scalar, Struct
+from sbgcgen.model import Announced, Availability, Blob, Enum, Packed, Quantity, Scalar, Struct
 from sbgcgen.names import camel_case
 
 
 def comment(text: str, indent: int = 0, width: int = 100, mark: str = "/// ") -> str:
     """Text as comment lines, wrapped; the first line is not indented."""
     lines = textwrap.wrap(text, width - indent - len(mark)) or [""]
+    # A backslash at the end of a line would make the next one part of the comment.
+    lines = [f"{line} ." if line.endswith("\\") else line for line in lines]
     return f"\n{' ' * indent}".join((mark + line).rstrip() for line in lines)
 
 
@@ -60,6 +62,8 @@ TESTS: dict[str, Callable[..., bool]] = {
     "a_flag_set": lambda t: isinstance(t, Enum) and t.kind == "flags",
     "a_packed": lambda t: isinstance(t, Packed),
     "a_blob": lambda t: isinstance(t, Blob),
+    "in_region": lambda f: isinstance(f.type, Struct) and f.type.is_region,
+    "announced": lambda t: isinstance(t, Announced),
     "a_region": lambda t: isinstance(t, Struct) and t.is_region,
     "a_struct": lambda t: isinstance(t, Struct),
 }

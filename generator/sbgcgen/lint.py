@@ -66,8 +66,8 @@ def _check_bodies(layout: Layout, found: Diagnostics) -> None:
                 text = f"'{field.name}' is a member that every message has"
                 found.add(field.at, "SBGC022", text, "give the field another name with 'as'")
         if message.name in taken:
-            text = f"'{message.name}' is the name of a message, too"
-            found.add(taken[message.name], "SBGC028", text, f"see {message.at}")
+            text = f"message {message.name} has the name of a type (at {taken[message.name]})"
+            found.add(message.at, "SBGC028", text, "give the message another one with 'as'")
         _check_alternatives(message, message.fields, found)
 
 

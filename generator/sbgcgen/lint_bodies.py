@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sbgcgen.diagnostics import Diagnostics
-from sbgcgen.model import Enum, Field, Layout, Message, Packed, Scalar, Struct
+from sbgcgen.model import Enum, Field, Layout, Message, Packed, Quantity, Scalar, Struct
 from sbgcgen.names import is_identifier, parse_lines
 
 
@@ -34,13 +34,10 @@ def _check_message(message: Message, max_body: int, found: Diagnostics) -> None:
 
 
 def _check_source(source: str, owner: Message | Enum | Packed, found: Diagnostics) -> None:
-    """A fact stands in some lines of the specification, or an erratum tells where it is from."""
-    lines = parse_lines(source)
-    if not source or (owner.errata and not lines):
-        return
-    if not lines or any(last < first for first, last in lines):
-        text = f"the source of {owner.name} names no lines of the specification"
-        hint = "write it like 'Variables L1005-L1009', or say which erratum decides it"
+    """Line ranges run forwards. (What came later than the specification names no lines.)"""
+    if any(last < first for first, last in parse_lines(source)):
+        text = f"the source of {owner.name} names lines backwards"
+        hint = "write it like 'Variables L1005-L1009'"
         found.add(owner.at, "SBGC020", text, hint)
 
 
@@ -95,6 +92,12 @@ def _check_alternatives(message: Message, fields: tuple[Field, ...], found: Diag
     for field in fields:
         if isinstance(field.type, Struct):
             _check_alternatives(message, field.type.fields, found)
+        if field.alternative and not (
+            isinstance(field.type, Quantity)
+            and field.type.scalar == field.alternative.quantity.scalar
+        ):
+            text = f"{field.alternative.quantity.name} is no other unit of '{field.name}'"
+            found.add(field.at, "SBGC026", text, "both are quantities over the same number")
         source = by_name.get(field.alternative.source) if field.alternative else None
         if source is None or field.alternative is None:
             continue
@@ -109,7 +112,7 @@ def _check_alternatives(message: Message, fields: tuple[Field, ...], found: Diag
 
 
 def _check_contexts(message: Message, layout: Layout, found: Diagnostics) -> None:
-    leaves = {m.name: {leaf.path for leaf in m.leaves} for m in layout.messages}
+    fields = {m.name: m.fields for m in layout.messages}
     seen: set[str] = set()
     for context in message.contexts:
         if context.name in seen:
@@ -117,7 +120,15 @@ def _check_contexts(message: Message, layout: Layout, found: Diagnostics) -> Non
             found.add(message.at, "SBGC012", text, "one of them is enough")
         seen.add(context.name)
         for name, path in context.sources:
-            if path not in leaves.get(name, set()):
+            if not _has_field(fields.get(name, ()), path.split(".")):
                 text = f"the context '{context.name}' of {message.name} comes from no field"
                 hint = f"there is no '{name}.{path}'; write it like BoardInfo.FIRMWARE_VER"
                 found.add(message.at, "SBGC026", text, hint)
+
+
+def _has_field(fields: tuple[Field, ...], path: list[str]) -> bool:
+    for field in fields:
+        if field.name == path[0]:
+            inner = field.type.fields if isinstance(field.type, Struct) else ()
+            return len(path) == 1 or _has_field(inner, path[1:])
+    return False

@@ -120,7 +120,8 @@ class _Builder:
             at = self.position(key_node)
             if key in result:
                 first = result.keys_at[key]
-                self.found.add(at, "SBGC002", f"key '{key}' stands twice (first at {first})")
+                message = f"key '{key}' stands twice (first at {first})"
+                self.found.add(at, "SBGC002", message, "keep one of them")
                 continue
             result[key] = self.build(value_node)
             result.keys_at[key] = at
@@ -183,19 +184,20 @@ def load(spec_dir: Path, found: Diagnostics) -> Spec:
     spec.main = read(MAIN_FILE)
     families = spec.main.get("families", [])
     for family in families if isinstance(families, list) else []:
-        spec.families[str(family)] = read(f"{family}.yaml")
+        if isinstance(family, str) and family.isidentifier():
+            spec.families[family] = read(f"{family}.yaml")
     spec.errata = read("errata.yaml")
     for family, content in spec.families.items():
         if isinstance(content.get("family"), str) and content["family"] != family:
             message = f"the family '{content['family']}' stands in {family}.yaml"
             hint = "a family is named like its file"
             found.add(content.at("family"), "SBGC003", message, hint)
-    for path in sorted(spec_dir.glob("*.yaml")) if spec.families else []:
+    for path in sorted(spec_dir.glob("*.y*ml")) if spec.families else []:
         if path not in spec.files:
             found.add(
                 Position(f"{spec_dir.name}/{path.name}"),
                 "SBGC003",
                 f"the file is not listed under 'families' in {MAIN_FILE}",
-                f"add '{path.stem}' there, or delete the file",
+                f"add '{path.stem}' there (files end in .yaml), or delete the file",
             )
     return spec

@@ -78,13 +78,17 @@ class Quantity:
 
 @dataclass(frozen=True)
 class EnumValue:
-    """One named value; `name` is the protocol's own unless `ours`."""
+    """One named value; `name` is the protocol's own unless `ours`.
+
+    `wire` is the number on the wire that the value stands for, where it names a type.
+    """
 
     name: str
     identifier: str
     value: int
     summary: str
     ours: bool
+    wire: str
     since: Availability
     errata: tuple[str, ...]
     at: Position = field(default=_NOWHERE, compare=False, repr=False)
@@ -175,7 +179,15 @@ class Struct:
     at: Position = field(default=_NOWHERE, compare=False, repr=False)
 
 
-Type = Union[Scalar, Quantity, Enum, Packed, Blob, Struct]
+@dataclass(frozen=True)
+class Announced:
+    """A number whose type an earlier message announces; `context` is the context that knows it."""
+
+    context: str
+    kind: str = "announced"
+
+
+Type = Union[Scalar, Quantity, Enum, Packed, Blob, Struct, Announced]
 
 
 @dataclass(frozen=True)
@@ -279,13 +291,31 @@ class Leaf:
 
 
 @dataclass(frozen=True)
+class Announcement:
+    """The list in a message that announces the types of numbers in later ones.
+
+    Each element has the type in `kind` (the path of an enum, through a packed part if need be) and
+    how often it stands in `count`.
+    """
+
+    message: str
+    list: str
+    kind: str
+    count: str
+
+
+@dataclass(frozen=True)
 class Context:
-    """Something a body can not be read without, that stands in an earlier message."""
+    """Something a body can not be read without, that stands in an earlier message.
+
+    Either an enum or flag set, found in `sources` (message, path), or announced types.
+    """
 
     name: str
-    type: Enum
+    type: Enum | None
     summary: str
     sources: tuple[tuple[str, str], ...]
+    announced: Announcement | None = None
 
 
 @dataclass(frozen=True)

@@ -9,21 +9,24 @@ _FIELD = re.compile(
     r"(?P<head>[A-Za-z][A-Za-z0-9_]*?)"
     r"(?P<expand>\{(?P<kind>[A-Z]+|[0-9]+\.\.[0-9]+)\})?"
     r"(?P<rest>[A-Za-z0-9_]*)"
-    r"(?P<array>\[(?P<index>[A-Za-z0-9_]*)\])?$"
+    r"(?P<array>\[(?P<index>[A-Za-z0-9_]*)\])?\Z"
 )
-_VERSION = re.compile(r"(?P<major>[0-9])\.(?P<minor>[0-9]{1,2})(b(?P<beta>[0-9]))?$")
+_VERSION = re.compile(r"(?P<major>[0-9])\.(?P<minor>[0-9]{2})(b(?P<beta>[0-9]))?\Z")
 
 CPP_WORDS = frozenset(
-    """alignas alignof and asm auto bitand bitor bool break case catch char class compl concept
-    const consteval constexpr constinit continue co_await co_return co_yield decltype default
-    delete do double dynamic_cast else enum explicit export extern false float for friend goto if
-    inline int long mutable namespace new noexcept not nullptr operator or private protected
-    public register reinterpret_cast requires return short signed sizeof static static_assert
-    static_cast struct switch template this thread_local throw true try typedef typeid typename
-    union unsigned using virtual void volatile wchar_t while xor""".split()
+    """alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t
+    char32_t char8_t class co_await co_return co_yield compl concept const const_cast consteval
+    constexpr constinit continue decltype default delete do double dynamic_cast else enum
+    explicit export extern false float for friend goto if inline int long mutable namespace new
+    noexcept not not_eq nullptr operator or or_eq private protected public register
+    reinterpret_cast requires return short signed sizeof static static_assert static_cast struct
+    switch template this thread_local throw true try typedef typeid typename union unsigned
+    using virtual void volatile wchar_t while xor xor_eq""".split()
 )
 # Members that every generated message has of its own.
 MESSAGE_WORDS = frozenset(("command", "direction", "form", "min_size", "max_size", "tail"))
+# Members that every generated quantity has of its own.
+QUANTITY_WORDS = frozenset(("raw", "real", "unit", "from_real"))
 
 
 @dataclass(frozen=True)
@@ -50,12 +53,12 @@ def parse_field_name(text: str) -> FieldName | None:
     return FieldName(base, spec_name + match["rest"], match["kind"], match["index"])
 
 
-_FOREIGN = re.compile(r"(?P<sign>u?)int(?P<bits>8|16|32)(_t)?$|(?P<size>[124])(?P<kind>[usf])$")
+_FOREIGN = re.compile(r"(?P<sign>u?)int(?P<bits>8|16|32)(_t)?\Z|(?P<size>[124])(?P<kind>[usf])\Z")
 
 
 def type_advice(text: str) -> str:
     """What to write for a type in the notation of C or of the specification; or ""."""
-    array = re.match(r"(\w+)\[(.*)\]$", text)
+    array = re.match(r"(\w+)\[(.*)\]\Z", text)
     if array and array[1] not in ("bytes", "text"):
         return f"the count belongs to the name: 'NAME[{array[2]}]' with type: {array[1]}"
     match = _FOREIGN.match(text)
@@ -79,7 +82,7 @@ def camel_case(name: str) -> str:
 
 def is_identifier(name: str) -> bool:
     """Whether `name` can stand in C++ as it is; two underscores belong to the compiler."""
-    fits = re.match(r"[A-Za-z][A-Za-z0-9_]*$", name)
+    fits = re.match(r"[A-Za-z][A-Za-z0-9_]*\Z", name)
     return bool(fits) and "__" not in name and name not in CPP_WORDS
 
 
@@ -93,7 +96,7 @@ def parse_version(text: str) -> int | None:
 
 def parse_board(text: str) -> int | None:
     """3.0 -> 30 (as BOARD_VER has it); None if it is not a version."""
-    match = re.match(r"([0-9]{1,2})\.([0-9])$", text)
+    match = re.match(r"([0-9]{1,2})\.([0-9])\Z", text)
     return int(match[1]) * 10 + int(match[2]) if match else None
 
 

@@ -3,7 +3,8 @@
 It shares no template and no line with the generated C++, so what both agree on is what the model
 says. The test vectors come from it (vectors.py). Bodies are `bytes`; messages are the `fields` of
 `sbgc decode --format jsonl`: objects for structs and axes, lists for arrays, lower-case hex for
-bytes, strings for texts, raw integers for everything else.
+bytes, strings for texts, raw integers for everything else; a number of announced type stands as
+{"i16": -5}.
 """
 
 from __future__ import annotations
@@ -14,6 +15,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from sbgcgen.model import (
+    SCALARS,
+    Announced,
     Blob,
     Condition,
     Enum,
@@ -29,6 +32,7 @@ from sbgcgen.model import (
 )
 
 Fields = dict[str, Any]
+Forms = dict[tuple[str, int], list[Message]]
 
 
 class CodecError(Exception):
@@ -102,11 +106,9 @@ def scalar_of(type_: Type) -> Scalar:
 
 
 def is_bytes(field: Field) -> bool:
-    """Whether the member is a run of bytes, which stands as hex: also an array of u8."""
+    """Whether the member is a run of bytes, which stands as hex."""
     type_ = field.type
-    if isinstance(type_, Blob) and type_.kind == "bytes":
-        return field.dim == "one" or type_.size is None
-    return isinstance(type_, Scalar) and type_.name == "u8" and field.dim in LISTS
+    return isinstance(type_, Blob) and type_.kind == "bytes" and type_.size is None
 
 
 def keys_of(field: Field) -> tuple[str, ...]:
@@ -160,7 +162,10 @@ class _Reader:
 
 
 def decode(message: Message, body: bytes, context: Fields | None = None) -> Fields:
-    """The fields of a body; `context` has the raw values of what earlier messages have told."""
+    """The fields of a body.
+
+    `context` has what earlier messages have told: raw values, and lists of the names of types.
+    """
     fixed = fixed_part(message.fields)
     size = sum(f.size or 0 for f in fixed)
     exact = len(fixed) == len(message.fields) and not message.keeps_tail
@@ -188,17 +193,29 @@ def _read_fields(fields: tuple[Field, ...], reader: _Reader, context: Fields) ->
                 continue
             if field.when.may_be_missing and reader.left() < (field.size or 0):
                 continue
-        values[field.name] = _read_field(field, reader, values)
+        values[field.name] = _read_field(field, reader, values, context)
     return values
 
 
-def _read_field(field: Field, reader: _Reader, values: Fields) -> Any:
+def _read_announced(types: list[str], reader: _Reader, field: Field) -> list[Fields]:
+    """Numbers of announced types, as many as there are bytes for."""
+    numbers = []
+    for name in types:
+        if reader.left() < SCALARS[name].size:
+            break
+        numbers.append({name: _read_value(SCALARS[name], reader, field.name)})
+    return numbers
+
+
+def _read_field(field: Field, reader: _Reader, values: Fields, context: Fields) -> Any:
     if field.dim == "one":
         if isinstance(field.type, Struct) and field.type.is_region:
             return _read_region(field.type, reader, values)
         return _read_value(field.type, reader, field.name)
     if field.dim not in LISTS:
         return {key: _read_value(field.type, reader, field.name) for key in keys_of(field)}
+    if isinstance(field.type, Announced):
+        return _read_announced(context.get(field.type.context, []), reader, field)
     count = _count(field, reader, values)
     if is_bytes(field):
         return reader.take(count, field.name).hex()
@@ -257,7 +274,7 @@ def _read_region(type_: Struct, reader: _Reader, around: Fields) -> Fields:
     for field in type_.fields:
         if field.when and not holds(field.when, around[field.when.source]):
             continue
-        values[field.name] = _read_field(field, inner, values)
+        values[field.name] = _read_field(field, inner, values, {})
     return values
 
 
@@ -346,11 +363,18 @@ def _write_field(field: Field, value: Any, writer: _Writer, name: str, around: F
             raise CodecError("presence_mismatch", name, writer.at)
         for element in value.values():
             _write_value(field.type, element, writer, name)
+    elif isinstance(field.type, Announced):
+        _check_count(field, len(value), name, writer)
+        for number in value:
+            for word, element in number.items():
+                _write_value(SCALARS[word], element, writer, name)
     elif is_bytes(field):
-        count = field.count if field.dim == "fixed" else None
-        data = _hex(value, count, name, writer)
+        data = bytes.fromhex(value)
         _check_count(field, len(data), name, writer)
         writer.put(data, name)
+    elif field.type == SCALARS["u8"]:  # bytes that are numbers; they fit all together or not at all
+        _check_count(field, len(value), name, writer)
+        writer.put(b"".join(_number(SCALARS["u8"], v, writer, name) for v in value), name)
     else:
         _check_count(field, len(value), name, writer)
         for element in value:
@@ -418,18 +442,28 @@ def _write_region(
 # Messages and frames
 
 
-def choose_message(layout: Layout, direction: str, id: int, size: int) -> Message:
+def forms_of(layout: Layout) -> Forms:
+    """The messages of each direction and id."""
+    forms: Forms = {}
+    for message in layout.messages:
+        forms.setdefault((message.direction, message.id), []).append(message)
+    return forms
+
+
+def choose_message(forms: Forms, direction: str, id: int, size: int) -> Message:
     """The message that a body of `size` bytes is.
 
     A command with one form is always that; of several forms the one that allows the size.
     """
-    forms = [m for m in layout.messages if (m.direction, m.id) == (direction, id)]
-    if not forms:
+    candidates = forms.get((direction, id), [])
+    if not candidates:
         raise CodecError("unknown_command")
-    fitting = [m for m in forms if m.min_size <= size and (m.keeps_tail or size <= m.max_size)]
-    if len(forms) > 1 and not fitting:
-        raise CodecError("unknown_form")
-    return fitting[0] if len(forms) > 1 else forms[0]
+    if len(candidates) == 1:
+        return candidates[0]
+    for message in candidates:
+        if message.min_size <= size and (message.keeps_tail or size <= message.max_size):
+            return message
+    raise CodecError("unknown_form")
 
 
 def write_frame(framing: Framing, id: int, body: bytes) -> bytes:

@@ -9,6 +9,7 @@ from sbgcgen.diagnostics import Diagnostics, Position, did_you_mean
 from sbgcgen.load import Map, Spec
 from sbgcgen.model import (
     SCALARS,
+    Announcement,
     Answer,
     Command,
     Context,
@@ -64,6 +65,7 @@ class _Resolver:
             for direction in DIRECTIONS:
                 if direction in node:
                     self._draft(command, direction, node)
+        self._check_same_as()
         messages = self._settle_tails([self._message(draft) for draft in self.drafts.values()])
         for name in self.fields._nodes:
             self.fields.struct(name)
@@ -184,6 +186,24 @@ class _Resolver:
                     self.found.add(at, "SBGC028", message, "give one of them a name with 'as'")
             self.drafts[key] = draft
 
+    def _check_same_as(self) -> None:
+        """Every 'same_as' must lead to a list of fields; one that does not is taken out."""
+        for draft in self.drafts.values():
+            seen: list[_Draft] = []
+            step: _Draft | None = draft
+            while step is not None and step.get("same_as") and step not in seen:
+                seen.append(step)
+                name = step.get("same_as")
+                others = [d for (n, _), d in self.drafts.items() if n == name and d is not step]
+                others.sort(key=lambda d: bool(d.get("same_as")))
+                step = others[0] if others else (step if name == step.name else None)
+            if step is not None and step in seen:
+                node = draft.node if "same_as" in draft.node else draft.parent
+                message = f"the 'same_as' of {draft.name} leads back to itself"
+                hint = "one of them must list the fields"
+                self.found.add(node.at("same_as"), "SBGC029", message, hint)
+                node.pop("same_as")
+
     def _is_own_body(self, node: Map, base: str) -> bool:
         """Whether one direction of a command has the very body of the other."""
         return any(node[d].get("same_as") == base for d in DIRECTIONS if d in node)
@@ -231,7 +251,7 @@ class _Resolver:
                 f"the body of {draft.name} has {body.min_size} bytes; {limit} fit into a frame"
             )
             self.found.add(draft.at, "SBGC013", message, "split it into several messages")
-        open_ended = any(f.dim == "rest" for f in body.fields)
+        open_ended = any(f.dim == "rest" and f.type.kind != "announced" for f in body.fields)
         message_ = Message(
             name=draft.name,
             command=draft.command.name,
@@ -337,17 +357,20 @@ class _Resolver:
         ]
 
     def _context(self, node: Map) -> Context:
+        summary = self.types.summary(node, node.position, str(node["name"]))
+        name = snake_case(str(node["name"]))
+        if "announced_by" in node:
+            message, _, list_name = str(node["announced_by"]).partition(".")
+            kind = ".".join(snake_case(word) for word in str(node["kind"]).split("."))
+            count = snake_case(str(node["count"]))
+            announced = Announcement(message, snake_case(list_name), kind, count)
+            return Context(name, None, summary, (), announced)
         enum = self.types.enum_named(str(node["type"]), node.at("type"))
         sources = []
         for entry in node.get("from", []):
             message, _, field = str(entry).partition(".")
             sources.append((message, ".".join(snake_case(p) for p in field.split("."))))
-        return Context(
-            name=snake_case(str(node["name"])),
-            type=enum or replace(self.types.types.enums["CommandId"], name="", values=()),
-            summary=self.types.summary(node, node.position, str(node["name"])),
-            sources=tuple(sources),
-        )
+        return Context(name, enum, summary, tuple(sources))
 
     def _answer(self, draft: _Draft) -> Answer | None:
         if draft.direction != "to_board":

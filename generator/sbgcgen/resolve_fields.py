@@ -13,6 +13,7 @@ from sbgcgen.load import Map, Spec
 from sbgcgen.model import (
     SCALARS,
     Alternative,
+    Announced,
     Availability,
     Blob,
     Condition,
@@ -30,7 +31,8 @@ from sbgcgen.model import (
 from sbgcgen.names import FieldName, parse_field_name, snake_case, type_advice
 from sbgcgen.resolve_types import VARIABLE_ID, TypeResolver, parse_bits
 
-_BLOB = re.compile(r"(bytes|text)\[([1-9][0-9]{0,5})?\]$")
+_BLOB = re.compile(r"(bytes|text(?=\[[0-9]))\[([1-9][0-9]{0,5})?\]$")
+_ANNOUNCED = re.compile(r"announced\(([A-Z][A-Z0-9_]*)\)$")
 _RANGE = re.compile(r"(-?[0-9]+(?:\.[0-9]+)?)\.\.(-?[0-9]+(?:\.[0-9]+)?)$")
 
 
@@ -47,6 +49,8 @@ def _size_of(type_: Type) -> int | None:
     scalar = scalar_of(type_)
     if scalar is not None:
         return scalar.size
+    if isinstance(type_, Announced):
+        return None
     assert isinstance(type_, (Blob, Struct))
     return None if isinstance(type_, Blob) and type_.kind == "string" else type_.size
 
@@ -159,13 +163,16 @@ class FieldResolver:
             return Blob(blob[1], int(blob[2]) if blob[2] else None)
         if text == "string":
             return Blob("string", self.max_body)
+        announced = _ANNOUNCED.match(text)
+        if announced:
+            return Announced(snake_case(announced[1]))
         known = self.types.types
         named: dict[str, Type] = {**known.quantities, **known.enums, **known.packed}
         if text in named:
             return named[text]
         if text in self._nodes:
             if text in self._open:
-                hint = "a struct has a size of its own"
+                hint = "a struct has a fixed place for each field; write the inner ones out"
                 self.found.add(at, "SBGC029", f"struct {text} contains itself", hint)
                 return None
             return self.struct(text)
@@ -358,10 +365,13 @@ class FieldResolver:
         key = "context" if from_context else "field"
         wanted = str(when.get(key))
         found: dict[str, tuple[str, Type]] = (
-            {c.name.upper(): (c.name, c.type) for c in contexts}
+            {c.name.upper(): (c.name, c.type) for c in contexts if c.type is not None}
             if from_context
             else {f.spec_name: (f.name, f.type) for f in earlier if f.dim == "one"}
         )
+        unknown = {c.name.upper() for c in contexts if c.type is None and c.announced is None}
+        if from_context and wanted in unknown:
+            return None  # its type is reported where it is named
         if wanted not in found:
             hint = did_you_mean(wanted, found) or f"known here: {', '.join(found) or 'none'}"
             self.found.add(when.at(key), "SBGC026", f"'{wanted}' is no earlier {key}", hint)
@@ -388,7 +398,7 @@ class FieldResolver:
     def _values(self, enum: Enum, node: Map, key: str) -> tuple[Any, ...]:
         names = node[key] if isinstance(node[key], list) else [node[key]]
         by_name = {v.name: v for v in enum.values}
-        for name in names if enum.name else ():  # an unknown enum is reported where it is named
+        for name in names:
             if name not in by_name:
                 hint = did_you_mean(str(name), by_name) or f"see {enum.at}"
                 self.found.add(node.at(key), "SBGC026", f"{enum.name} has no value '{name}'", hint)
@@ -537,6 +547,9 @@ def _field_leaves(field: Field, path: str, offset: int | None, word: str) -> Ite
             yield from leaves(field.type.fields, f"{path}.", offset, word)
             return
         scalar = scalar_of(field.type)
+        if isinstance(field.type, Announced):
+            yield Leaf(path, field, field.spec_name, "bytes", None, offset)
+            return
         if isinstance(field.type, Blob):
             name, amount = field.type.kind, field.type.size if field.type.kind != "string" else None
         else:
@@ -551,7 +564,7 @@ def _field_leaves(field: Field, path: str, offset: int | None, word: str) -> Ite
         suffix = "[]" if isinstance(field.type, Struct) else ""
         yield from one(path + suffix, offset, word, None)
     elif field.dim == "fixed":
-        if not field.index and not isinstance(field.type, Struct):
+        if not field.index and not isinstance(field.type, (Struct, Blob)):
             yield from one(path, offset, word, field.count)
             return
         for i in range(field.count):

@@ -20,7 +20,7 @@ from sbgcgen.model import (
     Quantity,
     Scalar,
 )
-from sbgcgen.names import is_identifier, parse_board, parse_version, snake_case
+from sbgcgen.names import QUANTITY_WORDS, is_identifier, parse_board, parse_version, snake_case
 
 # Enums that follow from other sections of the spec.
 COMMAND_ID = "CommandId"
@@ -127,6 +127,10 @@ class TypeResolver:
         accessor = str(node.get("accessor", "value"))
         self.identifier(name, at)
         self.identifier(accessor, node.at("accessor"))
+        if accessor in QUANTITY_WORDS:
+            message = f"'{accessor}' is a member that every quantity has"
+            hint = "call the conversion after its unit: degrees, volts"
+            self.found.add(node.at("accessor"), "SBGC022", message, hint)
         scale = Fraction(str(node.get("scale", 1)))
         if scale <= 0:
             message = f"the scale of {name} is not positive"
@@ -154,7 +158,7 @@ class TypeResolver:
             identifier = self.identifier(snake_case(name.removeprefix("CMD_")), at)
             summary = str(value.get("summary", ""))
             values.append(
-                EnumValue(name, identifier, value["id"], summary, False, Availability(), (), at)
+                EnumValue(name, identifier, value["id"], summary, False, "", Availability(), (), at)
             )
         return Enum(
             name=COMMAND_ID,
@@ -173,7 +177,7 @@ class TypeResolver:
             identifier = self.identifier(snake_case(name), at)
             summary = str(value.get("summary", ""))
             values.append(
-                EnumValue(name, identifier, value["id"], summary, False, Availability(), (), at)
+                EnumValue(name, identifier, value["id"], summary, False, "", Availability(), (), at)
             )
         return Enum(
             name=VARIABLE_ID,
@@ -218,6 +222,7 @@ class TypeResolver:
             value=content["value"],
             summary=self.summary(content, at, key),
             ours=bool(content.get("ours", False)),
+            wire=str(content.get("wire", "")),
             since=self.availability(content),
             errata=self.errata(content),
             at=at,
@@ -271,6 +276,9 @@ class TypeResolver:
                 self.found.add(part.at, "SBGC015", message, "each bit belongs to one part")
             used |= part.mask
         display = str(node.get("display", ""))
+        if re.search(r"[{}]", re.sub(r"\{\w+(:[0-9]+)?\}", "", display)):
+            message = f"the display text of {name} is not written as it should be"
+            self.found.add(node.at("display"), "SBGC025", message, "write {part} or {part:02}")
         for word in re.findall(r"\{(\w+)", display):
             if word not in seen:
                 message = f"'{word}' in the display text is no part of {name}"

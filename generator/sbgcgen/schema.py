@@ -49,16 +49,22 @@ def _report(error: Any, content: Map, found: Diagnostics) -> None:
     for step in error.absolute_path:
         at = _child_position(node, step) or at
         node = node[step]
+    if any(earlier.position == at and earlier.code == "SBGC001" for earlier in found.found):
+        return  # a value that could not be read is reported as such
     hint = str(error.schema.get("description", ""))
     message = str(error.message)
     if error.validator == "additionalProperties" and isinstance(node, Map):
         _report_unknown_keys(error, node, found)
         return
     if error.validator == "required":
-        message = f"a key is missing: {message.split(' is a required')[0]}"
+        key = message.split(" is a required")[0].strip("'")
+        message = f"a key is missing: '{key}'"
+        hint = str(error.schema.get("properties", {}).get(key, {}).get("description", hint))
     elif error.validator == "dependentRequired":
         message = "'replaced_by' stands only beside 'deprecated'"
-    elif error.validator in ("minProperties", "minItems"):
+    elif error.validator == "uniqueItems":
+        message = "something stands twice here"
+    elif error.validator in ("minProperties", "minItems", "minLength"):
         message = "this must not be empty"
     elif error.validator == "enum":
         hint = did_you_mean(str(node), [str(v) for v in error.validator_value])

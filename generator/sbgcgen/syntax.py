@@ -8,7 +8,7 @@ from typing import Any
 
 from sbgcgen.diagnostics import Diagnostics
 from sbgcgen.load import Map, Spec
-from sbgcgen.names import FieldName, parse_field_name
+from sbgcgen.names import FieldName, is_identifier, parse_field_name
 from sbgcgen.resolve_types import parse_bits
 
 _REST = re.compile(r"(bytes|text)\[\]$")
@@ -17,15 +17,20 @@ _REST = re.compile(r"(bytes|text)\[\]$")
 def check_syntax(spec: Spec, found: Diagnostics) -> None:
     """Report entries that contradict themselves; the spec must fit the schema."""
     max_body = int(spec.main["framing"]["max_body"])
+    for words in spec.main.get("indices", {}).values():
+        for word, position in zip(words, words.items_at):
+            if not is_identifier(word.lower()):
+                text = f"'{word.lower()}' can not be a name in C++"
+                found.add(position, "SBGC022", text, "call the element by another name")
     for _, _, packed, _ in spec.entries("packed"):
         for part in packed["parts"]:
             _check_part(part, found)
-    for _, name, struct, _ in spec.entries("structs"):
-        _check_fields(struct, name, True, max_body, found)
+    for _, name, group, _ in spec.entries("structs"):
+        _check_fields(group, name, True, max_body, found)
     for _, name, command, _ in spec.entries("commands"):
         _check_command(name, command, found)
-        for _, message in _messages(command):
-            _check_fields(message, name, False, max_body, found)
+        for _, body in _messages(command):
+            _check_fields(body, name, False, max_body, found)
 
 
 def _messages(command: Map) -> Iterator[tuple[str, Map]]:

@@ -130,6 +130,7 @@ using AllMessages = TypeList<
 /// What earlier messages of a conversation say about how to read later ones.
 struct Contexts {
   RealtimeDataCustom::Context realtime_data_custom{};
+  DebugVars3::Context debug_vars3{};
 
   constexpr const RealtimeDataCustom::Context& of(const RealtimeDataCustom&) const noexcept {
     return realtime_data_custom;
@@ -139,6 +140,16 @@ struct Contexts {
   }
   constexpr void learn(const DataStreamInterval& message) noexcept {
     detail::learn(message.config.flags, realtime_data_custom.flags);
+  }
+  constexpr const DebugVars3::Context& of(const DebugVars3&) const noexcept {
+    return debug_vars3;
+  }
+  constexpr void learn(const DebugVarsInfo3& message) noexcept {
+    debug_vars3.types.clear();
+    for (const auto& item : message.vars) {
+      const NumberType type = number_type(item.var_type.kind());
+      if (!detail::announce(debug_vars3.types, type, item.arr_size)) break;
+    }
   }
   /// Takes from a message what later ones need; most messages tell nothing.
   template <class M>

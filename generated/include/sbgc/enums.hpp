@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include <sbgc/flags.hpp>
+#include <sbgc/number.hpp>
 
 namespace sbgc {
 
@@ -809,6 +810,20 @@ enum class DebugVarKind : std::uint8_t {
   /// VAR_TYPE_FLOAT: Floating point, IEEE-754, 32 bits.
   float32 = 7,
 };
+
+/// The number on the wire that a value stands for; none for unknown values.
+constexpr NumberType number_type(DebugVarKind value) noexcept {
+  switch (value) {
+    case DebugVarKind::uint8: return NumberType::u8;
+    case DebugVarKind::int8: return NumberType::i8;
+    case DebugVarKind::uint16: return NumberType::u16;
+    case DebugVarKind::int16: return NumberType::i16;
+    case DebugVarKind::uint32: return NumberType::u32;
+    case DebugVarKind::int32: return NumberType::i32;
+    case DebugVarKind::float32: return NumberType::f32;
+  }
+  return NumberType::none;
+}
 
 /// Axis that a debug variable belongs to.
 /// Source: Variables L1188. Errata: E055.

@@ -12,12 +12,14 @@ namespace sbgc {
 
 /// Angle, 16384 counts for one full turn.
 /// Unit: deg, one count is 360/16384. Errata: E074.
-class Angle14 : public detail::Quantity<Angle14, std::int16_t, 45, 2048> {
+class Angle14
+    : public detail::Quantity<Angle14, std::int16_t, 45, 2048> {
  public:
   static constexpr const char* unit = "deg";
 
   using Quantity::Quantity;
-  static constexpr Conversion<Angle14> from_degrees(double value) noexcept {
+  static constexpr Conversion<Angle14> from_degrees(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double degrees() const noexcept { return real(); }
@@ -25,12 +27,14 @@ class Angle14 : public detail::Quantity<Angle14, std::int16_t, 45, 2048> {
 
 /// Angle, 16384 counts for one full turn, counting on over many turns.
 /// Unit: deg, one count is 360/16384. Errata: E074.
-class LongAngle14 : public detail::Quantity<LongAngle14, std::int32_t, 45, 2048> {
+class LongAngle14
+    : public detail::Quantity<LongAngle14, std::int32_t, 45, 2048> {
  public:
   static constexpr const char* unit = "deg";
 
   using Quantity::Quantity;
-  static constexpr Conversion<LongAngle14> from_degrees(double value) noexcept {
+  static constexpr Conversion<LongAngle14> from_degrees(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double degrees() const noexcept { return real(); }
@@ -38,12 +42,14 @@ class LongAngle14 : public detail::Quantity<LongAngle14, std::int32_t, 45, 2048>
 
 /// Angle in whole degrees.
 /// Unit: deg.
-class Degrees : public detail::Quantity<Degrees, std::int16_t, 1, 1> {
+class Degrees
+    : public detail::Quantity<Degrees, std::int16_t, 1, 1> {
  public:
   static constexpr const char* unit = "deg";
 
   using Quantity::Quantity;
-  static constexpr Conversion<Degrees> from_degrees(double value) noexcept {
+  static constexpr Conversion<Degrees> from_degrees(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double degrees() const noexcept { return real(); }
@@ -51,12 +57,14 @@ class Degrees : public detail::Quantity<Degrees, std::int16_t, 1, 1> {
 
 /// Small angle in whole degrees.
 /// Unit: deg.
-class SmallDegrees : public detail::Quantity<SmallDegrees, std::uint8_t, 1, 1> {
+class SmallDegrees
+    : public detail::Quantity<SmallDegrees, std::uint8_t, 1, 1> {
  public:
   static constexpr const char* unit = "deg";
 
   using Quantity::Quantity;
-  static constexpr Conversion<SmallDegrees> from_degrees(double value) noexcept {
+  static constexpr Conversion<SmallDegrees> from_degrees(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double degrees() const noexcept { return real(); }
@@ -64,12 +72,14 @@ class SmallDegrees : public detail::Quantity<SmallDegrees, std::uint8_t, 1, 1> {
 
 /// Small angle in whole degrees, with a sign.
 /// Unit: deg.
-class SignedDegrees : public detail::Quantity<SignedDegrees, std::int8_t, 1, 1> {
+class SignedDegrees
+    : public detail::Quantity<SignedDegrees, std::int8_t, 1, 1> {
  public:
   static constexpr const char* unit = "deg";
 
   using Quantity::Quantity;
-  static constexpr Conversion<SignedDegrees> from_degrees(double value) noexcept {
+  static constexpr Conversion<SignedDegrees> from_degrees(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double degrees() const noexcept { return real(); }
@@ -77,12 +87,14 @@ class SignedDegrees : public detail::Quantity<SignedDegrees, std::int8_t, 1, 1> 
 
 /// Angle in steps of 3 degrees.
 /// Unit: deg, one count is 3.
-class EncoderLimit : public detail::Quantity<EncoderLimit, std::int8_t, 3, 1> {
+class EncoderLimit
+    : public detail::Quantity<EncoderLimit, std::int8_t, 3, 1> {
  public:
   static constexpr const char* unit = "deg";
 
   using Quantity::Quantity;
-  static constexpr Conversion<EncoderLimit> from_degrees(double value) noexcept {
+  static constexpr Conversion<EncoderLimit> from_degrees(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double degrees() const noexcept { return real(); }
@@ -90,12 +102,14 @@ class EncoderLimit : public detail::Quantity<EncoderLimit, std::int8_t, 3, 1> {
 
 /// Angle in tenths of a degree.
 /// Unit: deg, one count is 1/10.
-class TenthDegrees : public detail::Quantity<TenthDegrees, std::int16_t, 1, 10> {
+class TenthDegrees
+    : public detail::Quantity<TenthDegrees, std::int16_t, 1, 10> {
  public:
   static constexpr const char* unit = "deg";
 
   using Quantity::Quantity;
-  static constexpr Conversion<TenthDegrees> from_degrees(double value) noexcept {
+  static constexpr Conversion<TenthDegrees> from_degrees(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double degrees() const noexcept { return real(); }
@@ -103,12 +117,14 @@ class TenthDegrees : public detail::Quantity<TenthDegrees, std::int16_t, 1, 10> 
 
 /// Angle between an estimated and a reference vector, in tenths of a degree.
 /// Unit: deg, one count is 1/10.
-class AngleError : public detail::Quantity<AngleError, std::uint8_t, 1, 10> {
+class AngleError
+    : public detail::Quantity<AngleError, std::uint8_t, 1, 10> {
  public:
   static constexpr const char* unit = "deg";
 
   using Quantity::Quantity;
-  static constexpr Conversion<AngleError> from_degrees(double value) noexcept {
+  static constexpr Conversion<AngleError> from_degrees(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double degrees() const noexcept { return real(); }
@@ -116,12 +132,14 @@ class AngleError : public detail::Quantity<AngleError, std::uint8_t, 1, 10> {
 
 /// Angular speed as commands and targets use it: full scale is 4000 deg/s.
 /// Unit: deg/s, one count is 4000/32767. Errata: E071, E074.
-class ControlSpeed : public detail::Quantity<ControlSpeed, std::int16_t, 4000, 32767> {
+class ControlSpeed
+    : public detail::Quantity<ControlSpeed, std::int16_t, 4000, 32767> {
  public:
   static constexpr const char* unit = "deg/s";
 
   using Quantity::Quantity;
-  static constexpr Conversion<ControlSpeed> from_degrees_per_second(double value) noexcept {
+  static constexpr Conversion<ControlSpeed> from_degrees_per_second(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double degrees_per_second() const noexcept { return real(); }
@@ -129,12 +147,14 @@ class ControlSpeed : public detail::Quantity<ControlSpeed, std::int16_t, 4000, 3
 
 /// Angular speed for extremely slow motion, in thousandths of a degree per second.
 /// Unit: deg/s, one count is 1/1000. Errata: E071.
-class FineSpeed : public detail::Quantity<FineSpeed, std::int16_t, 1, 1000> {
+class FineSpeed
+    : public detail::Quantity<FineSpeed, std::int16_t, 1, 1000> {
  public:
   static constexpr const char* unit = "deg/s";
 
   using Quantity::Quantity;
-  static constexpr Conversion<FineSpeed> from_degrees_per_second(double value) noexcept {
+  static constexpr Conversion<FineSpeed> from_degrees_per_second(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double degrees_per_second() const noexcept { return real(); }
@@ -142,12 +162,14 @@ class FineSpeed : public detail::Quantity<FineSpeed, std::int16_t, 1, 1000> {
 
 /// Angular speed as the gyroscope reports it: full scale is 2000 deg/s.
 /// Unit: deg/s, one count is 2000/32767. Errata: E071, E074.
-class GyroRate : public detail::Quantity<GyroRate, std::int16_t, 2000, 32767> {
+class GyroRate
+    : public detail::Quantity<GyroRate, std::int16_t, 2000, 32767> {
  public:
   static constexpr const char* unit = "deg/s";
 
   using Quantity::Quantity;
-  static constexpr Conversion<GyroRate> from_degrees_per_second(double value) noexcept {
+  static constexpr Conversion<GyroRate> from_degrees_per_second(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double degrees_per_second() const noexcept { return real(); }
@@ -155,12 +177,14 @@ class GyroRate : public detail::Quantity<GyroRate, std::int16_t, 2000, 32767> {
 
 /// Angular acceleration in steps of 5 deg/s^2.
 /// Unit: deg/s^2, one count is 5. Errata: E066.
-class AngularAcceleration : public detail::Quantity<AngularAcceleration, std::uint8_t, 5, 1> {
+class AngularAcceleration
+    : public detail::Quantity<AngularAcceleration, std::uint8_t, 5, 1> {
  public:
   static constexpr const char* unit = "deg/s^2";
 
   using Quantity::Quantity;
-  static constexpr Conversion<AngularAcceleration> from_degrees_per_second_squared(double value) noexcept {
+  static constexpr Conversion<AngularAcceleration> from_degrees_per_second_squared(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double degrees_per_second_squared() const noexcept { return real(); }
@@ -168,12 +192,14 @@ class AngularAcceleration : public detail::Quantity<AngularAcceleration, std::ui
 
 /// Angular acceleration in whole deg/s^2.
 /// Unit: deg/s^2. Errata: E066.
-class PlainAngularAcceleration : public detail::Quantity<PlainAngularAcceleration, std::int16_t, 1, 1> {
+class PlainAngularAcceleration
+    : public detail::Quantity<PlainAngularAcceleration, std::int16_t, 1, 1> {
  public:
   static constexpr const char* unit = "deg/s^2";
 
   using Quantity::Quantity;
-  static constexpr Conversion<PlainAngularAcceleration> from_degrees_per_second_squared(double value) noexcept {
+  static constexpr Conversion<PlainAngularAcceleration> from_degrees_per_second_squared(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double degrees_per_second_squared() const noexcept { return real(); }
@@ -181,12 +207,14 @@ class PlainAngularAcceleration : public detail::Quantity<PlainAngularAcceleratio
 
 /// Linear acceleration; 512 counts are 1 g.
 /// Unit: g, one count is 1/512.
-class Acceleration : public detail::Quantity<Acceleration, std::int16_t, 1, 512> {
+class Acceleration
+    : public detail::Quantity<Acceleration, std::int16_t, 1, 512> {
  public:
   static constexpr const char* unit = "g";
 
   using Quantity::Quantity;
-  static constexpr Conversion<Acceleration> from_g(double value) noexcept {
+  static constexpr Conversion<Acceleration> from_g(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double g() const noexcept { return real(); }
@@ -194,12 +222,14 @@ class Acceleration : public detail::Quantity<Acceleration, std::int16_t, 1, 512>
 
 /// Time stamp that starts again after 65.536 s.
 /// Unit: ms.
-class MillisecondClock : public detail::Quantity<MillisecondClock, std::uint16_t, 1, 1> {
+class MillisecondClock
+    : public detail::Quantity<MillisecondClock, std::uint16_t, 1, 1> {
  public:
   static constexpr const char* unit = "ms";
 
   using Quantity::Quantity;
-  static constexpr Conversion<MillisecondClock> from_milliseconds(double value) noexcept {
+  static constexpr Conversion<MillisecondClock> from_milliseconds(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double milliseconds() const noexcept { return real(); }
@@ -207,12 +237,14 @@ class MillisecondClock : public detail::Quantity<MillisecondClock, std::uint16_t
 
 /// Duration in milliseconds.
 /// Unit: ms.
-class Milliseconds : public detail::Quantity<Milliseconds, std::uint16_t, 1, 1> {
+class Milliseconds
+    : public detail::Quantity<Milliseconds, std::uint16_t, 1, 1> {
  public:
   static constexpr const char* unit = "ms";
 
   using Quantity::Quantity;
-  static constexpr Conversion<Milliseconds> from_milliseconds(double value) noexcept {
+  static constexpr Conversion<Milliseconds> from_milliseconds(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double milliseconds() const noexcept { return real(); }
@@ -220,12 +252,14 @@ class Milliseconds : public detail::Quantity<Milliseconds, std::uint16_t, 1, 1> 
 
 /// Duration in microseconds.
 /// Unit: us. Errata: E078.
-class Microseconds : public detail::Quantity<Microseconds, std::uint16_t, 1, 1> {
+class Microseconds
+    : public detail::Quantity<Microseconds, std::uint16_t, 1, 1> {
  public:
   static constexpr const char* unit = "us";
 
   using Quantity::Quantity;
-  static constexpr Conversion<Microseconds> from_microseconds(double value) noexcept {
+  static constexpr Conversion<Microseconds> from_microseconds(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double microseconds() const noexcept { return real(); }
@@ -233,12 +267,14 @@ class Microseconds : public detail::Quantity<Microseconds, std::uint16_t, 1, 1> 
 
 /// Duration in steps of 10 ms.
 /// Unit: ms, one count is 10.
-class TensOfMilliseconds : public detail::Quantity<TensOfMilliseconds, std::uint8_t, 10, 1> {
+class TensOfMilliseconds
+    : public detail::Quantity<TensOfMilliseconds, std::uint8_t, 10, 1> {
  public:
   static constexpr const char* unit = "ms";
 
   using Quantity::Quantity;
-  static constexpr Conversion<TensOfMilliseconds> from_milliseconds(double value) noexcept {
+  static constexpr Conversion<TensOfMilliseconds> from_milliseconds(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double milliseconds() const noexcept { return real(); }
@@ -246,12 +282,14 @@ class TensOfMilliseconds : public detail::Quantity<TensOfMilliseconds, std::uint
 
 /// Length of a servo pulse; 0 and below have meanings of their own.
 /// Unit: us. Errata: E076.
-class ServoPulse : public detail::Quantity<ServoPulse, std::int16_t, 1, 1> {
+class ServoPulse
+    : public detail::Quantity<ServoPulse, std::int16_t, 1, 1> {
  public:
   static constexpr const char* unit = "us";
 
   using Quantity::Quantity;
-  static constexpr Conversion<ServoPulse> from_microseconds(double value) noexcept {
+  static constexpr Conversion<ServoPulse> from_microseconds(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double microseconds() const noexcept { return real(); }
@@ -259,12 +297,14 @@ class ServoPulse : public detail::Quantity<ServoPulse, std::int16_t, 1, 1> {
 
 /// Length of a note in steps of 8 ms.
 /// Unit: ms, one count is 8.
-class NoteLength : public detail::Quantity<NoteLength, std::uint8_t, 8, 1> {
+class NoteLength
+    : public detail::Quantity<NoteLength, std::uint8_t, 8, 1> {
  public:
   static constexpr const char* unit = "ms";
 
   using Quantity::Quantity;
-  static constexpr Conversion<NoteLength> from_milliseconds(double value) noexcept {
+  static constexpr Conversion<NoteLength> from_milliseconds(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double milliseconds() const noexcept { return real(); }
@@ -272,12 +312,14 @@ class NoteLength : public detail::Quantity<NoteLength, std::uint8_t, 8, 1> {
 
 /// Pitch of a note.
 /// Unit: Hz.
-class NoteFrequency : public detail::Quantity<NoteFrequency, std::uint16_t, 1, 1> {
+class NoteFrequency
+    : public detail::Quantity<NoteFrequency, std::uint16_t, 1, 1> {
  public:
   static constexpr const char* unit = "Hz";
 
   using Quantity::Quantity;
-  static constexpr Conversion<NoteFrequency> from_hertz(double value) noexcept {
+  static constexpr Conversion<NoteFrequency> from_hertz(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double hertz() const noexcept { return real(); }
@@ -285,12 +327,14 @@ class NoteFrequency : public detail::Quantity<NoteFrequency, std::uint16_t, 1, 1
 
 /// PWM frequency in steps of 10 Hz.
 /// Unit: Hz, one count is 10.
-class ServoRate : public detail::Quantity<ServoRate, std::uint8_t, 10, 1> {
+class ServoRate
+    : public detail::Quantity<ServoRate, std::uint8_t, 10, 1> {
  public:
   static constexpr const char* unit = "Hz";
 
   using Quantity::Quantity;
-  static constexpr Conversion<ServoRate> from_hertz(double value) noexcept {
+  static constexpr Conversion<ServoRate> from_hertz(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double hertz() const noexcept { return real(); }
@@ -298,12 +342,14 @@ class ServoRate : public detail::Quantity<ServoRate, std::uint8_t, 10, 1> {
 
 /// Frequency in whole hertz.
 /// Unit: Hz.
-class Frequency : public detail::Quantity<Frequency, std::uint16_t, 1, 1> {
+class Frequency
+    : public detail::Quantity<Frequency, std::uint16_t, 1, 1> {
  public:
   static constexpr const char* unit = "Hz";
 
   using Quantity::Quantity;
-  static constexpr Conversion<Frequency> from_hertz(double value) noexcept {
+  static constexpr Conversion<Frequency> from_hertz(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double hertz() const noexcept { return real(); }
@@ -311,12 +357,14 @@ class Frequency : public detail::Quantity<Frequency, std::uint16_t, 1, 1> {
 
 /// Low frequency in whole hertz.
 /// Unit: Hz.
-class SmallFrequency : public detail::Quantity<SmallFrequency, std::uint8_t, 1, 1> {
+class SmallFrequency
+    : public detail::Quantity<SmallFrequency, std::uint8_t, 1, 1> {
  public:
   static constexpr const char* unit = "Hz";
 
   using Quantity::Quantity;
-  static constexpr Conversion<SmallFrequency> from_hertz(double value) noexcept {
+  static constexpr Conversion<SmallFrequency> from_hertz(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double hertz() const noexcept { return real(); }
@@ -324,12 +372,14 @@ class SmallFrequency : public detail::Quantity<SmallFrequency, std::uint8_t, 1, 
 
 /// Frequency in steps of 2 Hz.
 /// Unit: Hz, one count is 2.
-class EvenFrequency : public detail::Quantity<EvenFrequency, std::uint8_t, 2, 1> {
+class EvenFrequency
+    : public detail::Quantity<EvenFrequency, std::uint8_t, 2, 1> {
  public:
   static constexpr const char* unit = "Hz";
 
   using Quantity::Quantity;
-  static constexpr Conversion<EvenFrequency> from_hertz(double value) noexcept {
+  static constexpr Conversion<EvenFrequency> from_hertz(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double hertz() const noexcept { return real(); }
@@ -337,12 +387,14 @@ class EvenFrequency : public detail::Quantity<EvenFrequency, std::uint8_t, 2, 1>
 
 /// Frequency in steps of 10 Hz.
 /// Unit: Hz, one count is 10.
-class CoarseFrequency : public detail::Quantity<CoarseFrequency, std::uint8_t, 10, 1> {
+class CoarseFrequency
+    : public detail::Quantity<CoarseFrequency, std::uint8_t, 10, 1> {
  public:
   static constexpr const char* unit = "Hz";
 
   using Quantity::Quantity;
-  static constexpr Conversion<CoarseFrequency> from_hertz(double value) noexcept {
+  static constexpr Conversion<CoarseFrequency> from_hertz(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double hertz() const noexcept { return real(); }
@@ -350,12 +402,14 @@ class CoarseFrequency : public detail::Quantity<CoarseFrequency, std::uint8_t, 1
 
 /// Frequency in hundredths of a hertz.
 /// Unit: Hz, one count is 1/100.
-class FineFrequency : public detail::Quantity<FineFrequency, std::uint16_t, 1, 100> {
+class FineFrequency
+    : public detail::Quantity<FineFrequency, std::uint16_t, 1, 100> {
  public:
   static constexpr const char* unit = "Hz";
 
   using Quantity::Quantity;
-  static constexpr Conversion<FineFrequency> from_hertz(double value) noexcept {
+  static constexpr Conversion<FineFrequency> from_hertz(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double hertz() const noexcept { return real(); }
@@ -363,12 +417,14 @@ class FineFrequency : public detail::Quantity<FineFrequency, std::uint16_t, 1, 1
 
 /// Voltage in hundredths of a volt.
 /// Unit: V, one count is 1/100.
-class Voltage : public detail::Quantity<Voltage, std::uint16_t, 1, 100> {
+class Voltage
+    : public detail::Quantity<Voltage, std::uint16_t, 1, 100> {
  public:
   static constexpr const char* unit = "V";
 
   using Quantity::Quantity;
-  static constexpr Conversion<Voltage> from_volts(double value) noexcept {
+  static constexpr Conversion<Voltage> from_volts(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double volts() const noexcept { return real(); }
@@ -376,12 +432,14 @@ class Voltage : public detail::Quantity<Voltage, std::uint16_t, 1, 100> {
 
 /// Voltage in hundredths of a volt; a negative value switches the function off.
 /// Unit: V, one count is 1/100.
-class VoltageThreshold : public detail::Quantity<VoltageThreshold, std::int16_t, 1, 100> {
+class VoltageThreshold
+    : public detail::Quantity<VoltageThreshold, std::int16_t, 1, 100> {
  public:
   static constexpr const char* unit = "V";
 
   using Quantity::Quantity;
-  static constexpr Conversion<VoltageThreshold> from_volts(double value) noexcept {
+  static constexpr Conversion<VoltageThreshold> from_volts(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double volts() const noexcept { return real(); }
@@ -389,12 +447,14 @@ class VoltageThreshold : public detail::Quantity<VoltageThreshold, std::int16_t,
 
 /// Electric current.
 /// Unit: mA.
-class Current : public detail::Quantity<Current, std::uint16_t, 1, 1> {
+class Current
+    : public detail::Quantity<Current, std::uint16_t, 1, 1> {
  public:
   static constexpr const char* unit = "mA";
 
   using Quantity::Quantity;
-  static constexpr Conversion<Current> from_milliamperes(double value) noexcept {
+  static constexpr Conversion<Current> from_milliamperes(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double milliamperes() const noexcept { return real(); }
@@ -402,12 +462,14 @@ class Current : public detail::Quantity<Current, std::uint16_t, 1, 1> {
 
 /// Temperature.
 /// Unit: degC.
-class Temperature : public detail::Quantity<Temperature, std::int8_t, 1, 1> {
+class Temperature
+    : public detail::Quantity<Temperature, std::int8_t, 1, 1> {
  public:
   static constexpr const char* unit = "degC";
 
   using Quantity::Quantity;
-  static constexpr Conversion<Temperature> from_degrees_celsius(double value) noexcept {
+  static constexpr Conversion<Temperature> from_degrees_celsius(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double degrees_celsius() const noexcept { return real(); }
@@ -415,12 +477,14 @@ class Temperature : public detail::Quantity<Temperature, std::int8_t, 1, 1> {
 
 /// Number in hundredths.
 /// Unit: no unit, one count is 1/100.
-class Hundredths : public detail::Quantity<Hundredths, std::uint8_t, 1, 100> {
+class Hundredths
+    : public detail::Quantity<Hundredths, std::uint8_t, 1, 100> {
  public:
   static constexpr const char* unit = "";
 
   using Quantity::Quantity;
-  static constexpr Conversion<Hundredths> from_value(double value) noexcept {
+  static constexpr Conversion<Hundredths> from_value(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double value() const noexcept { return real(); }
@@ -428,12 +492,14 @@ class Hundredths : public detail::Quantity<Hundredths, std::uint8_t, 1, 100> {
 
 /// Number in hundredths, with a wide range.
 /// Unit: no unit, one count is 1/100.
-class LongHundredths : public detail::Quantity<LongHundredths, std::uint16_t, 1, 100> {
+class LongHundredths
+    : public detail::Quantity<LongHundredths, std::uint16_t, 1, 100> {
  public:
   static constexpr const char* unit = "";
 
   using Quantity::Quantity;
-  static constexpr Conversion<LongHundredths> from_value(double value) noexcept {
+  static constexpr Conversion<LongHundredths> from_value(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double value() const noexcept { return real(); }
@@ -441,12 +507,14 @@ class LongHundredths : public detail::Quantity<LongHundredths, std::uint16_t, 1,
 
 /// Number in thousandths.
 /// Unit: no unit, one count is 1/1000.
-class Thousandths : public detail::Quantity<Thousandths, std::uint16_t, 1, 1000> {
+class Thousandths
+    : public detail::Quantity<Thousandths, std::uint16_t, 1, 1000> {
  public:
   static constexpr const char* unit = "";
 
   using Quantity::Quantity;
-  static constexpr Conversion<Thousandths> from_value(double value) noexcept {
+  static constexpr Conversion<Thousandths> from_value(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double value() const noexcept { return real(); }
@@ -454,12 +522,14 @@ class Thousandths : public detail::Quantity<Thousandths, std::uint16_t, 1, 1000>
 
 /// Number with eight bits before and eight bits behind the binary point.
 /// Unit: no unit, one count is 1/256.
-class FixedPoint8 : public detail::Quantity<FixedPoint8, std::uint16_t, 1, 256> {
+class FixedPoint8
+    : public detail::Quantity<FixedPoint8, std::uint16_t, 1, 256> {
  public:
   static constexpr const char* unit = "";
 
   using Quantity::Quantity;
-  static constexpr Conversion<FixedPoint8> from_value(double value) noexcept {
+  static constexpr Conversion<FixedPoint8> from_value(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double value() const noexcept { return real(); }
@@ -467,12 +537,14 @@ class FixedPoint8 : public detail::Quantity<FixedPoint8, std::uint16_t, 1, 256> 
 
 /// Factor on the gains of a PID controller; 0 counts are 0.1.
 /// Unit: no unit, one count is 1/50, counted from 1/10.
-class PidGain : public detail::Quantity<PidGain, std::uint8_t, 1, 50, 1, 10> {
+class PidGain
+    : public detail::Quantity<PidGain, std::uint8_t, 1, 50, 1, 10> {
  public:
   static constexpr const char* unit = "";
 
   using Quantity::Quantity;
-  static constexpr Conversion<PidGain> from_value(double value) noexcept {
+  static constexpr Conversion<PidGain> from_value(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double value() const noexcept { return real(); }
@@ -480,12 +552,14 @@ class PidGain : public detail::Quantity<PidGain, std::uint8_t, 1, 50, 1, 10> {
 
 /// Gain in decibels.
 /// Unit: dB.
-class Decibels : public detail::Quantity<Decibels, std::int8_t, 1, 1> {
+class Decibels
+    : public detail::Quantity<Decibels, std::int8_t, 1, 1> {
  public:
   static constexpr const char* unit = "dB";
 
   using Quantity::Quantity;
-  static constexpr Conversion<Decibels> from_decibels(double value) noexcept {
+  static constexpr Conversion<Decibels> from_decibels(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double decibels() const noexcept { return real(); }
@@ -493,12 +567,14 @@ class Decibels : public detail::Quantity<Decibels, std::int8_t, 1, 1> {
 
 /// Share of a whole.
 /// Unit: %.
-class Percent : public detail::Quantity<Percent, std::uint8_t, 1, 1> {
+class Percent
+    : public detail::Quantity<Percent, std::uint8_t, 1, 1> {
  public:
   static constexpr const char* unit = "%";
 
   using Quantity::Quantity;
-  static constexpr Conversion<Percent> from_percent(double value) noexcept {
+  static constexpr Conversion<Percent> from_percent(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double percent() const noexcept { return real(); }
@@ -506,12 +582,14 @@ class Percent : public detail::Quantity<Percent, std::uint8_t, 1, 1> {
 
 /// Tenths of the gyroscope's own unit.
 /// Unit: gyro unit, one count is 1/10.
-class GyroDeadband : public detail::Quantity<GyroDeadband, std::uint8_t, 1, 10> {
+class GyroDeadband
+    : public detail::Quantity<GyroDeadband, std::uint8_t, 1, 10> {
  public:
   static constexpr const char* unit = "gyro unit";
 
   using Quantity::Quantity;
-  static constexpr Conversion<GyroDeadband> from_gyro_units(double value) noexcept {
+  static constexpr Conversion<GyroDeadband> from_gyro_units(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double gyro_units() const noexcept { return real(); }
@@ -519,12 +597,14 @@ class GyroDeadband : public detail::Quantity<GyroDeadband, std::uint8_t, 1, 10> 
 
 /// Thousandths of the gyroscope's own unit.
 /// Unit: gyro unit, one count is 1/1000.
-class GyroOffset : public detail::Quantity<GyroOffset, std::int16_t, 1, 1000> {
+class GyroOffset
+    : public detail::Quantity<GyroOffset, std::int16_t, 1, 1000> {
  public:
   static constexpr const char* unit = "gyro unit";
 
   using Quantity::Quantity;
-  static constexpr Conversion<GyroOffset> from_gyro_units(double value) noexcept {
+  static constexpr Conversion<GyroOffset> from_gyro_units(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double gyro_units() const noexcept { return real(); }
@@ -532,12 +612,14 @@ class GyroOffset : public detail::Quantity<GyroOffset, std::int16_t, 1, 1000> {
 
 /// RC pulse width, or an analog signal normalised to the same range.
 /// Unit: us. Errata: E070.
-class RcSignal : public detail::Quantity<RcSignal, std::int16_t, 1, 1> {
+class RcSignal
+    : public detail::Quantity<RcSignal, std::int16_t, 1, 1> {
  public:
   static constexpr const char* unit = "us";
 
   using Quantity::Quantity;
-  static constexpr Conversion<RcSignal> from_microseconds(double value) noexcept {
+  static constexpr Conversion<RcSignal> from_microseconds(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double microseconds() const noexcept { return real(); }
@@ -545,12 +627,14 @@ class RcSignal : public detail::Quantity<RcSignal, std::int16_t, 1, 1> {
 
 /// RC signal in high resolution; the normal range is -1 to 1.
 /// Unit: no unit, one count is 1/16384. Errata: E070.
-class FineRcSignal : public detail::Quantity<FineRcSignal, std::int16_t, 1, 16384> {
+class FineRcSignal
+    : public detail::Quantity<FineRcSignal, std::int16_t, 1, 16384> {
  public:
   static constexpr const char* unit = "";
 
   using Quantity::Quantity;
-  static constexpr Conversion<FineRcSignal> from_fraction(double value) noexcept {
+  static constexpr Conversion<FineRcSignal> from_fraction(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double fraction() const noexcept { return real(); }
@@ -558,12 +642,14 @@ class FineRcSignal : public detail::Quantity<FineRcSignal, std::int16_t, 1, 1638
 
 /// RC signal around its middle; the normal range is -1 to 1.
 /// Unit: no unit, one count is 1/500. Errata: E070.
-class CentredRcSignal : public detail::Quantity<CentredRcSignal, std::int16_t, 1, 500> {
+class CentredRcSignal
+    : public detail::Quantity<CentredRcSignal, std::int16_t, 1, 500> {
  public:
   static constexpr const char* unit = "";
 
   using Quantity::Quantity;
-  static constexpr Conversion<CentredRcSignal> from_fraction(double value) noexcept {
+  static constexpr Conversion<CentredRcSignal> from_fraction(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double fraction() const noexcept { return real(); }
@@ -571,12 +657,14 @@ class CentredRcSignal : public detail::Quantity<CentredRcSignal, std::int16_t, 1
 
 /// Motor power needed to hold the camera: 0 is perfect balance, 512 counts are 100 %.
 /// Unit: %, one count is 100/512.
-class BalanceError : public detail::Quantity<BalanceError, std::int16_t, 25, 128> {
+class BalanceError
+    : public detail::Quantity<BalanceError, std::int16_t, 25, 128> {
  public:
   static constexpr const char* unit = "%";
 
   using Quantity::Quantity;
-  static constexpr Conversion<BalanceError> from_percent(double value) noexcept {
+  static constexpr Conversion<BalanceError> from_percent(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double percent() const noexcept { return real(); }
@@ -584,12 +672,14 @@ class BalanceError : public detail::Quantity<BalanceError, std::int16_t, 25, 128
 
 /// Number of bytes.
 /// Unit: byte.
-class ByteCount : public detail::Quantity<ByteCount, std::uint16_t, 1, 1> {
+class ByteCount
+    : public detail::Quantity<ByteCount, std::uint16_t, 1, 1> {
  public:
   static constexpr const char* unit = "byte";
 
   using Quantity::Quantity;
-  static constexpr Conversion<ByteCount> from_bytes(double value) noexcept {
+  static constexpr Conversion<ByteCount> from_bytes(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double bytes() const noexcept { return real(); }
@@ -597,12 +687,14 @@ class ByteCount : public detail::Quantity<ByteCount, std::uint16_t, 1, 1> {
 
 /// Small number of bytes.
 /// Unit: byte.
-class SmallByteCount : public detail::Quantity<SmallByteCount, std::uint8_t, 1, 1> {
+class SmallByteCount
+    : public detail::Quantity<SmallByteCount, std::uint8_t, 1, 1> {
  public:
   static constexpr const char* unit = "byte";
 
   using Quantity::Quantity;
-  static constexpr Conversion<SmallByteCount> from_bytes(double value) noexcept {
+  static constexpr Conversion<SmallByteCount> from_bytes(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double bytes() const noexcept { return real(); }
@@ -610,12 +702,14 @@ class SmallByteCount : public detail::Quantity<SmallByteCount, std::uint8_t, 1, 
 
 /// Large number of bytes.
 /// Unit: byte.
-class LongByteCount : public detail::Quantity<LongByteCount, std::uint32_t, 1, 1> {
+class LongByteCount
+    : public detail::Quantity<LongByteCount, std::uint32_t, 1, 1> {
  public:
   static constexpr const char* unit = "byte";
 
   using Quantity::Quantity;
-  static constexpr Conversion<LongByteCount> from_bytes(double value) noexcept {
+  static constexpr Conversion<LongByteCount> from_bytes(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double bytes() const noexcept { return real(); }
@@ -623,12 +717,14 @@ class LongByteCount : public detail::Quantity<LongByteCount, std::uint32_t, 1, 1
 
 /// Offset in pages of 64 bytes.
 /// Unit: byte, one count is 64. Errata: E092.
-class Pages : public detail::Quantity<Pages, std::uint16_t, 64, 1> {
+class Pages
+    : public detail::Quantity<Pages, std::uint16_t, 64, 1> {
  public:
   static constexpr const char* unit = "byte";
 
   using Quantity::Quantity;
-  static constexpr Conversion<Pages> from_bytes(double value) noexcept {
+  static constexpr Conversion<Pages> from_bytes(
+      double value) noexcept {
     return from_real(value);
   }
   constexpr double bytes() const noexcept { return real(); }

@@ -9,11 +9,15 @@
 #include <type_traits>
 
 #include <sbgc/flags.hpp>
+#include <sbgc/number.hpp>
 #include <sbgc/protocol.hpp>
 #include <sbgc/quantity.hpp>
 #include <sbgc/status.hpp>
 #include <sbgc/types.hpp>
 #include <sbgc/wire.hpp>
+
+// Not standard, but what all compilers call it.
+#define SBGC_RESTRICT __restrict
 
 namespace sbgc {
 
@@ -152,7 +156,6 @@ constexpr void put(std::uint8_t* to, const std::array<T, n>& value) noexcept {
   for (std::size_t i = 0; i < n; ++i) put(to + i * wire_size<T>, value[i]);
 }
 
-// Bytes are by far the most frequent arrays: copied in one go.
 template <std::size_t n>
 constexpr void get(const std::uint8_t* from, Bytes<n>& value) noexcept {
   detail::copy(from, value.data(), n);
@@ -249,6 +252,22 @@ class Reader {
     if (!status_) out.clear();
   }
 
+  /// Numbers of announced types, as many as there are bytes for.
+  template <std::size_t n>
+  constexpr void numbers(BoundedArray<Number, n>& out, const NumberTypes& types) noexcept {
+    out.clear();
+    for (const NumberType type : types) {
+      const std::size_t size = size_of(type);
+      if (!status_ || body_.size() - at_ < size) return;
+      Number number{type};
+      for (std::size_t i = 0; i < size; ++i) {
+        number.bits |= static_cast<std::uint32_t>(body_[at_ + i]) << (8 * i);
+      }
+      if (!out.push_back(number)) return;
+      at_ += size;
+    }
+  }
+
   /// Everything up to the end of the body, which must be a whole number of elements.
   template <class T, std::size_t n>
   constexpr void rest(BoundedArray<T, n>& out, const char* field) noexcept {
@@ -341,6 +360,17 @@ class Writer {
       }
     } else {
       for (std::size_t i = 0; i < in.size() && status_; ++i) value(in[i], field);
+    }
+  }
+
+  template <std::size_t n>
+  constexpr void numbers(const BoundedArray<Number, n>& in, const char* field) noexcept {
+    for (const Number& number : in) {
+      const std::size_t size = size_of(number.type);
+      if (!take(size, field)) return;
+      for (std::size_t i = 0; i < size; ++i) {
+        out_[at_ - size + i] = static_cast<std::uint8_t>(number.bits >> (8 * i));
+      }
     }
   }
 

@@ -36,7 +36,7 @@ constexpr std::uint8_t* frame_body(std::uint8_t* frame) noexcept {
 /// The caller has made sure that check_frame() allows it.
 constexpr std::size_t finish_frame(std::uint8_t* frame, std::uint8_t id,
                                    std::size_t body_size) noexcept {
-  return Framing::finish(frame, id, body_size);
+  return Framing::finish(frame, id, body_size, frame_body(frame));
 }
 
 /// Writes a frame with this id and body into `out`. On failure (see check_frame()) `out` is
@@ -50,7 +50,8 @@ constexpr WriteResult write_frame(std::uint8_t id, std::span<const std::uint8_t>
   } else if (!body.empty()) {
     __builtin_memmove(place, body.data(), body.size());
   }
-  return {finish_frame(out.data(), id, body.size()), {}};
+  // A body that stands in its place keeps its bytes; any other is read where it came from.
+  return {Framing::finish(out.data(), id, body.size(), body.data()), {}};
 }
 
 }  // namespace sbgc

@@ -50,15 +50,17 @@ struct Framing {
   /// bad_header, or `end`. Adds the number of bad headers on the way to `bad_headers`.
   static constexpr const std::uint8_t* find(const std::uint8_t* begin, const std::uint8_t* end,
                                             std::uint64_t& bad_headers) noexcept {
+    for (;; ++begin) {
 #if defined(__SSE2__)
-    if (!std::is_constant_evaluated()) begin = skip_blocks(begin, end, bad_headers);
+      if (!std::is_constant_evaluated()) begin = skip_blocks(begin, end, bad_headers);
 #endif
-    for (; begin != end; ++begin) {
+      if (begin == end) return end;
       if (*begin != frame_start) continue;
-      if (static_cast<std::size_t>(end - begin) < frame_header_size || is_header(begin)) break;
+      if (static_cast<std::size_t>(end - begin) < frame_header_size || is_header(begin)) {
+        return begin;
+      }
       ++bad_headers;
     }
-    return begin;
   }
 
   /// The id and the body of a frame that inspect() found good.
@@ -73,14 +75,15 @@ struct Framing {
   }
 
   /// Writes header and checksum around the `body_size` bytes (at most max_body_size) at
-  /// `frame + frame_header_size`; returns the size of the frame.
-  static constexpr std::size_t finish(std::uint8_t* frame, std::uint8_t id,
-                                      std::size_t body_size) noexcept {
+  /// `frame + frame_header_size`; returns the size of the frame. The checksum is that of `content`,
+  /// the body or what it was copied from: reading bytes just written can stall.
+  static constexpr std::size_t finish(std::uint8_t* frame, std::uint8_t id, std::size_t body_size,
+                                      const std::uint8_t* content) noexcept {
     frame[0] = frame_start;
     frame[1] = id;
     frame[2] = static_cast<std::uint8_t>(body_size);
     frame[3] = static_cast<std::uint8_t>(id + body_size);
-    frame[frame_header_size + body_size] = byte_sum(frame + frame_header_size, body_size);
+    frame[frame_header_size + body_size] = byte_sum(content, body_size);
     return frame_size(body_size);
   }
 
@@ -92,31 +95,35 @@ struct Framing {
   }
 
 #if defined(__SSE2__)
-  /// find() for as long as 16 positions with their whole headers are left. In noise, one branch
-  /// per start byte would mostly be predicted wrongly; so 16 headers are checked at a time.
+  /// Goes on to where a header checksum holds, or fewer than 16 headers are left, or 255 blocks of
+  /// 16 positions have been passed. In noise, a branch per start byte would often be predicted
+  /// wrongly; one per 16 positions hardly ever is.
   static const std::uint8_t* skip_blocks(const std::uint8_t* begin, const std::uint8_t* end,
                                          std::uint64_t& bad_headers) noexcept {
     using detail::Bytes16;
     using detail::load16;
     constexpr std::ptrdiff_t reach = 16 + frame_header_size - 1;
+    constexpr std::ptrdiff_t longest = std::ptrdiff_t{254} * 16;
     constexpr Bytes16 start = Bytes16{} + frame_start;
-    detail::Words2 starts_passed{};
-    for (; end - begin >= reach; begin += 16) {
-      const Bytes16 id = load16(begin + 1);
+    if (end - begin < reach) return begin;
+    const std::uint8_t* const last = end - begin - reach < longest ? end - reach : begin + longest;
+    Bytes16 starts_passed{};
+    for (; begin <= last; begin += 16) {
       const auto starts = reinterpret_cast<Bytes16>(load16(begin) == start);
-      const auto sums = reinterpret_cast<Bytes16>(id + load16(begin + 2) == load16(begin + 3));
-      const auto headers = starts & sums & reinterpret_cast<Bytes16>(id != 0);
-      if (const unsigned mask = detail::sign_bits(headers); mask != 0) {
+      const auto sums =
+          reinterpret_cast<Bytes16>(load16(begin + 1) + load16(begin + 2) == load16(begin + 3));
+      if (const unsigned mask = detail::sign_bits(starts & sums); mask != 0) {
         const int position = std::countr_zero(mask);
         unsigned before = detail::sign_bits(starts) & ((1U << position) - 1);
-        for (; before != 0; before &= before - 1) ++bad_headers;
+        bad_headers += static_cast<unsigned>(std::popcount(before));
         begin += position;
         break;
       }
-      // A mask byte is 0 or -1.
-      starts_passed += detail::sum_halves(-starts);
+      // What compares equal is -1, so a byte overflows behind the 255th block.
+      starts_passed -= starts;
     }
-    bad_headers += static_cast<std::uint64_t>(starts_passed[0] + starts_passed[1]);
+    const detail::Words2 halves = detail::sum_halves(starts_passed);
+    bad_headers += static_cast<std::uint64_t>(halves[0] + halves[1]);
     return begin;
   }
 #endif

@@ -82,6 +82,10 @@ class JsonWriter {
     }
   }
   static Json value(Counter counter) { return counter.count; }
+  static Json value(const Number& number) {
+    const bool real = number.type == NumberType::f32;
+    return {{name(number.type), real ? float_to_json<Json>(number.real()) : Json(number.integer())}};
+  }
   template <std::size_t n>
   static Json value(const Bytes<n>& bytes) {
     return to_hex(bytes);
@@ -181,6 +185,25 @@ class JsonReader {
   static void value(const Json& json, Counter&, const std::string& path) {
     // Lists come after their counter, so it is compared when the whole message is there.
     static_cast<void>(integer<std::uint8_t>(json, path));
+  }
+  static void value(const Json& json, Number& out, const std::string& path) {
+    const auto as = [&]<class T>(NumberType type, T number) {
+      if (!json.is_object() || json.size() != 1 || !json.contains(name(type))) return false;
+      value(json.front(), number, path + "." + name(type));
+      out = {type, 0};
+      if constexpr (std::is_same_v<T, float>) {
+        out.bits = std::bit_cast<std::uint32_t>(number);
+      } else {
+        out.bits = static_cast<std::make_unsigned_t<T>>(number);
+      }
+      return true;
+    };
+    const bool known =
+        as(NumberType::u8, std::uint8_t{}) || as(NumberType::i8, std::int8_t{}) ||
+        as(NumberType::u16, std::uint16_t{}) || as(NumberType::i16, std::int16_t{}) ||
+        as(NumberType::u32, std::uint32_t{}) || as(NumberType::i32, std::int32_t{}) ||
+        as(NumberType::f32, float{});
+    if (!known) throw JsonError(path, "an object with the type, such as {\"i16\": -5}, is needed");
   }
   template <class T>
   static void value(const Json& json, Optional<T>& out, const std::string& path) {

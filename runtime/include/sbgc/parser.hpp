@@ -43,9 +43,8 @@ class BasicParser {
  public:
   /// Takes the next bytes of the stream and calls `sink` for each frame that they complete.
   template <class Sink>
-  [[gnu::always_inline]] void feed(
-      std::span<const std::uint8_t> chunk,
-      Sink&& sink) noexcept(std::is_nothrow_invocable_v<Sink&, const Frame&>) {
+  [[gnu::always_inline]] void feed(std::span<const std::uint8_t> chunk, Sink&& sink) noexcept(
+      std::is_nothrow_invocable_v<Sink&, const Frame&>) {
     // Most small chunks end here: they do not complete what is waiting.
     if (chunk.size() < sizeof buffer_ && held_ + chunk.size() < needed_) {
       copy(buffer_ + held_, chunk.data(), chunk.size());

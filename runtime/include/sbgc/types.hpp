@@ -48,9 +48,11 @@ struct Xyz {
   friend constexpr bool operator==(const Xyz&, const Xyz&) = default;
 };
 
-/// A fixed number of bytes.
+/// A fixed number of bytes without a meaning as numbers.
 template <std::size_t n>
-using Bytes = std::array<std::uint8_t, n>;
+struct Bytes : std::array<std::uint8_t, n> {
+  friend constexpr bool operator==(const Bytes&, const Bytes&) = default;
+};
 
 /// Up to `n` elements, stored in place.
 template <class T, std::size_t n>
@@ -105,9 +107,12 @@ class BoundedArray {
   std::array<T, n> items_{};
 };
 
-/// Up to `n` bytes, stored in place.
+/// Up to `n` bytes without a meaning as numbers, stored in place.
 template <std::size_t n>
-using BoundedBytes = BoundedArray<std::uint8_t, n>;
+class BoundedBytes : public BoundedArray<std::uint8_t, n> {
+ public:
+  friend constexpr bool operator==(const BoundedBytes&, const BoundedBytes&) = default;
+};
 
 /// UTF-8 text in a field of `n` bytes, padded with NUL. All `n` bytes are kept as they came.
 template <std::size_t n>

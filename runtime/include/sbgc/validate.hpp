@@ -87,7 +87,7 @@ class Validator {
 
   template <class T>
   constexpr void members(const T& value, const FieldPath* parent) {
-    const VariableInfo* variable = nullptr;
+    [[maybe_unused]] const VariableInfo* variable = nullptr;
     Meta<T>::visit(value, [&](const FieldInfo& field, const auto& member) {
       const FieldPath path{parent, field.name};
       using Member = std::remove_cvref_t<decltype(member)>;
@@ -151,24 +151,31 @@ class Validator {
                        const FieldPath& path) {
     for (std::size_t i = 0; i < n; ++i) value(array[i], field, FieldPath{&path, "", i});
   }
+  template <std::size_t n>
+  constexpr void value(const Bytes<n>&, const FieldInfo&, const FieldPath&) {}
   template <class T, std::size_t n>
   constexpr void value(const BoundedArray<T, n>& array, const FieldInfo& field,
                        const FieldPath& path) {
-    const auto size = static_cast<double>(array.size());
-    if (field.max_count != 0 && array.size() > field.max_count) {
-      fail(field, path, size, field.max_count, Rule::count);
-    }
-    if constexpr (std::is_same_v<T, std::uint8_t>) {
-      if (array.size() % field.align != 0) fail(field, path, size, field.align, Rule::alignment);
-    } else {
-      for (std::size_t i = 0; i < array.size(); ++i) {
-        value(array[i], field, FieldPath{&path, "", i});
-      }
+    count(array.size(), field, path);
+    for (std::size_t i = 0; i < array.size(); ++i) value(array[i], field, FieldPath{&path, "", i});
+  }
+  template <std::size_t n>
+  constexpr void value(const BoundedBytes<n>& bytes, const FieldInfo& field,
+                       const FieldPath& path) {
+    count(bytes.size(), field, path);
+    if (bytes.size() % field.align != 0) {
+      fail(field, path, static_cast<double>(bytes.size()), field.align, Rule::alignment);
     }
   }
   template <class T>
   constexpr void value(const Optional<T>& optional, const FieldInfo& field, const FieldPath& path) {
     if (optional) value(*optional, field, path);
+  }
+
+  constexpr void count(std::size_t size, const FieldInfo& field, const FieldPath& path) {
+    if (field.max_count != 0 && size > field.max_count) {
+      fail(field, path, static_cast<double>(size), field.max_count, Rule::count);
+    }
   }
 
   template <class T>

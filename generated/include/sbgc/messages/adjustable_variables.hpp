@@ -28,13 +28,15 @@ struct AdjVarValue {
   constexpr bool operator==(const AdjVarValue&) const = default;
 };
 
-constexpr void get(const std::uint8_t* from, AdjVarValue& value) noexcept {
-  get(from, value.param_id);
-  get(from + 1, value.param_value);
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   AdjVarValue& SBGC_RESTRICT out) noexcept {
+  get(from, out.param_id);
+  get(from + 1, out.param_value);
 }
-constexpr void put(std::uint8_t* to, const AdjVarValue& value) noexcept {
-  put(to, value.param_id);
-  put(to + 1, value.param_value);
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const AdjVarValue& SBGC_RESTRICT in) noexcept {
+  put(to, in.param_id);
+  put(to + 1, in.param_value);
 }
 
 /// RC signals that start actions; the range of a signal is split into five levels.
@@ -49,13 +51,15 @@ struct TriggerSlot {
   constexpr bool operator==(const TriggerSlot&) const = default;
 };
 
-constexpr void get(const std::uint8_t* from, TriggerSlot& value) noexcept {
-  get(from, value.src_ch);
-  get(from + 1, value.action);
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   TriggerSlot& SBGC_RESTRICT out) noexcept {
+  get(from, out.src_ch);
+  get(from + 1, out.action);
 }
-constexpr void put(std::uint8_t* to, const TriggerSlot& value) noexcept {
-  put(to, value.src_ch);
-  put(to + 1, value.action);
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const TriggerSlot& SBGC_RESTRICT in) noexcept {
+  put(to, in.src_ch);
+  put(to + 1, in.action);
 }
 
 /// RC signals that change adjustable variables.
@@ -74,17 +78,19 @@ struct AnalogSlot {
   constexpr bool operator==(const AnalogSlot&) const = default;
 };
 
-constexpr void get(const std::uint8_t* from, AnalogSlot& value) noexcept {
-  get(from, value.src_ch);
-  get(from + 1, value.param_id);
-  get(from + 2, value.min_val);
-  get(from + 3, value.max_val);
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   AnalogSlot& SBGC_RESTRICT out) noexcept {
+  get(from, out.src_ch);
+  get(from + 1, out.param_id);
+  get(from + 2, out.min_val);
+  get(from + 3, out.max_val);
 }
-constexpr void put(std::uint8_t* to, const AnalogSlot& value) noexcept {
-  put(to, value.src_ch);
-  put(to + 1, value.param_id);
-  put(to + 2, value.min_val);
-  put(to + 3, value.max_val);
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const AnalogSlot& SBGC_RESTRICT in) noexcept {
+  put(to, in.src_ch);
+  put(to + 1, in.param_id);
+  put(to + 2, in.min_val);
+  put(to + 3, in.max_val);
 }
 
 /// Values of adjustable variables.
@@ -188,13 +194,23 @@ struct ReadAdjVarsCfg {
   constexpr bool operator==(const ReadAdjVarsCfg&) const = default;
 };
 
-[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      ReadAdjVarsCfg& out) noexcept {
-  if (body.size() < 128) return detail::wrong_size(body.size(), 128);
-  const std::uint8_t* const from = body.data();
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   ReadAdjVarsCfg& SBGC_RESTRICT out) noexcept {
   get(from, out.trigger_slots);
   get(from + 60, out.analog_slots);
   get(from + 120, out.reserved);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const ReadAdjVarsCfg& SBGC_RESTRICT in) noexcept {
+  put(to, in.trigger_slots);
+  put(to + 60, in.analog_slots);
+  put(to + 120, in.reserved);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      ReadAdjVarsCfg& out) noexcept {
+  if (body.size() < 128) return detail::wrong_size(body.size(), 128);
+  get(body.data(), out);
   return detail::get_tail(body, 128, out.tail);
 }
 
@@ -202,11 +218,8 @@ struct ReadAdjVarsCfg {
                                            std::span<std::uint8_t> out) noexcept {
   const std::size_t size = 128 + in.tail.size();
   if (out.size() < size) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.trigger_slots);
-  put(to + 60, in.analog_slots);
-  put(to + 120, in.reserved);
-  detail::put_tail(to + 128, in.tail);
+  put(out.data(), in);
+  detail::put_tail(out.data() + 128, in.tail);
   return {size, {}};
 }
 
@@ -272,15 +285,27 @@ struct AdjVarsState {
   constexpr bool operator==(const AdjVarsState&) const = default;
 };
 
-[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      AdjVarsState& out) noexcept {
-  if (body.size() < 15) return detail::wrong_size(body.size(), 15);
-  const std::uint8_t* const from = body.data();
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   AdjVarsState& SBGC_RESTRICT out) noexcept {
   get(from, out.trigger_rc_data);
   get(from + 2, out.trigger_action);
   get(from + 3, out.analog_rc_data);
   get(from + 5, out.analog_value);
   get(from + 9, out.reserved);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const AdjVarsState& SBGC_RESTRICT in) noexcept {
+  put(to, in.trigger_rc_data);
+  put(to + 2, in.trigger_action);
+  put(to + 3, in.analog_rc_data);
+  put(to + 5, in.analog_value);
+  put(to + 9, in.reserved);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      AdjVarsState& out) noexcept {
+  if (body.size() < 15) return detail::wrong_size(body.size(), 15);
+  get(body.data(), out);
   return detail::get_tail(body, 15, out.tail);
 }
 
@@ -288,13 +313,8 @@ struct AdjVarsState {
                                            std::span<std::uint8_t> out) noexcept {
   const std::size_t size = 15 + in.tail.size();
   if (out.size() < size) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.trigger_rc_data);
-  put(to + 2, in.trigger_action);
-  put(to + 3, in.analog_rc_data);
-  put(to + 5, in.analog_value);
-  put(to + 9, in.reserved);
-  detail::put_tail(to + 15, in.tail);
+  put(out.data(), in);
+  detail::put_tail(out.data() + 15, in.tail);
   return {size, {}};
 }
 
@@ -319,21 +339,28 @@ struct AdjVarsStateRequest {
   constexpr bool operator==(const AdjVarsStateRequest&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   AdjVarsStateRequest& SBGC_RESTRICT out) noexcept {
+  get(from, out.trigger_slot);
+  get(from + 1, out.analog_slot);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const AdjVarsStateRequest& SBGC_RESTRICT in) noexcept {
+  put(to, in.trigger_slot);
+  put(to + 1, in.analog_slot);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       AdjVarsStateRequest& out) noexcept {
   if (body.size() != 2) return detail::wrong_size(body.size(), 2);
-  const std::uint8_t* const from = body.data();
-  get(from, out.trigger_slot);
-  get(from + 1, out.analog_slot);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const AdjVarsStateRequest& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 2) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.trigger_slot);
-  put(to + 1, in.analog_slot);
+  put(out.data(), in);
   return {2, {}};
 }
 
@@ -356,19 +383,26 @@ struct AdjVarsStateRequestExt {
   constexpr bool operator==(const AdjVarsStateRequestExt&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   AdjVarsStateRequestExt& SBGC_RESTRICT out) noexcept {
+  get(from, out.params);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const AdjVarsStateRequestExt& SBGC_RESTRICT in) noexcept {
+  put(to, in.params);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       AdjVarsStateRequestExt& out) noexcept {
   if (body.size() != 7) return detail::wrong_size(body.size(), 7);
-  const std::uint8_t* const from = body.data();
-  get(from, out.params);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const AdjVarsStateRequestExt& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 7) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.params);
+  put(out.data(), in);
   return {7, {}};
 }
 

@@ -28,13 +28,15 @@ struct AxisTuning {
   constexpr bool operator==(const AxisTuning&) const = default;
 };
 
-constexpr void get(const std::uint8_t* from, AxisTuning& value) noexcept {
-  get(from, value.tracking_error);
-  get(from + 4, value.reserved);
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   AxisTuning& SBGC_RESTRICT out) noexcept {
+  get(from, out.tracking_error);
+  get(from + 4, out.reserved);
 }
-constexpr void put(std::uint8_t* to, const AxisTuning& value) noexcept {
-  put(to, value.tracking_error);
-  put(to + 4, value.reserved);
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const AxisTuning& SBGC_RESTRICT in) noexcept {
+  put(to, in.tracking_error);
+  put(to + 4, in.reserved);
 }
 
 /// Calibrate the accelerometer of the active IMU. Confirmed on reception and once more at the end.
@@ -92,23 +94,30 @@ struct CalibAccExt {
   constexpr bool operator==(const CalibAccExt&) const = default;
 };
 
-[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      CalibAccExt& out) noexcept {
-  if (body.size() != 12) return detail::wrong_size(body.size(), 12);
-  const std::uint8_t* const from = body.data();
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   CalibAccExt& SBGC_RESTRICT out) noexcept {
   get(from, out.imu_idx);
   get(from + 1, out.action);
   get(from + 2, out.reserved);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const CalibAccExt& SBGC_RESTRICT in) noexcept {
+  put(to, in.imu_idx);
+  put(to + 1, in.action);
+  put(to + 2, in.reserved);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      CalibAccExt& out) noexcept {
+  if (body.size() != 12) return detail::wrong_size(body.size(), 12);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const CalibAccExt& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 12) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.imu_idx);
-  put(to + 1, in.action);
-  put(to + 2, in.reserved);
+  put(out.data(), in);
   return {12, {}};
 }
 
@@ -167,23 +176,30 @@ struct CalibGyroExt {
   constexpr bool operator==(const CalibGyroExt&) const = default;
 };
 
-[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      CalibGyroExt& out) noexcept {
-  if (body.size() != 12) return detail::wrong_size(body.size(), 12);
-  const std::uint8_t* const from = body.data();
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   CalibGyroExt& SBGC_RESTRICT out) noexcept {
   get(from, out.imu_idx);
   get(from + 1, out.action);
   get(from + 2, out.reserved);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const CalibGyroExt& SBGC_RESTRICT in) noexcept {
+  put(to, in.imu_idx);
+  put(to + 1, in.action);
+  put(to + 2, in.reserved);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      CalibGyroExt& out) noexcept {
+  if (body.size() != 12) return detail::wrong_size(body.size(), 12);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const CalibGyroExt& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 12) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.imu_idx);
-  put(to + 1, in.action);
-  put(to + 2, in.reserved);
+  put(out.data(), in);
   return {12, {}};
 }
 
@@ -322,19 +338,26 @@ struct CalibBat {
   constexpr bool operator==(const CalibBat&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   CalibBat& SBGC_RESTRICT out) noexcept {
+  get(from, out.actual_voltage);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const CalibBat& SBGC_RESTRICT in) noexcept {
+  put(to, in.actual_voltage);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       CalibBat& out) noexcept {
   if (body.size() != 2) return detail::wrong_size(body.size(), 2);
-  const std::uint8_t* const from = body.data();
-  get(from, out.actual_voltage);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const CalibBat& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 2) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.actual_voltage);
+  put(out.data(), in);
   return {2, {}};
 }
 
@@ -395,10 +418,8 @@ struct CalibInfo {
   constexpr bool operator==(const CalibInfo&) const = default;
 };
 
-[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      CalibInfo& out) noexcept {
-  if (body.size() < 33) return detail::wrong_size(body.size(), 33);
-  const std::uint8_t* const from = body.data();
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   CalibInfo& SBGC_RESTRICT out) noexcept {
   get(from, out.progress);
   get(from + 1, out.imu_type);
   get(from + 2, out.acc_data);
@@ -415,14 +436,9 @@ struct CalibInfo {
   get(from + 24, out.temp_calib_acc_t_max_cels);
   get(from + 25, out.h1_err_length);
   get(from + 26, out.reserved);
-  return detail::get_tail(body, 33, out.tail);
 }
-
-[[nodiscard]] constexpr WriteResult encode(const CalibInfo& in,
-                                           std::span<std::uint8_t> out) noexcept {
-  const std::size_t size = 33 + in.tail.size();
-  if (out.size() < size) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const CalibInfo& SBGC_RESTRICT in) noexcept {
   put(to, in.progress);
   put(to + 1, in.imu_type);
   put(to + 2, in.acc_data);
@@ -439,7 +455,21 @@ struct CalibInfo {
   put(to + 24, in.temp_calib_acc_t_max_cels);
   put(to + 25, in.h1_err_length);
   put(to + 26, in.reserved);
-  detail::put_tail(to + 33, in.tail);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      CalibInfo& out) noexcept {
+  if (body.size() < 33) return detail::wrong_size(body.size(), 33);
+  get(body.data(), out);
+  return detail::get_tail(body, 33, out.tail);
+}
+
+[[nodiscard]] constexpr WriteResult encode(const CalibInfo& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  const std::size_t size = 33 + in.tail.size();
+  if (out.size() < size) return {0, {Code::buffer_too_small}};
+  put(out.data(), in);
+  detail::put_tail(out.data() + 33, in.tail);
   return {size, {}};
 }
 
@@ -464,21 +494,28 @@ struct CalibInfoRequest {
   constexpr bool operator==(const CalibInfoRequest&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   CalibInfoRequest& SBGC_RESTRICT out) noexcept {
+  get(from, out.imu_type);
+  get(from + 1, out.reserved);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const CalibInfoRequest& SBGC_RESTRICT in) noexcept {
+  put(to, in.imu_type);
+  put(to + 1, in.reserved);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       CalibInfoRequest& out) noexcept {
   if (body.size() != 12) return detail::wrong_size(body.size(), 12);
-  const std::uint8_t* const from = body.data();
-  get(from, out.imu_type);
-  get(from + 1, out.reserved);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const CalibInfoRequest& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 12) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.imu_type);
-  put(to + 1, in.reserved);
+  put(out.data(), in);
   return {12, {}};
 }
 
@@ -641,10 +678,8 @@ struct AutoPid {
   constexpr bool operator==(const AutoPid&) const = default;
 };
 
-[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      AutoPid& out) noexcept {
-  if (body.size() < 57) return detail::wrong_size(body.size(), 57);
-  const std::uint8_t* const from = body.data();
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   AutoPid& SBGC_RESTRICT out) noexcept {
   get(from, out.p);
   get(from + 3, out.i);
   get(from + 6, out.d);
@@ -652,14 +687,9 @@ struct AutoPid {
   get(from + 15, out.iter_num);
   get(from + 17, out.axes);
   get(from + 47, out.reserved);
-  return detail::get_tail(body, 57, out.tail);
 }
-
-[[nodiscard]] constexpr WriteResult encode(const AutoPid& in,
-                                           std::span<std::uint8_t> out) noexcept {
-  const std::size_t size = 57 + in.tail.size();
-  if (out.size() < size) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const AutoPid& SBGC_RESTRICT in) noexcept {
   put(to, in.p);
   put(to + 3, in.i);
   put(to + 6, in.d);
@@ -667,7 +697,21 @@ struct AutoPid {
   put(to + 15, in.iter_num);
   put(to + 17, in.axes);
   put(to + 47, in.reserved);
-  detail::put_tail(to + 57, in.tail);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      AutoPid& out) noexcept {
+  if (body.size() < 57) return detail::wrong_size(body.size(), 57);
+  get(body.data(), out);
+  return detail::get_tail(body, 57, out.tail);
+}
+
+[[nodiscard]] constexpr WriteResult encode(const AutoPid& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  const std::size_t size = 57 + in.tail.size();
+  if (out.size() < size) return {0, {Code::buffer_too_small}};
+  put(out.data(), in);
+  detail::put_tail(out.data() + 57, in.tail);
   return {size, {}};
 }
 
@@ -697,25 +741,32 @@ struct AutoPidRequest {
   constexpr bool operator==(const AutoPidRequest&) const = default;
 };
 
-[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      AutoPidRequest& out) noexcept {
-  if (body.size() != 19) return detail::wrong_size(body.size(), 19);
-  const std::uint8_t* const from = body.data();
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   AutoPidRequest& SBGC_RESTRICT out) noexcept {
   get(from, out.profile_id);
   get(from + 1, out.cfg_flags);
   get(from + 2, out.gain_vs_stability);
   get(from + 3, out.reserved);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const AutoPidRequest& SBGC_RESTRICT in) noexcept {
+  put(to, in.profile_id);
+  put(to + 1, in.cfg_flags);
+  put(to + 2, in.gain_vs_stability);
+  put(to + 3, in.reserved);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      AutoPidRequest& out) noexcept {
+  if (body.size() != 19) return detail::wrong_size(body.size(), 19);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const AutoPidRequest& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 19) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.profile_id);
-  put(to + 1, in.cfg_flags);
-  put(to + 2, in.gain_vs_stability);
-  put(to + 3, in.reserved);
+  put(out.data(), in);
   return {19, {}};
 }
 

@@ -31,13 +31,15 @@ struct ControlAxis {
   constexpr bool operator==(const ControlAxis&) const = default;
 };
 
-constexpr void get(const std::uint8_t* from, ControlAxis& value) noexcept {
-  get(from, value.speed);
-  get(from + 2, value.angle);
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   ControlAxis& SBGC_RESTRICT out) noexcept {
+  get(from, out.speed);
+  get(from + 2, out.angle);
 }
-constexpr void put(std::uint8_t* to, const ControlAxis& value) noexcept {
-  put(to, value.speed);
-  put(to + 2, value.angle);
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const ControlAxis& SBGC_RESTRICT in) noexcept {
+  put(to, in.speed);
+  put(to + 2, in.angle);
 }
 
 /// State of each axis.
@@ -57,15 +59,17 @@ struct AxisState {
   constexpr bool operator==(const AxisState&) const = default;
 };
 
-constexpr void get(const std::uint8_t* from, AxisState& value) noexcept {
-  get(from, value.imu_angle);
-  get(from + 2, value.rc_target_angle);
-  get(from + 4, value.rc_speed);
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   AxisState& SBGC_RESTRICT out) noexcept {
+  get(from, out.imu_angle);
+  get(from + 2, out.rc_target_angle);
+  get(from + 4, out.rc_speed);
 }
-constexpr void put(std::uint8_t* to, const AxisState& value) noexcept {
-  put(to, value.imu_angle);
-  put(to + 2, value.rc_target_angle);
-  put(to + 4, value.rc_speed);
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const AxisState& SBGC_RESTRICT in) noexcept {
+  put(to, in.imu_angle);
+  put(to + 2, in.rc_target_angle);
+  put(to + 4, in.rc_speed);
 }
 
 /// State of each axis.
@@ -86,17 +90,19 @@ struct AxisStateExt {
   constexpr bool operator==(const AxisStateExt&) const = default;
 };
 
-constexpr void get(const std::uint8_t* from, AxisStateExt& value) noexcept {
-  get(from, value.imu_angle);
-  get(from + 2, value.rc_target_angle);
-  get(from + 4, value.stator_rotor_angle);
-  get(from + 8, value.reserved);
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   AxisStateExt& SBGC_RESTRICT out) noexcept {
+  get(from, out.imu_angle);
+  get(from + 2, out.rc_target_angle);
+  get(from + 4, out.stator_rotor_angle);
+  get(from + 8, out.reserved);
 }
-constexpr void put(std::uint8_t* to, const AxisStateExt& value) noexcept {
-  put(to, value.imu_angle);
-  put(to + 2, value.rc_target_angle);
-  put(to + 4, value.stator_rotor_angle);
-  put(to + 8, value.reserved);
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const AxisStateExt& SBGC_RESTRICT in) noexcept {
+  put(to, in.imu_angle);
+  put(to + 2, in.rc_target_angle);
+  put(to + 4, in.stator_rotor_angle);
+  put(to + 8, in.reserved);
 }
 
 /// Move the camera, one mode for all axes. Overrides RC until a command with MODE_NO_CONTROL and
@@ -120,21 +126,28 @@ struct Control {
   constexpr bool operator==(const Control&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   Control& SBGC_RESTRICT out) noexcept {
+  get(from, out.control_mode);
+  get(from + 1, out.axes);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const Control& SBGC_RESTRICT in) noexcept {
+  put(to, in.control_mode);
+  put(to + 1, in.axes);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       Control& out) noexcept {
   if (body.size() != 13) return detail::wrong_size(body.size(), 13);
-  const std::uint8_t* const from = body.data();
-  get(from, out.control_mode);
-  get(from + 1, out.axes);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const Control& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 13) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.control_mode);
-  put(to + 1, in.axes);
+  put(out.data(), in);
   return {13, {}};
 }
 
@@ -160,21 +173,28 @@ struct ControlExt {
   constexpr bool operator==(const ControlExt&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   ControlExt& SBGC_RESTRICT out) noexcept {
+  get(from, out.control_mode);
+  get(from + 3, out.axes);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const ControlExt& SBGC_RESTRICT in) noexcept {
+  put(to, in.control_mode);
+  put(to + 3, in.axes);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       ControlExt& out) noexcept {
   if (body.size() != 15) return detail::wrong_size(body.size(), 15);
-  const std::uint8_t* const from = body.data();
-  get(from, out.control_mode);
-  get(from + 3, out.axes);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const ControlExt& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 15) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.control_mode);
-  put(to + 3, in.axes);
+  put(out.data(), in);
   return {15, {}};
 }
 
@@ -198,11 +218,19 @@ struct GetAngles {
   constexpr bool operator==(const GetAngles&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   GetAngles& SBGC_RESTRICT out) noexcept {
+  get(from, out.axes);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const GetAngles& SBGC_RESTRICT in) noexcept {
+  put(to, in.axes);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       GetAngles& out) noexcept {
   if (body.size() < 18) return detail::wrong_size(body.size(), 18);
-  const std::uint8_t* const from = body.data();
-  get(from, out.axes);
+  get(body.data(), out);
   return detail::get_tail(body, 18, out.tail);
 }
 
@@ -210,9 +238,8 @@ struct GetAngles {
                                            std::span<std::uint8_t> out) noexcept {
   const std::size_t size = 18 + in.tail.size();
   if (out.size() < size) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.axes);
-  detail::put_tail(to + 18, in.tail);
+  put(out.data(), in);
+  detail::put_tail(out.data() + 18, in.tail);
   return {size, {}};
 }
 
@@ -266,11 +293,19 @@ struct GetAnglesExt {
   constexpr bool operator==(const GetAnglesExt&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   GetAnglesExt& SBGC_RESTRICT out) noexcept {
+  get(from, out.axes);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const GetAnglesExt& SBGC_RESTRICT in) noexcept {
+  put(to, in.axes);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       GetAnglesExt& out) noexcept {
   if (body.size() < 54) return detail::wrong_size(body.size(), 54);
-  const std::uint8_t* const from = body.data();
-  get(from, out.axes);
+  get(body.data(), out);
   return detail::get_tail(body, 54, out.tail);
 }
 
@@ -278,9 +313,8 @@ struct GetAnglesExt {
                                            std::span<std::uint8_t> out) noexcept {
   const std::size_t size = 54 + in.tail.size();
   if (out.size() < size) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.axes);
-  detail::put_tail(to + 54, in.tail);
+  put(out.data(), in);
+  detail::put_tail(out.data() + 54, in.tail);
   return {size, {}};
 }
 
@@ -390,19 +424,26 @@ struct MotorsOffExt {
   constexpr bool operator==(const MotorsOffExt&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   MotorsOffExt& SBGC_RESTRICT out) noexcept {
+  get(from, out.mode);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const MotorsOffExt& SBGC_RESTRICT in) noexcept {
+  put(to, in.mode);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       MotorsOffExt& out) noexcept {
   if (body.size() != 1) return detail::wrong_size(body.size(), 1);
-  const std::uint8_t* const from = body.data();
-  get(from, out.mode);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const MotorsOffExt& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 1) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.mode);
+  put(out.data(), in);
   return {1, {}};
 }
 
@@ -424,19 +465,26 @@ struct ExecuteMenu {
   constexpr bool operator==(const ExecuteMenu&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   ExecuteMenu& SBGC_RESTRICT out) noexcept {
+  get(from, out.cmd_id);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const ExecuteMenu& SBGC_RESTRICT in) noexcept {
+  put(to, in.cmd_id);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       ExecuteMenu& out) noexcept {
   if (body.size() != 1) return detail::wrong_size(body.size(), 1);
-  const std::uint8_t* const from = body.data();
-  get(from, out.cmd_id);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const ExecuteMenu& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 1) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.cmd_id);
+  put(out.data(), in);
   return {1, {}};
 }
 
@@ -460,21 +508,28 @@ struct ExecuteMenuExt {
   constexpr bool operator==(const ExecuteMenuExt&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   ExecuteMenuExt& SBGC_RESTRICT out) noexcept {
+  get(from, out.cmd_id);
+  get(from + 1, out.param);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const ExecuteMenuExt& SBGC_RESTRICT in) noexcept {
+  put(to, in.cmd_id);
+  put(to + 1, in.param);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       ExecuteMenuExt& out) noexcept {
   if (body.size() != 2) return detail::wrong_size(body.size(), 2);
-  const std::uint8_t* const from = body.data();
-  get(from, out.cmd_id);
-  get(from + 1, out.param);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const ExecuteMenuExt& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 2) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.cmd_id);
-  put(to + 1, in.param);
+  put(out.data(), in);
   return {2, {}};
 }
 
@@ -503,23 +558,30 @@ struct HelperData {
   constexpr bool operator==(const HelperData&) const = default;
 };
 
-[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      HelperData& out) noexcept {
-  if (body.size() != 10) return detail::wrong_size(body.size(), 10);
-  const std::uint8_t* const from = body.data();
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   HelperData& SBGC_RESTRICT out) noexcept {
   get(from, out.frame_acc);
   get(from + 6, out.frame_angle_roll);
   get(from + 8, out.frame_angle_pitch);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const HelperData& SBGC_RESTRICT in) noexcept {
+  put(to, in.frame_acc);
+  put(to + 6, in.frame_angle_roll);
+  put(to + 8, in.frame_angle_pitch);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      HelperData& out) noexcept {
+  if (body.size() != 10) return detail::wrong_size(body.size(), 10);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const HelperData& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 10) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.frame_acc);
-  put(to + 6, in.frame_angle_roll);
-  put(to + 8, in.frame_angle_pitch);
+  put(out.data(), in);
   return {10, {}};
 }
 
@@ -556,29 +618,36 @@ struct HelperDataExt {
   constexpr bool operator==(const HelperDataExt&) const = default;
 };
 
-[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      HelperDataExt& out) noexcept {
-  if (body.size() != 20) return detail::wrong_size(body.size(), 20);
-  const std::uint8_t* const from = body.data();
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   HelperDataExt& SBGC_RESTRICT out) noexcept {
   get(from, out.frame_acc);
   get(from + 6, out.frame_angle_roll);
   get(from + 8, out.frame_angle_pitch);
   get(from + 10, out.coord_sys);
   get(from + 11, out.frame_speed);
   get(from + 17, out.reserved);
-  return {};
 }
-
-[[nodiscard]] constexpr WriteResult encode(const HelperDataExt& in,
-                                           std::span<std::uint8_t> out) noexcept {
-  if (out.size() < 20) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const HelperDataExt& SBGC_RESTRICT in) noexcept {
   put(to, in.frame_acc);
   put(to + 6, in.frame_angle_roll);
   put(to + 8, in.frame_angle_pitch);
   put(to + 10, in.coord_sys);
   put(to + 11, in.frame_speed);
   put(to + 17, in.reserved);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      HelperDataExt& out) noexcept {
+  if (body.size() != 20) return detail::wrong_size(body.size(), 20);
+  get(body.data(), out);
+  return {};
+}
+
+[[nodiscard]] constexpr WriteResult encode(const HelperDataExt& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  if (out.size() < 20) return {0, {Code::buffer_too_small}};
+  put(out.data(), in);
   return {20, {}};
 }
 

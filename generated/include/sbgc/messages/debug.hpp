@@ -110,7 +110,7 @@ struct DebugVarsInfo3Request {
 
 /// Values of the debug variables.
 ///
-/// CMD_DEBUG_VARS_3 (254), from the board; 0 to 255 bytes.
+/// CMD_DEBUG_VARS_3 (254), from the board; 0 to 255 bytes, and later firmware may append more.
 /// Since board 3.0.
 /// Source: Incoming commands L489-L499. Errata: E113.
 struct DebugVars3 {
@@ -121,25 +121,35 @@ struct DebugVars3 {
   static constexpr std::size_t max_size = 255;
   static constexpr Availability since{0, 30};
 
+  /// What has to be known from earlier messages to read the body.
+  struct Context {
+    /// The types that CMD_DEBUG_VARS_INFO_3 has announced; without them the values are not read.
+    NumberTypes types{};
+  };
+
   /// The values one behind the other, each with the type and the number of elements that
   /// CMD_DEBUG_VARS_INFO_3 announces; which variables there are differs between firmwares. Errata:
   /// E113.
-  BoundedBytes<255> var_value{};
+  BoundedArray<Number, 255> var_value{};
+  /// What later firmware appends; kept, and written back.
+  BoundedBytes<255> tail{};
 
   constexpr bool operator==(const DebugVars3&) const = default;
 };
 
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      DebugVars3& out) noexcept {
+                                      DebugVars3& out,
+                                      const DebugVars3::Context& context = {}) noexcept {
   detail::Reader reader(body, 0);
-  reader.rest(out.var_value, "var_value");
-  return reader.end();
+  reader.numbers(out.var_value, context.types);
+  return reader.end(out.tail);
 }
 
 [[nodiscard]] constexpr WriteResult encode(const DebugVars3& in,
                                            std::span<std::uint8_t> out) noexcept {
   detail::Writer writer(out, 0);
-  writer.array(in.var_value, "var_value");
+  writer.numbers(in.var_value, "var_value");
+  writer.array(in.tail, "tail");
   return writer.end();
 }
 

@@ -35,19 +35,26 @@ struct SelectImu3 {
   constexpr bool operator==(const SelectImu3&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   SelectImu3& SBGC_RESTRICT out) noexcept {
+  get(from, out.imu_type);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const SelectImu3& SBGC_RESTRICT in) noexcept {
+  put(to, in.imu_type);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       SelectImu3& out) noexcept {
   if (body.size() != 1) return detail::wrong_size(body.size(), 1);
-  const std::uint8_t* const from = body.data();
-  get(from, out.imu_type);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const SelectImu3& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 1) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.imu_type);
+  put(out.data(), in);
   return {1, {}};
 }
 
@@ -74,12 +81,21 @@ struct SelectImu3Ext {
   constexpr bool operator==(const SelectImu3Ext&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   SelectImu3Ext& SBGC_RESTRICT out) noexcept {
+  get(from, out.imu_type);
+  get(from + 1, out.param);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const SelectImu3Ext& SBGC_RESTRICT in) noexcept {
+  put(to, in.imu_type);
+  put(to + 1, in.param);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       SelectImu3Ext& out) noexcept {
   if (body.size() < 2) return detail::wrong_size(body.size(), 2);
-  const std::uint8_t* const from = body.data();
-  get(from, out.imu_type);
-  get(from + 1, out.param);
+  get(body.data(), out);
   detail::Reader reader(body, 2);
   reader.rest(out.params, "params");
   return reader.end();
@@ -88,9 +104,7 @@ struct SelectImu3Ext {
 [[nodiscard]] constexpr WriteResult encode(const SelectImu3Ext& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 2) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.imu_type);
-  put(to + 1, in.param);
+  put(out.data(), in);
   detail::Writer writer(out, 2);
   writer.array(in.params, "params");
   return writer.end();
@@ -119,12 +133,21 @@ struct AhrsHelper {
   constexpr bool operator==(const AhrsHelper&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   AhrsHelper& SBGC_RESTRICT out) noexcept {
+  get(from, out.z1_vector);
+  get(from + 12, out.h1_vector);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const AhrsHelper& SBGC_RESTRICT in) noexcept {
+  put(to, in.z1_vector);
+  put(to + 12, in.h1_vector);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       AhrsHelper& out) noexcept {
   if (body.size() < 24) return detail::wrong_size(body.size(), 24);
-  const std::uint8_t* const from = body.data();
-  get(from, out.z1_vector);
-  get(from + 12, out.h1_vector);
+  get(body.data(), out);
   return detail::get_tail(body, 24, out.tail);
 }
 
@@ -132,10 +155,8 @@ struct AhrsHelper {
                                            std::span<std::uint8_t> out) noexcept {
   const std::size_t size = 24 + in.tail.size();
   if (out.size() < size) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.z1_vector);
-  put(to + 12, in.h1_vector);
-  detail::put_tail(to + 24, in.tail);
+  put(out.data(), in);
+  detail::put_tail(out.data() + 24, in.tail);
   return {size, {}};
 }
 
@@ -162,19 +183,26 @@ struct AhrsHelperRequest {
   constexpr bool operator==(const AhrsHelperRequest&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   AhrsHelperRequest& SBGC_RESTRICT out) noexcept {
+  get(from, out.mode);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const AhrsHelperRequest& SBGC_RESTRICT in) noexcept {
+  put(to, in.mode);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       AhrsHelperRequest& out) noexcept {
   if (body.size() != 1) return detail::wrong_size(body.size(), 1);
-  const std::uint8_t* const from = body.data();
-  get(from, out.mode);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const AhrsHelperRequest& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 1) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.mode);
+  put(out.data(), in);
   return {1, {}};
 }
 
@@ -208,13 +236,23 @@ struct AhrsHelperRequestExt {
   constexpr bool operator==(const AhrsHelperRequestExt&) const = default;
 };
 
-[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      AhrsHelperRequestExt& out) noexcept {
-  if (body.size() < 25) return detail::wrong_size(body.size(), 25);
-  const std::uint8_t* const from = body.data();
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   AhrsHelperRequestExt& SBGC_RESTRICT out) noexcept {
   get(from, out.mode);
   get(from + 1, out.z1_vector);
   get(from + 13, out.h1_vector);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const AhrsHelperRequestExt& SBGC_RESTRICT in) noexcept {
+  put(to, in.mode);
+  put(to + 1, in.z1_vector);
+  put(to + 13, in.h1_vector);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      AhrsHelperRequestExt& out) noexcept {
+  if (body.size() < 25) return detail::wrong_size(body.size(), 25);
+  get(body.data(), out);
   detail::Reader reader(body, 25);
   reader.rest(out.param, "param");
   return reader.end();
@@ -223,10 +261,7 @@ struct AhrsHelperRequestExt {
 [[nodiscard]] constexpr WriteResult encode(const AhrsHelperRequestExt& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 25) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.mode);
-  put(to + 1, in.z1_vector);
-  put(to + 13, in.h1_vector);
+  put(out.data(), in);
   detail::Writer writer(out, 25);
   writer.array(in.param, "param");
   return writer.end();
@@ -256,23 +291,30 @@ struct GyroCorrection {
   constexpr bool operator==(const GyroCorrection&) const = default;
 };
 
-[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      GyroCorrection& out) noexcept {
-  if (body.size() != 9) return detail::wrong_size(body.size(), 9);
-  const std::uint8_t* const from = body.data();
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   GyroCorrection& SBGC_RESTRICT out) noexcept {
   get(from, out.imu_type);
   get(from + 1, out.gyro_zero_corr);
   get(from + 7, out.gyro_zero_heading_corr);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const GyroCorrection& SBGC_RESTRICT in) noexcept {
+  put(to, in.imu_type);
+  put(to + 1, in.gyro_zero_corr);
+  put(to + 7, in.gyro_zero_heading_corr);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      GyroCorrection& out) noexcept {
+  if (body.size() != 9) return detail::wrong_size(body.size(), 9);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const GyroCorrection& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 9) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.imu_type);
-  put(to + 1, in.gyro_zero_corr);
-  put(to + 7, in.gyro_zero_heading_corr);
+  put(out.data(), in);
   return {9, {}};
 }
 

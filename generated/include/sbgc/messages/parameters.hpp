@@ -36,21 +36,23 @@ struct AxisPid {
   constexpr bool operator==(const AxisPid&) const = default;
 };
 
-constexpr void get(const std::uint8_t* from, AxisPid& value) noexcept {
-  get(from, value.p);
-  get(from + 1, value.i);
-  get(from + 2, value.d);
-  get(from + 3, value.power);
-  get(from + 4, value.invert);
-  get(from + 5, value.poles);
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   AxisPid& SBGC_RESTRICT out) noexcept {
+  get(from, out.p);
+  get(from + 1, out.i);
+  get(from + 2, out.d);
+  get(from + 3, out.power);
+  get(from + 4, out.invert);
+  get(from + 5, out.poles);
 }
-constexpr void put(std::uint8_t* to, const AxisPid& value) noexcept {
-  put(to, value.p);
-  put(to + 1, value.i);
-  put(to + 2, value.d);
-  put(to + 3, value.power);
-  put(to + 4, value.invert);
-  put(to + 5, value.poles);
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const AxisPid& SBGC_RESTRICT in) noexcept {
+  put(to, in.p);
+  put(to + 1, in.i);
+  put(to + 2, in.d);
+  put(to + 3, in.power);
+  put(to + 4, in.invert);
+  put(to + 5, in.poles);
 }
 
 /// Remote control of each axis.
@@ -74,21 +76,23 @@ struct AxisRc {
   constexpr bool operator==(const AxisRc&) const = default;
 };
 
-constexpr void get(const std::uint8_t* from, AxisRc& value) noexcept {
-  get(from, value.rc_min_angle);
-  get(from + 2, value.rc_max_angle);
-  get(from + 4, value.rc_mode);
-  get(from + 5, value.rc_lpf);
-  get(from + 6, value.rc_speed);
-  get(from + 7, value.rc_follow);
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   AxisRc& SBGC_RESTRICT out) noexcept {
+  get(from, out.rc_min_angle);
+  get(from + 2, out.rc_max_angle);
+  get(from + 4, out.rc_mode);
+  get(from + 5, out.rc_lpf);
+  get(from + 6, out.rc_speed);
+  get(from + 7, out.rc_follow);
 }
-constexpr void put(std::uint8_t* to, const AxisRc& value) noexcept {
-  put(to, value.rc_min_angle);
-  put(to + 2, value.rc_max_angle);
-  put(to + 4, value.rc_mode);
-  put(to + 5, value.rc_lpf);
-  put(to + 6, value.rc_speed);
-  put(to + 7, value.rc_follow);
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const AxisRc& SBGC_RESTRICT in) noexcept {
+  put(to, in.rc_min_angle);
+  put(to + 2, in.rc_max_angle);
+  put(to + 4, in.rc_mode);
+  put(to + 5, in.rc_lpf);
+  put(to + 6, in.rc_speed);
+  put(to + 7, in.rc_follow);
 }
 
 /// Notch filters of each axis.
@@ -104,13 +108,15 @@ struct AxisNotches {
   constexpr bool operator==(const AxisNotches&) const = default;
 };
 
-constexpr void get(const std::uint8_t* from, AxisNotches& value) noexcept {
-  get(from, value.notch_freq);
-  get(from + 3, value.notch_width);
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   AxisNotches& SBGC_RESTRICT out) noexcept {
+  get(from, out.notch_freq);
+  get(from + 3, out.notch_width);
 }
-constexpr void put(std::uint8_t* to, const AxisNotches& value) noexcept {
-  put(to, value.notch_freq);
-  put(to + 3, value.notch_width);
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const AxisNotches& SBGC_RESTRICT in) noexcept {
+  put(to, in.notch_freq);
+  put(to + 3, in.notch_width);
 }
 
 /// Settings of one profile together with the general settings.
@@ -263,10 +269,8 @@ struct ReadParams3 {
   constexpr bool operator==(const ReadParams3&) const = default;
 };
 
-[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      ReadParams3& out) noexcept {
-  if (body.size() < 134) return detail::wrong_size(body.size(), 134);
-  const std::uint8_t* const from = body.data();
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   ReadParams3& SBGC_RESTRICT out) noexcept {
   get(from, out.profile_id);
   get(from + 1, out.axes);
   get(from + 19, out.acc_limiter_all);
@@ -330,14 +334,9 @@ struct ReadParams3 {
   get(from + 131, out.euler_order);
   get(from + 132, out.cur_imu);
   get(from + 133, out.cur_profile_id);
-  return detail::get_tail(body, 134, out.tail);
 }
-
-[[nodiscard]] constexpr WriteResult encode(const ReadParams3& in,
-                                           std::span<std::uint8_t> out) noexcept {
-  const std::size_t size = 134 + in.tail.size();
-  if (out.size() < size) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const ReadParams3& SBGC_RESTRICT in) noexcept {
   put(to, in.profile_id);
   put(to + 1, in.axes);
   put(to + 19, in.acc_limiter_all);
@@ -401,7 +400,21 @@ struct ReadParams3 {
   put(to + 131, in.euler_order);
   put(to + 132, in.cur_imu);
   put(to + 133, in.cur_profile_id);
-  detail::put_tail(to + 134, in.tail);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      ReadParams3& out) noexcept {
+  if (body.size() < 134) return detail::wrong_size(body.size(), 134);
+  get(body.data(), out);
+  return detail::get_tail(body, 134, out.tail);
+}
+
+[[nodiscard]] constexpr WriteResult encode(const ReadParams3& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  const std::size_t size = 134 + in.tail.size();
+  if (out.size() < size) return {0, {Code::buffer_too_small}};
+  put(out.data(), in);
+  detail::put_tail(out.data() + 134, in.tail);
   return {size, {}};
 }
 
@@ -424,19 +437,26 @@ struct ReadParams3Request {
   constexpr bool operator==(const ReadParams3Request&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   ReadParams3Request& SBGC_RESTRICT out) noexcept {
+  get(from, out.profile_id);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const ReadParams3Request& SBGC_RESTRICT in) noexcept {
+  put(to, in.profile_id);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       ReadParams3Request& out) noexcept {
   if (body.size() != 1) return detail::wrong_size(body.size(), 1);
-  const std::uint8_t* const from = body.data();
-  get(from, out.profile_id);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const ReadParams3Request& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 1) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.profile_id);
+  put(out.data(), in);
   return {1, {}};
 }
 
@@ -459,19 +479,26 @@ struct ReadParams {
   constexpr bool operator==(const ReadParams&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   ReadParams& SBGC_RESTRICT out) noexcept {
+  get(from, out.profile_id);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const ReadParams& SBGC_RESTRICT in) noexcept {
+  put(to, in.profile_id);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       ReadParams& out) noexcept {
   if (body.size() != 1) return detail::wrong_size(body.size(), 1);
-  const std::uint8_t* const from = body.data();
-  get(from, out.profile_id);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const ReadParams& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 1) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.profile_id);
+  put(out.data(), in);
   return {1, {}};
 }
 
@@ -562,10 +589,8 @@ struct ReadParamsExt {
   constexpr bool operator==(const ReadParamsExt&) const = default;
 };
 
-[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      ReadParamsExt& out) noexcept {
-  if (body.size() < 104) return detail::wrong_size(body.size(), 104);
-  const std::uint8_t* const from = body.data();
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   ReadParamsExt& SBGC_RESTRICT out) noexcept {
   get(from, out.profile_id);
   get(from + 1, out.notches);
   get(from + 19, out.lpf_freq);
@@ -596,14 +621,9 @@ struct ReadParamsExt {
   get(from + 98, out.mag_declination);
   get(from + 99, out.acc_lpf_freq);
   get(from + 101, out.d_term_lpf_freq);
-  return detail::get_tail(body, 104, out.tail);
 }
-
-[[nodiscard]] constexpr WriteResult encode(const ReadParamsExt& in,
-                                           std::span<std::uint8_t> out) noexcept {
-  const std::size_t size = 104 + in.tail.size();
-  if (out.size() < size) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const ReadParamsExt& SBGC_RESTRICT in) noexcept {
   put(to, in.profile_id);
   put(to + 1, in.notches);
   put(to + 19, in.lpf_freq);
@@ -634,7 +654,21 @@ struct ReadParamsExt {
   put(to + 98, in.mag_declination);
   put(to + 99, in.acc_lpf_freq);
   put(to + 101, in.d_term_lpf_freq);
-  detail::put_tail(to + 104, in.tail);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      ReadParamsExt& out) noexcept {
+  if (body.size() < 104) return detail::wrong_size(body.size(), 104);
+  get(body.data(), out);
+  return detail::get_tail(body, 104, out.tail);
+}
+
+[[nodiscard]] constexpr WriteResult encode(const ReadParamsExt& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  const std::size_t size = 104 + in.tail.size();
+  if (out.size() < size) return {0, {Code::buffer_too_small}};
+  put(out.data(), in);
+  detail::put_tail(out.data() + 104, in.tail);
   return {size, {}};
 }
 
@@ -657,19 +691,26 @@ struct ReadParamsExtRequest {
   constexpr bool operator==(const ReadParamsExtRequest&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   ReadParamsExtRequest& SBGC_RESTRICT out) noexcept {
+  get(from, out.profile_id);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const ReadParamsExtRequest& SBGC_RESTRICT in) noexcept {
+  put(to, in.profile_id);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       ReadParamsExtRequest& out) noexcept {
   if (body.size() != 1) return detail::wrong_size(body.size(), 1);
-  const std::uint8_t* const from = body.data();
-  get(from, out.profile_id);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const ReadParamsExtRequest& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 1) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.profile_id);
+  put(out.data(), in);
   return {1, {}};
 }
 
@@ -714,10 +755,8 @@ struct ReadParamsExt2 {
   constexpr bool operator==(const ReadParamsExt2&) const = default;
 };
 
-[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      ReadParamsExt2& out) noexcept {
-  if (body.size() < 151) return detail::wrong_size(body.size(), 151);
-  const std::uint8_t* const from = body.data();
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   ReadParamsExt2& SBGC_RESTRICT out) noexcept {
   get(from, out.profile_id);
   get(from + 1, out.reserved_1);
   get(from + 17, out.motor_mag_link_fine);
@@ -727,14 +766,9 @@ struct ReadParamsExt2 {
   get(from + 30, out.auto_pid_cfg);
   get(from + 31, out.auto_pid_gain);
   get(from + 32, out.reserved_2);
-  return detail::get_tail(body, 151, out.tail);
 }
-
-[[nodiscard]] constexpr WriteResult encode(const ReadParamsExt2& in,
-                                           std::span<std::uint8_t> out) noexcept {
-  const std::size_t size = 151 + in.tail.size();
-  if (out.size() < size) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const ReadParamsExt2& SBGC_RESTRICT in) noexcept {
   put(to, in.profile_id);
   put(to + 1, in.reserved_1);
   put(to + 17, in.motor_mag_link_fine);
@@ -744,7 +778,21 @@ struct ReadParamsExt2 {
   put(to + 30, in.auto_pid_cfg);
   put(to + 31, in.auto_pid_gain);
   put(to + 32, in.reserved_2);
-  detail::put_tail(to + 151, in.tail);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      ReadParamsExt2& out) noexcept {
+  if (body.size() < 151) return detail::wrong_size(body.size(), 151);
+  get(body.data(), out);
+  return detail::get_tail(body, 151, out.tail);
+}
+
+[[nodiscard]] constexpr WriteResult encode(const ReadParamsExt2& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  const std::size_t size = 151 + in.tail.size();
+  if (out.size() < size) return {0, {Code::buffer_too_small}};
+  put(out.data(), in);
+  detail::put_tail(out.data() + 151, in.tail);
   return {size, {}};
 }
 
@@ -767,19 +815,26 @@ struct ReadParamsExt2Request {
   constexpr bool operator==(const ReadParamsExt2Request&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   ReadParamsExt2Request& SBGC_RESTRICT out) noexcept {
+  get(from, out.profile_id);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const ReadParamsExt2Request& SBGC_RESTRICT in) noexcept {
+  put(to, in.profile_id);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       ReadParamsExt2Request& out) noexcept {
   if (body.size() != 1) return detail::wrong_size(body.size(), 1);
-  const std::uint8_t* const from = body.data();
-  get(from, out.profile_id);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const ReadParamsExt2Request& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 1) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.profile_id);
+  put(out.data(), in);
   return {1, {}};
 }
 
@@ -804,11 +859,19 @@ struct ReadProfileNames {
   constexpr bool operator==(const ReadProfileNames&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   ReadProfileNames& SBGC_RESTRICT out) noexcept {
+  get(from, out.profile_name);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const ReadProfileNames& SBGC_RESTRICT in) noexcept {
+  put(to, in.profile_name);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       ReadProfileNames& out) noexcept {
   if (body.size() < 240) return detail::wrong_size(body.size(), 240);
-  const std::uint8_t* const from = body.data();
-  get(from, out.profile_name);
+  get(body.data(), out);
   return detail::get_tail(body, 240, out.tail);
 }
 
@@ -816,9 +879,8 @@ struct ReadProfileNames {
                                            std::span<std::uint8_t> out) noexcept {
   const std::size_t size = 240 + in.tail.size();
   if (out.size() < size) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.profile_name);
-  detail::put_tail(to + 240, in.tail);
+  put(out.data(), in);
+  detail::put_tail(out.data() + 240, in.tail);
   return {size, {}};
 }
 
@@ -901,19 +963,26 @@ struct UseDefaults {
   constexpr bool operator==(const UseDefaults&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   UseDefaults& SBGC_RESTRICT out) noexcept {
+  get(from, out.profile_id);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const UseDefaults& SBGC_RESTRICT in) noexcept {
+  put(to, in.profile_id);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       UseDefaults& out) noexcept {
   if (body.size() != 1) return detail::wrong_size(body.size(), 1);
-  const std::uint8_t* const from = body.data();
-  get(from, out.profile_id);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const UseDefaults& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 1) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.profile_id);
+  put(out.data(), in);
   return {1, {}};
 }
 

@@ -35,7 +35,7 @@ struct BeepSound {
   /// meaning unless a custom melody is played. Errata: E063.
   NoteLength note_length{};
   /// How slowly a note fades after each pause; 0 turns the envelope off. Heard only with encoder
-  /// firmware or while the motors are off. Range: 0 to 15.
+  /// firmware or while the motors are off. Range: 0 to 15. 0: no envelope.
   std::uint8_t decay_factor{};
   /// Reserved; kept as it is.
   Bytes<8> reserved{};
@@ -46,14 +46,25 @@ struct BeepSound {
   constexpr bool operator==(const BeepSound&) const = default;
 };
 
-[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      BeepSound& out) noexcept {
-  if (body.size() < 12) return detail::wrong_size(body.size(), 12);
-  const std::uint8_t* const from = body.data();
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   BeepSound& SBGC_RESTRICT out) noexcept {
   get(from, out.mode);
   get(from + 2, out.note_length);
   get(from + 3, out.decay_factor);
   get(from + 4, out.reserved);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const BeepSound& SBGC_RESTRICT in) noexcept {
+  put(to, in.mode);
+  put(to + 2, in.note_length);
+  put(to + 3, in.decay_factor);
+  put(to + 4, in.reserved);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      BeepSound& out) noexcept {
+  if (body.size() < 12) return detail::wrong_size(body.size(), 12);
+  get(body.data(), out);
   detail::Reader reader(body, 12);
   reader.rest(out.note_freq_hz, "note_freq_hz");
   return reader.end();
@@ -62,11 +73,7 @@ struct BeepSound {
 [[nodiscard]] constexpr WriteResult encode(const BeepSound& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 12) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.mode);
-  put(to + 2, in.note_length);
-  put(to + 3, in.decay_factor);
-  put(to + 4, in.reserved);
+  put(out.data(), in);
   detail::Writer writer(out, 12);
   writer.array(in.note_freq_hz, "note_freq_hz");
   return writer.end();
@@ -93,21 +100,28 @@ struct TriggerPin {
   constexpr bool operator==(const TriggerPin&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   TriggerPin& SBGC_RESTRICT out) noexcept {
+  get(from, out.pin_id);
+  get(from + 1, out.state);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const TriggerPin& SBGC_RESTRICT in) noexcept {
+  put(to, in.pin_id);
+  put(to + 1, in.state);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       TriggerPin& out) noexcept {
   if (body.size() != 2) return detail::wrong_size(body.size(), 2);
-  const std::uint8_t* const from = body.data();
-  get(from, out.pin_id);
-  get(from + 1, out.state);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const TriggerPin& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 2) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.pin_id);
-  put(to + 1, in.state);
+  put(out.data(), in);
   return {2, {}};
 }
 
@@ -133,19 +147,26 @@ struct ServoOut {
   constexpr bool operator==(const ServoOut&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   ServoOut& SBGC_RESTRICT out) noexcept {
+  get(from, out.servo_time);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const ServoOut& SBGC_RESTRICT in) noexcept {
+  put(to, in.servo_time);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       ServoOut& out) noexcept {
   if (body.size() != 16) return detail::wrong_size(body.size(), 16);
-  const std::uint8_t* const from = body.data();
-  get(from, out.servo_time);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const ServoOut& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 16) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.servo_time);
+  put(out.data(), in);
   return {16, {}};
 }
 
@@ -172,12 +193,21 @@ struct I2cWriteRegBuf {
   constexpr bool operator==(const I2cWriteRegBuf&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   I2cWriteRegBuf& SBGC_RESTRICT out) noexcept {
+  get(from, out.device_addr);
+  get(from + 1, out.reg_addr);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const I2cWriteRegBuf& SBGC_RESTRICT in) noexcept {
+  put(to, in.device_addr);
+  put(to + 1, in.reg_addr);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       I2cWriteRegBuf& out) noexcept {
   if (body.size() < 2) return detail::wrong_size(body.size(), 2);
-  const std::uint8_t* const from = body.data();
-  get(from, out.device_addr);
-  get(from + 1, out.reg_addr);
+  get(body.data(), out);
   detail::Reader reader(body, 2);
   reader.rest(out.data, "data");
   return reader.end();
@@ -186,9 +216,7 @@ struct I2cWriteRegBuf {
 [[nodiscard]] constexpr WriteResult encode(const I2cWriteRegBuf& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 2) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.device_addr);
-  put(to + 1, in.reg_addr);
+  put(out.data(), in);
   detail::Writer writer(out, 2);
   writer.array(in.data, "data");
   return writer.end();
@@ -250,23 +278,30 @@ struct I2cReadRegBufRequest {
   constexpr bool operator==(const I2cReadRegBufRequest&) const = default;
 };
 
-[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      I2cReadRegBufRequest& out) noexcept {
-  if (body.size() != 3) return detail::wrong_size(body.size(), 3);
-  const std::uint8_t* const from = body.data();
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   I2cReadRegBufRequest& SBGC_RESTRICT out) noexcept {
   get(from, out.device_addr);
   get(from + 1, out.reg_addr);
   get(from + 2, out.data_len);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const I2cReadRegBufRequest& SBGC_RESTRICT in) noexcept {
+  put(to, in.device_addr);
+  put(to + 1, in.reg_addr);
+  put(to + 2, in.data_len);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      I2cReadRegBufRequest& out) noexcept {
+  if (body.size() != 3) return detail::wrong_size(body.size(), 3);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const I2cReadRegBufRequest& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 3) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.device_addr);
-  put(to + 1, in.reg_addr);
-  put(to + 2, in.data_len);
+  put(out.data(), in);
   return {3, {}};
 }
 
@@ -290,19 +325,26 @@ struct ApiVirtChControl {
   constexpr bool operator==(const ApiVirtChControl&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   ApiVirtChControl& SBGC_RESTRICT out) noexcept {
+  get(from, out.val_ch);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const ApiVirtChControl& SBGC_RESTRICT in) noexcept {
+  put(to, in.val_ch);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       ApiVirtChControl& out) noexcept {
   if (body.size() != 64) return detail::wrong_size(body.size(), 64);
-  const std::uint8_t* const from = body.data();
-  get(from, out.val_ch);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const ApiVirtChControl& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 64) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.val_ch);
+  put(out.data(), in);
   return {64, {}};
 }
 

@@ -28,13 +28,15 @@ struct AxisSensors {
   constexpr bool operator==(const AxisSensors&) const = default;
 };
 
-constexpr void get(const std::uint8_t* from, AxisSensors& value) noexcept {
-  get(from, value.acc_data);
-  get(from + 2, value.gyro_data);
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   AxisSensors& SBGC_RESTRICT out) noexcept {
+  get(from, out.acc_data);
+  get(from + 2, out.gyro_data);
 }
-constexpr void put(std::uint8_t* to, const AxisSensors& value) noexcept {
-  put(to, value.acc_data);
-  put(to + 2, value.gyro_data);
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const AxisSensors& SBGC_RESTRICT in) noexcept {
+  put(to, in.acc_data);
+  put(to + 2, in.gyro_data);
 }
 
 /// What the message needs to know; unused bytes are 0.
@@ -144,10 +146,8 @@ struct RealtimeData3 {
   constexpr bool operator==(const RealtimeData3&) const = default;
 };
 
-[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      RealtimeData3& out) noexcept {
-  if (body.size() < 63) return detail::wrong_size(body.size(), 63);
-  const std::uint8_t* const from = body.data();
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   RealtimeData3& SBGC_RESTRICT out) noexcept {
   get(from, out.axes);
   get(from + 12, out.serial_error_cnt);
   get(from + 14, out.system_error);
@@ -168,14 +168,9 @@ struct RealtimeData3 {
   get(from + 58, out.cur_imu);
   get(from + 59, out.cur_profile);
   get(from + 60, out.motor_power);
-  return detail::get_tail(body, 63, out.tail);
 }
-
-[[nodiscard]] constexpr WriteResult encode(const RealtimeData3& in,
-                                           std::span<std::uint8_t> out) noexcept {
-  const std::size_t size = 63 + in.tail.size();
-  if (out.size() < size) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const RealtimeData3& SBGC_RESTRICT in) noexcept {
   put(to, in.axes);
   put(to + 12, in.serial_error_cnt);
   put(to + 14, in.system_error);
@@ -196,7 +191,21 @@ struct RealtimeData3 {
   put(to + 58, in.cur_imu);
   put(to + 59, in.cur_profile);
   put(to + 60, in.motor_power);
-  detail::put_tail(to + 63, in.tail);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      RealtimeData3& out) noexcept {
+  if (body.size() < 63) return detail::wrong_size(body.size(), 63);
+  get(body.data(), out);
+  return detail::get_tail(body, 63, out.tail);
+}
+
+[[nodiscard]] constexpr WriteResult encode(const RealtimeData3& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  const std::size_t size = 63 + in.tail.size();
+  if (out.size() < size) return {0, {Code::buffer_too_small}};
+  put(out.data(), in);
+  detail::put_tail(out.data() + 63, in.tail);
   return {size, {}};
 }
 
@@ -316,10 +325,8 @@ struct RealtimeData4 {
   constexpr bool operator==(const RealtimeData4&) const = default;
 };
 
-[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      RealtimeData4& out) noexcept {
-  if (body.size() < 124) return detail::wrong_size(body.size(), 124);
-  const std::uint8_t* const from = body.data();
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   RealtimeData4& SBGC_RESTRICT out) noexcept {
   get(from, out.axes);
   get(from + 12, out.serial_error_cnt);
   get(from + 14, out.system_error);
@@ -350,14 +357,9 @@ struct RealtimeData4 {
   get(from + 86, out.imu_g_err);
   get(from + 87, out.imu_h_err);
   get(from + 88, out.reserved_3);
-  return detail::get_tail(body, 124, out.tail);
 }
-
-[[nodiscard]] constexpr WriteResult encode(const RealtimeData4& in,
-                                           std::span<std::uint8_t> out) noexcept {
-  const std::size_t size = 124 + in.tail.size();
-  if (out.size() < size) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const RealtimeData4& SBGC_RESTRICT in) noexcept {
   put(to, in.axes);
   put(to + 12, in.serial_error_cnt);
   put(to + 14, in.system_error);
@@ -388,7 +390,21 @@ struct RealtimeData4 {
   put(to + 86, in.imu_g_err);
   put(to + 87, in.imu_h_err);
   put(to + 88, in.reserved_3);
-  detail::put_tail(to + 124, in.tail);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      RealtimeData4& out) noexcept {
+  if (body.size() < 124) return detail::wrong_size(body.size(), 124);
+  get(body.data(), out);
+  return detail::get_tail(body, 124, out.tail);
+}
+
+[[nodiscard]] constexpr WriteResult encode(const RealtimeData4& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  const std::size_t size = 124 + in.tail.size();
+  if (out.size() < size) return {0, {Code::buffer_too_small}};
+  put(out.data(), in);
+  detail::put_tail(out.data() + 124, in.tail);
   return {size, {}};
 }
 
@@ -481,12 +497,20 @@ struct RealtimeDataCustom {
   constexpr bool operator==(const RealtimeDataCustom&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   RealtimeDataCustom& SBGC_RESTRICT out) noexcept {
+  get(from, out.timestamp_ms);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const RealtimeDataCustom& SBGC_RESTRICT in) noexcept {
+  put(to, in.timestamp_ms);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       RealtimeDataCustom& out,
                                       const RealtimeDataCustom::Context& context = {}) noexcept {
   if (body.size() < 2) return detail::wrong_size(body.size(), 2);
-  const std::uint8_t* const from = body.data();
-  get(from, out.timestamp_ms);
+  get(body.data(), out);
   detail::Reader reader(body, 2);
   reader.when(context.flags.has(RealtimeDataCustomFlag::imu_angles),
               detail::required, out.imu_angles, "imu_angles");
@@ -514,8 +538,7 @@ struct RealtimeDataCustom {
 [[nodiscard]] constexpr WriteResult encode(const RealtimeDataCustom& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 2) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.timestamp_ms);
+  put(out.data(), in);
   detail::Writer writer(out, 2);
   if (in.imu_angles) writer.value(*in.imu_angles, "imu_angles");
   if (in.target_angles) writer.value(*in.target_angles, "target_angles");
@@ -552,21 +575,28 @@ struct RealtimeDataCustomRequest {
   constexpr bool operator==(const RealtimeDataCustomRequest&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   RealtimeDataCustomRequest& SBGC_RESTRICT out) noexcept {
+  get(from, out.flags);
+  get(from + 4, out.reserved);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const RealtimeDataCustomRequest& SBGC_RESTRICT in) noexcept {
+  put(to, in.flags);
+  put(to + 4, in.reserved);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       RealtimeDataCustomRequest& out) noexcept {
   if (body.size() != 10) return detail::wrong_size(body.size(), 10);
-  const std::uint8_t* const from = body.data();
-  get(from, out.flags);
-  get(from + 4, out.reserved);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const RealtimeDataCustomRequest& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 10) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.flags);
-  put(to + 4, in.reserved);
+  put(out.data(), in);
   return {10, {}};
 }
 
@@ -601,28 +631,36 @@ struct DataStreamInterval {
   constexpr bool operator==(const DataStreamInterval&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   DataStreamInterval& SBGC_RESTRICT out) noexcept {
+  get(from, out.cmd_id);
+  get(from + 1, out.interval_ms);
+  get(from + 11, out.reserved);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const DataStreamInterval& SBGC_RESTRICT in) noexcept {
+  put(to, in.cmd_id);
+  put(to + 1, in.interval_ms);
+  put(to + 11, in.reserved);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       DataStreamInterval& out) noexcept {
   if (body.size() != 21) return detail::wrong_size(body.size(), 21);
-  const std::uint8_t* const from = body.data();
-  get(from, out.cmd_id);
-  get(from + 1, out.interval_ms);
+  get(body.data(), out);
   detail::Reader config(body.subspan(3, 8), 0);
   config.when(out.cmd_id == CommandId::realtime_data_custom,
               detail::required, out.config.flags, "config.flags");
   config.when(out.cmd_id == CommandId::ahrs_helper,
               detail::required, out.config.imu_type, "config.imu_type");
   config.rest(out.config.rest, "config.rest");
-  get(from + 11, out.reserved);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const DataStreamInterval& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 21) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.cmd_id);
-  put(to + 1, in.interval_ms);
+  put(out.data(), in);
   detail::Writer config(out.subspan(3, 8), 0);
   config.when(in.cmd_id == CommandId::realtime_data_custom,
               detail::required, in.config.flags, "config.flags");
@@ -630,7 +668,6 @@ struct DataStreamInterval {
               detail::required, in.config.imu_type, "config.imu_type");
   config.array(in.config.rest, "config.rest");
   if (const Status status = config.fill(3); !status) return {0, status};
-  put(to + 11, in.reserved);
   return {21, {}};
 }
 

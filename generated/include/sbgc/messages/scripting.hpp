@@ -39,23 +39,30 @@ struct RunScript {
   constexpr bool operator==(const RunScript&) const = default;
 };
 
-[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      RunScript& out) noexcept {
-  if (body.size() != 34) return detail::wrong_size(body.size(), 34);
-  const std::uint8_t* const from = body.data();
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   RunScript& SBGC_RESTRICT out) noexcept {
   get(from, out.mode);
   get(from + 1, out.slot);
   get(from + 2, out.reserved);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const RunScript& SBGC_RESTRICT in) noexcept {
+  put(to, in.mode);
+  put(to + 1, in.slot);
+  put(to + 2, in.reserved);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      RunScript& out) noexcept {
+  if (body.size() != 34) return detail::wrong_size(body.size(), 34);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const RunScript& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 34) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.mode);
-  put(to + 1, in.slot);
-  put(to + 2, in.reserved);
+  put(out.data(), in);
   return {34, {}};
 }
 
@@ -82,12 +89,21 @@ struct ScriptDebug {
   constexpr bool operator==(const ScriptDebug&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   ScriptDebug& SBGC_RESTRICT out) noexcept {
+  get(from, out.cmd_count);
+  get(from + 2, out.err_code);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const ScriptDebug& SBGC_RESTRICT in) noexcept {
+  put(to, in.cmd_count);
+  put(to + 2, in.err_code);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       ScriptDebug& out) noexcept {
   if (body.size() < 3) return detail::wrong_size(body.size(), 3);
-  const std::uint8_t* const from = body.data();
-  get(from, out.cmd_count);
-  get(from + 2, out.err_code);
+  get(body.data(), out);
   return detail::get_tail(body, 3, out.tail);
 }
 
@@ -95,10 +111,8 @@ struct ScriptDebug {
                                            std::span<std::uint8_t> out) noexcept {
   const std::size_t size = 3 + in.tail.size();
   if (out.size() < size) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.cmd_count);
-  put(to + 2, in.err_code);
-  detail::put_tail(to + 3, in.tail);
+  put(out.data(), in);
+  detail::put_tail(out.data() + 3, in.tail);
   return {size, {}};
 }
 

@@ -37,11 +37,19 @@ struct EepromWrite {
   constexpr bool operator==(const EepromWrite&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   EepromWrite& SBGC_RESTRICT out) noexcept {
+  get(from, out.addr);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const EepromWrite& SBGC_RESTRICT in) noexcept {
+  put(to, in.addr);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       EepromWrite& out) noexcept {
   if (body.size() < 4) return detail::wrong_size(body.size(), 4);
-  const std::uint8_t* const from = body.data();
-  get(from, out.addr);
+  get(body.data(), out);
   detail::Reader reader(body, 4);
   reader.rest(out.data, "data");
   return reader.end();
@@ -50,8 +58,7 @@ struct EepromWrite {
 [[nodiscard]] constexpr WriteResult encode(const EepromWrite& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 4) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.addr);
+  put(out.data(), in);
   detail::Writer writer(out, 4);
   writer.array(in.data, "data");
   return writer.end();
@@ -80,12 +87,21 @@ struct ReadFile {
   constexpr bool operator==(const ReadFile&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   ReadFile& SBGC_RESTRICT out) noexcept {
+  get(from, out.file_size);
+  get(from + 2, out.page_offset);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const ReadFile& SBGC_RESTRICT in) noexcept {
+  put(to, in.file_size);
+  put(to + 2, in.page_offset);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       ReadFile& out) noexcept {
   if (body.size() < 4) return detail::wrong_size(body.size(), 4);
-  const std::uint8_t* const from = body.data();
-  get(from, out.file_size);
-  get(from + 2, out.page_offset);
+  get(body.data(), out);
   detail::Reader reader(body, 4);
   reader.rest(out.data, "data");
   return reader.end();
@@ -94,9 +110,7 @@ struct ReadFile {
 [[nodiscard]] constexpr WriteResult encode(const ReadFile& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 4) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.file_size);
-  put(to + 2, in.page_offset);
+  put(out.data(), in);
   detail::Writer writer(out, 4);
   writer.array(in.data, "data");
   return writer.end();
@@ -121,19 +135,26 @@ struct ReadFileError {
   constexpr bool operator==(const ReadFileError&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   ReadFileError& SBGC_RESTRICT out) noexcept {
+  get(from, out.err_code);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const ReadFileError& SBGC_RESTRICT in) noexcept {
+  put(to, in.err_code);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       ReadFileError& out) noexcept {
   if (body.size() != 1) return detail::wrong_size(body.size(), 1);
-  const std::uint8_t* const from = body.data();
-  get(from, out.err_code);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const ReadFileError& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 1) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.err_code);
+  put(out.data(), in);
   return {1, {}};
 }
 
@@ -163,25 +184,32 @@ struct ReadFileRequest {
   constexpr bool operator==(const ReadFileRequest&) const = default;
 };
 
-[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      ReadFileRequest& out) noexcept {
-  if (body.size() != 20) return detail::wrong_size(body.size(), 20);
-  const std::uint8_t* const from = body.data();
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   ReadFileRequest& SBGC_RESTRICT out) noexcept {
   get(from, out.file_id);
   get(from + 2, out.page_offset);
   get(from + 4, out.max_data_size);
   get(from + 6, out.reserved);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const ReadFileRequest& SBGC_RESTRICT in) noexcept {
+  put(to, in.file_id);
+  put(to + 2, in.page_offset);
+  put(to + 4, in.max_data_size);
+  put(to + 6, in.reserved);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      ReadFileRequest& out) noexcept {
+  if (body.size() != 20) return detail::wrong_size(body.size(), 20);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const ReadFileRequest& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 20) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.file_id);
-  put(to + 2, in.page_offset);
-  put(to + 4, in.max_data_size);
-  put(to + 6, in.reserved);
+  put(out.data(), in);
   return {20, {}};
 }
 
@@ -210,13 +238,23 @@ struct WriteFile {
   constexpr bool operator==(const WriteFile&) const = default;
 };
 
-[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      WriteFile& out) noexcept {
-  if (body.size() < 6) return detail::wrong_size(body.size(), 6);
-  const std::uint8_t* const from = body.data();
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   WriteFile& SBGC_RESTRICT out) noexcept {
   get(from, out.file_id);
   get(from + 2, out.file_size);
   get(from + 4, out.page_offset);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const WriteFile& SBGC_RESTRICT in) noexcept {
+  put(to, in.file_id);
+  put(to + 2, in.file_size);
+  put(to + 4, in.page_offset);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      WriteFile& out) noexcept {
+  if (body.size() < 6) return detail::wrong_size(body.size(), 6);
+  get(body.data(), out);
   detail::Reader reader(body, 6);
   reader.rest(out.data, "data");
   return reader.end();
@@ -225,10 +263,7 @@ struct WriteFile {
 [[nodiscard]] constexpr WriteResult encode(const WriteFile& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 6) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.file_id);
-  put(to + 2, in.file_size);
-  put(to + 4, in.page_offset);
+  put(out.data(), in);
   detail::Writer writer(out, 6);
   writer.array(in.data, "data");
   return writer.end();
@@ -285,11 +320,19 @@ struct EepromRead {
   constexpr bool operator==(const EepromRead&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   EepromRead& SBGC_RESTRICT out) noexcept {
+  get(from, out.addr);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const EepromRead& SBGC_RESTRICT in) noexcept {
+  put(to, in.addr);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       EepromRead& out) noexcept {
   if (body.size() < 4) return detail::wrong_size(body.size(), 4);
-  const std::uint8_t* const from = body.data();
-  get(from, out.addr);
+  get(body.data(), out);
   detail::Reader reader(body, 4);
   reader.rest(out.data, "data");
   return reader.end();
@@ -298,8 +341,7 @@ struct EepromRead {
 [[nodiscard]] constexpr WriteResult encode(const EepromRead& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 4) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.addr);
+  put(out.data(), in);
   detail::Writer writer(out, 4);
   writer.array(in.data, "data");
   return writer.end();
@@ -327,21 +369,28 @@ struct EepromReadRequest {
   constexpr bool operator==(const EepromReadRequest&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   EepromReadRequest& SBGC_RESTRICT out) noexcept {
+  get(from, out.addr);
+  get(from + 4, out.size);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const EepromReadRequest& SBGC_RESTRICT in) noexcept {
+  put(to, in.addr);
+  put(to + 4, in.size);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       EepromReadRequest& out) noexcept {
   if (body.size() != 6) return detail::wrong_size(body.size(), 6);
-  const std::uint8_t* const from = body.data();
-  get(from, out.addr);
-  get(from + 4, out.size);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const EepromReadRequest& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 6) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.addr);
-  put(to + 4, in.size);
+  put(out.data(), in);
   return {6, {}};
 }
 
@@ -366,11 +415,19 @@ struct ReadExternalData {
   constexpr bool operator==(const ReadExternalData&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   ReadExternalData& SBGC_RESTRICT out) noexcept {
+  get(from, out.data);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const ReadExternalData& SBGC_RESTRICT in) noexcept {
+  put(to, in.data);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       ReadExternalData& out) noexcept {
   if (body.size() < 128) return detail::wrong_size(body.size(), 128);
-  const std::uint8_t* const from = body.data();
-  get(from, out.data);
+  get(body.data(), out);
   return detail::get_tail(body, 128, out.tail);
 }
 
@@ -378,9 +435,8 @@ struct ReadExternalData {
                                            std::span<std::uint8_t> out) noexcept {
   const std::size_t size = 128 + in.tail.size();
   if (out.size() < size) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.data);
-  detail::put_tail(to + 128, in.tail);
+  put(out.data(), in);
+  detail::put_tail(out.data() + 128, in.tail);
   return {size, {}};
 }
 

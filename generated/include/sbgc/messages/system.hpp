@@ -49,10 +49,8 @@ struct BoardInfo {
   constexpr bool operator==(const BoardInfo&) const = default;
 };
 
-[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      BoardInfo& out) noexcept {
-  if (body.size() < 18) return detail::wrong_size(body.size(), 18);
-  const std::uint8_t* const from = body.data();
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   BoardInfo& SBGC_RESTRICT out) noexcept {
   get(from, out.board_ver);
   get(from + 1, out.firmware_ver);
   get(from + 3, out.debug_mode);
@@ -60,14 +58,9 @@ struct BoardInfo {
   get(from + 6, out.connection_flags);
   get(from + 7, out.frw_extra_id);
   get(from + 11, out.reserved);
-  return detail::get_tail(body, 18, out.tail);
 }
-
-[[nodiscard]] constexpr WriteResult encode(const BoardInfo& in,
-                                           std::span<std::uint8_t> out) noexcept {
-  const std::size_t size = 18 + in.tail.size();
-  if (out.size() < size) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const BoardInfo& SBGC_RESTRICT in) noexcept {
   put(to, in.board_ver);
   put(to + 1, in.firmware_ver);
   put(to + 3, in.debug_mode);
@@ -75,7 +68,21 @@ struct BoardInfo {
   put(to + 6, in.connection_flags);
   put(to + 7, in.frw_extra_id);
   put(to + 11, in.reserved);
-  detail::put_tail(to + 18, in.tail);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      BoardInfo& out) noexcept {
+  if (body.size() < 18) return detail::wrong_size(body.size(), 18);
+  get(body.data(), out);
+  return detail::get_tail(body, 18, out.tail);
+}
+
+[[nodiscard]] constexpr WriteResult encode(const BoardInfo& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  const std::size_t size = 18 + in.tail.size();
+  if (out.size() < size) return {0, {Code::buffer_too_small}};
+  put(out.data(), in);
+  detail::put_tail(out.data() + 18, in.tail);
   return {size, {}};
 }
 
@@ -129,11 +136,19 @@ struct BoardInfoRequestExt {
   constexpr bool operator==(const BoardInfoRequestExt&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   BoardInfoRequestExt& SBGC_RESTRICT out) noexcept {
+  get(from, out.cfg);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const BoardInfoRequestExt& SBGC_RESTRICT in) noexcept {
+  put(to, in.cfg);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       BoardInfoRequestExt& out) noexcept {
   if (body.size() < 2) return detail::wrong_size(body.size(), 2);
-  const std::uint8_t* const from = body.data();
-  get(from, out.cfg);
+  get(body.data(), out);
   detail::Reader reader(body, 2);
   reader.rest(out.reserved, "reserved");
   return reader.end();
@@ -142,8 +157,7 @@ struct BoardInfoRequestExt {
 [[nodiscard]] constexpr WriteResult encode(const BoardInfoRequestExt& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 2) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.cfg);
+  put(out.data(), in);
   detail::Writer writer(out, 2);
   writer.array(in.reserved, "reserved");
   return writer.end();
@@ -173,11 +187,19 @@ struct Confirm {
   constexpr bool operator==(const Confirm&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   Confirm& SBGC_RESTRICT out) noexcept {
+  get(from, out.cmd);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const Confirm& SBGC_RESTRICT in) noexcept {
+  put(to, in.cmd);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       Confirm& out) noexcept {
   if (body.size() < 1) return detail::wrong_size(body.size(), 1);
-  const std::uint8_t* const from = body.data();
-  get(from, out.cmd);
+  get(body.data(), out);
   detail::Reader reader(body, 1);
   reader.when(out.cmd == CommandId::eeprom_write,
               detail::may_be_missing, out.addr, "addr");
@@ -190,8 +212,7 @@ struct Confirm {
 [[nodiscard]] constexpr WriteResult encode(const Confirm& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 1) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.cmd);
+  put(out.data(), in);
   detail::Writer writer(out, 1);
   writer.when(in.cmd == CommandId::eeprom_write,
               detail::may_be_missing, in.addr, "addr");
@@ -222,21 +243,28 @@ struct Error {
   constexpr bool operator==(const Error&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   Error& SBGC_RESTRICT out) noexcept {
+  get(from, out.error_code);
+  get(from + 1, out.error_data);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const Error& SBGC_RESTRICT in) noexcept {
+  put(to, in.error_code);
+  put(to + 1, in.error_data);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       Error& out) noexcept {
   if (body.size() != 5) return detail::wrong_size(body.size(), 5);
-  const std::uint8_t* const from = body.data();
-  get(from, out.error_code);
-  get(from + 1, out.error_data);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const Error& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 5) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.error_code);
-  put(to + 1, in.error_data);
+  put(out.data(), in);
   return {5, {}};
 }
 
@@ -265,13 +293,23 @@ struct ErrorExt {
   constexpr bool operator==(const ErrorExt&) const = default;
 };
 
-[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      ErrorExt& out) noexcept {
-  if (body.size() < 6) return detail::wrong_size(body.size(), 6);
-  const std::uint8_t* const from = body.data();
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   ErrorExt& SBGC_RESTRICT out) noexcept {
   get(from, out.cmd_id);
   get(from + 1, out.error_code);
   get(from + 2, out.error_data);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const ErrorExt& SBGC_RESTRICT in) noexcept {
+  put(to, in.cmd_id);
+  put(to + 1, in.error_code);
+  put(to + 2, in.error_data);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      ErrorExt& out) noexcept {
+  if (body.size() < 6) return detail::wrong_size(body.size(), 6);
+  get(body.data(), out);
   return detail::get_tail(body, 6, out.tail);
 }
 
@@ -279,11 +317,8 @@ struct ErrorExt {
                                            std::span<std::uint8_t> out) noexcept {
   const std::size_t size = 6 + in.tail.size();
   if (out.size() < size) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.cmd_id);
-  put(to + 1, in.error_code);
-  put(to + 2, in.error_data);
-  detail::put_tail(to + 6, in.tail);
+  put(out.data(), in);
+  detail::put_tail(out.data() + 6, in.tail);
   return {size, {}};
 }
 
@@ -317,15 +352,27 @@ struct BoardInfo3 {
   constexpr bool operator==(const BoardInfo3&) const = default;
 };
 
-[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
-                                      BoardInfo3& out) noexcept {
-  if (body.size() < 69) return detail::wrong_size(body.size(), 69);
-  const std::uint8_t* const from = body.data();
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   BoardInfo3& SBGC_RESTRICT out) noexcept {
   get(from, out.device_id);
   get(from + 9, out.mcu_id);
   get(from + 21, out.eeprom_size);
   get(from + 25, out.script_slot_size);
   get(from + 35, out.reserved);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const BoardInfo3& SBGC_RESTRICT in) noexcept {
+  put(to, in.device_id);
+  put(to + 9, in.mcu_id);
+  put(to + 21, in.eeprom_size);
+  put(to + 25, in.script_slot_size);
+  put(to + 35, in.reserved);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      BoardInfo3& out) noexcept {
+  if (body.size() < 69) return detail::wrong_size(body.size(), 69);
+  get(body.data(), out);
   return detail::get_tail(body, 69, out.tail);
 }
 
@@ -333,13 +380,8 @@ struct BoardInfo3 {
                                            std::span<std::uint8_t> out) noexcept {
   const std::size_t size = 69 + in.tail.size();
   if (out.size() < size) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.device_id);
-  put(to + 9, in.mcu_id);
-  put(to + 21, in.eeprom_size);
-  put(to + 25, in.script_slot_size);
-  put(to + 35, in.reserved);
-  detail::put_tail(to + 69, in.tail);
+  put(out.data(), in);
+  detail::put_tail(out.data() + 69, in.tail);
   return {size, {}};
 }
 
@@ -400,8 +442,7 @@ struct Reset {
                                            std::span<std::uint8_t> out) noexcept {
   const std::size_t size = 0 + in.tail.size();
   if (out.size() < size) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  detail::put_tail(to, in.tail);
+  detail::put_tail(out.data(), in.tail);
   return {size, {}};
 }
 
@@ -455,21 +496,28 @@ struct ResetRequestExt {
   constexpr bool operator==(const ResetRequestExt&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   ResetRequestExt& SBGC_RESTRICT out) noexcept {
+  get(from, out.confirm);
+  get(from + 1, out.delay_ms);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const ResetRequestExt& SBGC_RESTRICT in) noexcept {
+  put(to, in.confirm);
+  put(to + 1, in.delay_ms);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       ResetRequestExt& out) noexcept {
   if (body.size() != 3) return detail::wrong_size(body.size(), 3);
-  const std::uint8_t* const from = body.data();
-  get(from, out.confirm);
-  get(from + 1, out.delay_ms);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const ResetRequestExt& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 3) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.confirm);
-  put(to + 1, in.delay_ms);
+  put(out.data(), in);
   return {3, {}};
 }
 
@@ -525,21 +573,28 @@ struct BootMode3Ext {
   constexpr bool operator==(const BootMode3Ext&) const = default;
 };
 
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   BootMode3Ext& SBGC_RESTRICT out) noexcept {
+  get(from, out.confirm);
+  get(from + 1, out.delay_ms);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const BootMode3Ext& SBGC_RESTRICT in) noexcept {
+  put(to, in.confirm);
+  put(to + 1, in.delay_ms);
+}
+
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       BootMode3Ext& out) noexcept {
   if (body.size() != 3) return detail::wrong_size(body.size(), 3);
-  const std::uint8_t* const from = body.data();
-  get(from, out.confirm);
-  get(from + 1, out.delay_ms);
+  get(body.data(), out);
   return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const BootMode3Ext& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 3) return {0, {Code::buffer_too_small}};
-  std::uint8_t* const to = out.data();
-  put(to, in.confirm);
-  put(to + 1, in.delay_ms);
+  put(out.data(), in);
   return {3, {}};
 }
 

@@ -113,6 +113,7 @@ struct Meta<DebugVars3> {
   template <class T, class Visitor>
   static constexpr void visit(T& value, Visitor&& visitor) {
     visitor(fields[0], value.var_value);
+    visitor(tail_field, value.tail);
   }
 };
 

@@ -30,6 +30,9 @@ struct Meta<BeepSound> {
       {0, "without meaning unless a custom melody is played"},
   };
   static constexpr Range decay_factor_range{0, 15};
+  static constexpr Special decay_factor_special[] = {
+      {0, "no envelope"},
+  };
   static constexpr Range note_freq_hz_range{554, 20999};
   static constexpr Special note_freq_hz_special[] = {
       {21000, "pause, then the envelope starts again"},
@@ -46,7 +49,8 @@ struct Meta<BeepSound> {
       {.name = "decay_factor",
        .spec_name = "DECAY_FACTOR",
        .summary = "How slowly a note fades after each pause; 0 turns the envelope off. Heard only with encoder firmware or while the motors are off.",
-       .range = &decay_factor_range},
+       .range = &decay_factor_range,
+       .special = decay_factor_special},
       {.name = "reserved",
        .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",

@@ -1,0 +1,52 @@
+// JSON from outside. The input is a line as `sbgc encode` reads it. Whatever it says, it is a message
+// or a JsonError; a message becomes the same JSON and the same bytes again.
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include <sbgc/dispatch.hpp>
+#include <sbgc/json.hpp>
+#include <sbgc/message.hpp>
+#include <sbgc/meta/all.hpp>
+
+namespace {
+
+void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+template <class M>
+std::vector<std::uint8_t> bytes_of(const M& message) {
+  std::vector<std::uint8_t> out(sbgc::max_body_size);
+  out.resize(encode(message, out).size);
+  return out;
+}
+
+template <class M>
+void check(const sbgc::Json& fields) {
+  M message{};
+  try {
+    sbgc::from_json(fields, message);
+  } catch (const sbgc::JsonError&) {
+    return;
+  }
+  const sbgc::Json printed = sbgc::to_json(message);
+  M again{};
+  sbgc::from_json(sbgc::Json::parse(printed.dump()), again);
+  require(bytes_of(again) == bytes_of(message));
+  require(sbgc::to_json(again) == printed);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const sbgc::Json line = sbgc::Json::parse(data, data + size, nullptr, false);
+  if (!line.is_object() || !line.contains("message") || !line.contains("fields")) return 0;
+  sbgc::AllMessages::for_each([&]<class M>(sbgc::Type<M>) {
+    if (line["message"] == sbgc::Meta<M>::info.name) check<M>(line["fields"]);
+  });
+  return 0;
+}

@@ -1,0 +1,76 @@
+"""Numbers whose types another message announces: what it announces, and how to announce something."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sbgcgen.model import Announcement, Enum, Field, Message, Packed, Struct
+from sbgcgen.reference_codec import Fields, decode
+
+
+def announced_types(announcement: Announcement, message: Message, fields: Fields) -> list[str]:
+    """The types of the numbers in order; an element of unknown type ends them.
+
+    A count of 0 stands for a single number, as 1 does.
+    """
+    result: list[str] = []
+    for element in fields[announcement.list]:
+        kind = _kind(announcement, message)
+        raw = element[announcement.kind.partition(".")[0]]
+        named = [v.wire for v in kind.enum.values if v.value == (raw & kind.mask) >> kind.shift]
+        if not named or not named[0]:
+            break
+        result += named[:1] * max(1, element[announcement.count])
+    return result
+
+
+def announcing(announcement: Announcement, message: Message, types: list[str]) -> Fields:
+    """A message that announces these types: equal neighbours as one element, singles in turn with
+    the counts 0 and 1."""
+    kind = _kind(announcement, message)
+    values = {v.wire: v.value << kind.shift for v in kind.enum.values if v.wire}
+    runs: list[tuple[str, int]] = []
+    for name in types:
+        if runs and runs[-1][0] == name:
+            runs[-1] = (name, runs[-1][1] + 1)
+        else:
+            runs.append((name, 1))
+    fields = decode(message, bytes(message.min_size))
+    counter = next(f.counter for f in message.fields if f.name == announcement.list)
+    elements: list[Fields] = []
+    for number, (name, count) in enumerate(runs):
+        element: Fields = {f.name: _nothing(f) for f in _element(announcement, message)}
+        element[announcement.kind.partition(".")[0]] = values[name]
+        element[announcement.count] = count if count > 1 else number % 2
+        elements.append(element)
+    return {**fields, counter: len(elements), announcement.list: elements}
+
+
+class _Kind:
+    """Where in an element its type stands."""
+
+    def __init__(self, enum: Enum, mask: int, shift: int) -> None:
+        self.enum = enum
+        self.mask = mask
+        self.shift = shift
+
+
+def _element(announcement: Announcement, message: Message) -> tuple[Field, ...]:
+    member = next(f for f in message.fields if f.name == announcement.list)
+    assert isinstance(member.type, Struct)
+    return member.type.fields
+
+
+def _kind(announcement: Announcement, message: Message) -> _Kind:
+    name, _, part_name = announcement.kind.partition(".")
+    member = next(f for f in _element(announcement, message) if f.name == name)
+    if isinstance(member.type, Packed):
+        part = next(p for p in member.type.parts if p.name == part_name)
+        assert part.enum is not None
+        return _Kind(part.enum, part.mask, part.shift)
+    assert isinstance(member.type, Enum)
+    return _Kind(member.type, -1, 0)
+
+
+def _nothing(field: Field) -> Any:
+    return "" if field.type.kind in ("string", "text") else 0

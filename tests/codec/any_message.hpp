@@ -1,0 +1,113 @@
+/// Every message behind one interface, so that a test can go through all of them without a template
+/// being instantiated for each.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <ostream>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <sbgc/dispatch.hpp>
+#include <sbgc/json.hpp>
+#include <sbgc/validate.hpp>
+
+#include "support.hpp"
+
+namespace sbgc::test {
+
+/// A violation with its path as text, to be kept.
+struct ViolationCopy {
+  std::string path;
+  double value{};
+  double limit{};
+  Rule rule{};
+
+  bool operator==(const ViolationCopy&) const = default;
+};
+
+/// The violations of a message.
+template <class M>
+std::vector<ViolationCopy> violations_of(const M& message) {
+  std::vector<ViolationCopy> result;
+  validate(message, [&](const Violation& violation) {
+    char path[128] = {};
+    violation.path.write(path, sizeof path);
+    result.push_back({path, violation.value, violation.limit, violation.rule});
+  });
+  return result;
+}
+
+/// Raw numbers under the specification's names: one, or one for each axis or element.
+using FieldValues = std::map<std::string, std::vector<double>>;
+
+/// Some message.
+class AnyMessage {
+ public:
+  AnyMessage() = default;
+  AnyMessage(const AnyMessage&) = delete;
+  AnyMessage& operator=(const AnyMessage&) = delete;
+  virtual ~AnyMessage() = default;
+
+  virtual Status decode(std::span<const std::uint8_t> body, const Contexts& contexts) = 0;
+  virtual WriteResult encode(std::span<std::uint8_t> out) const = 0;
+  virtual WriteResult encode_frame(std::span<std::uint8_t> out) const = 0;
+  /// As operator==; the other must be of the same type.
+  virtual bool equals(const AnyMessage& other) const = 0;
+  virtual void teach(Contexts& contexts) const = 0;
+  virtual std::size_t tail_size() const = 0;
+  virtual std::vector<ViolationCopy> violations() const = 0;
+  virtual FieldValues spec_fields() const = 0;
+  virtual Json to_json() const = 0;
+  virtual void from_json(const Json& json) = 0;
+
+  Status decode(std::span<const std::uint8_t> body) { return decode(body, Contexts{}); }
+  /// The body; empty if it does not encode.
+  ByteVector body() const;
+};
+
+/// A message type.
+struct MessageType {
+  const MessageInfo* info{};
+  Form form{};
+  std::unique_ptr<AnyMessage> (*make)(){};
+
+  bool fixed_size() const { return info->min_size == info->max_size; }
+};
+
+/// All message types, in the order of AllMessages.
+const std::vector<MessageType>& message_types();
+
+/// The type with this name; fails loudly if there is none.
+const MessageType& message_type(const std::string& name);
+
+/// What select() says and chooses.
+struct Selected {
+  Code code{};
+  const MessageInfo* info{};  ///< null if it has not called back
+};
+Selected selected(Direction direction, std::uint8_t id, std::size_t size);
+
+/// The type that select() chooses; null if none.
+const MessageType* find_message_type(Direction direction, std::uint8_t id, std::size_t size);
+
+/// What visit() says and hands to its visitor.
+struct Visited {
+  Status status{};
+  int calls{};
+  const MessageInfo* info{};  ///< null if it has not called back
+  Json fields{};
+};
+Visited visited(std::uint8_t id, std::span<const std::uint8_t> body, Direction direction,
+                const Contexts& contexts = {});
+
+// For GoogleTest.
+inline void PrintTo(const MessageType& type, std::ostream* out) { *out << type.info->name; }
+
+/// Contexts that random messages have taught.
+Contexts random_contexts(RandomBodies& bodies);
+
+}  // namespace sbgc::test

@@ -1,0 +1,129 @@
+// Byte sequences found in public places: captures of real boards, constants in other people's code,
+// worked examples. They stand in tests/data/vectors.json, unchanged.
+
+#include <fstream>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/parser.hpp>
+
+#include "any_message.hpp"
+
+namespace sbgc::test {
+namespace {
+
+Json read_json(const std::string& path) {
+  std::ifstream file(path);
+  return Json::parse(file);
+}
+
+const Json& vectors() {
+  static const Json json = read_json(SBGC_TEST_DATA "/vectors.json");
+  return json;
+}
+
+/// The ids that the exported model has messages for, in one direction.
+std::set<int> ids_of_model(const std::string& direction) {
+  static const Json model = read_json(SBGC_GENERATED "/simplebgc.json");
+  std::set<int> result;
+  for (const Json& message : model["messages"]) {
+    const auto its = message["direction"].get<std::string>();
+    if (its == direction || its == "both") result.insert(message["id"].get<int>());
+  }
+  return result;
+}
+
+class OutsideVectors : public testing::TestWithParam<std::size_t> {
+ protected:
+  const Json& vector() const { return vectors()[GetParam()]; }
+  std::string text(const char* key) const { return vector()[key].get<std::string>(); }
+  ByteVector bytes() const { return from_hex(text("hex")); }
+  Direction direction() const {
+    return text("direction") == "to_board" ? Direction::to_board : Direction::from_board;
+  }
+
+  /// Decodes a body, encodes it again, and compares the fields that the entry names.
+  void check(std::uint8_t id, const ByteVector& body) const {
+    const MessageType* const type = find_message_type(direction(), id, body.size());
+    if (!ids_of_model(text("direction")).contains(id)) {
+      // The specification of the project does not have it yet; as soon as it does, this fails.
+      EXPECT_EQ(type, nullptr) << "missing in the exported model";
+      return;
+    }
+    ASSERT_NE(type, nullptr) << "the exported model has it, the codec does not";
+    const auto message = type->make();
+    const Status status = message->decode(body);
+    ASSERT_TRUE(status) << name(status.code) << " at " << status.offset << " " << status.field;
+    EXPECT_EQ(message->body(), body);
+    check_command_name(type->info->command);
+    if (!vector().contains("fields")) return;
+    FieldValues values = message->spec_fields();
+    for (const auto& [name, expected] : vector()["fields"].items()) {
+      const auto list = expected.is_array() ? expected.get<std::vector<double>>()
+                                            : std::vector{expected.get<double>()};
+      EXPECT_EQ(values[name], list) << name;
+    }
+  }
+
+  /// The meaning mostly begins with the command's name.
+  void check_command_name(const std::string& command) const {
+    const std::string meaning = text("meaning");
+    if (!meaning.starts_with("CMD_")) return;
+    EXPECT_EQ(meaning.substr(0, meaning.find_first_of(" (:")), command);
+  }
+};
+
+TEST_P(OutsideVectors, MeansWhatItsSourceSays) {
+  SCOPED_TRACE(text("source") + ": " + text("meaning"));
+  const std::string expect = text("expect");
+  if (text("kind") == "payload") {
+    ASSERT_EQ(expect, "valid");
+    check(vector()["command_id"].get<std::uint8_t>(), bytes());
+    return;
+  }
+  int frames = 0;
+  const ByteVector stream = bytes();
+  Parser parser;
+  const auto sink = [&](const Frame& frame) {
+    ++frames;
+    EXPECT_EQ(Framing::frame_size(frame.body.size()), stream.size());
+    check(frame.id, {frame.body.begin(), frame.body.end()});
+    ByteVector again(stream.size());
+    EXPECT_TRUE(write_frame(frame.id, frame.body, again));
+    EXPECT_EQ(again, stream);
+  };
+  parser.feed(stream, sink);
+  parser.flush(sink);
+  ASSERT_TRUE(expect == "valid" || expect == "invalid" || expect == "foreign") << expect;
+  EXPECT_EQ(frames, expect == "valid" ? 1 : 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Entries, OutsideVectors, testing::Range<std::size_t>(0, vectors().size()));
+
+TEST(OutsideVectorsFile, HasNotShrunk) { EXPECT_GE(vectors().size(), 29U); }
+
+// Exactly the commands that the exported model lacks are unknown: a command that is added to spec/
+// is checked from then on, without a change here.
+TEST(OutsideVectorsFile, UnknownCommandsAreThoseTheModelLacks) {
+  std::multiset<int> unknown;
+  std::multiset<int> lacking;
+  for (const Json& vector : vectors()) {
+    if (vector["expect"] != "valid") continue;
+    const ByteVector bytes = from_hex(vector["hex"].get<std::string>());
+    const bool payload = vector["kind"] == "payload";
+    const int id = payload ? vector["command_id"].get<int>() : bytes.at(1);
+    const bool to_board = vector["direction"] == "to_board";
+    const MessageType* const type = find_message_type(
+        to_board ? Direction::to_board : Direction::from_board, static_cast<std::uint8_t>(id),
+        payload ? bytes.size() : bytes.size() - 5);
+    if (type == nullptr) unknown.insert(id);
+    if (!ids_of_model(to_board ? "to_board" : "from_board").contains(id)) lacking.insert(id);
+  }
+  EXPECT_EQ(unknown, lacking);
+}
+
+}  // namespace
+}  // namespace sbgc::test

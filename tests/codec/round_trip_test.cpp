@@ -1,0 +1,172 @@
+// Every message, bodies of every size: what decodes encodes to the same bytes, what does not is an
+// error with a place, and no byte outside the buffers is touched.
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/frame.hpp>
+
+#include "any_message.hpp"
+
+namespace sbgc::test {
+namespace {
+
+constexpr int bodies_per_size = 40;
+constexpr std::uint8_t untouched = 0xA5;
+
+bool all_untouched(std::span<const std::uint8_t> bytes) {
+  return std::ranges::all_of(bytes, [](std::uint8_t byte) { return byte == untouched; });
+}
+
+/// Whether validation notices that a list is too long, by its size or by its counter.
+bool has_too_many_elements(const AnyMessage& message) {
+  return std::ranges::any_of(message.violations(), [](const ViolationCopy& violation) {
+    return violation.rule == Rule::count || violation.rule == Rule::maximum;
+  });
+}
+
+/// What random conversations may have taught.
+const std::vector<Contexts>& learnt_contexts() {
+  static const std::vector<Contexts> contexts = [] {
+    RandomBodies bodies(5);
+    std::vector<Contexts> result(64);
+    for (Contexts& some : result) some = random_contexts(bodies);
+    return result;
+  }();
+  return contexts;
+}
+
+/// Encodes with `encode` into buffers of exactly the right size and of every smaller one.
+template <class Encode>
+void check_buffers(const ByteVector& expected, const Encode& encode) {
+  constexpr std::size_t margin = 8;
+  ByteVector out(expected.size() + margin, untouched);
+  const WriteResult exact = encode(std::span(out).first(expected.size()));
+  ASSERT_TRUE(exact) << name(exact.status.code);
+  ASSERT_EQ(exact.size, expected.size());
+  EXPECT_TRUE(std::equal(expected.begin(), expected.end(), out.begin()));
+  EXPECT_TRUE(all_untouched(std::span(out).last(margin))) << "written behind the buffer";
+
+  for (std::size_t size = 0; size < expected.size(); ++size) {
+    std::ranges::fill(out, untouched);
+    const WriteResult small = encode(std::span(out).first(size));
+    EXPECT_EQ(small.status.code, Code::buffer_too_small) << "buffer of " << size;
+    EXPECT_EQ(small.size, 0U);
+    EXPECT_TRUE(all_untouched(std::span(out).subspan(size))) << "behind a buffer of " << size;
+  }
+}
+
+class RoundTrip : public testing::TestWithParam<MessageType> {
+ protected:
+  const MessageInfo& info() const { return *GetParam().info; }
+
+  void check_decoded(const AnyMessage& message, const ByteVector& body) const {
+    ByteVector out(max_body_size);
+    const WriteResult written = message.encode(out);
+    ASSERT_TRUE(written) << name(written.status.code) << " at " << written.status.field;
+    out.resize(written.size);
+    ASSERT_EQ(out, body);
+    EXPECT_GE(body.size(), info().min_size);
+    // The protocol limits a confirmation as a whole; the limits of its parts add up to more.
+    if (body.size() > info().max_size && info().name != std::string("Confirm")) {
+      EXPECT_TRUE(message.tail_size() != 0 || has_too_many_elements(message))
+          << "longer than max_size without a reason";
+    }
+  }
+
+  void check_refused(const Status& status, std::size_t size) const {
+    const bool expected = status.code == Code::too_short || status.code == Code::too_long ||
+                          status.code == Code::text_too_long;
+    EXPECT_TRUE(expected) << name(status.code);
+    EXPECT_LE(status.offset, size);
+    ASSERT_NE(status.field, nullptr);
+    if (size < info().min_size) {
+      EXPECT_EQ(status.code, Code::too_short);
+    }
+    if (GetParam().fixed_size()) {
+      EXPECT_NE(size, info().min_size) << "the right size is refused";
+    }
+  }
+};
+
+TEST_P(RoundTrip, EveryBodyThatDecodesEncodesToTheSameBytes) {
+  RandomBodies bodies(info().id);
+  int decoded = 0;
+  const auto used = GetParam().make();  // never cleaned: no body may shine through in the next
+  for (std::size_t size = 0; size <= max_body_size; ++size) {
+    for (int i = 0; i < bodies_per_size; ++i) {
+      SCOPED_TRACE(testing::Message() << size << " bytes, body " << i);
+      const ByteVector body = bodies.next(size);
+      const ExactCopy copy(body);
+      const Contexts& contexts = learnt_contexts()[(size + static_cast<unsigned>(i)) % 64];
+      const auto message = GetParam().make();
+      const Status status = message->decode(copy.get(), contexts);
+      ASSERT_EQ(used->decode(copy.get(), contexts).code, status.code);
+      if (status) {
+        ++decoded;
+        check_decoded(*message, body);
+        check_decoded(*used, body);
+      } else {
+        check_refused(status, size);
+      }
+      if (HasFailure()) return;
+    }
+  }
+  EXPECT_GE(decoded, bodies_per_size) << "hardly anything decodes";
+}
+
+TEST_P(RoundTrip, EqualMessagesAreThoseWithEqualBytes) {
+  const std::size_t min_size = info().min_size;
+  RandomBodies bodies(7);
+  auto previous = GetParam().make();
+  for (std::size_t i = 0; i < 2000; ++i) {
+    const std::size_t more = GetParam().fixed_size() ? 0 : i % (max_body_size - min_size + 1);
+    auto message = GetParam().make();
+    if (!message->decode(bodies.next(min_size + more))) continue;
+    const ByteVector body = message->body();
+    const auto copy = GetParam().make();
+    ASSERT_TRUE(copy->decode(body));
+    const bool has_nan = !message->equals(*message);
+    EXPECT_TRUE(has_nan || copy->equals(*message));
+    EXPECT_TRUE(body == previous->body() || !previous->equals(*message));
+    previous = std::move(message);
+  }
+}
+
+TEST_P(RoundTrip, BuffersMayBeExactButNotSmaller) {
+  RandomBodies bodies(11);
+  int checked = 0;
+  for (std::size_t i = 0; i < 5000 && checked < 10; ++i) {
+    const std::size_t more = i % 2 == 0 ? 0 : i % 24;
+    const ByteVector body = bodies.next(std::min(info().min_size + more, max_body_size));
+    const auto message = GetParam().make();
+    if (!message->decode(body)) continue;
+    ++checked;
+    check_buffers(body, [&](std::span<std::uint8_t> out) { return message->encode(out); });
+    ByteVector frame(Framing::frame_size(body.size()));
+    ASSERT_TRUE(write_frame(info().id, body, frame));
+    check_buffers(frame, [&](std::span<std::uint8_t> out) { return message->encode_frame(out); });
+  }
+  EXPECT_EQ(checked, 10);
+}
+
+TEST_P(RoundTrip, TheDefaultMessageEncodesAndDecodes) {
+  const auto message = GetParam().make();
+  const ByteVector body = message->body();
+  EXPECT_GE(body.size(), info().min_size);
+  EXPECT_LE(body.size(), info().max_size);
+  const auto copy = GetParam().make();
+  ASSERT_TRUE(copy->decode(body));
+  EXPECT_EQ(copy->body(), body);
+}
+
+INSTANTIATE_TEST_SUITE_P(Messages, RoundTrip, testing::ValuesIn(message_types()),
+                         [](const auto& test) { return test.param.info->name; });
+
+}  // namespace
+}  // namespace sbgc::test

@@ -1,0 +1,703 @@
+"""Compares the facts of the specification's text with the exported model.
+
+Every comparison is a Check: what the text says and what the model has. Nothing here knows a
+deviation; those stand in tests/data/fidelity_exceptions.yaml, each with its erratum.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+from typing import Any
+
+Json = dict[str, Any]
+
+TYPES = {"1u": "u8", "1s": "i8", "2u": "u16", "2s": "i16", "4u": "u32", "4s": "i32", "4f": "f32"}
+SIZES = {"u8": 1, "i8": 1, "u16": 2, "i16": 2, "u32": 4, "i32": 4, "f32": 4, "float": 4}
+UNITS = {
+    "degree": "deg",
+    "degrees": "deg",
+    "degree/sec": "deg/s",
+    "degrees/sec²": "deg/s^2",
+    "degrees/sec ²": "deg/s^2",
+    "volt": "V",
+    "Celsius": "degC",
+    "G": "g",
+    "milliseconds": "ms",
+    "percents": "%",
+    "bytes": "byte",
+    "gyro sensor unit": "gyro unit",
+    "of gyro sensor's units": "gyro unit",
+    "of gyro sensor units": "gyro unit",
+}
+
+
+@dataclass(frozen=True)
+class Check:
+    """One fact: what the text says, on which line, and what the model has."""
+
+    kind: str
+    line: int
+    name: str
+    said: Any
+    ours: Any
+
+    @property
+    def holds(self) -> bool:
+        return bool(self.said == self.ours)
+
+    @property
+    def fact(self) -> tuple[str, int, str, str]:
+        """What the text says once, however often it is compared."""
+        return (self.kind, self.line, self.name.rpartition(".")[2], str(self.said))
+
+    @property
+    def is_addition(self) -> bool:
+        """Whether the model says it and the text does not."""
+        return self.kind.startswith("extra")
+
+    def __str__(self) -> str:
+        return f"L{self.line} {self.kind} {self.name}: said {self.said}, we have {self.ours}"
+
+
+def entry_lines(entry: Json, line: int) -> tuple[int, int]:
+    """The lines that an entry is about: one, or a range, or any."""
+    lines = entry.get("line", line)
+    return (lines[0], lines[1]) if isinstance(lines, list) else (lines, lines)
+
+
+@dataclass
+class Table:
+    """The exceptions; `used` remembers which were needed."""
+
+    entries: list[Json]
+    used: set[int]
+
+    def find(self, kind: str, line: int, name: str) -> Json | None:
+        """The entry for a fact, which counts as used."""
+        for number, entry in enumerate(self.entries):
+            first, last = entry_lines(entry, line)
+            if (
+                entry["kind"] == kind
+                and first <= line <= last
+                and any(fnmatchcase(name, pattern) for pattern in str(entry["name"]).split())
+            ):
+                self.used.add(number)
+                return entry
+        return None
+
+
+@dataclass(frozen=True)
+class Element:
+    """One element of a body of the text: a number, a run of bytes, or something variable."""
+
+    name: str
+    type: str
+    size: int
+    line: int
+    index: str
+    fact: Json
+
+
+@dataclass(frozen=True)
+class Ours:
+    """One element of a layout of the model."""
+
+    name: str
+    type: str
+    path: str
+    offset: int | None
+    size: int
+    leaf: Json
+
+
+def text_elements(body: Json) -> list[Element]:
+    """The elements of a body; an array is as many elements as it counts."""
+    found = []
+    for field in body["fields"]:
+        notation = field["type"]
+        size = 0
+        if notation.endswith("b"):
+            size = int(notation[:-1])
+            type_ = f"bytes {size}"
+        elif notation in TYPES or notation == "float":
+            type_ = TYPES.get(notation, notation)
+            size = SIZES[type_] if field["count"] else 0
+        else:
+            type_ = notation
+        for _ in range(field["count"] or 1):
+            index = str(field.get("index", ""))
+            found.append(Element(field["name"], type_, size, field["line"], index, field))
+    return found
+
+
+def our_elements(message: Json) -> list[Ours]:
+    """The elements of a layout; texts and bytes are both runs of bytes to the text."""
+    found = []
+    for leaf in message["layout"]:
+        count = leaf["count"]
+        type_, size = leaf["type"], SIZES.get(leaf["type"], 0)
+        if type_ in ("bytes", "text"):
+            type_ = f"bytes {count}" if count is not None else "variable"
+            size, count = count or 0, 1
+        for i in range(1 if count is None else count):
+            offset = None if leaf["offset"] is None else leaf["offset"] + i * size
+            found.append(Ours(leaf["spec_name"], type_, leaf["path"], offset, size, leaf))
+    return found
+
+
+def same_name(said: str, ours: str) -> bool:
+    """Whether two names are the same, but for the case of a word such as 'reserved'."""
+    return said == ours or said.upper() == ours == "RESERVED"
+
+
+def body_paths(message: Json) -> list[str]:
+    """The paths of a body's leaves; reserved ones are numbered differently when included."""
+    return [re.sub(r"reserved_\d", "reserved", leaf["path"]) for leaf in message["layout"]]
+
+
+class Comparison:
+    """All checks of the facts against the model."""
+
+    def __init__(self, facts: Json, model: Json, table: Table) -> None:
+        self.facts = facts
+        self.model = model
+        self.table = table
+        self.enums = {e["name"]: e for e in model["enums"]}
+        self.packed = {p["name"]: p for p in model["packed"]}
+        self.commands = {c["name"]: c for c in model["commands"]}
+        self.described: set[tuple[str, str]] = set()  # (message, path) with a range in the text
+        self.measured: set[tuple[str, str]] = set()  # (message, path) with a unit in the text
+        self.named: set[tuple[str, int]] = set()  # constants of the text
+        self.met: set[tuple[str, str]] = set()  # (message, direction) with a body in the text
+
+    def run(self) -> Iterator[Check]:
+        yield from self.defines()
+        yield from self.framing()
+        yield from self.notation()
+        for body in self.facts["bodies"]:
+            yield from self.body(body)
+        for row in self.facts["rows"]:
+            yield from self.row(row)
+        yield from self.codes()
+        yield from self.answers()
+        yield from self.variables()
+        yield from self.additions()
+
+    # Ids, framing and notation
+
+    def defines(self) -> Iterator[Check]:
+        for define in self.facts["defines"]:
+            name, line = define["name"], define["line"]
+            command = self.commands.get(name, {})
+            yield Check("id", line, name, define["value"], command.get("id"))
+            board = (command.get("since") or {}).get("board")
+            yield Check("board", line, name, define.get("board"), board)
+
+    def framing(self) -> Iterator[Check]:
+        framing = self.model["framing"]
+        parts = [f for f in self.facts["framing"] if f["part"] != "example"]
+        header = [f for f in parts if not f["part"].startswith("body")]
+        yield Check("framing", parts[0]["line"], "start", parts[0]["value"], framing["start"])
+        yield Check("framing", parts[0]["line"], "header", len(header), framing["header_size"])
+        trailer = len(parts) - len(header)
+        yield Check("framing", parts[-1]["line"], "trailer", trailer, framing["trailer_size"])
+        for example in (f for f in self.facts["framing"] if f["part"] == "example"):
+            said = example["bytes"]
+            id_ = self.commands["CMD_READ_PARAMS"]["id"]
+            ours = [framing["start"], id_, 1, (id_ + 1) % 256, 1, 1]
+            yield Check("framing", example["line"], "example", said, ours)
+
+    def notation(self) -> Iterator[Check]:
+        known = {fact["type"] for fact in self.facts["notation"]}
+        seen = set()
+        for body in self.facts["bodies"]:
+            for field in body["fields"]:
+                notation = re.sub(r"^\d+b$", "Nb", field["type"])
+                if notation not in seen and notation != "variable":
+                    seen.add(notation)
+                    said = "defined" if notation in known else "undefined"
+                    yield Check("notation", field["line"], notation, said, "defined")
+
+    # Bodies
+
+    def command_of(self, name: str, line: int) -> tuple[Check, str | None]:
+        """Whether a command has an id, and what it is called where it has not."""
+        known = self.commands.get(name, {}).get("id") is not None
+        check = Check("command", line, name, name, name if known else None)
+        if known:
+            return check, name
+        entry = self.table.find("command", line, name)
+        ours = entry["ours"] if entry else None
+        return Check("command", line, name, name, ours), ours
+
+    def message_of(self, body: Json, command: str) -> tuple[Check, Json | None]:
+        """The message for a body of the text, by direction and form."""
+        forms = {
+            m["form"]: m
+            for m in self.model["messages"]
+            if (m["command"], m["direction"]) == (command, body["direction"])
+        }
+        said = body["form"]
+        entry = self.table.find("form", body["line"], command)
+        if entry:
+            return Check("form", body["line"], command, said, entry["ours"]), forms[entry["ours"]]
+        if said in forms:
+            return Check("form", body["line"], command, said, said), forms[said]
+        # A form that has no other beside it in the text, or in the model, is the simple one.
+        simple = forms.get("simple" if said is None else None) if said in (None, "simple") else None
+        ours = said if simple else sorted(str(form) for form in forms)
+        return Check("form", body["line"], command, said, ours), simple
+
+    def body(self, body: Json) -> Iterator[Check]:
+        check, command = self.command_of(body["command"], body["line"])
+        yield check
+        if command is None:
+            return
+        check, message = self.message_of(body, command)
+        yield check
+        if message is None:
+            yield Check("body", body["line"], command, body["direction"], None)
+            return
+        yield Check("body", body["line"], command, body["direction"], message["direction"])
+        self.met.add((message["name"], message["direction"]))
+        if "since" in body:
+            since = (message["since"] or {}).get("firmware")
+            yield Check("since", body["line"], message["name"], body["since"], since)
+        if "same_as" in body:
+            yield from self.same_body(body, command, message)
+        if body["fields"]:
+            yield from self.fields(body, message)
+        elif "same_as" not in body:
+            yield Check("size", body["line"], message["name"], 0, message["max_size"])
+
+    def same_body(self, body: Json, command: str, message: Json) -> Iterator[Check]:
+        """'Same structure as': equal layouts; 'same meaning': equal fields of the same name."""
+        other = body["same_as"].replace("_PARAMS_xx", command.partition("_PARAMS")[2])
+        if other == body["same_as"] and "xx" in other:
+            other = command.replace("WRITE", "READ")
+        else:
+            other = body["same_as"].replace("CMD_READ_PARAMS_xx", command.replace("WRITE", "READ"))
+        opposite = "from_board" if body["direction"] == "to_board" else "to_board"
+        direction = body["direction"] if body["fields"] else opposite
+        models = [
+            m
+            for m in self.model["messages"]
+            if m["command"] == other and m["direction"] == direction
+        ]
+        own = {leaf["spec_name"]: leaf for leaf in message["layout"]}
+        if not models:
+            yield Check("same body", body["line"], command, other, None)
+        elif not body["fields"]:
+            shape = [(f["path"], f["type"], f["count"]) for f in message["layout"]]
+            theirs = [(f["path"], f["type"], f["count"]) for f in models[0]["layout"]]
+            ours = other if shape == theirs else "another body"
+            yield Check("same body", body["line"], command, other, ours)
+        else:
+            for leaf in models[0]["layout"]:
+                mine = own.get(leaf["spec_name"])
+                if mine:
+                    said = (leaf["type"], leaf.get("packed"))
+                    have = (mine["type"], mine.get("packed"))
+                    yield Check("same field", body["line"], leaf["spec_name"], said, have)
+
+    def fields(self, body: Json, message: Json) -> Iterator[Check]:
+        """Names, order, types, offsets and remarks of the fields of one body."""
+        where = message["name"]
+        waiting = our_elements(message)
+        offset: int | None = 0
+        varies = False
+        for element in text_elements(body):
+            name = f"{where}.{element.name}"
+            expected = self.expected_name(name, element)
+            extra = self.skip_extra(waiting, expected, element)
+            for ours in extra:
+                yield Check("extra field", element.line, f"{where}.{ours.name}", None, ours.type)
+                offset = None if offset is None else offset + ours.size
+            if not waiting or not self.matches(expected, element, waiting[0]):
+                conditional = element.type == "variable" and self.took_conditional
+                if not conditional:
+                    yield Check("field", element.line, name, element.name, None)
+                else:
+                    yield Check("field", element.line, name, "variable", "variable")
+                    varies = True
+                continue
+            ours = waiting.pop(0)
+            said = element.name.upper() if ours.name == "RESERVED" else element.name
+            yield Check("field", element.line, name, said, ours.name)
+            yield Check("type", element.line, name, element.type, self.type_said(element, ours))
+            if element.index and element.index.isalpha():
+                word = element.index.lower()
+                has = element.index if word in ours.path.split(".") else ours.path
+                yield Check("index", element.line, name, element.index, has)
+            if element.type == "variable" or element.index.startswith("<") or not element.size:
+                varies = True
+                offset = None if not element.size or element.index.startswith("<") else offset
+            if not varies:
+                yield Check("offset", element.line, name, offset, ours.offset)
+                offset = None if offset is None else offset + element.size
+            yield from self.remarks(element.fact, element.line, name, [ours.leaf], where)
+        for ours in waiting:
+            if not ours.leaf.get("when"):
+                name = f"{where}.{ours.name}"
+                yield Check("extra field", body["line"], name, None, ours.type)
+        if not varies:
+            yield Check("size", body["line"], where, offset, message["max_size"])
+            yield Check("size", body["line"], where, offset, message["min_size"])
+
+    def expected_name(self, name: str, element: Element) -> str:
+        entry = self.table.find("field", element.line, name)
+        if entry and entry["ours"] is None:
+            return ""
+        return str(entry["ours"]) if entry else element.name
+
+    def matches(self, expected: str, element: Element, ours: Ours) -> bool:
+        return bool(expected) and same_name(expected, ours.name)
+
+    def skip_extra(self, waiting: list[Ours], expected: str, element: Element) -> list[Ours]:
+        """Take what stands before the expected field away, if that field comes at all."""
+        self.took_conditional = False
+        position = next(
+            (i for i, o in enumerate(waiting) if self.matches(expected, element, o)), None
+        )
+        if element.type == "variable":  # the table tells what may stand here
+            conditional = [o for o in waiting[:position] if o.leaf.get("when")]
+            self.took_conditional = bool(conditional)
+            waiting[:] = [o for o in waiting if o not in conditional]
+            position = None if position is None else position - len(conditional)
+        if position is None:
+            return []
+        extra = waiting[:position]
+        del waiting[:position]
+        return extra
+
+    def type_said(self, element: Element, ours: Ours) -> str:
+        if element.type == "variable" and ours.leaf["count"] is None:
+            return "variable"
+        return ours.type
+
+    # The table of variables
+
+    def row(self, row: Json) -> Iterator[Check]:
+        several = row.get("units", []) if len(row["names"]) > 1 else []
+        for number, said in enumerate(row["names"]):
+            name = re.sub(r"\[.*", "", said)
+            commands = row["commands"]
+            where = f"{commands[0]}.{name}"
+            leaves, check = self.row_leaves(row, name, where)
+            yield check
+            if not leaves:
+                continue
+            line = row["line"]
+            type_ = TYPES.get(row["type"], row["type"].replace("8b", "bytes"))
+            yield Check("row type", line, where, type_, self.one(f["type"] for _, f in leaves))
+            for key in ("min", "max"):
+                if key in row:
+                    ours = self.one(leaf[key] for _, leaf in leaves)
+                    yield Check(key, line, where, row[key], ours)
+            if "min" in row or "max" in row or "ranges" in row:
+                self.described |= {(m["name"], leaf["path"]) for m, leaf in leaves}
+            array = re.search(r"\[(\d+)\]", said)
+            if array:
+                counts = self.one(
+                    sum(f["count"] or 0 for n, f in leaves if n is m) for m, _ in leaves
+                )
+                yield Check("count", line, where, int(array[1]), counts)
+            if "version" in row:
+                versions = self.one((m["since"] or {}).get("firmware") for m, _ in leaves)
+                yield Check("since", line, where, row["version"], versions)
+            remark = dict(row)
+            if len(several) == len(row["names"]) > 1:
+                remark["units"] = [several[number]]
+            yield from self.remarks(remark, line, where, [leaf for _, leaf in leaves], "", leaves)
+
+    def row_leaves(self, row: Json, name: str, where: str) -> tuple[list[tuple[Json, Json]], Check]:
+        """The leaves that a name of the table means, and the check that there are some."""
+        entry = self.table.find("row", row["line"], where)
+        wanted = [name] if entry is None else str(entry["ours"] or "").split()
+        found = [
+            (message, leaf)
+            for message in self.model["messages"]
+            if message["command"] in row["commands"]
+            and row.get("direction", message["direction"]) == message["direction"]
+            for leaf in message["layout"]
+            if any(fnmatchcase(leaf["spec_name"], pattern) for pattern in wanted)
+        ]
+        commands = {message["command"] for message, _ in found}
+        complete = commands == set(row["commands"])
+        ours = (entry["ours"] if entry else name) if complete else None
+        return found, Check("row", row["line"], where, name, ours)
+
+    def one(self, values: Iterable[Any]) -> Any:
+        """The value, if all are the same."""
+        found: list[Any] = []
+        for value in values:
+            if value not in found:
+                found.append(value)
+        return found[0] if len(found) == 1 else found
+
+    # Remarks of fields and rows
+
+    def remarks(
+        self,
+        fact: Json,
+        line: int,
+        name: str,
+        leaves: list[Json],
+        message: str,
+        owners: list[tuple[Json, Json]] | None = None,
+    ) -> Iterator[Check]:
+        """Constants, values, bits, units and so on, each of which every leaf must have."""
+
+        def all_have(test: Any, said: Any) -> Any:
+            return said if all(test(leaf) for leaf in leaves) else None
+
+        for constant in fact.get("constants", []):
+            at = constant.get("line", line)
+            label = f"{name}.{constant['name']}"
+            said = f"{constant['name']} = {constant['value']}"
+            entry = self.table.find("constant", at, f"{label}={constant['value']}")
+            wanted = str(entry["ours"]).partition(" = ")[0] if entry else constant["name"]
+            known = [self.constant(f, wanted, constant["value"]) for f in leaves]
+            ours = self.one(v and f"{wanted} = {v['value']}" for v in known)
+            self.named.add((wanted, constant["value"]))
+            yield Check("constant", at, f"{label}={constant['value']}", said, ours)
+            if "board" in constant:
+                board = self.one(v and (v["since"] or {}).get("board") for v in known)
+                yield Check("board", at, label, constant["board"], board)
+        for value in fact.get("values", []):
+            ours = all_have(lambda leaf: self.has_value(leaf, value), value)
+            yield Check("value", line, f"{name}={value}", value, ours)
+        for value in fact.get("special", []):
+            ours = all_have(lambda leaf: self.is_special(leaf, value), value)
+            yield Check("special", line, f"{name}={value}", value, ours)
+        for first, last in fact.get("bits", []):
+            ours = all_have(lambda leaf: self.has_bits(leaf, first, last), (first, last))
+            yield Check("bits", line, f"{name}[{first}..{last}]", (first, last), ours)
+        for low, high in fact.get("ranges", []):
+            limits = self.one((f["min"], f["max"]) for f in leaves)
+            if (low, high) == (0, leaves[0].get("max_count")):
+                limits = (low, high)
+            yield Check("range", line, f"{name}[{low}..{high}]", (low, high), limits)
+        for unit in fact.get("units", []):
+            yield self.unit(unit, line, name, leaves)
+            pairs = owners or [({"name": message}, leaf) for leaf in leaves]
+            self.measured |= {(m["name"], leaf["path"]) for m, leaf in pairs}
+        for align in fact.get("align", []):
+            yield Check("align", line, name, align, self.one(f.get("align", 1) for f in leaves))
+        for version in fact.get("since", []):
+            ours = all_have(lambda leaf: version in self.versions(leaf), version)
+            yield Check("since", line, name, version, ours)
+        for part, operations in fact.get("digits", []):
+            ours = all_have(lambda leaf: self.digits_agree(leaf, part, operations), operations)
+            yield Check("digits", line, f"{name}.{part}", operations, ours)
+        for field, command in fact.get("references", []):
+            others = [
+                leaf
+                for message in self.model["messages"]
+                if message["command"] == command
+                for leaf in message["layout"]
+                if leaf["spec_name"] == field
+            ]
+            pairs = owners or [({"name": message}, leaf) for leaf in leaves]
+            self.measured |= {(m["name"], leaf["path"]) for m, leaf in pairs}
+            meaning = ("type", "enum", "packed", "unit", "scale", "min", "max")
+            said = self.one([f.get(key) for key in meaning] for f in others)
+            have = self.one([f.get(key) for key in meaning] for f in leaves)
+            yield Check("reference", line, name, said, have)
+        for part in fact.get("parts", []):
+            cases = {c["spec_name"].lower(): c["type"] for f in leaves for c in f.get("cases", [])}
+            said = TYPES[part["type"]]
+            yield Check("part", line, f"{name}.{part['name']}", said, cases.get(part["name"]))
+
+    def enums_of(self, leaf: Json) -> list[tuple[Json, int]]:
+        """The enums of a leaf and how far their values are shifted."""
+        found = [(self.enums[leaf["enum"]], 0)] if leaf["enum"] else []
+        packed = self.packed.get(leaf.get("packed", ""))
+        if packed:
+            if packed["names"]:
+                found.append((self.enums[packed["names"]], 0))
+            parts = [p for p in packed["parts"] if p["enum"]]
+            found += [(self.enums[p["enum"]], p["shift"]) for p in parts]
+        for case in leaf.get("cases", []):
+            found += self.enums_of(case)
+        return found
+
+    def constant(self, leaf: Json, name: str, number: int) -> Json | None:
+        """The enum value of this name; a number such as 115200 may have a word before it."""
+        found = None
+        for value in [v for enum, _ in self.enums_of(leaf) for v in enum["values"]]:
+            is_number = name.isdigit() and value["name"].endswith(f"_{name}")
+            if value["name"] == name or is_number:
+                found = value if found is None or value["value"] == number else found
+        return found
+
+    def has_value(self, leaf: Json, value: int) -> bool:
+        if str(value) in leaf.get("special", {}):
+            return True
+        for enum, shift in self.enums_of(leaf):
+            values = [v["value"] for v in enum["values"]]
+            union = 0
+            for one in values:
+                union |= one
+            if value in values or (enum["kind"] == "flags" and not value & ~union):
+                return True
+        if leaf["min"] is not None and not leaf["enum"]:
+            return bool(leaf["min"] <= value <= leaf["max"])
+        parts = self.packed.get(leaf.get("packed", ""), {}).get("parts", [])
+        return any(not p["enum"] and 0 <= value <= p["mask"] >> p["shift"] for p in parts)
+
+    def is_special(self, leaf: Json, value: int) -> bool:
+        named = any(v["value"] == value for enum, _ in self.enums_of(leaf) for v in enum["values"])
+        return named or str(value) in leaf.get("special", {})
+
+    def has_bits(self, leaf: Json, first: int, last: int) -> bool:
+        mask = ((1 << (last - first + 1)) - 1) << first
+        parts = self.packed.get(leaf.get("packed", ""), {}).get("parts", [])
+        masks = [p["mask"] for p in parts if p["mask"] is not None]
+        union = 0
+        for one in masks:
+            union |= one if not one & ~mask else 0
+        if union == mask:
+            return True
+        bits = [1 << i for i in range(first, last + 1)]
+        named = {v["value"] for enum, _ in self.enums_of(leaf) for v in enum["values"]}
+        reserved = len(bits) > 1 and not any(value & mask for value in named)
+        return reserved or all(bit in named for bit in bits)
+
+    def unit(self, unit: Json, line: int, name: str, leaves: list[Json]) -> Check:
+        """Scale and unit, of the field itself or of the alternative that a flag chooses."""
+        scale = float(unit.get("number", 1)) / float(unit.get("divisor", 1))
+        word = unit.get("unit")
+        said = (scale, UNITS.get(str(word), word), float(unit.get("add", 0)))
+        have = []
+        for leaf in leaves:
+            mine = (leaf["scale"] or 1, leaf["unit"], leaf.get("add", 0))
+            other = leaf.get("alternative")
+            options = [mine] + ([(other["scale"], other["unit"], 0)] if other else [])
+            for part in self.packed.get(leaf.get("packed", ""), {}).get("parts", []):
+                if part["divide"]:
+                    options.append((1 / part["divide"], None, 0))
+            near = [o for o in options if abs(o[0] / scale - 1) < 2e-6 and o[1:] == said[1:]]
+            have.append(said if near else mine)
+        return Check("unit", line, name, said, self.one(have))
+
+    def versions(self, leaf: Json) -> set[str]:
+        notes = [leaf.get("since"), (leaf.get("deprecated") or {}).get("since")]
+        notes += [v["since"] for enum, _ in self.enums_of(leaf) for v in enum["values"]]
+        return {note["firmware"] for note in notes if note and "firmware" in note}
+
+    def digits_agree(self, leaf: Json, name: str, operations: list[str]) -> bool:
+        """Whether a part of a decimal number comes out as the formula has it."""
+        parts = self.packed.get(leaf.get("packed", ""), {}).get("parts", [])
+        part = next((p for p in parts if p["name"] == name), None)
+        if part is None:
+            return False
+        for raw in (0, 2305, 2439, 2550, 2599, 3129):
+            value = raw
+            for operation in operations:
+                number = int(operation[1:])
+                value = value // number if operation[0] == "/" else value % number
+            ours = raw // part["divide"]
+            if value != (ours % part["modulo"] if part["modulo"] else ours):
+                return False
+        return True
+
+    # Codes, answers, variables
+
+    def codes(self) -> Iterator[Check]:
+        enums = {
+            leaf["enum"]
+            for message in self.model["messages"]
+            for leaf in message["layout"]
+            if leaf["spec_name"] == "ERR_CODE"
+        }
+        values = {v["name"]: v["value"] for e in enums for v in self.enums[e]["values"]}
+        for code in self.facts["codes"]:
+            name, value = code["name"], code["value"]
+            self.named.add((name, value))
+            ours = f"{name} = {values.get(name)}"
+            yield Check("constant", code["line"], name, f"{name} = {value}", ours)
+
+    def answers(self) -> Iterator[Check]:
+        command_of = {m["name"]: m["command"] for m in self.model["messages"]}
+        for fact in self.facts["answers"]:
+            answers = set()
+            for message in self.model["messages"]:
+                response = message["response"]
+                if message["command"] == fact["command"] and response:
+                    answers |= {command_of[name] for name in response["messages"]}
+                    if response["confirm"] != "never":
+                        answers.add("CMD_CONFIRM")
+            said = fact["answer"]
+            ours = said if said in answers else sorted(answers)
+            yield Check("answer", fact["line"], fact["command"], said, ours)
+
+    def variables(self) -> Iterator[Check]:
+        by_name = {v["name"]: v for v in self.model["adjustable_variables"]}
+        for fact in self.facts["variables"]:
+            line, said = fact["line"], fact["name"]
+            entry = self.table.find("variable", line, said)
+            name = str(entry["ours"]) if entry else said
+            ours = by_name.get(name)
+            self.named.add((name, fact["id"]))
+            yield Check("variable", line, said, said, name if ours else None)
+            if ours is None:
+                continue
+            yield Check("variable id", line, name, fact["id"], ours["id"])
+            yield Check("variable type", line, name, TYPES[fact["type"]], ours["type"])
+            yield Check("variable min", line, name, fact["min"], ours["min"])
+            yield Check("variable max", line, name, fact["max"], ours["max"])
+            for unit in fact.get("units", []):
+                yield self.unit(unit, line, name, [ours])
+            for value in fact.get("values", []) + fact.get("special", []):
+                inside = value if ours["min"] <= value <= ours["max"] else None
+                yield Check("value", line, f"{name}={value}", value, inside)
+
+    # What the model has beyond the text
+
+    def additions(self) -> Iterator[Check]:
+        """Messages, limits, units and names that no fact stands for."""
+        for message in self.model["messages"]:
+            name = message["name"]
+            if (name, message["direction"]) not in self.met:
+                yield Check("extra message", 0, name, None, message["direction"])
+            same = self.same_elsewhere(message)
+            seen: set[str] = set()
+            for leaf in message["layout"]:
+                keys = {(n, leaf["path"]) for n in same} | {(name, leaf["path"])}
+                label = f"{name}.{leaf['spec_name']}"
+                if label in seen:
+                    continue
+                seen.add(label)
+                if leaf["min"] is not None and not keys & self.described:
+                    limits = f"{leaf['min']}..{leaf['max']}"
+                    yield Check("extra range", 0, label, None, limits)
+                if leaf["scale"] is not None and not keys & self.measured:
+                    yield Check("extra unit", 0, label, None, leaf["quantity"])
+        names = {name for name, _ in self.named}
+        for enum in self.model["enums"]:
+            for value in enum["values"] if enum["name"] != "CommandId" else []:
+                if value["named_by_specification"] and value["name"] not in names:
+                    label = f"{enum['name']}.{value['name']}"
+                    yield Check("extra constant", 0, label, None, value["value"])
+        known = {d["name"] for d in self.facts["defines"]}
+        for command in self.model["commands"]:
+            if command["name"] not in known:
+                yield Check("extra command", 0, command["name"], None, command["id"])
+        variables = {name for name, _ in self.named}
+        for variable in self.model["adjustable_variables"]:
+            if variable["name"] not in variables:
+                yield Check("extra variable", 0, variable["name"], None, variable["id"])
+
+    def same_elsewhere(self, message: Json) -> list[str]:
+        """Other messages with the same body, or that this one begins with."""
+        paths = body_paths(message)
+        found = []
+        for other in self.model["messages"]:
+            theirs = body_paths(other)
+            if theirs == paths or (len(theirs) > 9 and paths[: len(theirs)] == theirs):
+                found.append(other["name"])
+        return found

@@ -1,0 +1,46 @@
+"""Small specs for tests: the minimal spec with one file replaced."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+from sbgcgen.build import load_protocol
+from sbgcgen.diagnostics import Diagnostic, SpecError
+from sbgcgen.model import Layout, Message
+
+HERE = Path(__file__).resolve().parent
+PROJECT = HERE.parent.parent
+GENERATOR = PROJECT / "generator"
+PROBE = "probe.yaml"
+
+
+def write_spec(folder: Path, text: str | bytes | None = None, file: str = PROBE) -> Path:
+    """Write the minimal spec to folder/spec, with `text` as the content of `file`."""
+    spec = folder / "spec"
+    shutil.copytree(HERE / "minimal", spec, dirs_exist_ok=True)
+    if text is not None:
+        content = text.encode() if isinstance(text, str) else text
+        (spec / file).write_bytes(content)
+    return spec
+
+
+def findings(folder: Path, text: str | bytes | None = None, file: str = PROBE) -> list[Diagnostic]:
+    """What the generator has to say about the minimal spec with `text` as `file`."""
+    try:
+        load_protocol(write_spec(folder, text, file))
+    except SpecError as error:
+        return error.diagnostics
+    return []
+
+
+def layout_of(folder: Path, text: str) -> Layout:
+    """The Layout of the minimal spec with the family `text`; it must have no findings."""
+    return load_protocol(write_spec(folder, text)).layout
+
+
+def message_of(layout: Layout, name: str, direction: str | None = None) -> Message:
+    """The message of that name; `direction` only where both directions have it."""
+    found = [m for m in layout.messages if m.name == name and direction in (None, m.direction)]
+    assert len(found) == 1, f"{len(found)} messages are called {name}"
+    return found[0]

@@ -1,0 +1,100 @@
+"""Files that can not be read: a clear message with a place, exit status 1, never a traceback."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from sbgcgen.cli import main
+from support import findings, write_spec
+
+
+def report(spec: Path, capsys: pytest.CaptureFixture[str]) -> list[str]:
+    """What `lint` prints about a spec, which must fail."""
+    assert main(["lint", "--spec", str(spec)]) == 1
+    output = capsys.readouterr()
+    assert output.out == ""
+    return output.err.splitlines()
+
+
+@pytest.mark.parametrize(
+    ("content", "where", "what"),
+    [
+        (b"family: probe\nsummary: 20 \xb0C\n", "2:13", "the file is not UTF-8"),
+        ("family: probe\n".encode("utf-16"), "1:1", "the file is not UTF-8"),
+        (b"family: probe\nsummary: a\0b\n", "2:11", "control characters are not allowed"),
+        (b"\x89PNG\r\n\x1a\n", "1:1", "the file is not UTF-8"),
+        (b"", "1:1", "a spec file is a mapping"),
+        (b"# nothing but a comment\n", "1:1", "a spec file is a mapping"),
+        (b"family: probe\nsummary: [\n", "3:1", "not valid YAML"),
+        (b"family: probe\nsummary: " + b"[" * 2000 + b"]" * 2000, "1:1", "nested too deeply"),
+    ],
+)
+def test_content_that_is_no_yaml(content: bytes, where: str, what: str, tmp_path: Path) -> None:
+    found = findings(tmp_path, content)
+    assert [(str(d.position), d.code) for d in found] == [(f"spec/probe.yaml:{where}", "SBGC001")]
+    assert what in found[0].message
+
+
+@pytest.mark.parametrize("bom", [b"", b"\xef\xbb\xbf"])
+@pytest.mark.parametrize("newline", [b"\n", b"\r\n"])
+def test_windows_editors_do_no_harm(bom: bytes, newline: bytes, tmp_path: Path) -> None:
+    text = b"family: probe\nsummary: \xc2\xb0C and \xe2\x80\x9cquotes\xe2\x80\x9d\nmisspelt: 1\n"
+    found = findings(tmp_path, bom + text.replace(b"\n", newline))
+    assert [str(d.position) for d in found] == ["spec/probe.yaml:3:1"]
+
+
+def _drop(name: str) -> Callable[[Path], None]:
+    return lambda spec: (spec / name).unlink()
+
+
+def _folder(spec: Path) -> None:
+    (spec / "base.yaml").unlink()
+    (spec / "base.yaml").mkdir()
+
+
+def _dangling_link(spec: Path) -> None:
+    (spec / "base.yaml").unlink()
+    (spec / "base.yaml").symlink_to("nowhere.yaml")
+
+
+@pytest.mark.parametrize(
+    ("damage", "lines"),
+    [
+        (_drop("simplebgc.yaml"), ["simplebgc.yaml:1:1: SBGC001 can not read the file: No such"]),
+        (_drop("errata.yaml"), ["errata.yaml:1:1: SBGC001 can not read the file: No such"]),
+        (_drop("base.yaml"), ["base.yaml:1:1: SBGC001 can not read the file: No such file"]),
+        (_folder, ["base.yaml:1:1: SBGC001 can not read the file: Is a directory"]),
+        (_dangling_link, ["base.yaml:1:1: SBGC001 can not read the file: No such file"]),
+        (shutil.rmtree, ["errata.yaml:1:1: SBGC001", "simplebgc.yaml:1:1: SBGC001"]),
+    ],
+)
+def test_files_that_are_not_there(
+    damage: Callable[[Path], None],
+    lines: list[str],
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    spec = write_spec(tmp_path)
+    damage(spec)
+    output = report(spec, capsys)
+    found = [line for line in output if "SBGC" in line]
+    assert len(found) == len(lines)
+    for line, start in zip(found, lines):
+        assert line.startswith(f"spec/{start}")
+    plural = "s" if len(lines) > 1 else ""
+    assert output[-1] == f"{len(lines)} error{plural} in spec/"
+
+
+def test_families_that_are_no_names_are_not_opened(tmp_path: Path) -> None:
+    main_file = write_spec(tmp_path) / "simplebgc.yaml"
+    text = main_file.read_text().replace(
+        "[base, probe]", "[base, probe, ../../etc/passwd, null, 3]"
+    )
+    found = findings(tmp_path, text, "simplebgc.yaml")
+    assert {d.code for d in found} == {"SBGC004"}
+    assert {d.position.line for d in found} == {21}
+    assert len(found) == 3

@@ -1,0 +1,271 @@
+"""Messages: names, forms, bodies shared with others, answers, contexts."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from support import layout_of, message_of
+
+HEAD = """\
+family: probe
+summary: Commands.
+commands:
+"""
+
+BOTH = (
+    HEAD
+    + """\
+  CMD_LONG_NAME_3:
+    id: 9
+    summary: Something long.
+    since: {firmware: 2.60}
+    from_board:
+      source: Incoming commands L10
+      fields:
+        - {name: A, type: u16, summary: A number.}
+    to_board:
+      source: Outgoing commands L20
+      summary: Ask for it.
+      answer: {message: LongName3, retry: safe, timeout_ms: 250}
+"""
+)
+
+
+def test_names_follow_the_direction(tmp_path: Path) -> None:
+    layout = layout_of(tmp_path, BOTH)
+    answer = message_of(layout, "LongName3")
+    request = message_of(layout, "LongName3Request")
+    assert (answer.command, answer.id, answer.direction) == ("CMD_LONG_NAME_3", 9, "from_board")
+    assert (request.command, request.id, request.direction) == ("CMD_LONG_NAME_3", 9, "to_board")
+    assert (request.min_size, request.max_size, request.fields) == (0, 0, ())
+    assert answer.summary == "Something long."
+    assert request.summary == "Ask for it."
+    assert answer.since.firmware == request.since.firmware == 2600
+    assert answer.source == "Incoming commands L10"
+    assert answer.form is None and request.form is None
+
+
+def test_answer(tmp_path: Path) -> None:
+    layout = layout_of(tmp_path, BOTH)
+    answer = message_of(layout, "LongName3Request").answer
+    assert answer is not None
+    assert answer.messages == ("LongName3",)
+    assert (answer.confirm, answer.confirmations) == ("never", 0)
+    assert (answer.timeout_ms, answer.retry_safe) == (250, True)
+    assert message_of(layout, "LongName3").answer is None, "the board's messages have none"
+
+
+def test_answer_is_unsafe_and_takes_the_default_time_unless_it_says_more(tmp_path: Path) -> None:
+    text = (
+        HEAD
+        + """\
+  CMD_GO:
+    id: 9
+    summary: Go.
+    to_board:
+      source: L1
+      answer: {confirm: always, confirmations: 2}
+"""
+    )
+    answer = message_of(layout_of(tmp_path, text), "Go").answer
+    assert answer is not None
+    assert (answer.messages, answer.confirm, answer.confirmations) == ((), "always", 2)
+    assert (answer.timeout_ms, answer.retry_safe) == (500, False)
+
+
+FORMS = (
+    HEAD
+    + """\
+  CMD_MOVE:
+    id: 9
+    summary: Move.
+    to_board:
+      source: L1
+      errata: [E001]
+      answer: none
+      forms:
+        simple:
+        extended:
+          since: {firmware: 2.61}
+          summary: Move further.
+          fields:
+            - {name: HOW, type: u8, summary: How.}
+    from_board:
+      source: L2
+      forms:
+        success:
+          summary: It moved.
+          fields:
+            - {name: WHERE, type: u16, summary: Where.}
+        error:
+          as: MoveFailure
+          summary: It did not.
+          fields:
+            - {name: WHY, type: u8, summary: Why.}
+"""
+)
+
+
+def test_forms(tmp_path: Path) -> None:
+    layout = layout_of(tmp_path, FORMS.replace("simple:\n", "simple: {summary: Move a bit.}\n"))
+    assert [(m.name, m.direction, m.form, m.max_size) for m in layout.messages if m.id == 9] == [
+        ("Move", "from_board", "success", 2),
+        ("MoveFailure", "from_board", "error", 1),
+        ("MoveRequest", "to_board", "simple", 0),
+        ("MoveRequestExt", "to_board", "extended", 1),
+    ]
+    extended = message_of(layout, "MoveRequestExt")
+    assert extended.since.firmware == 2610
+    assert extended.errata == ("E001",)
+    assert extended.source == "L1"
+    assert extended.answer is not None, "what the direction says holds for each form"
+
+
+def test_only_the_longest_form_keeps_a_tail(tmp_path: Path) -> None:
+    layout = layout_of(tmp_path, FORMS.replace("simple:\n", "simple: {summary: Move a bit.}\n"))
+    assert message_of(layout, "Move").keeps_tail
+    assert not message_of(layout, "MoveFailure").keeps_tail
+    assert not message_of(layout, "MoveRequestExt").keeps_tail, "the board's parser is strict"
+
+
+def test_include_puts_the_fields_of_another_message_first(tmp_path: Path) -> None:
+    text = (
+        HEAD
+        + """\
+  CMD_MORE:
+    id: 9
+    summary: More.
+    from_board:
+      source: L1
+      fields:
+        - {name: BEFORE, type: u8, summary: Before.}
+        - include: Less
+        - {name: AFTER, type: u8, summary: After.}
+        - {reserved: 2}
+  CMD_LESS:
+    id: 10
+    summary: Less, though it comes later.
+    from_board:
+      source: L1
+      fields:
+        - {name: "A[axis]", type: i16, summary: Numbers.}
+        - {reserved: 1}
+"""
+    )
+    made = message_of(layout_of(tmp_path, text), "More")
+    assert [(leaf.path, leaf.offset) for leaf in made.leaves] == [
+        ("before", 0),
+        ("a.roll", 1),
+        ("a.pitch", 3),
+        ("a.yaw", 5),
+        ("reserved_1", 7),
+        ("after", 8),
+        ("reserved_2", 9),
+    ]
+
+
+def test_same_as_another_message(tmp_path: Path) -> None:
+    text = (
+        HEAD
+        + """\
+  CMD_WRITE:
+    id: 9
+    summary: Write.
+    to_board:
+      source: L1
+      answer: {confirm: always}
+      stores: Ping
+      same_as: Ping
+"""
+    )
+    layout = layout_of(tmp_path, text)
+    made, original = message_of(layout, "Write"), message_of(layout, "Ping")
+    assert made.body is original.body
+    assert (made.same_as, made.stores) == ("Ping", "Ping")
+    assert [leaf.path for leaf in made.leaves] == [leaf.path for leaf in original.leaves]
+
+
+def test_same_body_in_both_directions_is_one_type(tmp_path: Path) -> None:
+    text = (
+        HEAD
+        + """\
+  CMD_VALUES:
+    id: 9
+    summary: Values.
+    to_board:
+      source: L1
+      summary: Set them.
+      answer: none
+      fields:
+        - {name: A, type: u8, summary: A number.}
+    from_board:
+      source: L2
+      summary: They are so.
+      same_as: Values
+"""
+    )
+    layout = layout_of(tmp_path, text)
+    to_board = message_of(layout, "Values", "to_board")
+    from_board = message_of(layout, "Values", "from_board")
+    assert to_board.body == from_board.body
+    assert to_board.in_both_directions and from_board.in_both_directions
+    assert [m.name for m in layout.definitions].count("Values") == 1
+
+
+def test_one_id_in_two_directions_may_be_two_commands(tmp_path: Path) -> None:
+    text = (
+        HEAD
+        + """\
+  CMD_ORDER:
+    id: 9
+    summary: An order.
+    to_board:
+      source: L1
+      answer: none
+  CMD_REPORT:
+    id: 9
+    summary: A report.
+    from_board:
+      source: L1
+      fields: []
+"""
+    )
+    layout = layout_of(tmp_path, text)
+    assert [(m.name, m.id) for m in layout.messages if m.id == 9] == [("Order", 9), ("Report", 9)]
+
+
+def test_context_comes_from_the_request(tmp_path: Path) -> None:
+    text = (
+        HEAD
+        + """\
+  CMD_CUSTOM:
+    id: 9
+    summary: What was asked for.
+    from_board:
+      source: L1
+      context:
+        - {name: FLAGS, type: Options, from: [CustomRequest.FLAGS], summary: Those of the request.}
+      fields:
+        - {name: "A[3]", type: u16, when: {context: FLAGS, has: OPTION_FAST}, summary: Numbers.}
+        - {name: B, type: u8, when: {context: FLAGS, has: OPTION_FINE}, summary: A number.}
+    to_board:
+      source: L2
+      summary: Ask.
+      answer: {message: Custom}
+      fields:
+        - {name: FLAGS, type: Options, summary: What to send.}
+"""
+    )
+    made = message_of(layout_of(tmp_path, text), "Custom")
+    (context,) = made.contexts
+    assert context.type is not None
+    assert (context.name, context.type.name) == ("flags", "Options")
+    assert context.sources == (("CustomRequest", "flags"),)
+    conditions = [f.when for f in made.fields]
+    assert [(w.from_context, w.mask) for w in conditions if w] == [(True, 0x01), (True, 0x80)]
+    assert (made.min_size, made.max_size) == (0, 7)
+
+
+def test_max_size_that_is_known_otherwise(tmp_path: Path) -> None:
+    text = BOTH.replace("      fields:\n", "      max_size: 6\n      fields:\n")
+    assert message_of(layout_of(tmp_path, text), "LongName3").max_size == 6

@@ -1,0 +1,136 @@
+"""Quantities, enums, flag sets, packed integers, variables."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+from sbgcgen.resolve_types import parse_bits
+from support import layout_of
+
+TYPES = """\
+family: probe
+summary: Types.
+
+quantities:
+  Power:
+    {type: u16, unit: W, accessor: watts, scale: 4000/32767, offset: -0.5, summary: Power.}
+  Decimal:
+    {type: u8, unit: null, scale: 0.02, summary: A ratio.}
+
+enums:
+  Sort:
+    type: i8
+    prefix: SORT_
+    summary: Some values.
+    source: Variables L7
+    errata: [E001]
+    values:
+      SORT_UP:   {value: 1, summary: Upwards.}
+      SORT_DOWN: {value: -1, since: {board: 3.0}, summary: Downwards.}
+      OTHER:     {value: 100, as: "none", ours: true, summary: Neither.}
+
+flags:
+  Switches:
+    type: u16
+    summary: Some bits.
+    source: Variables L8
+    values:
+      LOW:  {value: 0x0001, summary: The lowest.}
+      HIGH: {value: 0x8000, summary: The highest.}
+
+packed:
+  Byte:
+    type: u8
+    summary: Three parts.
+    source: Variables L9
+    parts:
+      - {name: low, bits: 0..2, summary: Low.}
+      - {name: single, bits: 3, summary: One bit.}
+      - {name: high, mask: 0xF0, summary: High.}
+  Version:
+    type: u16
+    summary: Digits.
+    source: Variables L10
+    display: "{major}.{minor:02}"
+    parts:
+      - {name: major, divide: 1000, summary: Major.}
+      - {name: minor, divide: 10, modulo: 100, summary: Minor.}
+
+variables:
+  GAIN: {id: 3, type: Power, range: 0..65535, summary: A gain.}
+"""
+
+
+def test_quantities_are_exact(tmp_path: Path) -> None:
+    by_name = {q.name: q for q in layout_of(tmp_path, TYPES).quantities}
+    power = by_name["Power"]
+    assert (power.scale, power.offset) == (Fraction(4000, 32767), Fraction(-1, 2))
+    assert (power.unit, power.accessor, power.scalar.name) == ("W", "watts", "u16")
+    assert by_name["Decimal"].scale == Fraction(1, 50), "not the nearest binary fraction"
+    assert by_name["Decimal"].unit is None
+    assert by_name["Angle"].scale == Fraction(45, 2048)
+
+
+def test_enum(tmp_path: Path) -> None:
+    layout = layout_of(tmp_path, TYPES)
+    sort = next(e for e in layout.enums if e.name == "Sort")
+    assert (sort.kind, sort.scalar.name, sort.errata) == ("enum", "i8", ("E001",))
+    assert [(v.name, v.identifier, v.value, v.ours) for v in sort.values] == [
+        ("SORT_UP", "up", 1, False),
+        ("SORT_DOWN", "down", -1, False),
+        ("OTHER", "none", 100, True),
+    ]
+    assert sort.values[1].since.board == 30
+
+
+def test_flags(tmp_path: Path) -> None:
+    layout = layout_of(tmp_path, TYPES)
+    switches = next(e for e in layout.enums if e.name == "Switches")
+    assert (switches.kind, switches.member, switches.scalar.size) == ("flags", "Switche", 2)
+    assert [v.value for v in switches.values] == [0x0001, 0x8000]
+
+
+def test_command_ids_are_an_enum_in_the_order_of_ids(tmp_path: Path) -> None:
+    more = TYPES + "commands:\n  CMD_LAST: {id: 255, summary: Last., undocumented: true}\n"
+    ids = next(e for e in layout_of(tmp_path, more).enums if e.name == "CommandId")
+    assert [(v.name, v.identifier, v.value) for v in ids.values] == [
+        ("CMD_PING", "ping", 1),
+        ("CMD_LAST", "last", 255),
+    ]
+
+
+def test_packed_by_bits(tmp_path: Path) -> None:
+    layout = layout_of(tmp_path, TYPES)
+    byte = next(p for p in layout.packed if p.name == "Byte")
+    assert [(p.name, p.mask, p.shift, p.is_bool) for p in byte.parts] == [
+        ("low", 0x07, 0, False),
+        ("single", 0x08, 3, True),
+        ("high", 0xF0, 0, False),  # a mask leaves the value in its place
+    ]
+
+
+def test_packed_by_digits(tmp_path: Path) -> None:
+    layout = layout_of(tmp_path, TYPES)
+    version = next(p for p in layout.packed if p.name == "Version")
+    assert [(p.is_digits, p.divide, p.modulo) for p in version.parts] == [
+        (True, 1000, 0),
+        (True, 10, 100),
+    ]
+    assert version.display == "{major}.{minor:02}"
+
+
+def test_variable(tmp_path: Path) -> None:
+    (variable,) = layout_of(tmp_path, TYPES).variables
+    assert (variable.name, variable.identifier, variable.id) == ("GAIN", "gain", 3)
+    assert (variable.scalar.name, variable.minimum, variable.maximum) == ("u16", 0, 65535)
+    assert variable.quantity is not None and variable.quantity.name == "Power"
+
+
+@pytest.mark.parametrize(
+    ("text", "bits"), [(3, (3, 3)), ("3", (3, 3)), ("0..2", (0, 2)), ("6..7", (6, 7))]
+)
+def test_bits(text: int | str, bits: tuple[int, int]) -> None:
+    assert parse_bits(text) == bits

@@ -1,0 +1,139 @@
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/frame.hpp>
+#include <sbgc/parser.hpp>
+
+#include "streams.hpp"
+
+namespace sbgc::test {
+namespace {
+
+template <std::size_t size>
+using Array = std::array<std::uint8_t, size>;
+
+constexpr Array<6> read_params{0x3E, 0x52, 0x01, 0x53, 0x01, 0x01};
+
+// The specification's example, written and read at compile time.
+static_assert([] {
+  Array<6> out{};
+  const WriteResult result = write_frame(0x52, Array<1>{0x01}, out);
+  return result && result.size == 6 && out == read_params;
+}());
+static_assert([] {
+  Array<6> out{};
+  *frame_body(out.data()) = 0x01;
+  return finish_frame(out.data(), 0x52, 1) == 6 && out == read_params;
+}());
+static_assert(Framing::inspect(read_params.data(), 6).verdict == Verdict::frame);
+static_assert(Framing::inspect(read_params.data(), 6).size == 6);
+static_assert(Framing::inspect(read_params.data(), 5).verdict == Verdict::incomplete);
+static_assert(Framing::inspect(read_params.data(), 5).size == 6);
+static_assert(Framing::inspect(read_params.data(), 3).size == 4);
+static_assert(Framing::inspect(read_params.data() + 1, 5).verdict == Verdict::no_start);
+
+static_assert(noexcept(write_frame(1, {}, {})));
+static_assert(write_frame(0, {}, {}).status.code == Code::invalid_id);
+static_assert(write_frame(1, {}, {}).status.code == Code::buffer_too_small);
+static_assert(check_frame(1, 255, 260).code == Code::ok);
+static_assert(check_frame(1, 256, 1000).code == Code::too_long);
+
+TEST(WriteFrame, FramesEverySizeOfBody) {
+  Random random(1);
+  for (std::size_t size = 0; size <= 255; ++size) {
+    const Bytes body = random.noise(size);
+    Bytes out(size + 5 + 3, 0xAA);
+    const WriteResult result = write_frame(0xFE, body, out);
+    ASSERT_TRUE(result);
+    ASSERT_EQ(result.size, size + 5);
+    Bytes expected = make_frame(0xFE, body);
+    expected.resize(out.size(), 0xAA);  // nothing behind the frame is touched
+    ASSERT_EQ(out, expected);
+  }
+}
+
+TEST(WriteFrame, LeavesTheOutputAloneOnFailure) {
+  Bytes out(600, 0xAA);
+  const Bytes untouched = out;
+  const auto refuses = [&](std::uint8_t id, std::size_t body_size, std::size_t space, Code code) {
+    const WriteResult result = write_frame(id, Bytes(body_size), std::span(out).first(space));
+    EXPECT_FALSE(result);
+    EXPECT_EQ(result.size, 0U);
+    EXPECT_EQ(result.status.code, code);
+    EXPECT_STREQ(result.status.field, "");
+    EXPECT_EQ(out, untouched);
+  };
+  refuses(0, 1, 600, Code::invalid_id);
+  refuses(1, 256, 600, Code::too_long);
+  refuses(1, 300, 600, Code::too_long);
+  for (std::size_t space = 0; space < 15; ++space) refuses(1, 10, space, Code::buffer_too_small);
+  refuses(1, 255, 259, Code::buffer_too_small);
+}
+
+TEST(WriteFrame, AcceptsABodyThatIsInPlace) {
+  Bytes out(9);
+  const Bytes body{1, 2, 3, 4};
+  std::copy(body.begin(), body.end(), frame_body(out.data()));
+  ASSERT_TRUE(write_frame(9, std::span(out).subspan(4, 4), out));
+  EXPECT_EQ(out, make_frame(9, body));
+}
+
+TEST(WriteFrame, WritesWhatTheParserReads) {
+  Random random(2);
+  for (int round = 0; round < 500; ++round) {
+    const auto id = static_cast<std::uint8_t>(1 + random.below(255));
+    const Bytes body = random.noise(random.below(256));
+    std::array<std::uint8_t, max_frame_size> out{};
+    const WriteResult result = write_frame(id, body, out);
+    ASSERT_TRUE(result);
+    int seen = 0;
+    Parser parser;
+    parser.feed(std::span(out).first(result.size), [&](const Frame& frame) {
+      ++seen;
+      EXPECT_EQ(frame.id, id);
+      EXPECT_EQ(Bytes(frame.body.begin(), frame.body.end()), body);
+    });
+    ASSERT_EQ(seen, 1);
+  }
+}
+
+// Searching looks at 16 positions at a time; every remainder and every place must count the same.
+TEST(Framing, FindsWhatAPlainSearchFinds) {
+  for (std::uint32_t seed = 0; seed < 3000; ++seed) {
+    Random random(seed);
+    Bytes s = random.noise(random.below(120));
+    if (random.below(2) == 0 && s.size() >= 8) {
+      const Bytes header{0x3E, 5, 1, 6};
+      std::copy(header.begin(), header.end(),
+                s.begin() + static_cast<std::ptrdiff_t>(random.below(s.size() - 3)));
+    }
+    std::uint64_t expected_headers = 7;
+    std::size_t expected = 0;
+    for (; expected < s.size(); ++expected) {
+      const Verdict verdict = Framing::inspect(&s[expected], s.size() - expected).verdict;
+      if (verdict == Verdict::bad_header) ++expected_headers;
+      if (verdict != Verdict::bad_header && verdict != Verdict::no_start) break;
+    }
+    std::uint64_t bad_headers = 7;
+    const std::uint8_t* const found = Framing::find(s.data(), s.data() + s.size(), bad_headers);
+    ASSERT_EQ(static_cast<std::size_t>(found - s.data()), expected) << "seed " << seed;
+    ASSERT_EQ(bad_headers, expected_headers) << "seed " << seed;
+  }
+}
+
+TEST(Framing, CountsManyStartsInOneSearch) {
+  const Bytes starts(100'000, 0x3E);
+  std::uint64_t bad_headers = 0;
+  const std::uint8_t* const found =
+      Framing::find(starts.data(), starts.data() + starts.size(), bad_headers);
+  EXPECT_EQ(found, starts.data() + starts.size() - 3);  // too few bytes left for a header
+  EXPECT_EQ(bad_headers, starts.size() - 3);
+}
+
+}  // namespace
+}  // namespace sbgc::test

@@ -1,0 +1,392 @@
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/parser.hpp>
+
+#include "reference_parser.hpp"
+#include "streams.hpp"
+
+namespace sbgc::test {
+namespace {
+
+/// A parser that keeps a copy of what it delivers.
+template <class P = Parser>
+struct Collector {
+  P parser;
+  std::vector<ReferenceFrame> frames;
+
+  void keep(const Frame& frame) {
+    frames.push_back({frame.id, {frame.body.begin(), frame.body.end()}, frame.offset});
+  }
+  void feed(std::span<const std::uint8_t> chunk) {
+    parser.feed(chunk, [this](const Frame& frame) { keep(frame); });
+  }
+  void flush() {
+    parser.flush([this](const Frame& frame) { keep(frame); });
+  }
+};
+
+void expect_same(const Collector<>& collector, const ReferenceResult& reference) {
+  ASSERT_EQ(collector.frames, reference.frames);
+  const ParserCounters counters = collector.parser.counters();
+  ASSERT_EQ(counters.frames, reference.frames.size());
+  ASSERT_EQ(counters.skipped_bytes, reference.skipped_bytes);
+  ASSERT_EQ(counters.header_errors, reference.header_errors);
+  ASSERT_EQ(counters.body_errors, reference.body_errors);
+  ASSERT_EQ(counters.incomplete, reference.incomplete);
+  ASSERT_EQ(collector.parser.waiting_bytes(), reference.waiting_bytes);
+}
+
+/// Feeds `s` cut at the given positions, in ascending order; compares before and after the flush.
+void check_cuts(const Bytes& s, const std::vector<std::size_t>& cuts, const ReferenceResult& open,
+                const ReferenceResult& final) {
+  Collector<> collector;
+  std::size_t begin = 0;
+  for (const std::size_t cut : cuts) {
+    collector.feed(std::span(s).subspan(begin, cut - begin));
+    begin = cut;
+  }
+  collector.feed(std::span(s).subspan(begin));
+  ASSERT_NO_FATAL_FAILURE(expect_same(collector, open));
+  collector.flush();
+  ASSERT_NO_FATAL_FAILURE(expect_same(collector, final));
+}
+
+void check_cuts(const Bytes& s, const std::vector<std::size_t>& cuts) {
+  check_cuts(s, cuts, reference_parse(s, End::open), reference_parse(s, End::final));
+}
+
+void check_every_cutting(const Bytes& s) {
+  ASSERT_LE(s.size(), 18U);
+  const ReferenceResult open = reference_parse(s, End::open);
+  const ReferenceResult final = reference_parse(s, End::final);
+  std::vector<std::size_t> cuts;
+  for (std::uint32_t mask = 0; mask < (1U << (s.size() - 1)); ++mask) {
+    cuts.clear();
+    for (std::size_t i = 1; i < s.size(); ++i) {
+      if ((mask >> (i - 1) & 1) != 0) cuts.push_back(i);
+    }
+    ASSERT_NO_FATAL_FAILURE(check_cuts(s, cuts, open, final)) << "cutting " << mask;
+  }
+}
+
+const Bytes read_params{0x3E, 0x52, 0x01, 0x53, 0x01, 0x01};  // the specification's example
+const Bytes motors_on{0x3E, 0x4D, 0x00, 0x4D, 0x00};
+
+TEST(Parser, DeliversTheSpecificationsExample) {
+  Collector<> collector;
+  collector.feed(read_params);
+  const std::vector<ReferenceFrame> expected{{0x52, {0x01}, 0}};
+  EXPECT_EQ(collector.frames, expected);
+  EXPECT_EQ(collector.parser.counters(), (ParserCounters{.frames = 1}));
+  EXPECT_EQ(collector.parser.waiting_bytes(), 0U);
+}
+
+TEST(Parser, DeliversTheLongestBody) {
+  const Bytes frame = make_frame(1, Bytes(255, 0x3E));
+  ASSERT_EQ(frame.size(), max_frame_size);
+  for (std::size_t cut = 0; cut <= frame.size(); ++cut) check_cuts(frame, {cut});
+}
+
+TEST(Parser, IsTheSameForEveryCuttingOfShortStreams) {
+  check_every_cutting(concat({motors_on, read_params, motors_on}));
+  check_every_cutting(concat({{0x3E, 0x3E}, read_params, {0x3E}, motors_on}));
+  // A false candidate with a good frame inside what it would swallow, and a start at the end.
+  check_every_cutting(concat({{0x3E, 0x05, 0x08, 0x0D}, motors_on, read_params, {0x3E}}));
+  // The false candidate's body ends in the middle of a good frame.
+  check_every_cutting(concat({{0x3E, 0x05, 0x03, 0x08}, {9}, read_params, motors_on}));
+  // Two false candidates, one in the other.
+  check_every_cutting(concat({{0x3E, 1, 8, 9}, {0x3E, 1, 2, 3}, motors_on, motors_on}));
+  // The header checksum fails; the id is 0; a start byte and zeros.
+  check_every_cutting(concat({{0x3E, 0x52, 0x01, 0x54, 0x01, 0x01}, motors_on}));
+  check_every_cutting(concat({{0x3E, 0, 1, 1, 1, 1}, motors_on}));
+  check_every_cutting(concat({{0x3E, 0, 0, 0, 0, 0, 0}, motors_on}));
+  // A frame that is never completed swallows two good ones.
+  check_every_cutting(concat({{0x3E, 0x05, 0xF0, 0xF5}, motors_on, read_params}));
+  check_every_cutting(Bytes(16, 0x3E));
+}
+
+TEST(Parser, IsTheSameForEveryCuttingOfShortRandomStreams) {
+  for (std::uint32_t seed = 0; seed < 60; ++seed) {
+    Bytes s = Random(seed).stream(6);
+    s.resize(11);
+    ASSERT_NO_FATAL_FAILURE(check_every_cutting(s)) << "seed " << seed;
+  }
+}
+
+TEST(Parser, IsTheSameForEveryOneAndTwoCuts) {
+  for (std::uint32_t seed = 0; seed < 6; ++seed) {
+    Bytes s = Random(seed).stream(20);
+    s.resize(320);
+    const ReferenceResult open = reference_parse(s, End::open);
+    const ReferenceResult final = reference_parse(s, End::final);
+    for (std::size_t a = 0; a <= s.size(); ++a) {
+      for (std::size_t b = a; b <= s.size(); ++b) {
+        ASSERT_NO_FATAL_FAILURE(check_cuts(s, {a, b}, open, final))
+            << "seed " << seed << ", cut at " << a << " and " << b;
+      }
+    }
+  }
+}
+
+// Many streams, chunks of many sizes, flushes in between: after every single step, the frames, the
+// counters and what waits are those of the reference.
+TEST(Parser, FollowsTheReferenceStepByStep) {
+  for (std::uint32_t seed = 0; seed < 1500; ++seed) {
+    Random random(seed);
+    const Bytes s = random.stream(1 + random.below(25));
+    const std::size_t longest = std::size_t{1} << random.below(10);
+    const bool flushes = random.below(2) == 0;
+
+    Collector<> collector;
+    ReferenceResult settled;  // of the segments that a flush has closed
+    Bytes segment;
+    std::uint64_t segment_offset = 0;
+    const auto expect_reference = [&](End end) {
+      ReferenceResult all = settled;
+      const ReferenceResult now = reference_parse(segment, end, segment_offset);
+      all.frames.insert(all.frames.end(), now.frames.begin(), now.frames.end());
+      all.skipped_bytes += now.skipped_bytes;
+      all.header_errors += now.header_errors;
+      all.body_errors += now.body_errors;
+      all.incomplete += now.incomplete;
+      all.waiting_bytes = now.waiting_bytes;
+      expect_same(collector, all);
+      if (end == End::final) {
+        settled = all;
+        segment_offset += segment.size();
+        segment.clear();
+      }
+    };
+    for (std::size_t begin = 0; begin < s.size();) {
+      const std::size_t size = std::min(s.size() - begin, random.below(longest + 1));
+      const std::span chunk = std::span(s).subspan(begin, size);
+      segment.insert(segment.end(), chunk.begin(), chunk.end());
+      begin += size;
+      collector.feed(chunk);
+      ASSERT_NO_FATAL_FAILURE(expect_reference(End::open)) << "seed " << seed << " at " << begin;
+      if (flushes && random.below(8) == 0) {
+        collector.flush();
+        ASSERT_NO_FATAL_FAILURE(expect_reference(End::final)) << "seed " << seed << " at " << begin;
+      }
+    }
+    collector.flush();
+    ASSERT_NO_FATAL_FAILURE(expect_reference(End::final)) << "seed " << seed;
+  }
+}
+
+TEST(Parser, FindsWhatADamagedLineLeavesIntact) {
+  constexpr std::size_t frames = 2000;
+  Random random(42);
+  Bytes line;
+  std::size_t intact = 0;
+  for (std::size_t i = 0; i < frames; ++i) {
+    Bytes body(124);
+    for (std::uint8_t& b : body) b = random.byte();
+    Bytes frame = make_frame(25, body);
+    const std::size_t before = frame.size();
+    std::erase_if(frame, [&](std::uint8_t) { return random.below(100) == 0; });
+    if (frame.size() == before) ++intact;
+    line.insert(line.end(), frame.begin(), frame.end());
+  }
+  Collector<> collector;
+  for (std::size_t i = 0; i < line.size(); i += 50) {
+    collector.feed(std::span(line).subspan(i, std::min<std::size_t>(50, line.size() - i)));
+  }
+  collector.flush();
+  expect_same(collector, reference_parse(line, End::final));
+  EXPECT_GE(static_cast<double>(collector.frames.size()), 0.995 * static_cast<double>(intact));
+}
+
+bool lies_in(std::span<const std::uint8_t> body, std::span<const std::uint8_t> chunk) {
+  return body.data() >= chunk.data() && body.data() + body.size() <= chunk.data() + chunk.size();
+}
+
+TEST(Parser, ViewsFramesInsideTheChunk) {
+  const Bytes chunk = concat({motors_on, {1, 2, 3}, read_params, {0x3E, 1, 1, 9}, read_params});
+  Parser parser;
+  int seen = 0;
+  parser.feed(chunk, [&](const Frame& frame) {
+    ++seen;
+    EXPECT_TRUE(lies_in(frame.body, chunk));
+    EXPECT_EQ(frame.body.data(), chunk.data() + frame.offset + 4);
+  });
+  EXPECT_EQ(seen, 3);
+}
+
+TEST(Parser, ViewsFramesInsideTheChunkBehindAFalseCandidateFromBefore) {
+  // The candidate in the first chunk wants 5 + 20 bytes and is false; the frames that it would have
+  // swallowed lie whole in the second chunk, but for the first of them.
+  const Bytes first = concat({{0x3E, 1, 20, 21}, {0x3E, 0x52}});
+  const Bytes second = concat({{0x01, 0x53, 0x01, 0x01}, read_params, motors_on, read_params});
+  Parser parser;
+  std::vector<std::uint64_t> copied;
+  std::vector<std::uint64_t> viewed;
+  const auto sink = [&](const Frame& frame) {
+    (lies_in(frame.body, second) ? viewed : copied).push_back(frame.offset);
+  };
+  parser.feed(first, sink);
+  parser.feed(second, sink);
+  EXPECT_EQ(copied, (std::vector<std::uint64_t>{4}));
+  EXPECT_EQ(viewed, (std::vector<std::uint64_t>{10, 16, 21}));
+}
+
+TEST(Parser, TellsWhichBytesWait) {
+  Collector<> collector;
+  collector.feed(Bytes{1, 2, 0x3E});
+  EXPECT_EQ(collector.parser.waiting_bytes(), 1U);
+  EXPECT_EQ(collector.parser.counters(), (ParserCounters{.skipped_bytes = 2}));
+  collector.feed(Bytes{0x4D, 0x00});
+  EXPECT_EQ(collector.parser.waiting_bytes(), 3U);
+  collector.feed({});
+  EXPECT_EQ(collector.parser.waiting_bytes(), 3U);
+  collector.flush();
+  EXPECT_EQ(collector.parser.waiting_bytes(), 0U);
+  EXPECT_EQ(collector.parser.counters(), (ParserCounters{.skipped_bytes = 5, .incomplete = 1}));
+  collector.flush();
+  EXPECT_EQ(collector.parser.counters(), (ParserCounters{.skipped_bytes = 5, .incomplete = 1}));
+}
+
+TEST(Parser, AcceptsEmptyChunks) {
+  Collector<> collector;
+  collector.feed({});
+  collector.feed(motors_on);
+  collector.feed({});
+  collector.flush();
+  EXPECT_EQ(collector.parser.counters(), (ParserCounters{.frames = 1}));
+}
+
+TEST(Parser, CountsEachKindOfError) {
+  Collector<> collector;
+  collector.feed(concat({{0x3E, 1, 0, 2}, {0x3E, 0, 0, 0}, {0x3E, 1, 0, 1, 9}, motors_on}));
+  EXPECT_EQ(
+      collector.parser.counters(),
+      (ParserCounters{.frames = 1, .skipped_bytes = 13, .header_errors = 2, .body_errors = 1}));
+}
+
+TEST(Parser, ForgetsEverythingOnReset) {
+  Collector<> collector;
+  collector.feed(concat({{7}, motors_on, {0x3E, 1}}));
+  collector.parser.reset();
+  collector.frames.clear();
+  EXPECT_EQ(collector.parser.counters(), ParserCounters{});
+  EXPECT_EQ(collector.parser.waiting_bytes(), 0U);
+  collector.feed(read_params);
+  ASSERT_EQ(collector.frames.size(), 1U);
+  EXPECT_EQ(collector.frames[0].offset, 0U);
+}
+
+TEST(Parser, CanBeCopiedInTheMiddleOfAFrame) {
+  Collector<> first;
+  first.feed(std::span(read_params).first(4));
+  Collector<> second = first;
+  first.feed(Bytes{1, 2});
+  second.feed(std::span(read_params).subspan(4));
+  EXPECT_EQ(first.frames.size(), 0U);
+  EXPECT_EQ(second.frames.size(), 1U);
+}
+
+TEST(Parser, GoesOnBehindASinkThatThrows) {
+  const auto throwing = [](const Frame&) { throw std::runtime_error("sink"); };
+  const Bytes line = concat({motors_on, {1, 2}, motors_on, {0x3E, 1}});
+  // In a chunk, in a frame completed by a chunk, in a flush.
+  Parser parser;
+  EXPECT_THROW(parser.feed(line, throwing), std::runtime_error);
+  EXPECT_EQ(parser.counters(), (ParserCounters{.frames = 1, .skipped_bytes = line.size() - 5}));
+  parser.reset();
+  parser.feed(std::span(motors_on).first(2), throwing);
+  EXPECT_THROW(parser.feed(concat({{0x00, 0x4D, 0x00}, line}), throwing), std::runtime_error);
+  EXPECT_EQ(parser.counters(), (ParserCounters{.frames = 1, .skipped_bytes = line.size()}));
+  parser.reset();
+  parser.feed(concat({{0x3E, 1, 200, 201}, line}), throwing);
+  EXPECT_THROW(parser.flush(throwing), std::runtime_error);
+  EXPECT_EQ(parser.counters(),
+            (ParserCounters{.frames = 1, .skipped_bytes = line.size() - 1, .incomplete = 1}));
+  EXPECT_EQ(parser.waiting_bytes(), 0U);
+  int seen = 0;
+  std::uint64_t offset = 0;
+  parser.feed(motors_on, [&](const Frame& frame) {
+    ++seen;
+    offset = frame.offset;
+  });
+  EXPECT_EQ(seen, 1);
+  EXPECT_EQ(offset, 4 + line.size());
+}
+
+TEST(Parser, ThrowsOnlyWhatItsSinkThrows) {
+  const auto quiet = [](const Frame&) noexcept {};
+  const auto loud = [](const Frame&) {};
+  Parser parser;
+  static_assert(noexcept(parser.feed({}, quiet))&& noexcept(parser.flush(quiet)));
+  static_assert(!noexcept(parser.feed({}, loud)) && !noexcept(parser.flush(loud)));
+  static_assert(noexcept(parser.counters())&& noexcept(parser.reset()));
+}
+
+/// The framing, counting the bytes it looks at.
+struct CountingFraming : Framing {
+  // The parser asks its rules without an object.
+  static inline std::uint64_t operations = 0;  // NOLINT(*-avoid-non-const-global-variables)
+
+  static Candidate inspect(const std::uint8_t* bytes, std::size_t available) {
+    const Candidate candidate = Framing::inspect(bytes, available);
+    const bool summed =
+        candidate.verdict == Verdict::frame || candidate.verdict == Verdict::bad_body;
+    operations += frame_header_size + (summed ? candidate.size : 0);
+    return candidate;
+  }
+  static const std::uint8_t* find(const std::uint8_t* begin, const std::uint8_t* end,
+                                  std::uint64_t& bad_headers) {
+    const std::uint8_t* const found = Framing::find(begin, end, bad_headers);
+    operations += static_cast<std::uint64_t>(found - begin) + 1;
+    return found;
+  }
+};
+
+std::uint64_t operations_for(const Bytes& s, std::size_t chunk_size) {
+  CountingFraming::operations = 0;
+  Collector<BasicParser<CountingFraming>> collector;
+  for (std::size_t i = 0; i < s.size(); i += chunk_size) {
+    collector.feed(std::span(s).subspan(i, std::min(chunk_size, s.size() - i)));
+  }
+  collector.flush();
+  return CountingFraming::operations;
+}
+
+Bytes repeat(const Bytes& pattern, std::size_t size) {
+  Bytes s(size);
+  for (std::size_t i = 0; i < size; ++i) s[i] = pattern[i % pattern.size()];
+  return s;
+}
+
+// However hostile the stream and however it is cut, a byte costs at most about the length of a
+// frame. (What the parser copies is bounded by what it inspects, one frame per judgement.)
+TEST(Parser, DoesBoundedWorkPerByte) {
+  const std::vector<Bytes> patterns{
+      {0x3E},                                          // every byte is a start
+      {0x3E, 0x3F, 0xFF},                              // every third starts a header, 255 bytes
+      {0x3E, 0x01, 0xFF, 0x00},                        // every fourth
+      {0x3E, 0x00, 0x00, 0x00},                        // id 0
+      make_frame(1, repeat({0x3E, 0x3F, 0xFF}, 255)),  // the same in good frames
+      concat({{0x3E, 1, 255, 0}, Bytes(256, 0x3E)}),   // a false frame full of starts
+      concat({{0x3E, 1, 254, 255}, repeat(motors_on, 255)}),  // or of frames
+      Random(1).noise(1000),
+  };
+  for (const Bytes& pattern : patterns) {
+    for (const std::size_t chunk_size : {1U, 2U, 3U, 64U, 259U, 260U, 261U, 100'000U}) {
+      const std::size_t size = 20'000;
+      const std::uint64_t once = operations_for(repeat(pattern, size), chunk_size);
+      const std::uint64_t twice = operations_for(repeat(pattern, 2 * size), chunk_size);
+      EXPECT_LE(once, size * (max_frame_size + 20));
+      EXPECT_LE(twice, 2 * once + 300 * max_frame_size) << "more than linear";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sbgc::test

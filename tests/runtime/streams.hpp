@@ -1,0 +1,100 @@
+// Byte streams that are hard on a parser, and small tools to make them.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <random>
+
+#include "reference_parser.hpp"
+
+namespace sbgc::test {
+
+/// A frame, made without the library.
+inline Bytes make_frame(std::uint8_t id, const Bytes& body) {
+  Bytes frame{0x3E, id, static_cast<std::uint8_t>(body.size()),
+              static_cast<std::uint8_t>(id + body.size())};
+  unsigned sum = 0;
+  for (const std::uint8_t byte : body) {
+    frame.push_back(byte);
+    sum += byte;
+  }
+  frame.push_back(static_cast<std::uint8_t>(sum));
+  return frame;
+}
+
+inline Bytes concat(std::initializer_list<Bytes> parts) {
+  Bytes all;
+  for (const Bytes& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+class Random {
+ public:
+  explicit Random(std::uint32_t seed) : engine_(seed) {}
+
+  /// A number below `limit`.
+  std::size_t below(std::size_t limit) { return engine_() % limit; }
+  std::uint8_t byte() { return static_cast<std::uint8_t>(engine_()); }
+
+  /// Noise in which one byte in four is a start byte.
+  Bytes noise(std::size_t size) {
+    Bytes bytes(size);
+    for (std::uint8_t& b : bytes) b = below(4) == 0 ? std::uint8_t{0x3E} : byte();
+    return bytes;
+  }
+
+  /// A good frame; its body is noise, now and then with a whole frame inside.
+  Bytes frame() {
+    const auto id = static_cast<std::uint8_t>(1 + below(255));
+    const std::size_t size = below(3) == 0 ? below(256) : below(20);
+    Bytes body = noise(size);
+    if (below(4) == 0 && size > 40) {
+      const Bytes inner = make_frame(7, noise(below(30)));
+      std::copy(inner.begin(), inner.end(), body.begin());
+    }
+    return make_frame(id, body);
+  }
+
+  /// A valid header that announces a body which does not come.
+  Bytes false_header() {
+    const auto id = static_cast<std::uint8_t>(1 + below(255));
+    const auto size = static_cast<std::uint8_t>(255 - below(40));
+    return {0x3E, id, size, static_cast<std::uint8_t>(id + size)};
+  }
+
+  /// Frames, whole and damaged, with noise, false headers and runs of one byte between them.
+  Bytes stream(std::size_t pieces) {
+    Bytes all;
+    for (std::size_t i = 0; i < pieces; ++i) {
+      Bytes piece;
+      switch (below(8)) {
+        case 0: piece = noise(below(50)); break;
+        case 1: piece = false_header(); break;
+        case 2: piece.assign(below(12), 0x3E); break;
+        case 3: piece = concat({{0x3E}, Bytes(below(12))}); break;
+        default: piece = frame();
+      }
+      if (below(4) == 0 && !piece.empty()) damage(piece);
+      all.insert(all.end(), piece.begin(), piece.end());
+    }
+    return all;
+  }
+
+  /// Changes, drops, inserts or repeats one byte.
+  void damage(Bytes& bytes) {
+    const auto place = bytes.begin() + static_cast<std::ptrdiff_t>(below(bytes.size()));
+    switch (below(4)) {
+      case 0: *place = static_cast<std::uint8_t>(*place ^ (1 + below(255))); break;
+      case 1: bytes.erase(place); break;
+      case 2: bytes.insert(place, byte()); break;
+      default: bytes.insert(place, std::uint8_t{*place}); break;
+    }
+  }
+
+ private:
+  std::mt19937 engine_;
+};
+
+}  // namespace sbgc::test

@@ -1,0 +1,78 @@
+// Byte sequences from outside the project: captures of real boards, worked examples, constants in
+// other people's code.
+
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <sbgc/frame.hpp>
+#include <sbgc/parser.hpp>
+
+#include "reference_parser.hpp"
+
+namespace sbgc::test {
+namespace {
+
+Bytes from_hex(const std::string& hex) {
+  Bytes bytes;
+  for (std::size_t i = 0; i < hex.size(); i += 2) {
+    bytes.push_back(static_cast<std::uint8_t>(std::stoul(hex.substr(i, 2), nullptr, 16)));
+  }
+  return bytes;
+}
+
+/// The sizes of the frames found when `bytes` are all there is.
+std::vector<std::size_t> frames_in(const Bytes& bytes) {
+  std::vector<std::size_t> sizes;
+  const auto sink = [&](const Frame& frame) { sizes.push_back(frame.body.size() + 5); };
+  Parser parser;
+  parser.feed(bytes, sink);
+  parser.flush(sink);
+  return sizes;
+}
+
+TEST(Vectors, YieldTheFramesTheyShould) {
+  std::ifstream file(SBGC_TEST_DATA "/vectors.json");
+  const nlohmann::json vectors = nlohmann::json::parse(file);
+  ASSERT_GE(vectors.size(), 29U);
+  for (const nlohmann::json& vector : vectors) {
+    SCOPED_TRACE(vector.dump());
+    const Bytes bytes = from_hex(vector.at("hex"));
+    const std::string kind = vector.at("kind");
+    if (kind == "payload") {
+      Bytes frame(bytes.size() + 5);
+      EXPECT_TRUE(write_frame(vector.at("command_id").get<std::uint8_t>(), bytes, frame));
+      EXPECT_EQ(frames_in(frame), std::vector{frame.size()});
+    } else if (vector.at("expect") == "valid") {
+      EXPECT_EQ(frames_in(bytes), std::vector{bytes.size()});
+      // Writing what was read gives the same bytes.
+      Bytes again(bytes.size());
+      EXPECT_TRUE(write_frame(bytes[1], Bytes(bytes.begin() + 4, bytes.end() - 1), again));
+      EXPECT_EQ(again, bytes);
+    } else {
+      EXPECT_TRUE(frames_in(bytes).empty());
+    }
+  }
+}
+
+TEST(Vectors, SurviveOnOneLine) {
+  std::ifstream file(SBGC_TEST_DATA "/vectors.json");
+  Bytes line;
+  for (const nlohmann::json& vector : nlohmann::json::parse(file)) {
+    const Bytes bytes = from_hex(vector.at("hex"));
+    line.insert(line.end(), bytes.begin(), bytes.end());
+  }
+  std::vector<std::size_t> sizes;
+  for (const ReferenceFrame& frame : reference_parse(line, End::final).frames) {
+    sizes.push_back(frame.body.size() + 5);
+  }
+  EXPECT_EQ(frames_in(line), sizes);
+}
+
+}  // namespace
+}  // namespace sbgc::test
