@@ -45,9 +45,9 @@ const ByteVector& clean_stream() {
     while (bytes.size() < stream_size) {
       fill_randomly(std::span(sbgc::frame_body(frame.data()), sbgc::RealtimeData4::min_size),
                     random);
-      const std::size_t size = sbgc::finish_frame(
-          frame.data(), static_cast<std::uint8_t>(sbgc::RealtimeData4::command),
-          sbgc::RealtimeData4::min_size);
+      const std::size_t size =
+          sbgc::finish_frame(frame.data(), static_cast<std::uint8_t>(sbgc::RealtimeData4::command),
+                             sbgc::RealtimeData4::min_size);
       bytes.insert(bytes.end(), frame.data(), frame.data() + size);
     }
     return bytes;

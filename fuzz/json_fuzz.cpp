@@ -1,5 +1,5 @@
-// JSON from outside. The input is a line as `sbgc encode` reads it. Whatever it says, it is a message
-// or a JsonError; a message becomes the same JSON and the same bytes again.
+// JSON from outside. The input is a line as `sbgc encode` reads it. Whatever it says, it is a
+// message or a JsonError; a message becomes the same JSON and the same bytes again.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
-// Bodies of messages. The input: a byte for the direction (its lowest bit; 1: from the board), a byte
-// for the id, then the body. What decodes is validated and must encode to the same bytes, and those
-// must decode again. The other bits of the first byte are a number of bytes at the end that are a
-// request instead, which may say how to read the body.
+// Bodies of messages. The input: a byte for the direction (its lowest bit; 1: from the board), a
+// byte for the id, then the body. What decodes is validated and must encode to the same bytes, and
+// those must decode again. The other bits of the first byte are a number of bytes at the end that
+// are a request instead, which may say how to read the body.
 
 #include <algorithm>
 #include <array>

@@ -8,6 +8,7 @@ from pathlib import Path
 from sbgcgen.diagnostics import Diagnostics
 from sbgcgen.lint import lint
 from sbgcgen.lint_bodies import lint_bodies
+from sbgcgen.lint_usage import lint_usage
 from sbgcgen.load import Spec, load
 from sbgcgen.model import Layout
 from sbgcgen.resolve import resolve
@@ -27,12 +28,15 @@ def load_protocol(spec_dir: Path) -> Protocol:
     """Load, check and resolve a spec folder.
 
     Raises SpecError with every finding. Shape errors hide what builds on the shape, so they are
-    reported first; everything else comes in one go.
+    reported first; everything else comes in one go. What is unused is reported when all else is
+    right: a mistake elsewhere may be the reason.
     """
     found = Diagnostics()
     spec, layout = _resolve(spec_dir, found)
     lint(spec, layout, found)
     lint_bodies(layout, found)
+    found.raise_if_any()
+    lint_usage(spec, found)
     found.raise_if_any()
     return Protocol(spec, layout)
 

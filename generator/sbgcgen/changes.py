@@ -80,7 +80,7 @@ def versions(since: Availability) -> str:
 
 def text(value: object) -> str:
     """A value as the report shows it."""
-    if value is None:
+    if value is None or value == "":
         return "none"
     if isinstance(value, bool):
         return "yes" if value else "no"

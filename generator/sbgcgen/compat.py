@@ -49,7 +49,7 @@ def _compare_named_types(old: Layout, new: Layout, changes: Changes) -> None:
         what = f"struct {now.name}"
         compare_fields(what, before.fields, now.fields, changes)
         sizes = [s.size if s.is_region else None for s in (before, now)]
-        changes.compare(Level.WIRE, f"{what}: size", *sizes, now.at)
+        changes.compare(Level.WIRE, f"{what}: size", sizes[0], sizes[1], now.at)
         changes.compare(Level.SOURCE, f"{what}: family", before.family, now.family, now.at)
         changes.compare(Level.COMPATIBLE, f"{what}: summary", before.summary, now.summary, now.at)
 
@@ -98,10 +98,10 @@ def _compare_command(what: str, old: Command, new: Command, changes: Changes) ->
     changes.compare(Level.WIRE, f"{what}: id", old.id, new.id, new.at)
     if old.name == new.name:
         names = (old.identifier, new.identifier)
-        changes.compare(Level.SOURCE, f"{what}: C++ name", *names, new.at)
+        changes.compare(Level.SOURCE, f"{what}: C++ name", names[0], names[1], new.at)
     changes.since(what, old.since, new.since, new.at)
     marks = (old.undocumented, new.undocumented)
-    changes.compare(Level.COMPATIBLE, f"{what}: undocumented", *marks, new.at)
+    changes.compare(Level.COMPATIBLE, f"{what}: undocumented", marks[0], marks[1], new.at)
     changes.compare(Level.COMPATIBLE, f"{what}: summary", old.summary, new.summary, new.at)
 
 
@@ -173,23 +173,31 @@ def _compare_message(old: Message, new: Message, renamed: dict[str, str], change
     if old.keeps_tail != new.keeps_tail:
         level = Level.COMPATIBLE if new.keeps_tail else Level.WIRE
         changes.add(level, f"{what}: keeps its tail", old.keeps_tail, new.keeps_tail, new.at)
-    if old.max_size != new.max_size and places(old.fields) == places(new.fields):
+    if old.max_size != new.max_size and _lengths(old) == _lengths(new):
         level = Level.COMPATIBLE if new.max_size > old.max_size else Level.WIRE
         changes.add(level, f"{what}: max_size", old.max_size, new.max_size, new.at)
     contexts = [[(c.name, c.type.name if c.type else None) for c in m.contexts] for m in (old, new)]
-    changes.compare(Level.SOURCE, f"{what}: context", *contexts, new.at)
+    changes.compare(Level.SOURCE, f"{what}: context", contexts[0], contexts[1], new.at)
     sources = [[(c.sources, c.announced) for c in m.contexts] for m in (old, new)]
     if contexts[0] == contexts[1]:
-        changes.compare(Level.MEANING, f"{what}: source of its context", *sources, new.at)
+        changes.compare(
+            Level.MEANING, f"{what}: source of its context", sources[0], sources[1], new.at
+        )
     _compare_answers(what, old, new, renamed, changes)
     stores = renamed.get(old.stores, old.stores)
     changes.compare(Level.MEANING, f"{what}: stores", stores, new.stores, new.at)
     changes.since(what, old.since, new.since, new.at)
     marks = (bool(old.deprecated), bool(new.deprecated))
-    changes.compare(Level.COMPATIBLE, f"{what}: deprecated", *marks, new.at)
+    changes.compare(Level.COMPATIBLE, f"{what}: deprecated", marks[0], marks[1], new.at)
     changes.compare(Level.COMPATIBLE, f"{what}: summary", old.summary, new.summary, new.at)
     texts = (old.description, new.description)
-    changes.compare(Level.COMPATIBLE, f"{what}: description", *texts, new.at)
+    changes.compare(Level.COMPATIBLE, f"{what}: description", texts[0], texts[1], new.at)
+
+
+def _lengths(message: Message) -> tuple[object, ...]:
+    """What decides how long a body can be, unless `max_size` says it."""
+    limits = [(field.max_count, field.maximum) for field in message.fields]
+    return (places(message.fields), limits)
 
 
 NO_ANSWER = Answer((), "never", 0, 0, False, ())
@@ -207,14 +215,14 @@ def _compare_answers(
     changes.compare(level, f"{what}: answered by", sorted(names), sorted(now.messages), new.at)
     confirm = (before.confirm, now.confirm)
     level = Level.COMPATIBLE if confirm == ("never", "possible") else Level.MEANING
-    changes.compare(level, f"{what}: confirmed", *confirm, new.at)
+    changes.compare(level, f"{what}: confirmed", confirm[0], confirm[1], new.at)
     if confirm[0] == confirm[1]:
         counts = (before.confirmations, now.confirmations)
-        changes.compare(Level.MEANING, f"{what}: confirmations", *counts, new.at)
+        changes.compare(Level.MEANING, f"{what}: confirmations", counts[0], counts[1], new.at)
     level = Level.COMPATIBLE if now.retry_safe else Level.MEANING
     changes.compare(level, f"{what}: safe to retry", before.retry_safe, now.retry_safe, new.at)
     times = (before.timeout_ms, now.timeout_ms)
-    changes.compare(Level.COMPATIBLE, f"{what}: timeout_ms", *times, new.at)
+    changes.compare(Level.COMPATIBLE, f"{what}: timeout_ms", times[0], times[1], new.at)
 
 
 # Adjustable variables
@@ -250,9 +258,9 @@ def _compare_variable(what: str, old: Variable, new: Variable, changes: Changes)
         for v in (old, new)
     ]
     level = Level.MEANING if old.quantity else Level.COMPATIBLE
-    changes.compare(level, f"{what}: unit", *units, new.at)
+    changes.compare(level, f"{what}: unit", units[0], units[1], new.at)
     narrowed = new.minimum > old.minimum or new.maximum < old.maximum
     level = Level.MEANING if narrowed else Level.COMPATIBLE
     ranges = [f"{v.minimum}..{v.maximum}" for v in (old, new)]
-    changes.compare(level, f"{what}: range", *ranges, new.at)
+    changes.compare(level, f"{what}: range", ranges[0], ranges[1], new.at)
     changes.compare(Level.COMPATIBLE, f"{what}: summary", old.summary, new.summary, new.at)

@@ -37,7 +37,7 @@ def wire_type(type_: Type) -> Any:
         return ("string",) if type_.kind == "string" else ("bytes", type_.size)
     if isinstance(type_, Struct):
         return ("struct", type_.is_region and type_.size, places(type_.fields)[-1])
-    return type_.kind
+    return ("bytes", None)  # whose types a context knows
 
 
 def wire_form(field: Field) -> Any:
@@ -234,7 +234,7 @@ def _compare_field(
     changes.compare(Level.MEANING, f"{label}: reserved", old.reserved, new.reserved, at)
     changes.since(label, old.since, new.since, at)
     marks = [bool(old.deprecated), bool(new.deprecated)]
-    changes.compare(Level.COMPATIBLE, f"{label}: deprecated", *marks, at)
+    changes.compare(Level.COMPATIBLE, f"{label}: deprecated", marks[0], marks[1], at)
     changes.compare(Level.COMPATIBLE, f"{label}: summary", old.summary, new.summary, at)
 
 
@@ -347,4 +347,4 @@ def _compare_alternatives(label: str, old: Field, new: Field, changes: Changes) 
             changes.add(Level.SOURCE, what, before.quantity.name, now.quantity.name, new.at)
             compare_unit(what, before.quantity, now.quantity, changes)
         flags = [f"{a.source} & {a.mask:#x}" for a in (before, now)]
-        changes.compare(Level.MEANING, f"{what}, chosen by", *flags, new.at)
+        changes.compare(Level.MEANING, f"{what}, chosen by", flags[0], flags[1], new.at)

@@ -110,7 +110,8 @@ def compare_values(what: str, old: Enum, new: Enum, changes: Changes) -> None:
 def _compare_value(label: str, old: EnumValue, new: EnumValue, changes: Changes) -> None:
     changes.compare(Level.MEANING, label, old.value, new.value, new.at)
     changes.compare(Level.SOURCE, f"{label}: C++ name", old.identifier, new.identifier, new.at)
-    changes.compare(Level.WIRE, f"{label}: type it names", old.wire, new.wire, new.at)
+    level = Level.WIRE if old.wire else Level.COMPATIBLE
+    changes.compare(level, f"{label}: type it names", old.wire, new.wire, new.at)
     changes.since(label, old.since, new.since, new.at)
     changes.compare(Level.COMPATIBLE, f"{label}: summary", old.summary, new.summary, new.at)
 

@@ -7,7 +7,18 @@ import textwrap
 from collections.abc import Callable
 from typing import Any
 
-from sbgcgen.model import Announced, Availability, Blob, Enum, Packed, Quantity, Scalar, Struct
+from sbgcgen.memory import Run, runs
+from sbgcgen.model import (
+    Announced,
+    Availability,
+    Blob,
+    Enum,
+    Field,
+    Packed,
+    Quantity,
+    Scalar,
+    Struct,
+)
 from sbgcgen.names import camel_case
 
 
@@ -46,18 +57,26 @@ def hexadecimal(value: int, digits: int = 2) -> str:
     return f"0x{value:0{digits}X}"
 
 
+def fast_runs(fields: list[Field]) -> list[Run | Field]:
+    """The runs of a list of fields, if copying them in blocks is worth it; else nothing."""
+    joined = runs(fields)
+    return joined if len(fields) > 2 and 2 * len(joined) <= len(fields) else []
+
+
 FILTERS: dict[str, Callable[..., Any]] = {
     "comment": comment,
     "c_string": c_string,
     "to_json": to_json,
     "versions": versions,
     "hex": hexadecimal,
+    "fast_runs": fast_runs,
     "camel": camel_case,
 }
 
 TESTS: dict[str, Callable[..., bool]] = {
     "a_scalar": lambda t: isinstance(t, Scalar),
     "a_quantity": lambda t: isinstance(t, Quantity),
+    "a_run": lambda step: isinstance(step, Run),
     "an_enum": lambda t: isinstance(t, Enum) and t.kind == "enum",
     "a_flag_set": lambda t: isinstance(t, Enum) and t.kind == "flags",
     "a_packed": lambda t: isinstance(t, Packed),

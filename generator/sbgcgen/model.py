@@ -332,7 +332,11 @@ class Answer:
 
 @dataclass(frozen=True)
 class Message:
-    """One body layout of one command in one direction."""
+    """One body layout of one command in one direction.
+
+    `keeps_tail`: bytes behind the described ones are kept. `is_open`: any body of at least
+    `min_size` is taken for this message, of several forms the longest.
+    """
 
     name: str
     command: str
@@ -351,6 +355,7 @@ class Message:
     same_as: str
     in_both_directions: bool
     keeps_tail: bool
+    is_open: bool
     tail_capacity: int
     min_size: int
     max_size: int

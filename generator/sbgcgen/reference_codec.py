@@ -288,6 +288,7 @@ class _Writer:
         self.data = bytearray()
         self.limit = limit
         self.base = base
+        self.missing: list[tuple[int, int, str]] = []  # up to which byte, from where, what
 
     @property
     def at(self) -> int:
@@ -310,6 +311,10 @@ def encode(message: Message, fields: Fields, limit: int = 255) -> bytes:
     tail = str(given.pop("tail", "")) if message.keeps_tail else ""
     _write_fields(message.fields, given, writer, "")
     writer.put(_hex(tail, None, "tail", writer), "tail")
+    # What follows a missing value must be too short to be taken for it.
+    for end, at, name in sorted(writer.missing, key=lambda entry: entry[0])[:1]:
+        if writer.at >= end:
+            raise CodecError("presence_mismatch", name, at)
     return bytes(writer.data)
 
 
@@ -331,6 +336,8 @@ def _write_fields(
                 wanted = holds(field.when, conditions[field.when.source])
                 if present != wanted and (present or not field.when.may_be_missing):
                     raise CodecError("presence_mismatch", name, writer.at)
+                if wanted and not present:
+                    writer.missing.append((writer.at + (field.size or 0), writer.at, name))
             if present:
                 _write_field(field, values[field.name], writer, name, values)
         elif present:
@@ -461,7 +468,7 @@ def choose_message(forms: Forms, direction: str, id: int, size: int) -> Message:
     if len(candidates) == 1:
         return candidates[0]
     for message in candidates:
-        if message.min_size <= size and (message.keeps_tail or size <= message.max_size):
+        if message.min_size <= size and (message.is_open or size <= message.max_size):
             return message
     raise CodecError("unknown_form")
 

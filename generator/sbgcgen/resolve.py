@@ -233,17 +233,12 @@ class _Resolver:
         same_as = str(draft.get("same_as", ""))
         both = (draft.name, _other(draft.direction)) in self.drafts
         body = self._body(draft, contexts, same_as, both)
-        if same_as and not contexts:
-            other = self.drafts.get((same_as, "from_board")) or self.drafts.get(
-                (same_as, "to_board")
-            )
-            contexts = (
-                self._message(other).contexts if other and same_as != draft.name else contexts
-            )
+        original = self._original(draft, same_as)
+        if original is not None:
+            contexts = contexts or original.contexts
         self.open.pop()
-        tail = str(
-            draft.get("tail", "keep" if draft.direction == "from_board" or both else "refuse")
-        )
+        keep = original.keeps_tail if original else draft.direction == "from_board" or both
+        tail = str(draft.get("tail", "keep" if keep else "refuse"))
         limit = self.framing.max_body
         largest = int(draft.get("max_size", max_size(body.fields, limit)))
         if body.min_size > limit:
@@ -278,6 +273,7 @@ class _Resolver:
             same_as=same_as if same_as != draft.name else "",
             in_both_directions=both,
             keeps_tail=tail == "keep" and not open_ended,
+            is_open=False,
             tail_capacity=max(0, limit - body.min_size),
             min_size=body.min_size,
             max_size=largest,
@@ -290,6 +286,13 @@ class _Resolver:
         self.done[key] = message_
         return message_
 
+    def _original(self, draft: _Draft, same_as: str) -> Message | None:
+        """The other message whose body this one has."""
+        for direction in DIRECTIONS if same_as != draft.name else ():
+            if (same_as, direction) in self.drafts:
+                return self._message(self.drafts[same_as, direction])
+        return None
+
     def _settle_tails(self, messages: list[Message]) -> list[Message]:
         """Of several forms only the longest may grow: the others are told apart by their size."""
         result = []
@@ -299,8 +302,10 @@ class _Resolver:
                 for m in messages
                 if m.command == message.command and m.direction == message.direction
             ]
-            keeps = message.keeps_tail and message.max_size == max(forms)
-            result.append(replace(message, keeps_tail=keeps))
+            longest = message.max_size == max(forms)
+            open_ended = message.keeps_tail or any(f.dim == "rest" for f in message.fields)
+            keeps = message.keeps_tail and longest
+            result.append(replace(message, keeps_tail=keeps, is_open=open_ended and longest))
         return result
 
     def _command_node(self, draft: _Draft) -> Map:

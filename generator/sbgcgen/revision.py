@@ -39,7 +39,7 @@ def version(name: str, root: Path, spec_name: str = "spec") -> Iterator[Version]
     taken as a folder.
     """
     folder = Path(name)
-    if folder.is_dir():
+    if name and folder.is_dir():
         yield Version(folder.resolve(), f"{folder.as_posix().rstrip('/')}/")
         return
     tree = _git(root, "rev-parse", "--verify", "--quiet", f"{name}^{{commit}}:./{spec_name}")

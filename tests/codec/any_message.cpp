@@ -114,8 +114,9 @@ const std::vector<MessageType>& message_types() {
   static const std::vector<MessageType> types = [] {
     std::vector<MessageType> result;
     AllMessages::for_each([&]<class M>(Type<M>) {
-      result.push_back({&Meta<M>::info, M::form,
-                        []() -> std::unique_ptr<AnyMessage> { return std::make_unique<Holder<M>>(); }});
+      result.push_back({&Meta<M>::info, M::form, []() -> std::unique_ptr<AnyMessage> {
+                          return std::make_unique<Holder<M>>();
+                        }});
     });
     return result;
   }();

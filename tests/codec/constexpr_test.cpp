@@ -100,7 +100,7 @@ constexpr RealtimeDataCustom::Context custom_context{RealtimeDataCustomFlag::tar
 static_assert(round_trips(custom,
                           std::to_array<std::uint8_t>({2, 1, 1, 0, 2, 0, 0xFD, 0xFF,  //
                                                        0, 0, 0, 0, 0, 0, 0x80, 0x3F, 0, 0, 0, 0xC0,
-                                                       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}),
+                                                       0, 0, 0, 0, 0, 0, 0,    0,    0, 0, 0, 0}),
                           custom_context));
 
 // What later firmware appends is kept.
@@ -119,8 +119,9 @@ static_assert([] {
   std::array<std::uint8_t, 12> body{2, 2, 'o', 'k', 1, 4, 0, 1, 'x', 2, 0, 0};
   DebugVarsInfo3 message;
   std::array<std::uint8_t, 12> out{};
-  return decode(body, message) && message.vars.size() == 2 && message.vars[0].var_name.size() == 2 &&
-         message.vars[0].arr_size == 4 && encode(message, out).size == 12 && out == body;
+  return decode(body, message) && message.vars.size() == 2 &&
+         message.vars[0].var_name.size() == 2 && message.vars[0].arr_size == 4 &&
+         encode(message, out).size == 12 && out == body;
 }());
 
 // A whole frame, found by its id again.

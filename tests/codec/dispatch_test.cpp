@@ -43,8 +43,12 @@ std::string expected(const std::vector<Json>& forms, std::size_t size) {
   for (const Json& form : forms) {
     if (size >= form["min_size"] && size <= form["max_size"]) return form["name"];
   }
+  // Decoding knows no limit of a list but the body's; it is validation that does.
   for (const Json& form : forms) {
-    if (form["keeps_tail"].get<bool>() && size > form["max_size"]) return form["name"];
+    const Json& layout = form["layout"];
+    const bool open =
+        form["keeps_tail"].get<bool>() || (!layout.empty() && layout.back()["count"].is_null());
+    if (open && size > form["max_size"]) return form["name"];
   }
   return name(Code::unknown_form);
 }

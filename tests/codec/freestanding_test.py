@@ -17,7 +17,15 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 INCLUDES = [ROOT / "runtime" / "include", ROOT / "generated" / "include"]
 HOSTED = re.compile(r"^sbgc/json")
-FLAGS = ["-std=c++20", "-ffreestanding", "-fno-exceptions", "-fno-rtti", "-Wall", "-Wextra", "-Werror"]
+FLAGS = [
+    "-std=c++20",
+    "-ffreestanding",
+    "-fno-exceptions",
+    "-fno-rtti",
+    "-Wall",
+    "-Wextra",
+    "-Werror",
+]
 FLAGS += [f"-I{folder}" for folder in INCLUDES]
 
 # What the headers may include. Whatever these include in turn is the standard library's own business.
@@ -73,8 +81,12 @@ def test_direct_includes() -> None:
     wrong = []
     for name in headers():
         path = next(folder / name for folder in INCLUDES if (folder / name).exists())
-        for include in re.findall(r'^\s*#\s*include\s*[<"]([^>"]+)', path.read_text(), re.MULTILINE):
-            if include not in ALLOWED and not (include.startswith("sbgc/") and not HOSTED.match(include)):
+        for include in re.findall(
+            r'^\s*#\s*include\s*[<"]([^>"]+)', path.read_text(), re.MULTILINE
+        ):
+            if include not in ALLOWED and not (
+                include.startswith("sbgc/") and not HOSTED.match(include)
+            ):
                 wrong.append(f"{name} includes {include}")
     assert not wrong
 
@@ -125,6 +137,8 @@ def test_code_needs_nothing(compiler: str, tmp_path: Path) -> None:
     """No allocation, no exceptions, no library: only what every freestanding compiler expects."""
     program = tmp_path / "use.o"
     compile_text(compiler, USE_EVERYTHING, "-Os", "-c", "-o", str(program))
-    listing = subprocess.run(["nm", "-u", program], capture_output=True, text=True, check=True).stdout
+    listing = subprocess.run(
+        ["nm", "-u", program], capture_output=True, text=True, check=True
+    ).stdout
     undefined = {line.split()[-1] for line in listing.splitlines()}
     assert undefined - {"_GLOBAL_OFFSET_TABLE_"} <= RUNTIME_CALLS

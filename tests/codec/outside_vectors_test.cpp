@@ -116,9 +116,9 @@ TEST(OutsideVectorsFile, UnknownCommandsAreThoseTheModelLacks) {
     const bool payload = vector["kind"] == "payload";
     const int id = payload ? vector["command_id"].get<int>() : bytes.at(1);
     const bool to_board = vector["direction"] == "to_board";
-    const MessageType* const type = find_message_type(
-        to_board ? Direction::to_board : Direction::from_board, static_cast<std::uint8_t>(id),
-        payload ? bytes.size() : bytes.size() - 5);
+    const MessageType* const type =
+        find_message_type(to_board ? Direction::to_board : Direction::from_board,
+                          static_cast<std::uint8_t>(id), payload ? bytes.size() : bytes.size() - 5);
     if (type == nullptr) unknown.insert(id);
     if (!ids_of_model(to_board ? "to_board" : "from_board").contains(id)) lacking.insert(id);
   }

@@ -67,8 +67,8 @@ TEST(WorkedExamples, BeepSoundMelody) {
   constexpr unsigned d6 = 1174;
   constexpr unsigned g6 = 1567;
   constexpr unsigned pause = 21000;
-  EXPECT_EQ(notes(message), (std::vector{b5, b5, pause, b5, b5, pause, d6, d6, pause, g6, g6, g6,
-                                         g6, g6}));
+  EXPECT_EQ(notes(message),
+            (std::vector{b5, b5, pause, b5, b5, pause, d6, d6, pause, g6, g6, g6, g6, g6}));
   EXPECT_EQ(message.note_freq_hz[0].hertz(), 987);
   EXPECT_EQ(body_of(message), body);
 }

@@ -30,7 +30,7 @@ def run(root: Path, command: str, *arguments: object) -> int:
 
 def test_lint_tells_what_it_has_read(root: Path, capsys: Capture) -> None:
     assert run(root, "lint") == 0
-    assert capsys.readouterr().out == "1 commands, 2 messages: no errors\n"
+    assert capsys.readouterr().out == "2 commands, 3 messages: no errors\n"
     assert sorted(path.name for path in root.iterdir()) == ["spec"]
 
 
@@ -158,4 +158,4 @@ def test_as_a_program_from_anywhere(root: Path, tmp_path: Path) -> None:
             text=True,
         )
         assert (done.returncode, done.stderr) == (0, "")
-        assert done.stdout == "1 commands, 2 messages: no errors\n"
+        assert done.stdout == "2 commands, 3 messages: no errors\n"

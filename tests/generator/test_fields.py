@@ -268,12 +268,12 @@ def test_names_and_marks(tmp_path: Path) -> None:
     made = field(
         tmp_path,
         "{name: CLASS, as: category, type: u8, align: 64, since: {firmware: 2.55b5, board: 3.0}, "
-        "deprecated: {since: {firmware: 2.60}}, replaced_by: KIND, errata: [E001], summary: S.}",
+        "deprecated: {since: {firmware: 2.60}}, replaced_by: COUNT, errata: [E001], summary: S.}",
     )
     assert (made.name, made.spec_name, made.align) == ("category", "CLASS", 64)
     assert (made.since.firmware, made.since.board) == (2555, 30)
     assert made.deprecated is not None
-    assert (made.deprecated.since.firmware, made.deprecated.replaced_by) == (2600, "KIND")
+    assert (made.deprecated.since.firmware, made.deprecated.replaced_by) == (2600, "COUNT")
     assert made.errata == ("E001",)
 
 

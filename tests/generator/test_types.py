@@ -61,6 +61,20 @@ packed:
 
 variables:
   GAIN: {id: 3, type: Power, range: 0..65535, summary: A gain.}
+
+commands:
+  CMD_ALL:
+    id: 200
+    summary: Uses them all.
+    to_board:
+      source: L11
+      answer: none
+      fields:
+        - {name: DECIMAL,  type: Decimal,  summary: A ratio.}
+        - {name: SORT,     type: Sort,     summary: A value.}
+        - {name: SWITCHES, type: Switches, summary: Bits.}
+        - {name: BYTE,     type: Byte,     summary: Parts.}
+        - {name: VERSION,  type: Version,  summary: Digits.}
 """
 
 
@@ -94,10 +108,12 @@ def test_flags(tmp_path: Path) -> None:
 
 
 def test_command_ids_are_an_enum_in_the_order_of_ids(tmp_path: Path) -> None:
-    more = TYPES + "commands:\n  CMD_LAST: {id: 255, summary: Last., undocumented: true}\n"
+    more = TYPES + "  CMD_LAST: {id: 255, summary: Last., undocumented: true}\n"
     ids = next(e for e in layout_of(tmp_path, more).enums if e.name == "CommandId")
     assert [(v.name, v.identifier, v.value) for v in ids.values] == [
         ("CMD_PING", "ping", 1),
+        ("CMD_USE", "use", 199),
+        ("CMD_ALL", "all", 200),
         ("CMD_LAST", "last", 255),
     ]
 

@@ -151,7 +151,9 @@ def test_counter_that_disagrees() -> None:
     error = refusal(json.dumps({"message": "SetAdjVarsVal", "fields": fields}))
     assert "num_vars" in error and "3" in error and "1" in error
     del fields["num_vars"]
-    assert run("encode", stdin=json.dumps({"message": "SetAdjVarsVal", "fields": fields})).status == 0
+    assert (
+        run("encode", stdin=json.dumps({"message": "SetAdjVarsVal", "fields": fields})).status == 0
+    )
 
 
 def test_condition_that_does_not_hold() -> None:

@@ -33,7 +33,9 @@ def test_wrong_usage(arguments: list[str]) -> None:
     assert result.out == b""
 
 
-@pytest.mark.parametrize("arguments", [["--help"], ["decode", "--help"], ["encode", "--help"], ["--help-all"]])
+@pytest.mark.parametrize(
+    "arguments", [["--help"], ["decode", "--help"], ["encode", "--help"], ["--help-all"]]
+)
 def test_help(arguments: list[str]) -> None:
     result = run(*arguments)
     assert result.status == 0

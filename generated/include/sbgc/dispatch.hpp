@@ -245,7 +245,7 @@ constexpr Code select(Direction direction, std::uint8_t id, std::size_t size, Us
         return use(Type<RealtimeData3Request>{}), Code::ok;
       case 24:  // CMD_SELECT_IMU_3
         if (size == 1) return use(Type<SelectImu3>{}), Code::ok;
-        if (size >= 2 && size <= 12) return use(Type<SelectImu3Ext>{}), Code::ok;
+        if (size >= 2) return use(Type<SelectImu3Ext>{}), Code::ok;
         return Code::unknown_form;
       case 25:  // CMD_REALTIME_DATA_4
         return use(Type<RealtimeData4Request>{}), Code::ok;
@@ -309,7 +309,7 @@ constexpr Code select(Direction direction, std::uint8_t id, std::size_t size, Us
         return use(Type<FsClearAll>{}), Code::ok;
       case 56:  // CMD_AHRS_HELPER
         if (size == 1) return use(Type<AhrsHelperRequest>{}), Code::ok;
-        if (size >= 25 && size <= 26) return use(Type<AhrsHelperRequestExt>{}), Code::ok;
+        if (size >= 25) return use(Type<AhrsHelperRequestExt>{}), Code::ok;
         return Code::unknown_form;
       case 57:  // CMD_RUN_SCRIPT
         return use(Type<RunScript>{}), Code::ok;

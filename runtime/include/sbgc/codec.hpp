@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -176,6 +177,26 @@ constexpr void put(std::uint8_t* to, const Text<n>& value) noexcept {
 
 namespace detail {
 
+// Members that stand in memory as on the wire are copied in blocks, which a compiler seldom sees by
+// itself. The members between the two have no gap in memory if there is none between the ends.
+
+/// Whether a run of members stands in memory as on the wire: `distance` is that on the wire.
+constexpr bool in_parallel(std::size_t first, std::size_t last, std::size_t distance) noexcept {
+  return std::endian::native == std::endian::little && last - first == distance;
+}
+
+/// Fills the `size` bytes of members that begin `at` bytes into `out`.
+template <class T>
+inline void get_block(const std::uint8_t* from, T& out, std::size_t at, std::size_t size) noexcept {
+  static_assert(std::is_standard_layout_v<T> && std::is_trivially_copyable_v<T>);
+  __builtin_memcpy(reinterpret_cast<unsigned char*>(&out) + at, from, size);
+}
+template <class T>
+inline void put_block(std::uint8_t* to, const T& in, std::size_t at, std::size_t size) noexcept {
+  static_assert(std::is_standard_layout_v<T> && std::is_trivially_copyable_v<T>);
+  __builtin_memcpy(to, reinterpret_cast<const unsigned char*>(&in) + at, size);
+}
+
 /// The error for a body of the wrong size.
 constexpr Status wrong_size(std::size_t size, std::size_t wanted) noexcept {
   return {size < wanted ? Code::too_short : Code::too_long,
@@ -349,7 +370,13 @@ class Writer {
     if (status_ && present != condition && (present || need == required)) {
       return fail(Code::presence_mismatch, field);
     }
-    if (present) value(*in, field);
+    if (present) {
+      value(*in, field);
+    } else if (condition && at_ + wire_size<T> < missing_end_) {
+      missing_at_ = at_;
+      missing_end_ = at_ + wire_size<T>;
+      missing_field_ = field;
+    }
   }
 
   template <class T, std::size_t n>
@@ -367,6 +394,7 @@ class Writer {
   constexpr void numbers(const BoundedArray<Number, n>& in, const char* field) noexcept {
     for (const Number& number : in) {
       const std::size_t size = size_of(number.type);
+      if (size == 0) return fail(Code::value_out_of_range, field);
       if (!take(size, field)) return;
       for (std::size_t i = 0; i < size; ++i) {
         out_[at_ - size + i] = static_cast<std::uint8_t>(number.bits >> (8 * i));
@@ -374,7 +402,15 @@ class Writer {
     }
   }
 
-  constexpr WriteResult end() const noexcept { return {status_ ? at_ : 0, status_}; }
+  /// The size of the body. A value that is missing, followed by so much that a reader would take
+  /// that for it, is a failure.
+  constexpr WriteResult end() noexcept {
+    if (status_ && at_ >= missing_end_) {
+      at_ = missing_at_;
+      fail(Code::presence_mismatch, missing_field_);
+    }
+    return {status_ ? at_ : 0, status_};
+  }
 
   /// Fills what is left of the buffer, a region that begins at `base` of the body, with zeros.
   constexpr Status fill(std::size_t base) noexcept {
@@ -399,6 +435,9 @@ class Writer {
 
   std::span<std::uint8_t> out_;
   std::size_t at_;
+  std::size_t missing_at_{};
+  std::size_t missing_end_ = static_cast<std::size_t>(-1);
+  const char* missing_field_ = "";
   Status status_{};
 };
 

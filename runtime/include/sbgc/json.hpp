@@ -84,7 +84,8 @@ class JsonWriter {
   static Json value(Counter counter) { return counter.count; }
   static Json value(const Number& number) {
     const bool real = number.type == NumberType::f32;
-    return {{name(number.type), real ? float_to_json<Json>(number.real()) : Json(number.integer())}};
+    return {
+        {name(number.type), real ? float_to_json<Json>(number.real()) : Json(number.integer())}};
   }
   template <std::size_t n>
   static Json value(const Bytes<n>& bytes) {
@@ -198,11 +199,11 @@ class JsonReader {
       }
       return true;
     };
-    const bool known =
-        as(NumberType::u8, std::uint8_t{}) || as(NumberType::i8, std::int8_t{}) ||
-        as(NumberType::u16, std::uint16_t{}) || as(NumberType::i16, std::int16_t{}) ||
-        as(NumberType::u32, std::uint32_t{}) || as(NumberType::i32, std::int32_t{}) ||
-        as(NumberType::f32, float{});
+    const bool known = as(NumberType::u8, std::uint8_t{}) || as(NumberType::i8, std::int8_t{}) ||
+                       as(NumberType::u16, std::uint16_t{}) ||
+                       as(NumberType::i16, std::int16_t{}) ||
+                       as(NumberType::u32, std::uint32_t{}) ||
+                       as(NumberType::i32, std::int32_t{}) || as(NumberType::f32, float{});
     if (!known) throw JsonError(path, "an object with the type, such as {\"i16\": -5}, is needed");
   }
   template <class T>

@@ -67,7 +67,7 @@ struct Number {
 };
 
 /// The types that a message announces for the numbers of later ones.
-using NumberTypes = BoundedArray<NumberType, 254>;
+using NumberTypes = BoundedArray<NumberType, 255>;
 
 namespace detail {
 

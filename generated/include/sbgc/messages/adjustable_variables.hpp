@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>
@@ -80,6 +81,12 @@ struct AnalogSlot {
 
 constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
                    AnalogSlot& SBGC_RESTRICT out) noexcept {
+  using M = AnalogSlot;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, src_ch), offsetof(M, max_val), 3)) {
+    detail::get_block(from, out, offsetof(M, src_ch), 4);
+    return;
+  }
   get(from, out.src_ch);
   get(from + 1, out.param_id);
   get(from + 2, out.min_val);
@@ -87,6 +94,12 @@ constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
 }
 constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                    const AnalogSlot& SBGC_RESTRICT in) noexcept {
+  using M = AnalogSlot;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, src_ch), offsetof(M, max_val), 3)) {
+    detail::put_block(to, in, offsetof(M, src_ch), 4);
+    return;
+  }
   put(to, in.src_ch);
   put(to + 1, in.param_id);
   put(to + 2, in.min_val);
@@ -196,12 +209,24 @@ struct ReadAdjVarsCfg {
 
 constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
                    ReadAdjVarsCfg& SBGC_RESTRICT out) noexcept {
+  using M = ReadAdjVarsCfg;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, trigger_slots), offsetof(M, reserved), 120)) {
+    detail::get_block(from, out, offsetof(M, trigger_slots), 128);
+    return;
+  }
   get(from, out.trigger_slots);
   get(from + 60, out.analog_slots);
   get(from + 120, out.reserved);
 }
 constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                    const ReadAdjVarsCfg& SBGC_RESTRICT in) noexcept {
+  using M = ReadAdjVarsCfg;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, trigger_slots), offsetof(M, reserved), 120)) {
+    detail::put_block(to, in, offsetof(M, trigger_slots), 128);
+    return;
+  }
   put(to, in.trigger_slots);
   put(to + 60, in.analog_slots);
   put(to + 120, in.reserved);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>
@@ -96,12 +97,24 @@ struct CalibAccExt {
 
 constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
                    CalibAccExt& SBGC_RESTRICT out) noexcept {
+  using M = CalibAccExt;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, imu_idx), offsetof(M, reserved), 2)) {
+    detail::get_block(from, out, offsetof(M, imu_idx), 12);
+    return;
+  }
   get(from, out.imu_idx);
   get(from + 1, out.action);
   get(from + 2, out.reserved);
 }
 constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                    const CalibAccExt& SBGC_RESTRICT in) noexcept {
+  using M = CalibAccExt;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, imu_idx), offsetof(M, reserved), 2)) {
+    detail::put_block(to, in, offsetof(M, imu_idx), 12);
+    return;
+  }
   put(to, in.imu_idx);
   put(to + 1, in.action);
   put(to + 2, in.reserved);
@@ -178,12 +191,24 @@ struct CalibGyroExt {
 
 constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
                    CalibGyroExt& SBGC_RESTRICT out) noexcept {
+  using M = CalibGyroExt;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, imu_idx), offsetof(M, reserved), 2)) {
+    detail::get_block(from, out, offsetof(M, imu_idx), 12);
+    return;
+  }
   get(from, out.imu_idx);
   get(from + 1, out.action);
   get(from + 2, out.reserved);
 }
 constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                    const CalibGyroExt& SBGC_RESTRICT in) noexcept {
+  using M = CalibGyroExt;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, imu_idx), offsetof(M, reserved), 2)) {
+    detail::put_block(to, in, offsetof(M, imu_idx), 12);
+    return;
+  }
   put(to, in.imu_idx);
   put(to + 1, in.action);
   put(to + 2, in.reserved);
@@ -420,6 +445,12 @@ struct CalibInfo {
 
 constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
                    CalibInfo& SBGC_RESTRICT out) noexcept {
+  using M = CalibInfo;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, progress), offsetof(M, reserved), 26)) {
+    detail::get_block(from, out, offsetof(M, progress), 33);
+    return;
+  }
   get(from, out.progress);
   get(from + 1, out.imu_type);
   get(from + 2, out.acc_data);
@@ -439,6 +470,12 @@ constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
 }
 constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                    const CalibInfo& SBGC_RESTRICT in) noexcept {
+  using M = CalibInfo;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, progress), offsetof(M, reserved), 26)) {
+    detail::put_block(to, in, offsetof(M, progress), 33);
+    return;
+  }
   put(to, in.progress);
   put(to + 1, in.imu_type);
   put(to + 2, in.acc_data);
@@ -743,6 +780,12 @@ struct AutoPidRequest {
 
 constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
                    AutoPidRequest& SBGC_RESTRICT out) noexcept {
+  using M = AutoPidRequest;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, profile_id), offsetof(M, reserved), 3)) {
+    detail::get_block(from, out, offsetof(M, profile_id), 19);
+    return;
+  }
   get(from, out.profile_id);
   get(from + 1, out.cfg_flags);
   get(from + 2, out.gain_vs_stability);
@@ -750,6 +793,12 @@ constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
 }
 constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                    const AutoPidRequest& SBGC_RESTRICT in) noexcept {
+  using M = AutoPidRequest;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, profile_id), offsetof(M, reserved), 3)) {
+    detail::put_block(to, in, offsetof(M, profile_id), 19);
+    return;
+  }
   put(to, in.profile_id);
   put(to + 1, in.cfg_flags);
   put(to + 2, in.gain_vs_stability);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>
@@ -61,12 +62,24 @@ struct AxisState {
 
 constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
                    AxisState& SBGC_RESTRICT out) noexcept {
+  using M = AxisState;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, imu_angle), offsetof(M, rc_speed), 4)) {
+    detail::get_block(from, out, offsetof(M, imu_angle), 6);
+    return;
+  }
   get(from, out.imu_angle);
   get(from + 2, out.rc_target_angle);
   get(from + 4, out.rc_speed);
 }
 constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                    const AxisState& SBGC_RESTRICT in) noexcept {
+  using M = AxisState;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, imu_angle), offsetof(M, rc_speed), 4)) {
+    detail::put_block(to, in, offsetof(M, imu_angle), 6);
+    return;
+  }
   put(to, in.imu_angle);
   put(to + 2, in.rc_target_angle);
   put(to + 4, in.rc_speed);
@@ -92,6 +105,12 @@ struct AxisStateExt {
 
 constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
                    AxisStateExt& SBGC_RESTRICT out) noexcept {
+  using M = AxisStateExt;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, imu_angle), offsetof(M, reserved), 8)) {
+    detail::get_block(from, out, offsetof(M, imu_angle), 18);
+    return;
+  }
   get(from, out.imu_angle);
   get(from + 2, out.rc_target_angle);
   get(from + 4, out.stator_rotor_angle);
@@ -99,6 +118,12 @@ constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
 }
 constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                    const AxisStateExt& SBGC_RESTRICT in) noexcept {
+  using M = AxisStateExt;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, imu_angle), offsetof(M, reserved), 8)) {
+    detail::put_block(to, in, offsetof(M, imu_angle), 18);
+    return;
+  }
   put(to, in.imu_angle);
   put(to + 2, in.rc_target_angle);
   put(to + 4, in.stator_rotor_angle);
@@ -560,12 +585,24 @@ struct HelperData {
 
 constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
                    HelperData& SBGC_RESTRICT out) noexcept {
+  using M = HelperData;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, frame_acc), offsetof(M, frame_angle_pitch), 8)) {
+    detail::get_block(from, out, offsetof(M, frame_acc), 10);
+    return;
+  }
   get(from, out.frame_acc);
   get(from + 6, out.frame_angle_roll);
   get(from + 8, out.frame_angle_pitch);
 }
 constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                    const HelperData& SBGC_RESTRICT in) noexcept {
+  using M = HelperData;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, frame_acc), offsetof(M, frame_angle_pitch), 8)) {
+    detail::put_block(to, in, offsetof(M, frame_acc), 10);
+    return;
+  }
   put(to, in.frame_acc);
   put(to + 6, in.frame_angle_roll);
   put(to + 8, in.frame_angle_pitch);
@@ -620,6 +657,14 @@ struct HelperDataExt {
 
 constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
                    HelperDataExt& SBGC_RESTRICT out) noexcept {
+  using M = HelperDataExt;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, frame_acc), offsetof(M, coord_sys), 10) &&
+      detail::in_parallel(offsetof(M, frame_speed), offsetof(M, reserved), 6)) {
+    detail::get_block(from, out, offsetof(M, frame_acc), 11);
+    detail::get_block(from + 11, out, offsetof(M, frame_speed), 9);
+    return;
+  }
   get(from, out.frame_acc);
   get(from + 6, out.frame_angle_roll);
   get(from + 8, out.frame_angle_pitch);
@@ -629,6 +674,14 @@ constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
 }
 constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                    const HelperDataExt& SBGC_RESTRICT in) noexcept {
+  using M = HelperDataExt;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, frame_acc), offsetof(M, coord_sys), 10) &&
+      detail::in_parallel(offsetof(M, frame_speed), offsetof(M, reserved), 6)) {
+    detail::put_block(to, in, offsetof(M, frame_acc), 11);
+    detail::put_block(to + 11, in, offsetof(M, frame_speed), 9);
+    return;
+  }
   put(to, in.frame_acc);
   put(to + 6, in.frame_angle_roll);
   put(to + 8, in.frame_angle_pitch);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>

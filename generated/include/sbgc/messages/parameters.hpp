@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>
@@ -38,6 +39,12 @@ struct AxisPid {
 
 constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
                    AxisPid& SBGC_RESTRICT out) noexcept {
+  using M = AxisPid;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, p), offsetof(M, poles), 5)) {
+    detail::get_block(from, out, offsetof(M, p), 6);
+    return;
+  }
   get(from, out.p);
   get(from + 1, out.i);
   get(from + 2, out.d);
@@ -47,6 +54,12 @@ constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
 }
 constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                    const AxisPid& SBGC_RESTRICT in) noexcept {
+  using M = AxisPid;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, p), offsetof(M, poles), 5)) {
+    detail::put_block(to, in, offsetof(M, p), 6);
+    return;
+  }
   put(to, in.p);
   put(to + 1, in.i);
   put(to + 2, in.d);
@@ -78,6 +91,12 @@ struct AxisRc {
 
 constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
                    AxisRc& SBGC_RESTRICT out) noexcept {
+  using M = AxisRc;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, rc_min_angle), offsetof(M, rc_follow), 7)) {
+    detail::get_block(from, out, offsetof(M, rc_min_angle), 8);
+    return;
+  }
   get(from, out.rc_min_angle);
   get(from + 2, out.rc_max_angle);
   get(from + 4, out.rc_mode);
@@ -87,6 +106,12 @@ constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
 }
 constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                    const AxisRc& SBGC_RESTRICT in) noexcept {
+  using M = AxisRc;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, rc_min_angle), offsetof(M, rc_follow), 7)) {
+    detail::put_block(to, in, offsetof(M, rc_min_angle), 8);
+    return;
+  }
   put(to, in.rc_min_angle);
   put(to + 2, in.rc_max_angle);
   put(to + 4, in.rc_mode);
@@ -271,6 +296,14 @@ struct ReadParams3 {
 
 constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
                    ReadParams3& SBGC_RESTRICT out) noexcept {
+  using M = ReadParams3;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, profile_id), offsetof(M, output), 88) &&
+      detail::in_parallel(offsetof(M, bat_threshold_alarm), offsetof(M, cur_profile_id), 42)) {
+    detail::get_block(from, out, offsetof(M, profile_id), 91);
+    detail::get_block(from + 91, out, offsetof(M, bat_threshold_alarm), 43);
+    return;
+  }
   get(from, out.profile_id);
   get(from + 1, out.axes);
   get(from + 19, out.acc_limiter_all);
@@ -337,6 +370,14 @@ constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
 }
 constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                    const ReadParams3& SBGC_RESTRICT in) noexcept {
+  using M = ReadParams3;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, profile_id), offsetof(M, output), 88) &&
+      detail::in_parallel(offsetof(M, bat_threshold_alarm), offsetof(M, cur_profile_id), 42)) {
+    detail::put_block(to, in, offsetof(M, profile_id), 91);
+    detail::put_block(to + 91, in, offsetof(M, bat_threshold_alarm), 43);
+    return;
+  }
   put(to, in.profile_id);
   put(to + 1, in.axes);
   put(to + 19, in.acc_limiter_all);
@@ -591,6 +632,18 @@ struct ReadParamsExt {
 
 constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
                    ReadParamsExt& SBGC_RESTRICT out) noexcept {
+  using M = ReadParamsExt;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, profile_id), offsetof(M, notches), 1) &&
+      detail::in_parallel(offsetof(M, lpf_freq), offsetof(M, filters_en), 6) &&
+      detail::in_parallel(offsetof(M, encoder_offset), offsetof(M, motor_mag_link), 24) &&
+      detail::in_parallel(offsetof(M, motor_gearing), offsetof(M, d_term_lpf_freq), 46)) {
+    detail::get_block(from, out, offsetof(M, profile_id), 19);
+    detail::get_block(from + 19, out, offsetof(M, lpf_freq), 9);
+    detail::get_block(from + 28, out, offsetof(M, encoder_offset), 27);
+    detail::get_block(from + 55, out, offsetof(M, motor_gearing), 49);
+    return;
+  }
   get(from, out.profile_id);
   get(from + 1, out.notches);
   get(from + 19, out.lpf_freq);
@@ -624,6 +677,18 @@ constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
 }
 constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                    const ReadParamsExt& SBGC_RESTRICT in) noexcept {
+  using M = ReadParamsExt;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, profile_id), offsetof(M, notches), 1) &&
+      detail::in_parallel(offsetof(M, lpf_freq), offsetof(M, filters_en), 6) &&
+      detail::in_parallel(offsetof(M, encoder_offset), offsetof(M, motor_mag_link), 24) &&
+      detail::in_parallel(offsetof(M, motor_gearing), offsetof(M, d_term_lpf_freq), 46)) {
+    detail::put_block(to, in, offsetof(M, profile_id), 19);
+    detail::put_block(to + 19, in, offsetof(M, lpf_freq), 9);
+    detail::put_block(to + 28, in, offsetof(M, encoder_offset), 27);
+    detail::put_block(to + 55, in, offsetof(M, motor_gearing), 49);
+    return;
+  }
   put(to, in.profile_id);
   put(to + 1, in.notches);
   put(to + 19, in.lpf_freq);
@@ -757,6 +822,14 @@ struct ReadParamsExt2 {
 
 constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
                    ReadParamsExt2& SBGC_RESTRICT out) noexcept {
+  using M = ReadParamsExt2;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, profile_id), offsetof(M, reserved_1), 1) &&
+      detail::in_parallel(offsetof(M, motor_mag_link_fine), offsetof(M, reserved_2), 15)) {
+    detail::get_block(from, out, offsetof(M, profile_id), 17);
+    detail::get_block(from + 17, out, offsetof(M, motor_mag_link_fine), 134);
+    return;
+  }
   get(from, out.profile_id);
   get(from + 1, out.reserved_1);
   get(from + 17, out.motor_mag_link_fine);
@@ -769,6 +842,14 @@ constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
 }
 constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                    const ReadParamsExt2& SBGC_RESTRICT in) noexcept {
+  using M = ReadParamsExt2;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, profile_id), offsetof(M, reserved_1), 1) &&
+      detail::in_parallel(offsetof(M, motor_mag_link_fine), offsetof(M, reserved_2), 15)) {
+    detail::put_block(to, in, offsetof(M, profile_id), 17);
+    detail::put_block(to + 17, in, offsetof(M, motor_mag_link_fine), 134);
+    return;
+  }
   put(to, in.profile_id);
   put(to + 1, in.reserved_1);
   put(to + 17, in.motor_mag_link_fine);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>
@@ -48,6 +49,12 @@ struct BeepSound {
 
 constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
                    BeepSound& SBGC_RESTRICT out) noexcept {
+  using M = BeepSound;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, mode), offsetof(M, reserved), 4)) {
+    detail::get_block(from, out, offsetof(M, mode), 12);
+    return;
+  }
   get(from, out.mode);
   get(from + 2, out.note_length);
   get(from + 3, out.decay_factor);
@@ -55,6 +62,12 @@ constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
 }
 constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                    const BeepSound& SBGC_RESTRICT in) noexcept {
+  using M = BeepSound;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, mode), offsetof(M, reserved), 4)) {
+    detail::put_block(to, in, offsetof(M, mode), 12);
+    return;
+  }
   put(to, in.mode);
   put(to + 2, in.note_length);
   put(to + 3, in.decay_factor);
@@ -280,12 +293,24 @@ struct I2cReadRegBufRequest {
 
 constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
                    I2cReadRegBufRequest& SBGC_RESTRICT out) noexcept {
+  using M = I2cReadRegBufRequest;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, device_addr), offsetof(M, data_len), 2)) {
+    detail::get_block(from, out, offsetof(M, device_addr), 3);
+    return;
+  }
   get(from, out.device_addr);
   get(from + 1, out.reg_addr);
   get(from + 2, out.data_len);
 }
 constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                    const I2cReadRegBufRequest& SBGC_RESTRICT in) noexcept {
+  using M = I2cReadRegBufRequest;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, device_addr), offsetof(M, data_len), 2)) {
+    detail::put_block(to, in, offsetof(M, device_addr), 3);
+    return;
+  }
   put(to, in.device_addr);
   put(to + 1, in.reg_addr);
   put(to + 2, in.data_len);

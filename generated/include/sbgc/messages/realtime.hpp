@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>
@@ -148,6 +149,14 @@ struct RealtimeData3 {
 
 constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
                    RealtimeData3& SBGC_RESTRICT out) noexcept {
+  using M = RealtimeData3;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, axes), offsetof(M, error_code), 54) &&
+      detail::in_parallel(offsetof(M, bat_level), offsetof(M, motor_power), 5)) {
+    detail::get_block(from, out, offsetof(M, axes), 55);
+    detail::get_block(from + 55, out, offsetof(M, bat_level), 8);
+    return;
+  }
   get(from, out.axes);
   get(from + 12, out.serial_error_cnt);
   get(from + 14, out.system_error);
@@ -171,6 +180,14 @@ constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
 }
 constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                    const RealtimeData3& SBGC_RESTRICT in) noexcept {
+  using M = RealtimeData3;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, axes), offsetof(M, error_code), 54) &&
+      detail::in_parallel(offsetof(M, bat_level), offsetof(M, motor_power), 5)) {
+    detail::put_block(to, in, offsetof(M, axes), 55);
+    detail::put_block(to + 55, in, offsetof(M, bat_level), 8);
+    return;
+  }
   put(to, in.axes);
   put(to + 12, in.serial_error_cnt);
   put(to + 14, in.system_error);
@@ -327,6 +344,16 @@ struct RealtimeData4 {
 
 constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
                    RealtimeData4& SBGC_RESTRICT out) noexcept {
+  using M = RealtimeData4;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, axes), offsetof(M, error_code), 54) &&
+      detail::in_parallel(offsetof(M, bat_level), offsetof(M, reserved_2), 14) &&
+      detail::in_parallel(offsetof(M, balance_error), offsetof(M, reserved_3), 18)) {
+    detail::get_block(from, out, offsetof(M, axes), 55);
+    detail::get_block(from + 55, out, offsetof(M, bat_level), 15);
+    detail::get_block(from + 70, out, offsetof(M, balance_error), 54);
+    return;
+  }
   get(from, out.axes);
   get(from + 12, out.serial_error_cnt);
   get(from + 14, out.system_error);
@@ -360,6 +387,16 @@ constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
 }
 constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                    const RealtimeData4& SBGC_RESTRICT in) noexcept {
+  using M = RealtimeData4;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, axes), offsetof(M, error_code), 54) &&
+      detail::in_parallel(offsetof(M, bat_level), offsetof(M, reserved_2), 14) &&
+      detail::in_parallel(offsetof(M, balance_error), offsetof(M, reserved_3), 18)) {
+    detail::put_block(to, in, offsetof(M, axes), 55);
+    detail::put_block(to + 55, in, offsetof(M, bat_level), 15);
+    detail::put_block(to + 70, in, offsetof(M, balance_error), 54);
+    return;
+  }
   put(to, in.axes);
   put(to + 12, in.serial_error_cnt);
   put(to + 14, in.system_error);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>
@@ -41,12 +42,24 @@ struct RunScript {
 
 constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
                    RunScript& SBGC_RESTRICT out) noexcept {
+  using M = RunScript;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, mode), offsetof(M, reserved), 2)) {
+    detail::get_block(from, out, offsetof(M, mode), 34);
+    return;
+  }
   get(from, out.mode);
   get(from + 1, out.slot);
   get(from + 2, out.reserved);
 }
 constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                    const RunScript& SBGC_RESTRICT in) noexcept {
+  using M = RunScript;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, mode), offsetof(M, reserved), 2)) {
+    detail::put_block(to, in, offsetof(M, mode), 34);
+    return;
+  }
   put(to, in.mode);
   put(to + 1, in.slot);
   put(to + 2, in.reserved);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>
@@ -186,6 +187,12 @@ struct ReadFileRequest {
 
 constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
                    ReadFileRequest& SBGC_RESTRICT out) noexcept {
+  using M = ReadFileRequest;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, file_id), offsetof(M, reserved), 6)) {
+    detail::get_block(from, out, offsetof(M, file_id), 20);
+    return;
+  }
   get(from, out.file_id);
   get(from + 2, out.page_offset);
   get(from + 4, out.max_data_size);
@@ -193,6 +200,12 @@ constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
 }
 constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                    const ReadFileRequest& SBGC_RESTRICT in) noexcept {
+  using M = ReadFileRequest;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, file_id), offsetof(M, reserved), 6)) {
+    detail::put_block(to, in, offsetof(M, file_id), 20);
+    return;
+  }
   put(to, in.file_id);
   put(to + 2, in.page_offset);
   put(to + 4, in.max_data_size);
@@ -240,12 +253,24 @@ struct WriteFile {
 
 constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
                    WriteFile& SBGC_RESTRICT out) noexcept {
+  using M = WriteFile;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, file_id), offsetof(M, page_offset), 4)) {
+    detail::get_block(from, out, offsetof(M, file_id), 6);
+    return;
+  }
   get(from, out.file_id);
   get(from + 2, out.file_size);
   get(from + 4, out.page_offset);
 }
 constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                    const WriteFile& SBGC_RESTRICT in) noexcept {
+  using M = WriteFile;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, file_id), offsetof(M, page_offset), 4)) {
+    detail::put_block(to, in, offsetof(M, file_id), 6);
+    return;
+  }
   put(to, in.file_id);
   put(to + 2, in.file_size);
   put(to + 4, in.page_offset);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>
@@ -295,12 +296,24 @@ struct ErrorExt {
 
 constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
                    ErrorExt& SBGC_RESTRICT out) noexcept {
+  using M = ErrorExt;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, cmd_id), offsetof(M, error_data), 2)) {
+    detail::get_block(from, out, offsetof(M, cmd_id), 6);
+    return;
+  }
   get(from, out.cmd_id);
   get(from + 1, out.error_code);
   get(from + 2, out.error_data);
 }
 constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                    const ErrorExt& SBGC_RESTRICT in) noexcept {
+  using M = ErrorExt;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, cmd_id), offsetof(M, error_data), 2)) {
+    detail::put_block(to, in, offsetof(M, cmd_id), 6);
+    return;
+  }
   put(to, in.cmd_id);
   put(to + 1, in.error_code);
   put(to + 2, in.error_data);
@@ -354,6 +367,14 @@ struct BoardInfo3 {
 
 constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
                    BoardInfo3& SBGC_RESTRICT out) noexcept {
+  using M = BoardInfo3;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, device_id), offsetof(M, mcu_id), 9) &&
+      detail::in_parallel(offsetof(M, eeprom_size), offsetof(M, reserved), 14)) {
+    detail::get_block(from, out, offsetof(M, device_id), 21);
+    detail::get_block(from + 21, out, offsetof(M, eeprom_size), 48);
+    return;
+  }
   get(from, out.device_id);
   get(from + 9, out.mcu_id);
   get(from + 21, out.eeprom_size);
@@ -362,6 +383,14 @@ constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
 }
 constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                    const BoardInfo3& SBGC_RESTRICT in) noexcept {
+  using M = BoardInfo3;
+  if (!std::is_constant_evaluated() &&
+      detail::in_parallel(offsetof(M, device_id), offsetof(M, mcu_id), 9) &&
+      detail::in_parallel(offsetof(M, eeprom_size), offsetof(M, reserved), 14)) {
+    detail::put_block(to, in, offsetof(M, device_id), 21);
+    detail::put_block(to + 21, in, offsetof(M, eeprom_size), 48);
+    return;
+  }
   put(to, in.device_id);
   put(to + 9, in.mcu_id);
   put(to + 21, in.eeprom_size);

@@ -1,0 +1,27 @@
+// Turns the camera to 45 degrees, then reads what comes back over the line.
+
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <type_traits>
+
+#include <sbgc/message.hpp>
+#include <sbgc/parser.hpp>
+#include <sbgc/visit.hpp>
+
+int main() {
+  sbgc::Control control;
+  control.control_mode.set_mode(sbgc::ControlModeKind::angle);
+  control.axes.yaw.angle = sbgc::Angle14::from_degrees(45);
+  std::array<std::uint8_t, sbgc::max_frame_size> frame{};
+  const auto written = encode_frame(control, frame);  // to be sent: written.size bytes of frame
+
+  sbgc::Parser parser;  // fed with whatever the line delivers, in pieces of any size
+  parser.feed({frame.data(), written.size}, [](const sbgc::Frame& found) {
+    sbgc::visit(found, sbgc::Direction::to_board, []<class M>(const M& message) {
+      if constexpr (std::is_same_v<M, sbgc::Control>) {
+        std::printf("yaw: %g degrees\n", message.axes.yaw.angle.degrees());
+      }
+    });
+  });
+}
