@@ -18,8 +18,11 @@ _LONGEST = 60
 
 def run(old: str, new: str | None, root: Path, spec_dir: Path) -> int:
     """Compare; the exit status is 0 without a break, 1 with one, 2 for an unknown revision."""
+    inside = spec_dir.relative_to(root).as_posix() if root in spec_dir.parents else "spec"
     try:
-        with version(old, root) as before, version(new or str(spec_dir), root) as now:
+        with version(old, root, inside) as before, version(
+            new or str(spec_dir), root, inside
+        ) as now:
             current = now if new else Version(now.folder, f"{now.folder.name}/")
             return _report(before, current, is_working_tree=new is None)
     except UnknownRevision as error:

@@ -11,6 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from sbgcgen.model import Announced, Blob, Field, Struct, Type
+from sbgcgen.resolve_fields import scalar_of
 
 
 @dataclass(frozen=True)
@@ -30,7 +31,8 @@ def _size_and_alignment(type_: Type) -> tuple[int, int] | None:
     if isinstance(type_, Blob):
         return None if type_.size is None or type_.kind == "string" else (type_.size, 1)
     if not isinstance(type_, Struct):
-        scalar = getattr(type_, "scalar", type_)
+        scalar = scalar_of(type_)
+        assert scalar is not None
         return scalar.size, scalar.size
     end, alignment = 0, 1
     for field in type_.fields:

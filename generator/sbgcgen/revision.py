@@ -32,7 +32,7 @@ class Version:
 
 
 @contextlib.contextmanager
-def version(name: str, root: Path, spec_name: str = "spec") -> Iterator[Version]:
+def version(name: str, root: Path, spec_name: str) -> Iterator[Version]:
     """The spec folder `name`, or else the one of the git revision `name` of the project `root`.
 
     A revision's files are put into a temporary folder. What is a folder and a revision, too, is
@@ -49,7 +49,7 @@ def version(name: str, root: Path, spec_name: str = "spec") -> Iterator[Version]
             raise UnknownRevision(f"'{name}' is neither a folder nor a revision")
         raise UnknownRevision(f"revision {name} has no folder {spec_name}/")
     with tempfile.TemporaryDirectory(prefix="sbgcgen-") as temporary:
-        target = Path(temporary) / spec_name
+        target = Path(temporary) / Path(spec_name).name
         target.mkdir()
         _extract(root, tree.decode().strip(), target)
         yield Version(target, f"{name}:{spec_name}/")

@@ -59,6 +59,9 @@ TEST(BoundedArray, ComparesWhatIsInUse) {
   a.clear();
   b.clear();
   EXPECT_EQ(a, b);
+  a.push_back(1);
+  EXPECT_NE(a, b) << "what lies behind the end is the same, the size is not";
+  EXPECT_NE(b, a);
 }
 
 TEST(BoundedArray, HoldsAFullBody) {

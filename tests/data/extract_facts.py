@@ -160,6 +160,7 @@ class Lists:
         self.loops: list[list[str]] = []
         self.loop_start = 0
         self.here: Fact = {}
+        self.pending: list[Fact] = []
 
     def read(self, lines: list[tuple[int, str]], direction: str) -> None:
         self.direction = direction
@@ -248,10 +249,10 @@ class Lists:
         return True
 
     def _finish(self) -> None:
-        for body in getattr(self, "pending", []):
+        for body in self.pending:
             for command in self.group:
                 self.bodies.append({"command": command, "direction": self.direction, **body})
-        self.pending: list[Fact] = []
+        self.pending = []
 
     def _open_loop(self, loop: re.Match[str]) -> bool:
         if loop[2]:
@@ -567,7 +568,7 @@ def extract(text: str) -> Fact:
         "rows": table.rows,
         "variables": variables,
         "mentions": mentions(lines),
-        "not_parsed": sorted(not_parsed, key=lambda f: f["line"]),
+        "not_parsed": sorted(not_parsed, key=lambda f: int(f["line"])),
     }
 
 

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from support import HERE
-
 from sbgcgen.changes import Level
+from support import HERE
 
 OLD = (HERE / "compat" / "probe.yaml").read_text(encoding="utf-8")
 BASE = (HERE / "minimal" / "base.yaml").read_text(encoding="utf-8")

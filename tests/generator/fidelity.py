@@ -275,11 +275,9 @@ class Comparison:
 
     def same_body(self, body: Json, command: str, message: Json) -> Iterator[Check]:
         """'Same structure as': equal layouts; 'same meaning': equal fields of the same name."""
-        other = body["same_as"].replace("_PARAMS_xx", command.partition("_PARAMS")[2])
-        if other == body["same_as"] and "xx" in other:
+        other = body["same_as"]
+        if other.endswith("_xx"):  # "the corresponding command"
             other = command.replace("WRITE", "READ")
-        else:
-            other = body["same_as"].replace("CMD_READ_PARAMS_xx", command.replace("WRITE", "READ"))
         opposite = "from_board" if body["direction"] == "to_board" else "to_board"
         direction = body["direction"] if body["fields"] else opposite
         models = [

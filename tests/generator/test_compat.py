@@ -7,13 +7,13 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from compat_cases import BASE, CASES, COUNT, MORE_BYTE, MOVE, OLD
-from support import PROJECT, write_spec
 
+from compat_cases import BASE, CASES, COUNT, MORE_BYTE, MOVE, OLD
 from sbgcgen.build import load_layout
 from sbgcgen.cli import main
 from sbgcgen.compat import compare
 from sbgcgen.compat_report import describe
+from support import PROJECT, write_spec
 
 
 def old_spec(folder: Path) -> Path:
@@ -152,6 +152,17 @@ def test_the_project_lies_in_a_folder_of_the_repository(tmp_path: Path) -> None:
     assert main(["compat", "--root", str(project), "HEAD"]) == 0
     edited_spec(project, [("id: 11", "id: 21")])
     assert main(["compat", "--root", str(project), "HEAD"]) == 1
+
+
+def test_a_spec_folder_of_another_name(
+    repository: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    git(repository, "mv", "spec", "protocol")
+    git(repository, "commit", "--quiet", "-m", "moved")
+    options = ["--root", str(repository), "--spec", str(repository / "protocol")]
+    assert main(["compat", *options, "HEAD"]) == 0
+    assert main(["compat", *options, "v1"]) == 2
+    assert "revision v1 has no folder protocol/" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

@@ -18,11 +18,11 @@ from typing import Any
 
 import pytest
 import yaml
-from fidelity import Check, Comparison, Table
-from support import PROJECT
 
+from fidelity import Check, Comparison, Table
 from sbgcgen.build import load_protocol
 from sbgcgen.names import parse_lines
+from support import PROJECT
 
 DATA = PROJECT / "tests" / "data"
 Json = dict[str, Any]

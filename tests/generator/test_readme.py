@@ -1,0 +1,37 @@
+"""What README.md shows is what is there."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def test_the_example_is_the_one_that_is_built() -> None:
+    example = (ROOT / "examples/first_frame.cpp").read_text(encoding="utf-8")
+    assert f"```cpp\n{example}```" in README
+
+
+def test_every_header_in_the_table_exists() -> None:
+    headers = re.findall(r"^\| `(sbgc/[a-z/_]+\.hpp)`", README, re.MULTILINE)
+    assert len(headers) > 5
+    folders = (ROOT / "runtime/include", ROOT / "generated/include")
+    for header in headers:
+        assert any((folder / header).is_file() for folder in folders), header
+
+
+def test_every_folder_of_the_map_exists() -> None:
+    rows = re.findall(r"^\| (`[a-z]+/`(?: `[a-z]+/`)*) \|", README, re.MULTILINE)
+    folders = [name for row in rows for name in re.findall(r"`([a-z]+)/`", row)]
+    assert len(folders) >= 9
+    for folder in folders:
+        assert (ROOT / folder).is_dir(), folder
+
+
+def test_every_command_of_dev_that_it_names_exists() -> None:
+    known = subprocess.run([ROOT / "dev"], capture_output=True, text=True, check=True).stdout
+    for command in set(re.findall(r"\./dev ([a-z]+)", README)):
+        assert re.search(rf"^  {command}\b", known, re.MULTILINE), command
