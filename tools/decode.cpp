@@ -54,14 +54,16 @@ class Printer {
     if (jsonl_) return;
     print_gap(size);
     const auto counters = parser.counters();
-    fmt::print("{} frames, {} bytes skipped", counters.frames, counters.skipped_bytes);
+    fmt::print("{}, {} skipped", counted(counters.frames, "frame"),
+               counted(counters.skipped_bytes, "byte"));
     fmt::print(" (bad headers: {}, bad bodies: {})\n", counters.header_errors,
                counters.body_errors);
   }
 
  private:
   void print_gap(std::uint64_t until) const {
-    if (until > end_) fmt::print("@{}  {} bytes that are no frame\n", end_, until - end_);
+    if (until > end_)
+      fmt::print("@{}  {} that are no frame\n", end_, counted(until - end_, "byte"));
   }
 
   bool jsonl_;

@@ -18,30 +18,25 @@ bool travels(const MessageInfo& info, Direction direction) {
   return info.direction == direction || info.direction == Direction::both;
 }
 
-// Some ids have two names; the direction decides, if it can.
-std::string command_name(std::uint8_t id, Direction direction) {
-  std::string result;
-  AllMessages::for_each([&]<class M>(Type<M>) {
-    const MessageInfo& info = Meta<M>::info;
-    if (info.id == id && travels(info, direction)) result = info.command;
-  });
-  for (const ValueInfo& value : EnumMeta<CommandId>::values) {
-    if (result.empty() && value.value == id) result = value.name;
-  }
-  return result;
-}
-
 bool fits(const MessageInfo* info, const Frame& frame) {
   return info != nullptr && frame.body.size() >= info->min_size &&
          frame.body.size() <= info->max_size;
 }
 
-// Boards append bytes, hosts do not: a body that fits exactly goes first, whoever sends it.
+bool has_fixed_size(const MessageInfo* info) { return info->min_size == info->max_size; }
+
+// Boards append bytes, hosts do not, and a body that has the only size a message can have says more
+// than one that lies in a range.
 Direction guess(const Frame& frame) {
   const MessageInfo* const to_board = find_message(Direction::to_board, frame);
   const MessageInfo* const from_board = find_message(Direction::from_board, frame);
-  if (fits(from_board, frame)) return Direction::from_board;
-  if (fits(to_board, frame)) return Direction::to_board;
+  const bool host = fits(to_board, frame);
+  const bool board = fits(from_board, frame);
+  if (host && board) {
+    const bool surely_host = has_fixed_size(to_board) && !has_fixed_size(from_board);
+    return surely_host ? Direction::to_board : Direction::from_board;
+  }
+  if (host || board) return host ? Direction::to_board : Direction::from_board;
   return from_board == nullptr && to_board != nullptr ? Direction::to_board : Direction::from_board;
 }
 
@@ -60,6 +55,18 @@ std::string field_at(std::size_t offset) {
 }
 
 }  // namespace
+
+std::string command_name(std::uint8_t id, Direction direction) {
+  std::string result;
+  AllMessages::for_each([&]<class M>(Type<M>) {
+    const MessageInfo& info = Meta<M>::info;
+    if (info.id == id && travels(info, direction)) result = info.command;
+  });
+  for (const ValueInfo& value : EnumMeta<CommandId>::values) {
+    if (result.empty() && value.value == id) result = value.name;
+  }
+  return result;
+}
 
 DecodedFrame FrameDecoder::decode(const Frame& frame) {
   DecodedFrame result{.frame = frame, .direction = direction_.value_or(guess(frame))};

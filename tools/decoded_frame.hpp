@@ -11,6 +11,10 @@
 
 namespace sbgc::tools {
 
+/// The name of the command with this id, "" if there is none. Some ids have two names; the
+/// direction decides.
+std::string command_name(std::uint8_t id, Direction direction);
+
 /// One value of a message, as the text form shows it.
 struct Row {
   std::string path;

@@ -8,25 +8,25 @@
 #include "commands.hpp"
 
 int main(int argc, char** argv) {
-  using namespace sbgc::tools;
-  int status = success;
+  namespace tools = sbgc::tools;
+  int status = tools::success;
   try {
     CLI::App app("Tools for SimpleBGC gimbals and their serial protocol.", "sbgc");
     app.require_subcommand(1);
     app.set_help_all_flag("--help-all", "Print the help of all subcommands");
-    add_decode(app, status);
-    add_encode(app, status);
+    tools::add_decode(app, status);
+    tools::add_encode(app, status);
     try {
       app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-      return app.exit(error) == 0 ? success : wrong_usage;
+      return app.exit(error) == 0 ? tools::success : tools::wrong_usage;
     }
     // An earlier write that failed has left its mark, though nothing is left to be flushed.
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
       throw std::runtime_error("can not write to the standard output");
   } catch (const std::exception& error) {
     std::fprintf(stderr, "sbgc: %s\n", error.what());
-    return failure;
+    return tools::failure;
   }
   return status;
 }

@@ -52,7 +52,11 @@ class RowCollector {
  private:
   template <class T>
   void value(const T& value, const FieldInfo& field, const std::string& path) {
-    if constexpr (std::is_enum_v<T>) {
+    if constexpr (std::is_same_v<T, CommandId>) {
+      // What is confirmed, refused or asked for is a command of the host.
+      const auto raw = static_cast<std::uint8_t>(value);
+      number(raw, field, path, command_name(raw, Direction::to_board));
+    } else if constexpr (std::is_enum_v<T>) {
       const auto raw = static_cast<std::underlying_type_t<T>>(value);
       number(raw, field, path, value_name(EnumMeta<T>::info, raw));
     } else if constexpr (std::is_same_v<T, float>) {

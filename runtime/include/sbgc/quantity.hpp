@@ -72,6 +72,7 @@ class Quantity {
   }
 
   friend constexpr bool operator==(const Quantity&, const Quantity&) = default;
+  // NOLINTNEXTLINE(modernize-use-nullptr): a false alarm of clang-tidy 14
   friend constexpr auto operator<=>(const Quantity&, const Quantity&) = default;
 
  private:

@@ -53,6 +53,7 @@ constexpr void store(std::uint8_t* bytes, T value) noexcept {
     __builtin_memcpy(bytes, &value, sizeof value);
     return;
   }
+  // NOLINTNEXTLINE(modernize-use-auto): widened, so that the shifts below are defined
   const std::uint32_t bits = std::bit_cast<detail::Bits<T>>(value);
   for (std::size_t i = 0; i < sizeof(T); ++i) {
     bytes[i] = static_cast<std::uint8_t>(bits >> (8 * i));
