@@ -130,6 +130,8 @@ BENCHMARK(decode_stream<noise>)->Name("stream/noise");
 
 // ---- single messages ----
 
+constexpr std::size_t overhead = sbgc::frame_header_size + sbgc::frame_trailer_size;
+
 /// A valid body of M with every value that random bytes may have.
 template <class M>
 std::array<std::uint8_t, M::min_size> some_body() {
@@ -160,7 +162,7 @@ void copy_bytes(benchmark::State& state) {
   }
 }
 
-/// The least that writing a frame can cost: copying its bytes and summing those of the body.
+/// Copies the bytes of a frame, then sums the body of the copy: what writing a frame comes to.
 template <std::size_t size>
 void copy_and_sum(benchmark::State& state) {
   std::array<std::uint8_t, size> from{};
@@ -170,7 +172,7 @@ void copy_and_sum(benchmark::State& state) {
   for (auto _ : state) {
     benchmark::ClobberMemory();
     std::memcpy(to.data(), from.data(), size);
-    to[size - 1] = sbgc::byte_sum(from.data(), size);
+    to[size - 1] = sbgc::byte_sum(to.data() + sbgc::frame_header_size, size - overhead);
     benchmark::ClobberMemory();
   }
 }
@@ -257,8 +259,6 @@ void encode_fresh_control(benchmark::State& state) {
   }
 }
 
-constexpr std::size_t overhead = sbgc::frame_header_size + sbgc::frame_trailer_size;
-
 BENCHMARK(copy_bytes<124>)->Name("realtime/memcpy");
 BENCHMARK(copy_bytes<124 + overhead>)->Name("realtime/copy_frame");
 BENCHMARK(copy_and_sum<124 + overhead>)->Name("realtime/copy_frame_and_sum");
@@ -267,7 +267,8 @@ BENCHMARK(encode_one<sbgc::RealtimeData4>)->Name("realtime/encode_frame");
 BENCHMARK(validate_one<sbgc::RealtimeData4>)->Name("realtime/validate");
 
 BENCHMARK(copy_bytes<20>)->Name("control/copy_frame");
-BENCHMARK(copy_and_sum<20>)->Name("control/memcpy");  // with the sum: that is the bar's measure
+// With the sum: that is what the bar of encoding is measured by.
+BENCHMARK(copy_and_sum<20>)->Name("control/memcpy");
 BENCHMARK(encode_one<sbgc::ControlExt>)->Name("control/encode_frame");
 BENCHMARK(copy_and_sum_fresh_control)->Name("control/copy_and_sum_fresh");
 BENCHMARK(encode_fresh_control)->Name("control/encode_frame_fresh");

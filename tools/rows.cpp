@@ -32,9 +32,9 @@ std::string fill_in(const PackedInfo& info, std::uint32_t raw) {
 std::string part_text(const PartInfo& part, std::uint32_t raw) {
   const std::int64_t value = part_value(part, raw);
   if (part.values == nullptr) return fmt::format("{} {}", part.name, value);
-  const std::string named = part.values->is_flags
-                                ? flag_names(*part.values, static_cast<std::uint32_t>(value))
-                                : value_name(*part.values, value);
+  std::string named = part.values->is_flags
+                          ? flag_names(*part.values, static_cast<std::uint32_t>(value))
+                          : value_name(*part.values, value);
   if (!named.empty()) return named;
   return value == 0 ? "" : fmt::format("{} {}", part.name, value);
 }
@@ -64,7 +64,7 @@ std::string flag_names(const EnumInfo& info, std::uint32_t bits) {
 std::string packed_text(const PackedInfo& info, std::uint32_t raw) {
   if (*info.display != '\0') return fill_in(info, raw);
   if (info.names != nullptr) {
-    const std::string named = value_name(*info.names, raw);
+    std::string named = value_name(*info.names, raw);
     if (!named.empty()) return named;
   }
   std::string result;

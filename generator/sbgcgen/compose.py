@@ -144,7 +144,7 @@ class _Composer:
         known = self.choice.context if when.from_context else values
         if when.may_be_missing and self.choice.leave_out:
             return False
-        return holds(when, known.get(when.source, 0))
+        return holds(when, known.get(when.source))
 
     def _member(self, member: Field, fields: tuple[Field, ...], path: str, values: Fields) -> Any:
         name = path + member.name

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import textwrap
 from collections.abc import Callable
+from fractions import Fraction
 from typing import Any
 
 from sbgcgen.memory import Run, runs
@@ -40,6 +41,12 @@ def to_json(value: Any) -> str:
     return json.dumps(value, indent=2, ensure_ascii=False)
 
 
+def number(value: Fraction) -> str:
+    """A C++ literal that can stand for a double: 255, -0.5."""
+    is_exact = value.denominator == 1 and abs(value.numerator) <= 1 << 53
+    return str(value.numerator) if is_exact else repr(float(value))
+
+
 def versions(since: Availability) -> str:
     """'firmware 2.59, board 3.0', or ''."""
     words = []
@@ -67,6 +74,7 @@ FILTERS: dict[str, Callable[..., Any]] = {
     "comment": comment,
     "c_string": c_string,
     "to_json": to_json,
+    "number": number,
     "versions": versions,
     "hex": hexadecimal,
     "fast_runs": fast_runs,

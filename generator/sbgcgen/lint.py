@@ -5,7 +5,7 @@ from __future__ import annotations
 from sbgcgen.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.load import Spec
 from sbgcgen.model import Command, Enum, Field, Layout, Message, Packed, Quantity, Struct, Variable
-from sbgcgen.names import MESSAGE_WORDS
+from sbgcgen.names import CPP_TYPES, MESSAGE_WORDS, STRUCT_WORDS
 
 # Findings that leave a body without some of its fields, so that its size is not known.
 _UNSIZED = ("SBGC010", "SBGC021", "SBGC025", "SBGC029", "SBGC031")
@@ -60,6 +60,11 @@ def _check_bodies(layout: Layout, found: Diagnostics) -> None:
     types: list[Quantity | Enum | Packed] = [*layout.quantities, *layout.enums, *layout.packed]
     taken.update({type_.name: type_.at for type_ in types})
     taken.update({enum.member: enum.at for enum in layout.enums})
+    for struct in (s for family in layout.families for s in family.structs):
+        for field in struct.fields:
+            if field.name in STRUCT_WORDS:
+                text = f"'{field.name}' is a member that every struct has"
+                found.add(field.at, "SBGC022", text, "give the field another name with 'as'")
     for message in layout.messages:
         for field in message.fields:
             if field.name in MESSAGE_WORDS:
@@ -67,6 +72,9 @@ def _check_bodies(layout: Layout, found: Diagnostics) -> None:
                 found.add(field.at, "SBGC022", text, "give the field another name with 'as'")
         if message.name in taken:
             text = f"message {message.name} has the name of a type (at {taken[message.name]})"
+            found.add(message.at, "SBGC028", text, "give the message another one with 'as'")
+        elif message.name in CPP_TYPES:
+            text = f"message {message.name} has the name of a type of the library"
             found.add(message.at, "SBGC028", text, "give the message another one with 'as'")
         _check_alternatives(message, message.fields, found)
 

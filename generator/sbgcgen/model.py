@@ -200,7 +200,10 @@ class Special:
 
 @dataclass(frozen=True)
 class Condition:
-    """When a field is present: by flags of a context or an earlier field, or by a field's value."""
+    """When a field is present: by flags of a context or an earlier field, or by a field's value.
+
+    If the earlier field is not there (`source_may_be_missing`), the condition does not hold.
+    """
 
     source: str
     from_context: bool
@@ -209,6 +212,7 @@ class Condition:
     flags: tuple[EnumValue, ...]
     enum: Enum
     may_be_missing: bool
+    source_may_be_missing: bool = False
 
 
 @dataclass(frozen=True)
@@ -448,9 +452,9 @@ class Family:
     @property
     def uses(self) -> tuple[str, ...]:
         """Other families whose structs or messages this one needs."""
-        names = {
-            f.type.family for m in self.messages for f in m.fields if isinstance(f.type, Struct)
-        }
+        fields = [f for m in self.messages for f in m.fields]
+        fields += [f for s in self.structs for f in s.fields]
+        names = {f.type.family for f in fields if isinstance(f.type, Struct)}
         names |= {m.body.family for m in self.messages}
         return tuple(sorted(names - {self.name}))
 
@@ -463,7 +467,11 @@ class Family:
         seen: dict[str, Message] = {}
         for message in self.messages:
             seen.setdefault(message.name, message)
-        return tuple(sorted(seen.values(), key=lambda m: bool(m.same_as)))
+
+        def steps(message: Message) -> int:
+            return 1 + steps(seen[message.same_as]) if message.same_as in seen else 0
+
+        return tuple(sorted(seen.values(), key=lambda m: (bool(m.same_as), steps(m))))
 
 
 @dataclass(frozen=True)

@@ -116,8 +116,10 @@ def keys_of(field: Field) -> tuple[str, ...]:
     return tuple(word.lower() for word in field.index)
 
 
-def holds(when: Condition, value: int) -> bool:
-    """Whether a condition holds for the value of what it depends on."""
+def holds(when: Condition, value: int | None) -> bool:
+    """Whether a condition holds for the value of what it depends on, None if that is missing."""
+    if value is None:
+        return False
     if when.mask:
         return value & when.mask == when.mask
     return value in [v.value for v in when.values]
@@ -189,7 +191,7 @@ def _read_fields(fields: tuple[Field, ...], reader: _Reader, context: Fields) ->
     for field in fields:
         if field.when:
             known = context if field.when.from_context else values
-            if not holds(field.when, known.get(field.when.source, 0)):
+            if not holds(field.when, known.get(field.when.source)):
                 continue
             if field.when.may_be_missing and reader.left() < (field.size or 0):
                 continue
@@ -272,7 +274,7 @@ def _read_region(type_: Struct, reader: _Reader, around: Fields) -> Fields:
     inner = _Reader(reader.take(type_.size, ""))
     values: Fields = {}
     for field in type_.fields:
-        if field.when and not holds(field.when, around[field.when.source]):
+        if field.when and not holds(field.when, around.get(field.when.source)):
             continue
         values[field.name] = _read_field(field, inner, values, {})
     return values
@@ -333,7 +335,7 @@ def _write_fields(
         elif field.when:
             # A context is not at hand here, so what depends on one is written if it is there.
             if not field.when.from_context:
-                wanted = holds(field.when, conditions[field.when.source])
+                wanted = holds(field.when, conditions.get(field.when.source))
                 if present != wanted and (present or not field.when.may_be_missing):
                     raise CodecError("presence_mismatch", name, writer.at)
                 if wanted and not present:

@@ -294,7 +294,10 @@ class _Resolver:
         return None
 
     def _settle_tails(self, messages: list[Message]) -> list[Message]:
-        """Of several forms only the longest may grow: the others are told apart by their size."""
+        """Of several forms only the longest may grow: the others are told apart by their size.
+
+        A message with the body of another grows as that does, unless it says otherwise.
+        """
         result = []
         for message in messages:
             forms = [
@@ -306,7 +309,13 @@ class _Resolver:
             open_ended = message.keeps_tail or any(f.dim == "rest" for f in message.fields)
             keeps = message.keeps_tail and longest
             result.append(replace(message, keeps_tail=keeps, is_open=open_ended and longest))
-        return result
+        owners = {id(m.body): m.keeps_tail for m in result if not m.same_as}
+        return [
+            replace(m, keeps_tail=owners.get(id(m.body), m.keeps_tail))
+            if m.same_as and self.drafts[m.name, m.direction].get("tail") is None
+            else m
+            for m in result
+        ]
 
     def _command_node(self, draft: _Draft) -> Map:
         node = self.spec.families[draft.command.family]["commands"][draft.command.name]

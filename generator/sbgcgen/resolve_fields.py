@@ -96,7 +96,8 @@ class FieldResolver:
             family, node, at = self._nodes[name]
             is_region = "size" in node
             self._open.append(name)
-            fields = self.fields(node["fields"], name, (), in_struct=True, around=around)
+            outer = around if is_region else ()
+            fields = self.fields(node["fields"], name, (), in_struct=True, around=outer)
             self._open.pop()
             if is_region:
                 fields = (*fields, self._region_rest(node, fields))
@@ -364,10 +365,12 @@ class FieldResolver:
         from_context = "context" in when
         key = "context" if from_context else "field"
         wanted = str(when.get(key))
-        found: dict[str, tuple[str, Type]] = (
-            {c.name.upper(): (c.name, c.type) for c in contexts if c.type is not None}
+        found: dict[str, tuple[str, Type, bool]] = (
+            {c.name.upper(): (c.name, c.type, False) for c in contexts if c.type is not None}
             if from_context
-            else {f.spec_name: (f.name, f.type) for f in earlier if f.dim == "one"}
+            else {
+                f.spec_name: (f.name, f.type, f.when is not None) for f in earlier if f.dim == "one"
+            }
         )
         unknown = {c.name.upper() for c in contexts if c.type is None and c.announced is None}
         if from_context and wanted in unknown:
@@ -376,7 +379,7 @@ class FieldResolver:
             hint = did_you_mean(wanted, found) or f"known here: {', '.join(found) or 'none'}"
             self.found.add(when.at(key), "SBGC026", f"'{wanted}' is no earlier {key}", hint)
             return None
-        source, type_ = found[wanted]
+        source, type_, conditional = found[wanted]
         if not isinstance(type_, Enum):
             message = f"'{wanted}' is neither an enum nor a flag set"
             self.found.add(when.at(key), "SBGC026", message, "a condition needs named values")
@@ -392,8 +395,11 @@ class FieldResolver:
         mask = 0
         for flag in flags:
             mask |= flag.value
+        if flags and not mask:
+            message = f"{flags[0].name} has no bits, so it is always set"
+            self.found.add(when.at("has"), "SBGC026", message, "a condition needs bits to look at")
         missing = bool(when.get("may_be_missing", False))
-        return Condition(source, from_context, mask, values, flags, type_, missing)
+        return Condition(source, from_context, mask, values, flags, type_, missing, conditional)
 
     def _values(self, enum: Enum, node: Map, key: str) -> tuple[Any, ...]:
         names = node[key] if isinstance(node[key], list) else [node[key]]
@@ -562,7 +568,8 @@ def _field_leaves(field: Field, path: str, offset: int | None, word: str) -> Ite
 
     if field.dim in ("counted", "rest"):
         suffix = "[]" if isinstance(field.type, Struct) else ""
-        yield from one(path + suffix, offset, word, None)
+        for leaf in one(path + suffix, offset, word, None):
+            yield replace(leaf, count=None)
     elif field.dim == "fixed":
         if not field.index and not isinstance(field.type, (Struct, Blob)):
             yield from one(path, offset, word, field.count)

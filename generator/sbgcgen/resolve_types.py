@@ -20,7 +20,15 @@ from sbgcgen.model import (
     Quantity,
     Scalar,
 )
-from sbgcgen.names import QUANTITY_WORDS, is_identifier, parse_board, parse_version, snake_case
+from sbgcgen.names import (
+    CPP_TYPES,
+    PACKED_WORDS,
+    QUANTITY_WORDS,
+    is_identifier,
+    parse_board,
+    parse_version,
+    snake_case,
+)
 
 # Enums that follow from other sections of the spec.
 COMMAND_ID = "CommandId"
@@ -132,6 +140,11 @@ class TypeResolver:
             hint = "call the conversion after its unit: degrees, volts"
             self.found.add(node.at("accessor"), "SBGC022", message, hint)
         scale = Fraction(str(node.get("scale", 1)))
+        offset = Fraction(str(node.get("offset", 0)))
+        for key, number in (("scale", scale), ("offset", offset)):
+            if max(abs(number.numerator), number.denominator) >= 1 << 63:
+                message = f"the {key} of {name} is no fraction of two 64-bit integers"
+                self.found.add(node.at(key), "SBGC017", message, "give it with fewer digits")
         if scale <= 0:
             message = f"the scale of {name} is not positive"
             hint = "the real value is raw * scale + offset"
@@ -144,7 +157,7 @@ class TypeResolver:
             accessor=accessor,
             scale=scale,
             scale_text=str(node.get("scale", 1)),
-            offset=Fraction(str(node.get("offset", 0))),
+            offset=offset,
             summary=self.summary(node, at, name),
             errata=self.errata(node),
             at=at,
@@ -269,6 +282,9 @@ class TypeResolver:
                 message = f"duplicate part '{part.name}' in {name}"
                 self.found.add(part.at, "SBGC012", message, "give one of them another name")
             seen.add(part.name)
+            if part.name in PACKED_WORDS:
+                message = f"'{part.name}' is a member that every packed integer has"
+                self.found.add(part.at, "SBGC022", message, "give the part another name")
             if part.is_digits:
                 continue
             if used & part.mask:
@@ -342,13 +358,19 @@ class TypeResolver:
                     self.found.add(at, "SBGC028", message, hint)
         for section in ("quantities", "enums", "flags", "packed", "structs"):
             for _, name, _, at in self.spec.entries(section):
-                if name in SCALARS or name in (COMMAND_ID, VARIABLE_ID, "string"):
+                if name in SCALARS or name in CPP_TYPES or name in (COMMAND_ID, VARIABLE_ID):
                     message = f"'{name}' is the name of a built-in type"
                     self.found.add(at, "SBGC028", message, "choose another one")
                 first = seen.setdefault(name, at)
                 if first is not at:
                     message = f"'{name}' is defined twice (first at {first})"
                     self.found.add(at, "SBGC028", message, "all kinds of types share their names")
+        for enum in self.types.enums.values():
+            first = seen.get(enum.member, enum.at)
+            if enum.member != enum.name and (enum.member in CPP_TYPES or first != enum.at):
+                message = f"the single flag of {enum.name} is called {enum.member} in C++"
+                hint = f"that name is taken; give {enum.name} another one"
+                self.found.add(enum.at, "SBGC028", message, hint)
 
 
 def parse_bits(value: Any) -> tuple[int, int]:

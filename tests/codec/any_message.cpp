@@ -26,7 +26,7 @@ class FieldCollector {
     if constexpr (std::is_enum_v<T>) {
       add(name, static_cast<std::underlying_type_t<T>>(value));
     } else if constexpr (std::is_arithmetic_v<T>) {
-      add(name, value);
+      add(name, static_cast<double>(value));
     } else if constexpr (RawValue<T>) {
       add(name, value.raw());
     } else if constexpr (requires { Meta<T>::fields; }) {

@@ -151,13 +151,13 @@ constexpr Angle14 thirty = Angle14::from_degrees(-30);
 static_assert(thirty.raw() == -1365);
 
 // One that does not fit is no constant expression.
-template <double degrees>
+template <int degrees>
 concept FitsIntoAngle = requires {
   typename std::integral_constant<int, Angle14(Angle14::from_degrees(degrees)).raw()>;
 };
-static_assert(FitsIntoAngle<719.0>);
-static_assert(!FitsIntoAngle<721.0>);
-static_assert(!FitsIntoAngle<-721.0>);
+static_assert(FitsIntoAngle<719>);
+static_assert(!FitsIntoAngle<721>);
+static_assert(!FitsIntoAngle<-721>);
 
 TEST(Conversion, OfARunTimeValueHasToBeAsked) {
   const auto convert = [](double degrees) { return Angle14::from_degrees(degrees); };

@@ -67,6 +67,8 @@ inline constexpr std::size_t wire_size<Xyz<T>> = 3 * wire_size<T>;
 template <class T, std::size_t n>
 inline constexpr std::size_t wire_size<std::array<T, n>> = n* wire_size<T>;
 template <std::size_t n>
+inline constexpr std::size_t wire_size<Bytes<n>> = n;
+template <std::size_t n>
 inline constexpr std::size_t wire_size<Text<n>> = n;
 template <>
 inline constexpr std::size_t wire_size<char> = 1;
@@ -250,6 +252,23 @@ class Reader {
     }
   }
 
+  // Values whose size varies, one behind the other.
+  template <class T>
+    requires(wire_size<T> == 0)
+  constexpr void value(Axes<T>& out, const char* field) noexcept {
+    for (std::size_t i = 0; i < out.size(); ++i) value(out[i], field);
+  }
+  template <class T>
+    requires(wire_size<T> == 0)
+  constexpr void value(Xyz<T>& out, const char* field) noexcept {
+    for (std::size_t i = 0; i < out.size(); ++i) value(out[i], field);
+  }
+  template <class T, std::size_t n>
+    requires(wire_size<T> == 0)
+  constexpr void value(std::array<T, n>& out, const char* field) noexcept {
+    for (T& element : out) value(element, field);
+  }
+
   /// A value that is there if `condition` holds, or, where it may be missing, if it also fits.
   template <class T>
   constexpr void when(bool condition, Need need, Optional<T>& out, const char* field) noexcept {
@@ -359,6 +378,23 @@ class Writer {
     for (std::size_t i = 0; i < in.size() && status_; ++i) {
       value(static_cast<std::uint8_t>(in.data()[i]), field);
     }
+  }
+
+  // Values whose size varies, one behind the other.
+  template <class T>
+    requires(wire_size<T> == 0)
+  constexpr void value(const Axes<T>& in, const char* field) noexcept {
+    for (std::size_t i = 0; i < in.size(); ++i) value(in[i], field);
+  }
+  template <class T>
+    requires(wire_size<T> == 0)
+  constexpr void value(const Xyz<T>& in, const char* field) noexcept {
+    for (std::size_t i = 0; i < in.size(); ++i) value(in[i], field);
+  }
+  template <class T, std::size_t n>
+    requires(wire_size<T> == 0)
+  constexpr void value(const std::array<T, n>& in, const char* field) noexcept {
+    for (const T& element : in) value(element, field);
   }
 
   /// A conditional value: it may stand only where `condition` holds, and must stand there unless

@@ -18,8 +18,8 @@ class Flags {
   using raw_type = std::underlying_type_t<Flag>;
 
   constexpr Flags() = default;
-  constexpr Flags(Flag flag) noexcept  // NOLINT(google-explicit-constructor): a flag is a set
-      : raw_(static_cast<raw_type>(flag)) {}
+  // NOLINTNEXTLINE(google-explicit-constructor): a flag is a set of one
+  constexpr Flags(Flag flag) noexcept : raw_(static_cast<raw_type>(flag)) {}
   constexpr explicit Flags(raw_type raw) noexcept : raw_(raw) {}
 
   /// The integer as it stands on the wire.

@@ -76,7 +76,7 @@ class JsonWriter {
     } else if constexpr (std::is_arithmetic_v<T>) {
       return value;
     } else if constexpr (RawValue<T>) {
-      return value.raw();
+      return JsonWriter::value(value.raw());
     } else {
       return members(value);
     }
@@ -178,7 +178,9 @@ class JsonReader {
     } else if constexpr (std::is_arithmetic_v<T>) {
       out = integer<T>(json, path);
     } else if constexpr (RawValue<T>) {
-      out = T(integer<typename T::raw_type>(json, path));
+      typename T::raw_type raw{};
+      value(json, raw, path);
+      out = T(raw);
     } else {
       members(json, out, path);
     }

@@ -42,8 +42,9 @@ class Conversion {
 namespace detail {
 
 /// What all quantities share: real value = raw * numerator / denominator + offset.
-template <class Self, std::integral Raw, std::int64_t numerator, std::int64_t denominator,
+template <class Self, class Raw, std::int64_t numerator, std::int64_t denominator,
           std::int64_t offset_numerator = 0, std::int64_t offset_denominator = 1>
+  requires std::integral<Raw> || std::floating_point<Raw>
 class Quantity {
  public:
   using raw_type = Raw;
@@ -51,7 +52,7 @@ class Quantity {
   constexpr Quantity() = default;
   constexpr explicit Quantity(Raw raw) noexcept : raw_(raw) {}
 
-  /// The integer as it stands on the wire.
+  /// The number as it stands on the wire.
   constexpr Raw raw() const noexcept { return raw_; }
   /// The physical value in the quantity's unit.
   constexpr double real() const noexcept {
@@ -63,12 +64,17 @@ class Quantity {
   static constexpr Conversion<Self> from_real(double value) noexcept {
     const double exact =
         (value - offset) * static_cast<double>(denominator) / static_cast<double>(numerator);
-    constexpr double lowest = std::numeric_limits<Raw>::min();
+    constexpr double lowest = std::numeric_limits<Raw>::lowest();
     constexpr double highest = std::numeric_limits<Raw>::max();
     // Written so that NaN fails, too.
-    if (!(exact > lowest - 0.5 && exact < highest + 0.5)) return {};
-    const auto nearest = static_cast<std::int64_t>(exact < 0 ? exact - 0.5 : exact + 0.5);
-    return Conversion<Self>(Self(static_cast<Raw>(nearest)));
+    if constexpr (std::floating_point<Raw>) {
+      if (!(exact >= lowest && exact <= highest)) return {};
+      return Conversion<Self>(Self(static_cast<Raw>(exact)));
+    } else {
+      if (!(exact > lowest - 0.5 && exact < highest + 0.5)) return {};
+      const auto nearest = static_cast<std::int64_t>(exact < 0 ? exact - 0.5 : exact + 0.5);
+      return Conversion<Self>(Self(static_cast<Raw>(nearest)));
+    }
   }
 
   friend constexpr bool operator==(const Quantity&, const Quantity&) = default;

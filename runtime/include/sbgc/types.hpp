@@ -174,9 +174,8 @@ class Optional {
   using value_type = T;
 
   constexpr Optional() = default;
-  constexpr Optional(
-      const T& value) noexcept  // NOLINT(google-explicit-constructor): a value is one
-      : value_(value), present_(true) {}
+  // NOLINTNEXTLINE(google-explicit-constructor): a value is an optional value
+  constexpr Optional(const T& value) noexcept : value_(value), present_(true) {}
 
   [[nodiscard]] constexpr bool has_value() const noexcept { return present_; }
   constexpr explicit operator bool() const noexcept { return present_; }

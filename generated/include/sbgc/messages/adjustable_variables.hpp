@@ -131,9 +131,9 @@ struct SetAdjVarsVal {
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       SetAdjVarsVal& out) noexcept {
   detail::Reader reader(body, 0);
-  std::uint8_t num_vars = 0;
-  reader.value(num_vars, "num_vars");
-  reader.array(out.params, num_vars, "params");
+  std::uint8_t num_vars_count = 0;
+  reader.value(num_vars_count, "num_vars");
+  reader.array(out.params, num_vars_count, "params");
   return reader.end(out.tail);
 }
 
@@ -168,9 +168,9 @@ struct GetAdjVarsVal {
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       GetAdjVarsVal& out) noexcept {
   detail::Reader reader(body, 0);
-  std::uint8_t num_vars = 0;
-  reader.value(num_vars, "num_vars");
-  reader.array(out.param_id, num_vars, "param_id");
+  std::uint8_t num_vars_count = 0;
+  reader.value(num_vars_count, "num_vars");
+  reader.array(out.param_id, num_vars_count, "param_id");
   return reader.end();
 }
 

@@ -64,9 +64,9 @@ struct DebugVarsInfo3 {
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       DebugVarsInfo3& out) noexcept {
   detail::Reader reader(body, 0);
-  std::uint8_t debug_vars_num = 0;
-  reader.value(debug_vars_num, "debug_vars_num");
-  reader.array(out.vars, debug_vars_num, "vars");
+  std::uint8_t debug_vars_num_count = 0;
+  reader.value(debug_vars_num_count, "debug_vars_num");
+  reader.array(out.vars, debug_vars_num_count, "vars");
   return reader.end(out.tail);
 }
 

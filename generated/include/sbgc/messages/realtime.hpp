@@ -685,12 +685,12 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                                       DataStreamInterval& out) noexcept {
   if (body.size() != 21) return detail::wrong_size(body.size(), 21);
   get(body.data(), out);
-  detail::Reader config(body.subspan(3, 8), 0);
-  config.when(out.cmd_id == CommandId::realtime_data_custom,
+  detail::Reader config_bytes(body.subspan(3, 8), 0);
+  config_bytes.when(out.cmd_id == CommandId::realtime_data_custom,
               detail::required, out.config.flags, "config.flags");
-  config.when(out.cmd_id == CommandId::ahrs_helper,
+  config_bytes.when(out.cmd_id == CommandId::ahrs_helper,
               detail::required, out.config.imu_type, "config.imu_type");
-  config.rest(out.config.rest, "config.rest");
+  config_bytes.rest(out.config.rest, "config.rest");
   return {};
 }
 
@@ -698,13 +698,13 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 21) return {0, {Code::buffer_too_small}};
   put(out.data(), in);
-  detail::Writer config(out.subspan(3, 8), 0);
-  config.when(in.cmd_id == CommandId::realtime_data_custom,
+  detail::Writer config_bytes(out.subspan(3, 8), 0);
+  config_bytes.when(in.cmd_id == CommandId::realtime_data_custom,
               detail::required, in.config.flags, "config.flags");
-  config.when(in.cmd_id == CommandId::ahrs_helper,
+  config_bytes.when(in.cmd_id == CommandId::ahrs_helper,
               detail::required, in.config.imu_type, "config.imu_type");
-  config.array(in.config.rest, "config.rest");
-  if (const Status status = config.fill(3); !status) return {0, status};
+  config_bytes.array(in.config.rest, "config.rest");
+  if (const Status status = config_bytes.fill(3); !status) return {0, status};
   return {21, {}};
 }
 
