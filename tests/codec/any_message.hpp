@@ -49,7 +49,9 @@ class AnyMessage {
  public:
   AnyMessage() = default;
   AnyMessage(const AnyMessage&) = delete;
+  AnyMessage(AnyMessage&&) = delete;
   AnyMessage& operator=(const AnyMessage&) = delete;
+  AnyMessage& operator=(AnyMessage&&) = delete;
   virtual ~AnyMessage() = default;
 
   virtual Status decode(std::span<const std::uint8_t> body, const Contexts& contexts) = 0;
@@ -95,6 +97,7 @@ Selected selected(Direction direction, std::uint8_t id, std::size_t size);
 const MessageType* find_message_type(Direction direction, std::uint8_t id, std::size_t size);
 
 /// What visit() says and hands to its visitor.
+// NOLINTNEXTLINE(bugprone-exception-escape): nlohmann's move does not throw
 struct Visited {
   Status status{};
   int calls{};
@@ -104,7 +107,7 @@ struct Visited {
 Visited visited(std::uint8_t id, std::span<const std::uint8_t> body, Direction direction,
                 const Contexts& contexts = {});
 
-// For GoogleTest.
+// NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for
 inline void PrintTo(const MessageType& type, std::ostream* out) { *out << type.info->name; }
 
 /// Contexts that random messages have taught.

@@ -141,11 +141,11 @@ TEST(Json, Bytes) {
   }
   Json tail = to_json(BoardInfo{});
   EXPECT_FALSE(tail.contains("tail"));
-  tail["tail"] = std::string(2 * 237, 'f');
+  tail["tail"] = std::string(474, 'f');
   BoardInfo info;
   from_json(tail, info);
   EXPECT_EQ(info.tail.size(), 237U);
-  tail["tail"] = std::string(2 * 238, 'f');
+  tail["tail"] = std::string(476, 'f');
   EXPECT_PRED3(is_about, refusal<BoardInfo>(tail), "tail", "at most 237");
 }
 
