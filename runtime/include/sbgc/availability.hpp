@@ -12,6 +12,7 @@ constexpr bool is_available(const Availability& since, const Availability& versi
 
 /// The versions in a message that tells them, which is BoardInfo.
 template <class Info>
+  requires requires(const Info& info) { info.firmware_ver.raw() + info.board_ver.raw(); }
 constexpr Availability versions_of(const Info& info) noexcept {
   return {info.firmware_ver.raw(), info.board_ver.raw()};
 }
