@@ -62,8 +62,7 @@ class Printer {
 
  private:
   void print_gap(std::uint64_t until) const {
-    if (until > end_)
-      fmt::print("@{}  {} that are no frame\n", end_, counted(until - end_, "byte"));
+    if (until > end_) fmt::print("@{}  no frame: {}\n", end_, counted(until - end_, "byte"));
   }
 
   bool jsonl_;
@@ -128,6 +127,10 @@ void add_decode(CLI::App& app, int& status) {
       ->capture_default_str();
   command->add_flag("--hex", options->hex, "The input is hex text, not raw bytes");
   command->footer(
+      "In JSON, integers are raw wire values, bytes hex strings, and infinite or not-a-number "
+      "floats "
+      "the strings \"inf\", \"-inf\" and \"nan:<bits>\". A field 'tail' has what later firmware "
+      "appends, or what can not be read because the request that says how was not seen.\n"
       "The exit status is 0 when all input was read, 1 when it could not be read, 2 for wrong "
       "usage.");
   command->callback([options, &status] { status = decode_file(*options); });

@@ -8,36 +8,39 @@ namespace sbgc::tools {
 
 namespace {
 
-const MessageInfo* find_message(Direction direction, const Frame& frame) {
-  const MessageInfo* info = nullptr;
-  select(direction, frame.id, frame.body.size(), [&]<class M>(Type<M>) { info = &Meta<M>::info; });
-  return info;
+/// How well a body of this size fits what a command says in this direction; 0 is not at all.
+int fit(Direction direction, const Frame& frame) {
+  int result = 0;
+  const std::size_t size = frame.body.size();
+  select(direction, frame.id, size, [&]<class M>(Type<M>) {
+    const bool documented = size >= M::min_size && size <= M::max_size;
+    if (documented && M::min_size == M::max_size) {
+      result = 4;  // the only size there is
+    } else if (documented && M::max_size < max_body_size) {
+      result = 3;
+    } else if (size > M::max_size && requires(const M& message) { message.tail; }) {
+      result = 2;  // grown by later firmware
+    } else if (documented) {
+      result = 1;  // almost any size would do
+    }
+  });
+  return result;
 }
 
 bool travels(const MessageInfo& info, Direction direction) {
   return info.direction == direction || info.direction == Direction::both;
 }
 
-bool fits(const MessageInfo* info, const Frame& frame) {
-  return info != nullptr && frame.body.size() >= info->min_size &&
-         frame.body.size() <= info->max_size;
-}
-
-bool has_fixed_size(const MessageInfo* info) { return info->min_size == info->max_size; }
-
-// Boards append bytes, hosts do not, and a body that has the only size a message can have says more
-// than one that lies in a range.
 Direction guess(const Frame& frame) {
-  const MessageInfo* const to_board = find_message(Direction::to_board, frame);
-  const MessageInfo* const from_board = find_message(Direction::from_board, frame);
-  const bool host = fits(to_board, frame);
-  const bool board = fits(from_board, frame);
-  if (host && board) {
-    const bool surely_host = has_fixed_size(to_board) && !has_fixed_size(from_board);
-    return surely_host ? Direction::to_board : Direction::from_board;
-  }
-  if (host || board) return host ? Direction::to_board : Direction::from_board;
-  return from_board == nullptr && to_board != nullptr ? Direction::to_board : Direction::from_board;
+  const int host = fit(Direction::to_board, frame);
+  const int board = fit(Direction::from_board, frame);
+  if (host != board) return host > board ? Direction::to_board : Direction::from_board;
+  // Neither fits: whoever has such a command at all, and the board if both or none has.
+  const auto knows = [&](Direction direction) {
+    return select(direction, frame.id, frame.body.size(), [](auto) {}) != Code::unknown_command;
+  };
+  const bool host_only = knows(Direction::to_board) && !knows(Direction::from_board);
+  return host_only ? Direction::to_board : Direction::from_board;
 }
 
 /// The path of the fixed-size member that byte `offset` of the body belongs to.
@@ -77,6 +80,11 @@ DecodedFrame FrameDecoder::decode(const Frame& frame) {
     result.rows = rows(message);
   };
   result.status = visit(frame, result.direction, take, contexts_);
+  // What an earlier message has told may be about another stream: then better nothing than that.
+  if (!result.status) {
+    const Status plain = visit(frame, result.direction, take);
+    if (plain) result.status = plain;
+  }
   result.error_field = result.status.field;
   select(result.direction, frame.id, frame.body.size(), [&]<class M>(Type<M>) {
     result.message = &Meta<M>::info;

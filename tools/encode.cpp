@@ -80,6 +80,24 @@ std::string text_of(const Json& line, const char* key) {
   return found->get<std::string>();
 }
 
+/// A line may say more than is needed, but nothing that contradicts its message.
+void check_rest(const Json& line, const MessageInfo& info) {
+  const auto check = [&](const char* key, bool agrees) {
+    if (agrees) return;
+    throw InputError(
+        fmt::format("'{}' is {}, which is not that of {}", key, line[key].dump(), info.name));
+  };
+  if (line.contains("command")) check("command", line["command"] == info.command);
+  if (line.contains("id")) check("id", line["id"] == info.id);
+  if (line.contains("direction")) {
+    const bool from_board = line["direction"] == "from_board";
+    const bool to_board = line["direction"] == "to_board";
+    check("direction", info.direction == Direction::both
+                           ? from_board || to_board
+                           : (info.direction == Direction::from_board ? from_board : to_board));
+  }
+}
+
 std::vector<std::uint8_t> encode_line(const std::string& text, const Options& options) {
   const Json line = Json::parse(text);
   if (!line.is_object()) throw InputError("a line must be a JSON object");
@@ -91,6 +109,7 @@ std::vector<std::uint8_t> encode_line(const std::string& text, const Options& op
   AllMessages::for_each([&]<class M>(Type<M>) {
     if (name != Meta<M>::info.name) return;
     known = true;
+    check_rest(line, Meta<M>::info);
     frame = encode_fields<M>(*fields, !options.no_validate);
   });
   if (!known) throw InputError(fmt::format("there is no message '{}'", name));

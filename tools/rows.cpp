@@ -75,6 +75,24 @@ std::string packed_text(const PackedInfo& info, std::uint32_t raw) {
   return result;
 }
 
+std::string quoted(std::string_view bytes) {
+  const std::string json = Json(detail::to_utf8(bytes)).dump();
+  std::string result;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const auto c = static_cast<std::uint8_t>(json[i]);
+    const auto next = static_cast<std::uint8_t>(i + 1 < json.size() ? json[i + 1] : '\0');
+    if (c == 0x7F) {
+      result += "\\u007f";
+    } else if (c == 0xC2 && next < 0xA0) {
+      result += fmt::format("\\u{:04x}", next);
+      ++i;
+    } else {
+      result += json[i];
+    }
+  }
+  return result;
+}
+
 std::string physical(double value, const char* unit) {
   return *unit == '\0' ? fmt::format("{:.6g}", value) : fmt::format("{:.6g} {}", value, unit);
 }
@@ -90,7 +108,7 @@ std::string variable_text(const VariableInfo& variable, std::int64_t raw) {
 void RowCollector::bytes(std::span<const std::uint8_t> bytes, const FieldInfo& field,
                          const std::string& path) {
   const bool zero = std::ranges::all_of(bytes, [](std::uint8_t byte) { return byte == 0; });
-  if (zero && (field.reserved || &field == &tail_field)) return;
+  if ((zero && field.reserved) || (bytes.empty() && &field == &tail_field)) return;
   add(path, detail::to_hex(bytes), "");
 }
 

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -23,6 +24,8 @@ std::string value_name(const EnumInfo& info, std::int64_t value);
 std::string flag_names(const EnumInfo& info, std::uint32_t bits);
 /// "3.1", or "mode RC_MODE_ANGLE, inverted 0".
 std::string packed_text(const PackedInfo& info, std::uint32_t raw);
+/// A text in quotes, with nothing in it that a terminal would take for a command.
+std::string quoted(std::string_view bytes);
 /// "-30.0 deg".
 std::string physical(double value, const char* unit);
 
@@ -106,11 +109,11 @@ class RowCollector {
   }
   template <std::size_t n>
   void value(const Text<n>& text, const FieldInfo&, const std::string& path) {
-    add(path, '"' + detail::to_utf8({text.data(), text.size()}) + '"', "");
+    add(path, quoted({text.data(), text.size()}), "");
   }
   template <std::size_t n>
   void value(const BoundedText<n>& text, const FieldInfo&, const std::string& path) {
-    add(path, '"' + detail::to_utf8({text.data(), text.size()}) + '"', "");
+    add(path, quoted({text.data(), text.size()}), "");
   }
   template <class T, std::size_t n>
   void value(const std::array<T, n>& array, const FieldInfo& field, const std::string& path) {

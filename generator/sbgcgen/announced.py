@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
-
+from sbgcgen.compose import Choice, Places, compose, compose_fields
 from sbgcgen.model import Announcement, Enum, Field, Message, Packed, Struct
-from sbgcgen.reference_codec import Fields, decode
+from sbgcgen.reference_codec import Fields
 
 
 def announced_types(announcement: Announcement, message: Message, fields: Fields) -> list[str]:
@@ -35,15 +34,14 @@ def announcing(announcement: Announcement, message: Message, types: list[str]) -
             runs[-1] = (name, runs[-1][1] + 1)
         else:
             runs.append((name, 1))
-    fields = decode(message, bytes(message.min_size))
-    counter = next(f.counter for f in message.fields if f.name == announcement.list)
     elements: list[Fields] = []
     for number, (name, count) in enumerate(runs):
-        element: Fields = {f.name: _nothing(f) for f in _element(announcement, message)}
-        element[announcement.kind.partition(".")[0]] = values[name]
-        element[announcement.count] = count if count > 1 else number % 2
-        elements.append(element)
-    return {**fields, counter: len(elements), announcement.list: elements}
+        kind_name = announcement.kind.partition(".")[0]
+        told = {kind_name: values[name], announcement.count: count if count > 1 else number % 2}
+        choice = Choice(Places(), short=True, forced=told)
+        elements.append(compose_fields(_element(announcement, message), choice))
+    choice = Choice(Places(), short=True, forced={announcement.list: elements})
+    return compose(message, choice)
 
 
 class _Kind:
@@ -70,7 +68,3 @@ def _kind(announcement: Announcement, message: Message) -> _Kind:
         return _Kind(part.enum, part.mask, part.shift)
     assert isinstance(member.type, Enum)
     return _Kind(member.type, -1, 0)
-
-
-def _nothing(field: Field) -> Any:
-    return "" if field.type.kind in ("string", "text") else 0

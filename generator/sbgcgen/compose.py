@@ -7,11 +7,16 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from sbgcgen.edges import Edge, counting, edges
-from sbgcgen.model import SCALARS, Announced, Blob, Condition, Field, Message, Struct, Type
+from sbgcgen.model import SCALARS, Announced, Blob, Condition, Context, Field, Message, Struct, Type
 from sbgcgen.reference_codec import LISTS, CodecError, Fields, encode, holds, is_bytes, keys_of
 
-# What may be announced, with something that is so more than once.
-ALL_TYPES = [*SCALARS, "i16", "i16"]
+
+def all_types(context: Context) -> list[str]:
+    """What may be announced, with something that is so more than once."""
+    assert context.announced is not None
+    known = [name for name in SCALARS if name in context.announced.types]
+    several = "i16" if "i16" in known else known[-1]
+    return [*known, several, several]
 
 
 @dataclass
@@ -34,7 +39,7 @@ class Choice:
     """Which values to choose.
 
     In each round every place is at another of its edges; the place's number is added, lest
-    neighbours are alike. `forced` has values of fields of the message; `lengths` those of lists and
+    neighbours are alike. `forced` has values of fields by path; `lengths` those of lists and
     texts by path. Others have a length that shows their edges, or, if `short`, the least.
     """
 
@@ -59,7 +64,12 @@ class Choice:
 
 def compose(message: Message, choice: Choice) -> Fields:
     """The fields of a message by choice."""
-    return _Composer(choice).fields(message.fields, "", {})
+    return compose_fields(message.fields, choice)
+
+
+def compose_fields(fields: tuple[Field, ...], choice: Choice) -> Fields:
+    """The same for a list of fields, such as those of a struct."""
+    return _Composer(choice).fields(fields, "", {})
 
 
 def first_that_fits(message: Message, *choices: Choice) -> bytes:
@@ -84,8 +94,9 @@ def full_context(message: Message) -> Fields:
     context: Fields = {}
     for when in conditions(message):
         if when.from_context:
-            context[when.source] = context.get(when.source, 0) | when.mask
-    context.update({c.name: ALL_TYPES for c in message.contexts if c.announced})
+            known = context.get(when.source, 0)
+            context[when.source] = known | when.mask if when.mask else satisfying(when)[0]
+    context.update({c.name: all_types(c) for c in message.contexts if c.announced})
     return context
 
 
@@ -144,7 +155,7 @@ class _Composer:
         known = self.choice.context if when.from_context else values
         if when.may_be_missing and self.choice.leave_out:
             return False
-        return holds(when, known.get(when.source))
+        return holds(when, known.get(when.source, 0 if when.from_context else None))
 
     def _member(self, member: Field, fields: tuple[Field, ...], path: str, values: Fields) -> Any:
         name = path + member.name
@@ -169,7 +180,7 @@ class _Composer:
     def _announced(self, member: Field, type_: Announced, path: str) -> list[Fields]:
         """A number of each announced type."""
         outside, self.conditional = self.conditional, True
-        types = self.choice.context.get(type_.context, [])
+        types = self.choice.context.get(type_.context, [])[: member.capacity]
         numbers = [
             {name: self._value(replace(member, type=SCALARS[name]), f"{path}[{i}].{name}")}
             for i, name in enumerate(types)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from sbgcgen.diagnostics import Diagnostics
 from sbgcgen.model import (
     Announced,
-    Announcement,
     Blob,
     Context,
     Enum,
@@ -52,12 +51,11 @@ def _check_message(message: Message, max_body: int, found: Diagnostics) -> None:
 
 def _check_same_as(message: Message, layout: Layout, found: Diagnostics) -> None:
     """The codec of a body is the same for all messages that have it."""
-    for other in layout.messages:
-        if other.body is message.body and other.keeps_tail != message.keeps_tail:
-            word = "keeps" if message.keeps_tail else "refuses"
-            text = f"{message.name} {word} a tail, {other.name} with the same body does not"
-            found.add(message.at, "SBGC041", text, "give both of them the same 'tail'")
-            return
+    owner = next(m for m in layout.messages if m.body is message.body)
+    if owner.keeps_tail != message.keeps_tail:
+        word = "keeps" if message.keeps_tail else "refuses"
+        text = f"{message.name} {word} a tail, {owner.name} with the same body does not"
+        found.add(message.at, "SBGC041", text, "give both of them the same 'tail'")
 
 
 def _check_families(layout: Layout, found: Diagnostics) -> None:
@@ -155,7 +153,7 @@ def _check_regions(message: Message, found: Diagnostics) -> None:
             counts = any(f.is_counter for f in message.fields)
             if field.dim != "one" or field.offset is None or field.when or counts:
                 text = f"'{field.name}', which has a size of its own, does not always stand there"
-                hint = "it stands once, without a condition, in a message without lists before it"
+                hint = "it stands once, without a condition, in a message without counted lists"
                 found.add(field.at, "SBGC033", text, hint)
             for when in (inner.when for inner in field.type.fields if inner.when):
                 source = earlier.get(when.source)
@@ -226,17 +224,20 @@ def _check_contexts(message: Message, layout: Layout, found: Diagnostics) -> Non
             text = f"{message.name} has no context '{wanted.upper()}' for '{field.name}'"
             hint = "list it under 'context' (with 'announced_by' for announced numbers)"
             found.add(field.at, "SBGC026", text, hint)
+    used = {f.when.source for f in message.fields if f.when and f.when.from_context}
+    used |= {f.type.context for f in message.fields if isinstance(f.type, Announced)}
     seen: set[str] = set()
     for context in message.contexts:
+        if context.name not in used and (context.type or context.announced):
+            text = f"the context '{context.name}' of {message.name} is not used"
+            found.add(message.at, "SBGC050", text, "delete it, or let a field depend on it")
         if context.name in seen:
             text = f"duplicate context '{context.name}' in {message.name}"
             found.add(message.at, "SBGC012", text, "one of them is enough")
         seen.add(context.name)
         for name, path in context.sources:
             _check_source_of(context, name, path, messages.get(name), message, found)
-        if context.announced and not _announces(
-            context.announced, messages.get(context.announced.message)
-        ):
+        if context.announced and not context.announced.types:
             text = f"nothing announces the context '{context.name}' of {message.name}"
             hint = (
                 "'announced_by' is a counted list of structs; its elements have 'kind' and 'count'"
@@ -272,22 +273,3 @@ def _find(fields: tuple[Field, ...], path: list[str]) -> Field | None:
             if isinstance(field.type, Struct) and field.when is None:
                 return _find(field.type.fields, path[1:])
     return None
-
-
-def _announces(announcement: Announcement, message: Message | None) -> bool:
-    by_name = {f.name: f for f in message.fields} if message else {}
-    elements = by_name.get(announcement.list)
-    if elements is None or elements.dim != "counted" or not isinstance(elements.type, Struct):
-        return False
-    member, _, part = announcement.kind.partition(".")
-    kind = _find(elements.type.fields, [member])
-    count = _find(elements.type.fields, [announcement.count])
-    if kind is None or kind.when or count is None or count.when:
-        return False
-    enum = kind.type
-    if isinstance(enum, Packed):
-        enum = next((p.enum for p in enum.parts if p.name == part and p.enum), enum)
-    elif part:
-        return False
-    named = isinstance(enum, Enum) and any(value.wire for value in enum.values)
-    return named and isinstance(count.type, Scalar) and count.type.minimum == 0

@@ -299,13 +299,14 @@ class Announcement:
     """The list in a message that announces the types of numbers in later ones.
 
     Each element has the type in `kind` (the path of an enum, through a packed part if need be) and
-    how often it stands in `count`.
+    how often it stands in `count`. `types` are those that the enum can name.
     """
 
     message: str
     list: str
     kind: str
     count: str
+    types: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -191,7 +191,9 @@ def _read_fields(fields: tuple[Field, ...], reader: _Reader, context: Fields) ->
     for field in fields:
         if field.when:
             known = context if field.when.from_context else values
-            if not holds(field.when, known.get(field.when.source)):
+            if not holds(
+                field.when, known.get(field.when.source, 0 if field.when.from_context else None)
+            ):
                 continue
             if field.when.may_be_missing and reader.left() < (field.size or 0):
                 continue
@@ -232,7 +234,7 @@ def _count(field: Field, reader: _Reader, values: Fields) -> int:
         if count > field.capacity:  # so many elements would not fit into any body
             raise CodecError("too_short", field.name, reader.at)
         return count
-    size = 1 if isinstance(field.type, Blob) else _size_of(field.type)
+    size = 1 if is_bytes(field) else _size_of(field.type)
     if reader.left() % size:
         raise CodecError("too_short", field.name, len(reader.body))
     if reader.left() // size > field.capacity:
@@ -370,8 +372,7 @@ def _write_field(field: Field, value: Any, writer: _Writer, name: str, around: F
     elif field.dim not in LISTS:
         if list(value) != list(keys_of(field)):
             raise CodecError("presence_mismatch", name, writer.at)
-        for element in value.values():
-            _write_value(field.type, element, writer, name)
+        _write_all(field, list(value.values()), writer, name)
     elif isinstance(field.type, Announced):
         _check_count(field, len(value), name, writer)
         for number in value:
@@ -386,8 +387,16 @@ def _write_field(field: Field, value: Any, writer: _Writer, name: str, around: F
         writer.put(b"".join(_number(SCALARS["u8"], v, writer, name) for v in value), name)
     else:
         _check_count(field, len(value), name, writer)
-        for element in value:
-            _write_value(field.type, element, writer, name)
+        _write_all(field, value, writer, name)
+
+
+def _write_all(field: Field, elements: list[Any], writer: _Writer, name: str) -> None:
+    """Elements one by one; those of a member of fixed size fit all together or not at all."""
+    inner = writer if field.size is None else _Writer(field.size, writer.at)
+    for element in elements:
+        _write_value(field.type, element, inner, name)
+    if inner is not writer:
+        writer.put(bytes(inner.data), name)
 
 
 def _check_count(field: Field, count: int, name: str, writer: _Writer) -> None:

@@ -23,7 +23,14 @@ from sbgcgen.model import (
     Variable,
 )
 from sbgcgen.names import camel_case, snake_case
-from sbgcgen.resolve_fields import FieldResolver, leaves, max_size, min_size, total_size
+from sbgcgen.resolve_fields import (
+    FieldResolver,
+    announceable_types,
+    leaves,
+    max_size,
+    min_size,
+    total_size,
+)
 from sbgcgen.resolve_types import TypeResolver
 
 DIRECTIONS = ("from_board", "to_board")
@@ -67,6 +74,7 @@ class _Resolver:
                     self._draft(command, direction, node)
         self._check_same_as()
         messages = self._settle_tails([self._message(draft) for draft in self.drafts.values()])
+        messages = [self._settle_types(message) for message in messages]
         for name in self.fields._nodes:
             self.fields.struct(name)
         families = []
@@ -316,6 +324,18 @@ class _Resolver:
             else m
             for m in result
         ]
+
+    def _settle_types(self, message: Message) -> Message:
+        """What the contexts of a message can announce is known when all messages are."""
+        contexts = []
+        for context in message.contexts:
+            announced = context.announced
+            if announced:
+                others = [m for (n, _), m in self.done.items() if n == announced.message]
+                types = announceable_types(announced, others[0].fields) if others else ()
+                context = replace(context, announced=replace(announced, types=types))
+            contexts.append(context)
+        return replace(message, contexts=tuple(contexts))
 
     def _command_node(self, draft: _Draft) -> Map:
         node = self.spec.families[draft.command.family]["commands"][draft.command.name]

@@ -14,6 +14,7 @@ from sbgcgen.model import (
     SCALARS,
     Alternative,
     Announced,
+    Announcement,
     Availability,
     Blob,
     Condition,
@@ -482,6 +483,26 @@ def _number_reserved(fields: list[Field]) -> list[Field]:
 def _mark_counters(fields: list[Field]) -> list[Field]:
     counters = {f.counter for f in fields if f.counter}
     return [replace(f, is_counter=True) if f.name in counters else f for f in fields]
+
+
+def announceable_types(announcement: Announcement, fields: tuple[Field, ...]) -> tuple[str, ...]:
+    """The types that a message can announce; none if it does not have what announces them."""
+
+    def find(name: str, members: tuple[Field, ...], dim: str) -> Type | None:
+        return next((f.type for f in members if (f.name, f.dim, f.when) == (name, dim, None)), None)
+
+    element = find(announcement.list, fields, "counted")
+    if not isinstance(element, Struct):
+        return ()
+    member, _, part = announcement.kind.partition(".")
+    count = find(announcement.count, element.fields, "one")
+    kind = find(member, element.fields, "one")
+    if isinstance(kind, Packed):
+        kind = next((p.enum for p in kind.parts if p.name == part), None)
+    elif part:
+        return ()
+    counts = isinstance(count, Scalar) and count.minimum == 0
+    return tuple(v.wire for v in kind.values if v.wire) if counts and isinstance(kind, Enum) else ()
 
 
 def total_size(fields: tuple[Field, ...]) -> int | None:

@@ -15,12 +15,12 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from sbgcgen.announced import announced_types, announcing
+from sbgcgen.compose import Choice, Places, compose
 from sbgcgen.model import Context, Layout, Message
 from sbgcgen.reference_codec import (
     CodecError,
     Forms,
     choose_message,
-    decode,
     encode,
     forms_of,
 )
@@ -36,13 +36,14 @@ def files(layout: Layout) -> Iterator[tuple[str, bytes]]:
         for message in family.messages:
             vectors = vectors_of(message, id(message.body) in bodies)
             bodies.add(id(message.body))
-            lines += [_line(vector, forms) for vector in vectors]
+            lines += [line(vector, forms) for vector in vectors]
         if lines:
             yield f"vectors/{family.name}.jsonl", "".join(lines).encode()
     yield "vectors/unknown.jsonl", "".join(_of_no_message(forms)).encode()
 
 
-def _line(vector: Vector, forms: Forms) -> str:
+def line(vector: Vector, forms: Forms) -> str:
+    """A line of a vector file."""
     message = vector.message
     result: dict[str, Any] = {
         "message": message.name,
@@ -91,12 +92,7 @@ def _telling(context: Context, value: Any, forms: Forms) -> dict[str, Any]:
         fields = announcing(context.announced, message, value)
         assert announced_types(context.announced, message, fields) == value
     else:
-        fields = decode(message, bytes(message.min_size))
-        *outer, last = path.split(".")
-        place = fields
-        for step in outer:
-            place = place[step]
-        place[last] = value
+        fields = compose(message, Choice(Places(), short=True, forced={path: value}))
     return {
         "id": message.id,
         "direction": message.direction,

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from sbgcgen.compose import (
-    ALL_TYPES,
     Choice,
     Places,
+    all_types,
     compose,
     conditions,
     documented_length,
@@ -185,7 +185,8 @@ class _Maker:
                     yield case
         for context in self.message.contexts:
             if context.announced:
-                for types in (ALL_TYPES, ALL_TYPES[:1], ALL_TYPES[:1] * 254):
+                known = all_types(context)
+                for types in (known, known[:1], known[:1] * 254):
                     yield {"context": {context.name: types}}
 
     # How it is added

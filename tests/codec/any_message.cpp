@@ -28,7 +28,7 @@ class FieldCollector {
     } else if constexpr (std::is_arithmetic_v<T>) {
       add(name, static_cast<double>(value));
     } else if constexpr (RawValue<T>) {
-      add(name, value.raw());
+      add(name, static_cast<double>(value.raw()));
     } else if constexpr (requires { Meta<T>::fields; }) {
       members(value);
     }

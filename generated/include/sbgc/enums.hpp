@@ -1250,7 +1250,7 @@ class RcMode {
   /// The signal is inverted.
   constexpr bool inverted() const noexcept { return (raw_ & 0x08) != 0; }
   constexpr RcMode& set_inverted(bool on) noexcept {
-    raw_ = static_cast<raw_type>(on ? raw_ | 0x08 : raw_ & ~0x08);
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x08U : raw_ & ~0x08U);
     return *this;
   }
 

@@ -29,7 +29,12 @@ template <Message M>
   const std::size_t space = out.size() - overhead;
   const WriteResult body =
       encode(message, {frame_body(out.data()), space < max_body_size ? space : max_body_size});
-  if (!body) return body;
+  if (!body) {
+    const bool any_frame_fits = space >= max_body_size;
+    const bool full = body.status.code == Code::buffer_too_small;
+    const Code code = full && any_frame_fits ? Code::too_long : body.status.code;
+    return {0, {code, body.status.offset, body.status.field}};
+  }
   return {finish_frame(out.data(), static_cast<std::uint8_t>(M::command), body.size), {}};
 }
 

@@ -64,16 +64,19 @@ class Quantity {
   static constexpr Conversion<Self> from_real(double value) noexcept {
     const double exact =
         (value - offset) * static_cast<double>(denominator) / static_cast<double>(numerator);
-    constexpr double lowest = std::numeric_limits<Raw>::lowest();
-    constexpr double highest = std::numeric_limits<Raw>::max();
+    constexpr auto lowest = static_cast<double>(std::numeric_limits<Raw>::lowest());
+    constexpr auto highest = static_cast<double>(std::numeric_limits<Raw>::max());
     // Written so that NaN fails, too.
     if constexpr (std::floating_point<Raw>) {
       if (!(exact >= lowest && exact <= highest)) return {};
       return Conversion<Self>(Self(static_cast<Raw>(exact)));
     } else {
       if (!(exact > lowest - 0.5 && exact < highest + 0.5)) return {};
-      const auto nearest = static_cast<std::int64_t>(exact < 0 ? exact - 0.5 : exact + 0.5);
-      return Conversion<Self>(Self(static_cast<Raw>(nearest)));
+      // The remainder is exact, which exact + 0.5 would not be.
+      const auto whole = static_cast<std::int64_t>(exact);
+      const double rest = exact - static_cast<double>(whole);
+      const std::int64_t step = rest >= 0.5 ? 1 : rest <= -0.5 ? -1 : 0;
+      return Conversion<Self>(Self(static_cast<Raw>(whole + step)));
     }
   }
 

@@ -201,7 +201,7 @@ struct Meta<GyroCorrection> {
       .answer = {.messages = {},
                  .confirmations = 1,
                  .confirmation_is_certain = false,
-                 .retry_is_safe = true,
+                 .retry_is_safe = false,
                  .timeout_ms = 500}};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type",

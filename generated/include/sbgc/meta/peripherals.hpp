@@ -219,7 +219,7 @@ struct Meta<I2cReadRegBufRequest> {
       .answer = {.messages = answers,
                  .confirmations = 0,
                  .confirmation_is_certain = false,
-                 .retry_is_safe = true,
+                 .retry_is_safe = false,
                  .timeout_ms = 500}};
   static constexpr Range data_len_range{1, 255};
   static constexpr FieldInfo fields[] = {

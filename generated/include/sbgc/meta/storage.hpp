@@ -162,7 +162,7 @@ struct Meta<WriteFile> {
                  .confirmations = 1,
                  .confirmation_is_certain = true,
                  .retry_is_safe = true,
-                 .timeout_ms = 500}};
+                 .timeout_ms = 2000}};
   static constexpr FieldInfo fields[] = {
       {.name = "file_id",
        .spec_name = "FILE_ID",
@@ -204,7 +204,7 @@ struct Meta<FsClearAll> {
                  .confirmations = 1,
                  .confirmation_is_certain = true,
                  .retry_is_safe = true,
-                 .timeout_ms = 500}};
+                 .timeout_ms = 2000}};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>

@@ -1,0 +1,241 @@
+"""Random messages of a protocol, as lines of a vector file (see sbgcgen/vectors.py).
+
+Bodies as they may come: right ones, with bytes changed, cut off or added, and nothing but noise; and
+fields with something changed, as a program may fill them in.
+"""
+
+from __future__ import annotations
+
+import copy
+import json
+import random
+from collections.abc import Iterator
+from typing import Any, Optional
+
+from sbgcgen.compose import Choice, Places, compose, full_context, variable_parts
+from sbgcgen.model import Announced, Blob, Enum, Field, Layout, Message, Struct
+from sbgcgen.reference_codec import (
+    LISTS,
+    CodecError,
+    Fields,
+    choose_message,
+    decode,
+    encode,
+    forms_of,
+    is_bytes,
+    scalar_of,
+)
+from sbgcgen.vectors import line
+from sbgcgen.vectors_of_message import Vector
+
+MAX_BODY = 255
+
+
+def lines_of(layout: Layout, seed: int, count: int) -> Iterator[str]:
+    """`count` lines for each message, and some of bodies that are no message."""
+    chosen = random.Random(seed)
+    forms = forms_of(layout)
+    for message in layout.messages:
+        maker = _Messages(message, chosen)
+        for _ in range(count):
+            vector = maker.vector()
+            if vector is not None:
+                yield line(vector, forms)
+    for _ in range(count):
+        direction, number = chosen.choice(("from_board", "to_board")), chosen.randrange(256)
+        body = chosen.randbytes(chosen.randrange(MAX_BODY + 1))
+        try:
+            choose_message(forms, direction, number, len(body))
+        except CodecError as error:
+            refused = {"code": error.code, "field": error.field, "offset": error.offset}
+            fields = {"id": number, "direction": direction, "hex": body.hex(), "error": refused}
+            yield json.dumps({**fields, "why": "no message"}) + "\n"
+
+
+class _Messages:
+    """Makes random vectors of one message."""
+
+    def __init__(self, message: Message, chosen: random.Random) -> None:
+        self.message = message
+        self.random = chosen
+        self.places = Places()
+        self.mutator = _Mutator(chosen, self.composed)
+
+    def vector(self) -> Optional[Vector]:
+        """A body and what it says, or fields that can not be written."""
+        context = self.context()
+        fields = self.composed(context)
+        if self.random.random() < 0.4:
+            for _ in range(self.random.randint(1, 3)):
+                self.mutator.change(self.message.fields, fields)
+            if self.message.keeps_tail and self.random.random() < 0.2:
+                fields["tail"] = self.random.randbytes(self.random.randint(1, 9)).hex()
+            try:
+                body = encode(self.message, fields)
+            except CodecError as error:
+                return Vector(self.message, "changed fields", None, fields, {}, error)
+            return self.decoded(body, context, "changed fields")
+        try:
+            body = encode(self.message, fields)
+        except CodecError:
+            body = self.random.randbytes(self.message.min_size)
+        body, why = self.mutated(body)
+        return self.decoded(body, context, why)
+
+    def decoded(self, body: bytes, context: Fields, why: str) -> Vector:
+        """A body with what it says."""
+        try:
+            return Vector(self.message, why, body, decode(self.message, body, context), context)
+        except CodecError as error:
+            return Vector(self.message, why, body, None, context, error)
+
+    def context(self) -> Fields:
+        """What earlier messages may have told."""
+        kind = self.random.random()
+        if kind < 0.2:
+            return {}
+        if kind < 0.4:
+            return full_context(self.message)
+        context: Fields = {}
+        for told in self.message.contexts:
+            if told.announced:
+                types = self.random.choices(told.announced.types, k=self.random.randrange(12))
+                context[told.name] = types
+            elif told.type is not None:
+                named = [v.value for v in told.type.values]
+                if told.type.kind == "enum":
+                    context[told.name] = self.random.choice(named)
+                    continue
+                context[told.name] = 0
+                for value in self.random.sample(named, self.random.randint(0, len(named))):
+                    context[told.name] |= value
+        return {name: value for name, value in context.items() if value}
+
+    def composed(self, context: Fields) -> Fields:
+        """Fields with values at their edges, and lists of all lengths."""
+        lengths = {}
+        for path, member, _ in variable_parts(self.message.fields):
+            if self.random.random() < 0.5:
+                most = member.capacity if member.dim in LISTS else 30
+                lengths[path] = self.random.choice((0, 1, 2, min(5, most), most))
+        choice = Choice(
+            self.places,
+            round=self.random.randrange(1000),
+            context=context,
+            lengths={path: length for path, length in lengths.items() if length <= MAX_BODY},
+            short=self.random.random() < 0.3,
+            leave_out=self.random.random() < 0.3,
+        )
+        # Many choices are too long for a body.
+        fields = compose(self.message, choice)
+        try:
+            encode(self.message, fields)
+        except CodecError:
+            choice.short, choice.lengths = True, {}
+            fields = compose(self.message, choice)
+        return copy.deepcopy(fields)
+
+    def mutated(self, body: bytes) -> tuple[bytes, str]:
+        """A body with some damage, or none."""
+        result = bytearray(body)
+        kind = self.random.randrange(6)
+        if kind == 0:
+            return body, "as it should be"
+        if kind == 1:
+            return body[: self.random.randint(0, len(body))], "cut off"
+        if kind == 2:
+            more = self.random.randint(0, min(9, MAX_BODY - len(body)))
+            return body + self.random.randbytes(more), "with more behind it"
+        if kind == 3:
+            size = self.random.randint(0, MAX_BODY)
+            return self.random.randbytes(size), "noise"
+        if kind == 4:
+            size = self.random.randint(self.message.min_size, self.message.max_size)
+            return bytes(self.random.randrange(4) for _ in range(size)), "small numbers"
+        for _ in range(self.random.randint(1, 3)):
+            if result:
+                byte = self.random.choice((0, 1, 0x7F, 0x80, 0xFF, self.random.randrange(256)))
+                result[self.random.randrange(len(result))] = byte
+        return bytes(result), "with other bytes"
+
+
+class _Mutator:
+    """Changes fields to something that a C++ message can hold, though not always be written."""
+
+    def __init__(self, chosen: random.Random, composed: Any) -> None:
+        self.random = chosen
+        self.composed = composed
+
+    def change(self, members: tuple[Field, ...], values: Fields) -> None:
+        """Change one of the values, or leave it out, or put in one that was left out."""
+        members = tuple(m for m in members if not m.is_counter)
+        if not members:
+            return
+        member = self.random.choice(members)
+        if member.when and member.name in values and self.random.random() < 0.5:
+            del values[member.name]
+            return
+        if member.name not in values:
+            if not member.when or member.dim != "one":
+                return
+            if not isinstance(member.type, (Struct, Blob, Announced)):
+                values[member.name] = self.number(member.type)
+            return
+        value = values[member.name]
+        if isinstance(value, list) and isinstance(member.type, Announced):
+            self.random.shuffle(value)
+        elif is_bytes(member):
+            values.pop(member.counter, None)
+            size = self.random.randint(0, member.capacity)
+            values[member.name] = self.random.randbytes(size).hex()
+        elif member.dim in ("counted", "rest") and self.random.random() < 0.5:
+            values.pop(member.counter, None)
+            self.resize(value, member.capacity)
+        elif isinstance(value, list):
+            for place in range(len(value)):
+                if self.random.random() < 0.5:
+                    value[place] = self.changed(member, value[place])
+        elif member.dim != "one":
+            for key in value:
+                value[key] = self.changed(member, value[key])
+        else:
+            values[member.name] = self.changed(member, value)
+
+    def resize(self, value: list[Any], capacity: int) -> None:
+        """Make a list shorter, or longer by repetition."""
+        size = self.random.choice((0, 1, capacity, self.random.randint(0, capacity)))
+        if not value:
+            return
+        value[:] = [copy.deepcopy(value[i % len(value)]) for i in range(size)]
+
+    def changed(self, member: Field, value: Any) -> Any:
+        """Another value of the same type."""
+        if isinstance(member.type, Struct):
+            self.change(member.type.fields, value)
+            return value
+        if isinstance(member.type, Blob):
+            if member.type.kind == "bytes":
+                return self.random.randbytes(member.type.size or 0).hex()
+            assert member.type.size is not None
+            size = self.random.choice((0, 1, member.type.size, self.random.randint(0, 20)))
+            return "".join(
+                self.random.choice("aZ~\x01\x7f") for _ in range(min(size, member.type.size))
+            )
+        return self.number(member.type)
+
+    def number(self, type_: Any) -> Any:
+        """A number of a type, often one that has a name."""
+        scalar = scalar_of(type_)
+        if scalar.minimum is None or scalar.maximum is None:
+            return self.random.choice((0.0, -0.0, 1.5, "inf", "nan:7fc00001", 16777216.0))
+        if isinstance(type_, Enum) and type_.values and self.random.random() < 0.7:
+            return self.random.choice(type_.values).value
+        return self.random.choice(
+            (
+                0,
+                1,
+                scalar.minimum,
+                scalar.maximum,
+                self.random.randint(scalar.minimum, scalar.maximum),
+            )
+        )

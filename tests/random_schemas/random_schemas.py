@@ -1,0 +1,188 @@
+"""Random specs through the generator, a compiler, and random messages both ways.
+
+For each seed: a random spec (spec_maker.py), generated; the program of tests/codec/vectors_test.cpp,
+compiled with the generated headers; and vectors of random messages by the reference codec
+(random_messages.py), on which the C++ codec must agree to the byte, also in what it refuses.
+
+What fails stays in its folder; `--seed N` makes it again.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+import time
+import traceback
+from pathlib import Path
+
+from random_messages import lines_of
+from spec_maker import write_spec
+
+from sbgcgen.build import load_protocol
+from sbgcgen.diagnostics import SpecError
+from sbgcgen.emit import Output, outputs
+
+ROOT = Path(__file__).resolve().parents[2]
+SOURCES = [ROOT / "tests/codec/any_message.cpp", ROOT / "tests/codec/vectors_test.cpp"]
+WARNINGS = """-Wall -Wextra -Wpedantic -Wcast-align -Wcast-qual -Wconversion -Wdouble-promotion
+    -Wextra-semi -Wformat=2 -Wimplicit-fallthrough -Wold-style-cast -Wshadow -Wsign-conversion -Wundef
+    -Wunused -Werror""".split()
+SANITIZERS = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
+
+
+class Failure(Exception):
+    """What went wrong with a spec."""
+
+
+class Trial:
+    """One random spec in a folder of its own."""
+
+    def __init__(self, seed: int, folder: Path, options: argparse.Namespace) -> None:
+        self.seed = seed
+        self.folder = folder
+        self.options = options
+        self.spec = folder / "spec"
+        self.vectors = folder / "generated" / "vectors"
+        self.program = folder / "program"
+
+    def run(self) -> str:
+        """Do it all; returns how much that was. Raises Failure."""
+        shutil.rmtree(self.folder, ignore_errors=True)
+        write_spec(self.spec, self.seed, self.options.size)
+        messages, lines = self.generate()
+        compiler = self.options.compiler[self.seed % len(self.options.compiler)]
+        self.compile(compiler)
+        self.compare()
+        return f"{messages} messages, {lines} random lines, {Path(compiler).name}"
+
+    def generate(self) -> tuple[int, int]:
+        """Run the generator, and add vectors of random messages to its own."""
+        try:
+            layout = load_protocol(self.spec).layout
+            Output(self.folder / "generated", outputs(layout)).write()
+            lines = list(lines_of(layout, self.seed, self.options.messages))
+        except SpecError as error:
+            raise Failure(f"the spec has findings:\n{error}") from error
+        except Exception as error:
+            raise Failure(f"the generator failed:\n{traceback.format_exc()}") from error
+        (self.vectors / "random.jsonl").write_text("".join(lines), encoding="utf-8")
+        return len(layout.messages), len(lines)
+
+    def compile(self, compiler: str) -> None:
+        """Compile and link the program that runs vectors."""
+        flags = ["-std=c++20", *WARNINGS, '-DSBGC_GENERATED="."']
+        flags += ["-O1", "-g", *SANITIZERS] if self.options.sanitize else ["-O0"]
+        folders = ("generated/include", ROOT / "runtime/include", ROOT / "tests/codec")
+        flags += [f"-I{folder}" for folder in folders]
+        command = [*shlex.split(self.options.launcher), compiler, *flags]
+        objects = [f"{source.stem}.o" for source in SOURCES]
+        steps = [
+            subprocess.Popen(
+                [*command, "-c", str(source), "-o", name],
+                cwd=self.folder,
+                stderr=subprocess.PIPE,
+                text=True,
+            )
+            for source, name in zip(SOURCES, objects)
+        ]
+        for step in steps:
+            _, errors = step.communicate()
+            if step.returncode:
+                told = [text for text in errors.splitlines() if "error:" in text]
+                raise Failure("it does not compile:\n" + "\n".join(told[:5] or [errors[:2000]]))
+        linked = [
+            compiler,
+            *flags,
+            *objects,
+            "-o",
+            "program",
+            "-lgtest",
+            "-lgtest_main",
+            "-pthread",
+        ]
+        subprocess.run(linked, cwd=self.folder, check=True)
+
+    def compare(self) -> None:
+        """Run the vectors; of what fails, the shortest is told."""
+        output = self.run_vectors(self.folder / "generated")
+        if not output:
+            return
+        failing = []
+        for name, number in sorted(set(re.findall(r"(\w+)\.jsonl:([0-9]+)", output))):
+            lines = (self.vectors / f"{name}.jsonl").read_text(encoding="utf-8").splitlines()
+            failing.append(lines[int(number) - 1])
+        if not failing:
+            raise Failure(output[-3000:])
+        shortest = self.folder / "shortest" / "vectors"
+        shortest.mkdir(parents=True)
+        line = min(failing, key=len)
+        (shortest / "failure.jsonl").write_text(line + "\n", encoding="utf-8")
+        told = self.run_vectors(shortest.parent)
+        raise Failure(f"{len(failing)} vectors fail; the shortest:\n{line[:1500]}\n{told[:3000]}")
+
+    def run_vectors(self, folder: Path) -> str:
+        """Run the program on the vectors in a folder; its output if something fails."""
+        command = [str(self.folder.resolve() / "program"), "--gtest_brief=1"]
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+        return (done.stdout + done.stderr) if done.returncode else ""
+
+
+def _options(arguments: list[str] | None) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("--seed", type=int, help="seed of the first spec (default: 1; long: any)")
+    parser.add_argument("--count", type=int, help="specs, with one seed after the other")
+    parser.add_argument("--messages", type=int, help="random lines for each message")
+    parser.add_argument("--size", type=int, help="about how many commands a spec has")
+    parser.add_argument("--sanitize", action="store_true", help="with address and UB sanitizers")
+    parser.add_argument("--compiler", action="append", help="taken in turn if there are several")
+    parser.add_argument("--launcher", default="", help="what runs the compiler, such as ccache")
+    parser.add_argument("--folder", type=Path, default=ROOT / "build/random_schemas")
+    parser.add_argument("--keep", action="store_true", help="keep what has not failed, too")
+    parser.add_argument("--long", action="store_true", help="many large specs, with sanitizers")
+    options = parser.parse_args(arguments)
+    defaults = {"count": 1, "messages": 60, "size": 4, "seed": 1}
+    if options.long:
+        options.sanitize = True
+        fresh = int(time.time()) % 1_000_000
+        defaults = {"count": 24, "messages": 250, "size": 12, "seed": fresh}
+    for name, value in defaults.items():
+        if getattr(options, name) is None:
+            setattr(options, name, value)
+    if not options.compiler:
+        both = [name for name in ("g++", "clang++") if shutil.which(name)]
+        options.compiler = both if options.long else [os.environ.get("CXX", "g++")]
+    return options
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the trials; the exit status is 1 if one fails."""
+    options = _options(arguments)
+    failed = []
+    for seed in range(options.seed, options.seed + options.count):
+        folder = options.folder / str(seed)
+        begin = time.monotonic()
+        print(f"seed {seed}: ", end="", flush=True)
+        try:
+            told = Trial(seed, folder, options).run()
+            print(f"{told}, {time.monotonic() - begin:.1f} s", flush=True)
+            if not options.keep:
+                shutil.rmtree(folder)
+        except Failure as failure:
+            failed.append(seed)
+            again = f"--seed {seed} --size {options.size} --messages {options.messages}"
+            print(
+                f"FAILED\n{failure}\nkept: {folder}\nagain: {Path(__file__).name} {again}",
+                flush=True,
+            )
+    if failed:
+        print(f"failed seeds: {' '.join(map(str, failed))}", file=sys.stderr)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
