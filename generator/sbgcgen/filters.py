@@ -25,15 +25,15 @@ from sbgcgen.names import camel_case
 
 def comment(text: str, indent: int = 0, width: int = 100, mark: str = "/// ") -> str:
     """Text as comment lines, wrapped; the first line is not indented."""
-    lines = textwrap.wrap(text, width - indent - len(mark)) or [""]
+    lines = textwrap.wrap(text.replace("??", "? ?"), width - indent - len(mark)) or [""]
     # A backslash at the end of a line would make the next one part of the comment.
     lines = [f"{line} ." if line.endswith("\\") else line for line in lines]
     return f"\n{' ' * indent}".join((mark + line).rstrip() for line in lines)
 
 
 def c_string(text: str) -> str:
-    """Text as a C string literal."""
-    return json.dumps(text, ensure_ascii=False)
+    """Text as a C string literal, in which nothing looks like a trigraph."""
+    return json.dumps(text, ensure_ascii=False).replace("??", "?\\?")
 
 
 def to_json(value: Any) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sbgcgen.diagnostics import Diagnostics, did_you_mean
+from sbgcgen.diagnostics import Diagnostics, Position, did_you_mean
 from sbgcgen.load import Spec
 from sbgcgen.model import Command, Enum, Field, Layout, Message, Packed, Quantity, Struct, Variable
 from sbgcgen.names import CPP_TYPES, MESSAGE_WORDS, STRUCT_WORDS
@@ -65,11 +65,13 @@ def _check_bodies(layout: Layout, found: Diagnostics) -> None:
             if field.name in STRUCT_WORDS:
                 text = f"'{field.name}' is a member that every struct has"
                 found.add(field.at, "SBGC022", text, "give the field another name with 'as'")
+            _check_member(field, taken, found)
     for message in layout.messages:
         for field in message.fields:
             if field.name in MESSAGE_WORDS:
                 text = f"'{field.name}' is a member that every message has"
                 found.add(field.at, "SBGC022", text, "give the field another name with 'as'")
+            _check_member(field, taken, found)
         if message.name in taken:
             text = f"message {message.name} has the name of a type (at {taken[message.name]})"
             found.add(message.at, "SBGC028", text, "give the message another one with 'as'")
@@ -77,6 +79,12 @@ def _check_bodies(layout: Layout, found: Diagnostics) -> None:
             text = f"message {message.name} has the name of a type of the library"
             found.add(message.at, "SBGC028", text, "give the message another one with 'as'")
         _check_alternatives(message, message.fields, found)
+
+
+def _check_member(field: Field, taken: dict[str, Position], found: Diagnostics) -> None:
+    if field.name in taken or field.name in CPP_TYPES:
+        text = f"'{field.name}' is the name of a type"
+        found.add(field.at, "SBGC022", text, "a member's name begins with a lower-case letter")
 
 
 def _check_alternatives(message: Message, fields: tuple[Field, ...], found: Diagnostics) -> None:

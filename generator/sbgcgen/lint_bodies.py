@@ -219,8 +219,8 @@ def _check_contexts(message: Message, layout: Layout, found: Diagnostics) -> Non
         wanted = field.type.context if isinstance(field.type, Announced) else ""
         if field.when is not None and field.when.from_context:
             wanted = field.when.source
-        announces = isinstance(field.type, Announced)
-        if wanted and (wanted not in known or announces != bool(known[wanted].announced)):
+        context_type = field.when.enum if field.when else None
+        if wanted and (wanted not in known or known[wanted].type != context_type):
             text = f"{message.name} has no context '{wanted.upper()}' for '{field.name}'"
             hint = "list it under 'context' (with 'announced_by' for announced numbers)"
             found.add(field.at, "SBGC026", text, hint)

@@ -23,14 +23,14 @@ CPP_WORDS = frozenset(
     switch template this thread_local throw true try typedef typeid typename union unsigned
     using virtual void volatile wchar_t while xor xor_eq""".split()
 )
-# Types of the runtime, beside which the generated ones stand.
+# Types of the runtime, beside which the generated ones stand, and a name that the templates use.
 CPP_TYPES = frozenset(
-    """AllMessages AlternativeUnit AnswerInfo Availability Axes BasicParser BoundedArray BoundedBytes
-    BoundedText Bytes Code Context Contexts Conversion Counter Direction EnumInfo EnumMeta FieldInfo
-    FieldPath Flags Form Frame Framing Json JsonError Message MessageInfo Meta Number NumberType
-    NumberTypes Optional PackedInfo PackedMeta Parser ParserCounters PartInfo Range RawValue Rule
-    Special Status Text Type TypeList ValueInfo VariableInfo Verdict Violation WriteResult
-    Xyz""".split()
+    """AllMessages AlternativeUnit AnswerInfo Availability Axes BasicParser BoundedArray
+    BoundedBytes BoundedText Bytes Candidate Code Context Contexts Conversion Counter Direction
+    EnumInfo EnumMeta FieldInfo FieldPath Flags Form Frame Framing Json JsonError M Message
+    MessageInfo Meta Number NumberType NumberTypes Optional PackedInfo PackedMeta Parser
+    ParserCounters PartInfo Range RawValue Rule Special Status Text Type TypeList ValueInfo
+    VariableInfo Verdict Violation WriteResult Xyz""".split()
 )
 # Members that every generated message has of its own.
 MESSAGE_WORDS = frozenset(("command", "direction", "form", "min_size", "max_size", "since", "tail"))

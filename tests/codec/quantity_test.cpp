@@ -159,6 +159,16 @@ static_assert(FitsIntoAngle<719>);
 static_assert(!FitsIntoAngle<721>);
 static_assert(!FitsIntoAngle<-721>);
 
+/// A quantity over a float: not rounded, but it has to fit.
+class Radians : public detail::Quantity<Radians, float, 1, 2> {
+ public:
+  using Quantity::Quantity;
+};
+static_assert(Radians(3.0F).real() == 1.5);
+static_assert((*Radians::from_real(1.5)).raw() == 3.0F);
+static_assert((*Radians::from_real(-0.125)).raw() == -0.25F);
+static_assert(!Radians::from_real(1e39));
+
 TEST(Conversion, OfARunTimeValueHasToBeAsked) {
   const auto convert = [](double degrees) { return Angle14::from_degrees(degrees); };
   volatile double degrees = 45;

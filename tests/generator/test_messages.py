@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from support import layout_of, message_of
+import pytest
+
+from sbgcgen.build import load_protocol
+from sbgcgen.diagnostics import SpecError
+from support import layout_of, message_of, write_spec
 
 HEAD = """\
 family: probe
@@ -269,3 +273,56 @@ def test_context_comes_from_the_request(tmp_path: Path) -> None:
 def test_max_size_that_is_known_otherwise(tmp_path: Path) -> None:
     text = BOTH.replace("      fields:\n", "      max_size: 6\n      fields:\n")
     assert message_of(layout_of(tmp_path, text), "LongName3").max_size == 6
+
+
+SAME_AS_A_FORM = """family: probe
+summary: Forms.
+commands:
+  CMD_LATER:
+    id: 9
+    summary: The body of a message that comes later, and has that of a form.
+    from_board: {source: L1, same_as: Middle}
+  CMD_MIDDLE:
+    id: 10
+    summary: The body of a form.
+    from_board: {source: L1, same_as: Probe}
+  CMD_PROBE:
+    id: 11
+    summary: Two forms.
+    from_board:
+      source: L1
+      forms:
+        simple: {fields: [{name: A, type: u8, summary: A number.}]}
+        extended: {fields: [{name: B, type: u16, summary: A number.}]}
+"""
+
+
+def test_body_of_a_form_grows_as_that_does(tmp_path: Path) -> None:
+    """The codec is the same, so what is true of the form is true of all that have its body."""
+    layout = layout_of(tmp_path, SAME_AS_A_FORM)
+    for name in ("Probe", "Middle", "Later"):
+        assert not message_of(layout, name).keeps_tail, name
+    names = [m.name for m in layout.families[-1].definitions]
+    assert names.index("Probe") < names.index("Middle") < names.index("Later")
+
+
+CIRCLE = """family: probe
+summary: A circle.
+structs:
+  Mine:
+    summary: A struct that another family uses.
+    fields:
+      - {name: A, type: u8, summary: A number.}
+      - {name: B, type: Pair, summary: A struct of that family.}
+"""
+
+
+def test_families_use_each_other_in_one_direction(tmp_path: Path) -> None:
+    """Their headers would include each other."""
+    spec = write_spec(tmp_path, CIRCLE)
+    with (spec / "base.yaml").open("a", encoding="utf-8") as base:
+        base.write("        - {name: MINE, type: Mine, summary: A struct of another family.}\n")
+    with pytest.raises(SpecError) as raised:
+        load_protocol(spec)
+    (finding,) = raised.value.diagnostics
+    assert finding.code == "SBGC029" and "third family" in finding.hint

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from sbgcgen.names import (
+    CPP_TYPES,
     CPP_WORDS,
     camel_case,
     is_identifier,
@@ -15,6 +18,7 @@ from sbgcgen.names import (
     snake_case,
     type_advice,
 )
+from support import PROJECT
 
 
 @pytest.mark.parametrize(
@@ -128,6 +132,20 @@ def test_words_of_cpp20_are_complete() -> None:
     for word in ("and_eq", "not_eq", "or_eq", "xor_eq", "const_cast"):
         assert word in CPP_WORDS
     assert "final" not in CPP_WORDS, "it has a meaning only in some places"
+
+
+def test_types_of_the_runtime_are_complete() -> None:
+    """A type of the spec with one of these names would not compile; add what is new there."""
+    declared = re.compile(
+        r"^(?:template <.*>\n)?(?:inline constexpr \w+ |class |struct |enum class |concept |using )"
+        r"(?:\[\[\w+\]\] )?([A-Z]\w+)(?! *<)\b",
+        re.MULTILINE,
+    )
+    for header in (PROJECT / "runtime/include/sbgc").glob("*.hpp"):
+        text = header.read_text(encoding="utf-8")
+        for part in re.split(r"^namespace ", text, flags=re.MULTILINE)[1:]:
+            if part.startswith("sbgc {"):
+                assert set(declared.findall(part)) <= CPP_TYPES, header.name
 
 
 def test_lines_of_a_source() -> None:

@@ -76,7 +76,7 @@ class Trial:
     def compile(self, compiler: str) -> None:
         """Compile and link the program that runs vectors."""
         flags = ["-std=c++20", *WARNINGS, '-DSBGC_GENERATED="."']
-        flags += ["-O1", "-g", *SANITIZERS] if self.options.sanitize else ["-O0"]
+        flags += ["-O0", *(["-g1", *SANITIZERS] if self.options.sanitize else [])]
         folders = ("generated/include", ROOT / "runtime/include", ROOT / "tests/codec")
         flags += [f"-I{folder}" for folder in folders]
         command = [*shlex.split(self.options.launcher), compiler, *flags]
@@ -149,7 +149,7 @@ def _options(arguments: list[str] | None) -> argparse.Namespace:
     if options.long:
         options.sanitize = True
         fresh = int(time.time()) % 1_000_000
-        defaults = {"count": 24, "messages": 250, "size": 12, "seed": fresh}
+        defaults = {"count": 20, "messages": 250, "size": 10, "seed": fresh}
     for name, value in defaults.items():
         if getattr(options, name) is None:
             setattr(options, name, value)
