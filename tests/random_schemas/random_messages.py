@@ -117,7 +117,7 @@ class _Messages:
         for path, member, _ in variable_parts(self.message.fields):
             if self.random.random() < 0.5:
                 most = member.capacity if member.dim in LISTS else 30
-                lengths[path] = self.random.choice((0, 1, 2, min(5, most), most))
+                lengths[path] = min(most, self.random.choice((0, 1, 2, 3, 4, 7, MAX_BODY)))
         choice = Choice(
             self.places,
             round=self.random.randrange(1000),

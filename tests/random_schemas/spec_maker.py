@@ -594,7 +594,7 @@ class SpecMaker:
         for _ in range(self.random.randint(1, 2)):
             self.add_announcement()
         makers = [self.add_forms, self.add_both_ways, self.add_same, self.add_including]
-        makers += [self.add_dependent]
+        makers += [self.add_dependent, self.add_gaps]
         for maker in makers:
             maker()
         makers += [self.add_command] * 5 + [self.add_undocumented]
@@ -729,6 +729,23 @@ class SpecMaker:
         name = self.unique("Same")
         node[direction] = self.side(direction, name, {"same_as": body.name})
         self.bodies.append(replace(body, name=name, family=family, direction=direction))
+
+    def add_gaps(self) -> None:
+        """A message with values that may be missing in front of bytes that may be taken for them."""
+        direction = self.either()
+        _, family, node = self.new_command(direction)
+        scope = self.scope(family)
+        self.add_condition_source(scope)
+        for _ in range(self.random.randint(1, 3)):
+            when = {**(self.condition(scope) or {}), "may_be_missing": True}
+            kind = self.number_kind() if self.chance(0.7) else self.blob_kind()
+            gap = self.said({"name": self.field_name(), "type": kind.name, "when": when})
+            scope.add(gap, 0, kind.memory + 4, False)
+        scope.add(self.said({"name": self.field_name(), "type": "bytes[]"}), 0, MAX_BODY, False)
+        scope.takes_rest = True
+        name = self.unique("Gaps")
+        node[direction] = self.side(direction, name, {"fields": scope.fields})
+        self.add_body(name, scope, direction)
 
     def add_including(self) -> None:
         """A message that includes another."""
