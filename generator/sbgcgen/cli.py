@@ -7,10 +7,11 @@ import re
 import sys
 from pathlib import Path
 
-from sbgcgen import compat_report
 from sbgcgen.build import load_protocol
 from sbgcgen.diagnostics import SpecError
+from sbgcgen import compat_report
 from sbgcgen.emit import Output, inputs, outputs
+from sbgcgen.model import Layout
 
 _ROOT = Path(__file__).resolve().parents[2]
 
@@ -23,6 +24,7 @@ def _parser() -> argparse.ArgumentParser:
     for name, text in (
         ("generate", "write generated/; files that do not change are left alone"),
         ("check", "tell whether generated/ is what spec/ and generator/ say; exit status 1 if not"),
+        ("site", "write the reference site; it is not part of generated/"),
         ("lint", "check spec/ only"),
         ("compat", "tell what changed since another version of the spec; exit status 1 for breaks"),
     ):
@@ -32,6 +34,8 @@ def _parser() -> argparse.ArgumentParser:
         if name == "compat":
             sub.add_argument("old", metavar="OLD", help="spec folder, or git revision")
             sub.add_argument("new", metavar="NEW", nargs="?", help="the same; default: spec/ as is")
+        if name == "site":
+            sub.add_argument("--output", type=Path, help="output folder, if not <root>/build/site")
         if name == "generate":
             sub.add_argument("--output", type=Path, help="output folder, if not <root>/generated")
             sub.add_argument("--depfile", type=Path, help="write what was read, as a Make rule")
@@ -47,6 +51,16 @@ def _write_depfile(depfile: Path, stamp: Path, read: list[Path]) -> None:
 
 def _escape(path: Path) -> str:
     return re.sub(r"([ #\\])", r"\\\1", str(path)).replace("$", "$$")
+
+
+def _output(options: argparse.Namespace, root: Path, layout: Layout) -> Output:
+    chosen: Path | None = getattr(options, "output", None)
+    if options.command == "site":
+        from sbgcgen import site  # needs more modules than everything else
+
+        folder = (chosen or root / "build" / "site").resolve()
+        return Output(folder, site.outputs(layout, root / "docs"), site.MARK)
+    return Output((chosen or root / "generated").resolve(), outputs(layout))
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -70,8 +84,7 @@ def main(arguments: list[str] | None = None) -> int:
     if options.command == "lint":
         print(f"{len(layout.commands)} commands, {len(layout.messages)} messages: no errors")
         return 0
-    folder = getattr(options, "output", None) or root / "generated"
-    output = Output(folder.resolve(), outputs(layout))
+    output = _output(options, root, layout)
     if options.command == "check":
         drift = output.drift()
         for line in drift:
@@ -81,9 +94,9 @@ def main(arguments: list[str] | None = None) -> int:
         return 1 if drift else 0
     try:
         changed = output.write()
-        if options.depfile:
+        if getattr(options, "depfile", None):
             _write_depfile(options.depfile, options.stamp, protocol.spec.files + inputs())
-        if options.stamp:
+        if getattr(options, "stamp", None):
             options.stamp.parent.mkdir(parents=True, exist_ok=True)
             options.stamp.touch()
     except OSError as error:

@@ -1,15 +1,20 @@
 """Renders the templates and writes what has changed.
 
 A template's path says where its output goes: `templates/<target>/a/@family@.hpp.j2` makes
-`generated/a/<family>.hpp` for each family. Adding a target is adding templates.
+`generated/a/<family>.hpp` for each family. Adding a target is adding templates. Files that end in
+.jinja are for templates to import; any other that does not end in .j2 is copied as it is.
+
+The target `site` has a folder of its own (see site.py), which is not committed.
 """
 
 from __future__ import annotations
 
 import errno
-from collections.abc import Iterator
+import re
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any, Optional
 
 import jinja2
 
@@ -17,10 +22,20 @@ from sbgcgen import seeds, vectors
 from sbgcgen.export import export
 from sbgcgen.filters import FILTERS, TESTS
 from sbgcgen.model import Layout
+from sbgcgen.names import slug
 
 TEMPLATES = Path(__file__).resolve().parent.parent / "templates"
-# Every output has it, so a folder without it is not ours to clean.
-_MARK = "simplebgc.json"
+SITE = "site"
+
+Items = list[tuple[str, Any]]  # what stands in the path, and what the template gets to see
+# What @family@ and the like in a path stand for.
+_EACH: dict[str, Callable[[Layout], Items]] = {
+    "family": lambda layout: [(f.name, f) for f in layout.families if f.messages or f.structs],
+    "message": lambda layout: [(slug(m.name), m) for m in layout.definitions],
+    "enum": lambda layout: [(slug(e.name), e) for e in layout.enums],
+    "packed": lambda layout: [(slug(p.name), p) for p in layout.packed],
+    "unit": lambda layout: [(slug(q.name), q) for q in layout.quantities],
+}
 
 
 def inputs() -> list[Path]:
@@ -41,7 +56,7 @@ def _environment() -> jinja2.Environment:
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,
-        autoescape=False,
+        autoescape=lambda name: (name or "").endswith((".html.j2", ".html.jinja")),
         extensions=["jinja2.ext.do", "jinja2.ext.loopcontrols"],
     )
     environment.filters.update(FILTERS)
@@ -52,23 +67,57 @@ def _environment() -> jinja2.Environment:
 
 def outputs(layout: Layout) -> dict[str, bytes]:
     """All output files by their path below generated/."""
-    return {**dict(_render(layout)), **dict(vectors.files(layout)), **dict(seeds.files(layout))}
+    files = {**dict(vectors.files(layout)), **dict(seeds.files(layout))}
+    for target in sorted(path.name for path in TEMPLATES.iterdir() if path.name != SITE):
+        files.update(render(target, layout))
+    return files
 
 
-def _render(layout: Layout) -> Iterator[tuple[str, bytes]]:
+def render(
+    target: str,
+    layout: Layout,
+    each: Optional[Mapping[str, Items]] = None,
+    names: Optional[Mapping[str, Any]] = None,
+) -> Iterator[tuple[str, bytes]]:
+    """The output files of one target.
+
+    `each` has more of what may stand between @ and @ in a path, `names` more of what all templates
+    see. Each template sees `here`, the path of its output, and `root`, the way from there up.
+    """
     environment = _environment()
-    environment.globals.update(layout=layout, model=export(layout))
-    for path in sorted(TEMPLATES.rglob("*.j2")):
-        name = path.relative_to(TEMPLATES).as_posix()
-        template = environment.get_template(name)
-        _, _, target = name.removesuffix(".j2").partition("/")
-        if "@family@" in target:
-            for family in layout.families:
-                if family.messages or family.structs:
-                    text = template.render(family=family)
-                    yield target.replace("@family@", family.name), text.encode()
+    environment.globals.update(layout=layout, model=export(layout), **(names or {}))
+    sources = sources_of(target)
+    for path, output, values in expand(sources, layout, each or {}):
+        if path.suffix == ".j2":
+            template = environment.get_template(path.relative_to(TEMPLATES).as_posix())
+            text = template.render(here=output, root="../" * output.count("/"), **values)
+            yield output, text.encode()
         else:
-            yield target, template.render().encode()
+            yield output, path.read_bytes()
+
+
+def sources_of(target: str) -> dict[str, Path]:
+    """The files of a target that have an output, by its path (as yet with @family@ and the like)."""
+    folder = TEMPLATES / target
+    return {
+        path.relative_to(folder).as_posix().removesuffix(".j2"): path
+        for path in sorted(folder.rglob("*"))
+        if path.is_file() and path.suffix != ".jinja"
+    }
+
+
+def expand(
+    sources: Mapping[str, Path], layout: Layout, each: Mapping[str, Items]
+) -> Iterator[tuple[Path, str, dict[str, Any]]]:
+    """Each source with the paths of its outputs, and what its template gets to see for each."""
+    for output, path in sources.items():
+        placeholder = re.search(r"@(\w+)@", output)
+        if placeholder is None:
+            yield path, output, {}
+            continue
+        name = placeholder[1]
+        for word, item in each[name] if name in each else _EACH[name](layout):
+            yield path, output.replace(placeholder[0], word), {name: item}
 
 
 @dataclass(frozen=True)
@@ -77,6 +126,8 @@ class Output:
 
     folder: Path
     files: dict[str, bytes]
+    # A file that every such output has; without it, a folder is not ours to clean.
+    mark: str = "simplebgc.json"
 
     def _stale(self) -> list[str]:
         if not self.folder.is_dir():
@@ -104,7 +155,7 @@ class Output:
         deleted, so it must be empty or hold an earlier output.
         """
         stale = self._stale()
-        if stale and not (self.folder / _MARK).is_file():
+        if stale and not (self.folder / self.mark).is_file():
             raise FileExistsError(errno.EEXIST, "it holds other files", str(self.folder))
         changed = 0
         for name, content in self.files.items():

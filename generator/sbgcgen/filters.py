@@ -20,7 +20,7 @@ from sbgcgen.model import (
     Scalar,
     Struct,
 )
-from sbgcgen.names import camel_case
+from sbgcgen.names import camel_case, slug
 
 
 def comment(text: str, indent: int = 0, width: int = 100, mark: str = "/// ") -> str:
@@ -70,6 +70,11 @@ def fast_runs(fields: list[Field]) -> list[Run | Field]:
     return joined if len(fields) > 2 and 2 * len(joined) <= len(fields) else []
 
 
+def title_of(name: str) -> str:
+    """adjustable_variables -> Adjustable variables; a short name is an abbreviation: imu -> IMU."""
+    return name.upper() if len(name) <= 3 else name.replace("_", " ").capitalize()
+
+
 FILTERS: dict[str, Callable[..., Any]] = {
     "comment": comment,
     "c_string": c_string,
@@ -79,6 +84,8 @@ FILTERS: dict[str, Callable[..., Any]] = {
     "hex": hexadecimal,
     "fast_runs": fast_runs,
     "camel": camel_case,
+    "slug": slug,
+    "title_of": title_of,
 }
 
 TESTS: dict[str, Callable[..., bool]] = {

@@ -92,6 +92,11 @@ def camel_case(name: str) -> str:
     return "".join(word.capitalize() for word in name.split("_"))
 
 
+def slug(name: str) -> str:
+    """BoardInfo3Request -> board-info3-request, as it stands in paths."""
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "-", name).lower()
+
+
 def is_identifier(name: str) -> bool:
     """Whether `name` can stand in C++ as it is; two underscores belong to the compiler."""
     fits = re.match(r"[A-Za-z][A-Za-z0-9_]*\Z", name)

@@ -1,0 +1,85 @@
+// Small comforts; every page can be read without them.
+"use strict";
+
+(() => {
+  const root = document.documentElement;
+
+  // Light or dark
+  const theme = document.querySelector(".theme");
+  const system = matchMedia("(prefers-color-scheme: dark)");
+  const isDark = () => (root.dataset.theme ?? (system.matches ? "dark" : "light")) === "dark";
+  const showTheme = () => theme.setAttribute("aria-pressed", String(isDark()));
+  theme.addEventListener("click", () => {
+    root.dataset.theme = isDark() ? "light" : "dark";
+    try {
+      localStorage.setItem("theme", root.dataset.theme);
+    } catch {
+      // It holds for this page only.
+    }
+    showTheme();
+  });
+  system.addEventListener("change", showTheme);
+  showTheme();
+
+  // The menu on a narrow page. Without this script it opens by its address, #menu.
+  const menu = document.getElementById("menu");
+  const opener = document.querySelector(".menu-button");
+  const showMenu = (open) => {
+    menu.classList.toggle("open", open);
+    opener.setAttribute("aria-expanded", String(open));
+    if (open) menu.querySelector("[aria-current], a").focus();
+    else if (menu.contains(document.activeElement)) opener.focus();
+  };
+  opener.setAttribute("role", "button");
+  opener.setAttribute("aria-controls", "menu");
+  opener.setAttribute("aria-expanded", "false");
+  opener.addEventListener("click", (event) => {
+    event.preventDefault();
+    showMenu(!menu.classList.contains("open"));
+  });
+  opener.addEventListener("keydown", (event) => {
+    if (event.key !== " ") return;
+    event.preventDefault();
+    opener.click();
+  });
+  menu.querySelector(".close").addEventListener("click", (event) => {
+    event.preventDefault();
+    showMenu(false);
+  });
+  menu.addEventListener("keydown", (event) => {
+    if (event.key === "Escape") showMenu(false);
+  });
+
+  // Copy buttons
+  for (const block of document.querySelectorAll("[data-copy]")) {
+    if (!navigator.clipboard) break;
+    const button = document.createElement("button");
+    button.type = "button";
+    button.className = "copy";
+    button.textContent = "Copy";
+    button.setAttribute("aria-label", `Copy ${block.dataset.copy}`);
+    button.addEventListener("click", async () => {
+      const code = block.querySelector("code");
+      try {
+        await navigator.clipboard.writeText(code.textContent.trim());
+        button.textContent = "Copied";
+      } catch {
+        button.textContent = "Not allowed";
+      }
+      setTimeout(() => (button.textContent = "Copy"), 1500);
+    });
+    block.prepend(button);
+  }
+
+  // Bytes of a frame and the rows that explain them light each other up.
+  for (const part of document.querySelectorAll("[data-part]")) {
+    const scope = part.closest("section") ?? document;
+    const mark = (on) => {
+      for (const same of scope.querySelectorAll(`[data-part="${CSS.escape(part.dataset.part)}"]`)) {
+        same.classList.toggle("lit", on);
+      }
+    };
+    part.addEventListener("pointerenter", () => mark(true));
+    part.addEventListener("pointerleave", () => mark(false));
+  }
+})();
