@@ -9,6 +9,7 @@ from typing import Any
 from sbgcgen.edges import Edge, counting, edges
 from sbgcgen.model import SCALARS, Announced, Blob, Condition, Context, Field, Message, Struct, Type
 from sbgcgen.reference_codec import LISTS, CodecError, Fields, encode, holds, is_bytes, keys_of
+from sbgcgen.typical import typical
 
 
 def all_types(context: Context) -> list[str]:
@@ -40,7 +41,8 @@ class Choice:
 
     In each round every place is at another of its edges; the place's number is added, lest
     neighbours are alike. `forced` has values of fields by path; `lengths` those of lists and
-    texts by path. Others have a length that shows their edges, or, if `short`, the least.
+    texts by path. Others have a length that shows their edges, or, if `short`, the least. If
+    `typical`, all values are ordinary ones instead.
     """
 
     places: Places
@@ -50,6 +52,7 @@ class Choice:
     lengths: dict[str, int] = field(default_factory=dict)
     short: bool = False
     leave_out: bool = False
+    typical: bool = False
     chosen: list[tuple[str, str]] = field(default_factory=list)
     rounds_of_free: int = 1
     rounds_of_conditional: int = 1
@@ -98,6 +101,15 @@ def full_context(message: Message) -> Fields:
             context[when.source] = known | when.mask if when.mask else satisfying(when)[0]
     context.update({c.name: all_types(c) for c in message.contexts if c.announced})
     return context
+
+
+def typical_context(message: Message) -> Fields:
+    """A context in which some of what hangs on flags is there, and each type is announced."""
+    context: Fields = {}
+    for when in conditions(message):
+        if when.from_context and when.mask and bin(context.get(when.source, 0)).count("1") < 2:
+            context[when.source] = context.get(when.source, 0) | when.mask
+    return {**full_context(message), **context}
 
 
 def satisfying(when: Condition) -> list[int]:
@@ -201,6 +213,9 @@ class _Composer:
             return choice.lengths[name]
         if choice.short:
             return int(any(path.startswith(f"{name}[]") for path in choice.lengths))
+        if choice.typical:
+            usual = 0 if member.reserved else 4 if is_bytes(member) else 3
+            return min(-(-usual // member.align) * member.align, documented_length(fields, member))
         if is_bytes(member) or isinstance(member.type, Struct):
             typical = 2
         else:
@@ -216,6 +231,8 @@ class _Composer:
             if length is not None:
                 return "".join(chr(65 + i % 26) for i in range(length))
         number, found = choice.places.at(path, member, type_)
+        if choice.typical:
+            return typical(member, type_, number + self.element)
         if self.conditional:
             choice.rounds_of_conditional = max(choice.rounds_of_conditional, len(found))
         else:

@@ -17,6 +17,7 @@ from sbgcgen.compose import (
     first_that_fits,
     full_context,
     satisfying,
+    typical_context,
     variable_parts,
 )
 from sbgcgen.model import Message
@@ -38,6 +39,7 @@ class Vector:
 def vectors_of(message: Message, is_known: bool = False) -> list[Vector]:
     """The vectors of a message; only a few if another one has had all those of its body."""
     maker = _Maker(message)
+    maker.typical()
     maker.uniform()
     if is_known:
         maker.add(maker.choice(context=full_context(message)))
@@ -52,6 +54,13 @@ def vectors_of(message: Message, is_known: bool = False) -> list[Vector]:
     return maker.vectors
 
 
+def typical_vector(message: Message) -> Vector:
+    """The first of the vectors: what an ordinary message looks like."""
+    maker = _Maker(message)
+    maker.typical()
+    return maker.vectors[0]
+
+
 class _Maker:
     """Collects the vectors of one message, none twice."""
 
@@ -62,6 +71,16 @@ class _Maker:
         self.places = Places()
 
     # What is made
+
+    def typical(self) -> None:
+        """Ordinary values, with what the first condition about a field asks for."""
+        forced = next((case["forced"] for case in self.cases() if "forced" in case), {})
+        context = typical_context(self.message)
+        for short in (False, True):
+            choice = Choice(Places(), typical=True, context=context, forced=forced, short=short)
+            if len(encode(self.message, compose(self.message, choice))) <= self.message.max_size:
+                break
+        self.add(choice, "typical values")
 
     def uniform(self) -> None:
         """Nothing but zeros, nothing but ones."""
