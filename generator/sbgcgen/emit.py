@@ -78,14 +78,16 @@ def render(
     layout: Layout,
     each: Optional[Mapping[str, Items]] = None,
     names: Optional[Mapping[str, Any]] = None,
+    filters: Optional[Mapping[str, Callable[..., Any]]] = None,
 ) -> Iterator[tuple[str, bytes]]:
     """The output files of one target.
 
     `each` has more of what may stand between @ and @ in a path, `names` more of what all templates
-    see. Each template sees `here`, the path of its output, and `root`, the way from there up.
+    see, `filters` more of what they may do. Each template sees `here`, the path of its output, and `root`, the way from there up.
     """
     environment = _environment()
     environment.globals.update(layout=layout, model=export(layout), **(names or {}))
+    environment.filters.update(filters or {})
     sources = sources_of(target)
     for path, output, values in expand(sources, layout, each or {}):
         if path.suffix == ".j2":

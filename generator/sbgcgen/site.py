@@ -1,15 +1,26 @@
-"""The reference site: what its templates see, beyond the Layout."""
+"""The reference site: its guides, and what its templates may ask beyond the Layout."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
 from pathlib import Path
+from typing import Any
+from urllib.parse import quote
 
 import markdown
+from markupsafe import Markup, escape
 
+from sbgcgen import site_model
 from sbgcgen.emit import SITE, Items, expand, render, sources_of
-from sbgcgen.model import Layout
+from sbgcgen.example import Example, example_of, physical
+from sbgcgen.example_cpp import code_of
+from sbgcgen.model import Enum, Framing, Layout, Leaf, Message, Packed, Quantity
+from sbgcgen.site_model import Row
+from sbgcgen.site_search import search_entries
 
 # No other folder has this file, so no other one is taken for an earlier site and cleaned.
 MARK = "assets/search-index.js"
@@ -21,7 +32,7 @@ class Guide:
 
     name: str
     title: str
-    html: str
+    html: Markup
 
     @property
     def page(self) -> str:
@@ -35,10 +46,20 @@ def guides_in(folder: Path) -> list[Guide]:
 
 def _guide(path: Path) -> Guide:
     text = path.read_text(encoding="utf-8")
-    name = re.sub(r"^[0-9]+[-_]", "", path.stem)
     title = re.search(r"^# (.+)$", text, re.MULTILINE)
-    html = markdown.markdown(text, extensions=["tables", "fenced_code", "toc"], output_format="html")
-    return Guide(name, title[1].strip() if title else name, html)
+    html = markdown.markdown(
+        text, extensions=["tables", "fenced_code", "toc"], output_format="html"
+    )
+    # Guides link each other as files, so that they can be read where they lie, too.
+    html = re.sub(r'href="([\w-]+)\.md', lambda m: f'href="{_guide_name(m[1])}.html', html)
+    html = html.replace("<table>", '<div class="table free" tabindex="0"><table>')
+    html = html.replace("</table>", "</table></div>")
+    name = _guide_name(path.stem)
+    return Guide(name, title[1].strip() if title else name, Markup(html))
+
+
+def _guide_name(stem: str) -> str:
+    return re.sub(r"^[0-9]+[-_]", "", stem)
 
 
 def outputs(layout: Layout, docs: Path) -> dict[str, bytes]:
@@ -52,5 +73,191 @@ def outputs(layout: Layout, docs: Path) -> dict[str, bytes]:
     twice = {page for page in pages if pages.count(page) > 1}
     if twice:
         raise ValueError(f"several things have the page {min(twice)}")
-    names = {"pages": frozenset(pages), "guides": guides}
-    return dict(render(SITE, layout, each, names))
+    names: dict[str, Any] = {
+        "pages": frozenset(pages),
+        "guides": guides,
+        "uses": site_model.references(layout),
+        "errata": {erratum.number: erratum for erratum in layout.errata},
+        "added": site_model.added(layout),
+        "deprecated_always": site_model.deprecated_always(layout),
+        "confirmation": site_model.confirmation(layout),
+        "search_entries": search_entries(layout, guides),
+    }
+    return dict(render(SITE, layout, each, names, _filters(layout)))
+
+
+def _filters(layout: Layout) -> dict[str, Callable[..., Any]]:
+    """What templates of the site may do to parts of the model."""
+    prose = _Prose(layout)
+    undocumented = {command.name for command in layout.commands if command.undocumented}
+    rows = cache(site_model.rows_of)
+
+    def all_errata(message: Message) -> list[str]:
+        numbers = {*message.errata, *(n for row in rows(message) for n in row.field.errata)}
+        for instance in site_model.instances(message, layout):
+            numbers.update(instance.errata)
+            numbers.update(instance.answer.errata if instance.answer else ())
+        return sorted(numbers)
+
+    return {
+        "page": page_of,
+        "prose": prose,
+        "rows": rows,
+        "siblings": lambda message: site_model.siblings(message, layout),
+        "instances": lambda message: site_model.instances(message, layout),
+        "sizes": lambda message: site_model.sizes_of(message, layout),
+        "byte_map": site_model.byte_map,
+        "bits": bits_of,
+        "all_errata": all_errata,
+        "is_undocumented": lambda name: name in undocumented,
+        "example": lambda message: example_for_page(message, layout),
+        "cpp": code_of,
+        "hex_bytes": lambda data: data.hex(" ").upper(),
+        "plain": plain,
+        "physical": lambda raw, quantity: physical(int(raw), quantity),
+        "fragment": fragment,
+        "frame_parts": frame_parts,
+        "hex_list": lambda numbers: bytes(numbers).hex(" ").upper(),
+        "slug_of": lambda text: re.sub(r"[^a-z0-9.]+", "-", text.lower()),
+        "with_unit": lambda quantities: [q for q in quantities if q.unit],
+        "bits_hex": lambda value, size: f"0x{value & ((1 << 8 * size) - 1):0{2 * size}X}",
+        "short": short,
+        "label": label,
+        "size_words": size_words,
+        "offset_words": offset_words,
+    }
+
+
+def example_for_page(message: Message, layout: Layout) -> Example:
+    """The example of a message; of one in both directions that of the host's."""
+    instances = site_model.instances(message, layout)
+    return example_of(next((m for m in instances if m.direction == "to_board"), message), layout)
+
+
+def page_of(item: Message | Enum | Packed | Quantity) -> str:
+    """The path of the page that something has."""
+    if isinstance(item, Message):
+        return site_model.page_of_message(item)
+    return site_model.page_of_type(item)
+
+
+def fragment(link: str) -> str:
+    """A link whose fragment may have any characters."""
+    page, mark, name = link.partition("#")
+    return page + mark + quote(name)
+
+
+class _Prose:
+    """Text with links to the commands and errata that it names."""
+
+    def __init__(self, layout: Layout) -> None:
+        pages = {c.name: f"families/{c.family}.html#{c.name}" for c in layout.commands}
+        pages.update({e.number: f"errata.html#{e.number}" for e in layout.errata})
+        self.pages = pages
+        self.known = re.compile(r"\b(CMD_[A-Z0-9_]+|E[0-9]{3})\b")
+
+    def __call__(self, text: str, root: str) -> Markup:
+        parts = self.known.split(text)
+        result = Markup()
+        for part in parts:
+            page = self.pages.get(part)
+            result += Markup('<a href="{}">{}</a>').format(root + page, part) if page else escape(part)
+        return result
+
+
+# Words
+
+
+def plain(value: Fraction) -> str:
+    """An exact number as people write it: 255, -0.5, else a fraction."""
+    if value.denominator == 1:
+        return str(value.numerator)
+    text = f"{float(value):.10g}"
+    return text if Fraction(text) == value else str(value)
+
+
+def short(path: str) -> str:
+    """The end of a path that fits into a cell: axes.roll.speed -> roll.speed."""
+    words = path.split(".")
+    return ".".join(words[-2:])
+
+
+def label(row: Row) -> str:
+    """What a row is called: its name, with what it is repeated over."""
+    return row.path.rpartition(".")[2] if row.path[-1] != "*" else row.path.split(".")[-2] + ".*"
+
+
+def size_words(leaf: Leaf) -> str:
+    """How many bytes a leaf of varying place takes."""
+    size = site_model.size_of_leaf(leaf)
+    if size is not None:
+        return f"{size} byte" + "s" * (size != 1)
+    return "each " + leaf.type if leaf.type not in ("bytes", "text", "string") else leaf.type
+
+
+def offset_words(leaf: Leaf, row: Row) -> str:
+    """Where a leaf begins, as far as that is fixed."""
+    if leaf.offset is None:
+        return "varies"
+    return f"{leaf.offset}…" if "[]" in leaf.path and "[]" in row.path else str(leaf.offset)
+
+
+@dataclass(frozen=True)
+class FramePart:
+    """A part of a frame: where, what, how long, and what it is for."""
+
+    at: str
+    name: str
+    size: str
+    text: str
+
+
+def frame_parts(framing: Framing) -> list[FramePart]:
+    """The parts of a frame in the order of the line."""
+    body, most = framing.header_size, framing.max_body
+    return [
+        FramePart("0", "start", "1 byte", f"Always 0x{framing.start:02X}, the character {framing.start:c}."),
+        FramePart("1", "id", "1 byte", "The command, 1 to 255."),
+        FramePart("2", "size", "1 byte", f"How many bytes the body has, 0 to {most}."),
+        FramePart("3", "header checksum", "1 byte", "The sum of id and size, modulo 256."),
+        FramePart(str(body), "body", f"0 to {most} bytes", "What the command has to say."),
+        FramePart(
+            f"{body} + size",
+            "body checksum",
+            f"{framing.trailer_size} byte",
+            "The sum of all bytes of the body, modulo 256; 0 for an empty one.",
+        ),
+    ]
+
+
+@dataclass(frozen=True)
+class Bits:
+    """Neighbouring bits of a packed integer with one meaning; "" for none."""
+
+    name: str
+    label: str
+    width: int
+    number: int
+
+
+def bits_of(packed: Packed) -> list[Bits]:
+    """The bits of a packed integer, highest first; those cut out of decimal digits as a whole."""
+    total = 8 * packed.scalar.size
+    if any(part.is_digits for part in packed.parts):
+        names = ", ".join(part.name for part in packed.parts)
+        return [Bits(names, f"{total - 1}..0, decimal digits", total, 0)]
+    owner = [
+        next((i for i, part in enumerate(packed.parts) if part.mask >> bit & 1), None)
+        for bit in range(total)
+    ]
+    result: list[Bits] = []
+    high = total - 1
+    for bit in range(total - 1, -1, -1):
+        if bit and owner[bit - 1] == owner[bit]:
+            continue
+        number = owner[bit]
+        name = packed.parts[number].name if number is not None else ""
+        text = str(bit) if high == bit else f"{high}..{bit}"
+        result.append(Bits(name, text, high - bit + 1, number or 0))
+        high = bit - 1
+    return result

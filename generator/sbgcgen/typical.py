@@ -33,7 +33,10 @@ def typical(field: Field, type_: Type, place: int) -> Any:
 
 def _enum(type_: Enum, place: int, field: Field | None = None) -> int:
     """One of the named values, not the first if there are others; of flags, one or two."""
-    values = [v for v in type_.values if not v.since and _allows(field, v)] or list(type_.values)
+    values = [v for v in type_.values if not v.since and _allows(field, v)]
+    if not values and type_.kind == "flags":
+        return 0  # of what only later firmware has
+    values = values or list(type_.values)
     if type_.kind == "flags":
         first, second = values[place % len(values)], values[(place + 2) % len(values)]
         return first.value | second.value

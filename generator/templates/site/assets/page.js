@@ -73,7 +73,7 @@
 
   // Bytes of a frame and the rows that explain them light each other up.
   for (const part of document.querySelectorAll("[data-part]")) {
-    const scope = part.closest("section") ?? document;
+    const scope = part.closest("article") ?? document;
     const mark = (on) => {
       for (const same of scope.querySelectorAll(`[data-part="${CSS.escape(part.dataset.part)}"]`)) {
         same.classList.toggle("lit", on);
@@ -81,5 +81,10 @@
     };
     part.addEventListener("pointerenter", () => mark(true));
     part.addEventListener("pointerleave", () => mark(false));
+  }
+  for (const cell of document.querySelectorAll("[data-row]")) {
+    cell.addEventListener("click", () => {
+      location.hash = encodeURIComponent(cell.dataset.row);
+    });
   }
 })();
