@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -19,12 +19,13 @@ from sbgcgen.model import (
     Packed,
     Part,
     Quantity,
+    Scalar,
     Struct,
     Type,
 )
 from sbgcgen.reference_codec import (
+    LISTS,
     Fields,
-    float_to_bits,
     forms_of,
     is_bytes,
     keys_of,
@@ -105,7 +106,7 @@ def example_of(message: Message, layout: Layout) -> Example:
     framing = layout.framing
     frame = write_frame(framing, message.id, vector.body)
     taker = _Taker(layout, vector.body, vector.fields)
-    pieces = tuple(taker.fields(message.fields, vector.fields, "", "", "message."))
+    pieces = tuple(taker.fields(message.fields, vector.fields, _Place()))
     assert taker.at == len(vector.body), f"{message.name}: {taker.at} of {len(vector.body)} bytes"
     before = tuple(
         write_frame(framing, told["id"], bytes.fromhex(told["hex"]))
@@ -122,6 +123,35 @@ def example_of(message: Message, layout: Layout) -> Example:
     )
 
 
+@dataclass(frozen=True)
+class _Place:
+    """Where a value stands: in the message, among the leaves of the model, in C++.
+
+    `arrow` is how C++ reaches what is in it.
+    """
+
+    path: str = ""
+    leaf: str = ""
+    access: str = "message"
+    arrow: str = "."
+
+    def member(self, field: Field) -> _Place:
+        dot = "." if self.path else ""
+        return _Place(
+            f"{self.path}{dot}{field.name}",
+            f"{self.leaf}{dot}{field.name}",
+            f"{self.access}{self.arrow}{field.name}",
+            "->" if field.when else ".",
+        )
+
+    def key(self, key: str) -> _Place:
+        return _Place(f"{self.path}.{key}", f"{self.leaf}.{key}", f"{self.access}{self.arrow}{key}")
+
+    def item(self, field: Field, i: int) -> _Place:
+        list_ = f"(*{self.access})" if self.arrow == "->" else self.access
+        return _Place(f"{self.path}[{i}]", self.leaf + _index(field, i), f"{list_}[{i}]")
+
+
 class _Taker:
     """Takes the values of a body one behind the other."""
 
@@ -131,67 +161,55 @@ class _Taker:
         self.whole = whole
         self.at = 0
 
-    def fields(
-        self, fields: tuple[Field, ...], values: Fields, path: str, leaf: str, access: str
-    ) -> Iterator[Piece]:
+    def fields(self, fields: tuple[Field, ...], values: Fields, at: _Place) -> Iterator[Piece]:
         variable: Any = None
         for field in fields:
-            if field.name not in values:
-                continue
-            value = values[field.name]
-            for piece in self._field(field, value, path, leaf, access, variable):
-                yield piece
-            if isinstance(field.type, Enum):
-                variable = value
+            if field.name in values:
+                yield from self._field(field, values[field.name], at.member(field), variable)
+                if isinstance(field.type, Enum):
+                    variable = values[field.name]
 
-    def _field(
-        self, field: Field, value: Any, path: str, leaf: str, access: str, variable: Any
-    ) -> Iterator[Piece]:
-        name, leaf_name, cpp = path + field.name, leaf + field.name, access + field.name
-        dot = "->" if field.when else "."
+    def _field(self, field: Field, value: Any, at: _Place, variable: Any) -> Iterator[Piece]:
         if field.dim == "one":
-            yield from self._one(field, field.type, value, name, leaf_name, cpp, dot, variable)
-        elif field.dim not in ("fixed", "counted", "rest"):
+            yield from self._one(field, field.type, value, at, variable)
+        elif field.dim not in LISTS:
             for key in keys_of(field):
-                yield from self._one(
-                    field, field.type, value[key], f"{name}.{key}", f"{leaf_name}.{key}",
-                    f"{cpp}{dot}{key}", ".", variable,
-                )  # fmt: skip
+                yield from self._one(field, field.type, value[key], at.key(key))
         elif is_bytes(field):
-            size = len(value) // 2
-            yield self._piece(field, field.type, value, name, leaf_name, cpp, dot, size)
+            yield self._piece(field, field.type, value, at, len(value) // 2)
+        elif isinstance(field.type, Announced):
+            for i, number in enumerate(value):
+                for word, item in number.items():
+                    yield from self._one(field, SCALARS[word], item, at.item(field, i))
         else:
-            element = f"(*{cpp})" if field.when else cpp
             for i, item in enumerate(value):
-                inner_type: Type = field.type
-                if isinstance(field.type, Announced):
-                    ((word, item),) = item.items()
-                    inner_type = SCALARS[word]
-                yield from self._one(
-                    field, inner_type, item, f"{name}[{i}]", leaf_name + _index(field, i),
-                    f"{element}[{i}]", ".", variable,
-                )  # fmt: skip
+                yield from self._one(field, field.type, item, at.item(field, i))
 
     def _one(
-        self, field: Field, type_: Type, value: Any, path: str, leaf: str, cpp: str, dot: str,
-        variable: Any,
-    ) -> Iterator[Piece]:  # fmt: skip
-        if isinstance(type_, Struct):
-            for piece in self.fields(type_.fields, value, f"{path}.", f"{leaf}.", cpp + dot):
-                if type_.is_region and piece.field is type_.fields[-1]:
-                    piece = Piece(**{**vars(piece), "leaf": leaf})  # has no leaf of its own
-                yield piece
+        self, field: Field, type_: Type, value: Any, at: _Place, variable: Any = None
+    ) -> Iterator[Piece]:
+        if not isinstance(type_, Struct):
+            yield self._piece(field, type_, value, at, _size(type_, value), variable)
             return
-        size = _size(type_, value)
-        yield self._piece(field, type_, value, path, leaf, cpp, dot, size, variable)
+        for piece in self.fields(type_.fields, value, at):
+            is_rest = type_.is_region and piece.field is type_.fields[-1]
+            yield replace(piece, leaf=at.leaf) if is_rest else piece  # it has no leaf of its own
 
     def _piece(
-        self, field: Field, type_: Type, value: Any, path: str, leaf: str, cpp: str, dot: str,
-        size: int, variable: Any = None,
-    ) -> Piece:  # fmt: skip
-        meaning = self._meaning(field, type_, value, path, variable)
-        data = self.body[self.at : self.at + size]
-        piece = Piece(path, leaf, cpp, dot == "->", field, type_, value, self.at, data, meaning)
+        self, field: Field, type_: Type, value: Any, at: _Place, size: int, variable: Any = None
+    ) -> Piece:
+        piece = Piece(
+            path=at.path,
+            leaf=at.leaf,
+            access=at.access,
+            may_be_missing=at.arrow == "->",
+            field=field,
+            type=type_,
+            value=value,
+            offset=self.at,
+            data=self.body[self.at : self.at + size],
+            meaning=self._meaning(field, type_, value, at.path, variable),
+        )
         self.at += size
         return piece
 
@@ -204,7 +222,7 @@ class _Taker:
         if field.variable:
             return self._variable(value, variable)
         if isinstance(field.type, Announced):
-            return type_.name if hasattr(type_, "name") else ""
+            return type_.name if isinstance(type_, Scalar) else ""
         if isinstance(type_, Quantity):
             return physical(value, self._quantity(field, type_, path))
         if isinstance(type_, Enum):
@@ -299,9 +317,3 @@ def _part_text(part: Part, raw: int) -> str:
         return flag_names(part.enum, value)
     named = [v.name for v in part.enum.values if v.value == value]
     return named[0] if named else f"{part.name} {value}" if value else ""
-
-
-def float_literal(value: Any) -> str:
-    """A float as a C++ literal; only for finite numbers."""
-    float_to_bits(value)
-    return f"{float(value)!r}F"

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from sbgcgen.example import Example, Piece, float_literal, part_of, real
+from sbgcgen.example import Example, Piece, part_of, real
 from sbgcgen.model import (
     Announced,
     Blob,
@@ -23,6 +22,7 @@ from sbgcgen.model import (
     Type,
 )
 from sbgcgen.reference_codec import Fields, is_bytes, keys_of
+from sbgcgen.typical import typical_number
 
 # How many values of a long message the example looks at.
 _SHOWN = 8
@@ -206,7 +206,7 @@ def _expression(type_: Type, value: Any) -> str:
         return _enumerator(type_, value)
     assert isinstance(type_, Scalar), f"no expression for {type_}"
     if type_.is_float:
-        return float_literal(value)
+        return f"{value!r}F"
     return f"{value}U" if value > 0x7FFFFFFF else str(value)
 
 
@@ -244,7 +244,9 @@ def _packed(packed: Packed, raw: int, cpp: str, is_optional: bool) -> Iterator[s
 
 def _part(part: Part, value: int) -> str:
     if part.enum:
-        return _flags(part.enum, value) if part.enum.kind == "flags" else _enumerator(part.enum, value)
+        return (
+            _flags(part.enum, value) if part.enum.kind == "flags" else _enumerator(part.enum, value)
+        )
     return ("true" if value else "false") if part.is_bool else str(value)
 
 
@@ -355,7 +357,17 @@ def code_of(example: Example) -> Code:
     return encoding(example) if both or message.direction == "to_board" else decoding(example)
 
 
-def includes_of(text: str) -> tuple[list[str], str]:
-    """The #include lines of an example, and the rest."""
-    includes = re.findall(r"^#include .+$", text, re.MULTILINE)
-    return includes, re.sub(r"^#include .+\n", "", text, flags=re.MULTILINE)
+def converting(quantity: Quantity) -> Code:
+    """Turns a number into a quantity and back."""
+    raw = typical_number(quantity)
+    unit = f" {quantity.unit}" if quantity.unit else ""
+    form = "%u" if quantity.scalar.name == "u32" else "%d"
+    number = f"{float(real(raw, quantity)):g}"
+    lines = (
+        f"const sbgc::{quantity.name} value =",
+        f"    sbgc::{quantity.name}::from_{quantity.accessor}({decimal(raw, quantity)});",
+        f'std::printf("on the line: {form}\\n", value.raw());',
+        f'std::printf("real value: %g{unit.replace("%", "%%")}\\n", value.{quantity.accessor}());',
+    )
+    includes = _includes(["<cstdio>"], ["units"])
+    return Code(includes, lines, (f"on the line: {raw}", f"real value: {number}{unit}"))

@@ -17,7 +17,7 @@ from markupsafe import Markup, escape
 from sbgcgen import site_model
 from sbgcgen.emit import SITE, Items, expand, render, sources_of
 from sbgcgen.example import Example, example_of, physical
-from sbgcgen.example_cpp import code_of
+from sbgcgen.example_cpp import code_of, converting
 from sbgcgen.model import Enum, Framing, Layout, Leaf, Message, Packed, Quantity
 from sbgcgen.site_model import Row
 from sbgcgen.site_search import search_entries
@@ -112,6 +112,7 @@ def _filters(layout: Layout) -> dict[str, Callable[..., Any]]:
         "is_undocumented": lambda name: name in undocumented,
         "example": lambda message: example_for_page(message, layout),
         "cpp": code_of,
+        "unit_cpp": converting,
         "hex_bytes": lambda data: data.hex(" ").upper(),
         "plain": plain,
         "physical": lambda raw, quantity: physical(int(raw), quantity),
@@ -161,7 +162,9 @@ class _Prose:
         result = Markup()
         for part in parts:
             page = self.pages.get(part)
-            result += Markup('<a href="{}">{}</a>').format(root + page, part) if page else escape(part)
+            result += (
+                Markup('<a href="{}">{}</a>').format(root + page, part) if page else escape(part)
+            )
         return result
 
 
@@ -216,7 +219,12 @@ def frame_parts(framing: Framing) -> list[FramePart]:
     """The parts of a frame in the order of the line."""
     body, most = framing.header_size, framing.max_body
     return [
-        FramePart("0", "start", "1 byte", f"Always 0x{framing.start:02X}, the character {framing.start:c}."),
+        FramePart(
+            "0",
+            "start",
+            "1 byte",
+            f"Always 0x{framing.start:02X}, the character {framing.start:c}.",
+        ),
         FramePart("1", "id", "1 byte", "The command, 1 to 255."),
         FramePart("2", "size", "1 byte", f"How many bytes the body has, 0 to {most}."),
         FramePart("3", "header checksum", "1 byte", "The sum of id and size, modulo 256."),

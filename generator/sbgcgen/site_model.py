@@ -132,9 +132,7 @@ def _indices(member: Field) -> str:
 
 def _fits(pattern: str, path: str) -> bool:
     return re.sub(r"\[\d+\]", "[]", path) == pattern or bool(
-        re.fullmatch(
-            re.escape(pattern).replace(r"\*", r"\w+").replace(r"\[\]", r"\[\d*\]"), path
-        )
+        re.fullmatch(re.escape(pattern).replace(r"\*", r"\w+").replace(r"\[\]", r"\[\d*\]"), path)
     )
 
 
@@ -226,7 +224,12 @@ def references(layout: Layout) -> References:
         found.of_errata(command.errata, Use("command", command.name, page))
     for message in layout.messages:
         _of_message(message, found)
-    for type_ in (*layout.enums, *layout.packed, *layout.quantities):
+    types: tuple[Enum | Packed | Quantity, ...] = (
+        *layout.enums,
+        *layout.packed,
+        *layout.quantities,
+    )
+    for type_ in types:
         use = Use(_kind(type_), type_.name, page_of_type(type_))
         found.of_errata(type_.errata, use)
         if isinstance(type_, Enum):

@@ -17,10 +17,12 @@ class Page(Protocol):
     """A guide, as far as the search is concerned."""
 
     @property
-    def title(self) -> str: ...
+    def title(self) -> str:
+        ...
 
     @property
-    def page(self) -> str: ...
+    def page(self) -> str:
+        ...
 
 
 def search_entries(layout: Layout, guides: Sequence[Page]) -> list[Entry]:

@@ -87,29 +87,39 @@ def _integer(field: Field, type_: Type, scalar: Scalar, place: int) -> int:
     assert scalar.minimum is not None and scalar.maximum is not None
     if field.variable:  # whichever variable it is of, it hardly has a narrower range
         return 10 + place % 7
-    low, high = Fraction(scalar.minimum), Fraction(scalar.maximum)
-    is_narrow = field.minimum is not None and field.minimum > low
-    is_narrow = is_narrow or (field.maximum is not None and field.maximum < high)
-    low = low if field.minimum is None else field.minimum
-    high = high if field.maximum is None else field.maximum
-    # What may be anything is mostly far from its limits.
-    most = high if is_narrow else min(high, Fraction(65535))
-    share = _share(place, 40, 80) if is_narrow else _share(place, 2, 7)
-    share = max(share, _share(place, 4, 24)) if most <= 255 and not is_narrow else share
-    if low < 0:
-        value = most * share / 2 * (-1 if place % 2 else 1)
-    else:
-        value = low + (most - low) * share
-    if isinstance(type_, Quantity):
-        real = _round(value * type_.scale + type_.offset)
-        number = round((real - type_.offset) / type_.scale)
-    else:
-        number = round(value)
+    low = Fraction(scalar.minimum) if field.minimum is None else field.minimum
+    high = Fraction(scalar.maximum) if field.maximum is None else field.maximum
+    is_narrow = low > scalar.minimum or high < scalar.maximum
+    number = _inside(low, high, is_narrow, type_, place)
     number = -(-number // field.align) * field.align
     number = min(max(number, int(low)), int(high))
     while any(special.value == number for special in field.special):
         number += field.align
     return number
+
+
+def typical_number(quantity: Quantity) -> int:
+    """An ordinary raw value of a quantity that may have any."""
+    low, high = quantity.scalar.minimum, quantity.scalar.maximum
+    assert low is not None and high is not None, "a quantity is an integer"
+    return _inside(Fraction(low), Fraction(high), False, quantity, 0)
+
+
+def _inside(low: Fraction, high: Fraction, is_narrow: bool, type_: Type, place: int) -> int:
+    """A number of a range that is round in its unit."""
+    # What may be anything is mostly far from its limits.
+    most = high if is_narrow else min(high, Fraction(65535))
+    share = _share(place, 40, 80) if is_narrow else _share(place, 2, 7)
+    if most <= 255 and not is_narrow:
+        share = max(share, _share(place, 4, 24))
+    if low < 0:
+        value = most * share / 2 * (-1 if place % 2 else 1)
+    else:
+        value = low + (most - low) * share
+    if not isinstance(type_, Quantity):
+        return round(value)
+    real = _round(value * type_.scale + type_.offset)
+    return round((real - type_.offset) / type_.scale)
 
 
 def _round(value: Fraction) -> Fraction:

@@ -74,7 +74,7 @@ class _Maker:
 
     def typical(self) -> None:
         """Ordinary values, with what the first condition about a field asks for."""
-        forced = next((case["forced"] for case in self.cases() if "forced" in case), {})
+        forced: Fields = next((case["forced"] for case in self.cases() if "forced" in case), {})
         context = typical_context(self.message)
         for short in (False, True):
             choice = Choice(Places(), typical=True, context=context, forced=forced, short=short)

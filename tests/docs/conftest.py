@@ -1,0 +1,38 @@
+"""The site as it is rendered, once for all tests."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+PROJECT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(PROJECT / "generator"))
+
+from sbgcgen import site  # noqa: E402
+from sbgcgen.build import load_protocol  # noqa: E402
+from sbgcgen.model import Layout  # noqa: E402
+
+from pages import Page, read  # noqa: E402
+
+
+@pytest.fixture(scope="session")
+def layout() -> Layout:
+    return load_protocol(PROJECT / "spec").layout
+
+
+@pytest.fixture(scope="session")
+def files(layout: Layout) -> dict[str, bytes]:
+    """All files of the site by their path."""
+    return site.outputs(layout, PROJECT / "docs")
+
+
+@pytest.fixture(scope="session")
+def pages(files: dict[str, bytes]) -> dict[str, Page]:
+    """The pages by their path."""
+    return {
+        path: read(path, content.decode())
+        for path, content in files.items()
+        if path.endswith(".html")
+    }

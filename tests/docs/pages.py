@@ -1,0 +1,117 @@
+"""Reads pages of the site into what the tests ask about. Strict: no element is closed by guessing."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from html.parser import HTMLParser
+from typing import Optional
+from urllib.parse import unquote, urljoin
+
+VOID = frozenset("br hr img input link meta path circle ellipse".split())
+# Elements of SVG that close themselves.
+
+
+@dataclass
+class Element:
+    """An element with its attributes and everything in it."""
+
+    tag: str
+    attributes: dict[str, str]
+    parent: Optional[Element] = None
+    children: list[Element] = field(default_factory=list)
+    texts: list[object] = field(default_factory=list)  # str and Element in their order
+
+    @property
+    def text(self) -> str:
+        return "".join(t.text if isinstance(t, Element) else str(t) for t in self.texts)
+
+    def get(self, name: str) -> str:
+        return self.attributes.get(name, "")
+
+    def all(self, *tags: str) -> list[Element]:
+        """The descendants with one of these tags, or all of them."""
+        found = []
+        for child in self.children:
+            if not tags or child.tag in tags:
+                found.append(child)
+            found += child.all(*tags)
+        return found
+
+    def with_class(self, name: str) -> list[Element]:
+        return [e for e in self.all() if name in e.get("class").split()]
+
+    def ancestors(self) -> list[Element]:
+        return [self.parent, *self.parent.ancestors()] if self.parent else []
+
+
+class _Reader(HTMLParser):
+    def __init__(self) -> None:
+        super().__init__(convert_charrefs=True)
+        self.root = Element("document", {})
+        self.open = self.root
+        self.doctype = ""
+
+    def handle_decl(self, decl: str) -> None:
+        self.doctype = decl
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, Optional[str]]]) -> None:
+        names = [name for name, _ in attrs]
+        assert len(set(names)) == len(names), f"{tag} has an attribute twice: {names}"
+        element = Element(tag, {name: value or "" for name, value in attrs}, self.open)
+        self.open.children.append(element)
+        self.open.texts.append(element)
+        if tag not in VOID:
+            self.open = element
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, Optional[str]]]) -> None:
+        assert tag in VOID, f"<{tag}/> is not empty in HTML"
+        self.handle_starttag(tag, attrs)
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.tag == tag, f"</{tag}> closes <{self.open.tag}> at {self.getpos()}"
+        assert self.open.parent is not None
+        self.open = self.open.parent
+
+    def handle_data(self, data: str) -> None:
+        self.open.texts.append(data)
+
+
+@dataclass(frozen=True)
+class Page:
+    """A page by its path below the site."""
+
+    path: str
+    root: Element
+
+    @property
+    def ids(self) -> list[str]:
+        return [e.get("id") for e in self.root.all() if "id" in e.attributes]
+
+    @property
+    def links(self) -> list[tuple[str, str]]:
+        """Where its links go: path below the site (or a URL), and fragment."""
+        result = []
+        for element in self.root.all("a"):
+            page, _, fragment = element.get("href").partition("#")
+            target = urljoin(self.path, page) if page else self.path
+            result.append((target, unquote(fragment)))
+        return result
+
+
+def read(path: str, text: str) -> Page:
+    """A page; fails if an element is not closed properly."""
+    reader = _Reader()
+    reader.feed(text)
+    reader.close()
+    assert reader.doctype.lower() == "doctype html", path
+    assert reader.open is reader.root, f"{path}: <{reader.open.tag}> is not closed"
+    return Page(path, reader.root)
+
+
+def search_index(files: dict[str, bytes]) -> list[list[str]]:
+    """The entries that the search knows."""
+    text = files["assets/search-index.js"].decode()
+    start, end = text.index("["), text.rindex("]") + 1
+    entries: list[list[str]] = json.loads(text[start:end])
+    return entries

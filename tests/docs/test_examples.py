@@ -1,0 +1,233 @@
+"""Every example on the site is true: its C++ compiles and does what the page says, and so does every
+command line."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+from collections import defaultdict
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sbgcgen.model import Layout
+from sbgcgen.names import slug
+
+from conftest import PROJECT
+from pages import Element, Page
+
+Pages = dict[str, Page]
+
+SBGC = os.environ.get("SBGC", str(PROJECT / "build" / "release" / "tools" / "sbgc"))
+COMPILER = [w for w in (os.environ.get("CXX_LAUNCHER", ""), os.environ.get("CXX", "g++")) if w]
+WARNINGS = (
+    "-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wold-style-cast "
+    "-Wdouble-promotion -Wformat=2 -Werror"
+)
+
+
+def only(page: Page, name: str) -> Element:
+    (element,) = page.root.with_class(name)
+    return element
+
+
+def values_of(page: Page) -> list[list[str]]:
+    """Path, raw value and meaning of each row of the example."""
+    rows = [e for e in page.root.all("tr") if "data-value" in e.attributes]
+    return [json.loads(row.get("data-value")) for row in rows]
+
+
+def shown_frame(page: Page) -> str:
+    """The frame as the page shows it, in lower case without blanks."""
+    (frame,) = [e for e in page.root.all("pre") if "data-frame" in e.attributes]
+    return re.sub(r"\s", "", frame.text).lower()
+
+
+@pytest.fixture(scope="module")
+def message_pages(pages: Pages, layout: Layout) -> dict[str, Page]:
+    return {m.name: pages[f"messages/{slug(m.name)}.html"] for m in layout.definitions}
+
+
+# The frames
+
+
+def test_frame_is_whole_and_is_the_first_vector(
+    message_pages: dict[str, Page], layout: Layout
+) -> None:
+    vectors: dict[tuple[str, str], Any] = {}
+    for path in sorted((PROJECT / "generated" / "vectors").glob("*.jsonl")):
+        for text in path.read_text().splitlines():
+            vector = json.loads(text)
+            key = (vector.get("message"), vector["direction"])
+            vectors.setdefault(key, vector)
+    for message in layout.definitions:
+        frame = bytes.fromhex(shown_frame(message_pages[message.name]))
+        vector = vectors.get((message.name, "to_board")) or vectors[message.name, "from_board"]
+        body = bytes.fromhex(vector["hex"])
+        assert vector["why"] in ("typical values", "all zeros"), message.name
+        assert frame[0] == 0x3E and frame[1] == message.id and frame[2] == len(body)
+        assert frame[3] == (frame[1] + frame[2]) % 256
+        assert frame[4:-1] == body, message.name
+        assert frame[-1] == sum(body) % 256
+
+
+def test_rows_hold_the_bytes_of_the_frame(message_pages: dict[str, Page]) -> None:
+    for name, page in message_pages.items():
+        (table,) = page.root.with_class("values")
+        at = 0
+        joined = ""
+        for row in table.all("tbody")[0].all("tr"):
+            cells = row.children
+            data = re.sub(r"\s", "", cells[1].text)
+            assert int(cells[0].text) == at, name
+            at += len(data) // 2
+            joined += data.lower()
+        assert joined == shown_frame(page), name
+
+
+def test_examples_show_something(message_pages: dict[str, Page], layout: Layout) -> None:
+    """Messages that say something have an example that does so, too."""
+    for message in layout.definitions:
+        values = values_of(message_pages[message.name])
+        known = [leaf for leaf in message.leaves if not leaf.field.reserved]
+        assert bool(values) >= bool(known), message.name
+        if any(leaf.type not in ("bytes",) for leaf in known):
+            assert any(raw not in ("0", "") for _, raw, _ in values), message.name
+
+
+# The command lines
+
+
+def run(command: str, folder: Path) -> str:
+    done = subprocess.run(
+        ["bash", "-c", command],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        env={**os.environ, "PATH": f"{folder}:{os.environ['PATH']}"},
+    )
+    assert (done.returncode, done.stderr) == (0, ""), command
+    return done.stdout
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder for PATH in which the command is called sbgc."""
+    path = tmp_path_factory.mktemp("bin")
+    assert Path(SBGC).is_file(), f"{SBGC} is not built"
+    (path / "sbgc").symlink_to(SBGC)
+    return path
+
+
+def test_every_command_gives_what_the_page_says(pages: Pages, folder: Path) -> None:
+    seen = 0
+    for page in pages.values():
+        for code in page.root.with_class("example-command"):
+            seen += 1
+            out = run(code.text, folder)
+            expected = code.get("data-gives")
+            if expected == "values":
+                rows = [line.split() for line in frames_of(out)[-1][1:]]
+                assert rows == [" ".join(row).split() for row in values_of(page)], page.path
+            elif expected == "summary":
+                assert out.splitlines()[-1].startswith(code.get("data-summary")), page.path
+            else:
+                assert out.strip() == expected == shown_frame(page), page.path
+    assert seen > 2 * len([p for p in pages if p.startswith("messages/")])
+
+
+def frames_of(text: str) -> list[list[str]]:
+    """The lines of `sbgc decode` by frame, without the last line, which counts."""
+    frames: list[list[str]] = []
+    *lines, last = text.splitlines()
+    assert re.match(r"\d+ frames?, 0 bytes skipped", last), text
+    for line in lines:
+        if line.startswith("@"):
+            assert "no frame" not in line and "error" not in line, text
+            frames.append([])
+        frames[-1].append(line)
+    return frames
+
+
+# The C++
+
+
+@dataclass(frozen=True)
+class Snippet:
+    name: str
+    includes: tuple[str, ...]
+    statements: str
+    expected: str
+
+
+def snippet_of(page: Page) -> Snippet:
+    code = only(page, "example-cpp")
+    text = code.text
+    includes = tuple(re.findall(r"^#include <.+>$", text, re.MULTILINE))
+    statements = re.sub(r"^#include .+$", "", text, flags=re.MULTILINE).strip()
+    output = page.root.with_class("example-output")
+    expected = output[0].text if output else ""
+    if "encode_frame" in statements:
+        statements += "\n  show(written, frame.data());"
+        expected = shown_frame(page)
+    return Snippet(code.get("data-name"), includes, statements, expected)
+
+
+def program_of(snippets: list[Snippet]) -> str:
+    """One program for several examples, each in a function of its own."""
+    includes = sorted({name for s in snippets for name in s.includes})
+    lines = [*includes, "#include <cstddef>", "#include <cstdio>", "#include <sbgc/status.hpp>", ""]
+    lines += [
+        "[[maybe_unused]] static void show(const sbgc::WriteResult& w, const std::uint8_t* bytes) {",
+        '  if (!w) std::puts("not encoded");',
+        '  for (std::size_t i = 0; i < w.size; ++i) std::printf("%02x", bytes[i]);',
+        '  std::puts("");',
+        "}",
+    ]
+    for i, snippet in enumerate(snippets):
+        lines += [f"static void example_{i}() {{", snippet.statements, "}"]
+    lines.append("int main() {")
+    for i, snippet in enumerate(snippets):
+        lines += [f'  std::puts("== {snippet.name}");', f"  example_{i}();"]
+    return "\n".join([*lines, "}", ""])
+
+
+def test_cpp_examples(pages: Pages, layout: Layout, tmp_path: Path) -> None:
+    """A program for each family, and one for the units: what it prints is what the pages say."""
+    groups: dict[str, list[Snippet]] = defaultdict(list)
+    family = {slug(m.name): m.family for m in layout.definitions}
+    for path, page in pages.items():
+        if page.root.with_class("example-cpp"):
+            kind, _, name = path.removesuffix(".html").partition("/")
+            groups[family[name] if kind == "messages" else kind].append(snippet_of(page))
+    assert sum(map(len, groups.values())) == len(layout.definitions) + len(layout.quantities)
+    building = {}
+    for group, snippets in groups.items():
+        source = tmp_path / f"{group}.cpp"
+        source.write_text(program_of(snippets))
+        includes = [f"-I{PROJECT / name}" for name in ("runtime/include", "generated/include")]
+        command = [*COMPILER, "-std=c++20", *WARNINGS.split(), *includes, str(source)]
+        building[group] = subprocess.Popen([*command, "-o", str(source.with_suffix(""))])
+        if len(building) % 2 == 0:  # two at a time
+            for process in building.values():
+                process.wait()
+    assert [group for group, process in building.items() if process.wait() != 0] == []
+    for group, snippets in groups.items():
+        done = subprocess.run(
+            [str(tmp_path / group)], capture_output=True, text=True, timeout=60, check=True
+        )
+        printed = dict(part.split("\n", 1) for part in done.stdout.split("== ")[1:])
+        for snippet in snippets:
+            assert printed[snippet.name].strip() == snippet.expected.strip(), snippet.name
+
+
+def test_cpp_of_messages_to_the_board_encodes(pages: Pages, layout: Layout) -> None:
+    for message in layout.messages:
+        text = only(pages[f"messages/{slug(message.name)}.html"], "example-cpp").text
+        assert message.name in text
+        if message.direction == "to_board":
+            assert "encode_frame(message, frame)" in text, message.name

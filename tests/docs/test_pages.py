@@ -1,0 +1,236 @@
+"""Every page: structure, links, anchors, nothing from elsewhere, small enough."""
+
+from __future__ import annotations
+
+import re
+from urllib.parse import urljoin
+
+from sbgcgen.model import Layout
+from sbgcgen.site_model import page_of_message, page_of_type
+
+from pages import Element, Page, search_index
+
+Pages = dict[str, Page]
+Files = dict[str, bytes]
+
+HEADINGS = ("h1", "h2", "h3", "h4", "h5", "h6")
+
+
+def test_there_is_a_page_for_everything(pages: Pages, layout: Layout) -> None:
+    things = [layout.definitions, layout.enums, layout.packed, layout.quantities]
+    assert len([p for p in pages if p.startswith("messages/")]) == len(things[0])
+    assert len([p for p in pages if p.startswith("enums/")]) == len(things[1])
+    assert len([p for p in pages if p.startswith("packed/")]) == len(things[2])
+    assert len([p for p in pages if p.startswith("units/")]) == len(things[3])
+
+
+def test_ids_are_unique(pages: Pages) -> None:
+    for page in pages.values():
+        twice = {name for name in page.ids if page.ids.count(name) > 1}
+        assert not twice, f"{page.path}: {twice}"
+        assert "" not in page.ids and not any(re.search(r"\s", i) for i in page.ids), page.path
+
+
+def test_every_link_and_anchor_is_there(pages: Pages, files: Files) -> None:
+    anchors = {path: set(page.ids) for path, page in pages.items()}
+    for page in pages.values():
+        for target, fragment in page.links:
+            assert target in files, f"{page.path}: {target}"
+            if fragment:
+                assert fragment in anchors[target], f"{page.path}: {target}#{fragment}"
+
+
+def test_references_to_ids_are_there(pages: Pages) -> None:
+    names = ("aria-labelledby", "aria-controls", "aria-describedby", "for")
+    for page in pages.values():
+        ids = set(page.ids)
+        for element in page.root.all():
+            for name in names:
+                for word in element.get(name).split():
+                    assert word in ids, f"{page.path}: {name}={word}"
+            if "data-row" in element.attributes:
+                assert element.get("data-row") in ids, f"{page.path}: {element.get('data-row')}"
+
+
+def test_nothing_is_loaded_from_elsewhere(pages: Pages, files: Files) -> None:
+    for page in pages.values():
+        for element in page.root.all():
+            for name in ("src", "srcset", "href", "data", "action", "poster"):
+                value = element.get(name)
+                if not value or (name == "href" and element.tag == "a"):
+                    continue
+                assert not re.match(r"[a-z]+:|//|/", value), f"{page.path}: {value}"
+                assert urljoin(page.path, value) in files, f"{page.path}: {value}"
+            assert not any(name.startswith("on") for name in element.attributes), page.path
+            assert element.tag not in ("iframe", "object", "embed"), page.path
+    for path, content in files.items():
+        if path.endswith(".css"):
+            assert not re.search(rb"@import|url\(", content), path
+        if path.endswith(".js"):
+            assert not re.search(rb"https?://", content.replace(b"http://www.w3.org", b"")), path
+
+
+def test_links_work_from_a_folder(pages: Pages) -> None:
+    """From file:// a link must name a file, relative to its page."""
+    for page in pages.values():
+        for element in page.root.all("a"):
+            href = element.get("href")
+            assert href and not href.startswith("/"), f"{page.path}: {href!r}"
+            assert not href.partition("#")[0].endswith("/"), f"{page.path}: {href}"
+
+
+def test_outline(pages: Pages) -> None:
+    for page in pages.values():
+        found = page.root.all(*HEADINGS)
+        main = page.root.all("main")
+        assert len(main) == 1, page.path
+        own = [h for h in found if main[0] in h.ancestors()]
+        levels = [int(h.tag[1]) for h in own]
+        assert levels[:1] == [1] and levels.count(1) == 1, f"{page.path}: {levels}"
+        for before, after in zip(levels, levels[1:]):
+            assert after <= before + 1, f"{page.path}: h{after} after h{before}"
+        assert all(h.text.strip() for h in found), page.path
+
+
+def test_landmarks_title_and_language(pages: Pages) -> None:
+    titles = {}
+    for page in pages.values():
+        (html,) = page.root.all("html")
+        assert html.get("lang") == "en"
+        (title,) = page.root.all("title")
+        assert title.text.strip() and title.text not in titles, f"{page.path}: {title.text}"
+        titles[title.text] = page.path
+        names = [n.get("aria-label") or n.get("aria-labelledby") for n in page.root.all("nav")]
+        assert all(names) and len(set(names)) == len(names), page.path
+        assert len(page.root.all("header")) == len(page.root.all("footer")) == 1
+        metas = {m.get("name"): m.get("content") for m in page.root.all("meta")}
+        assert metas["viewport"] == "width=device-width, initial-scale=1"
+        assert metas["description"].strip(), page.path
+        first = page.root.all("body")[0].all("a")[0]
+        assert (first.get("class"), first.get("href")) == ("skip", "#main")
+
+
+def has_name(element: Element) -> bool:
+    if element.get("aria-label") or element.get("aria-labelledby") or element.get("alt"):
+        return True
+    return bool(element.text.strip())
+
+
+def test_everything_has_a_name(pages: Pages) -> None:
+    for page in pages.values():
+        labelled = {label.get("for") for label in page.root.all("label")}
+        for element in page.root.all():
+            where = f"{page.path}: <{element.tag} {element.attributes}>"
+            if element.tag in ("a", "button") or element.get("role") in (
+                "img",
+                "region",
+                "listbox",
+            ):
+                assert has_name(element), where
+            if element.tag == "svg":
+                assert element.get("aria-hidden") == "true" or has_name(element), where
+            if element.tag == "img":
+                assert "alt" in element.attributes, where
+            if element.tag in ("input", "select", "textarea"):
+                assert element.get("id") in labelled or has_name(element), where
+
+
+def test_tables_have_heads(pages: Pages) -> None:
+    for page in pages.values():
+        for table in page.root.all("table"):
+            heads = table.all("thead")
+            assert len(heads) == 1, page.path
+            columns = heads[0].all("th")
+            assert columns, page.path
+            for row in table.all("tbody")[0].all("tr"):
+                cells = [c for c in row.children if c.tag in ("th", "td")]
+                assert len(cells) == len(columns), f"{page.path}: {row.text!r}"
+            for head in table.all("th"):
+                if "guide" not in " ".join(a.get("class") for a in table.ancestors()):
+                    assert head.get("scope") in ("col", "row"), page.path
+            around = [a for a in table.ancestors() if "table" in a.get("class").split()]
+            assert around and around[0].get("tabindex") == "0", f"{page.path}: does not scroll"
+
+
+def test_lists_hold_items_only(pages: Pages) -> None:
+    for page in pages.values():
+        for element in page.root.all("ul", "ol"):
+            assert all(c.tag == "li" for c in element.children), page.path
+        for element in page.root.all("dl"):
+            assert all(c.tag in ("dt", "dd", "div") for c in element.children), page.path
+
+
+def test_weight_of_the_first_page(pages: Pages, files: Files) -> None:
+    """With all that it loads by itself, which the search index is not part of."""
+    start = pages["index.html"]
+    loaded = {"index.html"}
+    for element in start.root.all("link", "script", "img"):
+        loaded.add(element.get("href") or element.get("src"))
+    assert "assets/search-index.js" not in loaded
+    assert sum(len(files[name]) for name in loaded) < 300_000
+
+
+def test_pages_are_reasonably_small(files: Files) -> None:
+    for path, content in files.items():
+        if path.endswith(".html"):
+            assert len(content) < 400_000, path
+
+
+def test_every_leaf_has_a_deep_link(pages: Pages, layout: Layout) -> None:
+    for message in layout.messages:
+        ids = set(pages[page_of_message(message)].ids)
+        for leaf in message.leaves:
+            assert f"field-{leaf.path}" in ids, f"{message.name}: {leaf.path}"
+            for case in leaf.cases:
+                assert f"field-{case.path}" in ids, f"{message.name}: {case.path}"
+
+
+def test_every_value_variable_and_erratum_has_a_deep_link(pages: Pages, layout: Layout) -> None:
+    for enum in layout.enums:
+        ids = pages[page_of_type(enum)].ids
+        assert {value.name for value in enum.values} <= set(ids), enum.name
+    assert {v.name for v in layout.variables} <= set(pages["variables.html"].ids)
+    assert {e.number for e in layout.errata} <= set(pages["errata.html"].ids)
+
+
+def test_search_finds_everything_and_leads_to_it(
+    pages: Pages, files: Files, layout: Layout
+) -> None:
+    entries = search_index(files)
+    names = {(kind, name) for kind, name, _, _, _ in entries}
+    for message in layout.messages:
+        assert ("message", message.name) in names
+    for command in layout.commands:
+        assert ("command", command.name) in names
+    for enum in layout.enums:
+        for value in enum.values:
+            assert ("value", value.name) in names
+    assert {("unit", quantity.name) for quantity in layout.quantities} <= names
+    assert {("variable", variable.name) for variable in layout.variables} <= names
+    assert {e.number for e in layout.errata} == {n for k, n in names if k == "erratum"}
+    for _, name, _, link, _ in entries:
+        page, _, fragment = link.partition("#")
+        assert page in pages, f"{name}: {link}"
+        assert not fragment or fragment in pages[page].ids, f"{name}: {link}"
+
+
+def test_search_knows_every_field_by_both_names(files: Files, layout: Layout) -> None:
+    words = {
+        word
+        for kind, name, _, link, more in search_index(files)
+        if kind == "field"
+        for word in (f"{link.partition('#')[0]} {w}" for w in [name, *more.split()])
+    }
+    for message in layout.messages:
+        for leaf in message.leaves:
+            if not leaf.field.reserved:
+                assert f"{page_of_message(message)} {leaf.spec_name}" in words, leaf.path
+
+
+def test_no_words_of_templates_are_left(files: Files) -> None:
+    for path, content in files.items():
+        if path.endswith((".html", ".css")):
+            text = content.decode()
+            assert not re.search(
+                r"\{\{|\{%|%\}|>None<|Fraction\(|Undefined|object at 0x", text
+            ), path
