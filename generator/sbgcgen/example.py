@@ -271,15 +271,15 @@ def _size(type_: Type, value: Any) -> int:
     return scalar_of(type_).size
 
 
-def physical(raw: int, quantity: Quantity) -> str:
+def physical(raw: int | float, quantity: Quantity) -> str:
     """The real value with its unit: "-30 deg"."""
     number = f"{float(real(raw, quantity)):.6g}"
     return f"{number} {quantity.unit}" if quantity.unit else number
 
 
-def real(raw: int, quantity: Quantity) -> Fraction:
+def real(raw: int | float, quantity: Quantity) -> Fraction:
     """The exact real value."""
-    return raw * quantity.scale + quantity.offset
+    return Fraction(raw) * quantity.scale + quantity.offset
 
 
 def flag_names(enum: Enum, bits: int) -> str:

@@ -26,6 +26,8 @@ from sbgcgen.typical import typical_number
 
 # How many values of a long message the example looks at.
 _SHOWN = 8
+# How printf prints what is no int.
+_FORMS = {"u32": "%u", "f32": "%g"}
 
 
 @dataclass(frozen=True)
@@ -150,8 +152,12 @@ class _Builder:
             yield from self._fields(field.type.fields, value, f"{path}.", cpp + dot)
             return
         piece = self.pieces[path]
-        if field.when or any(piece.data):
-            yield from _assigned(piece.type, value, cpp, field.when is not None)
+        if isinstance(field.type, Announced):
+            assert isinstance(piece.type, Scalar)
+            bits = int.from_bytes(piece.data, "little")
+            yield f"{cpp} = {{sbgc::NumberType::{piece.type.name}, 0x{bits:X}U}};"
+        elif piece.may_be_missing or any(piece.data):
+            yield from _assigned(piece.type, value, cpp, piece.may_be_missing)
 
 
 def _fill(cpp: str, name: str, data: bytes) -> Iterator[str]:
@@ -179,8 +185,12 @@ def _if(test: str, text: str) -> str:
 
 
 def _assigned(type_: Type, value: Any, cpp: str, is_optional: bool) -> Iterator[str]:
+    if isinstance(type_, Blob) and is_optional:
+        yield f"{cpp}.emplace();"
     if isinstance(type_, Blob) and type_.kind == "bytes":
-        yield from _wrapped(f"{cpp} = ", bytes.fromhex(value))
+        if any(bytes.fromhex(value)):
+            target = f"*{cpp}" if is_optional else cpp
+            yield from _wrapped(f"{target} = ", bytes.fromhex(value))
     elif isinstance(type_, Blob):
         yield f"{cpp}{'->' if is_optional else '.'}assign(std::string_view({_quoted(value)}));"
     elif isinstance(type_, Packed):
@@ -199,6 +209,8 @@ def _quoted(text: str) -> str:
 
 def _expression(type_: Type, value: Any) -> str:
     if isinstance(type_, Quantity):
+        if type_.scalar.is_float:
+            return f"sbgc::{type_.name}({value!r}F)"
         return f"sbgc::{type_.name}::from_{type_.accessor}({decimal(value, type_)})"
     if isinstance(type_, Enum) and type_.kind == "flags":
         return _flags(type_, value)
@@ -317,11 +329,12 @@ def _shown(piece: Piece) -> Iterator[tuple[str, str]]:
         if type_.is_float:
             yield printf(f"{path}: %g", f"static_cast<double>({value})", f"{path}: {piece.value:g}")
         else:
-            letter = "u" if type_.name == "u32" else "d"
-            yield printf(f"{path}: %{letter}", value, f"{path}: {piece.value}")
+            form = _FORMS.get(type_.name, "%d")
+            yield printf(f"{path}: {form}", value, f"{path}: {piece.value}")
 
 
 def _shown_parts(packed: Packed, piece: Piece, dot: str) -> Iterator[tuple[str, str]]:
+    form = _FORMS.get(packed.scalar.name, "%d")
     for part in packed.parts:
         call = f"{piece.access}{dot}{part.name}()"
         number = part_of(part, piece.value)
@@ -335,7 +348,11 @@ def _shown_parts(packed: Packed, piece: Piece, dot: str) -> Iterator[tuple[str, 
                 yield _if(test, text), text
         else:
             text = f"{piece.path}: {part.name} "
-            yield f'std::printf("{text}%d\\n", {call});', f"{text}{number}"
+            is_number = not part.is_bool
+            yield (
+                f'std::printf("{text}{form if is_number else "%d"}\\n", {call});',
+                f"{text}{number}",
+            )
 
 
 def _context(message: Message, known: Fields) -> Iterator[str]:
@@ -361,13 +378,15 @@ def converting(quantity: Quantity) -> Code:
     """Turns a number into a quantity and back."""
     raw = typical_number(quantity)
     unit = f" {quantity.unit}" if quantity.unit else ""
-    form = "%u" if quantity.scalar.name == "u32" else "%d"
     number = f"{float(real(raw, quantity)):g}"
+    form = _FORMS.get(quantity.scalar.name, "%d")
+    read = "static_cast<double>(value.raw())" if quantity.scalar.is_float else "value.raw()"
     lines = (
         f"const sbgc::{quantity.name} value =",
-        f"    sbgc::{quantity.name}::from_{quantity.accessor}({decimal(raw, quantity)});",
-        f'std::printf("on the line: {form}\\n", value.raw());',
+        f"    {_expression(quantity, raw)};",
+        f'std::printf("on the line: {form}\\n", {read});',
         f'std::printf("real value: %g{unit.replace("%", "%%")}\\n", value.{quantity.accessor}());',
     )
+    printed = f"on the line: {raw:g}" if quantity.scalar.is_float else f"on the line: {raw}"
     includes = _includes(["<cstdio>"], ["units"])
-    return Code(includes, lines, (f"on the line: {raw}", f"real value: {number}{unit}"))
+    return Code(includes, lines, (printed, f"real value: {number}{unit}"))

@@ -37,6 +37,8 @@ def _enum(type_: Enum, place: int, field: Field | None = None) -> int:
     if not values and type_.kind == "flags":
         return 0  # of what only later firmware has
     values = values or list(type_.values)
+    if not values:
+        return 0
     if type_.kind == "flags":
         first, second = values[place % len(values)], values[(place + 2) % len(values)]
         return first.value | second.value
@@ -93,16 +95,19 @@ def _integer(field: Field, type_: Type, scalar: Scalar, place: int) -> int:
     number = _inside(low, high, is_narrow, type_, place)
     number = -(-number // field.align) * field.align
     number = min(max(number, int(low)), int(high))
+    step = field.align if number < (low + high) / 2 else -field.align
     while any(special.value == number for special in field.special):
-        number += field.align
+        number += step
     return number
 
 
-def typical_number(quantity: Quantity) -> int:
+def typical_number(quantity: Quantity) -> int | float:
     """An ordinary raw value of a quantity that may have any."""
     low, high = quantity.scalar.minimum, quantity.scalar.maximum
-    assert low is not None and high is not None, "a quantity is an integer"
-    return _inside(Fraction(low), Fraction(high), False, quantity, 0)
+    if low is None or high is None:
+        return 1.5
+    number = _inside(Fraction(low), Fraction(high), False, quantity, 0)
+    return min(max(number, low), high)
 
 
 def _inside(low: Fraction, high: Fraction, is_narrow: bool, type_: Type, place: int) -> int:

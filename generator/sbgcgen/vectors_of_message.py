@@ -55,10 +55,11 @@ def vectors_of(message: Message, is_known: bool = False) -> list[Vector]:
 
 
 def typical_vector(message: Message) -> Vector:
-    """The first of the vectors: what an ordinary message looks like."""
+    """The first of the vectors that can be read: what an ordinary message looks like."""
     maker = _Maker(message)
     maker.typical()
-    return maker.vectors[0]
+    maker.uniform()
+    return next(v for v in maker.vectors if v.body is not None and v.fields is not None)
 
 
 class _Maker:
@@ -78,9 +79,13 @@ class _Maker:
         context = typical_context(self.message)
         for short in (False, True):
             choice = Choice(Places(), typical=True, context=context, forced=forced, short=short)
-            if len(encode(self.message, compose(self.message, choice))) <= self.message.max_size:
-                break
-        self.add(choice, "typical values")
+            try:
+                body = encode(self.message, compose(self.message, choice))
+            except CodecError:
+                continue
+            if len(body) <= self.message.max_size:
+                self.add(choice, "typical values")
+                return
 
     def uniform(self) -> None:
         """Nothing but zeros, nothing but ones."""

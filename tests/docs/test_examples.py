@@ -222,7 +222,8 @@ def test_cpp_examples(pages: Pages, layout: Layout, tmp_path: Path) -> None:
         )
         printed = dict(part.split("\n", 1) for part in done.stdout.split("== ")[1:])
         for snippet in snippets:
-            assert printed[snippet.name].strip() == snippet.expected.strip(), snippet.name
+            found = printed[snippet.name].strip()
+            assert found == snippet.expected.strip(), f"{snippet.name}: {found} {snippet.expected}"
 
 
 def test_cpp_of_messages_to_the_board_encodes(pages: Pages, layout: Layout) -> None:
