@@ -322,7 +322,8 @@ def _shown(piece: Piece) -> Iterator[tuple[str, str]]:
         size = len(piece.data)
         yield printf(f"{path}: %zu bytes", f"{piece.access}{dot}size()", f"{path}: {size} bytes")
     elif isinstance(type_, Blob):
-        text = f"static_cast<int>({piece.access}{dot}size()), {piece.access}{dot}data()"
+        text = f"static_cast<int>({piece.access}{dot}size()),\n"
+        text += f"            {piece.access}{dot}data()"
         yield printf(f"{path}: %.*s", text, f"{path}: {piece.value}")
     else:
         assert isinstance(type_, Scalar)

@@ -53,7 +53,7 @@ def _guide(path: Path) -> Guide:
     # Guides link each other as files, so that they can be read where they lie, too.
     html = re.sub(r'href="([\w-]+)\.md', lambda m: f'href="{_guide_name(m[1])}.html', html)
     html = html.replace("<table>", '<div class="table free" tabindex="0"><table>')
-    html = html.replace("</table>", "</table></div>")
+    html = html.replace("</table>", "</table></div>").replace("<pre>", '<pre tabindex="0">')
     name = _guide_name(path.stem)
     return Guide(name, title[1].strip() if title else name, Markup(html))
 
@@ -117,6 +117,7 @@ def _filters(layout: Layout) -> dict[str, Callable[..., Any]]:
         "plain": plain,
         "physical": lambda raw, quantity: physical(int(raw), quantity),
         "fragment": fragment,
+        "breakable": lambda name: escape(name).replace("_", Markup("_<wbr>")),
         "frame_parts": frame_parts,
         "hex_list": lambda numbers: bytes(numbers).hex(" ").upper(),
         "slug_of": lambda text: re.sub(r"[^a-z0-9.]+", "-", text.lower()),

@@ -65,7 +65,7 @@ def _entries(layout: Layout, guides: Sequence[Page]) -> Iterator[Entry]:
         yield "variable", variable.name, variable.summary, page, str(variable.id)
     for erratum in layout.errata:
         page = f"errata.html#{erratum.number}"
-        yield "erratum", erratum.number, erratum.problem, page, erratum.reading
+        yield "erratum", erratum.number, f"{erratum.problem} {erratum.reading}", page, ""
 
 
 def _fields(message: Message) -> Iterator[Entry]:

@@ -8,8 +8,8 @@ from html.parser import HTMLParser
 from typing import Optional
 from urllib.parse import unquote, urljoin
 
-VOID = frozenset("br hr img input link meta path circle ellipse".split())
-# Elements of SVG that close themselves.
+# Elements without content: those of HTML, and those of SVG that the site has.
+VOID = frozenset("br hr img input link meta wbr path circle ellipse".split())
 
 
 @dataclass

@@ -9,7 +9,7 @@
   const root = document.body.dataset.root;
   const limit = 30;
   // The order of kinds among equals.
-  const kinds = ["message", "command", "guide", "family", "enum", "flags", "packed", "unit", "variable", "value", "field", "erratum"];
+  const kinds = ["message", "command", "guide", "family", "enum", "flags", "packed", "unit", "variable", "field", "value", "erratum"];
 
   let entries; // [{kind, name, about, page, words, text}], once loaded
   let loading;
