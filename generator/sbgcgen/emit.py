@@ -18,13 +18,14 @@ from typing import Any, Optional
 
 import jinja2
 
-from sbgcgen import seeds, vectors
+from sbgcgen import docs_model, markdown_text, seeds, vectors
 from sbgcgen.export import export
 from sbgcgen.filters import FILTERS, TESTS
 from sbgcgen.model import Layout
 from sbgcgen.names import slug
 
 TEMPLATES = Path(__file__).resolve().parent.parent / "templates"
+DOCS = "docs"
 SITE = "site"
 
 Items = list[tuple[str, Any]]  # what stands in the path, and what the template gets to see
@@ -59,7 +60,7 @@ def _environment() -> jinja2.Environment:
         autoescape=lambda name: (name or "").endswith((".html.j2", ".html.jinja")),
         extensions=["jinja2.ext.do", "jinja2.ext.loopcontrols"],
     )
-    environment.filters.update(FILTERS)
+    environment.filters.update({**FILTERS, **markdown_text.FILTERS})
     environment.tests.update(TESTS)
     environment.globals["fail"] = _fail
     return environment
@@ -69,7 +70,8 @@ def outputs(layout: Layout) -> dict[str, bytes]:
     """All output files by their path below generated/."""
     files = {**dict(vectors.files(layout)), **dict(seeds.files(layout))}
     for target in sorted(path.name for path in TEMPLATES.iterdir() if path.name != SITE):
-        files.update(render(target, layout))
+        names = docs_model.names(layout) if target == DOCS else None
+        files.update(render(target, layout, names=names))
     return files
 
 
@@ -83,7 +85,8 @@ def render(
     """The output files of one target.
 
     `each` has more of what may stand between @ and @ in a path, `names` more of what all templates
-    see, `filters` more of what they may do. Each template sees `here`, the path of its output, and `root`, the way from there up.
+    see, `filters` more of what they may do. Each template sees `here`, the path of its output, and
+    `root`, the way from there up.
     """
     environment = _environment()
     environment.globals.update(layout=layout, model=export(layout), **(names or {}))
