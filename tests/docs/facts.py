@@ -1,0 +1,314 @@
+"""Every fact of the model that a reference has to tell, with the place where a reader looks for it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Protocol, Union
+
+from sbgcgen.filters import versions
+from sbgcgen.model import (
+    Answer,
+    Availability,
+    Enum,
+    Layout,
+    Leaf,
+    Message,
+    Packed,
+    Part,
+    Quantity,
+)
+
+Wanted = Union[str, Fraction]
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where a fact stands.
+
+    `kind` is "message", "enum", "packed", "unit", "variables", "errata" or "commands"; `name` is
+    the message, type or (with a direction) message and direction; `hook` the path of a leaf, the
+    name of a value or variable, the number of an erratum; "" is the page as a whole.
+    """
+
+    kind: str
+    name: str = ""
+    direction: str = ""
+    hook: str = ""
+
+
+@dataclass(frozen=True)
+class Fact:
+    """Something that must be found at a place: a text, or a number in whatever form.
+
+    `column` names the column of the place's row that it must stand in, if it has such a column.
+    """
+
+    place: Place
+    kind: str
+    wanted: Wanted
+    column: str = ""
+
+    def holds(self, text: str) -> bool:
+        """Whether a text tells this fact."""
+        if isinstance(self.wanted, Fraction):
+            return any(_same(number, self.wanted) for number in numbers(text))
+        wanted = " ".join(self.wanted.split())
+        return re.search(rf"(?<![\w.]){re.escape(wanted)}(?!\w)", " ".join(text.split())) is not None
+
+
+class Pages(Protocol):
+    """A rendered reference."""
+
+    def text(self, place: Place, column: str) -> str | None:
+        """What stands at a place, None if there is no such place."""
+
+
+def missing(facts: Iterator[Fact] | list[Fact], pages: Pages) -> list[Fact]:
+    """The facts that the pages do not tell where they should."""
+    return [f for f in facts if not f.holds(pages.text(f.place, f.column) or "")]
+
+
+def numbers(text: str) -> Iterator[Fraction]:
+    """The numbers in a text: 12, -0.5, 360/16384, 0x3E."""
+    text = text.replace("\u2212", "-")
+    for word in re.findall(r"(?<![\w.])0x[0-9A-Fa-f]+", text):
+        yield Fraction(int(word, 16))
+    for word in re.findall(r"(?<![\w.])-?\d+(?:\.\d+)?(?:/\d+)?(?![\w])", text):
+        numerator, _, denominator = word.partition("/")
+        if denominator != "0":
+            yield Fraction(numerator) / Fraction(denominator or 1)
+
+
+def _same(number: Fraction, wanted: Fraction) -> bool:
+    """Equal, or as near as six digits can tell."""
+    return number == wanted or abs(number - wanted) < abs(wanted) * Fraction(6, 1000000)
+
+
+# The facts
+
+
+def all_facts(layout: Layout) -> Iterator[Fact]:
+    """All of them."""
+    for message in layout.messages:
+        yield from facts_of_message(message)
+    for enum in layout.enums:
+        yield from _enum(enum)
+    for packed in layout.packed:
+        yield from _packed(packed)
+    for quantity in layout.quantities:
+        yield from _quantity(quantity)
+    yield from _variables(layout)
+    yield from _errata(layout)
+    yield from _commands(layout)
+
+
+def facts_of_message(message: Message) -> Iterator[Fact]:
+    """What the page of a message tells."""
+    place = Place("message", message.name, message.direction)
+    yield Fact(place, "message", message.name)
+    yield Fact(place, "message command", message.command)
+    yield Fact(place, "message id", Fraction(message.id))
+    yield Fact(place, "message summary", message.summary)
+    yield Fact(place, "message source", message.source)
+    yield Fact(place, "message size", Fraction(message.min_size))
+    yield Fact(place, "message size", Fraction(message.max_size))
+    if message.description:
+        yield Fact(place, "message description", message.description)
+    if message.form:
+        yield Fact(place, "message form", message.form)
+    yield from _since(place, "message since", message.since)
+    if message.deprecated and message.deprecated.replaced_by:
+        yield Fact(place, "message deprecated", message.deprecated.replaced_by)
+    for number in message.errata:
+        yield Fact(place, "message errata", number)
+    if message.answer:
+        yield from _answer(place, message.answer)
+    if message.stores:
+        yield Fact(place, "message stores", message.stores)
+    for context in message.contexts:
+        yield Fact(place, "context", context.name)
+        yield Fact(place, "context", context.summary)
+        for name, path in context.sources:
+            yield Fact(place, "context source", name)
+            yield Fact(place, "context source", path)
+        if context.announced:
+            yield Fact(place, "context source", context.announced.message)
+    for leaf in message.leaves:
+        yield from _leaf(message, leaf)
+        for case in leaf.cases:
+            yield from _leaf(message, case)
+
+
+def _since(place: Place, kind: str, since: Availability, column: str = "") -> Iterator[Fact]:
+    for word in versions(since).split(", ") if since else ():
+        yield Fact(place, kind, word, column)
+
+
+def _answer(place: Place, answer: Answer) -> Iterator[Fact]:
+    for name in answer.messages:
+        yield Fact(place, "answer", name)
+    if answer.messages or answer.confirm != "never":
+        yield Fact(place, "answer timeout", Fraction(answer.timeout_ms))
+    if answer.confirmations > 1:
+        yield Fact(place, "answer confirmations", Fraction(answer.confirmations))
+    for number in answer.errata:
+        yield Fact(place, "answer errata", number)
+
+
+def _leaf(message: Message, leaf: Leaf) -> Iterator[Fact]:
+    place = Place("message", message.name, message.direction, leaf.path)
+    field = leaf.field
+    yield Fact(place, "field", leaf.path, "field")
+    yield Fact(place, "field spec name", leaf.spec_name, "spec name")
+    if leaf.offset is not None:
+        yield Fact(place, "field offset", Fraction(leaf.offset), "offset")
+    if field.type.kind != "announced":
+        yield Fact(place, "field type", leaf.type, "type")
+    if leaf.count not in (None, 1):
+        assert leaf.count is not None
+        yield Fact(place, "field count", Fraction(leaf.count), "type")
+    if field.summary:
+        yield Fact(place, "field summary", field.summary, "meaning")
+    if isinstance(field.type, Quantity):
+        yield from _unit_of_field(place, field.type)
+    if isinstance(field.type, (Enum, Packed)):
+        yield Fact(place, "field enum", field.type.name, "unit")
+    for limit in (field.minimum, field.maximum):
+        if limit is not None:
+            yield Fact(place, "field range", limit, "range")
+    for special in field.special:
+        yield Fact(place, "field special value", Fraction(special.value), "meaning")
+        yield Fact(place, "field special meaning", special.meaning, "meaning")
+    if field.reserved:
+        yield Fact(place, "field reserved", "Reserved", "meaning")
+    if field.max_count is not None:
+        yield Fact(place, "field most elements", Fraction(field.max_count), "meaning")
+    if field.align != 1:
+        yield Fact(place, "field alignment", Fraction(field.align), "meaning")
+    if field.counter:
+        yield Fact(place, "field counter", field.counter, "meaning")
+    if field.variable:
+        yield Fact(place, "field variable", field.variable, "meaning")
+    if field.when:
+        yield Fact(place, "field condition", field.when.source, "meaning")
+        for value in (*field.when.flags, *field.when.values):
+            yield Fact(place, "field condition", value.name, "meaning")
+    if field.alternative:
+        yield Fact(place, "field other unit", field.alternative.flag.name, "meaning")
+        yield Fact(place, "field other unit", field.alternative.quantity.name, "meaning")
+    yield from _since(place, "field since", field.since, "meaning")
+    if field.deprecated:
+        yield Fact(place, "field deprecated", field.deprecated.replaced_by, "meaning")
+    for number in field.errata:
+        yield Fact(place, "field errata", number, "meaning")
+
+
+def _unit_of_field(place: Place, quantity: Quantity) -> Iterator[Fact]:
+    yield Fact(place, "field quantity", quantity.name, "unit")
+    if quantity.unit:
+        yield Fact(place, "field unit", quantity.unit, "unit")
+    if quantity.scale != 1:
+        yield Fact(place, "field scale", quantity.scale, "unit")
+    if quantity.offset:
+        yield Fact(place, "field scale", quantity.offset, "unit")
+
+
+def _enum(enum: Enum) -> Iterator[Fact]:
+    place = Place("enum", enum.name)
+    yield Fact(place, "enum", enum.name)
+    yield Fact(place, "enum type", enum.scalar.name)
+    yield Fact(place, "enum summary", enum.summary)
+    yield Fact(place, "enum source", enum.source)
+    for number in enum.errata:
+        yield Fact(place, "enum errata", number)
+    for value in enum.values:
+        at = Place("enum", enum.name, hook=value.name)
+        yield Fact(at, "value", value.name, "name")
+        yield Fact(at, "value number", Fraction(value.value), "number")
+        yield Fact(at, "value summary", value.summary, "meaning")
+        yield from _since(at, "value since", value.since, "meaning")
+        for number in value.errata:
+            yield Fact(at, "value errata", number, "meaning")
+
+
+def _packed(packed: Packed) -> Iterator[Fact]:
+    place = Place("packed", packed.name)
+    yield Fact(place, "packed", packed.name)
+    yield Fact(place, "packed type", packed.scalar.name)
+    yield Fact(place, "packed summary", packed.summary)
+    yield Fact(place, "packed source", packed.source)
+    if packed.names:
+        yield Fact(place, "packed names", packed.names.name)
+    for number in packed.errata:
+        yield Fact(place, "packed errata", number)
+    for part in packed.parts:
+        yield Fact(place, "part", part.name)
+        yield Fact(place, "part summary", part.summary)
+        if part.enum:
+            yield Fact(place, "part enum", part.enum.name)
+        yield from _bits(place, part)
+
+
+def _bits(place: Place, part: Part) -> Iterator[Fact]:
+    if part.is_digits:
+        for number in (part.divide, part.modulo):
+            if number > 1:
+                yield Fact(place, "part digits", Fraction(number))
+        return
+    bits = [bit for bit in range(part.mask.bit_length()) if part.mask >> bit & 1]
+    for bit in (bits[0], bits[-1]):
+        yield Fact(place, "part bits", Fraction(bit))
+
+
+def _quantity(quantity: Quantity) -> Iterator[Fact]:
+    place = Place("unit", quantity.name)
+    yield Fact(place, "unit", quantity.name)
+    yield Fact(place, "unit type", quantity.scalar.name)
+    yield Fact(place, "unit summary", quantity.summary)
+    yield Fact(place, "unit scale", quantity.scale)
+    if quantity.unit:
+        yield Fact(place, "unit unit", quantity.unit)
+    if quantity.offset:
+        yield Fact(place, "unit offset", quantity.offset)
+    for number in quantity.errata:
+        yield Fact(place, "unit errata", number)
+
+
+def _variables(layout: Layout) -> Iterator[Fact]:
+    for variable in layout.variables:
+        place = Place("variables", hook=variable.name)
+        yield Fact(place, "variable", variable.name, "name")
+        yield Fact(place, "variable id", Fraction(variable.id), "id")
+        yield Fact(place, "variable type", variable.scalar.name, "type")
+        yield Fact(place, "variable range", Fraction(variable.minimum), "range")
+        yield Fact(place, "variable range", Fraction(variable.maximum), "range")
+        yield Fact(place, "variable summary", variable.summary, "meaning")
+        if variable.quantity:
+            yield Fact(place, "variable unit", variable.quantity.name, "unit")
+        for number in variable.errata:
+            yield Fact(place, "variable errata", number, "meaning")
+
+
+def _errata(layout: Layout) -> Iterator[Fact]:
+    for erratum in layout.errata:
+        place = Place("errata", hook=erratum.number)
+        yield Fact(place, "erratum", erratum.number)
+        yield Fact(place, "erratum problem", erratum.problem)
+        yield Fact(place, "erratum reading", erratum.reading)
+        if erratum.reason:
+            yield Fact(place, "erratum reason", erratum.reason)
+        for line in erratum.lines:
+            yield Fact(place, "erratum line", line)
+
+
+def _commands(layout: Layout) -> Iterator[Fact]:
+    for command in layout.commands:
+        place = Place("commands", hook=command.name)
+        yield Fact(place, "command", command.name)
+        if command.id is not None:
+            yield Fact(place, "command id", Fraction(command.id))
+        yield Fact(place, "command summary", command.summary)
+        yield from _since(place, "command since", command.since)

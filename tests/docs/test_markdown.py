@@ -1,0 +1,128 @@
+"""generated/docs/ tells every fact of the model, where a reader looks for it, and its links lead."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections import Counter
+from collections.abc import Mapping
+from pathlib import Path
+
+import pytest
+from facts import Fact, all_facts, missing
+from markdown_pages import MarkdownPages, plain
+
+from sbgcgen.build import load_protocol
+from sbgcgen.markdown_text import anchor, escape
+
+ROOT = Path(__file__).resolve().parents[2]
+DOCS = ROOT / "generated/docs"
+LAYOUT = load_protocol(ROOT / "spec").layout
+FACTS = list(all_facts(LAYOUT))
+MODEL = json.loads((ROOT / "generated/simplebgc.json").read_text(encoding="utf-8"))
+
+
+def files() -> dict[str, str]:
+    """All pages by their path below generated/docs/."""
+    return {
+        path.relative_to(DOCS).as_posix(): path.read_text(encoding="utf-8")
+        for path in sorted(DOCS.rglob("*.md"))
+    }
+
+
+FILES = files()
+
+
+def test_every_fact_stands_where_it_belongs() -> None:
+    counts = Counter(fact.kind for fact in FACTS)
+    print(f"{len(FACTS)} facts:", ", ".join(f"{n} {kind}" for kind, n in sorted(counts.items())))
+    absent = missing(FACTS, MarkdownPages(FILES))
+    assert not absent, absent[:20]
+
+
+def test_no_fact_of_the_exported_model_is_left_out_of_the_count() -> None:
+    """The facts come from the Layout; the JSON of the model must have as many."""
+    counts = Counter(fact.kind for fact in FACTS)
+    leaves = [
+        leaf
+        for message in MODEL["messages"]
+        for outer in message["layout"]
+        for leaf in (outer, *outer.get("cases", ()))
+    ]
+    enums = MODEL["enums"]
+    assert counts["message"] == len(MODEL["messages"])
+    assert counts["field"] == len(leaves)
+    assert counts["field offset"] == sum(leaf["offset"] is not None for leaf in leaves)
+    assert counts["field special meaning"] == sum(len(leaf.get("special", ())) for leaf in leaves)
+    assert counts["field range"] == sum(
+        leaf[limit] is not None for leaf in leaves for limit in ("min", "max")
+    )
+    assert counts["field unit"] == sum(bool(leaf["unit"]) for leaf in leaves)
+    assert counts["field errata"] == sum(len(leaf.get("errata", ())) for leaf in leaves)
+    assert counts["field since"] == sum(len(leaf.get("since", ())) for leaf in leaves)
+    assert counts["enum"] == len(enums)
+    assert counts["value"] == sum(len(enum["values"]) for enum in enums)
+    assert counts["packed"] == len(MODEL["packed"])
+    assert counts["part"] == sum(len(packed["parts"]) for packed in MODEL["packed"])
+    assert counts["unit"] == len(MODEL["quantities"])
+    assert counts["variable"] == len(MODEL["adjustable_variables"])
+    assert counts["erratum"] == len(MODEL["errata"])
+    assert counts["command"] == len(MODEL["commands"])
+
+
+def _one_of_each_kind() -> list[Fact]:
+    found: dict[str, Fact] = {}
+    for fact in FACTS:
+        found.setdefault(fact.kind, fact)
+    return list(found.values())
+
+
+@pytest.mark.parametrize("fact", _one_of_each_kind(), ids=lambda fact: fact.kind)
+def test_a_fact_that_is_taken_out_is_missed(fact: Fact) -> None:
+    assert missing([fact], MarkdownPages(FILES)) == []
+    assert missing([fact], MarkdownPages(without(fact, FILES))) == [fact]
+
+
+def without(fact: Fact, pages: Mapping[str, str]) -> dict[str, str]:
+    """The pages with the fact's text or number struck out everywhere."""
+    if isinstance(fact.wanted, str):
+        shapes = [re.escape(escape(fact.wanted)), re.escape(fact.wanted)]
+    else:
+        number = fact.wanted
+        shapes = [str(number.numerator), r"\d+/\d+", r"\d+\.\d+", hex(number.numerator)]
+    struck = re.compile("|".join(rf"(?<![\w.]){shape}(?!\w)" for shape in shapes), re.IGNORECASE)
+    return {name: struck.sub("", text) for name, text in pages.items()}
+
+
+# Links
+
+
+def anchors(page: str) -> list[str]:
+    """The anchors of a page as a code host makes them of the headings."""
+    page = re.sub(r"```.*?```", "", page, flags=re.DOTALL)
+    return [anchor(plain(title)) for title in re.findall(r"^#+ (.+)$", page, re.MULTILINE)]
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_links_lead_somewhere(name: str) -> None:
+    links = re.findall(r"\]\(([^)]+)\)", re.sub(r"```.*?```", "", FILES[name], flags=re.DOTALL))
+    assert links
+    for link in links:
+        target, _, where = link.partition("#")
+        path = (DOCS / name).parent / target if target else DOCS / name
+        assert path.is_file(), link
+        if where:
+            page = FILES[path.resolve().relative_to(DOCS).as_posix()]
+            assert where in anchors(page), link
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_no_anchor_stands_for_two_headings(name: str) -> None:
+    found = anchors(FILES[name])
+    assert len(found) == len(set(found))
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_nothing_unresolved_is_left(name: str) -> None:
+    for wrong in ("None", "Undefined", "{{", "{%", "object at 0x"):
+        assert wrong not in FILES[name].replace("| None", ""), wrong
