@@ -56,7 +56,9 @@ class Fact:
         if isinstance(self.wanted, Fraction):
             return any(_same(number, self.wanted) for number in numbers(text))
         wanted = " ".join(self.wanted.split())
-        return re.search(rf"(?<![\w.]){re.escape(wanted)}(?!\w)", " ".join(text.split())) is not None
+        return (
+            re.search(rf"(?<![\w.]){re.escape(wanted)}(?!\w)", " ".join(text.split())) is not None
+        )
 
 
 class Pages(Protocol):

@@ -1,0 +1,156 @@
+"""What the guides in docs/ show: C++ compiles, commands run and print what they should, links lead."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import pytest
+from markdown_pages import plain
+
+from sbgcgen.markdown_text import anchor
+
+ROOT = Path(__file__).resolve().parents[2]
+GUIDES = sorted((ROOT / "docs").glob("*.md"))
+FLAGS = ["-std=c++20", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fno-exceptions", "-fno-rtti"]
+FLAGS += ["-I" + str(ROOT / "runtime/include"), "-I" + str(ROOT / "generated/include")]
+
+
+def blocks(guide: Path, language: str) -> list[str]:
+    """The fenced blocks of a language."""
+    text = guide.read_text(encoding="utf-8")
+    return re.findall(rf"^```{language}\n(.*?)^```$", text, re.DOTALL | re.MULTILINE)
+
+
+def compile_text(source: str, *options: str) -> str:
+    """The messages of the compiler, none if all is well."""
+    command = ["g++", *FLAGS, "-x", "c++", *options, "-"]
+    done = subprocess.run(command, input=source, capture_output=True, text=True, check=False)
+    return done.stderr
+
+
+def test_all_cpp_compiles() -> None:
+    sources = [(guide.name, source) for guide in GUIDES for source in blocks(guide, "cpp")]
+    assert len(sources) >= 10
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        complaints = list(pool.map(lambda s: compile_text(s[1], "-fsyntax-only"), sources))
+    for (name, _), complaint in zip(sources, complaints):
+        assert not complaint, f"{name}: {complaint}"
+
+
+# What the functions of the guides should do, as a condition on them.
+PROMISES = {
+    "1-getting-started": "turn_to(45, frame).size() == 18 && turn_to(800, frame).empty()",
+    "3-framing": "frames_behind_a_broken_one() == 1",
+    "4-units": "creep(sbgc::FineSpeed(20)).axes.yaw.speed.raw() == 20",
+    "5-parameters": "with_deadband({}, 7).rc_deadband == 7",
+    "6-streams": "encode_frame(angles_at_50_hz(), frame).size == 26",
+    "7-microcontrollers": "turn(frame) == 18",
+}
+
+
+@pytest.mark.parametrize("name", PROMISES)
+def test_code_does_what_the_guide_says(name: str, tmp_path: Path) -> None:
+    function = re.match(r"(?:encode_frame\()?(\w+)", PROMISES[name])
+    assert function
+    (source,) = [
+        source for source in blocks(ROOT / f"docs/{name}.md", "cpp") if f" {function[1]}(" in source
+    ]
+    main = f"""#include <sbgc/message.hpp>
+int main() {{
+  std::array<std::uint8_t, sbgc::max_frame_size> frame{{}};
+  (void)frame;
+  return {PROMISES[name]} ? 0 : 1;
+}}
+"""
+    program = tmp_path / "program"
+    assert not compile_text(source + main, "-o", str(program))
+    subprocess.run([program], check=True)
+
+
+def prose(guide: Path) -> str:
+    """A guide without its fenced blocks."""
+    text = guide.read_text(encoding="utf-8")
+    return re.sub(r"^```.*?^```$", "", text, flags=re.DOTALL | re.MULTILINE)
+
+
+def shell_blocks() -> list[tuple[str, str, str | None]]:
+    """Guide, commands that use sbgc, and what they shall print, if that follows."""
+    found = []
+    for guide in GUIDES:
+        text = guide.read_text(encoding="utf-8")
+        for match in re.finditer(
+            r"^```sh\n(.*?)^```\n(?:\n```text\n(.*?)^```$)?", text, re.DOTALL | re.MULTILINE
+        ):
+            if re.search(r"\bsbgc (?:de|en)code\b", match[1]):
+                found.append((guide.name, match[1], match[2]))
+    return found
+
+
+@pytest.mark.skipif("SBGC" not in os.environ, reason="SBGC does not name the sbgc command")
+@pytest.mark.parametrize("name,commands,output", shell_blocks())
+def test_commands_run_and_print_what_the_guide_says(
+    name: str, commands: str, output: str | None, tmp_path: Path
+) -> None:
+    (tmp_path / "sbgc").symlink_to(Path(os.environ["SBGC"]).resolve())
+    path = f"{tmp_path}{os.pathsep}{os.environ['PATH']}"
+    done = subprocess.run(
+        ["bash", "-euo", "pipefail", "-c", commands],
+        cwd=ROOT,
+        env={**os.environ, "PATH": path},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, f"{name}: {done.stderr}"
+    assert done.stdout
+    if output is not None:
+        assert done.stdout == output, name
+
+
+def test_there_are_commands_with_output() -> None:
+    assert sum(output is not None for _, _, output in shell_blocks()) >= 3
+
+
+@pytest.mark.parametrize("guide", GUIDES, ids=lambda guide: guide.stem)
+def test_links_lead_somewhere(guide: Path) -> None:
+    for link in re.findall(r"\]\(([^)]+)\)", prose(guide)):
+        target, _, where = link.partition("#")
+        path = guide.parent / target if target else guide
+        assert path.is_file(), link
+        if where:
+            headings = re.findall(r"^#+ (.+)$", path.read_text(encoding="utf-8"), re.MULTILINE)
+            assert where in [anchor(plain(title)) for title in headings], link
+
+
+@pytest.mark.parametrize("guide", GUIDES, ids=lambda guide: guide.stem)
+def test_names_of_the_library_exist(guide: Path) -> None:
+    """Names of messages, fields and headers in running text, too."""
+    text = prose(guide)
+    headers = "".join(
+        path.read_text(encoding="utf-8")
+        for folder in ("runtime/include", "generated/include")
+        for path in (ROOT / folder).rglob("*.hpp")
+    )
+    spec = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "spec").glob("*.yaml"))
+    for name in re.findall(r"`(?:sbgc::)?([A-Za-z][A-Za-z0-9_]+)(?:\(\))?`", text):
+        known = re.search(rf"\b{name}\b", headers) or re.search(rf"\b{name}\b", spec)
+        assert known or name in ("sbgc", "memcpy", "double", "i16"), name
+    for header in re.findall(r"`(sbgc/[a-z_/]+\.hpp)`", text):
+        assert any((ROOT / f / header).is_file() for f in ("runtime/include", "generated/include"))
+
+
+def test_commands_of_dev_exist() -> None:
+    known = subprocess.run([ROOT / "dev"], capture_output=True, text=True, check=True).stdout
+    for guide in GUIDES:
+        for command in re.findall(r"\./dev ([a-z]+)", guide.read_text(encoding="utf-8")):
+            assert re.search(rf"^  {command}\b", known, re.MULTILINE), command
+
+
+def test_a_compiler_is_there() -> None:
+    """Without one, nothing of the above would be tested."""
+    assert shutil.which("g++")
