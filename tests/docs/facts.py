@@ -43,22 +43,23 @@ class Place:
 class Fact:
     """Something that must be found at a place: a text, or a number in whatever form.
 
-    `column` names the column of the place's row that it must stand in, if it has such a column.
+    `column` names the column of the place's row that it must stand in, if it has such a column;
+    `flags` are those of a regular expression, for a text that may be written in capitals or not.
     """
 
     place: Place
     kind: str
     wanted: Wanted
     column: str = ""
+    flags: int = 0
 
     def holds(self, text: str) -> bool:
         """Whether a text tells this fact."""
         if isinstance(self.wanted, Fraction):
             return any(_same(number, self.wanted) for number in numbers(text))
         wanted = " ".join(self.wanted.split())
-        return (
-            re.search(rf"(?<![\w.]){re.escape(wanted)}(?!\w)", " ".join(text.split())) is not None
-        )
+        pattern = rf"(?<![\w.]){re.escape(wanted)}(?!\w)"
+        return re.search(pattern, " ".join(text.split()), self.flags) is not None
 
 
 class Pages(Protocol):
@@ -75,7 +76,7 @@ def missing(facts: Iterator[Fact] | list[Fact], pages: Pages) -> list[Fact]:
 
 def numbers(text: str) -> Iterator[Fraction]:
     """The numbers in a text: 12, -0.5, 360/16384, 0x3E."""
-    text = text.replace("\u2212", "-")
+    text = text.replace("\u2212", "-").replace("..", " .. ")
     for word in re.findall(r"(?<![\w.])0x[0-9A-Fa-f]+", text):
         yield Fraction(int(word, 16))
     for word in re.findall(r"(?<![\w.])-?\d+(?:\.\d+)?(?:/\d+)?(?![\w])", text):
@@ -87,6 +88,24 @@ def numbers(text: str) -> Iterator[Fraction]:
 def _same(number: Fraction, wanted: Fraction) -> bool:
     """Equal, or as near as six digits can tell."""
     return number == wanted or abs(number - wanted) < abs(wanted) * Fraction(6, 1000000)
+
+
+def one_of_each_kind(facts: list[Fact]) -> list[Fact]:
+    """The first fact of each kind."""
+    found: dict[str, Fact] = {}
+    for fact in facts:
+        found.setdefault(fact.kind, fact)
+    return list(found.values())
+
+
+def shapes_of(fact: Fact) -> re.Pattern[str]:
+    """Whatever a fact's text or number may look like."""
+    if isinstance(fact.wanted, str):
+        shapes = [r"\s+".join(re.escape(word) for word in fact.wanted.split())]
+    else:
+        number = fact.wanted.numerator
+        shapes = [str(number), r"\d+/\d+", r"\d+\.\d+", f"0x0*{number & 0xFFFFFFFF:x}"]
+    return re.compile("|".join(rf"(?<!\w){shape}(?!\w)" for shape in shapes), re.IGNORECASE)
 
 
 # The facts
@@ -164,7 +183,7 @@ def _leaf(message: Message, leaf: Leaf) -> Iterator[Fact]:
     place = Place("message", message.name, message.direction, leaf.path)
     field = leaf.field
     yield Fact(place, "field", leaf.path, "field")
-    yield Fact(place, "field spec name", leaf.spec_name, "spec name")
+    yield Fact(place, "field spec name", leaf.spec_name, "spec name", re.IGNORECASE)
     if leaf.offset is not None:
         yield Fact(place, "field offset", Fraction(leaf.offset), "offset")
     if field.type.kind != "announced":
@@ -185,7 +204,7 @@ def _leaf(message: Message, leaf: Leaf) -> Iterator[Fact]:
         yield Fact(place, "field special value", Fraction(special.value), "meaning")
         yield Fact(place, "field special meaning", special.meaning, "meaning")
     if field.reserved:
-        yield Fact(place, "field reserved", "Reserved", "meaning")
+        yield Fact(place, "field reserved", "reserved", "meaning", re.IGNORECASE)
     if field.max_count is not None:
         yield Fact(place, "field most elements", Fraction(field.max_count), "meaning")
     if field.align != 1:

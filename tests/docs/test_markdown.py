@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
-from facts import Fact, all_facts, missing
+from facts import Fact, all_facts, missing, one_of_each_kind, shapes_of
 from markdown_pages import MarkdownPages, plain
 
 from sbgcgen.build import load_protocol
@@ -70,14 +70,7 @@ def test_no_fact_of_the_exported_model_is_left_out_of_the_count() -> None:
     assert counts["command"] == len(MODEL["commands"])
 
 
-def _one_of_each_kind() -> list[Fact]:
-    found: dict[str, Fact] = {}
-    for fact in FACTS:
-        found.setdefault(fact.kind, fact)
-    return list(found.values())
-
-
-@pytest.mark.parametrize("fact", _one_of_each_kind(), ids=lambda fact: fact.kind)
+@pytest.mark.parametrize("fact", one_of_each_kind(FACTS), ids=lambda fact: fact.kind)
 def test_a_fact_that_is_taken_out_is_missed(fact: Fact) -> None:
     assert missing([fact], MarkdownPages(FILES)) == []
     assert missing([fact], MarkdownPages(without(fact, FILES))) == [fact]
@@ -85,13 +78,10 @@ def test_a_fact_that_is_taken_out_is_missed(fact: Fact) -> None:
 
 def without(fact: Fact, pages: Mapping[str, str]) -> dict[str, str]:
     """The pages with the fact's text or number struck out everywhere."""
-    if isinstance(fact.wanted, str):
-        shapes = [re.escape(escape(fact.wanted)), re.escape(fact.wanted)]
-    else:
-        number = fact.wanted
-        shapes = [str(number.numerator), r"\d+/\d+", r"\d+\.\d+", hex(number.numerator)]
-    struck = re.compile("|".join(rf"(?<![\w.]){shape}(?!\w)" for shape in shapes), re.IGNORECASE)
-    return {name: struck.sub("", text) for name, text in pages.items()}
+    pattern = shapes_of(fact)
+    if isinstance(fact.wanted, str):  # as Markdown writes it
+        pattern = re.compile(f"{re.escape(escape(fact.wanted))}|{pattern.pattern}", re.IGNORECASE)
+    return {name: pattern.sub("", text) for name, text in pages.items()}
 
 
 # Links

@@ -1,0 +1,62 @@
+"""The site tells every fact of the model, on the page and at the anchor where it belongs."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Mapping
+from html import escape, unescape
+from pathlib import Path
+
+import pytest
+from facts import Fact, all_facts, missing, one_of_each_kind, shapes_of
+from html_pages import HtmlPages
+
+from sbgcgen.build import load_protocol
+
+pytest.importorskip("markdown", reason="the site needs python3-markdown")
+site = pytest.importorskip("sbgcgen.site")
+
+ROOT = Path(__file__).resolve().parents[2]
+LAYOUT = load_protocol(ROOT / "spec").layout
+FACTS = list(all_facts(LAYOUT))
+_INLINE = re.compile(r"<(a|code|b)\b(?![^>]*\bid=)[^>]*>([^<]*)</\1>")
+FAMILIES = {command.name: command.family for command in LAYOUT.commands}
+
+
+@pytest.fixture(scope="module", name="files")
+def rendered() -> dict[str, str]:
+    """The pages by their path."""
+    outputs = site.outputs(LAYOUT, ROOT / "docs")
+    return {name: data.decode() for name, data in outputs.items() if name.endswith(".html")}
+
+
+def test_every_fact_stands_where_it_belongs(files: dict[str, str]) -> None:
+    counts = Counter(fact.kind for fact in FACTS)
+    print(f"{len(FACTS)} facts:", ", ".join(f"{n} {kind}" for kind, n in sorted(counts.items())))
+    absent = missing(FACTS, HtmlPages(files, FAMILIES))
+    assert not absent, absent[:20]
+
+
+@pytest.mark.parametrize("fact", one_of_each_kind(FACTS), ids=lambda fact: fact.kind)
+def test_a_fact_that_is_taken_out_is_missed(fact: Fact, files: dict[str, str]) -> None:
+    assert missing([fact], HtmlPages(files, FAMILIES)) == []
+    assert missing([fact], HtmlPages(without(fact, files), FAMILIES)) == [fact]
+
+
+def without(fact: Fact, pages: Mapping[str, str]) -> dict[str, str]:
+    """The fact's page with its text or number struck out of texts and titles; ids stay."""
+    name = HtmlPages(pages, FAMILIES).page_name(fact.place)
+    page, count = pages[name], 1
+    while count:  # texts in one piece
+        page, count = _INLINE.subn(r"\2", page)
+    parts = re.split(r"(<[^>]*>)", page)
+    pattern = shapes_of(fact)
+    for i, part in enumerate(parts):
+        if i % 2 == 0:
+            parts[i] = escape(pattern.sub("", unescape(part)))
+        else:
+            parts[i] = re.sub(
+                r'(?<= title=")[^"]*', lambda m: pattern.sub("", m[0]), unescape(part)
+            )
+    return {**pages, name: "".join(parts)}
