@@ -98,6 +98,11 @@ def one_of_each_kind(facts: list[Fact]) -> list[Fact]:
     return list(found.values())
 
 
+def kind_of(fact: Fact) -> str:
+    """How a fact is called in a test."""
+    return fact.kind
+
+
 def shapes_of(fact: Fact) -> re.Pattern[str]:
     """Whatever a fact's text or number may look like."""
     if isinstance(fact.wanted, str):

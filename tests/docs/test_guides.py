@@ -20,6 +20,11 @@ FLAGS = ["-std=c++20", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fno-except
 FLAGS += ["-I" + str(ROOT / "runtime/include"), "-I" + str(ROOT / "generated/include")]
 
 
+def stem_of(guide: Path) -> str:
+    """How a guide is called in a test."""
+    return guide.stem
+
+
 def blocks(guide: Path, language: str) -> list[str]:
     """The fenced blocks of a language."""
     text = guide.read_text(encoding="utf-8")
@@ -116,7 +121,7 @@ def test_there_are_commands_with_output() -> None:
     assert sum(output is not None for _, _, output in shell_blocks()) >= 3
 
 
-@pytest.mark.parametrize("guide", GUIDES, ids=lambda guide: guide.stem)
+@pytest.mark.parametrize("guide", GUIDES, ids=stem_of)
 def test_links_lead_somewhere(guide: Path) -> None:
     for link in re.findall(r"\]\(([^)]+)\)", prose(guide)):
         target, _, where = link.partition("#")
@@ -127,7 +132,7 @@ def test_links_lead_somewhere(guide: Path) -> None:
             assert where in [anchor(plain(title)) for title in headings], link
 
 
-@pytest.mark.parametrize("guide", GUIDES, ids=lambda guide: guide.stem)
+@pytest.mark.parametrize("guide", GUIDES, ids=stem_of)
 def test_names_of_the_library_exist(guide: Path) -> None:
     """Names of messages, fields and headers in running text, too."""
     text = prose(guide)

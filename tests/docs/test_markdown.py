@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
-from facts import Fact, all_facts, missing, one_of_each_kind, shapes_of
+from facts import Fact, all_facts, kind_of, missing, one_of_each_kind, shapes_of
 from markdown_pages import MarkdownPages, plain
 
 from sbgcgen.build import load_protocol
@@ -70,7 +70,7 @@ def test_no_fact_of_the_exported_model_is_left_out_of_the_count() -> None:
     assert counts["command"] == len(MODEL["commands"])
 
 
-@pytest.mark.parametrize("fact", one_of_each_kind(FACTS), ids=lambda fact: fact.kind)
+@pytest.mark.parametrize("fact", one_of_each_kind(FACTS), ids=kind_of)
 def test_a_fact_that_is_taken_out_is_missed(fact: Fact) -> None:
     assert missing([fact], MarkdownPages(FILES)) == []
     assert missing([fact], MarkdownPages(without(fact, FILES))) == [fact]

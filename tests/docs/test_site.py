@@ -9,7 +9,7 @@ from html import escape, unescape
 from pathlib import Path
 
 import pytest
-from facts import Fact, all_facts, missing, one_of_each_kind, shapes_of
+from facts import Fact, all_facts, kind_of, missing, one_of_each_kind, shapes_of
 from html_pages import HtmlPages
 
 from sbgcgen.build import load_protocol
@@ -38,7 +38,7 @@ def test_every_fact_stands_where_it_belongs(files: dict[str, str]) -> None:
     assert not absent, absent[:20]
 
 
-@pytest.mark.parametrize("fact", one_of_each_kind(FACTS), ids=lambda fact: fact.kind)
+@pytest.mark.parametrize("fact", one_of_each_kind(FACTS), ids=kind_of)
 def test_a_fact_that_is_taken_out_is_missed(fact: Fact, files: dict[str, str]) -> None:
     assert missing([fact], HtmlPages(files, FAMILIES)) == []
     assert missing([fact], HtmlPages(without(fact, files), FAMILIES)) == [fact]
@@ -53,10 +53,8 @@ def without(fact: Fact, pages: Mapping[str, str]) -> dict[str, str]:
     parts = re.split(r"(<[^>]*>)", page)
     pattern = shapes_of(fact)
     for i, part in enumerate(parts):
-        if i % 2 == 0:
-            parts[i] = escape(pattern.sub("", unescape(part)))
-        else:
-            parts[i] = re.sub(
-                r'(?<= title=")[^"]*', lambda m: pattern.sub("", m[0]), unescape(part)
-            )
+        title = re.search(r'(?<= title=")[^"]*', part) if i % 2 else re.match(".*", part, re.S)
+        if title:
+            rest = escape(pattern.sub("", unescape(title[0])))
+            parts[i] = part[: title.start()] + rest + part[title.end() :]
     return {**pages, name: "".join(parts)}

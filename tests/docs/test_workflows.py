@@ -1,0 +1,86 @@
+"""The workflows of the code host: thin, with few rights, and naming only what there is."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+
+ROOT = Path(__file__).resolve().parents[2]
+WORKFLOWS = sorted((ROOT / ".github/workflows").glob("*.yml"))
+# What a container lacks before the project's own commands can run.
+SET_UP = (
+    "apt-get update",
+    "apt-get install -y --no-install-recommends ca-certificates git",
+    'git config --global --add safe.directory "$GITHUB_WORKSPACE"',
+)
+MAY_WRITE = {"deploy": {"pages": "write", "id-token": "write"}}
+
+
+def name_of(path: Path) -> str:
+    """How a workflow is called in a test."""
+    return path.stem
+
+
+def load(path: Path) -> dict[str, Any]:
+    """A workflow."""
+    loaded: dict[str, Any] = yaml.load(path.read_text(encoding="utf-8"), yaml.BaseLoader)
+    return loaded
+
+
+def steps(workflow: dict[str, Any]) -> Iterator[dict[str, Any]]:
+    """The steps of all jobs."""
+    for job in workflow["jobs"].values():
+        yield from job["steps"]
+
+
+def test_there_are_workflows() -> None:
+    assert [path.stem for path in WORKFLOWS] == ["ci", "docs", "fuzz"]
+
+
+@pytest.mark.parametrize("path", WORKFLOWS, ids=name_of)
+def test_it_has_the_shape_of_a_workflow(path: Path) -> None:
+    workflow = load(path)
+    assert set(workflow) == {"name", "on", "permissions", "concurrency", "jobs"}
+    assert workflow["permissions"] == {"contents": "read"}
+    for name, job in workflow["jobs"].items():
+        assert job.get("permissions") == MAY_WRITE.get(name), name
+        assert job["runs-on"] == "ubuntu-latest"
+        assert int(job["timeout-minutes"]) <= 150
+        for step in job["steps"]:
+            assert ("run" in step) != ("uses" in step), step
+
+
+@pytest.mark.parametrize("path", WORKFLOWS, ids=name_of)
+def test_it_runs_nothing_but_the_commands_of_the_project(path: Path) -> None:
+    known = subprocess.run([ROOT / "dev"], capture_output=True, text=True, check=True).stdout
+    for step in steps(load(path)):
+        for line in step.get("run", "").splitlines():
+            if line in SET_UP:
+                continue
+            match = re.fullmatch(r"(\.ci/run)|\./dev ([a-z]+)(?: [-a-z0-9 ]+)?", line)
+            assert match, line
+            if match[1]:
+                assert (ROOT / match[1]).is_file()
+            else:
+                assert re.search(rf"^  {match[2]}\b", known, re.MULTILINE), line
+
+
+@pytest.mark.parametrize("path", WORKFLOWS, ids=name_of)
+def test_it_uses_only_actions_of_the_code_host(path: Path) -> None:
+    for step in steps(load(path)):
+        if "uses" in step:
+            assert re.fullmatch(r"actions/[a-z/-]+@v\d+", step["uses"]), step
+
+
+def test_crashes_and_corpus_are_where_the_fuzzers_leave_them() -> None:
+    dev = (ROOT / "dev").read_text(encoding="utf-8")
+    for path in ("ci", "fuzz"):
+        for step in steps(load(ROOT / f".github/workflows/{path}.yml")):
+            folder = step.get("with", {}).get("path", "build/fuzz")
+            assert folder in dev, folder
