@@ -52,10 +52,18 @@ def _guide(path: Path) -> Guide:
     )
     # Guides link each other as files, so that they can be read where they lie, too.
     html = re.sub(r'href="([\w-]+)\.md', lambda m: f'href="{_guide_name(m[1])}.html', html)
+    html = re.sub(r'href="\.\./generated/docs/([^"]+)', lambda m: f'href="{_page_of_doc(m[1])}', html)
     html = html.replace("<table>", '<div class="table free" tabindex="0"><table>')
     html = html.replace("</table>", "</table></div>").replace("<pre>", '<pre tabindex="0">')
     name = _guide_name(path.stem)
     return Guide(name, title[1].strip() if title else name, Markup(html))
+
+
+def _page_of_doc(link: str) -> str:
+    """The way from a guide to the page that has what a file of generated/docs/ has."""
+    name = link.partition("#")[0].removesuffix(".md")
+    name = {"README": "messages"}.get(name, name.replace("messages/", "families/"))
+    return f"../{name}.html"
 
 
 def _guide_name(stem: str) -> str:

@@ -6,6 +6,7 @@ import re
 from collections import Counter
 from collections.abc import Mapping
 from html import escape, unescape
+from os.path import normpath
 from pathlib import Path
 
 import pytest
@@ -36,6 +37,20 @@ def test_every_fact_stands_where_it_belongs(files: dict[str, str]) -> None:
     print(f"{len(FACTS)} facts:", ", ".join(f"{n} {kind}" for kind, n in sorted(counts.items())))
     absent = missing(FACTS, HtmlPages(files, FAMILIES))
     assert not absent, absent[:20]
+
+
+def test_guides_link_pages_of_the_site(files: dict[str, str]) -> None:
+    guides = {name: text for name, text in files.items() if name.startswith("guides/")}
+    assert len(guides) == len(list((ROOT / "docs").glob("*.md")))
+    for name, text in guides.items():
+        for link in re.findall(r'href="([^"#]+)', page_part(text)):
+            path = (Path("/") / Path(name).parent / link).as_posix()
+            assert normpath(path).lstrip("/") in files, f"{name}: {link}"
+
+
+def page_part(text: str) -> str:
+    """What belongs to this page alone."""
+    return text[text.index("<main") : text.index("</main>")]
 
 
 @pytest.mark.parametrize("fact", one_of_each_kind(FACTS), ids=kind_of)
