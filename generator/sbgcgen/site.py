@@ -52,7 +52,9 @@ def _guide(path: Path) -> Guide:
     )
     # Guides link each other as files, so that they can be read where they lie, too.
     html = re.sub(r'href="([\w-]+)\.md', lambda m: f'href="{_guide_name(m[1])}.html', html)
-    html = re.sub(r'href="\.\./generated/docs/([^"]+)', lambda m: f'href="{_page_of_doc(m[1])}', html)
+    html = re.sub(
+        r'href="\.\./generated/docs/([^"]+)', lambda m: f'href="{_page_of_doc(m[1])}', html
+    )
     html = html.replace("<table>", '<div class="table free" tabindex="0"><table>')
     html = html.replace("</table>", "</table></div>").replace("<pre>", '<pre tabindex="0">')
     name = _guide_name(path.stem)
