@@ -13,6 +13,7 @@ import errno
 import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any, Optional
 
@@ -50,7 +51,9 @@ def _fail(message: str) -> None:
     raise ValueError(message)
 
 
-def _environment() -> jinja2.Environment:
+@cache
+def _environment(target: str) -> jinja2.Environment:
+    """The environment of a target, with its templates once they are compiled."""
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(TEMPLATES),
         undefined=jinja2.StrictUndefined,
@@ -88,7 +91,7 @@ def render(
     see, `filters` more of what they may do. Each template sees `here`, the path of its output, and
     `root`, the way from there up.
     """
-    environment = _environment()
+    environment = _environment(target)
     environment.globals.update(layout=layout, model=export(layout), **(names or {}))
     environment.filters.update(filters or {})
     sources = sources_of(target)

@@ -17,7 +17,7 @@ _CELL = 4
 
 def escape(text: str) -> str:
     """Text that is shown as it is, in a paragraph or in a cell of a table."""
-    text = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+    text = " ".join(text.split()).replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
     return re.sub(r"([\\`*_{}\[\]|~#])", r"\\\1", text)
 
 
