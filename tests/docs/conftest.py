@@ -9,6 +9,7 @@ import pytest
 
 PROJECT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(PROJECT / "generator"))
+sys.path.append(str(PROJECT / "tests/random_schemas"))
 
 from sbgcgen import site  # noqa: E402
 from sbgcgen.build import load_protocol  # noqa: E402

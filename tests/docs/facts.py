@@ -146,8 +146,11 @@ def facts_of_message(message: Message) -> Iterator[Fact]:
     if message.form:
         yield Fact(place, "message form", message.form)
     yield from _since(place, "message since", message.since)
-    if message.deprecated and message.deprecated.replaced_by:
-        yield Fact(place, "message deprecated", message.deprecated.replaced_by)
+    if message.deprecated:
+        yield Fact(place, "message deprecated", "deprecated", flags=re.IGNORECASE)
+        yield from _since(place, "message deprecated since", message.deprecated.since)
+        if message.deprecated.replaced_by:
+            yield Fact(place, "message replaced by", message.deprecated.replaced_by)
     for number in message.errata:
         yield Fact(place, "message errata", number)
     if message.answer:
@@ -227,7 +230,10 @@ def _leaf(message: Message, leaf: Leaf) -> Iterator[Fact]:
         yield Fact(place, "field other unit", field.alternative.quantity.name, "meaning")
     yield from _since(place, "field since", field.since, "meaning")
     if field.deprecated:
-        yield Fact(place, "field deprecated", field.deprecated.replaced_by, "meaning")
+        yield Fact(place, "field deprecated", "deprecated", "meaning", re.IGNORECASE)
+        yield from _since(place, "field deprecated since", field.deprecated.since, "meaning")
+        if field.deprecated.replaced_by:
+            yield Fact(place, "field replaced by", field.deprecated.replaced_by, "meaning")
     for number in field.errata:
         yield Fact(place, "field errata", number, "meaning")
 

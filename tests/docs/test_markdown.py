@@ -11,8 +11,11 @@ from pathlib import Path
 import pytest
 from facts import Fact, all_facts, kind_of, missing, one_of_each_kind, shapes_of
 from markdown_pages import MarkdownPages, plain
+from spec_maker import write_spec
 
+from sbgcgen import docs_model
 from sbgcgen.build import load_protocol
+from sbgcgen.emit import render
 from sbgcgen.markdown_text import anchor, escape
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -82,6 +85,22 @@ def without(fact: Fact, pages: Mapping[str, str]) -> dict[str, str]:
     if isinstance(fact.wanted, str):  # as Markdown writes it
         pattern = re.compile(f"{re.escape(escape(fact.wanted))}|{pattern.pattern}", re.IGNORECASE)
     return {name: pattern.sub("", text) for name, text in pages.items()}
+
+
+@pytest.mark.parametrize("seed", range(1, 7))
+def test_any_other_protocol_is_told_as_well(seed: int, tmp_path: Path) -> None:
+    """Random protocols use all that the spec language has, this one does not."""
+    write_spec(tmp_path, seed, 8)
+    layout = load_protocol(tmp_path).layout
+    names = docs_model.names(layout)
+    pages = {
+        name.removeprefix("docs/"): data.decode()
+        for name, data in render("docs", layout, names=names)
+    }
+    facts = list(all_facts(layout))
+    assert len(facts) > 500
+    absent = missing(facts, MarkdownPages(pages))
+    assert not absent, absent[:20]
 
 
 # Links
