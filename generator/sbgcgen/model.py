@@ -432,6 +432,10 @@ class Answer:
         return all(case.retry_safe for case in self.cases)
 
     @property
+    def errata(self) -> tuple[str, ...]:
+        return tuple(dict.fromkeys(number for case in self.cases for number in case.errata))
+
+    @property
     def is_certain(self) -> bool:
         """Whether one of the messages comes in every case."""
         return all(case.messages for case in self.cases)
@@ -447,7 +451,7 @@ class Role:
     """
 
     kind: str
-    parts: dict[str, Field]
+    parts: dict[str, Field] = field(hash=False)
     messages: tuple[str, ...] = ()
     streams: tuple[Reply, ...] = ()
     interval_us: int = 0

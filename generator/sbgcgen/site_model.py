@@ -23,10 +23,6 @@ from sbgcgen.model import (
 from sbgcgen.names import slug
 from sbgcgen.reference_codec import CodecError, choose_message, forms_of
 
-# A confirmation is part of the spec language (`answer: {confirm: ...}`); this is what the board
-# sends as one.
-_CONFIRMATION = "Confirm"
-
 
 @dataclass(frozen=True)
 class Row:
@@ -223,7 +219,7 @@ def references(layout: Layout) -> References:
         page = f"families/{command.family}.html#{command.name}"
         found.of_errata(command.errata, Use("command", command.name, page))
     for message in layout.messages:
-        _of_message(message, found)
+        _of_message(message, layout, found)
     types: tuple[Enum | Packed | Quantity, ...] = (
         *layout.enums,
         *layout.packed,
@@ -254,7 +250,7 @@ def references(layout: Layout) -> References:
     return found
 
 
-def _of_message(message: Message, found: References) -> None:
+def _of_message(message: Message, layout: Layout, found: References) -> None:
     page = page_of_message(message)
     here = Use("message", message.name, page)
     found.of_errata(message.errata, here)
@@ -263,7 +259,8 @@ def _of_message(message: Message, found: References) -> None:
         for name in message.answer.messages:
             found.answers.setdefault(name, []).append(message)
         if message.answer.confirm != "never":
-            found.answers.setdefault(_CONFIRMATION, []).append(message)
+            for confirming in layout.having_role("confirmation"):
+                found.answers.setdefault(confirming.name, []).append(message)
     if message.stores:
         found.storers.setdefault(message.stores, []).append(message)
     for context in message.contexts:
@@ -290,8 +287,8 @@ def _kind(type_: Enum | Packed | Quantity) -> str:
 
 
 def confirmation(layout: Layout) -> Message | None:
-    """The message that confirms a request, if the protocol has one."""
-    return next((m for m in layout.messages if m.name == _CONFIRMATION), None)
+    """The message that confirms, if the protocol has one."""
+    return next(iter(layout.having_role("confirmation")), None)
 
 
 def siblings(message: Message, layout: Layout) -> list[Message]:

@@ -177,14 +177,25 @@ def _since(place: Place, kind: str, since: Availability, column: str = "") -> It
 
 
 def _answer(place: Place, answer: Answer) -> Iterator[Fact]:
-    for name in answer.messages:
-        yield Fact(place, "answer", name)
-    if answer.messages or answer.confirm != "never":
-        yield Fact(place, "answer timeout", Fraction(answer.timeout_ms))
-    if answer.confirmations > 1:
-        yield Fact(place, "answer confirmations", Fraction(answer.confirmations))
-    for number in answer.errata:
-        yield Fact(place, "answer errata", number)
+    for case in answer.cases:
+        if case.when:
+            yield Fact(place, "answer condition", case.when.source)
+            for value in case.when.flags + case.when.values:
+                yield Fact(place, "answer condition", value.name)
+        for name in case.messages:
+            yield Fact(place, "answer", name)
+        if case.messages or case.confirm != "never":
+            yield Fact(place, "answer timeout", Fraction(case.timeout_ms))
+            if case.finish_ms:
+                yield Fact(place, "answer timeout", Fraction(case.finish_ms))
+        if case.confirmations > 1:
+            yield Fact(place, "answer confirmations", Fraction(case.confirmations))
+        for name in case.echoes:
+            yield Fact(place, "answer echo", name)
+        if case.result:
+            yield Fact(place, "answer result", case.result.success.name)
+        for number in case.errata:
+            yield Fact(place, "answer errata", number)
 
 
 def _leaf(message: Message, leaf: Leaf) -> Iterator[Fact]:

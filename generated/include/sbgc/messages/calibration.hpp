@@ -132,7 +132,6 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {12, {}};
 }
 
-<<<<<<< HEAD
 [[gnu::always_inline]] inline bool add_in_memory(detail::ByteSum& sum,
                                                  const CalibAccExt& in) noexcept {
   using M = CalibAccExt;
@@ -141,13 +140,8 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return true;
 }
 
-/// Calibrate the gyroscope of the active IMU. Confirmed on reception and once more at the end. The
-/// actions that restart the board and a calibration over temperature may leave the second
-/// confirmation out or take much longer.
-=======
 /// Calibrate the gyroscope of the active IMU. Confirmed on reception and once more at the end; not
 /// at all if a parameter is wrong.
->>>>>>> session
 ///
 /// CMD_CALIB_GYRO (103), to the board, simple form; 0 bytes.
 /// Source: Outgoing commands L621-L640. Errata: E091, E102, E121.
