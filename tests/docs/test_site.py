@@ -62,7 +62,7 @@ def test_a_fact_that_is_taken_out_is_missed(fact: Fact, files: dict[str, str]) -
 def without(fact: Fact, pages: Mapping[str, str]) -> dict[str, str]:
     """The fact's page with its text or number struck out of texts and titles; ids stay."""
     name = HtmlPages(pages, FAMILIES).page_name(fact.place)
-    page, count = pages[name], 1
+    page, count = pages[name].replace("<wbr>", ""), 1
     while count:  # texts in one piece
         page, count = _INLINE.subn(r"\2", page)
     parts = re.split(r"(<[^>]*>)", page)
