@@ -13,7 +13,7 @@ namespace sbgc::tools {
 /// Where hex text is none, and why.
 struct HexError {
   std::size_t line{};    ///< from 1
-  std::size_t column{};  ///< in bytes, from 1; 0: the end of the line before
+  std::size_t column{};  ///< in bytes, from 1
   std::string reason{};
 };
 
