@@ -51,13 +51,15 @@ class Decoding {
   void feed(std::span<const std::uint8_t> block, std::string& out) {
     bytes_.clear();
     if (failed_) return;
-    if (!is_hex_) {
+    std::optional<HexError> error;
+    if (is_hex_) {
+      error = hex_.feed(block, bytes_);
+    } else {
       bytes_.assign(block.begin(), block.end());
-    } else if (const auto error = hex_.feed(block, bytes_)) {
-      fail(*error, out);
     }
     size_ += bytes_.size();
     parser_.feed(bytes_, Sink{*this, out});
+    if (error) fail(*error, out);
   }
 
   void finish(std::string& out) {

@@ -9,6 +9,7 @@ function decoderEngine(scope) {
   const batchTime = 60; // ms between two messages to the page
 
   let wasm = null; // the exports of the module
+  let loaded = null; // a promise of them
   let job = 0; // the input that counts; another one cancels it
   let bytes = new Uint8Array(0); // of the capture, as far as it is read
   let size = 0;
@@ -73,6 +74,8 @@ function decoderEngine(scope) {
 
   async function decode(request) {
     job = request.job;
+    await loaded;
+    if (job !== request.job) return;
     bytes = new Uint8Array(0);
     size = 0;
     items = [];
@@ -150,7 +153,8 @@ function decoderEngine(scope) {
   scope.onmessage = async ({ data }) => {
     try {
       if (data.type === "load") {
-        await load(data.module);
+        loaded = load(data.module);
+        await loaded;
         scope.postMessage({ type: "ready" });
       }
       if (data.type === "decode") await decode(data);
