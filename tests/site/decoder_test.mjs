@@ -1,9 +1,11 @@
 // The decoder page in Chromium, from a file.
 
 import assert from "node:assert/strict";
+import fs from "node:fs";
 import { createRequire } from "node:module";
 import path from "node:path";
 import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
 
 import { addressOf, frame, launch, root, vectors } from "./support.mjs";
 
@@ -15,7 +17,7 @@ after(() => browser.close());
 
 /** Opens the decoder, and fails at the end if anything went wrong on the page. */
 async function withDecoder(work, { hash = "", ...options } = {}) {
-  const context = await browser.newContext(options);
+  const context = await browser.newContext({ reducedMotion: "reduce", ...options });
   context.setDefaultTimeout(10_000);
   const page = await context.newPage();
   const problems = [];
@@ -96,9 +98,23 @@ test("values have units and names, and bytes their fields", async () => {
   });
 });
 
-test("a typical frame of every message decodes to its message", async () => {
+/** The places of a page that a link can name; undefined stands for the page itself. */
+const idsOf = (() => {
+  const known = new Map();
+  return (url) => {
+    if (!known.has(url)) {
+      const text = fs.readFileSync(fileURLToPath(url), "utf8");
+      known.set(url, new Set([undefined, ...[...text.matchAll(/ id="([^"]*)"/g)].map((m) => m[1])]));
+    }
+    return known.get(url);
+  };
+})();
+
+test("a typical frame of every message decodes to its message, with links to the reference", async () => {
   const typical = vectors().filter((vector) => vector.why === "typical values" && !vector.after);
   assert.ok(typical.length > 50);
+  const missing = new Set();
+  let linked = 0;
   for (const direction of ["to_board", "from_board"]) {
     const chosen = typical.filter((vector) => vector.direction === direction);
     const bytes = Buffer.concat(chosen.map(({ id, hex }) => frame(id, Buffer.from(hex, "hex"))));
@@ -109,10 +125,20 @@ test("a typical frame of every message decodes to its message", async () => {
         const names = await page.locator(".opener .what .muted").allTextContents();
         assert.deepEqual(names, chosen.map((vector) => vector.message).slice(0, 100));
         assert.equal(await page.locator(".tag.bad").count(), 0);
+        await page.evaluate(() => document.querySelectorAll(".opener").forEach((o) => o.click()));
+        await page.waitForFunction(() => document.querySelector(".inside:empty") === null);
+        const links = page.locator(".inside a");
+        for (const link of await links.evaluateAll((all) => all.map((a) => a.href))) {
+          linked += 1;
+          const [file, id] = link.split("#");
+          if (!idsOf(file).has(id && decodeURIComponent(id))) missing.add(link);
+        }
       },
       { hash: `#hex=${bytes.toString("hex").toUpperCase()}&from=${from}` },
     );
   }
+  assert.deepEqual([...missing], []);
+  assert.ok(linked > 1000, `only ${linked} links to the reference`);
 });
 
 test("a broken frame is explained", async () => {
@@ -211,6 +237,21 @@ test("a paste of 1 MB leaves the page responsive", async () => {
         }
       }).observe({ type: "longtask" });
     }, megabyte());
+    // What is measured can be measured.
+    const busy = await page.evaluate(
+      () =>
+        new Promise((resolve) => {
+          setTimeout(() => {
+            const end = performance.now() + 80;
+            while (performance.now() < end);
+          }, 0);
+          setTimeout(() => {
+            resolve(globalThis.longest);
+            globalThis.longest = 0;
+          }, 300);
+        }),
+    );
+    assert.ok(busy >= 80, `a busy page was not noticed: ${busy}`);
     const time = await page.evaluate(
       () =>
         new Promise((resolve) => {
@@ -289,27 +330,30 @@ test("it can be used with the keyboard", async () => {
 test("axe-core has nothing to say about results", async () => {
   const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
   const stream = Buffer.concat([Buffer.from([1, 2]), frame(82, [99]), frame(77, [1])]);
-  for (const colorScheme of ["light", "dark"]) {
-    for (const width of [1280, 390]) {
-      await withDecoder(
-        async (page) => {
-          await expectSummary(page, /2 frames/);
-          for (const i of [0, 1, 2]) await inside(page, i);
-          await page.locator("#hex").evaluate((area) => (area.value += " zz"));
-          await page.locator("#hex").dispatchEvent("input");
-          await page.locator("#problem").waitFor();
-          await page.addScriptTag({ path: axe });
-          const { violations } = await page.evaluate(() => globalThis.axe.run({ preload: false }));
-          assert.deepEqual(violations.map((v) => [v.id, v.nodes.map((n) => n.html)]), []);
-          const wide = await page.evaluate(() => document.documentElement.scrollWidth > innerWidth);
-          assert.ok(!wide, `too wide for ${width}`);
-        },
-        {
-          hash: `#hex=${stream.toString("hex")}&from=host`,
-          colorScheme,
-          viewport: { width, height: 900 },
-        },
-      );
-    }
+  const looks = [
+    ["light", 320],
+    ["light", 1280],
+    ["dark", 390],
+  ];
+  for (const [colorScheme, width] of looks) {
+    await withDecoder(
+      async (page) => {
+        await expectSummary(page, /2 frames/);
+        for (const i of [0, 1, 2]) await inside(page, i);
+        await page.locator("#hex").evaluate((area) => (area.value += " zz"));
+        await page.locator("#hex").dispatchEvent("input");
+        await page.locator("#problem").waitFor();
+        await page.addScriptTag({ path: axe });
+        const { violations } = await page.evaluate(() => globalThis.axe.run({ preload: false }));
+        assert.deepEqual(violations.map((v) => [v.id, v.nodes.map((n) => n.html)]), []);
+        const wide = await page.evaluate(() => document.documentElement.scrollWidth > innerWidth);
+        assert.ok(!wide, `too wide for ${width}`);
+      },
+      {
+        hash: `#hex=${stream.toString("hex")}&from=host`,
+        colorScheme,
+        viewport: { width, height: 900 },
+      },
+    );
   }
 });

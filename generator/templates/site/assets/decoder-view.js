@@ -15,6 +15,16 @@ const decoderView = (() => {
     return result;
   }
 
+  /** The place of a field in the reference, or null. */
+  function referenceOf(message, path) {
+    const known = messagePages[message];
+    if (known === undefined || path === "tail") return null;
+    // Elements that the model does not tell apart share a place.
+    const shared = [path.replace(/\[\d+\]/g, "[]"), path.replace(/\[\d+\]$/, "")];
+    const place = shared.find((name) => known.lists.includes(name)) ?? path;
+    return `${root}${known.page}#field-${encodeURIComponent(place)}`;
+  }
+
   const counted = (number, thing) =>
     `${number.toLocaleString("en")} ${thing}${number === 1 ? "" : "s"}`;
   const hexByte = (byte) => byte.toString(16).padStart(2, "0");
@@ -100,7 +110,10 @@ const decoderView = (() => {
     for (const [i, [path, raw, meaning, objection, at, size]] of answer.rows.entries()) {
       const place = size > 1 ? `${at}–${at + size - 1}` : size === 1 ? String(at) : "";
       const swatch = element("span", { class: `swatch tint-${i % 8}`, "aria-hidden": "true" });
-      const field = element("th", { scope: "row" }, swatch, ...breakable(path));
+      const reference = referenceOf(answer.frame.message, path);
+      const name = breakable(path);
+      const named = reference === null ? name : [element("a", { href: reference }, ...name)];
+      const field = element("th", { scope: "row" }, swatch, ...named);
       const cell = element("td", { class: "meaning" }, meaning);
       if (objection !== "") {
         cell.append(meaning === "" ? "" : " ", element("span", { class: "objection" }, objection));
@@ -126,7 +139,7 @@ const decoderView = (() => {
   function insideFrame(answer) {
     const { frame, rows } = answer;
     const result = [coloured(answer.bytes, partsOf(answer), "Bytes of the frame")];
-    const page = messagePages[frame.message];
+    const page = messagePages[frame.message]?.page;
     if (frame.error) {
       const where = frame.error.field === "" ? "" : ` Field: ${frame.error.field}.`;
       const note = element("p", {}, `${answer.reason}${where} Code: ${frame.error.code}, at byte `);
