@@ -3,10 +3,12 @@
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import { createRequire } from "node:module";
+import os from "node:os";
+import path from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 
-import { addressOf, inParallel, launch, pages } from "./support.mjs";
+import { addressOf, inParallel, launch, model, pages, site } from "./support.mjs";
 
 const all = pages();
 let browser;
@@ -15,31 +17,40 @@ before(async () => {
 });
 after(() => browser.close());
 
-/** Notes in `problems` whatever goes wrong on a page, and every address that it asks for. */
-function watch(page, problems, requests = []) {
-  page.on("console", (message) => {
-    if (["error", "warning"].includes(message.type())) problems.push(`console: ${message.text()}`);
-  });
-  page.on("pageerror", (error) => problems.push(`exception: ${error}`));
-  page.on("requestfailed", (request) => problems.push(`failed: ${request.url()}`));
-  page.on("request", (request) => {
-    requests.push(request.url());
-    if (!/^(file|blob|data):/.test(request.url())) problems.push(`network: ${request.url()}`);
-  });
+/** Loads a page of the site. Returns what goes wrong, and every address that is asked for. */
+async function visit(page, name) {
+  const problems = [];
+  const requests = [];
+  const listeners = {
+    console: (message) => {
+      const bad = ["error", "warning"].includes(message.type());
+      if (bad) problems.push(`console: ${message.text()}`);
+    },
+    pageerror: (error) => problems.push(`exception: ${error}`),
+    requestfailed: (request) => {
+      const reason = request.failure().errorText;
+      // The icon is not waited for; leaving the page gives it up.
+      if (reason !== "net::ERR_ABORTED") problems.push(`failed: ${request.url()}: ${reason}`);
+    },
+    request: (request) => {
+      requests.push(request.url());
+      if (!/^(file|blob|data):/.test(request.url())) problems.push(`network: ${request.url()}`);
+    },
+  };
+  for (const [event, listener] of Object.entries(listeners)) page.on(event, listener);
+  await page.goto(addressOf(name));
+  for (const [event, listener] of Object.entries(listeners)) page.off(event, listener);
+  return { problems, requests };
 }
 
-/** The pages to look at closely: of each folder the smallest and the largest, and all at the top. */
+/** The pages to look at closely: the largest of each folder, and all at the top. */
 function samples() {
+  const size = (name) => fs.statSync(path.join(site, name)).size;
   const kinds = new Map();
-  for (const name of all) {
-    const folder = name.includes("/") ? name.split("/")[0] : name;
-    kinds.set(folder, [...(kinds.get(folder) ?? []), name]);
+  for (const name of [...all].sort((a, b) => size(a) - size(b))) {
+    kinds.set(name.includes("/") ? path.dirname(name) : name, name);
   }
-  const size = (name) => fs.statSync(fileURLToPath(addressOf(name))).size;
-  return [...kinds.values()].flatMap((names) => {
-    const sorted = names.sort((a, b) => size(a) - size(b));
-    return [...new Set([sorted[0], sorted.at(-1)])];
-  });
+  return [...kinds.values()];
 }
 
 /** What sticks out to the right of the window. Boxes that scroll by themselves may hold more. */
@@ -58,57 +69,100 @@ function overflowing() {
 test("every page loads without an error, asks only for files, and fits into 320 pixels", async () => {
   assert.ok(all.length > 1);
   const problems = [];
-  const context = await browser.newContext({ viewport: { width: 320, height: 600 } });
-  await inParallel(all, async (name) => {
-    const page = await context.newPage();
-    const found = [];
-    watch(page, found);
-    await page.goto(addressOf(name));
+  const narrow = { viewport: { width: 320, height: 600 } };
+  await inParallel(browser, all, narrow, async (page, name) => {
+    const { problems: found } = await visit(page, name);
     found.push(...(await page.evaluate(overflowing)).map((what) => `too wide: ${what}`));
-    if ((await page.locator("h1").count()) !== 1) found.push("not exactly one h1");
     problems.push(...found.map((problem) => `${name}: ${problem}`));
-    await page.close();
   });
-  await context.close();
   assert.deepEqual(problems, []);
 });
 
-test("axe-core has nothing to say about the pages", async () => {
-  const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
-  const looks = [
-    { colorScheme: "light", viewport: { width: 1280, height: 900 } },
-    { colorScheme: "dark", viewport: { width: 390, height: 844 } },
-  ];
-  const problems = [];
-  const jobs = samples().flatMap((name) => looks.map((look) => [name, look]));
-  await inParallel(jobs, async ([name, look]) => {
-    const page = await browser.newPage(look);
-    await page.goto(addressOf(name));
-    await page.addScriptTag({ path: axe });
-    const { violations } = await page.evaluate(() => globalThis.axe.run({ preload: false }));
-    for (const { id, help, nodes } of violations) {
-      const where = nodes.map((node) => node.target.join(" ")).slice(0, 3);
-      problems.push(`${name} (${look.colorScheme}): ${id}: ${help}: ${where.join(", ")}`);
-    }
-    await page.close();
-  });
-  assert.deepEqual(problems, []);
+test("a page that fails is noticed", async () => {
+  const page = await browser.newPage({ viewport: { width: 320, height: 600 } });
+  const name = path.join(os.tmpdir(), `sbgc-broken-${process.pid}.html`);
+  const body = '<img src="missing.png"><script>nonsense()</script><p style="width: 400px">wide';
+  fs.writeFileSync(name, `<!DOCTYPE html><title>x</title>${body}`);
+  const { problems } = await visit(page, path.relative(site, name));
+  fs.unlinkSync(name);
+  assert.match(problems.join("\n"), /failed: .*missing\.png/);
+  assert.match(problems.join("\n"), /exception: .*nonsense/);
+  assert.match((await page.evaluate(overflowing)).join("\n"), /width: 400px/);
+  await page.close();
 });
+
+for (const [colorScheme, width] of [
+  ["light", 1280],
+  ["dark", 390],
+]) {
+  test(`axe-core has nothing to say about ${colorScheme} pages of ${width} pixels`, async () => {
+    const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
+    const problems = [];
+    const look = { colorScheme, viewport: { width, height: 900 } };
+    await inParallel(browser, samples(), look, async (page, name) => {
+      await visit(page, name);
+      await page.addScriptTag({ path: axe });
+      // It would load the style sheets a second time, which files may not.
+      const { violations } = await page.evaluate(() => globalThis.axe.run({ preload: false }));
+      for (const { id, help, nodes } of violations) {
+        const where = nodes.map((node) => node.target.join(" ")).slice(0, 3);
+        problems.push(`${name}: ${id}: ${help}: ${where.join(", ")}`);
+      }
+    });
+    assert.deepEqual(problems, []);
+  });
+}
 
 test("the start page weighs less than 300 kB", async () => {
   const page = await browser.newPage();
-  const requests = [];
-  watch(page, [], requests);
-  await page.goto(addressOf("index.html"));
-  const files = [...new Set(requests)].filter((url) => url.startsWith("file:"));
-  const weight = files.reduce((sum, url) => sum + fs.statSync(fileURLToPath(url.split("#")[0])).size, 0);
+  const { requests } = await visit(page, "index.html");
+  const files = new Set(requests.filter((url) => url.startsWith("file:")));
   await page.close();
-  assert.ok(files.length > 1);
-  assert.ok(weight < 300_000, `${weight} bytes: ${files.join(" ")}`);
+  const sizes = [...files].map((url) => fs.statSync(fileURLToPath(url)).size);
+  const weight = sizes.reduce((sum, size) => sum + size, 0);
+  assert.ok(files.size > 3);
+  assert.ok(weight < 300_000, `${weight} bytes: ${[...files].join(" ")}`);
+});
+
+test("search finds a message, a command and a field, and leads there", async () => {
+  const page = await browser.newPage({ reducedMotion: "reduce" });
+  const { messages } = model();
+  const message = messages.find((m) => m.layout.some((leaf) => leaf.path.startsWith("axes.")));
+  const leaf = message.layout.find((l) => l.path.startsWith("axes.") && !l.reserved);
+  const field = `#field-${encodeURIComponent(leaf.path)}`;
+  for (const [query, target] of [
+    [message.name, ".html"],
+    [message.command, ".html"],
+    [`${message.name} ${leaf.path}`, field],
+  ]) {
+    await visit(page, "index.html");
+    await page.keyboard.press("/");
+    await page.locator("#search").fill(query);
+    await page.locator(`#search-results a[href*="${target}"]`).first().click();
+    await page.waitForURL(/messages|families/);
+    assert.ok((await page.locator("main").textContent()).includes(message.command), page.url());
+    if (target === field) assert.ok(await page.locator(":target").isVisible());
+  }
+  await page.locator("#search").fill("qqqqzzzz");
+  await page.locator("#search-results", { hasText: "Nothing found" }).waitFor();
+  await page.close();
+});
+
+test("the example of a message opens in the decoder", async () => {
+  const page = await browser.newPage({ reducedMotion: "reduce" });
+  for (const name of all.filter((file) => file.startsWith("messages/")).slice(0, 5)) {
+    await visit(page, name);
+    const title = await page.locator("h1").textContent();
+    await page.locator("a[href*='decoder.html#hex=']").first().click();
+    await page.waitForFunction(() => document.querySelector("#summary")?.textContent);
+    const names = await page.locator(".opener .what .muted").allTextContents();
+    assert.equal(names.at(-1), title);
+  }
+  await page.close();
 });
 
 test("without JavaScript there is the content and a menu", async () => {
-  const context = await browser.newContext({ javaScriptEnabled: false });
+  const context = await browser.newContext({ javaScriptEnabled: false, reducedMotion: "reduce" });
   for (const width of [1280, 390]) {
     const page = await context.newPage();
     await page.setViewportSize({ width, height: 800 });
@@ -130,10 +184,9 @@ test("without JavaScript there is the content and a menu", async () => {
 
 test("on paper there is the content without bars and menus", async () => {
   const problems = [];
-  await inParallel(samples(), async (name) => {
-    const page = await browser.newPage({ colorScheme: "dark" });
+  await inParallel(browser, samples(), { colorScheme: "dark" }, async (page, name) => {
     await page.emulateMedia({ media: "print" });
-    await page.goto(addressOf(name));
+    await visit(page, name);
     const looks = await page.evaluate(() => {
       const hidden = (selector) =>
         [...document.querySelectorAll(selector)].every((e) => e.getClientRects().length === 0);
@@ -157,7 +210,6 @@ test("on paper there is the content without bars and menus", async () => {
     for (const [key, value] of Object.entries(expected)) {
       if (looks[key] !== value) problems.push(`${name}: ${key}: ${looks[key]}`);
     }
-    await page.close();
   });
   assert.deepEqual(problems, []);
 });

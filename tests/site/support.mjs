@@ -58,11 +58,13 @@ export async function launch() {
   return chromium.launch({ executablePath, chromiumSandbox: process.getuid() !== 0 });
 }
 
-/** Calls `work(item)` for each item, a few at a time. */
-export async function inParallel(items, work) {
+/** Calls `work(page, item)` for each item, with a few pages at once. */
+export async function inParallel(browser, items, options, work) {
   const left = items.values();
   const worker = async () => {
-    for (const item of left) await work(item);
+    const page = await browser.newPage(options);
+    for (const item of left) await work(page, item);
+    await page.close();
   };
   await Promise.all(Array.from({ length: Math.max(2, os.cpus().length) }, worker));
 }
