@@ -18,13 +18,12 @@ std::string claimed(std::uint8_t id) {
 }
 
 std::string checksum(const char* of, std::uint8_t found, std::uint8_t right) {
-  return fmt::format("the checksum of its {} is 0x{:02x}, but should be 0x{:02x}", of, found,
-                     right);
+  return fmt::format("the checksum of its {} is 0x{:02x}, not 0x{:02x}", of, found, right);
 }
 
 /// Says why what begins with the start byte `bytes[0]` is no frame.
 std::string reason(Candidate candidate, std::span<const std::uint8_t> bytes) {
-  if (bytes.size() < frame_header_size) return "the bytes end within its header";
+  if (bytes.size() < frame_header_size) return "a start byte, but the bytes end within the header";
   const std::uint8_t id = bytes[1];
   const std::uint8_t size = bytes[2];
   // The frame as it should be; bytes that are not there are 0.
@@ -32,19 +31,21 @@ std::string reason(Candidate candidate, std::span<const std::uint8_t> bytes) {
   std::copy_n(bytes.begin(), std::min(bytes.size(), right.size()), right.begin());
   Framing::finish(right.data(), id, size, right.data() + frame_header_size);
   if (candidate.verdict == Verdict::bad_header) {
-    if (id == 0) return "no command has the id 0";
+    if (id == 0) return "a start byte, but no command has the id 0";
     constexpr std::size_t place = frame_header_size - 1;
-    return checksum("header", bytes[place], right[place]);
+    return "a start byte, but " + checksum("header", bytes[place], right[place]);
   }
-  const std::string what =
-      fmt::format("{} with a body of {} byte{}", claimed(id), size, size == 1 ? "" : "s");
+  std::string result = fmt::format("looks like {} with a body of {} byte{}, but ", claimed(id),
+                                   size, size == 1 ? "" : "s");
   if (candidate.verdict == Verdict::incomplete) {
     const std::size_t missing = candidate.size - bytes.size();
-    return fmt::format("{}; the last {} of its {} bytes {} missing", what, missing, candidate.size,
-                       missing == 1 ? "is" : "are");
+    result += fmt::format("the last {} of its {} bytes {} missing", missing, candidate.size,
+                          missing == 1 ? "is" : "are");
+  } else {
+    const std::size_t place = candidate.size - 1;
+    result += checksum("body", bytes[place], right[place]);
   }
-  const std::size_t place = candidate.size - 1;
-  return what + "; " + checksum("body", bytes[place], right[place]);
+  return result;
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace sbgc::tools {
 struct NearMiss {
   std::size_t offset{};  ///< in the bytes that were looked at
   Verdict verdict{};     ///< incomplete, bad_header or bad_body
-  std::string text{};    ///< the reason in a sentence
+  std::string text{};    ///< the reason, such as "a start byte, but no command has the id 0"
 };
 
 /// The first start bytes in `bytes`, at most `limit`, and why they begin no frame. `rest` is what

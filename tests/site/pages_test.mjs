@@ -43,14 +43,15 @@ async function visit(page, name) {
   return { problems, requests };
 }
 
-/** The pages to look at closely: the largest of each folder, and all at the top. */
+/** The pages to look at closely: all at the top, and of each folder the one of middle size. */
 function samples() {
   const size = (name) => fs.statSync(path.join(site, name)).size;
   const kinds = new Map();
   for (const name of [...all].sort((a, b) => size(a) - size(b))) {
-    kinds.set(name.includes("/") ? path.dirname(name) : name, name);
+    const kind = name.includes("/") ? path.dirname(name) : name;
+    kinds.set(kind, [...(kinds.get(kind) ?? []), name]);
   }
-  return [...kinds.values()];
+  return [...kinds.values()].map((names) => names[names.length >> 1]);
 }
 
 /** What sticks out to the right of the window. Boxes that scroll by themselves may hold more. */

@@ -102,25 +102,26 @@ const decoderView = (() => {
   }
 
   function rowsTable(answer, page) {
-    const head = element("tr", {});
+    // Where it is narrow the table is laid out as a list; the roles keep it a table for readers.
+    const head = element("tr", { role: "row" });
     for (const title of ["Byte", "Field", "Raw", "Meaning"]) {
-      head.append(element("th", { scope: "col", class: title.toLowerCase() }, title));
+      head.append(element("th", { scope: "col", role: "columnheader", class: title.toLowerCase() }, title));
     }
-    const body = element("tbody");
+    const body = element("tbody", { role: "rowgroup" });
     for (const [i, [path, raw, meaning, objection, at, size]] of answer.rows.entries()) {
       const place = size > 1 ? `${at}–${at + size - 1}` : size === 1 ? String(at) : "";
       const swatch = element("span", { class: `swatch tint-${i % 8}`, "aria-hidden": "true" });
       const reference = referenceOf(answer.frame.message, path);
       const name = breakable(path);
       const named = reference === null ? name : [element("a", { href: reference }, ...name)];
-      const field = element("th", { scope: "row" }, swatch, ...named);
-      const cell = element("td", { class: "meaning" }, meaning);
+      const field = element("th", { scope: "row", role: "rowheader" }, swatch, ...named);
+      const cell = element("td", { role: "cell", class: "meaning" }, meaning);
       if (objection !== "") {
         cell.append(meaning === "" ? "" : " ", element("span", { class: "objection" }, objection));
       }
-      const number = element("td", { class: "byte" }, place);
-      const value = element("td", { class: "raw" }, raw);
-      body.append(element("tr", { "data-part": i }, number, field, value, cell));
+      const number = element("td", { role: "cell", class: "byte" }, place);
+      const value = element("td", { role: "cell", class: "raw" }, raw);
+      body.append(element("tr", { role: "row", "data-part": i }, number, field, value, cell));
     }
     const caption = element("caption", {}, "Fields");
     if (page) {
@@ -131,7 +132,7 @@ const decoderView = (() => {
     return element(
       "div",
       region,
-      element("table", {}, caption, element("thead", {}, head), body),
+      element("table", { role: "table" }, caption, element("thead", { role: "rowgroup" }, head), body),
     );
   }
 
@@ -165,7 +166,7 @@ const decoderView = (() => {
     const list = element("ul", {});
     const starts = new Map(answer.misses);
     for (const [offset, reason] of answer.misses) {
-      list.append(element("li", {}, `@${item.offset + offset}: a start byte, but ${reason}.`));
+      list.append(element("li", {}, `@${item.offset + offset}: ${reason}.`));
     }
     const parts = [...starts.keys()].filter((at) => at < shown);
     const result = [
