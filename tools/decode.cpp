@@ -10,6 +10,7 @@
 
 #include "commands.hpp"
 #include "decoded_frame.hpp"
+#include "hex_text.hpp"
 #include "input.hpp"
 #include "text.hpp"
 
@@ -70,6 +71,10 @@ class Printer {
   std::uint64_t end_ = 0;
 };
 
+void check(const std::optional<HexError>& error) {
+  if (error) throw InputError(to_text(*error));
+}
+
 /// What has been printed goes out now: a reader may be waiting for it.
 void flush_output() {
   if (std::fflush(stdout) != 0) throw std::runtime_error("can not write to the standard output");
@@ -95,11 +100,11 @@ int decode_file(const Options& options) {
   try {
     for (auto block = input.read(); !block.empty(); block = input.read()) {
       bytes.clear();
-      if (options.hex) hex.feed(block, bytes);
+      if (options.hex) check(hex.feed(block, bytes));
       feed(options.hex ? bytes : block);
     }
     bytes.clear();
-    hex.finish();
+    check(hex.finish());
   } catch (const InputError&) {
     feed(bytes);  // what stands before the mistake is good
     finish();

@@ -43,17 +43,29 @@ Direction guess(const Frame& frame) {
   return host_only ? Direction::to_board : Direction::from_board;
 }
 
+/// Looks for the fixed-size member that a byte of the body belongs to.
+struct FieldFinder {
+  std::size_t wanted{};
+  std::size_t& at;
+  const char*& found;
+
+  template <class T>
+  void operator()(const FieldInfo& field, const T&) const {
+    step(wire_size<T>, field.name);
+  }
+  void step(std::size_t size, const char* name) const {
+    at += size;
+    if (*found == '\0' && at > wanted) found = name;
+  }
+};
+
 /// The path of the fixed-size member that byte `offset` of the body belongs to.
 template <class M>
 std::string field_at(std::size_t offset) {
-  std::string result;
   std::size_t at = 0;
+  const char* result = "";
   const M message{};
-  Meta<M>::visit(message, [&](const FieldInfo& field, const auto& member) {
-    using T = std::remove_cvref_t<decltype(member)>;
-    at += wire_size<T>;
-    if (result.empty() && at > offset) result = field.name;
-  });
+  Meta<M>::visit(message, FieldFinder{offset, at, result});
   return result;
 }
 

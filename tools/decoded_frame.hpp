@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <sbgc/frame.hpp>
-#include <sbgc/json.hpp>
+#include <sbgc/to_json.hpp>
 #include <sbgc/visit.hpp>
 
 namespace sbgc::tools {
@@ -15,11 +15,14 @@ namespace sbgc::tools {
 /// direction decides.
 std::string command_name(std::uint8_t id, Direction direction);
 
-/// One value of a message, as the text form shows it.
+/// One value of a message, as people read it.
 struct Row {
   std::string path;
   std::string raw;
-  std::string meaning;
+  std::string meaning;    ///< the value in its unit, or its name
+  std::string objection;  ///< what the specification does not allow about it, mostly ""
+  std::size_t offset{};   ///< of its bytes in the body
+  std::size_t size{};     ///< how many bytes it takes
 };
 
 /// What became of one frame.

@@ -21,13 +21,6 @@ std::unique_ptr<std::FILE, int (*)(std::FILE*)> open(const std::string& name) {
   return {file, std::fclose};
 }
 
-int digit_value(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return -1;
-}
-
 }  // namespace
 
 Input::Input(const std::string& name) : name_(name), file_(open(name)), block_(65536) {}
@@ -53,47 +46,6 @@ bool Input::read_line(std::string& line) {
   }
   if (!line.empty() && line.back() == '\r') line.pop_back();
   return c != EOF || !line.empty();
-}
-
-void HexDecoder::feed(std::span<const std::uint8_t> text, std::vector<std::uint8_t>& out) {
-  for (const std::uint8_t byte : text) {
-    const char c = static_cast<char>(byte);
-    ++column_;
-    if (c == '\n') {
-      if (half_) fail("half a byte at the end of the line");
-      comment_ = false;
-      ++line_;
-      column_ = 0;
-      continue;
-    }
-    if (comment_) continue;
-    const int digit = digit_value(c);
-    if (digit >= 0 && half_) {
-      out.push_back(static_cast<std::uint8_t>(high_ << 4 | digit));
-      half_ = false;
-    } else if (digit >= 0) {
-      high_ = static_cast<std::uint8_t>(digit);
-      half_ = true;
-    } else if ((c == 'x' || c == 'X') && half_ && high_ == 0) {
-      half_ = false;  // it was the prefix of a byte
-    } else if (half_) {
-      fail(fmt::format("half a byte: a second digit is missing before '{}'", c));
-    } else if (c == '#') {
-      comment_ = true;
-    } else if (c != ' ' && c != '\t' && c != '\r' && c != ',' && c != ':') {
-      const bool printable = byte > 0x20 && byte < 0x7F;
-      fail(printable ? fmt::format("'{}' is no hex digit", c)
-                     : fmt::format("byte 0x{:02x} is no hex digit", byte));
-    }
-  }
-}
-
-void HexDecoder::finish() const {
-  if (half_) fail("half a byte at the end: the number of hex digits is odd");
-}
-
-void HexDecoder::fail(const std::string& reason) const {
-  throw InputError(fmt::format("hex text, line {} column {}: {}", line_, column_, reason));
 }
 
 }  // namespace sbgc::tools

@@ -37,23 +37,4 @@ class Input {
   std::vector<std::uint8_t> block_;
 };
 
-/// Reads hex text block by block: two digits a byte; white space, ',' and ':' may stand between
-/// bytes, "0x" in front of one, and '#' starts a comment that ends with the line.
-class HexDecoder {
- public:
-  /// Appends the bytes of `text` to `out`. Throws InputError at whatever is no hex.
-  void feed(std::span<const std::uint8_t> text, std::vector<std::uint8_t>& out);
-  /// To be called at the end: throws InputError if half a byte is left.
-  void finish() const;
-
- private:
-  [[noreturn]] void fail(const std::string& reason) const;
-
-  bool comment_ = false;
-  bool half_ = false;
-  std::uint8_t high_ = 0;
-  std::size_t line_ = 1;
-  std::size_t column_ = 0;
-};
-
 }  // namespace sbgc::tools

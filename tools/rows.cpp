@@ -105,43 +105,67 @@ std::string variable_text(const VariableInfo& variable, std::int64_t raw) {
                   variable.unit);
 }
 
-void RowCollector::bytes(std::span<const std::uint8_t> bytes, const FieldInfo& field,
-                         const std::string& path) {
-  const bool zero = std::ranges::all_of(bytes, [](std::uint8_t byte) { return byte == 0; });
-  if ((zero && field.reserved) || (bytes.empty() && &field == &tail_field)) return;
-  add(path, detail::to_hex(bytes), "");
+void RowCollector::bytes(std::span<const std::uint8_t> bytes, const FieldInfo& field) {
+  const bool zero = std::all_of(bytes.begin(), bytes.end(), [](std::uint8_t b) { return b == 0; });
+  if ((zero && field.reserved) || (bytes.empty() && &field == &tail_field)) {
+    offset_ += bytes.size();
+  } else {
+    add(detail::to_hex(bytes), "", bytes.size());
+  }
 }
 
-void RowCollector::number(std::int64_t raw, const FieldInfo& field, const std::string& path,
-                          std::string meaning) {
-  raw_[path] = raw;
+void RowCollector::number(std::int64_t raw, const FieldInfo& field, std::string meaning,
+                          std::size_t size) {
   for (const Special& special : field.special) {
     if (special.value == raw) meaning = special.meaning;
   }
-  add(path, fmt::format("{}", raw), std::move(meaning));
+  numbers_.emplace_back(rows_.size(), raw);
+  add(fmt::format("{}", raw), std::move(meaning), size);
 }
 
-void RowCollector::add(std::string path, std::string raw, std::string meaning) {
-  rows_.push_back({std::move(path), std::move(raw), std::move(meaning)});
+void RowCollector::add(std::string raw, std::string meaning, std::size_t size) {
+  rows_.push_back({.path = path_,
+                   .raw = std::move(raw),
+                   .meaning = std::move(meaning),
+                   .objection = {},
+                   .offset = offset_,
+                   .size = size});
+  offset_ += size;
 }
 
-bool RowCollector::is_alternative(const FieldInfo& field, const std::string& path) const {
+void RowCollector::variable_value(const VariableInfo* variable, std::int64_t raw,
+                                  const FieldInfo& field) {
+  if (field.is_variable_value && variable != nullptr) {
+    rows_.back().meaning = variable_text(*variable, raw);
+  }
+}
+
+std::size_t RowCollector::enter(std::string_view name) {
+  const std::size_t outer = path_.size();
+  if (outer != 0) path_ += '.';
+  path_ += name;
+  return outer;
+}
+
+bool RowCollector::is_alternative(const FieldInfo& field) const {
   if (field.alternative == nullptr) return false;
   for (const char* axis : {"", ".roll", ".pitch", ".yaw"}) {
-    const bool same_axis = *axis == '\0' || path.find(axis) != std::string::npos;
-    const auto found = raw_.find(std::string(field.alternative->of) + axis);
-    if (same_axis && found != raw_.end()) return (found->second & field.alternative->mask) != 0;
+    if (path_.find(axis) == std::string::npos) continue;
+    const std::string wanted = std::string(field.alternative->of) + axis;
+    for (const auto& [row, raw] : numbers_) {
+      if (rows_[row].path == wanted) return (raw & field.alternative->mask) != 0;
+    }
   }
   return false;
 }
 
-void mark(std::vector<Row>& rows, const Violation& violation) {
+void Marker::operator()(const Violation& violation) const {
   std::array<char, 128> path{};
   violation.path.write(path.data(), path.size());
   for (Row& row : rows) {
     if (row.path != path.data()) continue;
-    row.meaning += fmt::format("{}({} is {})", row.meaning.empty() ? "" : " ", name(violation.rule),
-                               violation.limit);
+    row.objection += fmt::format("{}{} is {}", row.objection.empty() ? "" : ", ",
+                                 name(violation.rule), violation.limit);
   }
 }
 

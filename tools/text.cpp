@@ -31,11 +31,15 @@ std::string to_text(const DecodedFrame& decoded) {
   std::size_t raw_width = 0;
   for (const Row& row : decoded.rows) {
     path_width = std::max(path_width, row.path.size());
-    if (!row.meaning.empty()) raw_width = std::max(raw_width, row.raw.size());
+    if (!row.meaning.empty() || !row.objection.empty())
+      raw_width = std::max(raw_width, row.raw.size());
   }
   for (const Row& row : decoded.rows) {
     std::string line = fmt::format("    {:<{}}  {:<{}}  {}", row.path, path_width, row.raw,
                                    raw_width, row.meaning);
+    if (!row.objection.empty()) {
+      line += fmt::format("{}({})", row.meaning.empty() ? "" : " ", row.objection);
+    }
     line.erase(line.find_last_not_of(' ') + 1);
     result += line + '\n';
   }

@@ -1,28 +1,18 @@
-/// Messages as JSON and back, with nlohmann_json.
-///
-/// The JSON nests as the C++ struct does. Integers are raw wire values, bytes are lower-case hex,
-/// texts are strings, missing optional members are left out. Nothing is lost: from_json(to_json(m))
-/// encodes to the same bytes.
+/// Messages as JSON and back, with nlohmann_json: to_json(), which is in a header of its own for
+/// programs without exceptions, and from_json().
 #pragma once
 
-#include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
-#include <nlohmann/json.hpp>
-
-#include <sbgc/json_text.hpp>
-#include <sbgc/meta.hpp>
+#include <sbgc/to_json.hpp>
 
 namespace sbgc {
-
-/// JSON with its keys in the order of the wire.
-using Json = nlohmann::ordered_json;
 
 /// JSON that does not describe the message it should; what() names the field and the reason.
 class JsonError : public std::runtime_error {
@@ -39,86 +29,6 @@ class JsonError : public std::runtime_error {
 };
 
 namespace detail {
-
-class JsonWriter {
- public:
-  template <class T>
-  static Json members(const T& value) {
-    Json result = Json::object();
-    Meta<T>::visit(value, [&](const FieldInfo& field, const auto& member) {
-      add(result, field.name, member);
-    });
-    return result;
-  }
-
- private:
-  template <class T>
-  static void add(Json& object, const char* name, const T& member) {
-    object[name] = value(member);
-  }
-  template <class T>
-  static void add(Json& object, const char* name, const Optional<T>& member) {
-    if (member) object[name] = value(*member);
-  }
-  template <std::size_t n>
-  static void add(Json& object, const char* name, const BoundedBytes<n>& member) {
-    // A tail is an exception; it would only be noise where there is none.
-    if (std::string_view(name) == tail_field.name && member.empty()) return;
-    object[name] = value(member);
-  }
-
-  template <class T>
-  static Json value(const T& value) {
-    if constexpr (std::is_floating_point_v<T>) {
-      return float_to_json<Json>(value);
-    } else if constexpr (std::is_enum_v<T>) {
-      return static_cast<std::underlying_type_t<T>>(value);
-    } else if constexpr (std::is_arithmetic_v<T>) {
-      return value;
-    } else if constexpr (RawValue<T>) {
-      return JsonWriter::value(value.raw());
-    } else {
-      return members(value);
-    }
-  }
-  static Json value(Counter counter) { return counter.count; }
-  static Json value(const Number& number) {
-    const bool real = number.type == NumberType::f32;
-    return {
-        {name(number.type), real ? float_to_json<Json>(number.real()) : Json(number.integer())}};
-  }
-  template <std::size_t n>
-  static Json value(const Bytes<n>& bytes) {
-    return to_hex(bytes);
-  }
-  template <std::size_t n>
-  static Json value(const BoundedBytes<n>& bytes) {
-    return to_hex(std::span(bytes.data(), bytes.size()));
-  }
-  template <std::size_t n>
-  static Json value(const Text<n>& text) {
-    return to_utf8({text.data(), text.size()});
-  }
-  template <std::size_t n>
-  static Json value(const BoundedText<n>& text) {
-    return to_utf8({text.data(), text.size()});
-  }
-  template <class T, std::size_t n>
-  static Json value(const std::array<T, n>& array) {
-    return list(array);
-  }
-  template <class T, std::size_t n>
-  static Json value(const BoundedArray<T, n>& array) {
-    return list(array);
-  }
-
-  template <class List>
-  static Json list(const List& elements) {
-    Json result = Json::array();
-    for (const auto& element : elements) result.push_back(value(element));
-    return result;
-  }
-};
 
 class JsonReader {
  public:
@@ -287,12 +197,6 @@ class JsonReader {
 };
 
 }  // namespace detail
-
-/// The fields of a message.
-template <class M>
-Json to_json(const M& message) {
-  return detail::JsonWriter::members(message);
-}
 
 /// Fills `message` with what `json` says; throws JsonError when it does not describe one.
 ///

@@ -1,0 +1,208 @@
+// How the decoder shows frames: from the engine's answers to elements of the page.
+"use strict";
+
+const decoderView = (() => {
+  const root = document.body.dataset.root;
+  const messagePages = JSON.parse(document.getElementById("message-pages").textContent);
+
+  /** element("td", {class: "raw"}, "text", child, ...) */
+  function element(name, attributes = {}, ...children) {
+    const result = document.createElement(name);
+    for (const [key, value] of Object.entries(attributes)) {
+      if (value !== null && value !== false) result.setAttribute(key, value === true ? "" : value);
+    }
+    result.append(...children);
+    return result;
+  }
+
+  /** The place of a field in the reference, or null. */
+  function referenceOf(message, path) {
+    const known = messagePages[message];
+    if (known === undefined || path === "tail") return null;
+    // Elements that the model does not tell apart share a place.
+    const shared = [path.replace(/\[\d+\]/g, "[]"), path.replace(/\[\d+\]$/, "")];
+    const place = shared.find((name) => known.lists.includes(name)) ?? path;
+    return `${root}${known.page}#field-${encodeURIComponent(place)}`;
+  }
+
+  const counted = (number, thing) =>
+    `${number.toLocaleString("en")} ${thing}${number === 1 ? "" : "s"}`;
+  const hexByte = (byte) => byte.toString(16).padStart(2, "0");
+
+  /** The path with places where a line may break. */
+  function breakable(path) {
+    const parts = path.split(/(?=[.[])/);
+    return parts.flatMap((part, i) => (i === 0 ? [part] : [element("wbr"), part]));
+  }
+
+  const senders = { from_board: "board to host", to_board: "host to board" };
+
+  /** What stands in the list before anybody looks inside: a button that opens the item. */
+  function heading(item, index) {
+    const button = element("button", {
+      type: "button",
+      class: "opener",
+      id: `item-${index}`,
+      "aria-expanded": "false",
+      "aria-controls": `inside-${index}`,
+    });
+    const offset = element("span", { class: "at" }, `@${item.offset}`);
+    if (item.kind === "gap") {
+      const what = `${counted(item.size, "byte")} in no frame`;
+      button.append(offset, element("span", { class: "what" }, what));
+      return button;
+    }
+    const name = item.command ?? `Unknown command ${item.id}`;
+    const what = element("span", { class: "what" }, element("b", {}, name));
+    if (item.message !== null) what.append(" ", element("span", { class: "muted" }, item.message));
+    const way = item.direction === "from_board" ? "from-board" : "to-board";
+    const tags = element("span", { class: "tags" });
+    if (item.error !== null) tags.append(element("span", { class: "tag bad" }, "not decodable"));
+    if (item.objections !== 0) {
+      tags.append(element("span", { class: "tag warn" }, counted(item.objections, "objection")));
+    }
+    tags.append(element("span", { class: `tag ${way}` }, senders[item.direction]));
+    tags.append(element("span", { class: "bytes-count" }, counted(item.size, "byte")));
+    button.append(offset, what, tags);
+    return button;
+  }
+
+  /** The bytes, those of a part in its colour. `parts`: [{at, size, part, tint, name}], in order. */
+  function coloured(bytes, parts, describedBy) {
+    const block = element("p", { class: "bytes", "aria-label": describedBy, role: "group" });
+    const run = (from, until, attributes) => {
+      if (from >= until) return;
+      const text = Array.from(bytes.subarray(from, until), hexByte).join(" ");
+      block.append(element("span", attributes, text), " ");
+    };
+    let at = 0;
+    for (const { at: begin, size, part, tint, name } of parts) {
+      run(at, begin, { class: "plain-bytes" });
+      const attributes = { class: tint, title: name };
+      if (part !== null) attributes["data-part"] = part;
+      run(begin, begin + size, attributes);
+      at = begin + size;
+    }
+    run(at, bytes.length, { class: "plain-bytes" });
+    return block;
+  }
+
+  function partsOf(answer) {
+    const { size, body, rows, frame } = answer;
+    const parts = [{ at: 0, size: body, part: null, tint: "framing", name: "header" }];
+    for (const [i, [path, , , , at, length]] of rows.entries()) {
+      if (length !== 0) parts.push({ at, size: length, part: i, tint: `tint-${i % 8}`, name: path });
+    }
+    if (frame.error && frame.error.offset < size - body - 1) {
+      const at = body + frame.error.offset;
+      parts.push({ at, size: 1, part: null, tint: "wrong", name: "here" });
+    }
+    parts.push({ at: size - 1, size: 1, part: null, tint: "framing", name: "checksum" });
+    return parts;
+  }
+
+  function rowsTable(answer, page) {
+    // Where it is narrow the table is laid out as a list; the roles keep it a table for readers.
+    const head = element("tr", { role: "row" });
+    for (const title of ["Byte", "Field", "Raw", "Meaning"]) {
+      head.append(element("th", { scope: "col", role: "columnheader", class: title.toLowerCase() }, title));
+    }
+    const body = element("tbody", { role: "rowgroup" });
+    for (const [i, [path, raw, meaning, objection, at, size]] of answer.rows.entries()) {
+      const place = size > 1 ? `${at}–${at + size - 1}` : size === 1 ? String(at) : "";
+      const swatch = element("span", { class: `swatch tint-${i % 8}`, "aria-hidden": "true" });
+      const reference = referenceOf(answer.frame.message, path);
+      const name = breakable(path);
+      const named = reference === null ? name : [element("a", { href: reference }, ...name)];
+      const field = element("th", { scope: "row", role: "rowheader" }, swatch, ...named);
+      const cell = element("td", { role: "cell", class: "meaning" }, meaning);
+      if (objection !== "") {
+        cell.append(meaning === "" ? "" : " ", element("span", { class: "objection" }, objection));
+      }
+      const number = element("td", { role: "cell", class: "byte" }, place);
+      const value = element("td", { role: "cell", class: "raw" }, raw);
+      body.append(element("tr", { role: "row", "data-part": i }, number, field, value, cell));
+    }
+    const caption = element("caption", {}, "Fields");
+    if (page) {
+      const link = element("a", { href: root + page }, `reference of ${answer.frame.message}`);
+      caption.append(": see the ", link);
+    }
+    const region = { class: "table free", tabindex: "0", role: "region", "aria-label": "Fields" };
+    return element(
+      "div",
+      region,
+      element("table", { role: "table" }, caption, element("thead", { role: "rowgroup" }, head), body),
+    );
+  }
+
+  /** What is inside a frame. */
+  function insideFrame(answer) {
+    const { frame, rows } = answer;
+    const result = [coloured(answer.bytes, partsOf(answer), "Bytes of the frame")];
+    const page = messagePages[frame.message]?.page;
+    if (frame.error) {
+      const where = frame.error.field === "" ? "" : ` Field: ${frame.error.field}.`;
+      const note = element("p", {}, `${answer.reason}${where} Code: ${frame.error.code}, at byte `);
+      note.append(`${frame.error.offset} of the body.`);
+      result.push(element("div", { class: "note bad" }, note));
+      if (page) {
+        const link = element("a", { href: root + page }, `Reference of ${frame.message}`);
+        result.push(element("p", {}, link));
+      }
+    } else if (rows.length === 0) {
+      const note = element("p", { class: "muted" }, "Its body has no fields to show.");
+      if (page) note.append(" ", element("a", { href: root + page }, `Reference of ${frame.message}`));
+      result.push(note);
+    } else {
+      result.push(rowsTable(answer, page));
+    }
+    return result;
+  }
+
+  /** What is inside a gap. */
+  function insideGap(answer, item) {
+    const shown = 512; // bytes
+    const list = element("ul", {});
+    const starts = new Map(answer.misses);
+    for (const [offset, reason] of answer.misses) {
+      list.append(element("li", {}, `@${item.offset + offset}: ${reason}.`));
+    }
+    const parts = [...starts.keys()].filter((at) => at < shown);
+    const result = [
+      coloured(
+        answer.bytes.subarray(0, shown),
+        parts.map((at) => ({ at, size: 1, part: null, tint: "wrong", name: "start byte" })),
+        "Bytes in no frame",
+      ),
+    ];
+    if (item.size > shown) {
+      result.push(element("p", { class: "muted" }, `… and ${counted(item.size - shown, "byte")} more`));
+    }
+    if (starts.size === 0) {
+      result.push(element("p", {}, "There is no start byte (3e) among them."));
+    } else {
+      result.push(list);
+    }
+    return result;
+  }
+
+  /** Lets bytes and rows with the same part light each other up. */
+  function connect(inside) {
+    const mark = (event, on) => {
+      const part = event.target.closest?.("[data-part]")?.dataset.part;
+      if (part === undefined) return;
+      for (const same of inside.querySelectorAll(`[data-part="${part}"]`)) {
+        same.classList.toggle("lit", on);
+      }
+    };
+    inside.addEventListener("pointerover", (event) => mark(event, true));
+    inside.addEventListener("pointerout", (event) => mark(event, false));
+  }
+
+  function inside(answer, item) {
+    return item.kind === "gap" ? insideGap(answer, item) : insideFrame(answer);
+  }
+
+  return { element, counted, heading, inside, connect, hexByte };
+})();

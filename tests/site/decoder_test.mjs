@@ -1,0 +1,361 @@
+// The decoder page in Chromium, from a file.
+
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import { createRequire } from "node:module";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
+
+import { addressOf, frame, launch, root, vectors } from "./support.mjs";
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+/** Opens the decoder, and fails at the end if anything went wrong on the page. */
+async function withDecoder(work, { hash = "", ...options } = {}) {
+  const context = await browser.newContext({ reducedMotion: "reduce", ...options });
+  context.setDefaultTimeout(10_000);
+  const page = await context.newPage();
+  const problems = [];
+  page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
+  page.on("pageerror", (error) => problems.push(String(error)));
+  await page.goto(addressOf("decoder.html") + hash);
+  await work(page);
+  assert.deepEqual(problems, []);
+  await context.close();
+}
+
+const summary = (page) => page.locator("#summary");
+
+/** Waits for the summary of an input, which must match in the end. */
+async function expectSummary(page, expected) {
+  const matches = (pattern) =>
+    new RegExp(pattern).test(document.querySelector("#summary").textContent);
+  await page.waitForFunction(matches, expected.source).catch(() => {});
+  assert.match(await summary(page).textContent(), expected);
+}
+
+/** Puts a text into the text area, in the place of another whose result is there. */
+async function type(page, text) {
+  await page.evaluate((value) => {
+    document.querySelector("#summary").textContent = "";
+    const area = document.querySelector("#hex");
+    area.value = value;
+    area.dispatchEvent(new Event("input"));
+  }, text);
+}
+
+/** What is inside the item with this index: rows as lists of cells, and notes. */
+async function inside(page, index) {
+  const opener = page.locator(`#item-${index}`);
+  if ((await opener.getAttribute("aria-expanded")) === "false") await opener.click();
+  const content = page.locator(`#inside-${index}`);
+  await content.locator(":scope > *").first().waitFor();
+  return {
+    rows: await content.locator("tbody tr").evaluateAll((rows) =>
+      rows.map((row) => [...row.cells].map((cell) => cell.textContent)),
+    ),
+    text: await content.textContent(),
+    bytes: await content.locator(".bytes").evaluate((e) => e.textContent.replace(/\s/g, "")),
+  };
+}
+
+test("the examples of the page", async () => {
+  await withDecoder(async (page) => {
+    const expected = {
+      "Who are you?": /^28 bytes: 2 frames\.$/,
+      Angles: /^59 bytes: 1 frame\.$/,
+      Control: /^18 bytes: 1 frame\.$/,
+      Broken: /1 frame; .* in no frame \(.*1 bad body, 1 frame cut off\)\.$/,
+      "Wrong baud rate": /0 frames; 30 bytes in no frame/,
+    };
+    const buttons = page.locator("[data-example]");
+    assert.equal(await buttons.count(), Object.keys(expected).length);
+    for (const [label, text] of Object.entries(expected)) {
+      await page.getByRole("button", { name: label, exact: true }).click();
+      await expectSummary(page, text);
+      assert.ok(await page.locator("#problem").isHidden());
+    }
+  });
+});
+
+test("values have units and names, and bytes their fields", async () => {
+  await withDecoder(async (page) => {
+    await page.getByRole("button", { name: "Control", exact: true }).click();
+    await expectSummary(page, /1 frame/);
+    const { rows, bytes } = await inside(page, 0);
+    const angle = rows.find(([, field]) => field === "axes.yaw.angle");
+    assert.deepEqual(angle, ["15–16", "axes.yaw.angle", "2048", "45 deg"]);
+    assert.match(rows[0].join(" "), /control_mode .*MODE_ANGLE/);
+    assert.match(bytes, /^3e430d50/);
+    const parts = page.locator("#inside-0 .bytes [data-part]");
+    assert.equal(await parts.count(), rows.length);
+    assert.equal((await parts.last().textContent()).trim(), "00 08");
+    await parts.last().hover();
+    assert.match(await page.locator("#inside-0 tr.lit").textContent(), /axes\.yaw\.angle/);
+  });
+});
+
+/** The places of a page that a link can name; undefined stands for the page itself. */
+const idsOf = (() => {
+  const known = new Map();
+  return (url) => {
+    if (!known.has(url)) {
+      const text = fs.readFileSync(fileURLToPath(url), "utf8");
+      known.set(url, new Set([undefined, ...[...text.matchAll(/ id="([^"]*)"/g)].map((m) => m[1])]));
+    }
+    return known.get(url);
+  };
+})();
+
+test("a typical frame of every message decodes to its message, with links to the reference", async () => {
+  const typical = vectors().filter((vector) => vector.why === "typical values" && !vector.after);
+  assert.ok(typical.length > 50);
+  const missing = new Set();
+  let linked = 0;
+  for (const direction of ["to_board", "from_board"]) {
+    const chosen = typical.filter((vector) => vector.direction === direction);
+    const bytes = Buffer.concat(chosen.map(({ id, hex }) => frame(id, Buffer.from(hex, "hex"))));
+    const from = direction === "to_board" ? "host" : "board";
+    await withDecoder(
+      async (page) => {
+        await expectSummary(page, new RegExp(`: ${chosen.length} frames`));
+        const names = await page.locator(".opener .what .muted").allTextContents();
+        assert.deepEqual(names, chosen.map((vector) => vector.message).slice(0, 100));
+        assert.equal(await page.locator(".tag.bad").count(), 0);
+        await page.evaluate(() => document.querySelectorAll(".opener").forEach((o) => o.click()));
+        await page.waitForFunction(() => document.querySelector(".inside:empty") === null);
+        const links = page.locator(".inside a");
+        for (const link of await links.evaluateAll((all) => all.map((a) => a.href))) {
+          linked += 1;
+          const [file, id] = link.split("#");
+          if (!idsOf(file).has(id && decodeURIComponent(id))) missing.add(link);
+        }
+      },
+      { hash: `#hex=${bytes.toString("hex").toUpperCase()}&from=${from}` },
+    );
+  }
+  assert.deepEqual([...missing], []);
+  assert.ok(linked > 1000, `only ${linked} links to the reference`);
+});
+
+test("a broken frame is explained", async () => {
+  await withDecoder(async (page) => {
+    const broken = frame(86, []);
+    broken[4] = 1;
+    await type(page, broken.toString("hex"));
+    await expectSummary(page, /0 frames; 5 bytes in no frame \(1 bad body\)/);
+    const { text } = await inside(page, 0);
+    assert.match(text, /CMD_BOARD_INFO \(86\) .* 0 bytes, but the checksum of its body is 0x01, not 0x00/);
+
+    await type(page, frame(77, [1, 2]).toString("hex"));
+    await expectSummary(page, /1 frame; 1 of them not decodable/);
+    assert.match((await inside(page, 0)).text, /The body is longer than allowed.*too_long/);
+  });
+});
+
+test("what the specification does not allow is pointed out", async () => {
+  await withDecoder(async (page) => {
+    await page.locator("#hex").fill(frame(43, [0xff, 0xff, 0xff]).toString("hex"));
+    await page.getByLabel("only what is not in order").check();
+    await type(page, frame(82, [99]).toString("hex"));
+    await expectSummary(page, /1 value that the specification does not allow/);
+    assert.match((await inside(page, 0)).text, /maximum is 4/);
+    await type(page, frame(82, [1]).toString("hex"));
+    await expectSummary(page, /1 frame\.$/);
+    assert.ok(await page.locator("#nothing").isVisible());
+  });
+});
+
+test("bad hex is reported with its place, which can be shown", async () => {
+  await withDecoder(async (page) => {
+    await type(page, "# Größe\n3e 56 00 56 00\n3e 56 0o");
+    await page.locator("#problem").waitFor();
+    const text = await page.locator("#problem-text").textContent();
+    assert.match(text, /Line 3, column 8: half a byte: a second digit is missing before 'o'\./);
+    await expectSummary(page, /1 frame/);
+    assert.equal(await page.locator("#hex").getAttribute("aria-invalid"), "true");
+    await page.getByRole("button", { name: "Show the place" }).click();
+    const selected = await page
+      .locator("#hex")
+      .evaluate((area) => area.value.slice(area.selectionStart, area.selectionEnd));
+    assert.equal(selected, "o");
+    await type(page, "3e 56 00 56 00");
+    await page.locator("#problem").waitFor({ state: "hidden" });
+  });
+});
+
+test("a capture can be opened as a file, raw or hex", async () => {
+  await withDecoder(async (page) => {
+    const file = (name) => path.join(root, "examples/captures", name);
+    await page.locator("#file").setInputFiles(file("noisy_stream.bin"));
+    await expectSummary(page, /frames; .* in no frame/);
+    assert.match(await page.locator("#held-about").textContent(), /read as raw bytes/);
+    assert.ok(await page.locator("#hex").isHidden());
+    await page.locator("#file").setInputFiles(file("board_info.hex"));
+    await page.getByText("read as hex text").waitFor();
+    await expectSummary(page, /^28 bytes: 2 frames\.$/);
+    await page.getByRole("button", { name: "Remove" }).click();
+    assert.ok(await page.locator("#hex").isVisible());
+    assert.ok(await page.locator("#result").isHidden());
+  });
+});
+
+test("a file can be dropped", async () => {
+  await withDecoder(async (page) => {
+    const transfer = await page.evaluateHandle(() => {
+      const result = new DataTransfer();
+      const bytes = new Uint8Array([0x3e, 0x56, 0x00, 0x56, 0x00]);
+      result.items.add(new File([bytes], "capture.bin"));
+      return result;
+    });
+    await page.dispatchEvent("#hex", "drop", { dataTransfer: transfer });
+    await expectSummary(page, /^5 bytes: 1 frame\.$/);
+  });
+});
+
+/** 1 MB of hex text, with everything there is. */
+function megabyte() {
+  const frames = vectors()
+    .filter((vector) => vector.hex !== undefined && vector.id)
+    .map(({ id, hex }) => frame(id, Buffer.from(hex, "hex")).toString("hex"));
+  let text = "";
+  for (let i = 0; text.length < 1 << 20; i = (i + 7) % frames.length) text += `${frames[i]}\n`;
+  return text.slice(0, 1 << 20);
+}
+
+/** Pastes a text; tells how long it took until the summary stood there, and the longest task. */
+function paste(text) {
+  let longest = 0;
+  new PerformanceObserver((list) => {
+    for (const { duration } of list.getEntries()) longest = Math.max(longest, duration);
+  }).observe({ type: "longtask" });
+  const data = new DataTransfer();
+  data.setData("text", text);
+  const init = { clipboardData: data, bubbles: true, cancelable: true };
+  const event = new ClipboardEvent("paste", init);
+  const summary = document.getElementById("summary");
+  return new Promise((resolve) => {
+    // In a task of its own: preparing the event is not the page's work.
+    setTimeout(() => {
+      longest = 0;
+      const start = performance.now();
+      new MutationObserver(() => {
+        if (summary.textContent === "") return;
+        const time = performance.now() - start;
+        setTimeout(() => resolve({ time, longest }), 100);
+      }).observe(summary, { childList: true });
+      document.getElementById("hex").dispatchEvent(event);
+    }, 200);
+  });
+}
+
+test("a paste of 1 MB leaves the page responsive", async () => {
+  const text = megabyte();
+  const attempts = [];
+  // What the page does itself shows every time; what a busy machine does to it does not.
+  while (attempts.length < 5 && !attempts.some(({ longest }) => longest < 100)) {
+    await withDecoder(async (page) => {
+      attempts.push(await page.evaluate(paste, text));
+      assert.match(await summary(page).textContent(), /^[0-9,]+ bytes: [0-9,]+ frames/);
+      // Another input goes on from there.
+      await page.getByRole("button", { name: "Remove" }).click();
+      await type(page, "3e 56 00 56 00");
+      await expectSummary(page, /^5 bytes: 1 frame\.$/);
+    });
+  }
+  const said = attempts.map((a) => `${Math.round(a.time)} ms, longest task ${a.longest} ms`);
+  console.log(`# 1 MB: ${said.join("; ")}`);
+  assert.ok(attempts.some(({ longest }) => longest < 100), said.join("; "));
+  assert.ok(attempts.some(({ time }) => time < 10_000), said.join("; "));
+});
+
+test("a busy page would have been noticed", async () => {
+  await withDecoder(async (page) => {
+    await page.evaluate(() => {
+      document.getElementById("hex").addEventListener("paste", () => {
+        const end = performance.now() + 150;
+        while (performance.now() < end);
+      });
+    });
+    const { longest } = await page.evaluate(paste, "3e 56 00 56 00 ".repeat(5000));
+    assert.ok(longest >= 150, `${longest} ms`);
+  });
+});
+
+test("long lists are shown page by page", async () => {
+  await withDecoder(async (page) => {
+    await page.locator("#hex").fill(frame(77, []).toString("hex").repeat(250));
+    await expectSummary(page, /250 frames/);
+    assert.equal(await page.locator("#frames > li").count(), 100);
+    await page.getByRole("button", { name: "Later" }).click();
+    await page.getByRole("button", { name: "Later" }).click();
+    assert.equal(await page.locator("#frames > li").count(), 50);
+    assert.equal(await page.locator("#page-of").textContent(), "201 to 250 of 250");
+    assert.ok(await page.getByRole("button", { name: "Later" }).isDisabled());
+    assert.equal(await page.evaluate(() => document.activeElement.id), "item-200");
+  });
+});
+
+test("without workers the page decodes all the same", async () => {
+  const context = await browser.newContext();
+  await context.addInitScript(() => {
+    globalThis.Worker = class {
+      constructor() {
+        throw new DOMException("not here", "SecurityError");
+      }
+    };
+  });
+  const page = await context.newPage();
+  await page.goto(addressOf("decoder.html") + "#hex=3E56005600");
+  await expectSummary(page, /^5 bytes: 1 frame\.$/);
+  await context.close();
+});
+
+test("it can be used with the keyboard", async () => {
+  await withDecoder(async (page) => {
+    await page.locator("#hex").focus();
+    await page.keyboard.type(frame(77, []).toString("hex").repeat(5));
+    await expectSummary(page, /5 frames/);
+    await page.locator("#item-0").focus();
+    await page.keyboard.press("Enter");
+    await page.locator("#inside-0 .bytes").waitFor();
+    await page.keyboard.press("Space");
+    await page.locator("#inside-0").waitFor({ state: "hidden" });
+  });
+});
+
+test("axe-core has nothing to say about results", async () => {
+  const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
+  const stream = Buffer.concat([Buffer.from([1, 2]), frame(82, [99]), frame(77, [1])]);
+  const looks = [
+    ["light", 320],
+    ["light", 1280],
+    ["dark", 390],
+  ];
+  for (const [colorScheme, width] of looks) {
+    await withDecoder(
+      async (page) => {
+        await expectSummary(page, /2 frames/);
+        for (const i of [0, 1, 2]) await inside(page, i);
+        await page.locator("#hex").evaluate((area) => (area.value += " zz"));
+        await page.locator("#hex").dispatchEvent("input");
+        await page.locator("#problem").waitFor();
+        await page.addScriptTag({ path: axe });
+        const { violations } = await page.evaluate(() => globalThis.axe.run({ preload: false }));
+        assert.deepEqual(violations.map((v) => [v.id, v.nodes.map((n) => n.html)]), []);
+        const wide = await page.evaluate(() => document.documentElement.scrollWidth > innerWidth);
+        assert.ok(!wide, `too wide for ${width}`);
+      },
+      {
+        hash: `#hex=${stream.toString("hex")}&from=host`,
+        colorScheme,
+        viewport: { width, height: 900 },
+      },
+    );
+  }
+});

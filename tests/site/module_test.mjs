@@ -1,0 +1,296 @@
+// The WebAssembly module and its engine, without a browser: they must say what the command says.
+
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import fs from "node:fs";
+import { createRequire } from "node:module";
+import path from "node:path";
+import { before, test } from "node:test";
+
+import { frame, model, root, sbgc, site, vectors } from "./support.mjs";
+
+const assets = path.join(site, "assets");
+const { decoderEngine } = (() => {
+  // The published file, which is a plain script.
+  const module = { exports: {} };
+  new Function("module", fs.readFileSync(path.join(assets, "decoder-engine.js"), "utf8"))(module);
+  return module.exports;
+})();
+createRequire(import.meta.url)(path.join(assets, "decoder-module.js"));
+
+/** The module itself, fed in pieces. */
+class Module {
+  static async create() {
+    const code = Buffer.from(globalThis.sbgcDecoderModule, "base64");
+    const nothing = () => 8;
+    const files = { fd_close: nothing, fd_seek: nothing, fd_write: nothing };
+    const { instance } = await WebAssembly.instantiate(code, { wasi_snapshot_preview1: files });
+    const module = new Module();
+    module.wasm = instance.exports;
+    module.wasm._initialize();
+    return module;
+  }
+
+  /** The lines of output, as text. */
+  decode(input, { from = "auto", hex = false, pieces = 1 << 16 } = {}) {
+    const { wasm } = this;
+    const lines = [];
+    const take = () => {
+      const bytes = new Uint8Array(wasm.memory.buffer, wasm.output(), wasm.output_size());
+      lines.push(...new TextDecoder().decode(bytes).split("\n").slice(0, -1));
+    };
+    wasm.start(["auto", "host", "board"].indexOf(from), hex);
+    for (let at = 0; at < input.length; at += pieces) {
+      const piece = input.subarray(at, at + pieces);
+      const pointer = wasm.input(piece.length);
+      new Uint8Array(wasm.memory.buffer, pointer, piece.length).set(piece);
+      wasm.feed();
+      take();
+    }
+    wasm.finish();
+    take();
+    return lines;
+  }
+
+  frames(input, options) {
+    return this.decode(input, options)
+      .filter((line) => line.startsWith('{"frame":'))
+      .map((line) => JSON.parse(line));
+  }
+}
+
+let module;
+before(async () => {
+  module = await Module.create();
+});
+
+function command(input, ...options) {
+  const result = spawnSync(sbgc, ["decode", "--format", "jsonl", ...options], { input });
+  return { status: result.status, lines: result.stdout.toString().split("\n").slice(0, -1) };
+}
+
+/** Asserts that the module prints for each frame exactly what the command prints. */
+function agree(input, from, hex = false) {
+  const expected = command(input, "--from", from, ...(hex ? ["--hex"] : [])).lines;
+  const lines = module.decode(input, { from, hex });
+  const found = lines.filter((line) => line.startsWith('{"frame":'));
+  assert.equal(found.length, expected.length);
+  for (const [i, line] of expected.entries()) {
+    const start = `{"frame":${line},"size":`;
+    assert.ok(found[i].startsWith(start), `${found[i]}\n  does not begin with\n${start}`);
+  }
+  return found.length;
+}
+
+const ofVector = (vector) =>
+  Buffer.concat([
+    ...(vector.after ?? []).map((earlier) => frame(earlier.id, Buffer.from(earlier.hex, "hex"))),
+    frame(vector.id, Buffer.from(vector.hex, "hex")),
+  ]);
+
+// Vectors without hex are about encoding; no frame carries the id 0.
+const decodable = vectors().filter((vector) => vector.hex !== undefined && vector.id !== 0);
+
+/** Numbers as a float of the wire holds them. */
+const rounded = (value) =>
+  JSON.parse(JSON.stringify(value), (_, v) => (typeof v === "number" ? Math.fround(v) : v));
+
+test("every vector decodes to what the reference codec says", () => {
+  let compared = 0;
+  for (const vector of decodable) {
+    const from = vector.after ? "auto" : vector.direction === "to_board" ? "host" : "board";
+    const found = module.frames(ofVector(vector), { from });
+    assert.equal(found.length, 1 + (vector.after ?? []).length);
+    const { frame: last } = found.at(-1);
+    assert.equal(last.id, vector.id);
+    // Not compared: frames taken for the other direction's, since the sender is not told where two
+    // have to speak; what "chosen" says of two forms; bodies that contradict their request, of which
+    // the command makes the best.
+    if (last.direction !== vector.direction || "chosen" in vector) continue;
+    if (vector.after && vector.error) continue;
+    ++compared;
+    if (vector.error) {
+      assert.equal(last.error?.code, vector.error.code, JSON.stringify(vector));
+      assert.equal(last.error.offset, vector.error.offset);
+      assert.equal(last.body, vector.hex);
+    } else {
+      assert.equal(last.message, vector.message);
+      assert.equal(last.command, vector.command);
+      assert.deepEqual(rounded(last.fields), rounded(vector.fields));
+    }
+  }
+  assert.ok(compared > 0.9 * decodable.length, `only ${compared} of ${decodable.length}`);
+});
+
+test("every vector gives the line that the command prints", () => {
+  const all = Buffer.concat(decodable.map(ofVector));
+  for (const from of ["auto", "host", "board"]) {
+    assert.ok(agree(all, from) >= decodable.length);
+  }
+});
+
+test("captures give the lines that the command prints", () => {
+  const folder = path.join(root, "examples/captures");
+  for (const name of fs.readdirSync(folder)) {
+    const capture = fs.readFileSync(path.join(folder, name));
+    if (name.endsWith(".bin") || name.endsWith(".hex")) agree(capture, "auto", name.endsWith(".hex"));
+  }
+});
+
+test("pieces of any size give the same", () => {
+  const all = Buffer.concat(decodable.slice(0, 300).map(ofVector));
+  const whole = module.decode(all);
+  for (const pieces of [1, 7, 300]) assert.deepEqual(module.decode(all, { pieces }), whole);
+  const hex = Buffer.from(all.toString("hex").replace(/(..)/g, "$1 "));
+  for (const pieces of [1, 5, 1000]) assert.deepEqual(module.decode(hex, { hex: true, pieces }), whole);
+});
+
+test("rows stand where the model says, and cover every byte that is not 0", () => {
+  const offsets = new Map();
+  for (const message of model().messages) {
+    for (const leaf of message.layout) {
+      if (leaf.offset === null) continue;
+      offsets.set(`${message.name} ${message.direction} ${leaf.path}`, leaf.offset);
+    }
+  }
+  let compared = 0;
+  for (const vector of decodable) {
+    if (vector.error || vector.after) continue;
+    const from = vector.direction === "to_board" ? "host" : "board";
+    const [{ frame: found, rows, body, size }] = module.frames(ofVector(vector), { from });
+    const bytes = Buffer.from(vector.hex, "hex");
+    let end = body;
+    for (const [name, , , , at, length] of [...rows, ["", "", "", "", size - 1, 0]]) {
+      const skipped = bytes.subarray(end - body, at - body);
+      assert.ok(at >= end, `${found.message} ${name}: overlap`);
+      assert.ok(skipped.every((byte) => byte === 0), `${found.message}: gap before ${name}`);
+      end = at + length;
+      const offset = offsets.get(`${found.message} ${vector.direction} ${name}`);
+      if (offset === undefined) continue;
+      assert.equal(at - body, offset, `${found.message} ${name}`);
+      ++compared;
+    }
+  }
+  assert.ok(compared > 5000, `only ${compared}`);
+});
+
+test("bad hex has a place and a reason, and what stands before it is decoded", () => {
+  const good = "3e 56 00 56 00\n";
+  const cases = {
+    "3e 5g": [2, 5, "half a byte: a second digit is missing before 'g'"],
+    "# fine\n  zz": [3, 3, "'z' is no hex digit"],
+    "3e\t5\n": [2, 5, "half a byte at the end of the line"],
+    "3e 5": [2, 4, "half a byte at the end: the number of hex digits is odd"],
+    "é": [2, 1, "byte 0xc3 is no hex digit"],
+  };
+  for (const [text, [line, column, reason]] of Object.entries(cases)) {
+    const lines = module.decode(Buffer.from(good + text), { hex: true }).map((l) => JSON.parse(l));
+    assert.equal(lines[0].frame.command, "CMD_BOARD_INFO");
+    const { hex_error: error } = lines.find((l) => l.hex_error);
+    assert.deepEqual(error, { line, column, reason });
+    const said = spawnSync(sbgc, ["decode", "--hex"], { input: good + text }).stderr.toString();
+    assert.match(said, new RegExp(`line ${line} column ${column}: `));
+  }
+});
+
+test("the summary counts", () => {
+  const noise = Buffer.from([0, 1, 0x3e, 0x3e, 5]);
+  const input = Buffer.concat([noise, frame(86, []), frame(86, []).subarray(0, 4)]);
+  const { end } = JSON.parse(module.decode(input).at(-1));
+  const expected = { bytes: 14, frames: 1, skipped_bytes: 9, body_errors: 0, incomplete: 1 };
+  for (const [key, value] of Object.entries(expected)) assert.equal(end[key], value, key);
+});
+
+test("the module is small", () => {
+  const size = Buffer.from(globalThis.sbgcDecoderModule, "base64").length;
+  assert.ok(size < 400_000, `${size} bytes`);
+});
+
+/** The engine as the page uses it. */
+class Engine {
+  constructor() {
+    this.messages = [];
+    this.scope = { postMessage: (message) => this.receive(message) };
+    decoderEngine(this.scope);
+  }
+  receive(message) {
+    this.messages.push(message);
+    this.waiting?.();
+  }
+  say(message) {
+    this.scope.onmessage({ data: message });
+  }
+  async hear(matches) {
+    for (;;) {
+      const found = this.messages.find(matches);
+      if (found) return found;
+      await new Promise((resolve) => (this.waiting = resolve));
+    }
+  }
+  async load() {
+    this.say({ type: "load", module: globalThis.sbgcDecoderModule });
+    await this.hear((message) => message.type === "ready");
+  }
+  async decode(job, data, options = {}) {
+    this.say({ type: "decode", job, data, hex: true, from: "auto", ...options });
+    await this.hear((message) => message.job === job && (message.end || message.type === "failed"));
+    return this.messages.filter((message) => message.job === job).flatMap((m) => m.items ?? []);
+  }
+  async details(job, index, item) {
+    const { offset, size } = item;
+    this.say({ type: "details", job, index, offset, length: size });
+    return this.hear((m) => m.type === "details" && m.job === job && m.index === index);
+  }
+}
+
+test("the engine lists frames and gaps without holes and tells everything about each", async () => {
+  const engine = new Engine();
+  await engine.load();
+  const broken = frame(67, [77]);
+  broken[5] ^= 1;
+  const input = Buffer.concat([
+    Buffer.from([1, 2]),
+    frame(86, []),
+    broken,
+    Buffer.from([0x3e, 0x56, 9, 0]),
+    frame(77, []),
+    frame(67, [1, 2, 3]).subarray(0, 6),
+  ]);
+  const items = await engine.decode(1, input.toString("hex"));
+  assert.deepEqual(items.map((item) => item.kind), ["gap", "frame", "gap", "frame", "gap"]);
+  let at = 0;
+  for (const [i, item] of items.entries()) {
+    assert.equal(item.offset, at);
+    at += item.size;
+    const details = await engine.details(1, i, item);
+    assert.deepEqual(Buffer.from(details.bytes), input.subarray(item.offset, at));
+  }
+  assert.equal(at, input.length);
+
+  const misses = async (i) => (await engine.details(1, i, items[i])).misses;
+  assert.deepEqual(await misses(0), []);
+  assert.deepEqual(await misses(2), [
+    [0, "looks like CMD_CONFIRM (67) with a body of 1 byte, but the checksum of its body is 0x4c, not 0x4d"],
+    [6, "a start byte, but the checksum of its header is 0x00, not 0x5f"],
+  ]);
+  assert.deepEqual(await misses(4), [
+    [0, "looks like CMD_CONFIRM (67) with a body of 3 bytes, but the last 2 of its 8 bytes are missing"],
+  ]);
+});
+
+test("a new input cancels the one before", async () => {
+  const engine = new Engine();
+  await engine.load();
+  const long = frame(77, []).toString("hex").repeat(200_000);
+  engine.say({ type: "decode", job: 1, data: long, hex: true, from: "auto" });
+  await engine.hear((message) => message.job === 1);
+  const items = await engine.decode(2, "3e 56 00 56 00");
+  assert.equal(items.length, 1);
+  assert.ok(!engine.messages.some((message) => message.job === 1 && message.end));
+});
+
+test("an empty input is an input", async () => {
+  const engine = new Engine();
+  await engine.load();
+  assert.deepEqual(await engine.decode(1, "# nothing"), []);
+});

@@ -1,0 +1,216 @@
+// Every page of the site in Chromium, from files.
+
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import { createRequire } from "node:module";
+import os from "node:os";
+import path from "node:path";
+import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
+
+import { addressOf, inParallel, launch, model, pages, site } from "./support.mjs";
+
+const all = pages();
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close());
+
+/** Loads a page of the site. Returns what goes wrong, and every address that is asked for. */
+async function visit(page, name) {
+  const problems = [];
+  const requests = [];
+  const listeners = {
+    console: (message) => {
+      const bad = ["error", "warning"].includes(message.type());
+      if (bad) problems.push(`console: ${message.text()}`);
+    },
+    pageerror: (error) => problems.push(`exception: ${error}`),
+    requestfailed: (request) => {
+      const reason = request.failure().errorText;
+      // The icon is not waited for; leaving the page gives it up.
+      if (reason !== "net::ERR_ABORTED") problems.push(`failed: ${request.url()}: ${reason}`);
+    },
+    request: (request) => {
+      requests.push(request.url());
+      if (!/^(file|blob|data):/.test(request.url())) problems.push(`network: ${request.url()}`);
+    },
+  };
+  for (const [event, listener] of Object.entries(listeners)) page.on(event, listener);
+  await page.goto(addressOf(name));
+  for (const [event, listener] of Object.entries(listeners)) page.off(event, listener);
+  return { problems, requests };
+}
+
+/** The pages to look at closely: all at the top, and of each folder the one of middle size. */
+function samples() {
+  const size = (name) => fs.statSync(path.join(site, name)).size;
+  const kinds = new Map();
+  for (const name of [...all].sort((a, b) => size(a) - size(b))) {
+    const kind = name.includes("/") ? path.dirname(name) : name;
+    kinds.set(kind, [...(kinds.get(kind) ?? []), name]);
+  }
+  return [...kinds.values()].map((names) => names[names.length >> 1]);
+}
+
+/** What sticks out to the right of the window. Boxes that scroll by themselves may hold more. */
+function overflowing() {
+  if (document.documentElement.scrollWidth <= innerWidth) return [];
+  const scrolls = (element) =>
+    element !== null &&
+    element !== document.body &&
+    (getComputedStyle(element).overflowX !== "visible" || scrolls(element.parentElement));
+  return [...document.body.querySelectorAll("*")]
+    .filter((e) => e.getBoundingClientRect().right > innerWidth && !scrolls(e.parentElement))
+    .map((e) => e.outerHTML.slice(0, 100))
+    .concat(`scrollWidth ${document.documentElement.scrollWidth}`);
+}
+
+test("every page loads without an error, asks only for files, and fits into 320 pixels", async () => {
+  assert.ok(all.length > 1);
+  const problems = [];
+  const narrow = { viewport: { width: 320, height: 600 } };
+  await inParallel(browser, all, narrow, async (page, name) => {
+    const { problems: found } = await visit(page, name);
+    found.push(...(await page.evaluate(overflowing)).map((what) => `too wide: ${what}`));
+    problems.push(...found.map((problem) => `${name}: ${problem}`));
+  });
+  assert.deepEqual(problems, []);
+});
+
+test("a page that fails is noticed", async () => {
+  const page = await browser.newPage({ viewport: { width: 320, height: 600 } });
+  const name = path.join(os.tmpdir(), `sbgc-broken-${process.pid}.html`);
+  const body = '<img src="missing.png"><script>nonsense()</script><p style="width: 400px">wide';
+  fs.writeFileSync(name, `<!DOCTYPE html><title>x</title>${body}`);
+  const { problems } = await visit(page, path.relative(site, name));
+  fs.unlinkSync(name);
+  assert.match(problems.join("\n"), /failed: .*missing\.png/);
+  assert.match(problems.join("\n"), /exception: .*nonsense/);
+  assert.match((await page.evaluate(overflowing)).join("\n"), /width: 400px/);
+  await page.close();
+});
+
+for (const [colorScheme, width] of [
+  ["light", 1280],
+  ["dark", 390],
+]) {
+  test(`axe-core has nothing to say about ${colorScheme} pages of ${width} pixels`, async () => {
+    const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
+    const problems = [];
+    const look = { colorScheme, viewport: { width, height: 900 } };
+    await inParallel(browser, samples(), look, async (page, name) => {
+      await visit(page, name);
+      await page.addScriptTag({ path: axe });
+      // It would load the style sheets a second time, which files may not.
+      const { violations } = await page.evaluate(() => globalThis.axe.run({ preload: false }));
+      for (const { id, help, nodes } of violations) {
+        const where = nodes.map((node) => node.target.join(" ")).slice(0, 3);
+        problems.push(`${name}: ${id}: ${help}: ${where.join(", ")}`);
+      }
+    });
+    assert.deepEqual(problems, []);
+  });
+}
+
+test("the start page weighs less than 300 kB", async () => {
+  const page = await browser.newPage();
+  const { requests } = await visit(page, "index.html");
+  const files = new Set(requests.filter((url) => url.startsWith("file:")));
+  await page.close();
+  const sizes = [...files].map((url) => fs.statSync(fileURLToPath(url)).size);
+  const weight = sizes.reduce((sum, size) => sum + size, 0);
+  assert.ok(files.size > 3);
+  assert.ok(weight < 300_000, `${weight} bytes: ${[...files].join(" ")}`);
+});
+
+test("search finds a message, a command and a field, and leads there", async () => {
+  const page = await browser.newPage({ reducedMotion: "reduce" });
+  const { messages } = model();
+  const message = messages.find((m) => m.layout.some((leaf) => leaf.path.startsWith("axes.")));
+  const leaf = message.layout.find((l) => l.path.startsWith("axes.") && !l.reserved);
+  const field = `#field-${encodeURIComponent(leaf.path)}`;
+  for (const [query, target] of [
+    [message.name, ".html"],
+    [message.command, ".html"],
+    [`${message.name} ${leaf.path}`, field],
+  ]) {
+    await visit(page, "index.html");
+    await page.keyboard.press("/");
+    await page.locator("#search").fill(query);
+    await page.locator(`#search-results a[href*="${target}"]`).first().click();
+    await page.waitForURL(/messages|families/);
+    assert.ok((await page.locator("main").textContent()).includes(message.command), page.url());
+    if (target === field) assert.ok(await page.locator(":target").isVisible());
+  }
+  await page.locator("#search").fill("qqqqzzzz");
+  await page.locator("#search-results", { hasText: "Nothing found" }).waitFor();
+  await page.close();
+});
+
+test("the example of a message opens in the decoder", async () => {
+  const page = await browser.newPage({ reducedMotion: "reduce" });
+  for (const name of all.filter((file) => file.startsWith("messages/")).slice(0, 5)) {
+    await visit(page, name);
+    const title = await page.locator("h1").textContent();
+    await page.locator("a[href*='decoder.html#hex=']").first().click();
+    await page.waitForFunction(() => document.querySelector("#summary")?.textContent);
+    const names = await page.locator(".opener .what .muted").allTextContents();
+    assert.equal(names.at(-1), title);
+  }
+  await page.close();
+});
+
+test("without JavaScript there is the content and a menu", async () => {
+  const context = await browser.newContext({ javaScriptEnabled: false, reducedMotion: "reduce" });
+  for (const width of [1280, 390]) {
+    const page = await context.newPage();
+    await page.setViewportSize({ width, height: 800 });
+    await page.goto(addressOf("index.html"));
+    assert.ok(await page.locator("h1").isVisible());
+    if (width < 960) await page.locator(".menu-button").click();
+    const link = page.locator("#menu a[href$='decoder.html']");
+    assert.ok(await link.isVisible());
+    await link.click();
+    assert.match(page.url(), /decoder\.html$/);
+    const hint = page.locator("noscript");
+    assert.ok(await hint.isVisible());
+    assert.match(await hint.textContent(), /sbgc decode --hex/);
+    assert.ok(!(await page.locator("#search").isVisible()));
+    await page.close();
+  }
+  await context.close();
+});
+
+test("on paper there is the content without bars and menus", async () => {
+  const problems = [];
+  await inParallel(browser, samples(), { colorScheme: "dark" }, async (page, name) => {
+    await page.emulateMedia({ media: "print" });
+    await visit(page, name);
+    const looks = await page.evaluate(() => {
+      const hidden = (selector) =>
+        [...document.querySelectorAll(selector)].every((e) => e.getClientRects().length === 0);
+      const body = getComputedStyle(document.body);
+      const cut = [...document.querySelectorAll("main .table")].some(
+        (e) => getComputedStyle(e).overflowY !== "visible",
+      );
+      return {
+        bars: hidden(".bar") && hidden(".menu"),
+        content: !hidden("h1"),
+        colours: [body.color, body.backgroundColor].join(" on "),
+        cut,
+      };
+    });
+    const expected = {
+      bars: true,
+      content: true,
+      colours: "rgb(0, 0, 0) on rgb(255, 255, 255)",
+      cut: false,
+    };
+    for (const [key, value] of Object.entries(expected)) {
+      if (looks[key] !== value) problems.push(`${name}: ${key}: ${looks[key]}`);
+    }
+  });
+  assert.deepEqual(problems, []);
+});

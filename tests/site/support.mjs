@@ -1,0 +1,70 @@
+// Where the site is, and a browser to look at it.
+
+import fs from "node:fs";
+import os from "node:os";
+import path from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+
+export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
+export const site = process.env.SBGC_SITE ?? path.join(root, "build/site");
+
+/** The command that the decoder must agree with. */
+export const sbgc = process.env.SBGC ?? path.join(root, "build/release/tools/sbgc");
+
+export const addressOf = (page) => pathToFileURL(path.join(site, page)).href;
+
+/** All pages by their path in the site. */
+export function pages() {
+  const found = [];
+  const walk = (folder) => {
+    for (const entry of fs.readdirSync(path.join(site, folder), { withFileTypes: true })) {
+      const name = path.posix.join(folder, entry.name);
+      if (entry.isDirectory()) walk(name);
+      else if (name.endsWith(".html")) found.push(name);
+    }
+  };
+  walk("");
+  return found.sort();
+}
+
+/** The exported model. */
+export const model = () =>
+  JSON.parse(fs.readFileSync(path.join(root, "generated/simplebgc.json"), "utf8"));
+
+/** The lines of all test vectors. */
+export function vectors() {
+  const folder = path.join(root, "generated/vectors");
+  return fs
+    .readdirSync(folder)
+    .flatMap((file) => fs.readFileSync(path.join(folder, file), "utf8").trim().split("\n"))
+    .map((line) => JSON.parse(line));
+}
+
+/** A frame around a body. */
+export function frame(id, body) {
+  const sum = (bytes) => bytes.reduce((total, byte) => total + byte, 0) & 0xff;
+  const content = Buffer.from(body);
+  const header = [0x3e, id, content.length, (id + content.length) & 0xff];
+  return Buffer.concat([Buffer.from(header), content, Buffer.from([sum(content)])]);
+}
+
+/** Debian's Chromium, or the one in CHROMIUM. */
+export async function launch() {
+  const { chromium } = await import("playwright-core");
+  const names = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser"];
+  const executablePath = names.find((name) => name && fs.existsSync(name));
+  if (executablePath === undefined) throw new Error("there is no /usr/bin/chromium: package chromium");
+  // Chromium refuses to be sandboxed for root, as which CI often runs.
+  return chromium.launch({ executablePath, chromiumSandbox: process.getuid() !== 0 });
+}
+
+/** Calls `work(page, item)` for each item, with a few pages at once. */
+export async function inParallel(browser, items, options, work) {
+  const left = items.values();
+  const worker = async () => {
+    const page = await browser.newPage(options);
+    for (const item of left) await work(page, item);
+    await page.close();
+  };
+  await Promise.all(Array.from({ length: Math.max(2, os.cpus().length) }, worker));
+}

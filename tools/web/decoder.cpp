@@ -1,0 +1,183 @@
+// The decoder of the reference site: what `sbgc decode` does, for a page that feeds it.
+//
+// Text goes in and out through memory: the page asks input() for a place, fills it, calls feed()
+// or near_misses(), and reads output(), which is JSON, one object a line:
+//
+//   {"frame": what `sbgc decode --format jsonl` prints, "size": bytes of the frame, "body": where
+//   its body starts,
+//    "rows": [[path, raw, meaning, objection, offset, size], ...], "reason": of an error}
+//   {"hex_error": {"line": 1, "column": 2, "reason": "..."}}
+//   {"end": {"bytes": 7, "frames": 1, "skipped_bytes": 0, "header_errors": 0, ...}}
+//
+// Offsets of rows count from the start of the frame, that of a frame from the start of the input.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <sbgc/parser.hpp>
+#include <sbgc/to_json.hpp>
+
+#include "../decoded_frame.hpp"
+#include "../hex_text.hpp"
+#include "../near_misses.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+void add_line(std::string& out, const Json& json) {
+  out += json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  out += '\n';
+}
+
+Json rows_of(const DecodedFrame& decoded) {
+  Json result = Json::array();
+  for (const Row& row : decoded.rows) {
+    result.push_back(
+        {row.path, row.raw, row.meaning, row.objection, frame_header_size + row.offset, row.size});
+  }
+  return result;
+}
+
+/// One input, from its first byte to its end.
+class Decoding {
+ public:
+  Decoding(std::optional<Direction> direction, bool hex) : decoder_(direction), is_hex_(hex) {}
+
+  void feed(std::span<const std::uint8_t> block, std::string& out) {
+    bytes_.clear();
+    if (failed_) return;
+    std::optional<HexError> error;
+    if (is_hex_) {
+      error = hex_.feed(block, bytes_);
+    } else {
+      bytes_.assign(block.begin(), block.end());
+    }
+    size_ += bytes_.size();
+    parser_.feed(bytes_, Sink{*this, out});
+    if (error) fail(*error, out);
+  }
+
+  void finish(std::string& out) {
+    bytes_.clear();
+    if (is_hex_ && !failed_) {
+      if (const auto error = hex_.finish()) fail(*error, out);
+    }
+    parser_.flush(Sink{*this, out});
+    const ParserCounters counters = parser_.counters();
+    Json line;
+    line["end"] = {{"bytes", size_},
+                   {"frames", counters.frames},
+                   {"skipped_bytes", counters.skipped_bytes},
+                   {"header_errors", counters.header_errors},
+                   {"body_errors", counters.body_errors},
+                   {"incomplete", counters.incomplete}};
+    add_line(out, line);
+  }
+
+  /// The bytes of the last block.
+  std::span<const std::uint8_t> bytes() const { return bytes_; }
+
+ private:
+  struct Sink {
+    Decoding& decoding;
+    std::string& out;
+    void operator()(const Frame& frame) const { decoding.take(frame, out); }
+  };
+
+  void take(const Frame& frame, std::string& out) {
+    const DecodedFrame decoded = decoder_.decode(frame);
+    Json line;
+    line["frame"] = decoded.to_json();
+    line["size"] = Framing::frame_size(frame.body.size());
+    line["body"] = frame_header_size;
+    line["rows"] = rows_of(decoded);
+    if (!decoded.status) line["reason"] = text(decoded.status.code);
+    add_line(out, line);
+  }
+
+  void fail(const HexError& error, std::string& out) {
+    failed_ = true;
+    Json line;
+    line["hex_error"] = {{"line", error.line}, {"column", error.column}, {"reason", error.reason}};
+    add_line(out, line);
+  }
+
+  FrameDecoder decoder_;
+  Parser parser_;
+  HexDecoder hex_;
+  std::vector<std::uint8_t> bytes_;
+  std::uint64_t size_ = 0;
+  bool is_hex_;
+  bool failed_ = false;
+};
+
+/// What the functions below work on: a page calls one at a time.
+struct State {
+  std::vector<std::uint8_t> input;
+  std::string output;
+  Decoding decoding{std::nullopt, false};
+};
+
+State& state() {
+  static State result;
+  return result;
+}
+
+}  // namespace
+}  // namespace sbgc::tools
+
+#define SBGC_EXPORT(name) extern "C" __attribute__((export_name(#name)))
+
+using sbgc::tools::state;
+
+/// Where to put the next `size` bytes.
+SBGC_EXPORT(input) std::uint8_t* sbgc_input(std::size_t size) {
+  state().input.resize(size);
+  return state().input.data();
+}
+
+/// Begins anew. `from`: 0 says nothing about who sent the bytes, 1 it was the host, 2 the board.
+SBGC_EXPORT(start) void sbgc_start(int from, bool is_hex) {
+  std::optional<sbgc::Direction> direction;
+  if (from == 1) direction = sbgc::Direction::to_board;
+  if (from == 2) direction = sbgc::Direction::from_board;
+  state().decoding = {direction, is_hex};
+}
+
+/// Takes the input as the next piece of the capture; the output is the frames that it completes.
+SBGC_EXPORT(feed) void sbgc_feed() {
+  state().output.clear();
+  state().decoding.feed(state().input, state().output);
+}
+
+/// The end of the capture; the output is what comes after it.
+SBGC_EXPORT(finish) void sbgc_finish() {
+  state().output.clear();
+  state().decoding.finish(state().output);
+}
+
+/// The output is a JSON list of [offset, reason] for the start bytes among the first `gap` bytes of
+/// the input, at most `limit`, where the input is bytes outside of frames and what follows them.
+SBGC_EXPORT(near_misses) void sbgc_near_misses(std::size_t gap, std::size_t limit) {
+  const std::span<const std::uint8_t> input(state().input);
+  sbgc::Json list = sbgc::Json::array();
+  for (const auto& miss : sbgc::tools::near_misses(input.first(gap), input.subspan(gap), limit)) {
+    list.push_back({miss.offset, miss.text});
+  }
+  state().output = list.dump();
+}
+
+/// Bytes of the longest frame there can be.
+SBGC_EXPORT(frame_limit) std::size_t sbgc_frame_limit() { return sbgc::max_frame_size; }
+
+SBGC_EXPORT(output) const char* sbgc_output() { return state().output.data(); }
+SBGC_EXPORT(output_size) std::size_t sbgc_output_size() { return state().output.size(); }
+
+/// The bytes that the last feed() was about: its hex text as bytes.
+SBGC_EXPORT(bytes) const std::uint8_t* sbgc_bytes() { return state().decoding.bytes().data(); }
+SBGC_EXPORT(bytes_size) std::size_t sbgc_bytes_size() { return state().decoding.bytes().size(); }
