@@ -39,6 +39,22 @@ class Guide:
         return f"guides/{self.name}.html"
 
 
+@dataclass(frozen=True)
+class Capture:
+    """Bytes to try the decoder with: docs/captures/<name>.hex, as `sbgc decode --hex` reads it."""
+
+    title: str
+    text: str
+
+
+def captures_in(folder: Path) -> list[Capture]:
+    """The captures in the order of their file names, whose words are the titles."""
+    return [
+        Capture(_guide_name(path.stem).replace("-", " ").capitalize(), path.read_text("utf-8"))
+        for path in sorted(folder.glob("*.hex"))
+    ]
+
+
 def guides_in(folder: Path) -> list[Guide]:
     """The guides in the order of their file names; a leading number is only for the order."""
     return [_guide(path) for path in sorted(folder.glob("*.md"))]
@@ -86,6 +102,7 @@ def outputs(layout: Layout, docs: Path) -> dict[str, bytes]:
     names: dict[str, Any] = {
         "pages": frozenset(pages),
         "guides": guides,
+        "captures": captures_in(docs / "captures"),
         "uses": site_model.references(layout),
         "errata": {erratum.number: erratum for erratum in layout.errata},
         "added": site_model.added(layout),

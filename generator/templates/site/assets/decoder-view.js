@@ -101,7 +101,7 @@ const decoderView = (() => {
     return parts;
   }
 
-  function rowsTable(answer, page) {
+  function rowsTable(answer) {
     // Where it is narrow the table is laid out as a list; the roles keep it a table for readers.
     const head = element("tr", { role: "row" });
     for (const title of ["Byte", "Field", "Raw", "Meaning"]) {
@@ -123,17 +123,10 @@ const decoderView = (() => {
       const value = element("td", { role: "cell", class: "raw" }, raw);
       body.append(element("tr", { role: "row", "data-part": i }, number, field, value, cell));
     }
-    const caption = element("caption", {}, "Fields");
-    if (page) {
-      const link = element("a", { href: root + page }, `reference of ${answer.frame.message}`);
-      caption.append(": see the ", link);
-    }
+    const table = element("table", { role: "table" });
+    table.append(element("thead", { role: "rowgroup" }, head), body);
     const region = { class: "table free", tabindex: "0", role: "region", "aria-label": "Fields" };
-    return element(
-      "div",
-      region,
-      element("table", { role: "table" }, caption, element("thead", { role: "rowgroup" }, head), body),
-    );
+    return element("div", region, table);
   }
 
   /** What is inside a frame. */
@@ -146,16 +139,14 @@ const decoderView = (() => {
       const note = element("p", {}, `${answer.reason}${where} Code: ${frame.error.code}, at byte `);
       note.append(`${frame.error.offset} of the body.`);
       result.push(element("div", { class: "note bad" }, note));
-      if (page) {
-        const link = element("a", { href: root + page }, `Reference of ${frame.message}`);
-        result.push(element("p", {}, link));
-      }
     } else if (rows.length === 0) {
-      const note = element("p", { class: "muted" }, "Its body has no fields to show.");
-      if (page) note.append(" ", element("a", { href: root + page }, `Reference of ${frame.message}`));
-      result.push(note);
+      result.push(element("p", { class: "muted" }, "Its body has no fields to show."));
     } else {
-      result.push(rowsTable(answer, page));
+      result.push(rowsTable(answer));
+    }
+    if (page) {
+      const link = element("a", { href: root + page }, frame.message);
+      result.push(element("p", { class: "small" }, "More about ", link));
     }
     return result;
   }

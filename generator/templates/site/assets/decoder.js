@@ -334,7 +334,7 @@
     target.value = "";
   });
   for (const button of form.querySelectorAll("[data-example]")) {
-    button.addEventListener("click", () => setText(button.dataset.example, button.dataset.from));
+    button.addEventListener("click", () => setText(button.dataset.example, "auto"));
   }
 
   const main = document.querySelector("main");
