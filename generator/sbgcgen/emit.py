@@ -52,10 +52,10 @@ def _fail(message: str) -> None:
 
 
 @cache
-def _environment(target: str) -> jinja2.Environment:
+def _environment(target: str, templates: Path) -> jinja2.Environment:
     """The environment of a target, with its templates once they are compiled."""
     environment = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(TEMPLATES),
+        loader=jinja2.FileSystemLoader(templates),
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
@@ -91,7 +91,7 @@ def render(
     see, `filters` more of what they may do. Each template sees `here`, the path of its output, and
     `root`, the way from there up.
     """
-    environment = _environment(target)
+    environment = _environment(target, TEMPLATES)
     environment.globals.update(layout=layout, model=export(layout), **(names or {}))
     environment.filters.update(filters or {})
     sources = sources_of(target)
