@@ -280,7 +280,7 @@ def _compare_roles(what: str, old: Message, new: Message, changes: Changes) -> N
     for part in sorted({*parts[0], *parts[1]}):
         pair = [names.get(part, "") for names in parts]
         changes.compare(Level.MEANING, f"{what}: role: {part}", pair[0], pair[1], new.at)
-    for key in ("interval_us", "end", "cycle", "cycle_us"):
+    for key in ("interval_us", "end", "cycle", "cycle_us", "delay_ms"):
         pair = [getattr(role, key) for role in (old.role, new.role)]
         changes.compare(Level.MEANING, f"{what}: role: {key}", pair[0], pair[1], new.at)
     messages = [set(role.messages) for role in (old.role, new.role)]

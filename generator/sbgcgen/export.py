@@ -175,6 +175,8 @@ def _role(role: Role | None) -> dict[str, Any] | None:
             cycle=role.cycle,
             cycle_us=role.cycle_us,
         )
+    if role.kind == "reset":
+        result["delay_ms"] = role.delay_ms
     return result
 
 

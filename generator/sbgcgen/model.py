@@ -441,6 +441,7 @@ class Answer:
 class Role:
     """What a message is in the conversation (`kind`), and which of its fields tell what about it.
 
+    A board restarts `delay_ms` after its reset message.
     `streams` are the messages that a stream request makes the board send; its interval is in units
     of `interval_us`, `end` ends the stream and `cycle` stands for `cycle_us`.
     """
@@ -453,6 +454,7 @@ class Role:
     end: int = 0
     cycle: int | None = None
     cycle_us: int = 0
+    delay_ms: int = 0
     at: Position = field(default=_NOWHERE, compare=False, repr=False)
 
 

@@ -33,7 +33,7 @@ MAX_ECHOES = 2
 MAX_REPLIES = 2
 MAX_CONFIG = 8
 _UNITS = {"s": 1_000_000, "ms": 1000, "us": 1}
-# The fields that a role needs, and those that it can have; a stream request needs more than fields.
+# The fields that a role needs, and those that it can have; then what else it has.
 _PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "confirmation": (("command",), ()),
     "error": ((), ("command",)),
@@ -41,7 +41,10 @@ _PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "introduction": ((), ()),
     "stream_request": (("command", "interval", "config"), ()),
 }
-_STREAM_WORDS = ("end", "cycle", "cycle_us", "messages")
+_WORDS = {
+    "reset": ("delay_ms",),
+    "stream_request": ("end", "cycle", "cycle_us", "messages"),
+}
 
 
 class AnswerResolver:
@@ -115,7 +118,7 @@ class AnswerResolver:
             return None
         self.nodes[node.position] = node
         needed, possible = _PARTS[kind]
-        words = _STREAM_WORDS if kind == "stream_request" else ()
+        words = _WORDS.get(kind, ())
         for word in node:
             if word not in ("is", *needed, *possible, *words):
                 message = f"'{word}' says nothing about a role of kind {kind}"
@@ -132,7 +135,7 @@ class AnswerResolver:
                 self.found.add(node.position, "SBGC037", f"a {kind} has '{part}'", hint)
         if any(part not in parts for part in needed):
             return None
-        role = Role(kind, parts, at=node.position)
+        role = Role(kind, parts, delay_ms=int(node.get("delay_ms", 0)), at=node.position)
         return self._stream_role(node, role) if kind == "stream_request" else role
 
     def _part(self, node: Map, part: str, fields: tuple[Field, ...]) -> Field | None:

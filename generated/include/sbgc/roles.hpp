@@ -61,6 +61,9 @@ constexpr bool is_reset([[maybe_unused]] const Frame& frame) noexcept {
   return frame.id == 114;
 }
 
+/// How long after it the board restarts.
+inline constexpr std::uint32_t reset_delay_ms = 1000;
+
 /// The id of the request, with an empty body, that asks for the introduction; 0 if there is none.
 inline constexpr std::uint8_t introduction_request_id = 86;
 

@@ -137,7 +137,7 @@ class BasicSession {
   /// Requests that are waiting or in flight.
   std::size_t open_requests() const noexcept {
     std::size_t count = 0;
-    for (const Request& request : requests_) count += request.handle ? 1 : 0;
+    for (const Request& request : requests_) count += request.handle ? 1U : 0U;
     return count;
   }
 
@@ -153,8 +153,9 @@ class BasicSession {
     std::uint8_t confirmations{};
     std::uint16_t size{};
     Duration timeout{};
-    Duration finish{};  // for the last confirmation
-    Instant sent_at{};
+    Duration finish{};       // for the last confirmation
+    Instant sent_at{};       // when its answer could have come over the line
+    Instant confirmed_at{};  // last
     Instant attempt_end = Instant::never;
     Instant deadline = Instant::never;
     std::array<std::uint8_t, max_frame_size> frame{};
@@ -226,7 +227,7 @@ class BasicSession {
     std::size_t in_flight = 0;
     for (const Request& other : requests_) {
       if (!other.handle) continue;
-      in_flight += other.is_in_flight ? 1 : 0;
+      in_flight += other.is_in_flight ? 1U : 0U;
       const bool is_before = other.is_in_flight || other.handle < request.handle;
       if (is_before && (other.waits || request.waits) &&
           replies.can_be_confused_with(other.exchange.replies)) {
@@ -248,7 +249,7 @@ class BasicSession {
     __builtin_memcpy(out_.data(), request.frame.data(), size);
     ++statistics_.sent_frames;
     statistics_.sent_bytes += size;
-    statistics_.retries += request.is_in_flight ? 1 : 0;
+    statistics_.retries += request.is_in_flight ? 1U : 0U;
     const std::size_t answer = answer_size(request.exchange);
     const Instant written = now_ + wire_time(options_.line, size);
     next_send_ = written + detail::pause_behind(options_, size, answer);
@@ -354,7 +355,7 @@ class BasicSession {
     const bool is_late =
         take_late([&](const Replies& replies) { return replies.answer(frame) != nullptr; });
     const bool is_sample = streams_.has(frame.id);
-    statistics_.unsolicited += is_late || is_sample ? 0 : 1;
+    statistics_.unsolicited += is_late || is_sample ? 0U : 1U;
     report({.kind = is_sample ? EventKind::stream : EventKind::unsolicited,
             .command = frame.id,
             .is_late = is_late,
@@ -378,7 +379,12 @@ class BasicSession {
       const Exchange& exchange = request.exchange;
       if (!request.handle || !request.is_in_flight) continue;
       if (!exchange.replies.is_confirmed_by(command, frame)) continue;
+      if (request.confirmations != 0 && repeats() &&
+          now_ < request.confirmed_at + options_.duplicates) {
+        break;  // the last one again
+      }
       ++request.confirmations;
+      request.confirmed_at = now_;
       const Handle handle = request.handle;
       report({.kind = EventKind::confirmation,
               .handle = handle,
@@ -443,13 +449,17 @@ class BasicSession {
     streams_.clear();
     report({.kind = EventKind::reset, .command = frame.id, .frame = frame}, sink);
     complete_all(Outcome::reset, sink, newest);
-    ghosts_.clear();
+    // Until it restarts, the board may go on answering.
+    ghosts_.limit(now_ + milliseconds(roles::reset_delay_ms) + options_.late);
   }
+
+  /// Whether a frame may come twice.
+  bool repeats() const noexcept { return options_.duplicates > Duration{}; }
 
   template <class Fits>
   bool take_late(Fits&& fits) noexcept {
-    const bool is_late = ghosts_.take(fits);
-    statistics_.late_answers += is_late ? 1 : 0;
+    const bool is_late = ghosts_.take(fits, repeats(), now_ + options_.duplicates);
+    statistics_.late_answers += is_late ? 1U : 0U;
     return is_late;
   }
 
@@ -499,7 +509,7 @@ class BasicSession {
     Instant end = Instant{};
     if (expected != 0) end = request.sent_at + request.finish + options_.late;
     if (is_answered || outcome == Outcome::confirmed) {
-      if (options_.duplicates > Duration{}) {
+      if (repeats()) {
         ++expected;
         end = later(end, now_ + options_.duplicates);
       }

@@ -53,12 +53,18 @@ class Ghosts {
     return false;
   }
 
-  /// Takes one frame off the first ghost for which `fits(replies)`; false if there is none.
+  /// Takes one frame off the first ghost for which `fits(replies)`; false if there is none. On a
+  /// line that repeats frames, the ghost stays until `repeated_until` at least.
   template <class Fits>
-  constexpr bool take(Fits&& fits) noexcept {
+  constexpr bool take(Fits&& fits, bool is_repeating, Instant repeated_until) noexcept {
     for (std::size_t i = 0; i < size_; ++i) {
-      if (!fits(ghosts_[i].replies)) continue;
-      if (--ghosts_[i].frames == 0) remove(i);
+      Ghost& ghost = ghosts_[i];
+      if (!fits(ghost.replies)) continue;
+      if (is_repeating) {
+        ghost.until = later(ghost.until, repeated_until);
+      } else if (--ghost.frames == 0) {
+        remove(i);
+      }
       return true;
     }
     return false;
@@ -77,6 +83,11 @@ class Ghosts {
     Instant end = Instant::never;
     for (std::size_t i = 0; i < size_; ++i) end = earlier(end, ghosts_[i].until);
     return end;
+  }
+
+  /// Nothing comes any more after `end`.
+  constexpr void limit(Instant end) noexcept {
+    for (std::size_t i = 0; i < size_; ++i) ghosts_[i].until = earlier(ghosts_[i].until, end);
   }
 
   constexpr void clear() noexcept { size_ = 0; }

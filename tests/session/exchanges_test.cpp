@@ -1,0 +1,274 @@
+// What answers what, against a table that was read from the specification by hand.
+
+#include <concepts>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sbgc/dispatch.hpp>
+#include <sbgc/exchanges/all.hpp>
+#include <sbgc/line_facts.hpp>
+#include <sbgc/message.hpp>
+#include <sbgc/roles.hpp>
+
+namespace {
+
+using sbgc::Confirmed;
+using sbgc::Exchange;
+using ::testing::ElementsAre;
+
+/// Calls `use(message)` with an empty message of each type that goes to the board.
+template <class Use>
+void for_each_request(Use&& use) {
+  sbgc::AllMessages::for_each([&]<class M>(sbgc::Type<M>) {
+    if constexpr (M::direction != sbgc::Direction::from_board) use(M{});
+  });
+}
+
+// Requests and the message that answers, by ids (lines 615-660, 753-774, 793-802, 837-905,
+// 946-953).
+const std::map<int, int> answers = {
+    {86, 86}, {20, 20}, {68, 23},   {23, 23}, {25, 25}, {88, 88}, {82, 21}, {21, 21},
+    {33, 33}, {62, 62}, {73, 73},   {61, 61}, {28, 28}, {64, 31}, {40, 40}, {253, 253},
+    {42, 42}, {43, 43}, {254, 254}, {48, 48}, {49, 49}, {53, 53}, {46, 46}, {56, 56},
+};
+
+// Commands that the specification says are confirmed: "A, G, P, W, etc." of line 417, and 640, 668,
+// 726, 730, 791, 835, 875, 882, 916, 932, 972.
+const std::set<int> confirmed = {'A', 'G', 'P', 'W', 'g', 22, 34, 63, 'M',
+                                 'm', 31,  39,  44,  47,  54, 55, 85};
+
+// Without anything to wait for, unless they ask for notice.
+const std::set<int> silent = {114, 51};
+
+TEST(Exchanges, AreThoseOfTheSpecification) {
+  std::set<int> seen;
+  for_each_request([&]<class M>(const M& message) {
+    const Exchange exchange = exchange_of(message);
+    const int id = static_cast<int>(M::command);
+    seen.insert(id);
+    EXPECT_EQ(exchange.replies.command, id);
+    const auto answer = answers.find(id);
+    EXPECT_EQ(exchange.answer_required, answer != answers.end()) << id;
+    EXPECT_EQ(exchange.replies.answer_count != 0, answer != answers.end()) << id;
+    for (std::size_t i = 0; i < exchange.replies.answer_count; ++i) {
+      EXPECT_EQ(exchange.replies.answers[i].id, answer->second) << id;
+    }
+    const bool is_certain = exchange.replies.confirmed == Confirmed::always;
+    EXPECT_EQ(is_certain, confirmed.contains(id)) << id;
+    if (silent.contains(id) || answer != answers.end()) {
+      EXPECT_EQ(exchange.replies.confirmed, Confirmed::never) << id;
+    } else if (!is_certain) {
+      EXPECT_EQ(exchange.replies.confirmed, Confirmed::possible) << id;
+    }
+    EXPECT_EQ(exchange.confirmations == 0, exchange.replies.confirmed == Confirmed::never) << id;
+    EXPECT_GT(exchange.timeout_ms, 0U);
+  });
+  for (const auto& [id, answer] : answers) EXPECT_TRUE(seen.contains(id)) << id;
+  for (const int id : confirmed) EXPECT_TRUE(seen.contains(id)) << id;
+}
+
+TEST(Exchanges, OnlyReadsAndRequestsThatCanBeRepeatedAreSafe) {
+  // What moves, counts up, starts, restarts or toggles something when it is done again, and what
+  // nobody knows.
+  const std::set<int> unsafe = {67, 69, 72, 65, 103, 59, 71,  80, 79, 66, 26, 27,  35,
+                                75, 57, 89, 39, 40,  70, 114, 51, 30, 52, 74, 250, 251};
+  for_each_request([&]<class M>(const M& message) {
+    const int id = static_cast<int>(M::command);
+    EXPECT_EQ(exchange_of(message).retry_is_safe, !unsafe.contains(id)) << id;
+  });
+}
+
+TEST(Exchanges, CalibrationsConfirmTwice) {
+  for_each_request([&]<class M>(const M& message) {
+    const bool twice =
+        M::command == sbgc::CommandId::calib_acc || M::command == sbgc::CommandId::calib_gyro;
+    const Exchange exchange = exchange_of(message);
+    EXPECT_EQ(exchange.confirmations == 2, twice);
+    EXPECT_EQ(exchange.finish_ms > exchange.timeout_ms, twice);
+  });
+  sbgc::CalibAccExt request;
+  for (const auto action : {sbgc::CalibAction::reset, sbgc::CalibAction::enable_temperature,
+                            sbgc::CalibAction::disable_temperature}) {
+    request.action = action;
+    EXPECT_EQ(exchange_of(request).confirmations, 1);
+    EXPECT_TRUE(exchange_of(request).restarts_board);
+  }
+  request.action = sbgc::CalibAction::temperature;
+  EXPECT_EQ(exchange_of(request).confirmations, 2);
+  EXPECT_GT(exchange_of(request).finish_ms, 600'000U);
+}
+
+TEST(Exchanges, DependOnTheRequest) {
+  sbgc::ResetRequestExt reset;
+  EXPECT_FALSE(exchange_of(reset).answer_required);
+  reset.confirm.set(sbgc::ResetOption::notify);
+  EXPECT_TRUE(exchange_of(reset).answer_required);
+  EXPECT_EQ(exchange_of(reset).replies.answers[0].id, 114);
+  sbgc::BootMode3Ext boot;
+  boot.confirm.set(sbgc::ResetOption::notify);
+  EXPECT_EQ(exchange_of(boot).replies.answers[0].id, 114) << "CMD_RESET, not CMD_BOOT_MODE_3";
+  sbgc::AhrsHelperRequestExt attitude;
+  EXPECT_TRUE(exchange_of(attitude).answer_required);
+  attitude.mode.set(sbgc::AhrsHelperModeBit::set);
+  EXPECT_FALSE(exchange_of(attitude).answer_required);
+  EXPECT_EQ(exchange_of(attitude).replies.confirmed, Confirmed::possible);
+  for_each_request([&]<class M>(const M& message) {
+    if (M::command == sbgc::CommandId::reset || M::command == sbgc::CommandId::boot_mode_3) {
+      EXPECT_TRUE(exchange_of(message).restarts_board);
+    }
+  });
+}
+
+// Numbers of the request that the answer repeats: their place, size and value.
+struct Repeated {
+  std::uint8_t offset;
+  std::uint8_t size;
+  std::uint32_t value;
+};
+
+void expect_echo(const sbgc::Echo& echo, const Repeated& repeated) {
+  EXPECT_EQ(echo.offset, repeated.offset);
+  EXPECT_EQ(echo.size, repeated.size);
+  EXPECT_EQ(echo.value, repeated.value);
+}
+
+TEST(Exchanges, AnswersRepeatPartsOfTheRequest) {
+  sbgc::ReadParamsExt2Request params;
+  params.profile_id = 3;
+  expect_echo(exchange_of(params).replies.answers[0].echoes[0], {0, 1, 3});
+  params.profile_id = 255;
+  EXPECT_EQ(exchange_of(params).replies.answers[0].echoes[0].size, 0);
+  sbgc::EepromReadRequest memory;
+  memory.addr = 0x12345640;
+  expect_echo(exchange_of(memory).replies.answers[0].echoes[0], {0, 4, 0x12345640});
+  sbgc::ReadFileRequest file;
+  file.page_offset = sbgc::Pages(0x0102);
+  expect_echo(exchange_of(file).replies.answers[0].echoes[0], {2, 2, 0x0102});
+  EXPECT_TRUE(exchange_of(file).replies.answers[1].is_error);
+  EXPECT_EQ(exchange_of(file).replies.answers[1].max_size, 1);
+  sbgc::CalibInfoRequest calibration;
+  calibration.imu_type = sbgc::SelectedImu::frame;
+  expect_echo(exchange_of(calibration).replies.answers[0].echoes[0], {1, 1, 2});
+  sbgc::EepromWrite write;
+  write.addr = 64;
+  expect_echo(exchange_of(write).replies.confirmation, {1, 4, 64});
+  EXPECT_EQ(exchange_of(sbgc::WriteFile{}).result.offset, 1);
+  EXPECT_EQ(exchange_of(sbgc::WriteFile{}).result.size, 1);
+  EXPECT_EQ(exchange_of(sbgc::FsClearAll{}).result.size, 1);
+  EXPECT_EQ(exchange_of(write).result.size, 0);
+}
+
+/// An answer whose bytes are what the request wants; `exchange_of` must find it fits, and nothing
+/// that differs in an echo.
+TEST(Exchanges, EchoesDecideWhatFits) {
+  sbgc::EepromReadRequest request;
+  request.addr = 0xA0B0C0;
+  const sbgc::Replies replies = exchange_of(request).replies;
+  std::vector<std::uint8_t> body = {0xC0, 0xB0, 0xA0, 0x00, 1, 2, 3};
+  EXPECT_NE(replies.answer({48, body, 0}), nullptr);
+  EXPECT_EQ(replies.answer({47, body, 0}), nullptr);
+  for (std::size_t i = 0; i < 4; ++i) {
+    body[i] ^= 0x40;
+    EXPECT_EQ(replies.answer({48, body, 0}), nullptr) << i;
+    body[i] ^= 0x40;
+  }
+  EXPECT_EQ(replies.answer({48, std::span(body).first(3), 0}), nullptr);
+}
+
+TEST(Exchanges, ThoseThatOneFrameFitsCanBeConfused) {
+  const auto confused = [](const auto& one, const auto& two) {
+    const sbgc::Replies first = exchange_of(one).replies;
+    const sbgc::Replies second = exchange_of(two).replies;
+    EXPECT_EQ(first.can_be_confused_with(second), second.can_be_confused_with(first));
+    return first.can_be_confused_with(second);
+  };
+  sbgc::ReadParams3Request one;
+  sbgc::ReadParams3Request two;
+  two.profile_id = 1;
+  EXPECT_TRUE(confused(one, one));
+  EXPECT_FALSE(confused(one, two));
+  two.profile_id = 255;
+  EXPECT_TRUE(confused(one, two));
+  EXPECT_TRUE(confused(one, sbgc::ReadParams{})) << "another command, the same answer";
+  EXPECT_TRUE(confused(sbgc::RealtimeData{}, sbgc::RealtimeData3Request{}));
+  EXPECT_FALSE(confused(sbgc::RealtimeData4Request{}, sbgc::RealtimeData3Request{}));
+  EXPECT_TRUE(confused(sbgc::Control{}, sbgc::ControlExt{}));
+  EXPECT_FALSE(confused(sbgc::MotorsOn{}, sbgc::MotorsOff{}));
+  sbgc::EepromWrite write;
+  sbgc::EepromWrite elsewhere;
+  elsewhere.addr = 64;
+  EXPECT_TRUE(confused(write, elsewhere)) << "the address may be missing";
+}
+
+TEST(Exchanges, SizeOfTheAnswer) {
+  sbgc::RealtimeDataCustomRequest request;
+  EXPECT_EQ(exchange_of(request).replies.answers[0].size, 2);
+  request.flags.set(sbgc::RealtimeDataCustomFlag::rc_data);
+  request.flags.set(sbgc::RealtimeDataCustomFlag::z1_h1_vectors);
+  EXPECT_EQ(exchange_of(request).replies.answers[0].size, 2 + 12 + 24);
+  EXPECT_EQ(exchange_of(sbgc::ReadParams3Request{}).replies.answers[0].size, 134);
+  EXPECT_EQ(exchange_of(sbgc::ReadParams3Request{}).replies.answers[0].max_size, 255);
+}
+
+template <class M>
+concept HasAnswerOf = requires {
+  typename sbgc::AnswerOf<M>;
+};
+
+static_assert(std::same_as<sbgc::AnswerOf<sbgc::BoardInfoRequest>, sbgc::BoardInfo>);
+static_assert(std::same_as<sbgc::AnswerOf<sbgc::ReadParams>, sbgc::ReadParams3>);
+static_assert(std::same_as<sbgc::AnswerOf<sbgc::GetAdjVarsVal>, sbgc::SetAdjVarsVal>);
+static_assert(std::same_as<sbgc::AnswerOf<sbgc::BootMode3Ext>, sbgc::Reset>);
+static_assert(std::same_as<sbgc::AnswerOf<sbgc::ReadFileRequest>,
+                           sbgc::TypeList<sbgc::ReadFile, sbgc::ReadFileError>>);
+static_assert(std::is_void_v<sbgc::AnswerOf<sbgc::MotorsOn>>);
+static_assert(std::is_void_v<sbgc::AnswerOf<sbgc::ResetRequest>>);
+static_assert(sbgc::ExchangeTraits<sbgc::BoardInfoRequest>::answer_is_certain);
+static_assert(!sbgc::ExchangeTraits<sbgc::AhrsHelperRequestExt>::answer_is_certain);
+static_assert(!HasAnswerOf<sbgc::BoardInfo>);
+static_assert(exchange_of(sbgc::BoardInfoRequest{}).answer_required, "known at compile time");
+
+static_assert(std::same_as<sbgc::roles::Confirmation, sbgc::Confirm>);
+static_assert(std::same_as<sbgc::roles::BoardError, sbgc::TypeList<sbgc::Error, sbgc::ErrorExt>>);
+static_assert(std::same_as<sbgc::roles::Reset, sbgc::Reset>);
+static_assert(std::same_as<sbgc::roles::Introduction, sbgc::BoardInfo>);
+static_assert(std::same_as<sbgc::roles::IntroductionRequest, sbgc::BoardInfoRequest>);
+static_assert(std::same_as<sbgc::roles::StreamRequest, sbgc::DataStreamInterval>);
+
+TEST(Roles, OfFrames) {
+  const std::vector<std::uint8_t> bytes = {77, 1, 2, 3, 4, 5, 6};
+  const auto frame = [&](int id, std::size_t size) {
+    return sbgc::Frame{static_cast<std::uint8_t>(id), std::span(bytes).first(size), 0};
+  };
+  EXPECT_FALSE(sbgc::roles::is_confirmation(frame(67, 0)));
+  EXPECT_TRUE(sbgc::roles::is_confirmation(frame(67, 1)));
+  EXPECT_EQ(sbgc::roles::confirmed_command(frame(67, 6)), 77);
+  EXPECT_FALSE(sbgc::roles::is_error(frame(255, 4)));
+  EXPECT_TRUE(sbgc::roles::is_error(frame(255, 5)));
+  EXPECT_EQ(sbgc::roles::failed_command(frame(255, 5)), 0);
+  EXPECT_EQ(sbgc::roles::failed_command(frame(255, 6)), 77);
+  EXPECT_TRUE(sbgc::roles::is_reset(frame(114, 0)));
+  EXPECT_FALSE(sbgc::roles::is_reset(frame(67, 1)));
+}
+
+TEST(LineFacts, AreThoseOfTheSpecification) {
+  const std::span rates(sbgc::baud_rates);
+  EXPECT_THAT(std::vector(rates.begin(), rates.begin() + 5),
+              ElementsAre(115200, 57600, 38400, 19200, 9600));
+  EXPECT_EQ(sbgc::named_baud_rates, 5U);
+  EXPECT_THAT(sbgc::parities, ElementsAre(sbgc::Parity::none, sbgc::Parity::even));
+  EXPECT_EQ(sbgc::shortest_pause_ms, 10U);
+  EXPECT_EQ(sbgc::longest_pause_ms, 20U);
+  EXPECT_EQ(number_of(sbgc::SerialSpeed::baud_19200), 19200U);
+  EXPECT_EQ(number_of(static_cast<sbgc::SerialSpeed>(77)), 0U);
+}
+
+}  // namespace

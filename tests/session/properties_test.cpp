@@ -1,0 +1,260 @@
+// What holds for every schedule: random requests over a line that loses, delays, repeats and
+// garbles.
+
+#include <cstdint>
+#include <map>
+#include <random>
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/exchanges/all.hpp>
+#include <sbgc/session.hpp>
+
+#include "simulation.hpp"
+
+namespace {
+
+using sbgc::Duration;
+using sbgc::EventKind;
+using sbgc::Handle;
+using sbgc::milliseconds;
+using sbgc::Outcome;
+using simulation::Body;
+using simulation::body_of;
+using simulation::Record;
+using simulation::Simulation;
+using simulation::Written;
+
+/// How bad a line is, in percent.
+struct Weather {
+  int lost = 0;
+  int slow = 0;  // answers that come up to 900 ms later
+  int garbled = 0;
+  int repeated = 0;
+  int noise = 0;  // bytes between frames
+  int resets = 0;
+  int errors = 0;
+};
+
+constexpr Weather bad = {.lost = 15, .slow = 25, .garbled = 5, .noise = 20, .errors = 5};
+
+/// A board that puts into every answer which transmission it answers.
+class Chaos {
+ public:
+  Chaos(unsigned seed, const Weather& weather, const sbgc::SessionOptions& options = {})
+      : random_(seed), weather_(weather), line(options) {
+    line.board = [this](const Written& frame) { hear(frame); };
+    line.on_event = [this](const Record& record) { note(record); };
+  }
+
+  /// Sends `count` requests at random moments and lets all of them end.
+  void run(int count) {
+    while (count-- > 0) {
+      ask();
+      line.run_for(milliseconds(upto(60)));
+      if (chance(3) && !open_.empty()) cancel();
+    }
+    line.run();
+    EXPECT_EQ(line.session.open_requests(), 0U);
+    EXPECT_EQ(ended_.size(), asked_.size()) << "each request ends once";
+  }
+
+  /// How many requests ended so.
+  std::size_t count(Outcome outcome) const {
+    std::size_t result = 0;
+    for (const auto& [handle, how] : ended_) result += how == outcome ? 1 : 0;
+    return result;
+  }
+  std::size_t asked() const { return asked_.size(); }
+
+ private:
+  struct Asked {
+    std::uint8_t command{};
+    std::uint8_t tag{};  // stands in the request's body, where it has one
+    sbgc::Instant at{};
+  };
+
+  int upto(int most) { return std::uniform_int_distribution<int>(0, most)(random_); }
+  bool chance(int percent) { return upto(99) < percent; }
+
+  void ask() {
+    sbgc::SendResult sent;
+    const auto tag = static_cast<std::uint8_t>(upto(4));
+    switch (upto(6)) {
+      case 0: sent = line.session.send(sbgc::BoardInfoRequest{}); break;
+      case 1: {
+        sbgc::ReadParams3Request request;
+        request.profile_id = tag;
+        sent = line.session.send(request);
+        break;
+      }
+      case 2: {
+        sbgc::WriteParams3 request;
+        request.profile_id = tag;
+        sent = line.session.send(request);
+        break;
+      }
+      case 3: sent = line.session.send(sbgc::I2cReadRegBufRequest{}); break;
+      case 4: {
+        sbgc::ExecuteMenu request;
+        sent = line.session.send(request, {.expect_confirmation = chance(50)});
+        break;
+      }
+      case 5: sent = line.session.send(sbgc::Control{}); break;
+      default: sent = line.session.send(sbgc::CalibGyro{}); break;
+    }
+    if (!sent) {
+      EXPECT_EQ(sent.status, sbgc::SendStatus::queue_full);
+      return;
+    }
+    asked_[sent.handle] = {0, tag, line.now};
+    open_.insert(sent.handle);
+  }
+
+  void cancel() {
+    auto chosen = open_.begin();
+    std::advance(chosen, upto(static_cast<int>(open_.size()) - 1));
+    EXPECT_TRUE(line.session.cancel(*chosen, line.sink()));
+  }
+
+  /// The frame has come to the board, perhaps.
+  void hear(const Written& frame) {
+    ++transmission_;
+    sent_at_[transmission_] = line.now;
+    if (chance(weather_.lost)) return;
+    if (chance(weather_.resets)) {
+      line.fall_silent_at(line.now + milliseconds(1000));  // by then it has restarted
+      line.say(114, {}, milliseconds(0));
+      return;
+    }
+    if (chance(weather_.errors)) {
+      reply(255, {frame.id, 1, 0, 0, 0, 0});
+      return;
+    }
+    // The number of the transmission stands behind what the message needs.
+    const auto low = static_cast<int>(transmission_ & 0xFF);
+    const auto high = static_cast<int>(transmission_ >> 8);
+    switch (frame.id) {
+      case 86: reply(86, tagged(body_of(18), low, high)); break;
+      case 21: reply(21, tagged(body_of(134, {frame.body[0]}), low, high)); break;
+      case 40: reply(40, tagged({}, low, high)); break;
+      case 22: reply(67, tagged({22}, low, high)); break;
+      case 69:
+      case 67:
+        if (chance(60)) reply(67, tagged({frame.id}, low, high));
+        break;
+      default:
+        reply(67, tagged({frame.id}, low, high));
+        reply(67, tagged({frame.id}, low, high), milliseconds(1000 + upto(20000)));
+        break;
+    }
+  }
+
+  static Body tagged(Body body, int low, int high) {
+    body.push_back(static_cast<std::uint8_t>(low));
+    body.push_back(static_cast<std::uint8_t>(high));
+    return body;
+  }
+
+  void reply(std::uint8_t id, const Body& body, Duration extra = {}) {
+    if (chance(weather_.lost)) return;
+    Body bytes = simulation::frame_of(id, body);
+    if (chance(weather_.garbled)) {
+      bytes[static_cast<std::size_t>(upto(static_cast<int>(bytes.size()) - 1))] ^= 0x55;
+    }
+    if (chance(weather_.noise)) {
+      Body noise(static_cast<std::size_t>(upto(12)));
+      for (std::uint8_t& byte : noise)
+        byte = chance(30) ? '>' : static_cast<std::uint8_t>(upto(255));
+      bytes.insert(bytes.begin(), noise.begin(), noise.end());
+    }
+    // An answer is never later than the session has to reckon with.
+    const int late = chance(weather_.slow) ? 900 : 100;
+    const Duration delay = milliseconds(1 + upto(late)) + extra;
+    line.say_bytes(bytes, delay);
+    if (chance(weather_.repeated)) line.say_bytes(bytes, delay + milliseconds(upto(80)));
+  }
+
+  /// The transmission that an answer or confirmation answers.
+  std::size_t transmission_of(const Record& record) const {
+    EXPECT_GE(record.body.size(), 2U);
+    const std::size_t end = record.body.size();
+    return record.body[end - 2] + (std::size_t{record.body[end - 1]} << 8);
+  }
+
+  void note(const Record& record) {
+    const sbgc::Event& event = record.event;
+    if (event.kind == EventKind::completed) {
+      EXPECT_TRUE(asked_.contains(event.handle)) << "an unknown request";
+      EXPECT_TRUE(ended_.emplace(event.handle, event.outcome).second) << "twice";
+      open_.erase(event.handle);
+    }
+    const bool is_answer =
+        event.kind == EventKind::completed &&
+        (event.outcome == Outcome::answered || event.outcome == Outcome::confirmed);
+    if (!is_answer && (event.kind != EventKind::confirmation || !event.handle)) return;
+    // The heart of it: whoever is answered had asked before the answered transmission was sent.
+    const std::size_t transmission = transmission_of(record);
+    ASSERT_TRUE(sent_at_.contains(transmission));
+    EXPECT_LE(asked_[event.handle].at, sent_at_[transmission])
+        << "a request was given the answer of an earlier one";
+    if (event.command == 21) {
+      EXPECT_EQ(record.body[0], asked_[event.handle].tag);
+    }
+    if (event.outcome == Outcome::none) return;
+    const auto [place, is_new] = given_.emplace(transmission, event.handle);
+    EXPECT_TRUE(is_new || place->second == event.handle) << "one answer for two requests";
+  }
+
+  std::mt19937 random_;
+  Weather weather_;
+  std::size_t transmission_ = 0;
+  std::map<std::size_t, sbgc::Instant> sent_at_;
+  std::map<std::size_t, Handle> given_;
+  std::map<Handle, Asked> asked_;
+  std::map<Handle, Outcome> ended_;
+  std::set<Handle> open_;
+
+ public:
+  Simulation line;
+};
+
+class Schedules : public ::testing::TestWithParam<unsigned> {};
+
+TEST_P(Schedules, NoAnswerGoesToALaterRequest) {
+  Chaos chaos(GetParam(), bad);
+  chaos.run(400);
+  EXPECT_GT(chaos.count(Outcome::answered), chaos.asked() / 10);
+  EXPECT_GT(chaos.line.session.statistics().late_answers, 0U);
+}
+
+TEST_P(Schedules, NorOverALineThatRepeats) {
+  Weather weather = bad;
+  weather.repeated = 30;
+  sbgc::SessionOptions options;
+  options.duplicates = milliseconds(100);
+  Chaos chaos(GetParam(), weather, options);
+  chaos.run(300);
+  EXPECT_GT(chaos.count(Outcome::answered), 0U);
+}
+
+TEST_P(Schedules, NorWhenTheBoardRestarts) {
+  Weather weather;
+  weather.resets = 5;
+  Chaos chaos(GetParam(), weather);
+  chaos.run(300);
+  EXPECT_GT(chaos.count(Outcome::reset), 0U);
+}
+
+TEST_P(Schedules, OverAGoodLineEverythingIsAnswered) {
+  Chaos chaos(GetParam(), {});
+  chaos.run(150);
+  EXPECT_EQ(chaos.count(Outcome::timeout), 0U);
+  EXPECT_EQ(chaos.line.session.statistics().retries, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, Schedules, ::testing::Range(1U, 41U));
+
+}  // namespace

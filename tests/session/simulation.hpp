@@ -1,0 +1,176 @@
+/// A session and a scripted peer on an in-memory line, in virtual time.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/frame.hpp>
+#include <sbgc/parser.hpp>
+#include <sbgc/session.hpp>
+
+namespace simulation {
+
+using Body = std::vector<std::uint8_t>;
+
+inline constexpr sbgc::Instant start = sbgc::Instant{} + sbgc::seconds(1000);
+
+inline Body frame_of(std::uint8_t id, const Body& body) {
+  Body frame(sbgc::max_frame_size);
+  frame.resize(sbgc::write_frame(id, body, frame).size);
+  return frame;
+}
+
+/// A body of `size` bytes that begins with `begin`; the rest is 0.
+inline Body body_of(std::size_t size, std::initializer_list<int> begin = {}) {
+  Body body;
+  for (const int byte : begin) body.push_back(static_cast<std::uint8_t>(byte));
+  body.resize(size);
+  return body;
+}
+
+/// An event, with a body of its own.
+struct Record {
+  sbgc::Event event;
+  Body body;
+  sbgc::Instant at;
+};
+
+/// A frame that the session has written.
+struct Written {
+  std::uint8_t id;
+  Body body;
+  sbgc::Instant at;
+};
+
+/// Runs a session until nothing more happens. What it writes goes to `board`, which answers with
+/// say(). Time passes only inside run() and run_for().
+template <class Session = sbgc::Session>
+class Basic {
+ public:
+  explicit Basic(const sbgc::SessionOptions& options = {}) : session(options) {}
+
+  Session session;
+  sbgc::Instant now = start;
+  std::function<void(const Written&)> board = [](const Written&) {};
+  std::function<void(const Record&)> on_event = [](const Record&) {};
+  std::vector<Record> events;
+  std::vector<Written> written;
+
+  /// The peer's bytes arrive after `delay`.
+  void say_bytes(const Body& bytes, sbgc::Duration delay = sbgc::milliseconds(3)) {
+    incoming_.emplace((now + delay).us, bytes);
+  }
+  void say(std::uint8_t id, const Body& body, sbgc::Duration delay = sbgc::milliseconds(3)) {
+    say_bytes(frame_of(id, body), delay);
+  }
+  /// The board confirms a command.
+  void confirm(std::uint8_t command, sbgc::Duration delay = sbgc::milliseconds(3)) {
+    say(67, {command}, delay);
+  }
+
+  /// What the peer would have said from this moment on, it does not say.
+  void fall_silent_at(sbgc::Instant end) {
+    incoming_.erase(incoming_.lower_bound(end.us), incoming_.end());
+  }
+
+  template <class M>
+  sbgc::Handle send(const M& request, const sbgc::SendOptions& options = {}) {
+    const sbgc::SendResult result = session.send(request, options);
+    EXPECT_TRUE(result) << "the session refused a request";
+    return result.handle;
+  }
+
+  /// Lets things happen for a while.
+  void run_for(sbgc::Duration duration) { run_until(now + duration); }
+
+  /// Lets things happen until nothing more will.
+  void run() { run_until(sbgc::Instant::never); }
+
+  void run_until(sbgc::Instant end) {
+    for (std::size_t steps = 0; steps < 1'000'000; ++steps) {
+      const sbgc::Output output = session.poll(now, sink());
+      if (!output.bytes.empty()) {
+        write(output.bytes);
+        continue;
+      }
+      ASSERT_GT(output.deadline, now) << "poll() would be called again and again";
+      sbgc::Instant next = output.deadline;
+      if (!incoming_.empty()) next = sbgc::earlier(next, {incoming_.begin()->first});
+      if (next > end || next == sbgc::Instant::never) {
+        if (end != sbgc::Instant::never) now = end;
+        return;
+      }
+      now = next;
+      while (!incoming_.empty() && incoming_.begin()->first <= now.us) {
+        const Body bytes = incoming_.begin()->second;
+        incoming_.erase(incoming_.begin());
+        session.feed(bytes, now, sink());
+      }
+    }
+    FAIL() << "no end";
+  }
+
+  /// How a request ended; Outcome::none if it has not. Twice is a failure.
+  sbgc::Outcome outcome(sbgc::Handle handle) const {
+    const Record* const record = completion(handle);
+    return record == nullptr ? sbgc::Outcome::none : record->event.outcome;
+  }
+
+  /// The `completed` event of a request, or null.
+  const Record* completion(sbgc::Handle handle) const {
+    const Record* found = nullptr;
+    for (const Record& record : events) {
+      if (record.event.kind != sbgc::EventKind::completed || record.event.handle != handle) {
+        continue;
+      }
+      EXPECT_EQ(found, nullptr) << "completed twice";
+      found = &record;
+    }
+    return found;
+  }
+
+  /// The events of one kind.
+  std::vector<Record> of(sbgc::EventKind kind) const {
+    std::vector<Record> found;
+    for (const Record& record : events) {
+      if (record.event.kind == kind) found.push_back(record);
+    }
+    return found;
+  }
+
+  /// A sink that notes what it gets.
+  auto sink() {
+    return [this](const sbgc::Event& event) {
+      Record record{event, {event.frame.body.begin(), event.frame.body.end()}, now};
+      record.event.frame.body = {};
+      events.push_back(record);
+      on_event(record);
+    };
+  }
+
+ private:
+  void write(std::span<const std::uint8_t> bytes) {
+    std::optional<Written> frame;
+    sbgc::Parser parser;
+    parser.feed(bytes, [&](const sbgc::Frame& found) {
+      frame = Written{found.id, {found.body.begin(), found.body.end()}, now};
+    });
+    ASSERT_TRUE(frame) << "not one whole frame";
+    written.push_back(*frame);
+    board(*frame);
+  }
+
+  std::multimap<std::int64_t, Body> incoming_;
+};
+
+using Simulation = Basic<>;
+
+}  // namespace simulation
