@@ -110,11 +110,32 @@ def test_nothing_else_is_read(compiler: str) -> None:
 
 
 USE_EVERYTHING = """
+#include <sbgc/detector.hpp>
+#include <sbgc/exchanges/all.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/parser.hpp>
 #include <sbgc/message.hpp>
+#include <sbgc/session.hpp>
 #include <sbgc/validate.hpp>
 #include <sbgc/visit.hpp>
+
+unsigned talk(const std::uint8_t* bytes, std::size_t size, std::int64_t now) {
+  static constinit sbgc::Session session;
+  unsigned result = 0;
+  const auto sink = [&](const sbgc::Event& event) { result += event.frame.id; };
+  result += static_cast<unsigned>(session.send(sbgc::ReadParams3Request{}).status);
+  session.feed({bytes, size}, {now}, sink);
+  result += static_cast<unsigned>(session.poll({now}, sink).bytes.size());
+  session.cancel({result}, sink);
+  session.abandon(sink);
+  return result + static_cast<unsigned>(session.statistics().timeouts);
+}
+
+unsigned search(const std::uint8_t* bytes, std::size_t size, std::int64_t now) {
+  static constinit sbgc::Detector detector;
+  detector.feed({bytes, size});
+  return static_cast<unsigned>(detector.next({now}).kind) + detector.introduction().id;
+}
 
 unsigned use(const std::uint8_t* bytes, std::size_t size, std::span<std::uint8_t> out) {
   unsigned result = 0;

@@ -13,7 +13,6 @@ namespace {
 using sbgc::Duration;
 using sbgc::EventKind;
 using sbgc::Handle;
-using sbgc::LineSettings;
 using sbgc::milliseconds;
 using sbgc::Outcome;
 using sbgc::Parity;

@@ -42,6 +42,7 @@ constexpr std::uint8_t error = 255;
 
 std::vector<std::uint8_t> ids(const std::vector<Written>& written) {
   std::vector<std::uint8_t> result;
+  result.reserve(written.size());
   for (const Written& frame : written) result.push_back(frame.id);
   return result;
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include <sbgc/frame.hpp>
@@ -195,17 +196,15 @@ class Detector {
   }
 
   bool is_silent() const noexcept {
-    for (const Trial& trial : trials_) {
-      if (trial.bytes != 0) return false;
-    }
-    return true;
+    std::uint64_t bytes = 0;
+    for (const Trial& trial : trials_) bytes += trial.bytes;
+    return bytes == 0;
   }
 
   bool are_all_refused() const noexcept {
-    for (const Trial& trial : trials_) {
-      if (!trial.is_refused) return false;
-    }
-    return true;
+    std::size_t refused = 0;
+    for (const Trial& trial : trials_) refused += trial.is_refused ? 1U : 0U;
+    return refused == lines;
   }
 
   DetectorOptions options_;
@@ -215,7 +214,7 @@ class Detector {
   std::uint8_t round_{};
   std::uint8_t probes_{};  // since the line was set
   std::size_t current_{};
-  Instant now_{};
+  Instant now_{std::numeric_limits<std::int64_t>::min()};
   Instant until_{};
   std::uint64_t bad_counted_{};
   std::array<Trial, lines> trials_{};

@@ -66,10 +66,9 @@ struct AnswerForm {
     if (frame.id != id || frame.body.size() < min_size || frame.body.size() > max_size) {
       return false;
     }
-    for (const Echo& echo : echoes) {
-      if (!echo.holds(frame.body)) return false;
-    }
-    return true;
+    bool holds = true;
+    for (const Echo& echo : echoes) holds = holds && echo.holds(frame.body);
+    return holds;
   }
 
   /// Whether some frame can be this answer and the other.

@@ -506,7 +506,7 @@ class BasicSession {
     std::uint32_t expected = each * request.transmissions;
     const std::uint32_t seen = is_answered ? each : request.confirmations;
     expected = expected > seen ? expected - seen : 0;
-    Instant end = Instant{};
+    Instant end{};
     if (expected != 0) end = request.sent_at + request.finish + options_.late;
     if (is_answered || outcome == Outcome::confirmed) {
       if (repeats()) {
@@ -538,6 +538,6 @@ class BasicSession {
 /// A session with room for what a host usually does.
 using Session = BasicSession<SessionCapacity{}>;
 
-static_assert(sizeof(Session) <= 6 * 1024, "a session must fit into a small microcontroller");
+static_assert(sizeof(Session) <= 6144, "a session must fit into a small microcontroller");
 
 }  // namespace sbgc

@@ -31,6 +31,7 @@ constexpr std::int64_t subtract_saturating(std::int64_t a, std::int64_t b) noexc
 struct Duration {
   std::int64_t us{};
 
+  // NOLINTNEXTLINE(modernize-use-nullptr): a false alarm of clang-tidy 14
   constexpr auto operator<=>(const Duration&) const = default;
 
   friend constexpr Duration operator+(Duration a, Duration b) noexcept {
@@ -58,6 +59,7 @@ struct Instant {
   /// Later than any moment that can be reached.
   static const Instant never;
 
+  // NOLINTNEXTLINE(modernize-use-nullptr): a false alarm of clang-tidy 14
   constexpr auto operator<=>(const Instant&) const = default;
 
   friend constexpr Instant operator+(Instant at, Duration by) noexcept {

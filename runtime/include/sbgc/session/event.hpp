@@ -19,6 +19,7 @@ namespace sbgc {
 struct Handle {
   std::uint64_t number{};  ///< 0: no request; later ones have greater numbers
 
+  // NOLINTNEXTLINE(modernize-use-nullptr): a false alarm of clang-tidy 14
   constexpr auto operator<=>(const Handle&) const = default;
   constexpr explicit operator bool() const noexcept { return number != 0; }
 };

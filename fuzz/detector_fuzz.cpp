@@ -1,0 +1,58 @@
+// The search for a board's line under any answers. The input is read as steps: a byte that says how
+// many bytes are heard before the next question, and those bytes; then what the port can do.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+
+#include <sbgc/detector.hpp>
+
+namespace {
+
+void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  std::span<const std::uint8_t> input(data, size);
+  sbgc::Detector detector;
+  sbgc::Instant now{};
+  for (int steps = 0; steps < 10'000; ++steps) {
+    const sbgc::DetectorStep step = detector.next(now);
+    switch (step.kind) {
+      case sbgc::DetectorStep::Kind::set_line:
+        if (!input.empty() && input.front() == 0xFF) detector.refuse();
+        break;
+      case sbgc::DetectorStep::Kind::write: {
+        require(!step.bytes.empty());
+        if (input.empty()) break;
+        const std::uint8_t code = input.front();
+        input = input.subspan(1);
+        if (code == 0xFE) {  // the right answer
+          std::array<std::uint8_t, sbgc::max_frame_size> frame{};
+          const std::array<std::uint8_t, sbgc::roles::introduction_size> body{};
+          const auto written = sbgc::write_frame(sbgc::roles::introduction_request_id, body, frame);
+          detector.feed(std::span(frame).first(written.size));
+          break;
+        }
+        const std::size_t count = code < input.size() ? code : input.size();
+        detector.feed(input.first(count));
+        input = input.subspan(count);
+        break;
+      }
+      case sbgc::DetectorStep::Kind::wait:
+        require(step.until > now && step.until != sbgc::Instant::never);
+        now = step.until;
+        break;
+      case sbgc::DetectorStep::Kind::found:
+        require(sbgc::roles::is_introduction(detector.introduction()));
+        return 0;
+      case sbgc::DetectorStep::Kind::failed: require(detector.introduction().id == 0); return 0;
+    }
+  }
+  std::abort();  // it must end
+}

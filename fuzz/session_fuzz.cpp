@@ -1,0 +1,220 @@
+// A session under any schedule of requests, bytes and time. The input is read as steps, each an
+// opcode byte and what it needs; see Player::step(). The first bytes are the options.
+//
+// Whatever happens: each request ends exactly once, events are about requests that are open, one
+// call of poll() writes at most one whole frame, and poll() always gets on.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <set>
+#include <span>
+#include <vector>
+
+#include <sbgc/exchanges/all.hpp>
+#include <sbgc/session.hpp>
+#include <sbgc/visit.hpp>
+
+namespace {
+
+using sbgc::Event;
+using sbgc::EventKind;
+using sbgc::Handle;
+using sbgc::Instant;
+using sbgc::Outcome;
+
+void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+// Small, so that every limit is met.
+using Session = sbgc::BasicSession<sbgc::SessionCapacity{.requests = 4, .ghosts = 5, .streams = 2}>;
+
+class Player {
+ public:
+  explicit Player(std::span<const std::uint8_t> input) : input_(input), session_(options()) {}
+
+  void play() {
+    while (!input_.empty()) step();
+    // Without any answer, all ends in time.
+    for (int polls = 0; session_.open_requests() != 0; ++polls) {
+      require(polls < 10'000);
+      now_ = sbgc::later(now_, poll());
+    }
+    require(open_.empty());
+    const sbgc::SessionStatistics statistics = session_.statistics();
+    require(statistics.sent_frames == written_);
+    require(statistics.retries <= statistics.timeouts);
+  }
+
+ private:
+  struct Sink {
+    Player* player;
+    void operator()(const Event& event) const { player->take(event); }
+  };
+  Sink sink() { return {this}; }
+
+  std::uint8_t byte() {
+    if (input_.empty()) return 0;
+    const std::uint8_t result = input_.front();
+    input_ = input_.subspan(1);
+    return result;
+  }
+
+  std::span<const std::uint8_t> bytes(std::size_t count) {
+    const std::size_t size = count < input_.size() ? count : input_.size();
+    const auto result = input_.first(size);
+    input_ = input_.subspan(size);
+    return result;
+  }
+
+  sbgc::SessionOptions options() {
+    constexpr std::array<std::uint32_t, 4> rates{0, 9600, 115200, 1};
+    sbgc::SessionOptions result;
+    const std::uint8_t choice = byte();
+    result.line = {rates[choice & 3], (choice & 4) != 0 ? sbgc::Parity::even : sbgc::Parity::none};
+    if ((choice & 8) != 0) result.pacing = {{}, {}};
+    if ((choice & 16) != 0) result.duplicates = sbgc::milliseconds(50);
+    if ((choice & 32) != 0) result.late = {};
+    if ((choice & 64) != 0) result.idle = {};
+    is_lively_ = (choice & 128) != 0;
+    return result;
+  }
+
+  void step() {
+    const std::uint8_t code = byte();
+    switch (code % 12) {
+      case 0:
+      case 1: send(byte()); break;
+      case 2: session_.feed(bytes(byte()), now_, sink()); break;
+      case 3: {  // any frame
+        const std::uint8_t id = byte();
+        feed_frame(id, bytes(byte()));
+        break;
+      }
+      case 4:
+      case 5: answer(code >= 128); break;
+      case 6: feed_frame(67, std::array{byte()}); break;
+      case 7: {  // errors and restarts
+        const std::array<std::uint8_t, 6> body{byte()};
+        feed_frame(code < 128 ? 255 : 114, std::span(body).first(code & 1 ? 5 : 6));
+        break;
+      }
+      case 8: now_ = now_ + sbgc::microseconds(std::int64_t{1} << (byte() % 40)); break;
+      case 9: now_ = now_ - sbgc::milliseconds(byte()); break;
+      case 10: now_ = poll(); break;
+      default: give_up(code); break;
+    }
+    require(session_.open_requests() == open_.size());
+    if (code >= 64) static_cast<void>(poll());
+  }
+
+  void give_up(std::uint8_t code) {
+    if (code > 240) {
+      session_.abandon(sink());
+      require(open_.empty() || is_lively_);
+    } else if (!open_.empty()) {
+      require(session_.cancel(*open_.begin(), sink()));
+    } else {
+      require(!session_.cancel(Handle{1'000'000}, sink()));
+      session_.set_line({115200, sbgc::Parity::none});
+    }
+  }
+
+  /// A request as any of the protocol's, with a body from the input.
+  void send(std::uint8_t id) {
+    const std::uint8_t flags = byte();
+    sbgc::SendOptions options;
+    options.expect_confirmation = (flags & 1) != 0;
+    options.ignore_budget = (flags & 2) != 0;
+    options.attempts = (flags >> 2) & 3;
+    if ((flags & 16) != 0) options.timeout = sbgc::milliseconds(20);
+    if ((flags & 32) != 0) options.deadline = now_ + sbgc::milliseconds(byte());
+    const auto body = bytes(byte());
+    sbgc::visit(id, body, sbgc::Direction::to_board, [&](const auto& message) {
+      if constexpr (requires { exchange_of(message); }) {
+        const sbgc::Exchange exchange = exchange_of(message);
+        const sbgc::SendResult result = (flags & 64) != 0
+                                            ? session_.send(id, body, exchange, options)
+                                            : session_.send(message, options);
+        require(static_cast<bool>(result) == static_cast<bool>(result.handle));
+        if (!result) return;
+        require(open_.insert(result.handle).second);
+        newest_ = exchange.replies;
+      }
+    });
+  }
+
+  void feed_frame(std::uint8_t id, std::span<const std::uint8_t> body) {
+    std::array<std::uint8_t, sbgc::max_frame_size> frame{};
+    const std::size_t size = sbgc::write_frame(id, body, frame).size;
+    session_.feed(std::span(frame).first(size), now_, sink());
+  }
+
+  /// What the newest request may wait for.
+  void answer(bool last_form) {
+    if (newest_.answer_count == 0) {
+      feed_frame(67, std::array{newest_.command});
+      return;
+    }
+    const std::size_t index = last_form ? std::size_t{newest_.answer_count} - 1 : 0;
+    const sbgc::AnswerForm& form = newest_.answers[index];
+    std::array<std::uint8_t, 255> body{};
+    for (const sbgc::Echo& echo : form.echoes) {
+      for (std::size_t i = 0; i < echo.size; ++i) {
+        body[echo.offset + i] = static_cast<std::uint8_t>(echo.value >> (8 * i));
+      }
+    }
+    feed_frame(form.id, std::span(body).first(form.min_size));
+  }
+
+  Instant poll() {
+    const sbgc::Output output = session_.poll(now_, sink());
+    if (output.bytes.empty()) {
+      require(output.deadline > now_);
+      return output.deadline == Instant::never ? now_ : output.deadline;
+    }
+    ++written_;
+    std::size_t frames = 0;
+    sbgc::Parser parser;
+    parser.feed(output.bytes, [&](const sbgc::Frame&) { ++frames; });
+    require(frames == 1 && parser.counters().skipped_bytes == 0);
+    return output.deadline < now_ || output.deadline == Instant::never ? now_ : output.deadline;
+  }
+
+  void take(const Event& event) {
+    require((event.kind == EventKind::completed) == (event.outcome != Outcome::none));
+    if (event.handle) require(open_.contains(event.handle));
+    if (event.kind == EventKind::completed) {
+      require(open_.erase(event.handle) == 1);
+      if (is_lively_ && lively_left_ > 0) {
+        --lively_left_;
+        send(86);
+      }
+    } else if (event.kind == EventKind::confirmation && event.handle) {
+      require(event.confirmation != 0);
+      if (is_lively_ && (event.confirmation & 1) != 0) {
+        require(session_.cancel(event.handle, sink()));
+      }
+    } else {
+      require(event.frame.id != 0);
+    }
+  }
+
+  std::span<const std::uint8_t> input_;
+  bool is_lively_{};  // the sink sends and cancels
+  int lively_left_ = 50;
+  Session session_;
+  Instant now_{};
+  std::set<Handle> open_;
+  sbgc::Replies newest_{};
+  std::uint64_t written_{};
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  Player({data, size}).play();
+  return 0;
+}

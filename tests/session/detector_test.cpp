@@ -1,0 +1,248 @@
+// The search for a board's line, in virtual time, against a simulated port.
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sbgc/detector.hpp>
+
+#include "simulation.hpp"
+
+namespace {
+
+using sbgc::Detector;
+using sbgc::DetectorStep;
+using sbgc::Duration;
+using sbgc::Instant;
+using sbgc::LineSettings;
+using sbgc::milliseconds;
+using sbgc::Parity;
+using sbgc::seconds;
+using simulation::Body;
+using simulation::body_of;
+using simulation::frame_of;
+
+/// A port that plays whatever `hear` wants it to hear, and notes what is done to it.
+struct Port {
+  std::function<Body(const LineSettings&, const Body& written)> hear =
+      [](const LineSettings&, const Body&) { return Body{}; };
+  std::function<bool(const LineSettings&)> can_be_set = [](const LineSettings&) { return true; };
+  Duration delay = milliseconds(5);
+  std::vector<LineSettings> visited;
+  Instant now = simulation::start;
+  Duration taken{};
+
+  /// Searches; the kind of the last step.
+  DetectorStep::Kind search(Detector& detector) {
+    LineSettings line;
+    Body heard;
+    Instant heard_at = Instant::never;
+    for (int steps = 0; steps < 100'000; ++steps) {
+      const DetectorStep step = detector.next(now);
+      switch (step.kind) {
+        case DetectorStep::Kind::set_line:
+          heard_at = Instant::never;
+          if (!can_be_set(step.line)) {
+            detector.refuse();
+            break;
+          }
+          line = step.line;
+          visited.push_back(line);
+          break;
+        case DetectorStep::Kind::write:
+          heard = hear(line, Body(step.bytes.begin(), step.bytes.end()));
+          heard_at = heard.empty() ? Instant::never : now + delay;
+          break;
+        case DetectorStep::Kind::wait:
+          EXPECT_GT(step.until, now) << "no progress";
+          EXPECT_NE(step.until, Instant::never);
+          now = sbgc::earlier(step.until, heard_at);
+          if (now == heard_at) {
+            detector.feed(heard);
+            heard_at = Instant::never;
+          }
+          break;
+        default: taken = now - simulation::start; return step.kind;
+      }
+    }
+    ADD_FAILURE() << "no end";
+    return DetectorStep::Kind::failed;
+  }
+};
+
+/// A board at one line; on all others it hears nothing that makes sense, and sends garbage.
+std::function<Body(const LineSettings&, const Body&)> board_at(const LineSettings& right,
+                                                               unsigned seed = 0) {
+  return [right, random = std::mt19937(seed), seed](const LineSettings& line,
+                                                    const Body& written) mutable {
+    if (line == right && written == frame_of(86, {})) return frame_of(86, body_of(18, {31, 0x7F}));
+    Body garbage(seed == 0 ? 0 : random() % 200);
+    for (std::uint8_t& byte : garbage) {
+      byte = random() % 4 == 0 ? '>' : static_cast<std::uint8_t>(random());
+    }
+    return garbage;
+  };
+}
+
+TEST(Detector, FindsTheBoardOnEveryLine) {
+  for (const unsigned seed : {0U, 1U, 2U, 3U}) {
+    for (const std::uint32_t rate : sbgc::baud_rates) {
+      for (const Parity parity : sbgc::parities) {
+        Port port;
+        port.hear = board_at({rate, parity}, seed);
+        Detector detector;
+        ASSERT_EQ(port.search(detector), DetectorStep::Kind::found) << rate;
+        EXPECT_EQ(detector.next(port.now).line, (LineSettings{rate, parity}));
+        EXPECT_EQ(detector.introduction().id, 86);
+        const auto body = detector.introduction().body;
+        EXPECT_EQ(Body(body.begin(), body.end()), body_of(18, {31, 0x7F}));
+        EXPECT_LT(port.taken, seconds(4)) << "in the first round";
+      }
+    }
+  }
+}
+
+TEST(Detector, TriesTheLikelyFirst) {
+  Port port;
+  Detector detector;
+  port.search(detector);
+  EXPECT_EQ(port.visited[0], (LineSettings{115200, Parity::none}));
+  const auto first_even =
+      std::find_if(port.visited.begin(), port.visited.end(),
+                   [](const auto& line) { return line.parity == Parity::even; });
+  EXPECT_EQ(first_even - port.visited.begin(), 5) << "behind the five rates of the protocol";
+  EXPECT_EQ(port.visited[10].baud_rate, 256000U) << "others come last";
+}
+
+TEST(Detector, IsQuickWhereTheBoardIsLikelyToBe) {
+  Port port;
+  port.hear = board_at({115200, Parity::none});
+  Detector detector;
+  port.search(detector);
+  EXPECT_LT(port.taken, milliseconds(20));
+  EXPECT_THAT(port.visited, ::testing::SizeIs(1));
+}
+
+TEST(Detector, GivesUpSoonOnASilentLine) {
+  Port port;
+  Detector detector;
+  EXPECT_EQ(port.search(detector), DetectorStep::Kind::failed);
+  EXPECT_LT(port.taken, seconds(9));
+  EXPECT_THAT(port.visited, ::testing::SizeIs(2 * Detector::lines));
+  for (const sbgc::Trial& trial : detector.trials()) {
+    EXPECT_EQ(trial.probes, 4);
+    EXPECT_EQ(trial.bytes, 0U);
+  }
+  EXPECT_EQ(detector.next(port.now).kind, DetectorStep::Kind::failed) << "for ever";
+  EXPECT_EQ(detector.introduction().id, 0);
+}
+
+TEST(Detector, ReportsWhatItTried) {
+  Port port;
+  port.hear = [](const LineSettings& line, const Body&) {
+    if (line == LineSettings{9600, Parity::none}) return Body{1, 2, '>', 3, 4, 5};
+    if (line == LineSettings{9600, Parity::even}) return frame_of(23, body_of(63));
+    return Body{};
+  };
+  Detector detector;
+  EXPECT_EQ(port.search(detector), DetectorStep::Kind::failed);
+  std::set<std::pair<std::uint32_t, Parity>> lines;
+  for (const sbgc::Trial& trial : detector.trials()) {
+    lines.emplace(trial.line.baud_rate, trial.line.parity);
+    const bool is_noisy = trial.line == LineSettings{9600, Parity::none};
+    const bool is_heard = trial.line == LineSettings{9600, Parity::even};
+    EXPECT_EQ(trial.probes, is_heard ? 15 : 6) << "more where other messages were heard";
+    EXPECT_EQ(trial.bytes, is_noisy ? 36U : is_heard ? 15U * 68 : 0U);
+    EXPECT_EQ(trial.bad_frames, is_noisy ? 6U : 0U);
+    EXPECT_EQ(trial.good_frames, is_heard ? 15U : 0U);
+  }
+  EXPECT_EQ(lines.size(), Detector::lines) << "each once";
+}
+
+TEST(Detector, AsksAgainWhenQuestionsAreLost) {
+  Port port;
+  const auto board = board_at({57600, Parity::even});
+  int heard = 0;
+  port.hear = [&](const LineSettings& line, const Body& written) {
+    const Body answer = board(line, written);
+    return answer.empty() || ++heard < 5 ? Body{} : answer;
+  };
+  Detector detector;
+  // It has not heard a byte in two rounds, but for those it was not told of.
+  EXPECT_EQ(port.search(detector), DetectorStep::Kind::failed);
+  heard = 2;
+  port.now = simulation::start;
+  Detector again;
+  EXPECT_EQ(port.search(again), DetectorStep::Kind::found);
+}
+
+TEST(Detector, WaitsForABoardThatIsSlow) {
+  Port port;
+  port.hear = board_at({115200, Parity::none});
+  port.delay = milliseconds(100);
+  Detector detector;
+  EXPECT_EQ(port.search(detector), DetectorStep::Kind::found) << "in the second round";
+}
+
+TEST(Detector, FindsAnIntroductionBehindAFalseBeginning) {
+  Port port;
+  port.hear = [](const LineSettings&, const Body&) {
+    Body bytes = {'>', 9, 250, 3};  // a header that waits for 250 bytes
+    const Body frame = frame_of(86, body_of(18));
+    bytes.insert(bytes.end(), frame.begin(), frame.end());
+    return bytes;
+  };
+  Detector detector;
+  EXPECT_EQ(port.search(detector), DetectorStep::Kind::found);
+  EXPECT_LT(port.taken, milliseconds(100));
+}
+
+TEST(Detector, LeavesOutWhatThePortCanNotDo) {
+  Port port;
+  port.can_be_set = [](const LineSettings& line) { return line.baud_rate <= 115200; };
+  Detector detector;
+  EXPECT_EQ(port.search(detector), DetectorStep::Kind::failed);
+  EXPECT_THAT(port.visited, ::testing::SizeIs(20));
+  for (const sbgc::Trial& trial : detector.trials()) {
+    EXPECT_EQ(trial.is_refused, trial.line.baud_rate > 115200);
+  }
+  Port broken;
+  broken.can_be_set = [](const LineSettings&) { return false; };
+  Detector none;
+  EXPECT_EQ(broken.search(none), DetectorStep::Kind::failed);
+  EXPECT_EQ(broken.taken, Duration{});
+}
+
+TEST(Detector, WaitsAsLongAsTheLineNeeds) {
+  sbgc::DetectorOptions options;
+  options.patience = Duration{};
+  Detector detector(options);
+  Instant now = simulation::start;
+  for (;;) {  // up to the first question at 9600 baud
+    const DetectorStep step = detector.next(now);
+    if (step.kind == DetectorStep::Kind::wait) now = step.until;
+    if (step.kind == DetectorStep::Kind::write && step.line.baud_rate == 9600) break;
+    ASSERT_NE(step.kind, DetectorStep::Kind::failed);
+  }
+  // 5 bytes of question, 23 of answer, 10 bits each.
+  EXPECT_EQ(detector.next(now).until, now + sbgc::wire_time({9600, Parity::none}, 28));
+}
+
+TEST(Detector, WithoutRoundsDoesNothing) {
+  sbgc::DetectorOptions options;
+  options.rounds = 0;
+  Detector detector(options);
+  EXPECT_EQ(detector.next(simulation::start).kind, DetectorStep::Kind::failed);
+  detector.feed(frame_of(86, body_of(18)));
+  detector.refuse();
+  EXPECT_EQ(detector.next(simulation::start).kind, DetectorStep::Kind::failed);
+}
+
+}  // namespace
