@@ -28,7 +28,11 @@ from sbgcgen.diagnostics import SpecError
 from sbgcgen.emit import Output, outputs
 
 ROOT = Path(__file__).resolve().parents[2]
-SOURCES = [ROOT / "tests/codec/any_message.cpp", ROOT / "tests/codec/vectors_test.cpp"]
+SOURCES = [
+    ROOT / "tests/codec/any_message.cpp",
+    ROOT / "tests/codec/vectors_test.cpp",
+    ROOT / "tests/random_schemas/conversation.cpp",
+]
 WARNINGS = """-Wall -Wextra -Wpedantic -Wcast-align -Wcast-qual -Wconversion -Wdouble-promotion
     -Wextra-semi -Wformat=2 -Wimplicit-fallthrough -Wold-style-cast -Wshadow -Wsign-conversion -Wundef
     -Wunused -Werror""".split()

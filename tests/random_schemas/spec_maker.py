@@ -117,6 +117,7 @@ class SpecMaker:
         self.flag_sets: list[Kind] = []
         self.packed: list[Kind] = []
         self.structs: list[Kind] = []
+        self.has_reset = False
         self.bodies: list[Body] = []
         self.sources: list[tuple[str, Kind]] = []
         self.announced: list[Node] = []
@@ -634,16 +635,32 @@ class SpecMaker:
         self.section(family, "commands")[name] = node
         return name, family, node
 
-    def side(self, direction: str, name: str, content: Node) -> Node:
-        """One direction of a command, whose message is called `name`."""
+    def side(self, direction: str, name: str, content: Node, scope: Optional[Scope] = None) -> Node:
+        """One direction of a command, whose message is called `name` and has the fields of `scope`."""
         node = self.sourced({**content, "as": name})
         if self.chance(0.2):
             node["description"] = self.random.choice(TEXTS)
         if direction == "to_board":
-            node["answer"] = self.answer()
+            node["answer"] = self.answer(scope)
+        elif not self.has_reset and self.chance(0.2):
+            self.has_reset = True
+            node["role"] = {"is": "reset", "delay_ms": 20}
         return node
 
-    def answer(self) -> Any:
+    def answer(self, scope: Optional[Scope] = None) -> Any:
+        """What answers a request, perhaps under a condition about the fields of `scope`."""
+        plain = self.plain_answer()
+        if scope is None or not scope.known or self.chance(0.3):
+            return plain
+        when = self.condition(replace(scope, contexts=[]))
+        if when is None:
+            return plain
+        when.pop("may_be_missing", None)
+        other = self.plain_answer()
+        first = {"confirm": "possible"} if other == "none" else other
+        return [{"when": when, **first}, plain]
+
+    def plain_answer(self) -> Any:
         """What answers a request."""
         from_board = [b.name for b in self.bodies if b.direction == "from_board"]
         if from_board and self.chance(0.5):
@@ -673,7 +690,7 @@ class SpecMaker:
                 content["tail"] = self.random.choice(("keep", "refuse"))
             if not scope.fixed and self.chance(0.2):
                 content["max_size"] = MAX_BODY
-            node[direction] = self.side(direction, name, content)
+            node[direction] = self.side(direction, name, content, scope)
             if self.chance(0.5):  # by the name of the command
                 del node[direction]["as"]
                 name = command.removeprefix("CMD_")
@@ -704,7 +721,7 @@ class SpecMaker:
             if not scope.fixed and not last:
                 size = content["max_size"] = max(1, scope.least + self.random.randint(0, 3))
             if direction == "to_board":
-                content["answer"] = self.answer()
+                content["answer"] = self.answer(scope)
             forms[form] = {**content, "as": name}
             self.add_body(name, scope, direction)
         order = sorted(forms)
@@ -947,7 +964,14 @@ class SpecMaker:
 
     def main_file(self) -> Node:
         """simplebgc.yaml."""
+        line = {
+            "more_baud_rates": self.random.sample(range(1, 1_000_000), self.random.randint(1, 4)),
+            "parities": self.random.sample(("none", "even"), self.random.randint(1, 2)),
+            "pause_ms": "1..9",
+            "source": "Line L1",
+        }
         return {
+            **({"line": line} if self.chance(0.7) else {}),
             "protocol": {"name": "Random", "revision": "1"},
             "framing": {
                 "start": 0x3E,
