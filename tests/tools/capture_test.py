@@ -183,6 +183,15 @@ def test_a_damaged_session_costs_no_other() -> None:
     assert len(result.objects) == 4
 
 
+def test_times_out_of_all_bounds() -> None:
+    late = bytearray(session())
+    late[12:20] = b"\xff" * 8
+    late[20:24] = struct.pack("<I", zlib.crc32(late[:20]))
+    capture = bytes(late) + record(FROM_BOARD, (2**63 - 1024) / 1e6, ANGLES)
+    assert decode(capture)[0]["time"] > 9e12
+    assert run("decode", stdin=capture).status == 0
+
+
 def test_notes_can_not_talk_to_the_terminal() -> None:
     text = run("decode", stdin=session() + record(NOTE, 0, b"\x1b[2J\x07")).out
     assert b"\x1b" not in text and b"\x07" not in text
