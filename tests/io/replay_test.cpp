@@ -139,6 +139,7 @@ TEST_F(Replay, TornAndDamagedPlacesAreLeftOut) {
 
 TEST_F(Replay, LargeCaptures) {
   std::vector<std::pair<CaptureTime, std::string>> said;
+  said.reserve(3000);
   for (int i = 0; i < 3000; ++i) said.emplace_back(CaptureTime(i), std::string(100, 'x'));
   session(said);
   open(ReplayTiming::fast);

@@ -241,7 +241,6 @@ TEST_F(Serial, DestroyedWhileAWriteIsHalfDone) {
   // Some of it has been taken, its completion is queued, and then the port goes.
   open();
   Operation writing;
-  Operation reading;
   const Bytes much(1 << 20);
   Bytes into(4096);
   port->async_write(much, writing.handler());
