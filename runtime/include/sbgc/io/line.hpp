@@ -1,0 +1,40 @@
+/// The line of a serial port: its settings, and control over them.
+#pragma once
+
+#include <string>
+
+#include <sbgc/io/error.hpp>
+#include <sbgc/line.hpp>
+
+namespace sbgc::io {
+
+using sbgc::LineSettings;
+using sbgc::Parity;
+
+/// What a board is set to when it is new.
+inline constexpr LineSettings default_line{115200, Parity::none};
+
+/// "115200 8N1".
+std::string to_string(const LineSettings& settings);
+
+/// Control over the line of a transport that has one. Calls do not block.
+class LineControl {
+ public:
+  LineControl() = default;
+  LineControl(const LineControl&) = delete;
+  LineControl& operator=(const LineControl&) = delete;
+  virtual ~LineControl() = default;
+
+  /// Changes the settings, reads them back and discards what has been received but not read.
+  /// Bytes that are still being sent may be garbled. Errc::line_refused if the port does something
+  /// else than was asked for; the settings are then those of current().
+  virtual Error set(const LineSettings& settings) = 0;
+
+  /// The settings that are in force, as last read from the device.
+  virtual LineSettings current() const = 0;
+
+  /// Discards what has been received but not read, and what was written but not sent.
+  virtual Error flush() = 0;
+};
+
+}  // namespace sbgc::io
