@@ -192,7 +192,7 @@ void Conversation::State::complete(const Call& call, Result<Reply> result) {
     const std::lock_guard lock(mutex_);
     ++statistics_.failures;
   }
-  if (call.handler) call.handler(std::move(result));
+  call.handler(std::move(result));
 }
 
 void Conversation::State::end(Ticket ticket, ClientError error) {
@@ -255,7 +255,7 @@ void Conversation::State::end_stream(const StreamKey& key, bool was_started,
     streams_.erase(place);
     if (!was_started || phase_ != Phase::open) return;
   }
-  start(frame, {}, {});
+  start(frame, {}, [](const Result<Reply>&) {});
 }
 
 std::string Conversation::State::description() const {
@@ -293,7 +293,7 @@ void Conversation::State::close() noexcept {
 // On the strand
 
 void Conversation::State::advance() {
-  if (!transport_) return;
+  if (!transport_ || is_shut_) return;
   Instant next = Instant::never;
   do {
     has_room_ = false;
@@ -426,8 +426,7 @@ void Conversation::State::handle_event(const Event& event) {
   switch (event.kind) {
     case EventKind::completed:
       // Confirmations and resets have an event of their own.
-      if (event.outcome != Outcome::confirmed && !roles::is_confirmation(event.frame) &&
-          !roles::is_reset(event.frame)) {
+      if (!roles::is_confirmation(event.frame) && !roles::is_reset(event.frame)) {
         deliver(event.frame);
       }
       return handle_completion(event);
@@ -513,7 +512,7 @@ void Conversation::State::deliver(const Frame& frame) {
   learn_from_board(frame.id, frame.body, contexts_);
   const auto key = key_of_received(frame.id, frame.body);
   if (!key) return;
-  const Received received{frame.id, frame.body, contexts_};
+  const Received received{frame.id, frame.body, &contexts_};
   std::uint64_t unreadable = 0;
   messages_->for_each(*key, [&](const MessageHandler& handler) {
     if (!handler(received)) ++unreadable;
@@ -563,21 +562,12 @@ void Conversation::State::shut() {
 
 void Conversation::State::release() {
   if (is_reading_ || is_writing_) return;
-  transport_.reset();
   timer_.reset();
   const std::lock_guard lock(mutex_);
+  if (!strand_) return;
+  // Not from inside one of its own handlers.
+  asio::post(*strand_, [transport = std::move(transport_)]() mutable { transport.reset(); });
   strand_.reset();
-}
-
-// The handle
-
-auto Conversation::start(FrameBytes frame, const CallOptions& options, ReplyHandler handler) const
-    -> Ticket {
-  return state_->start(frame, options, std::move(handler)).ticket;
-}
-
-void Conversation::cancel(Ticket ticket) const {
-  state_->end(ticket, {ErrorCode::cancelled, "the call was cancelled"});
 }
 
 }  // namespace sbgc::detail

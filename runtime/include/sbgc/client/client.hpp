@@ -76,20 +76,22 @@ class Client : public Calls<Client> {
   /// it can. ErrorCode::overload if that is more than the line can carry.
   template <Message M, class Request = DataStreamInterval>
   Result<Subscription> stream(std::chrono::milliseconds interval,
-                              std::function<void(const M&)> handler) {
-    return stream<M>(detail::stream_request<Request>(interval), std::move(handler));
+                              std::function<void(const M&)> handler,
+                              const CallOptions& options = {}) {
+    return stream<M>(detail::stream_request<Request>(interval), std::move(handler), options);
   }
 
   /// The same for messages that the board must be told more about: `request` has the interval and
   /// whatever else the message needs, its `cmd_id` is filled in here.
   template <Message M, class Request = DataStreamInterval>
   Result<Subscription> stream(std::type_identity_t<Request> request,
-                              std::function<void(const M&)> handler) {
+                              std::function<void(const M&)> handler,
+                              const CallOptions& options = {}) {
     request.cmd_id = M::command;
     const detail::EncodedRequest encoded(request);
     if (!encoded) return encoded.error();
     return conversation_.stream(encoded.frame(), detail::key_of<M>,
-                                detail::typed_handler<M>(std::move(handler)));
+                                detail::typed_handler<M>(std::move(handler)), options);
   }
 
   /// What the board has told about itself.

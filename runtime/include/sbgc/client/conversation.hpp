@@ -64,8 +64,9 @@ class Conversation {
   using StreamHandler = std::function<void(Result<Subscription>)>;
   /// Registers a data stream with the request in `frame` and subscribes to its messages.
   Ticket start_stream(FrameBytes frame, MessageKey key, MessageHandler handler,
-                      StreamHandler done) const;
-  Result<Subscription> stream(FrameBytes frame, MessageKey key, MessageHandler handler) const;
+                      const CallOptions& options, StreamHandler done) const;
+  Result<Subscription> stream(FrameBytes frame, MessageKey key, MessageHandler handler,
+                              const CallOptions& options) const;
 
   const BoardIdentity& board() const noexcept;
   std::string description() const;

@@ -17,7 +17,7 @@ struct Contexts;
 struct Received {
   std::uint8_t id{};
   std::span<const std::uint8_t> body{};
-  const Contexts& contexts;  ///< what earlier messages say about how to read it
+  const Contexts* contexts{};  ///< what earlier messages say about how to read it, if it matters
 };
 
 /// How a request ended well.
@@ -35,7 +35,7 @@ struct Reply {
   BoundedBytes<max_body_size> body{};  ///< its body
   std::shared_ptr<const Contexts> contexts{};
 
-  Received received() const noexcept { return {id, {body.data(), body.size()}, *contexts}; }
+  Received received() const noexcept { return {id, {body.data(), body.size()}, contexts.get()}; }
 };
 
 namespace detail {
