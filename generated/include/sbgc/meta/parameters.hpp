@@ -481,11 +481,7 @@ struct Meta<ReadParams3Request> {
       .min_size = 1,
       .max_size = 1,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {255, "the active profile"},
@@ -516,11 +512,7 @@ struct Meta<ReadParams> {
       .direction = Direction::to_board,
       .min_size = 1,
       .max_size = 1,
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {255, "the active profile"},
@@ -736,11 +728,7 @@ struct Meta<ReadParamsExtRequest> {
       .min_size = 1,
       .max_size = 1,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {255, "the active profile"},
@@ -848,11 +836,7 @@ struct Meta<ReadParamsExt2Request> {
       .min_size = 1,
       .max_size = 1,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {255, "the active profile"},
@@ -909,11 +893,7 @@ struct Meta<ReadProfileNamesRequest> {
       .min_size = 0,
       .max_size = 0,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -931,12 +911,7 @@ struct Meta<SaveParams3> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 2000}};
+      .since = {0, 30}};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -953,12 +928,7 @@ struct Meta<UseDefaults> {
       .id = 70,
       .direction = Direction::to_board,
       .min_size = 1,
-      .max_size = 1,
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 5000}};
+      .max_size = 1};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {253, "erases the EEPROM"},
@@ -989,11 +959,6 @@ struct Meta<WriteParams3> : Meta<ReadParams3> {
       .min_size = 134,
       .max_size = 134,
       .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = true,
-                 .retry_is_safe = true,
-                 .timeout_ms = 2000},
       .stores = "ReadParams3"};
 };
 
@@ -1007,11 +972,6 @@ struct Meta<WriteParams> : Meta<ReadParams3> {
       .direction = Direction::to_board,
       .min_size = 134,
       .max_size = 134,
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = true,
-                 .retry_is_safe = true,
-                 .timeout_ms = 2000},
       .stores = "ReadParams3"};
 };
 
@@ -1026,11 +986,6 @@ struct Meta<WriteParamsExt> : Meta<ReadParamsExt> {
       .min_size = 104,
       .max_size = 104,
       .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = true,
-                 .retry_is_safe = true,
-                 .timeout_ms = 2000},
       .stores = "ReadParamsExt"};
 };
 
@@ -1045,11 +1000,6 @@ struct Meta<WriteParamsExt2> : Meta<ReadParamsExt2> {
       .min_size = 151,
       .max_size = 151,
       .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = true,
-                 .retry_is_safe = true,
-                 .timeout_ms = 2000},
       .stores = "ReadParamsExt2"};
 };
 
@@ -1064,11 +1014,6 @@ struct Meta<WriteProfileNames> : Meta<ReadProfileNames> {
       .min_size = 240,
       .max_size = 240,
       .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 2000},
       .stores = "ReadProfileNames"};
 };
 
