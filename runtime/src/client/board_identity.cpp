@@ -1,7 +1,7 @@
-#include <sbgc/client/board_identity.hpp>
-
 #include <array>
 #include <cstdio>
+
+#include <sbgc/client/board_identity.hpp>
 
 #include "text.hpp"
 

@@ -19,8 +19,7 @@ inline Instant now() noexcept {
 /// Never is far away, but a moment that can be reckoned with.
 inline std::chrono::steady_clock::time_point to_time_point(Instant at) noexcept {
   const Instant horizon = now() + seconds(1'000'000);
-  return std::chrono::steady_clock::time_point(
-      std::chrono::microseconds(earlier(at, horizon).us));
+  return std::chrono::steady_clock::time_point(std::chrono::microseconds(earlier(at, horizon).us));
 }
 
 }  // namespace sbgc::detail

@@ -1,12 +1,9 @@
-#include <chrono>
-#include <condition_variable>
 #include <memory>
-#include <mutex>
-#include <optional>
 #include <utility>
 
 #include "clock.hpp"
 #include "conversation_state.hpp"
+#include "waiter.hpp"
 
 namespace sbgc::detail {
 
@@ -16,42 +13,19 @@ namespace {
 /// ending it, because a handler keeps it.
 constexpr Duration grace = milliseconds(200);
 
-/// Where a thread waits for the end of a call.
-template <class T>
-class Waiter {
- public:
-  void put(Result<T> result) {
-    const std::lock_guard lock(mutex_);
-    result_ = std::move(result);
-    ended_.notify_one();
-  }
-
-  /// Empty if nothing has come by then.
-  std::optional<Result<T>> wait_until(std::chrono::steady_clock::time_point deadline) {
-    std::unique_lock lock(mutex_);
-    ended_.wait_until(lock, deadline, [this] { return result_.has_value(); });
-    return std::exchange(result_, std::nullopt);
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable ended_;
-  std::optional<Result<T>> result_;
-};
-
 /// Begins something with `begin(handler)` and waits for its end.
 template <class T, class Begin>
 Result<T> wait_for(Conversation::State& state, const Begin& begin) {
   if (state.runs_in_this_thread()) {
     return ClientError{ErrorCode::invalid, "a handler must not wait for its own client"};
   }
-  const auto waiter = std::make_shared<Waiter<T>>();
+  const auto waiter = std::make_shared<Waiter<Result<T>>>();
   const auto [ticket, deadline] =
       begin([waiter](Result<T> result) { waiter->put(std::move(result)); });
   if (auto result = waiter->wait_until(to_time_point(deadline + grace))) return *std::move(result);
   state.end(ticket, {ErrorCode::timeout, "a handler keeps the client from working"});
   // The end, this one or another that came first, is on its way in some thread.
-  return *waiter->wait_until(to_time_point(Instant::never));
+  return waiter->wait();
 }
 
 }  // namespace

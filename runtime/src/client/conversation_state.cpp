@@ -8,6 +8,7 @@
 #include <asio/post.hpp>
 
 #include "clock.hpp"
+#include "line.hpp"
 #include "text.hpp"
 
 namespace sbgc::detail {
@@ -91,9 +92,8 @@ template <class Function>
 void Conversation::State::post(Function function) {
   const std::lock_guard lock(mutex_);
   if (!strand_) return;
-  asio::post(*strand_, [self = shared_from_this(), function = std::move(function)]() mutable {
-    function();
-  });
+  asio::post(*strand_,
+             [self = shared_from_this(), function = std::move(function)]() mutable { function(); });
 }
 
 void Conversation::State::wake() {
@@ -231,9 +231,9 @@ auto Conversation::State::start_stream(FrameBytes frame, MessageKey key, Message
     ++streams_[stream];
   }
   // Subscribed before the first sample can come.
-  auto hold = std::make_unique<StreamHold>(messages_->add(key, std::move(handler)),
-                                           weak_from_this(), stream,
-                                           frame_that_ends_stream(*request));
+  auto hold =
+      std::make_unique<StreamHold>(messages_->add(key, std::move(handler)), weak_from_this(),
+                                   stream, frame_that_ends_stream(*request));
   return begin(*std::move(request), options,
                [hold = std::make_shared<std::unique_ptr<StreamHold>>(std::move(hold)),
                 done = std::move(done)](Result<Reply> reply) {
@@ -273,6 +273,16 @@ bool Conversation::State::runs_in_this_thread() const {
   return strand_ && strand_->running_in_this_thread();
 }
 
+bool Conversation::State::is_lost() const {
+  const std::lock_guard lock(mutex_);
+  return phase_ == Phase::lost;
+}
+
+ClientError Conversation::State::loss() const {
+  const std::lock_guard lock(mutex_);
+  return {ErrorCode::link_lost, loss_};
+}
+
 void Conversation::State::close() noexcept {
   std::vector<CallPointer> ended;
   {
@@ -294,6 +304,7 @@ void Conversation::State::close() noexcept {
 
 void Conversation::State::advance() {
   if (!transport_ || is_shut_) return;
+  if (detector_) return advance_detection();
   Instant next = Instant::never;
   do {
     has_room_ = false;
@@ -311,6 +322,47 @@ void Conversation::State::advance() {
   statistics_.streams = session_.stream_usage();
   if (!deadlines_.empty()) next = earlier(next, deadlines_.begin()->first);
   arm(next);
+}
+
+void Conversation::State::detect(std::function<void(Detection)> done) {
+  post([this, done = std::move(done)]() mutable {
+    if (!transport_ || is_shut_ || transport_->line() == nullptr) return done({});
+    detected_ = std::move(done);
+    detector_.emplace();
+    advance();
+  });
+}
+
+void Conversation::State::stop_detecting() {
+  post([this] {
+    if (detector_) end_detection(false);
+  });
+}
+
+void Conversation::State::advance_detection() {
+  while (!is_writing_) {
+    const DetectorStep step = detector_->next(now());
+    switch (step.kind) {
+      case DetectorStep::Kind::set_line:
+        if (transport_->line()->set(to_io(step.line))) detector_->refuse();
+        break;
+      case DetectorStep::Kind::write: write(step.bytes); break;
+      case DetectorStep::Kind::wait: return arm(step.until);
+      case DetectorStep::Kind::found: session_.set_line(step.line); return end_detection(true);
+      case DetectorStep::Kind::failed: return end_detection(false);
+    }
+  }
+}
+
+void Conversation::State::end_detection(bool found) {
+  Detection detection{found, {}};
+  std::copy(detector_->trials().begin(), detector_->trials().end(), detection.trials.begin());
+  detector_.reset();
+  {
+    const std::lock_guard lock(mutex_);
+    description_ = transport_->description();
+  }
+  std::exchange(detected_, nullptr)(detection);
 }
 
 void Conversation::State::hand_over() {
@@ -341,9 +393,9 @@ std::string Conversation::State::refusal_text(const Request& request,
   switch (refused.status) {
     case SendStatus::over_budget: {
       const StreamUsage usage = session_.stream_usage();
-      return command + ": the data stream does not fit through the line: " +
-             std::to_string(usage.limit) + " bytes/s are for streams, " +
-             std::to_string(usage.used) + " of them are taken";
+      return command +
+             ": the data stream does not fit through the line: " + std::to_string(usage.limit) +
+             " bytes/s are for streams, " + std::to_string(usage.used) + " of them are taken";
     }
     case SendStatus::too_many_streams:
       return command + ": the board can not have another data stream";
@@ -377,8 +429,8 @@ void Conversation::State::end_overdue(Instant at) {
 ClientError Conversation::State::overdue(const Call& call, bool was_sent) {
   const std::string within = " within " + milliseconds_text(call.allowed);
   const std::string command = call.request.info->command;
-  return {ErrorCode::timeout, was_sent ? "no answer to " + command + within
-                                       : command + " could not be sent" + within};
+  return {ErrorCode::timeout,
+          was_sent ? "no answer to " + command + within : command + " could not be sent" + within};
 }
 
 void Conversation::State::arm(Instant at) {
@@ -406,20 +458,20 @@ void Conversation::State::read() {
 }
 
 void Conversation::State::take_bytes(std::span<const std::uint8_t> bytes) {
+  if (detector_) return detector_->feed(bytes);
   session_.feed(bytes, now(), [this](const Event& event) { handle_event(event); });
 }
 
 void Conversation::State::write(std::span<const std::uint8_t> bytes) {
   std::copy(bytes.begin(), bytes.end(), out_.begin());
   is_writing_ = true;
-  transport_->async_write(
-      std::span(out_).first(bytes.size()),
-      [self = shared_from_this()](const std::error_code& error, std::size_t) {
-        self->is_writing_ = false;
-        if (error) return self->lose(error);
-        if (self->is_shut_) return self->release();
-        self->advance();
-      });
+  transport_->async_write(std::span(out_).first(bytes.size()),
+                          [self = shared_from_this()](const std::error_code& error, std::size_t) {
+                            self->is_writing_ = false;
+                            if (error) return self->lose(error);
+                            if (self->is_shut_) return self->release();
+                            self->advance();
+                          });
 }
 
 void Conversation::State::handle_event(const Event& event) {
@@ -442,10 +494,10 @@ void Conversation::State::handle_event(const Event& event) {
       deliver(event.frame);
       const std::string about =
           event.command != 0 ? " about " + command_name(event.command) : std::string();
-      return notify({NoticeKind::board_error,
-                     "the board reports an error" + about + ": " +
-                         describe(event.frame.id, event.frame.body),
-                     error_code_in(event.frame.id, event.frame.body)});
+      return notify(
+          {NoticeKind::board_error,
+           "the board reports an error" + about + ": " + describe(event.frame.id, event.frame.body),
+           error_code_in(event.frame.id, event.frame.body)});
     }
     case EventKind::reset:
       deliver(event.frame);
@@ -478,8 +530,7 @@ Result<Reply> Conversation::State::result_of(const Call& call, const Event& even
     return result;
   };
   const auto refused = [&](const char* how) {
-    return ClientError{ErrorCode::board_error,
-                       command + how + describe(frame.id, frame.body),
+    return ClientError{ErrorCode::board_error, command + how + describe(frame.id, frame.body),
                        error_code_in(frame.id, frame.body)};
   };
   switch (event.outcome) {
@@ -493,13 +544,13 @@ Result<Reply> Conversation::State::result_of(const Call& call, const Event& even
       const unsigned attempts = call.send.attempts;
       std::string text = "no answer to " + command;
       if (attempts > 1) text += ", sent " + std::to_string(attempts) + " times,";
-      return ClientError{ErrorCode::timeout, text + " within " +
-                                                 milliseconds_text(call.send.timeout) +
-                                                 (attempts > 1 ? " each" : "")};
+      return ClientError{
+          ErrorCode::timeout,
+          text + " within " + milliseconds_text(call.send.timeout) + (attempts > 1 ? " each" : "")};
     }
     case Outcome::reset:
-      return ClientError{ErrorCode::board_reset, "the board restarted before " + command +
-                                                     " was done"};
+      return ClientError{ErrorCode::board_reset,
+                         "the board restarted before " + command + " was done"};
     case Outcome::link_lost: return ClientError{ErrorCode::link_lost, command + ": " + loss_};
     case Outcome::cancelled:
     case Outcome::none: break;
@@ -552,6 +603,7 @@ void Conversation::State::lose(const std::error_code& reason) {
 /// Ends all that Asio does for this conversation.
 void Conversation::State::shut() {
   if (!is_shut_) {
+    if (detector_) end_detection(false);
     is_shut_ = true;
     in_session_.clear();
     if (timer_) timer_->cancel();

@@ -24,6 +24,7 @@
 
 #include <sbgc/client/board_identity.hpp>
 #include <sbgc/client/conversation.hpp>
+#include <sbgc/detector.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/io/transport.hpp>
 #include <sbgc/session.hpp>
@@ -51,6 +52,17 @@ class Conversation::State : public std::enable_shared_from_this<Conversation::St
   /// Begins to talk over a transport whose executor is the strand. Called once.
   void attach(std::unique_ptr<io::Transport> transport);
 
+  /// What a search for the line's settings has found.
+  struct Detection {
+    bool found = false;
+    std::array<Trial, Detector::lines> trials{};
+  };
+  /// Searches for the settings of the line at which a board answers, and leaves the line there.
+  /// Behind attach(), before any call; the transport has a line.
+  void detect(std::function<void(Detection)> done);
+  /// Ends a search that is under way, unsuccessfully.
+  void stop_detecting();
+
   /// Says with whom; before the conversation is handed out.
   void set_board(const BoardIdentity& board) { board_ = board; }
   const BoardIdentity& board() const noexcept { return board_; }
@@ -73,6 +85,9 @@ class Conversation::State : public std::enable_shared_from_this<Conversation::St
   void close() noexcept;
 
   bool runs_in_this_thread() const;
+  /// Whether the line broke, and how.
+  bool is_lost() const;
+  ClientError loss() const;
 
  private:
   class StreamHold;
@@ -107,6 +122,8 @@ class Conversation::State : public std::enable_shared_from_this<Conversation::St
   // On the strand
   void advance();
   void hand_over();
+  void advance_detection();
+  void end_detection(bool found);
   void forget(const Call& call);
   void end_overdue(Instant at);
   static ClientError overdue(const Call& call, bool was_sent);
@@ -137,7 +154,7 @@ class Conversation::State : public std::enable_shared_from_this<Conversation::St
   std::unordered_map<Ticket, CallPointer> calls_;  // all that have not ended
   std::deque<CallPointer> waiting_;                // those that the session has no room for
   std::set<std::pair<Instant, Ticket>> deadlines_;
-  std::map<StreamKey, std::size_t> streams_;       // how often each is subscribed to
+  std::map<StreamKey, std::size_t> streams_;  // how often each is subscribed to
   ClientStatistics statistics_;
 
   // On the strand only
@@ -146,6 +163,8 @@ class Conversation::State : public std::enable_shared_from_this<Conversation::St
   Contexts contexts_;
   std::unique_ptr<io::Transport> transport_;
   std::optional<asio::steady_timer> timer_;
+  std::optional<Detector> detector_;
+  std::function<void(Detection)> detected_;
   bool is_reading_ = false;
   bool is_writing_ = false;
   bool is_shut_ = false;

@@ -19,8 +19,9 @@ class Handlers : public std::enable_shared_from_this<Handlers<Key, Signature>> {
  public:
   using Function = std::function<Signature>;
 
-  /// Subscribed as long as the result lives. Once it is gone the function neither runs nor will run,
-  /// and what it holds is released; only a function that takes itself back still runs to its end.
+  /// Subscribed as long as the result lives. Once it is gone the function neither runs nor will
+  /// run, and what it holds is released; only a function that takes itself back still runs to its
+  /// end.
   std::unique_ptr<Subscription::Hold> add(const Key& key, Function function) {
     auto entry = std::make_shared<Entry>(key, std::move(function));
     const std::lock_guard lock(mutex_);

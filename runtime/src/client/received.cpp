@@ -1,11 +1,9 @@
-#include <sbgc/client/reply.hpp>
-
 #include <tuple>
 #include <type_traits>
 
-#include <sbgc/dispatch.hpp>
-
+#include <sbgc/client/reply.hpp>
 #include <sbgc/client/typed.hpp>
+#include <sbgc/dispatch.hpp>
 
 #include "request.hpp"
 #include "text.hpp"

@@ -47,8 +47,8 @@ std::string text_of(const Violation& violation, const Availability& versions) {
 std::string lacking(const MessageInfo& info, const Availability& versions) {
   const std::string command = info.command;
   if (info.since.firmware > versions.firmware) {
-    return command + " needs firmware " + firmware_text(info.since.firmware) +
-           ", the board has " + firmware_text(versions.firmware);
+    return command + " needs firmware " + firmware_text(info.since.firmware) + ", the board has " +
+           firmware_text(versions.firmware);
   }
   return command + " needs board " + board_text(info.since.board) + ", this is board " +
          board_text(versions.board);
@@ -61,8 +61,8 @@ Result<Request> inspect(FrameBytes frame, const Availability& versions, bool val
     return ClientError{ErrorCode::invalid, "this is no frame of a request"};
   }
   const std::uint8_t id = Framing::id(frame.data());
-  const auto body = frame.subspan(frame_header_size,
-                                  frame.size() - frame_header_size - frame_trailer_size);
+  const auto body =
+      frame.subspan(frame_header_size, frame.size() - frame_header_size - frame_trailer_size);
   Request request{id, {body.begin(), body.end()}, {}, nullptr};
   std::optional<ClientError> error;
   const Status status = visit(id, body, Direction::to_board, [&]<class M>(const M& message) {
@@ -98,15 +98,17 @@ void learn_from_board(std::uint8_t id, std::span<const std::uint8_t> body, Conte
 
 std::optional<MessageKey> key_of_received(std::uint8_t id, std::span<const std::uint8_t> body) {
   std::optional<MessageKey> key;
-  select(Direction::from_board, id, body.size(),
-         [&]<class M>(Type<M>) { key = MessageKey{id, M::form}; });
+  select(Direction::from_board, id, body.size(), [&]<class M>(Type<M>) {
+    key = MessageKey{id, M::form};
+  });
   return key;
 }
 
 bool needs_context(std::uint8_t id, std::span<const std::uint8_t> body) {
   bool needs = false;
-  select(Direction::from_board, id, body.size(),
-         [&]<class M>(Type<M>) { needs = requires { typename M::Context; }; });
+  select(Direction::from_board, id, body.size(), [&]<class M>(Type<M>) {
+    needs = requires { typename M::Context; };
+  });
   return needs;
 }
 

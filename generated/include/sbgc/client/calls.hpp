@@ -6,6 +6,7 @@
 #include <optional>
 #include <type_traits>
 #include <utility>
+#include <variant>
 
 #include <sbgc/client/options.hpp>
 #include <sbgc/client/result.hpp>
@@ -150,7 +151,7 @@ struct CallAnswerOf<ResetRequest> {
 };
 template <>
 struct CallAnswerOf<ResetRequestExt> {
-  using type = Reset;
+  using type = std::optional<Reset>;
 };
 template <>
 struct CallAnswerOf<BootMode3> {
@@ -158,7 +159,7 @@ struct CallAnswerOf<BootMode3> {
 };
 template <>
 struct CallAnswerOf<BootMode3Ext> {
-  using type = Reset;
+  using type = std::optional<Reset>;
 };
 template <>
 struct CallAnswerOf<QueueParamsInfo3Request> {

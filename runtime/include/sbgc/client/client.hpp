@@ -7,10 +7,11 @@
 /// Include the messages that are used, such as <sbgc/messages/realtime.hpp>.
 #pragma once
 
-#include <array>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include <sbgc/client/board_identity.hpp>
@@ -23,6 +24,10 @@
 #include <sbgc/client/typed.hpp>
 
 namespace sbgc {
+
+namespace detail {
+struct ClientMaker;
+}
 
 /// A connected board. Every function may be called from any thread, also at the same time; nothing
 /// throws, nothing waits longer than its timeout.
@@ -105,14 +110,12 @@ class Client : public Calls<Client> {
   void close() noexcept { conversation_.close(); }
 
  private:
-  friend class ClientAccess;
+  friend struct detail::ClientMaker;
 
-  /// The thread that does the work; it stops with the client.
-  class Loop;
+  Client(std::shared_ptr<const void> keeper, detail::Conversation conversation) noexcept
+      : keeper_(std::move(keeper)), conversation_(std::move(conversation)) {}
 
-  Client(std::shared_ptr<Loop> loop, detail::Conversation conversation) noexcept;
-
-  std::shared_ptr<Loop> loop_;
+  std::shared_ptr<const void> keeper_;  // of the thread that does the work; closes with the client
   detail::Conversation conversation_;
 };
 

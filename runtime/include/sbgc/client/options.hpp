@@ -13,6 +13,8 @@ namespace sbgc {
 struct ConnectOptions {
   /// For all of it: opening, finding the baud rate, reading the board's versions.
   std::chrono::milliseconds timeout{20'000};
+  /// Look for the baud rate and parity of a serial line whose address does not say them.
+  bool find_line = true;
   /// How often a request is sent again when nothing comes back, if the protocol allows that.
   unsigned retries = 2;
   /// Keep the pause of 10 to 20 ms between commands that the protocol asks for.

@@ -49,6 +49,20 @@ struct IsOptional : std::false_type {};
 template <class T>
 struct IsOptional<std::optional<T>> : std::true_type {};
 
+/// One of several messages that may answer: the first that the body is.
+template <class... Ms>
+Status read(const Received& received, std::variant<Ms...>& out) noexcept {
+  Status status{Code::unknown_form};
+  const auto try_one = [&](auto message) {
+    if (static_cast<std::uint8_t>(message.command) != received.id) return false;
+    status = read(received, message);
+    if (status) out = message;
+    return static_cast<bool>(status);
+  };
+  static_cast<void>((try_one(Ms{}) || ...));
+  return status;
+}
+
 /// The answer to an M in what came back for it.
 template <class M>
 Result<CallAnswer<M>> read_answer(const Result<Reply>& reply) {
@@ -56,19 +70,18 @@ Result<CallAnswer<M>> read_answer(const Result<Reply>& reply) {
   if (!reply) return reply.error();
   if constexpr (std::is_void_v<Answer>) {
     return {};
-  } else if constexpr (IsOptional<Answer>::value) {
-    if (reply->ending != Ending::answered) return Answer{};
-    Answer answer(std::in_place);
-    if (const Status status = read(reply->received(), *answer); !status) {
-      return decode_error(status, *reply);
-    }
-    return answer;
   } else {
-    if (reply->ending != Ending::answered) return missing_answer(*reply);
+    const bool is_answered = reply->ending == Ending::answered;
     Answer answer{};
-    if (const Status status = read(reply->received(), answer); !status) {
-      return decode_error(status, *reply);
+    Status status{};
+    if constexpr (IsOptional<Answer>::value) {
+      if (!is_answered) return answer;
+      status = read(reply->received(), answer.emplace());
+    } else {
+      if (!is_answered) return missing_answer(*reply);
+      status = read(reply->received(), answer);
     }
+    if (!status) return decode_error(status, *reply);
     return answer;
   }
 }
