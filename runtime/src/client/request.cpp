@@ -12,6 +12,7 @@
 #include <sbgc/exchanges/all.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/meta/all.hpp>
+#include <sbgc/roles.hpp>
 #include <sbgc/validate.hpp>
 #include <sbgc/visit.hpp>
 
@@ -66,16 +67,18 @@ Result<Request> inspect(FrameBytes frame, const Availability& versions, bool val
   Request request{id, {body.begin(), body.end()}, {}, nullptr};
   std::optional<ClientError> error;
   const Status status = visit(id, body, Direction::to_board, [&]<class M>(const M& message) {
-    request.exchange = exchange_of(message);
-    request.info = &Meta<M>::info;
-    if (!is_supported<M>(versions)) {
-      error = {ErrorCode::unsupported, lacking(Meta<M>::info, versions)};
-    } else if (validate) {
-      sbgc::validate(message, versions, [&](const Violation& violation) {
-        if (error) return;
-        error = {ErrorCode::invalid,
-                 std::string(Meta<M>::info.command) + ": " + text_of(violation, versions)};
-      });
+    if constexpr (requires { exchange_of(message); }) {
+      request.exchange = exchange_of(message);
+      request.info = &Meta<M>::info;
+      if (!is_supported<M>(versions)) {
+        error = {ErrorCode::unsupported, lacking(Meta<M>::info, versions)};
+      } else if (validate) {
+        sbgc::validate(message, versions, [&](const Violation& violation) {
+          if (error) return;
+          error = {ErrorCode::invalid,
+                   std::string(Meta<M>::info.command) + ": " + text_of(violation, versions)};
+        });
+      }
     }
   });
   if (error) return *std::move(error);
