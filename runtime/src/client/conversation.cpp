@@ -71,6 +71,8 @@ std::string Conversation::description() const { return state_->description(); }
 
 ClientStatistics Conversation::statistics() const { return state_->statistics(); }
 
-void Conversation::close() const noexcept { state_->close(); }
+void Conversation::close() const noexcept {
+  if (state_) state_->close();
+}
 
 }  // namespace sbgc::detail

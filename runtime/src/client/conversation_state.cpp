@@ -139,7 +139,7 @@ auto Conversation::State::begin(Request request, const CallOptions& options, Rep
   Duration allowed = attempt * static_cast<std::int32_t>(attempts);
   if (options.timeout) {
     allowed = to_duration(*options.timeout);
-    attempt = std::max(attempt, Duration{allowed.us / attempts});
+    attempt = Duration{allowed.us / attempts};
   } else {
     allowed = std::max(allowed, milliseconds(exchange.finish_ms)) + to_duration(options_.patience);
   }
