@@ -217,6 +217,7 @@ TEST_F(Subscribed, ToAStreamRegistersItAndEndsIt) {
   DataStreamInterval expected;
   expected.cmd_id = CommandId::realtime_data_4;
   expected.interval_ms = Milliseconds::from_milliseconds(20);
+  expected.config.rest.resize(8);
   EXPECT_EQ(registrations.wait_for(1).at(0), expected);
   board.send(RealtimeData4{});
   board.send(RealtimeData4{});
