@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <sbgc/dispatch.hpp>
+#include <sbgc/message.hpp>
 #include <sbgc/meta/all.hpp>
 
 namespace sbgc::test {
@@ -74,6 +75,14 @@ void check() {
   Body written;
   written.size = encode(read_member_by_member<M>, written.bytes).size;
   EXPECT_TRUE(std::ranges::equal(written.view(), body.view()));
+
+  // A frame's checksum is that of the message in memory where possible, else of the bytes written.
+  const auto id = static_cast<std::uint8_t>(M::command);
+  std::array<std::uint8_t, max_frame_size> framed{};
+  std::array<std::uint8_t, max_frame_size> expected{};
+  const auto size = encode_frame(message, framed).size;
+  ASSERT_EQ(size, write_frame(id, body.view(), expected).size);
+  EXPECT_TRUE(framed == expected);
 }
 
 TEST(TwoWays, AtCompileTimeAndAtRunTime) {

@@ -65,4 +65,53 @@ constexpr std::uint8_t byte_sum(const std::uint8_t* bytes, std::size_t size) noe
   return detail::byte_sum_plain(bytes, size);
 }
 
+namespace detail {
+
+/// A sum modulo 256 that is added up from several places; kept in registers, hence the inlining.
+class ByteSum {
+ public:
+  /// Adds `size` bytes; to be called with a size that the compiler knows.
+  [[gnu::always_inline]] void add(const std::uint8_t* bytes, std::size_t size) noexcept {
+#if defined(__SSE2__)
+    if (size >= 16) {
+      const std::size_t rest = size % 16;
+      for (std::size_t at = 0; at != size - rest; at += 16) add16(load16(bytes + at));
+      if (rest != 0) add16(load16(bytes + size - 16) & load16(keep_last + rest));
+    } else if (size >= 8) {
+      std::uint64_t halves[2];
+      __builtin_memcpy(&halves[0], bytes, 8);
+      __builtin_memcpy(&halves[1], bytes + size - 8, 8);
+      halves[1] = size == 8 ? 0 : halves[1] >> (8 * (16 - size));
+      Bytes16 all;
+      __builtin_memcpy(&all, halves, sizeof all);
+      add16(all);
+    } else {
+      add(byte_sum_plain(bytes, size));
+    }
+#else
+    add(byte_sum(bytes, size));
+#endif
+  }
+
+  /// Adds a sum of other bytes.
+  void add(std::uint8_t sum) noexcept { sum_ += sum; }
+
+  std::uint8_t value() const noexcept {
+#if defined(__SSE2__)
+    return static_cast<std::uint8_t>(sum_ + static_cast<std::uint64_t>(halves_[0] + halves_[1]));
+#else
+    return static_cast<std::uint8_t>(sum_);
+#endif
+  }
+
+ private:
+  unsigned sum_{};
+#if defined(__SSE2__)
+  [[gnu::always_inline]] void add16(Bytes16 bytes) noexcept { halves_ += sum_halves(bytes); }
+
+  Words2 halves_{};
+#endif
+};
+
+}  // namespace detail
 }  // namespace sbgc

@@ -9,6 +9,7 @@
 #include <span>
 #include <type_traits>
 
+#include <sbgc/checksum.hpp>
 #include <sbgc/flags.hpp>
 #include <sbgc/number.hpp>
 #include <sbgc/protocol.hpp>
@@ -197,6 +198,12 @@ template <class T>
 inline void put_block(std::uint8_t* to, const T& in, std::size_t at, std::size_t size) noexcept {
   static_assert(std::is_standard_layout_v<T> && std::is_trivially_copyable_v<T>);
   __builtin_memcpy(to, reinterpret_cast<const unsigned char*>(&in) + at, size);
+}
+/// Adds up the `size` bytes of members that begin `at` bytes into `in`.
+template <class T>
+[[gnu::always_inline]] inline void add_block(ByteSum& sum, const T& in, std::size_t at,
+                                             std::size_t size) noexcept {
+  sum.add(reinterpret_cast<const std::uint8_t*>(&in) + at, size);
 }
 
 /// The error for a body of the wrong size.

@@ -79,11 +79,17 @@ struct Framing {
   /// the body or what it was copied from: reading bytes just written can stall.
   static constexpr std::size_t finish(std::uint8_t* frame, std::uint8_t id, std::size_t body_size,
                                       const std::uint8_t* content) noexcept {
+    return finish(frame, id, body_size, byte_sum(content, body_size));
+  }
+
+  /// As above, for a body whose bytes have already been summed.
+  static constexpr std::size_t finish(std::uint8_t* frame, std::uint8_t id, std::size_t body_size,
+                                      std::uint8_t sum) noexcept {
     frame[0] = frame_start;
     frame[1] = id;
     frame[2] = static_cast<std::uint8_t>(body_size);
     frame[3] = static_cast<std::uint8_t>(id + body_size);
-    frame[frame_header_size + body_size] = byte_sum(content, body_size);
+    frame[frame_header_size + body_size] = sum;
     return frame_size(body_size);
   }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <type_traits>
 
 #include <sbgc/codec.hpp>
 #include <sbgc/frame.hpp>
@@ -19,6 +20,20 @@ concept Message = requires(const M& message, std::span<std::uint8_t> out) {
   { encode(message, out) } -> std::same_as<WriteResult>;
 };
 
+namespace detail {
+
+/// The sum of a message's bytes without reading back what has just been written, which is slow; for
+/// messages that stand in memory as on the wire.
+template <class M>
+inline Optional<std::uint8_t> sum_in_memory(const M& message) noexcept {
+  if constexpr (requires(ByteSum sum) { add_in_memory(sum, message); }) {
+    if (ByteSum sum; add_in_memory(sum, message)) return sum.value();
+  }
+  return {};
+}
+
+}  // namespace detail
+
 /// Writes a message with its frame around it into `out`; returns the size of the frame, or why it
 /// could not be written. max_frame_size bytes are always enough.
 template <Message M>
@@ -35,7 +50,13 @@ template <Message M>
     const Code code = full && any_frame_fits ? Code::too_long : body.status.code;
     return {0, {code, body.status.offset, body.status.field}};
   }
-  return {finish_frame(out.data(), static_cast<std::uint8_t>(M::command), body.size), {}};
+  constexpr auto id = static_cast<std::uint8_t>(M::command);
+  if (!std::is_constant_evaluated()) {
+    if (const auto sum = detail::sum_in_memory(message)) {
+      return {Framing::finish(out.data(), id, body.size, *sum), {}};
+    }
+  }
+  return {finish_frame(out.data(), id, body.size), {}};
 }
 
 }  // namespace sbgc

@@ -248,6 +248,15 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {size, {}};
 }
 
+[[gnu::always_inline]] inline bool add_in_memory(detail::ByteSum& sum,
+                                                 const ReadAdjVarsCfg& in) noexcept {
+  using M = ReadAdjVarsCfg;
+  if (!(detail::in_parallel(offsetof(M, trigger_slots), offsetof(M, reserved), 120))) return false;
+  detail::add_block(sum, in, offsetof(M, trigger_slots), 128);
+  if (!in.tail.empty()) sum.add(byte_sum(in.tail.data(), in.tail.size()));
+  return true;
+}
+
 /// Ask which RC signals start actions and which ones change adjustable variables.
 ///
 /// CMD_READ_ADJ_VARS_CFG (43), to the board; 0 bytes.

@@ -132,6 +132,14 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {12, {}};
 }
 
+[[gnu::always_inline]] inline bool add_in_memory(detail::ByteSum& sum,
+                                                 const CalibAccExt& in) noexcept {
+  using M = CalibAccExt;
+  if (!(detail::in_parallel(offsetof(M, imu_idx), offsetof(M, reserved), 2))) return false;
+  detail::add_block(sum, in, offsetof(M, imu_idx), 12);
+  return true;
+}
+
 /// Calibrate the gyroscope of the active IMU. Confirmed on reception and once more at the end; not
 /// at all if a parameter is wrong.
 ///
@@ -222,6 +230,14 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   if (out.size() < 12) return {0, {Code::buffer_too_small}};
   put(out.data(), in);
   return {12, {}};
+}
+
+[[gnu::always_inline]] inline bool add_in_memory(detail::ByteSum& sum,
+                                                 const CalibGyroExt& in) noexcept {
+  using M = CalibGyroExt;
+  if (!(detail::in_parallel(offsetof(M, imu_idx), offsetof(M, reserved), 2))) return false;
+  detail::add_block(sum, in, offsetof(M, imu_idx), 12);
+  return true;
 }
 
 /// Calibrate the magnetometer.
@@ -504,6 +520,15 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   put(out.data(), in);
   detail::put_tail(out.data() + 33, in.tail);
   return {size, {}};
+}
+
+[[gnu::always_inline]] inline bool add_in_memory(detail::ByteSum& sum,
+                                                 const CalibInfo& in) noexcept {
+  using M = CalibInfo;
+  if (!(detail::in_parallel(offsetof(M, progress), offsetof(M, reserved), 26))) return false;
+  detail::add_block(sum, in, offsetof(M, progress), 33);
+  if (!in.tail.empty()) sum.add(byte_sum(in.tail.data(), in.tail.size()));
+  return true;
 }
 
 /// Ask for what to show while sensors are calibrated.
@@ -813,6 +838,14 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   if (out.size() < 19) return {0, {Code::buffer_too_small}};
   put(out.data(), in);
   return {19, {}};
+}
+
+[[gnu::always_inline]] inline bool add_in_memory(detail::ByteSum& sum,
+                                                 const AutoPidRequest& in) noexcept {
+  using M = AutoPidRequest;
+  if (!(detail::in_parallel(offsetof(M, profile_id), offsetof(M, reserved), 3))) return false;
+  detail::add_block(sum, in, offsetof(M, profile_id), 19);
+  return true;
 }
 
 }  // namespace sbgc

@@ -622,6 +622,14 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {10, {}};
 }
 
+[[gnu::always_inline]] inline bool add_in_memory(detail::ByteSum& sum,
+                                                 const HelperData& in) noexcept {
+  using M = HelperData;
+  if (!(detail::in_parallel(offsetof(M, frame_acc), offsetof(M, frame_angle_pitch), 8))) return false;
+  detail::add_block(sum, in, offsetof(M, frame_acc), 10);
+  return true;
+}
+
 /// Tell the board how the frame accelerates, leans and turns.
 ///
 /// CMD_HELPER_DATA (72), to the board, extended form; 20 bytes.
@@ -702,6 +710,16 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   if (out.size() < 20) return {0, {Code::buffer_too_small}};
   put(out.data(), in);
   return {20, {}};
+}
+
+[[gnu::always_inline]] inline bool add_in_memory(detail::ByteSum& sum,
+                                                 const HelperDataExt& in) noexcept {
+  using M = HelperDataExt;
+  if (!(detail::in_parallel(offsetof(M, frame_acc), offsetof(M, coord_sys), 10) &&
+      detail::in_parallel(offsetof(M, frame_speed), offsetof(M, reserved), 6))) return false;
+  detail::add_block(sum, in, offsetof(M, frame_acc), 11);
+  detail::add_block(sum, in, offsetof(M, frame_speed), 9);
+  return true;
 }
 
 }  // namespace sbgc

@@ -459,6 +459,17 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {size, {}};
 }
 
+[[gnu::always_inline]] inline bool add_in_memory(detail::ByteSum& sum,
+                                                 const ReadParams3& in) noexcept {
+  using M = ReadParams3;
+  if (!(detail::in_parallel(offsetof(M, profile_id), offsetof(M, output), 88) &&
+      detail::in_parallel(offsetof(M, bat_threshold_alarm), offsetof(M, cur_profile_id), 42))) return false;
+  detail::add_block(sum, in, offsetof(M, profile_id), 91);
+  detail::add_block(sum, in, offsetof(M, bat_threshold_alarm), 43);
+  if (!in.tail.empty()) sum.add(byte_sum(in.tail.data(), in.tail.size()));
+  return true;
+}
+
 /// Ask for the settings of one profile.
 ///
 /// CMD_READ_PARAMS_3 (21), to the board; 1 bytes.
@@ -737,6 +748,21 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {size, {}};
 }
 
+[[gnu::always_inline]] inline bool add_in_memory(detail::ByteSum& sum,
+                                                 const ReadParamsExt& in) noexcept {
+  using M = ReadParamsExt;
+  if (!(detail::in_parallel(offsetof(M, profile_id), offsetof(M, notches), 1) &&
+      detail::in_parallel(offsetof(M, lpf_freq), offsetof(M, filters_en), 6) &&
+      detail::in_parallel(offsetof(M, encoder_offset), offsetof(M, motor_mag_link), 24) &&
+      detail::in_parallel(offsetof(M, motor_gearing), offsetof(M, d_term_lpf_freq), 46))) return false;
+  detail::add_block(sum, in, offsetof(M, profile_id), 19);
+  detail::add_block(sum, in, offsetof(M, lpf_freq), 9);
+  detail::add_block(sum, in, offsetof(M, encoder_offset), 27);
+  detail::add_block(sum, in, offsetof(M, motor_gearing), 49);
+  if (!in.tail.empty()) sum.add(byte_sum(in.tail.data(), in.tail.size()));
+  return true;
+}
+
 /// Ask for further settings of one profile.
 ///
 /// CMD_READ_PARAMS_EXT (33), to the board; 1 bytes.
@@ -875,6 +901,17 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   put(out.data(), in);
   detail::put_tail(out.data() + 151, in.tail);
   return {size, {}};
+}
+
+[[gnu::always_inline]] inline bool add_in_memory(detail::ByteSum& sum,
+                                                 const ReadParamsExt2& in) noexcept {
+  using M = ReadParamsExt2;
+  if (!(detail::in_parallel(offsetof(M, profile_id), offsetof(M, reserved_1), 1) &&
+      detail::in_parallel(offsetof(M, motor_mag_link_fine), offsetof(M, reserved_2), 15))) return false;
+  detail::add_block(sum, in, offsetof(M, profile_id), 17);
+  detail::add_block(sum, in, offsetof(M, motor_mag_link_fine), 134);
+  if (!in.tail.empty()) sum.add(byte_sum(in.tail.data(), in.tail.size()));
+  return true;
 }
 
 /// Ask for still further settings of one profile.

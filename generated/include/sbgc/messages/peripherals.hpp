@@ -330,6 +330,14 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {3, {}};
 }
 
+[[gnu::always_inline]] inline bool add_in_memory(detail::ByteSum& sum,
+                                                 const I2cReadRegBufRequest& in) noexcept {
+  using M = I2cReadRegBufRequest;
+  if (!(detail::in_parallel(offsetof(M, device_addr), offsetof(M, data_len), 2))) return false;
+  detail::add_block(sum, in, offsetof(M, device_addr), 3);
+  return true;
+}
+
 /// Set the virtual RC channels that the host provides; they can control the camera and more.
 ///
 /// CMD_API_VIRT_CH_CONTROL (45), to the board; 64 bytes.

@@ -226,6 +226,17 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {size, {}};
 }
 
+[[gnu::always_inline]] inline bool add_in_memory(detail::ByteSum& sum,
+                                                 const RealtimeData3& in) noexcept {
+  using M = RealtimeData3;
+  if (!(detail::in_parallel(offsetof(M, axes), offsetof(M, error_code), 54) &&
+      detail::in_parallel(offsetof(M, bat_level), offsetof(M, motor_power), 5))) return false;
+  detail::add_block(sum, in, offsetof(M, axes), 55);
+  detail::add_block(sum, in, offsetof(M, bat_level), 8);
+  if (!in.tail.empty()) sum.add(byte_sum(in.tail.data(), in.tail.size()));
+  return true;
+}
+
 /// Ask for live data.
 ///
 /// CMD_REALTIME_DATA_3 (23), to the board; 0 bytes.
@@ -443,6 +454,19 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   put(out.data(), in);
   detail::put_tail(out.data() + 124, in.tail);
   return {size, {}};
+}
+
+[[gnu::always_inline]] inline bool add_in_memory(detail::ByteSum& sum,
+                                                 const RealtimeData4& in) noexcept {
+  using M = RealtimeData4;
+  if (!(detail::in_parallel(offsetof(M, axes), offsetof(M, error_code), 54) &&
+      detail::in_parallel(offsetof(M, bat_level), offsetof(M, reserved_2), 14) &&
+      detail::in_parallel(offsetof(M, balance_error), offsetof(M, reserved_3), 18))) return false;
+  detail::add_block(sum, in, offsetof(M, axes), 55);
+  detail::add_block(sum, in, offsetof(M, bat_level), 15);
+  detail::add_block(sum, in, offsetof(M, balance_error), 54);
+  if (!in.tail.empty()) sum.add(byte_sum(in.tail.data(), in.tail.size()));
+  return true;
 }
 
 /// Ask for the longer live data.

@@ -79,6 +79,14 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {34, {}};
 }
 
+[[gnu::always_inline]] inline bool add_in_memory(detail::ByteSum& sum,
+                                                 const RunScript& in) noexcept {
+  using M = RunScript;
+  if (!(detail::in_parallel(offsetof(M, mode), offsetof(M, reserved), 2))) return false;
+  detail::add_block(sum, in, offsetof(M, mode), 34);
+  return true;
+}
+
 /// Progress of a script that was started with debugging.
 ///
 /// CMD_SCRIPT_DEBUG (58), from the board; 3 bytes, and later firmware may append more.

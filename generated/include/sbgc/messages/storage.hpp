@@ -226,6 +226,14 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {20, {}};
 }
 
+[[gnu::always_inline]] inline bool add_in_memory(detail::ByteSum& sum,
+                                                 const ReadFileRequest& in) noexcept {
+  using M = ReadFileRequest;
+  if (!(detail::in_parallel(offsetof(M, file_id), offsetof(M, reserved), 6))) return false;
+  detail::add_block(sum, in, offsetof(M, file_id), 20);
+  return true;
+}
+
 /// Write part of a file; without data the file is deleted.
 ///
 /// CMD_WRITE_FILE (54), to the board; 6 to 255 bytes.

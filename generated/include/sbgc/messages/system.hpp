@@ -335,6 +335,15 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {size, {}};
 }
 
+[[gnu::always_inline]] inline bool add_in_memory(detail::ByteSum& sum,
+                                                 const ErrorExt& in) noexcept {
+  using M = ErrorExt;
+  if (!(detail::in_parallel(offsetof(M, cmd_id), offsetof(M, error_data), 2))) return false;
+  detail::add_block(sum, in, offsetof(M, cmd_id), 6);
+  if (!in.tail.empty()) sum.add(byte_sum(in.tail.data(), in.tail.size()));
+  return true;
+}
+
 /// Serial numbers, memory and scripts of the board.
 ///
 /// CMD_BOARD_INFO_3 (20), from the board; 69 bytes, and later firmware may append more.
@@ -412,6 +421,17 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   put(out.data(), in);
   detail::put_tail(out.data() + 69, in.tail);
   return {size, {}};
+}
+
+[[gnu::always_inline]] inline bool add_in_memory(detail::ByteSum& sum,
+                                                 const BoardInfo3& in) noexcept {
+  using M = BoardInfo3;
+  if (!(detail::in_parallel(offsetof(M, device_id), offsetof(M, mcu_id), 9) &&
+      detail::in_parallel(offsetof(M, eeprom_size), offsetof(M, reserved), 14))) return false;
+  detail::add_block(sum, in, offsetof(M, device_id), 21);
+  detail::add_block(sum, in, offsetof(M, eeprom_size), 48);
+  if (!in.tail.empty()) sum.add(byte_sum(in.tail.data(), in.tail.size()));
+  return true;
 }
 
 /// Ask for serial numbers, memory and scripts of the board.
