@@ -157,9 +157,9 @@ def _check_copies(settings: Settings, found: Diagnostics) -> None:
     own = copy_field(settings.message)
     for message in (settings.message, *settings.readers):
         copies = [f for f in message.fields if f.role == "copy"]
-        for field in copies[1:]:
+        for extra in copies[1:]:
             text = f"{message.name} has two fields that say which copy it is about"
-            found.add(field.at, "SBGC037", text, "one of them is the one that counts")
+            found.add(extra.at, "SBGC037", text, "one of them is the one that counts")
         field = copies[0] if copies else None
         if field is None and own is not None:
             text = f"{message.name} does not say which copy of {settings.message.name} it asks for"
