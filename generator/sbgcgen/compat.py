@@ -15,13 +15,14 @@ from sbgcgen.compat_types import (
 )
 from sbgcgen.diagnostics import Position
 from sbgcgen.load import MAIN_FILE
-from sbgcgen.model import Answer, Command, Layout, Message, Struct, Variable
+from sbgcgen.model import Answer, AnswerCase, Command, Layout, Message, Struct, Variable
 
 
 def compare(old: Layout, new: Layout) -> list[Change]:
     """All changes, the worst first, and else in the order of the spec."""
     changes = Changes()
     _compare_framing(old, new, changes)
+    _compare_line(old, new, changes)
     commands = _compare_commands(old, new, changes)
     _compare_messages(old, new, commands, changes)
     _compare_named_types(old, new, changes)
@@ -34,6 +35,18 @@ def _compare_framing(old: Layout, new: Layout, changes: Changes) -> None:
     for key in ("start", "header_size", "trailer_size", "max_body"):
         before, now = getattr(old.framing, key), getattr(new.framing, key)
         changes.compare(Level.WIRE, f"framing: {key}", before, now, Position(f"spec/{MAIN_FILE}"))
+
+
+def _compare_line(old: Layout, new: Layout, changes: Changes) -> None:
+    """Slower breaks and further rates harm nobody."""
+    at = new.line.at if new.line.at.file else Position(f"spec/{MAIN_FILE}")
+    for key in ("baud_rates", "parities"):
+        before, now = getattr(old.line, key), getattr(new.line, key)
+        level = Level.MEANING if set(before) - set(now) else Level.COMPATIBLE
+        changes.compare(level, f"line: {key}", list(before), list(now), at)
+    for key in ("shortest_pause_ms", "longest_pause_ms"):
+        before, now = getattr(old.line, key), getattr(new.line, key)
+        changes.compare(Level.COMPATIBLE, f"line: {key}", before, now, at)
 
 
 def _compare_named_types(old: Layout, new: Layout, changes: Changes) -> None:
@@ -184,6 +197,7 @@ def _compare_message(old: Message, new: Message, renamed: dict[str, str], change
             Level.MEANING, f"{what}: source of its context", sources[0], sources[1], new.at
         )
     _compare_answers(what, old, new, renamed, changes)
+    _compare_roles(what, old, new, changes)
     stores = renamed.get(old.stores, old.stores)
     changes.compare(Level.MEANING, f"{what}: stores", stores, new.stores, new.at)
     changes.since(what, old.since, new.since, new.at)
@@ -200,7 +214,7 @@ def _lengths(message: Message) -> tuple[object, ...]:
     return (places(message.fields), limits)
 
 
-NO_ANSWER = Answer((), "never", 0, 0, False, ())
+NO_ANSWER = Answer((AnswerCase(None, (), "never", 0, 0, 0, False, False, (), ()),))
 
 
 def _compare_answers(
@@ -223,6 +237,57 @@ def _compare_answers(
     changes.compare(level, f"{what}: safe to retry", before.retry_safe, now.retry_safe, new.at)
     times = (before.timeout_ms, now.timeout_ms)
     changes.compare(Level.COMPATIBLE, f"{what}: timeout_ms", times[0], times[1], new.at)
+    times = tuple(max(case.finish_ms for case in answer.cases) for answer in (before, now))
+    changes.compare(Level.COMPATIBLE, f"{what}: finish_ms", times[0], times[1], new.at)
+    conditions = [[_condition_words(case) for case in answer.cases] for answer in (before, now)]
+    changes.compare(Level.MEANING, f"{what}: answered when", *conditions, new.at)
+    if conditions[0] != conditions[1]:
+        return
+    for index, (first, second) in enumerate(zip(before.cases, now.cases)):
+        case = f"{what}: case {index + 1}" if len(now.cases) > 1 else what
+        kept = sorted(renamed.get(name, name) for name in first.messages)
+        if len(now.cases) > 1:
+            changes.compare(
+                Level.MEANING, f"{case}: answered by", kept, sorted(second.messages), new.at
+            )
+            pair = (first.confirm, second.confirm)
+            changes.compare(Level.MEANING, f"{case}: confirmed", pair[0], pair[1], new.at)
+        echoes = [sorted(c.echoes) for c in (first, second)]
+        changes.compare(Level.MEANING, f"{case}: repeats", echoes[0], echoes[1], new.at)
+        pair = (first.restarts, second.restarts)
+        changes.compare(Level.MEANING, f"{case}: restarts the board", pair[0], pair[1], new.at)
+        results = [c.result.field.spec_name if c.result else "" for c in (first, second)]
+        changes.compare(Level.MEANING, f"{case}: result", results[0], results[1], new.at)
+
+
+def _condition_words(case: AnswerCase) -> str:
+    """The condition of a case, for people; "else" if it has none."""
+    when = case.when
+    if when is None:
+        return "else"
+    word = "has" if when.flags else "is"
+    return f"{when.source} {word} {' '.join(v.name for v in when.flags or when.values)}"
+
+
+def _compare_roles(what: str, old: Message, new: Message, changes: Changes) -> None:
+    """Programs find messages by their roles."""
+    kinds = [m.role.kind if m.role else "" for m in (old, new)]
+    level = Level.COMPATIBLE if not kinds[0] else Level.MEANING
+    changes.compare(level, f"{what}: role", kinds[0], kinds[1], new.at)
+    if not (old.role and new.role and kinds[0] == kinds[1]):
+        return
+    parts = [{part: f.spec_name for part, f in m.parts.items()} for m in (old.role, new.role)]
+    for part in sorted({*parts[0], *parts[1]}):
+        pair = [names.get(part, "") for names in parts]
+        changes.compare(Level.MEANING, f"{what}: role: {part}", pair[0], pair[1], new.at)
+    for key in ("interval_us", "end", "cycle", "cycle_us"):
+        pair = [getattr(role, key) for role in (old.role, new.role)]
+        changes.compare(Level.MEANING, f"{what}: role: {key}", pair[0], pair[1], new.at)
+    messages = [set(role.messages) for role in (old.role, new.role)]
+    level = Level.MEANING if messages[0] - messages[1] else Level.COMPATIBLE
+    changes.compare(
+        level, f"{what}: role: messages", sorted(messages[0]), sorted(messages[1]), new.at
+    )
 
 
 # Adjustable variables

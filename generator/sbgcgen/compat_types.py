@@ -82,6 +82,9 @@ def compare_enum(old: Enum, new: Enum, changes: Changes) -> None:
     if old.name == new.name:
         changes.compare(Level.SOURCE, f"{what}: C++ member", old.member, new.member, new.at)
     compare_values(what, old, new, changes)
+    results = [e.success.name if e.success else "" for e in (old, new)]
+    level = Level.MEANING if results[0] else Level.COMPATIBLE
+    changes.compare(level, f"{what}: success", results[0], results[1], new.at)
     changes.compare(Level.COMPATIBLE, f"{what}: summary", old.summary, new.summary, new.at)
 
 
@@ -112,6 +115,8 @@ def _compare_value(label: str, old: EnumValue, new: EnumValue, changes: Changes)
     changes.compare(Level.SOURCE, f"{label}: C++ name", old.identifier, new.identifier, new.at)
     level = Level.WIRE if old.wire else Level.COMPATIBLE
     changes.compare(level, f"{label}: type it names", old.wire, new.wire, new.at)
+    level = Level.COMPATIBLE if old.number is None else Level.MEANING
+    changes.compare(level, f"{label}: number", old.number, new.number, new.at)
     changes.since(label, old.since, new.since, new.at)
     changes.compare(Level.COMPATIBLE, f"{label}: summary", old.summary, new.summary, new.at)
 

@@ -8,7 +8,9 @@ from typing import Any
 from sbgcgen.model import (
     Announced,
     Answer,
+    AnswerCase,
     Availability,
+    Condition,
     Context,
     Enum,
     Field,
@@ -17,6 +19,7 @@ from sbgcgen.model import (
     Message,
     Packed,
     Quantity,
+    Role,
 )
 
 
@@ -43,8 +46,7 @@ def _enum_name(field: Field) -> str | None:
     return field.type.name if isinstance(field.type, Enum) else None
 
 
-def _condition(field: Field) -> dict[str, Any] | None:
-    when = field.when
+def _condition(when: Condition | None) -> dict[str, Any] | None:
     if when is None:
         return None
     return {
@@ -94,7 +96,7 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
     if field.counter:
         result["counted_by"] = field.counter
     if field.when:
-        result["when"] = _condition(field)
+        result["when"] = _condition(field.when)
     if field.alternative:
         other = field.alternative
         result["alternative"] = {
@@ -118,6 +120,7 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
 
 
 def _answer(answer: Answer | None) -> dict[str, Any] | None:
+    """What holds of all cases, then the cases one by one."""
     if answer is None:
         return None
     return {
@@ -126,7 +129,55 @@ def _answer(answer: Answer | None) -> dict[str, Any] | None:
         "confirmations": answer.confirmations,
         "timeout_ms": answer.timeout_ms,
         "retry": "safe" if answer.retry_safe else "unsafe",
+        "certain": answer.is_certain,
+        "cases": [_case(case) for case in answer.cases],
     }
+
+
+def _case(case: AnswerCase) -> dict[str, Any]:
+    result: dict[str, Any] = {
+        "when": _condition(case.when),
+        "messages": list(case.messages),
+        "confirm": case.confirm,
+        "confirmations": case.confirmations,
+        "timeout_ms": case.timeout_ms,
+        "finish_ms": case.finish_ms or case.timeout_ms,
+        "retry": "safe" if case.retry_safe else "unsafe",
+        "restarts_board": case.restarts,
+        "echoes": [
+            {"field": echo.field.name, "message": reply.message, "offset": echo.offset}
+            for reply in case.replies
+            for echo in reply.echoes
+        ],
+        "errata": list(case.errata),
+    }
+    if case.confirmation:
+        echo = case.confirmation
+        result["confirmation_echoes"] = {"field": echo.field.name, "offset": echo.offset}
+    if case.result:
+        found = case.result
+        result["confirmation_result"] = {
+            "field": found.field.name,
+            "offset": found.offset,
+            "success": found.success.name,
+        }
+    return result
+
+
+def _role(role: Role | None) -> dict[str, Any] | None:
+    if role is None:
+        return None
+    result: dict[str, Any] = {"is": role.kind}
+    result.update({part: field.name for part, field in role.parts.items()})
+    if role.kind == "stream_request":
+        result.update(
+            messages=list(role.messages),
+            interval_us=role.interval_us,
+            end=role.end,
+            cycle=role.cycle,
+            cycle_us=role.cycle_us,
+        )
+    return result
 
 
 def _context(context: Context) -> dict[str, Any]:
@@ -160,6 +211,7 @@ def _message(message: Message) -> dict[str, Any]:
         "keeps_tail": message.keeps_tail,
         "same_as": message.same_as or None,
         "stores": message.stores or None,
+        "role": _role(message.role),
         "context": [_context(context) for context in message.contexts],
         "response": _answer(message.answer),
         "layout": [_leaf(leaf) for leaf in message.leaves],
@@ -175,6 +227,7 @@ def _enum(enum: Enum) -> dict[str, Any]:
         "summary": enum.summary,
         "source": enum.source,
         "errata": list(enum.errata),
+        "success": enum.success.name if enum.success else None,
         "values": [
             {
                 "name": value.name,
@@ -184,6 +237,7 @@ def _enum(enum: Enum) -> dict[str, Any]:
                 "summary": value.summary,
                 "since": _version(value.since),
                 "errata": list(value.errata),
+                "number": value.number,
             }
             for value in enum.values
         ],
@@ -221,6 +275,15 @@ def export(layout: Layout) -> dict[str, Any]:
             "header_size": layout.framing.header_size,
             "trailer_size": layout.framing.trailer_size,
             "max_body": layout.framing.max_body,
+        },
+        "line": {
+            "baud_rates": list(layout.line.baud_rates),
+            "named_baud_rates": list(layout.line.baud_rates[: layout.line.named]),
+            "parities": list(layout.line.parities),
+            "shortest_pause_ms": layout.line.shortest_pause_ms,
+            "longest_pause_ms": layout.line.longest_pause_ms,
+            "source": layout.line.source,
+            "errata": list(layout.line.errata),
         },
         "commands": [
             {

@@ -80,7 +80,8 @@ class Quantity:
 class EnumValue:
     """One named value; `name` is the protocol's own unless `ours`.
 
-    `wire` is the number on the wire that the value stands for, where it names a type.
+    `wire` is the number on the wire that the value stands for, where it names a type; `number` is
+    any other number that it stands for.
     """
 
     name: str
@@ -92,11 +93,15 @@ class EnumValue:
     since: Availability
     errata: tuple[str, ...]
     at: Position = field(default=_NOWHERE, compare=False, repr=False)
+    number: int | None = None
 
 
 @dataclass(frozen=True)
 class Enum:
-    """An enum, or (kind "flags") a set of bits whose values are masks."""
+    """An enum, or (kind "flags") a set of bits whose values are masks.
+
+    `success` is the value, of a result, that does not tell of a failure.
+    """
 
     name: str
     member: str
@@ -107,6 +112,7 @@ class Enum:
     errata: tuple[str, ...]
     values: tuple[EnumValue, ...]
     at: Position = field(default=_NOWHERE, compare=False, repr=False)
+    success: EnumValue | None = None
 
 
 @dataclass(frozen=True)
@@ -326,15 +332,130 @@ class Context:
 
 
 @dataclass(frozen=True)
-class Answer:
-    """What a request is answered with."""
+class Echo:
+    """A number of the request that stands again in what answers it, `offset` bytes from its start.
 
+    A special value of the request's `field` is not repeated.
+    """
+
+    field: Field
+    offset: int
+    size: int
+
+
+@dataclass(frozen=True)
+class Growth:
+    """`size` bytes that a body has if `when` holds for the value at `path` of the request.
+
+    `optional`: that value may be missing; then it does not hold.
+    """
+
+    path: str
+    optional: bool
+    when: Condition
+    size: int
+
+
+@dataclass(frozen=True)
+class Reply:
+    """One message of the board that answers a request, or that it makes the board send."""
+
+    message: str
+    id: int
+    is_error: bool
+    min_size: int
+    max_size: int
+    is_open: bool
+    echoes: tuple[Echo, ...] = ()
+    growth: tuple[Growth, ...] = ()
+
+
+@dataclass(frozen=True)
+class Result:
+    """The place in the data of a confirmation that tells whether the request has succeeded."""
+
+    field: Field
+    offset: int
+    size: int
+    success: EnumValue
+
+
+@dataclass(frozen=True)
+class AnswerCase:
+    """What a request is answered with, if `when` holds for it.
+
+    `echoes` are the fields that are repeated. `replies`, `confirmation` (what the data of a
+    confirmation repeat) and `result` follow from them and from the messages of the board.
+    """
+
+    when: Condition | None
     messages: tuple[str, ...]
     confirm: str
     confirmations: int
     timeout_ms: int
+    finish_ms: int
     retry_safe: bool
+    restarts: bool
+    echoes: tuple[str, ...]
     errata: tuple[str, ...]
+    replies: tuple[Reply, ...] = ()
+    confirmation: Echo | None = None
+    result: Result | None = None
+    at: Position = field(default=_NOWHERE, compare=False, repr=False)
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What a request is answered with: the first case that holds; the last one always does."""
+
+    cases: tuple[AnswerCase, ...]
+
+    @property
+    def messages(self) -> tuple[str, ...]:
+        """All messages that may answer."""
+        return tuple(dict.fromkeys(name for case in self.cases for name in case.messages))
+
+    @property
+    def confirm(self) -> str:
+        """What holds of all cases: "always", "never", or else "possible"."""
+        said = {case.confirm for case in self.cases}
+        return said.pop() if len(said) == 1 else "possible"
+
+    @property
+    def confirmations(self) -> int:
+        return max(case.confirmations for case in self.cases)
+
+    @property
+    def timeout_ms(self) -> int:
+        return max(case.timeout_ms for case in self.cases)
+
+    @property
+    def retry_safe(self) -> bool:
+        return all(case.retry_safe for case in self.cases)
+
+    @property
+    def is_certain(self) -> bool:
+        """Whether one of the messages comes in every case."""
+        return all(case.messages for case in self.cases)
+
+
+@dataclass(frozen=True)
+class Role:
+    """What a message is in the conversation (`kind`), and which of its fields tell what about it.
+
+    `streams` are the messages that a stream request makes the board send; its interval is in units
+    of `interval_us`, `end` ends the stream and `cycle` stands for `cycle_us`.
+    """
+
+    kind: str
+    parts: dict[str, Field]
+    messages: tuple[str, ...] = ()
+    streams: tuple[Reply, ...] = ()
+    interval_us: int = 0
+    end: int = 0
+    cycle: int | None = None
+    cycle_us: int = 0
+    at: Position = field(default=_NOWHERE, compare=False, repr=False)
 
 
 @dataclass(frozen=True)
@@ -368,6 +489,7 @@ class Message:
     max_size: int
     contexts: tuple[Context, ...]
     answer: Answer | None
+    role: Role | None
     stores: str
     leaves: tuple[Leaf, ...]
     at: Position = field(default=_NOWHERE, compare=False, repr=False)
@@ -444,6 +566,23 @@ class Framing:
 
 
 @dataclass(frozen=True)
+class Line:
+    """The serial line. Rates and parities stand with the most likely first.
+
+    `named` of the rates are those that the protocol names.
+    """
+
+    baud_rates: tuple[int, ...]
+    named: int
+    parities: tuple[str, ...]
+    shortest_pause_ms: int
+    longest_pause_ms: int
+    source: str
+    errata: tuple[str, ...]
+    at: Position = field(default=_NOWHERE, compare=False, repr=False)
+
+
+@dataclass(frozen=True)
 class Family:
     """A group of commands that get one header and one page."""
 
@@ -506,6 +645,7 @@ class Layout:
 
     protocol: dict[str, str]
     framing: Framing
+    line: Line
     families: tuple[Family, ...]
     quantities: tuple[Quantity, ...]
     enums: tuple[Enum, ...]
@@ -543,3 +683,7 @@ class Layout:
             for message in self.definitions
             if message.name in stored
         )
+
+    def having_role(self, kind: str) -> tuple[Message, ...]:
+        """The messages with a role; several are forms of one command."""
+        return tuple(m for m in self.messages if m.role and m.role.kind == kind)

@@ -25,7 +25,7 @@ CPP_WORDS = frozenset(
 )
 # Types of the runtime, beside which the generated ones stand, and a name that the templates use.
 CPP_TYPES = frozenset(
-    """AllMessages AlternativeUnit AnswerInfo Availability Axes BasicParser BoundedArray
+    """AllMessages AlternativeUnit AnswerForm AnswerOf Availability Axes BasicParser BoundedArray
     BoundedBytes BoundedText Bytes Candidate Code Context Contexts Conversion Counter Direction
     EnumInfo EnumMeta FieldInfo FieldPath Flags Form Frame Framing Json JsonError M Message
     MessageInfo Meta Number NumberType NumberTypes Optional PackedInfo PackedMeta Parser

@@ -10,7 +10,6 @@ from sbgcgen.load import Map, Spec
 from sbgcgen.model import (
     SCALARS,
     Announcement,
-    Answer,
     Command,
     Context,
     Erratum,
@@ -23,6 +22,7 @@ from sbgcgen.model import (
     Variable,
 )
 from sbgcgen.names import camel_case, snake_case
+from sbgcgen.resolve_answers import AnswerResolver
 from sbgcgen.resolve_fields import (
     FieldResolver,
     announceable_types,
@@ -62,6 +62,8 @@ class _Resolver:
         self.types.run()
         self.framing = self._framing()
         self.fields = FieldResolver(spec, self.types, found, self.framing.max_body)
+        self.answers = AnswerResolver(spec, self.types, self.fields, found)
+        self.line = self.answers.line(spec.main.get("line"))
         self.commands = [self._command(*entry) for entry in spec.entries("commands")]
         self.drafts: dict[tuple[str, str], _Draft] = {}
         self.done: dict[tuple[str, str], Message] = {}
@@ -75,6 +77,7 @@ class _Resolver:
         self._check_same_as()
         messages = self._settle_tails([self._message(draft) for draft in self.drafts.values()])
         messages = [self._settle_types(message) for message in messages]
+        messages = self.answers.settle(messages)
         for name in self.fields._nodes:
             self.fields.struct(name)
         families = []
@@ -87,6 +90,7 @@ class _Resolver:
         return Layout(
             protocol={k: str(v) for k, v in self.spec.main.get("protocol", {}).items()},
             framing=self.framing,
+            line=self.line,
             families=tuple(families),
             quantities=tuple(self.types.types.quantities.values()),
             enums=tuple(self.types.types.enums.values()),
@@ -286,7 +290,10 @@ class _Resolver:
             min_size=body.min_size,
             max_size=largest,
             contexts=contexts,
-            answer=self._answer(draft),
+            answer=self.answers.answer(draft.get("answer"), draft.name, body.fields, draft.at)
+            if draft.direction == "to_board"
+            else None,
+            role=self.answers.role(draft.get("role"), draft.direction, body.fields),
             stores=str(draft.get("stores", "")),
             leaves=tuple(leaves(body.fields)) if body.min_size <= limit else (),
             at=draft.at,
@@ -405,35 +412,6 @@ class _Resolver:
             message, _, field = str(entry).partition(".")
             sources.append((message, ".".join(snake_case(p) for p in field.split("."))))
         return Context(name, enum, summary, tuple(sources))
-
-    def _answer(self, draft: _Draft) -> Answer | None:
-        if draft.direction != "to_board":
-            return None
-        node = draft.get("answer")
-        defaults = self.spec.main.get("defaults", {})
-        timeout = int(defaults.get("answer_timeout_ms", 0))
-        if node is None:
-            hint = "say 'answer: none', or which message or confirmation answers it"
-            self.found.add(draft.at, "SBGC032", f"{draft.name} does not say what answers it", hint)
-        if not isinstance(node, Map):
-            return Answer((), "never", 0, timeout, False, ())
-        names = node.get("message", [])
-        names = names if isinstance(names, list) else [names]
-        known = {n for n, d in self.drafts if d == "from_board"}
-        for name in names:
-            if name not in known:
-                hint = did_you_mean(str(name), known) or "name a message under 'from_board'"
-                message = f"the board sends no message '{name}'"
-                self.found.add(node.at("message"), "SBGC021", message, hint)
-        confirm = str(node.get("confirm", "never"))
-        return Answer(
-            messages=tuple(str(n) for n in names),
-            confirm=confirm,
-            confirmations=int(node.get("confirmations", 0 if confirm == "never" else 1)),
-            timeout_ms=int(node.get("timeout_ms", timeout)),
-            retry_safe=node.get("retry", "unsafe") == "safe",
-            errata=self.types.errata(node),
-        )
 
 
 def _no_body(at: Position) -> Map:

@@ -244,7 +244,7 @@ class FieldResolver:
         if isinstance(type_, Blob) and size is None and type_.kind != "string":
             dim = "rest"
         whole = None if size is None or dim in ("counted", "rest") else size * count
-        when = self._condition(node, earlier, contexts, at)
+        when = self.condition(node, earlier, contexts)
         minimum, maximum, special = self._limits(node, type_, text)
         smallest = max(1, _min_size_of(type_))
         before = sum(f.size or 0 for f in earlier if not f.is_variable)
@@ -358,9 +358,10 @@ class FieldResolver:
             self.found.add(node.at("variable"), "SBGC026", message)
         return ""
 
-    def _condition(
-        self, node: Map, earlier: list[Field], contexts: tuple[Context, ...], at: Position
+    def condition(
+        self, node: Map, earlier: list[Field], contexts: tuple[Context, ...]
     ) -> Condition | None:
+        """The `when` of a node, about a context or one of the `earlier` fields."""
         when = node.get("when")
         if not isinstance(when, Map):
             return None

@@ -223,7 +223,16 @@ class TypeResolver:
             errata=self.errata(node),
             values=tuple(values),
             at=at,
+            success=self._success(name, node, values),
         )
+
+    def _success(self, name: str, node: Map, values: list[EnumValue]) -> EnumValue | None:
+        by_name = {value.name: value for value in values}
+        wanted = str(node.get("success", ""))
+        if wanted and wanted not in by_name:
+            hint = did_you_mean(wanted, by_name) or "name one of the values below"
+            self.found.add(node.at("success"), "SBGC026", f"{name} has no value '{wanted}'", hint)
+        return by_name.get(wanted)
 
     def _enum_value(self, key: str, content: Map, parent: Map) -> EnumValue:
         at = parent["values"].at(key)
@@ -239,6 +248,7 @@ class TypeResolver:
             since=self.availability(content),
             errata=self.errata(content),
             at=at,
+            number=content.get("number"),
         )
 
     def _check_values(self, name: str, kind: str, scalar: Scalar, values: list[EnumValue]) -> None:

@@ -60,19 +60,24 @@ def _check_command(name: str, command: Map, found: Diagnostics) -> None:
         if answer is not None and direction == "from_board":
             message = f"{name} of the board has an answer"
             found.add(node.at("answer"), "SBGC041", message, "'answer' belongs to 'to_board'")
-        if isinstance(answer, Map):
-            _check_answer(name, answer, found)
+        for case in answer if isinstance(answer, list) else [answer]:
+            if isinstance(case, Map):
+                _check_answer(name, case, found)
 
 
 def _check_answer(name: str, answer: Map, found: Diagnostics) -> None:
     never = answer.get("confirm", "never") == "never"
-    if never and not answer.get("message"):
+    if never and not answer.get("message") and "confirm" not in answer:
         hint = "name a 'message', say 'confirm: always', or write 'answer: none'"
         found.add(answer.position, "SBGC032", f"{name} does not say what answers it", hint)
     if "confirmations" in answer and never == (answer["confirmations"] > 0):
         message = f"'confirmations' of {name} does not go with 'confirm'"
         hint = "'never' has 0 of them, 'possible' and 'always' have some"
         found.add(answer.at("confirmations"), "SBGC041", message, hint)
+    if "finish_ms" in answer and answer.get("confirmations", 1) < 2:
+        hint = "for a single one, say 'timeout_ms'"
+        message = f"'finish_ms' of {name} is about the last of several confirmations"
+        found.add(answer.at("finish_ms"), "SBGC041", message, hint)
 
 
 # Fields

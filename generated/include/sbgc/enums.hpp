@@ -308,6 +308,18 @@ enum class SerialSpeed : std::uint8_t {
   baud_9600 = 4,
 };
 
+/// The number that a value stands for; 0 for unknown values.
+constexpr std::uint32_t number_of(SerialSpeed value) noexcept {
+  switch (value) {
+    case SerialSpeed::baud_115200: return 115200;
+    case SerialSpeed::baud_57600: return 57600;
+    case SerialSpeed::baud_38400: return 38400;
+    case SerialSpeed::baud_19200: return 19200;
+    case SerialSpeed::baud_9600: return 9600;
+  }
+  return 0;
+}
+
 /// What the RC_ROLL input pin receives.
 /// Source: Variables L1035.
 enum class RcVirtualMode : std::uint8_t {

@@ -1,7 +1,7 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// Constants of the framing.
-/// Source: Message format (L41-L61).
+/// Constants of the framing and of the line.
+/// Source: Message format (L41-L61); Message format (L35-L41); Variables L1031.
 #pragma once
 
 #include <cstddef>
@@ -20,5 +20,10 @@ inline constexpr std::size_t max_body_size = 255;
 /// Most bytes of a whole frame.
 inline constexpr std::size_t max_frame_size =
     frame_header_size + max_body_size + frame_trailer_size;
+
+/// Break behind a command in milliseconds, so that the board's input buffer does not overflow:
+/// behind a small request with a small answer, and behind the largest.
+inline constexpr std::uint32_t shortest_pause_ms = 10;
+inline constexpr std::uint32_t longest_pause_ms = 20;
 
 }  // namespace sbgc

@@ -8,6 +8,7 @@
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>
+#include <sbgc/type_list.hpp>
 
 namespace sbgc {
 
@@ -102,15 +103,6 @@ struct FieldInfo {
   const AlternativeUnit* alternative{};
 };
 
-/// What a request is answered with.
-struct AnswerInfo {
-  std::span<const char* const> messages{};  ///< names of the messages that answer
-  std::uint8_t confirmations{};             ///< how many CMD_CONFIRM come, if any
-  bool confirmation_is_certain{};
-  bool retry_is_safe{};
-  std::uint32_t timeout_ms{};
-};
-
 /// One body layout of a command.
 struct MessageInfo {
   const char* name = "";
@@ -121,7 +113,8 @@ struct MessageInfo {
   std::size_t min_size{};
   std::size_t max_size{};
   Availability since{};
-  AnswerInfo answer{};      ///< of messages to the board
+  /// Names of the messages that answer it; what else is known of that, exchange_of() knows.
+  std::span<const char* const> answers{};
   const char* stores = "";  ///< the message whose settings it writes, or ""
 };
 
@@ -184,21 +177,5 @@ constexpr void learn(const Optional<T>& from, T& to) noexcept {
 }
 
 }  // namespace detail
-
-/// A type handed over as a value.
-template <class T>
-struct Type {
-  using type = T;
-};
-
-/// A list of types.
-template <class... T>
-struct TypeList {
-  /// Calls `use(Type<T>{})` for each, in order.
-  template <class Use>
-  static constexpr void for_each(Use&& use) {
-    (use(Type<T>{}), ...);
-  }
-};
 
 }  // namespace sbgc

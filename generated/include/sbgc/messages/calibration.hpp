@@ -40,9 +40,8 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   put(to + 4, in.reserved);
 }
 
-/// Calibrate the accelerometer of the active IMU. Confirmed on reception and once more at the end.
-/// The actions that restart the board and a calibration over temperature may leave the second
-/// confirmation out or take much longer.
+/// Calibrate the accelerometer of the active IMU. Confirmed on reception and once more at the end;
+/// not at all if a parameter is wrong.
 ///
 /// CMD_CALIB_ACC (65), to the board, simple form; 0 bytes.
 /// Source: Outgoing commands L621-L640. Errata: E091, E102, E121.
@@ -72,8 +71,7 @@ struct CalibAcc {
 }
 
 /// Calibrate the accelerometer of an IMU, or manage its calibrations. Confirmed on reception and
-/// once more at the end. The actions that restart the board and a calibration over temperature may
-/// leave the second confirmation out or take much longer.
+/// once more at the end; not at all if a parameter is wrong.
 ///
 /// CMD_CALIB_ACC (65), to the board, extended form; 12 bytes.
 /// Source: Outgoing commands L621-L640. Errata: E091, E102, E121.
@@ -142,9 +140,8 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return true;
 }
 
-/// Calibrate the gyroscope of the active IMU. Confirmed on reception and once more at the end. The
-/// actions that restart the board and a calibration over temperature may leave the second
-/// confirmation out or take much longer.
+/// Calibrate the gyroscope of the active IMU. Confirmed on reception and once more at the end; not
+/// at all if a parameter is wrong.
 ///
 /// CMD_CALIB_GYRO (103), to the board, simple form; 0 bytes.
 /// Source: Outgoing commands L621-L640. Errata: E091, E102, E121.
@@ -174,8 +171,7 @@ struct CalibGyro {
 }
 
 /// Calibrate the gyroscope of an IMU, or manage its calibrations. Confirmed on reception and once
-/// more at the end. The actions that restart the board and a calibration over temperature may leave
-/// the second confirmation out or take much longer.
+/// more at the end; not at all if a parameter is wrong.
 ///
 /// CMD_CALIB_GYRO (103), to the board, extended form; 12 bytes.
 /// Source: Outgoing commands L621-L640. Errata: E091, E102, E121.

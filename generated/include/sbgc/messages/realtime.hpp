@@ -678,8 +678,7 @@ struct DataStreamInterval {
   static constexpr std::size_t max_size = 21;
   static constexpr Availability since{2590, 30};
 
-  /// Message to send: CMD_REALTIME_DATA_3, CMD_REALTIME_DATA_4, CMD_REALTIME_DATA_CUSTOM or
-  /// CMD_AHRS_HELPER. Errata: E089.
+  /// Message to send. Errata: E089.
   CommandId cmd_id{};
   /// Time between two samples. Unit: ms. 0: ends the stream. 1: a sample in every cycle, 0.8 ms.
   /// Errata: E072.

@@ -524,8 +524,7 @@ struct ResetRequest {
   return {0, {}};
 }
 
-/// Restart after a while, with notice if that is asked for. Answered only if CONFIRM has NOTIFY;
-/// without it nothing comes back.
+/// Restart after a while, with notice if that is asked for.
 ///
 /// CMD_RESET (114), to the board, extended form; 3 bytes.
 /// Source: Outgoing commands L670-L677. Errata: E083.
@@ -600,8 +599,7 @@ struct BootMode3 {
   return {0, {}};
 }
 
-/// Enter the bootloader after a while, with notice if that is asked for. Answered only if CONFIRM
-/// has NOTIFY, and then with CMD_RESET; without it nothing comes back.
+/// Enter the bootloader after a while, with notice if that is asked for.
 ///
 /// CMD_BOOT_MODE_3 (51), to the board, extended form; 3 bytes.
 /// Since board 3.0.

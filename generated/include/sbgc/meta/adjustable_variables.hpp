@@ -118,11 +118,7 @@ struct Meta<GetAdjVarsVal> {
       .min_size = 1,
       .max_size = 41,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
   static constexpr Range num_vars_range{1, 40};
   static constexpr FieldInfo fields[] = {
       {.name = "num_vars",
@@ -188,11 +184,7 @@ struct Meta<ReadAdjVarsCfgRequest> {
       .min_size = 0,
       .max_size = 0,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -260,11 +252,7 @@ struct Meta<AdjVarsStateRequest> {
       .min_size = 2,
       .max_size = 2,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
   static constexpr FieldInfo fields[] = {
       {.name = "trigger_slot",
        .spec_name = "TRIGGER_SLOT",
@@ -294,11 +282,7 @@ struct Meta<AdjVarsStateRequestExt> {
       .min_size = 7,
       .max_size = 7,
       .since = {2625, 0},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
   static constexpr FieldInfo fields[] = {
       {.name = "params",
        .spec_name = "PARAMS",
@@ -323,11 +307,6 @@ struct Meta<WriteAdjVarsCfg> : Meta<ReadAdjVarsCfg> {
       .min_size = 128,
       .max_size = 128,
       .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = true,
-                 .retry_is_safe = true,
-                 .timeout_ms = 2000},
       .stores = "ReadAdjVarsCfg"};
 };
 

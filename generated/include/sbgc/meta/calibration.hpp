@@ -38,12 +38,7 @@ struct Meta<CalibAcc> {
       .id = 65,
       .direction = Direction::to_board,
       .min_size = 0,
-      .max_size = 0,
-      .answer = {.messages = {},
-                 .confirmations = 2,
-                 .confirmation_is_certain = true,
-                 .retry_is_safe = false,
-                 .timeout_ms = 30000}};
+      .max_size = 0};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -60,12 +55,7 @@ struct Meta<CalibAccExt> {
       .id = 65,
       .direction = Direction::to_board,
       .min_size = 12,
-      .max_size = 12,
-      .answer = {.messages = {},
-                 .confirmations = 2,
-                 .confirmation_is_certain = true,
-                 .retry_is_safe = false,
-                 .timeout_ms = 30000}};
+      .max_size = 12};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_idx",
        .spec_name = "IMU_IDX",
@@ -97,12 +87,7 @@ struct Meta<CalibGyro> {
       .id = 103,
       .direction = Direction::to_board,
       .min_size = 0,
-      .max_size = 0,
-      .answer = {.messages = {},
-                 .confirmations = 2,
-                 .confirmation_is_certain = true,
-                 .retry_is_safe = false,
-                 .timeout_ms = 30000}};
+      .max_size = 0};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -119,12 +104,7 @@ struct Meta<CalibGyroExt> {
       .id = 103,
       .direction = Direction::to_board,
       .min_size = 12,
-      .max_size = 12,
-      .answer = {.messages = {},
-                 .confirmations = 2,
-                 .confirmation_is_certain = true,
-                 .retry_is_safe = false,
-                 .timeout_ms = 30000}};
+      .max_size = 12};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_idx",
        .spec_name = "IMU_IDX",
@@ -157,12 +137,7 @@ struct Meta<CalibMag> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .since = {0, 30}};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -179,12 +154,7 @@ struct Meta<CalibExtGain> {
       .id = 71,
       .direction = Direction::to_board,
       .min_size = 0,
-      .max_size = 0,
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = true,
-                 .retry_is_safe = false,
-                 .timeout_ms = 30000}};
+      .max_size = 0};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -201,12 +171,7 @@ struct Meta<CalibPoles> {
       .id = 80,
       .direction = Direction::to_board,
       .min_size = 0,
-      .max_size = 0,
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = true,
-                 .retry_is_safe = false,
-                 .timeout_ms = 30000}};
+      .max_size = 0};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -223,12 +188,7 @@ struct Meta<CalibOffset> {
       .id = 79,
       .direction = Direction::to_board,
       .min_size = 0,
-      .max_size = 0,
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .max_size = 0};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -245,12 +205,7 @@ struct Meta<CalibBat> {
       .id = 66,
       .direction = Direction::to_board,
       .min_size = 2,
-      .max_size = 2,
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .max_size = 2};
   static constexpr FieldInfo fields[] = {
       {.name = "actual_voltage",
        .spec_name = "ACTUAL_VOLTAGE",
@@ -384,11 +339,7 @@ struct Meta<CalibInfoRequest> {
       .min_size = 12,
       .max_size = 12,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type",
        .spec_name = "IMU_TYPE",
@@ -441,12 +392,7 @@ struct Meta<CalibMotorMagLinkRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .since = {0, 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -470,12 +416,7 @@ struct Meta<EncodersCalibOffset4> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .since = {0, 30}};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -493,12 +434,7 @@ struct Meta<EncodersCalibFldOffset4> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .since = {0, 30}};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -566,12 +502,7 @@ struct Meta<AutoPidRequest> {
       .direction = Direction::to_board,
       .min_size = 19,
       .max_size = 19,
-      .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .since = {0, 30}};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special cfg_flags_special[] = {
       {0, "stops the tuning"},

@@ -100,12 +100,7 @@ struct Meta<Control> {
       .id = 67,
       .direction = Direction::to_board,
       .min_size = 13,
-      .max_size = 13,
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .max_size = 13};
   static constexpr FieldInfo fields[] = {
       {.name = "control_mode",
        .spec_name = "CONTROL_MODE",
@@ -133,12 +128,7 @@ struct Meta<ControlExt> {
       .direction = Direction::to_board,
       .min_size = 15,
       .max_size = 15,
-      .since = {2555, 0},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .since = {2555, 0}};
   static constexpr FieldInfo fields[] = {
       {.name = "control_mode",
        .spec_name = "CONTROL_MODE_{AXIS}",
@@ -191,11 +181,7 @@ struct Meta<GetAnglesRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -240,11 +226,7 @@ struct Meta<GetAnglesExtRequest> {
       .min_size = 0,
       .max_size = 0,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -261,12 +243,7 @@ struct Meta<MotorsOn> {
       .id = 77,
       .direction = Direction::to_board,
       .min_size = 0,
-      .max_size = 0,
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = true,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .max_size = 0};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -283,12 +260,7 @@ struct Meta<MotorsOff> {
       .id = 109,
       .direction = Direction::to_board,
       .min_size = 0,
-      .max_size = 0,
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = true,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .max_size = 0};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -305,12 +277,7 @@ struct Meta<MotorsOffExt> {
       .id = 109,
       .direction = Direction::to_board,
       .min_size = 1,
-      .max_size = 1,
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = true,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .max_size = 1};
   static constexpr FieldInfo fields[] = {
       {.name = "mode",
        .spec_name = "MODE",
@@ -333,12 +300,7 @@ struct Meta<ExecuteMenu> {
       .id = 69,
       .direction = Direction::to_board,
       .min_size = 1,
-      .max_size = 1,
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .max_size = 1};
   static constexpr FieldInfo fields[] = {
       {.name = "cmd_id",
        .spec_name = "CMD_ID",
@@ -361,12 +323,7 @@ struct Meta<ExecuteMenuExt> {
       .id = 69,
       .direction = Direction::to_board,
       .min_size = 2,
-      .max_size = 2,
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .max_size = 2};
   static constexpr FieldInfo fields[] = {
       {.name = "cmd_id",
        .spec_name = "CMD_ID",
@@ -393,12 +350,7 @@ struct Meta<HelperData> {
       .id = 72,
       .direction = Direction::to_board,
       .min_size = 10,
-      .max_size = 10,
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .max_size = 10};
   static constexpr Range frame_angle_roll_range{-32768, 32767};
   static constexpr Special frame_angle_roll_special[] = {
       {0, "with FRAME_ANGLE_PITCH 0 too, not used"},
@@ -442,12 +394,7 @@ struct Meta<HelperDataExt> {
       .direction = Direction::to_board,
       .min_size = 20,
       .max_size = 20,
-      .since = {2590, 0},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .since = {2590, 0}};
   static constexpr Range frame_angle_roll_range{-32768, 32767};
   static constexpr Special frame_angle_roll_special[] = {
       {0, "with FRAME_ANGLE_PITCH 0 too, not used"},

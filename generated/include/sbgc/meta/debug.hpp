@@ -80,11 +80,7 @@ struct Meta<DebugVarsInfo3Request> {
       .min_size = 0,
       .max_size = 0,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -129,11 +125,7 @@ struct Meta<DebugVars3Request> {
       .min_size = 0,
       .max_size = 0,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>

@@ -19,12 +19,7 @@ struct Meta<SelectImu3> {
       .direction = Direction::to_board,
       .min_size = 1,
       .max_size = 1,
-      .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .since = {0, 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type",
        .spec_name = "IMU_TYPE",
@@ -48,12 +43,7 @@ struct Meta<SelectImu3Ext> {
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 12,
-      .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .since = {0, 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type",
        .spec_name = "IMU_TYPE",
@@ -121,11 +111,7 @@ struct Meta<AhrsHelperRequest> {
       .min_size = 1,
       .max_size = 1,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
   static constexpr FieldInfo fields[] = {
       {.name = "mode",
        .spec_name = "MODE",
@@ -151,11 +137,7 @@ struct Meta<AhrsHelperRequestExt> {
       .min_size = 25,
       .max_size = 26,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
   static constexpr Range z1_vector_range{-1, 1};
   static constexpr Range h1_vector_range{-1, 1};
   static constexpr FieldInfo fields[] = {
@@ -197,12 +179,7 @@ struct Meta<GyroCorrection> {
       .direction = Direction::to_board,
       .min_size = 9,
       .max_size = 9,
-      .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .since = {0, 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type",
        .spec_name = "IMU_TYPE",

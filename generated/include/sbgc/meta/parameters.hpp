@@ -484,11 +484,7 @@ struct Meta<ReadParams3Request> {
       .min_size = 1,
       .max_size = 1,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {255, "the active profile"},
@@ -520,11 +516,7 @@ struct Meta<ReadParams> {
       .direction = Direction::to_board,
       .min_size = 1,
       .max_size = 1,
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {255, "the active profile"},
@@ -742,11 +734,7 @@ struct Meta<ReadParamsExtRequest> {
       .min_size = 1,
       .max_size = 1,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {255, "the active profile"},
@@ -856,11 +844,7 @@ struct Meta<ReadParamsExt2Request> {
       .min_size = 1,
       .max_size = 1,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {255, "the active profile"},
@@ -918,11 +902,7 @@ struct Meta<ReadProfileNamesRequest> {
       .min_size = 0,
       .max_size = 0,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -940,12 +920,7 @@ struct Meta<SaveParams3> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 2000}};
+      .since = {0, 30}};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -962,12 +937,7 @@ struct Meta<UseDefaults> {
       .id = 70,
       .direction = Direction::to_board,
       .min_size = 1,
-      .max_size = 1,
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 5000}};
+      .max_size = 1};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {253, "erases the EEPROM"},
@@ -998,11 +968,6 @@ struct Meta<WriteParams3> : Meta<ReadParams3> {
       .min_size = 134,
       .max_size = 134,
       .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = true,
-                 .retry_is_safe = true,
-                 .timeout_ms = 2000},
       .stores = "ReadParams3"};
 };
 
@@ -1016,11 +981,6 @@ struct Meta<WriteParams> : Meta<ReadParams3> {
       .direction = Direction::to_board,
       .min_size = 134,
       .max_size = 134,
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = true,
-                 .retry_is_safe = true,
-                 .timeout_ms = 2000},
       .stores = "ReadParams3"};
 };
 
@@ -1035,11 +995,6 @@ struct Meta<WriteParamsExt> : Meta<ReadParamsExt> {
       .min_size = 104,
       .max_size = 104,
       .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = true,
-                 .retry_is_safe = true,
-                 .timeout_ms = 2000},
       .stores = "ReadParamsExt"};
 };
 
@@ -1054,11 +1009,6 @@ struct Meta<WriteParamsExt2> : Meta<ReadParamsExt2> {
       .min_size = 151,
       .max_size = 151,
       .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = true,
-                 .retry_is_safe = true,
-                 .timeout_ms = 2000},
       .stores = "ReadParamsExt2"};
 };
 
@@ -1073,11 +1023,6 @@ struct Meta<WriteProfileNames> : Meta<ReadProfileNames> {
       .min_size = 240,
       .max_size = 240,
       .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 2000},
       .stores = "ReadProfileNames"};
 };
 

@@ -19,12 +19,7 @@ struct Meta<BeepSound> {
       .direction = Direction::to_board,
       .min_size = 12,
       .max_size = 72,
-      .since = {2590, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .since = {2590, 30}};
   static constexpr Range note_length_range{1, 255};
   static constexpr Special note_length_special[] = {
       {0, "without meaning unless a custom melody is played"},
@@ -83,12 +78,7 @@ struct Meta<TriggerPin> {
       .id = 84,
       .direction = Direction::to_board,
       .min_size = 2,
-      .max_size = 2,
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .max_size = 2};
   static constexpr FieldInfo fields[] = {
       {.name = "pin_id",
        .spec_name = "PIN_ID",
@@ -116,12 +106,7 @@ struct Meta<ServoOut> {
       .direction = Direction::to_board,
       .min_size = 16,
       .max_size = 16,
-      .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .since = {0, 30}};
   static constexpr Range servo_time_range{-1, 20000};
   static constexpr Special servo_time_special[] = {
       {-1, "the pin is set free and floats"},
@@ -152,12 +137,7 @@ struct Meta<I2cWriteRegBuf> {
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 255,
-      .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = true,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .since = {0, 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "device_addr",
        .spec_name = "DEVICE_ADDR",
@@ -216,11 +196,7 @@ struct Meta<I2cReadRegBufRequest> {
       .min_size = 3,
       .max_size = 3,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .answers = answers};
   static constexpr Range data_len_range{1, 255};
   static constexpr FieldInfo fields[] = {
       {.name = "device_addr",
@@ -254,12 +230,7 @@ struct Meta<ApiVirtChControl> {
       .direction = Direction::to_board,
       .min_size = 64,
       .max_size = 64,
-      .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .since = {0, 30}};
   static constexpr Range val_ch_range{-500, 500};
   static constexpr Special val_ch_special[] = {
       {-10000, "undefined, as if the signal were lost"},

@@ -64,11 +64,7 @@ struct Meta<RealtimeData> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -215,11 +211,7 @@ struct Meta<RealtimeData3Request> {
       .min_size = 0,
       .max_size = 0,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -418,11 +410,7 @@ struct Meta<RealtimeData4Request> {
       .min_size = 0,
       .max_size = 0,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -523,11 +511,7 @@ struct Meta<RealtimeDataCustomRequest> {
       .min_size = 10,
       .max_size = 10,
       .since = {2590, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
   static constexpr FieldInfo fields[] = {
       {.name = "flags",
        .spec_name = "FLAGS",
@@ -556,12 +540,7 @@ struct Meta<DataStreamInterval> {
       .direction = Direction::to_board,
       .min_size = 21,
       .max_size = 21,
-      .since = {2590, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = true,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .since = {2590, 30}};
   static constexpr Special interval_ms_special[] = {
       {0, "ends the stream"},
       {1, "a sample in every cycle, 0.8 ms"},
@@ -569,7 +548,7 @@ struct Meta<DataStreamInterval> {
   static constexpr FieldInfo fields[] = {
       {.name = "cmd_id",
        .spec_name = "CMD_ID",
-       .summary = "Message to send: CMD_REALTIME_DATA_3, CMD_REALTIME_DATA_4, CMD_REALTIME_DATA_CUSTOM or CMD_AHRS_HELPER."},
+       .summary = "Message to send."},
       {.name = "interval_ms",
        .spec_name = "INTERVAL_MS",
        .summary = "Time between two samples.",

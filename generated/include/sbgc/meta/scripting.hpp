@@ -19,12 +19,7 @@ struct Meta<RunScript> {
       .direction = Direction::to_board,
       .min_size = 34,
       .max_size = 34,
-      .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .since = {0, 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "mode",
        .spec_name = "MODE",

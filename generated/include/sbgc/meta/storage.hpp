@@ -19,12 +19,7 @@ struct Meta<EepromWrite> {
       .direction = Direction::to_board,
       .min_size = 4,
       .max_size = 196,
-      .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = true,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .since = {0, 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "addr",
        .spec_name = "ADDR",
@@ -114,11 +109,7 @@ struct Meta<ReadFileRequest> {
       .min_size = 20,
       .max_size = 20,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
   static constexpr Range max_data_size_range{0, 251};
   static constexpr FieldInfo fields[] = {
       {.name = "file_id",
@@ -157,12 +148,7 @@ struct Meta<WriteFile> {
       .direction = Direction::to_board,
       .min_size = 6,
       .max_size = 255,
-      .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = true,
-                 .retry_is_safe = true,
-                 .timeout_ms = 2000}};
+      .since = {0, 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "file_id",
        .spec_name = "FILE_ID",
@@ -199,12 +185,7 @@ struct Meta<FsClearAll> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = true,
-                 .retry_is_safe = true,
-                 .timeout_ms = 2000}};
+      .since = {0, 30}};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -254,11 +235,7 @@ struct Meta<EepromReadRequest> {
       .min_size = 6,
       .max_size = 6,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
   static constexpr Range size_range{0, 192};
   static constexpr FieldInfo fields[] = {
       {.name = "addr",
@@ -317,11 +294,7 @@ struct Meta<ReadExternalDataRequest> {
       .min_size = 0,
       .max_size = 0,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -340,11 +313,6 @@ struct Meta<WriteExternalData> : Meta<ReadExternalData> {
       .min_size = 128,
       .max_size = 128,
       .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 2000},
       .stores = "ReadExternalData"};
 };
 

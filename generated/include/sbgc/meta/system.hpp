@@ -73,11 +73,7 @@ struct Meta<BoardInfoRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -96,11 +92,7 @@ struct Meta<BoardInfoRequestExt> {
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 255,
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
   static constexpr FieldInfo fields[] = {
       {.name = "cfg",
        .spec_name = "CFG",
@@ -274,11 +266,7 @@ struct Meta<BoardInfo3Request> {
       .min_size = 0,
       .max_size = 0,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = true,
-                 .timeout_ms = 500}};
+      .answers = answers};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -313,12 +301,7 @@ struct Meta<ResetRequest> {
       .id = 114,
       .direction = Direction::to_board,
       .min_size = 0,
-      .max_size = 0,
-      .answer = {.messages = {},
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .max_size = 0};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -337,11 +320,7 @@ struct Meta<ResetRequestExt> {
       .direction = Direction::to_board,
       .min_size = 3,
       .max_size = 3,
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .answers = answers};
   static constexpr FieldInfo fields[] = {
       {.name = "confirm",
        .spec_name = "CONFIRM",
@@ -369,12 +348,7 @@ struct Meta<BootMode3> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .since = {0, 30}};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -394,11 +368,7 @@ struct Meta<BootMode3Ext> {
       .min_size = 3,
       .max_size = 3,
       .since = {0, 30},
-      .answer = {.messages = answers,
-                 .confirmations = 0,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .answers = answers};
   static constexpr FieldInfo fields[] = {
       {.name = "confirm",
        .spec_name = "CONFIRM",
@@ -450,12 +420,7 @@ struct Meta<QueueParamsInfo3Request> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .since = {0, 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -503,12 +468,7 @@ struct Meta<SystemStateRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .since = {0, 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -556,12 +516,7 @@ struct Meta<MavlinkInfoRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .since = {0, 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -609,12 +564,7 @@ struct Meta<MavlinkDebugRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30},
-      .answer = {.messages = {},
-                 .confirmations = 1,
-                 .confirmation_is_certain = false,
-                 .retry_is_safe = false,
-                 .timeout_ms = 500}};
+      .since = {0, 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",

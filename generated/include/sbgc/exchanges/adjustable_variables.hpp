@@ -1,0 +1,111 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// adjustable_variables: what comes back for each request.
+#pragma once
+
+#include <cstdint>
+
+#include <sbgc/exchange.hpp>
+#include <sbgc/messages/adjustable_variables.hpp>
+
+namespace sbgc {
+
+struct AdjVarsState;
+struct ReadAdjVarsCfg;
+struct SetAdjVarsVal;
+
+template <>
+struct ExchangeTraits<SetAdjVarsVal> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+constexpr Exchange exchange_of(const SetAdjVarsVal&) noexcept {
+  return {.replies = {.command = 31,
+              .confirmed = Confirmed::always},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+template <>
+struct ExchangeTraits<GetAdjVarsVal> {
+  using Answer = SetAdjVarsVal;
+  static constexpr bool answer_is_certain = true;
+};
+constexpr Exchange exchange_of(const GetAdjVarsVal&) noexcept {
+  return {.replies = {.command = 64,
+              .answer_count = 1,
+              .answers = {{{.id = 31,
+               .min_size = 1,
+               .max_size = max_body_size,
+               .size = 201}}}},
+      .answer_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+template <>
+struct ExchangeTraits<ReadAdjVarsCfgRequest> {
+  using Answer = ReadAdjVarsCfg;
+  static constexpr bool answer_is_certain = true;
+};
+constexpr Exchange exchange_of(const ReadAdjVarsCfgRequest&) noexcept {
+  return {.replies = {.command = 43,
+              .answer_count = 1,
+              .answers = {{{.id = 43,
+               .min_size = 128,
+               .max_size = max_body_size,
+               .size = 128}}}},
+      .answer_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+template <>
+struct ExchangeTraits<WriteAdjVarsCfg> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+constexpr Exchange exchange_of(const WriteAdjVarsCfg&) noexcept {
+  return {.replies = {.command = 44,
+              .confirmed = Confirmed::always},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .timeout_ms = 2000};
+}
+
+template <>
+struct ExchangeTraits<AdjVarsStateRequest> {
+  using Answer = AdjVarsState;
+  static constexpr bool answer_is_certain = true;
+};
+constexpr Exchange exchange_of(const AdjVarsStateRequest&) noexcept {
+  return {.replies = {.command = 46,
+              .answer_count = 1,
+              .answers = {{{.id = 46,
+               .min_size = 15,
+               .max_size = max_body_size,
+               .size = 15}}}},
+      .answer_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+template <>
+struct ExchangeTraits<AdjVarsStateRequestExt> {
+  using Answer = AdjVarsState;
+  static constexpr bool answer_is_certain = true;
+};
+constexpr Exchange exchange_of(const AdjVarsStateRequestExt&) noexcept {
+  return {.replies = {.command = 46,
+              .answer_count = 1,
+              .answers = {{{.id = 46,
+               .min_size = 15,
+               .max_size = max_body_size,
+               .size = 15}}}},
+      .answer_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+}  // namespace sbgc

@@ -1,0 +1,94 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// imu: what comes back for each request.
+#pragma once
+
+#include <cstdint>
+
+#include <sbgc/exchange.hpp>
+#include <sbgc/messages/imu.hpp>
+
+namespace sbgc {
+
+struct AhrsHelper;
+
+template <>
+struct ExchangeTraits<SelectImu3> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+constexpr Exchange exchange_of(const SelectImu3&) noexcept {
+  return {.replies = {.command = 24,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+template <>
+struct ExchangeTraits<SelectImu3Ext> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+constexpr Exchange exchange_of(const SelectImu3Ext&) noexcept {
+  return {.replies = {.command = 24,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+template <>
+struct ExchangeTraits<AhrsHelperRequest> {
+  using Answer = AhrsHelper;
+  static constexpr bool answer_is_certain = true;
+};
+constexpr Exchange exchange_of(const AhrsHelperRequest&) noexcept {
+  return {.replies = {.command = 56,
+              .answer_count = 1,
+              .answers = {{{.id = 56,
+               .min_size = 24,
+               .max_size = max_body_size,
+               .size = 24}}}},
+      .answer_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+template <>
+struct ExchangeTraits<AhrsHelperRequestExt> {
+  using Answer = AhrsHelper;
+  static constexpr bool answer_is_certain = false;
+};
+constexpr Exchange exchange_of(const AhrsHelperRequestExt& request) noexcept {
+  if (request.mode.has(AhrsHelperModeBit::set)) {
+    return {.replies = {.command = 56,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+  }
+  return {.replies = {.command = 56,
+              .answer_count = 1,
+              .answers = {{{.id = 56,
+               .min_size = 24,
+               .max_size = max_body_size,
+               .size = 24}}}},
+      .answer_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+template <>
+struct ExchangeTraits<GyroCorrection> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+constexpr Exchange exchange_of(const GyroCorrection&) noexcept {
+  return {.replies = {.command = 75,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+}  // namespace sbgc

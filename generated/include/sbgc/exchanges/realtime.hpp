@@ -1,0 +1,152 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// realtime: what comes back for each request.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include <sbgc/exchange.hpp>
+#include <sbgc/messages/realtime.hpp>
+
+namespace sbgc {
+
+struct RealtimeData3;
+struct RealtimeData4;
+struct RealtimeDataCustom;
+
+/// The data stream that the request is about.
+constexpr StreamChange stream_change(const DataStreamInterval& request) noexcept {
+  StreamChange change;
+  change.command = static_cast<std::uint8_t>(request.cmd_id);
+  const std::uint32_t interval = request.interval_ms.raw();
+  change.interval_us = interval == 0     ? 0
+                       : interval == 1 ? 800
+                                       : interval * 1000;
+  std::uint8_t body[21]{};
+  if (encode(request, body)) {
+    for (std::size_t i = 0; i < 8; ++i) change.config[i] = body[3 + i];
+  }
+  switch (change.command) {
+    case 23: change.size = 63; break;
+    case 25: change.size = 124; break;
+    case 88: change.size = static_cast<std::uint8_t>(2 +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::imu_angles) ? 6 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::target_angles) ? 6 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::target_speed) ? 6 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::stator_rotor_angle) ? 6 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::gyro_data) ? 6 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::rc_data) ? 12 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::z1_h1_vectors) ? 12 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::z1_h1_vectors) ? 12 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::rc_channels) ? 36 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::acc_data) ? 6 : 0)); break;
+    case 56: change.size = 24; break;
+    default: change.size = max_body_size; break;
+  }
+  return change;
+}
+
+template <>
+struct ExchangeTraits<RealtimeData> {
+  using Answer = RealtimeData3;
+  static constexpr bool answer_is_certain = true;
+};
+constexpr Exchange exchange_of(const RealtimeData&) noexcept {
+  return {.replies = {.command = 68,
+              .answer_count = 1,
+              .answers = {{{.id = 23,
+               .min_size = 63,
+               .max_size = max_body_size,
+               .size = 63}}}},
+      .answer_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+template <>
+struct ExchangeTraits<RealtimeData3Request> {
+  using Answer = RealtimeData3;
+  static constexpr bool answer_is_certain = true;
+};
+constexpr Exchange exchange_of(const RealtimeData3Request&) noexcept {
+  return {.replies = {.command = 23,
+              .answer_count = 1,
+              .answers = {{{.id = 23,
+               .min_size = 63,
+               .max_size = max_body_size,
+               .size = 63}}}},
+      .answer_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+template <>
+struct ExchangeTraits<RealtimeData4Request> {
+  using Answer = RealtimeData4;
+  static constexpr bool answer_is_certain = true;
+};
+constexpr Exchange exchange_of(const RealtimeData4Request&) noexcept {
+  return {.replies = {.command = 25,
+              .answer_count = 1,
+              .answers = {{{.id = 25,
+               .min_size = 124,
+               .max_size = max_body_size,
+               .size = 124}}}},
+      .answer_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+template <>
+struct ExchangeTraits<RealtimeDataCustomRequest> {
+  using Answer = RealtimeDataCustom;
+  static constexpr bool answer_is_certain = true;
+};
+constexpr Exchange exchange_of(const RealtimeDataCustomRequest& request) noexcept {
+  return {.replies = {.command = 88,
+              .answer_count = 1,
+              .answers = {{{.id = 88,
+               .min_size = static_cast<std::uint8_t>(2 +
+              (request.flags.has(RealtimeDataCustomFlag::imu_angles) ? 6 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::target_angles) ? 6 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::target_speed) ? 6 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::stator_rotor_angle) ? 6 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::gyro_data) ? 6 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::rc_data) ? 12 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::z1_h1_vectors) ? 12 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::z1_h1_vectors) ? 12 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::rc_channels) ? 36 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::acc_data) ? 6 : 0)),
+               .max_size = max_body_size,
+               .size = static_cast<std::uint8_t>(2 +
+              (request.flags.has(RealtimeDataCustomFlag::imu_angles) ? 6 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::target_angles) ? 6 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::target_speed) ? 6 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::stator_rotor_angle) ? 6 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::gyro_data) ? 6 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::rc_data) ? 12 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::z1_h1_vectors) ? 12 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::z1_h1_vectors) ? 12 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::rc_channels) ? 36 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::acc_data) ? 6 : 0))}}}},
+      .answer_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+template <>
+struct ExchangeTraits<DataStreamInterval> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+constexpr Exchange exchange_of(const DataStreamInterval& request) noexcept {
+  return {.replies = {.command = 85,
+              .confirmed = Confirmed::always},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .timeout_ms = 500,
+      .stream = stream_change(request)};
+}
+
+}  // namespace sbgc

@@ -1,0 +1,25 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// scripting: what comes back for each request.
+#pragma once
+
+#include <cstdint>
+
+#include <sbgc/exchange.hpp>
+#include <sbgc/messages/scripting.hpp>
+
+namespace sbgc {
+
+template <>
+struct ExchangeTraits<RunScript> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+constexpr Exchange exchange_of(const RunScript&) noexcept {
+  return {.replies = {.command = 57,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+}  // namespace sbgc

@@ -1,0 +1,76 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// Messages by what they are in the conversation, whatever they are called.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <sbgc/frame.hpp>
+#include <sbgc/type_list.hpp>
+
+namespace sbgc {
+
+struct BoardInfo;
+struct Confirm;
+struct DataStreamInterval;
+struct Error;
+struct ErrorExt;
+struct Reset;
+struct BoardInfoRequest;
+
+namespace roles {
+
+/// Says that the board has carried out a command.
+using Confirmation = sbgc::Confirm;
+/// Says that it could not: one type, or a TypeList of forms.
+using BoardError = TypeList<sbgc::Error, sbgc::ErrorExt>;
+/// Says that the board is about to restart.
+using Reset = sbgc::Reset;
+/// Says what the board is.
+using Introduction = sbgc::BoardInfo;
+/// Asks for the introduction.
+using IntroductionRequest = sbgc::BoardInfoRequest;
+/// Starts, changes and ends a data stream.
+using StreamRequest = sbgc::DataStreamInterval;
+
+/// The largest documented body of a confirmation.
+inline constexpr std::size_t confirmation_size = 6;
+
+constexpr bool is_confirmation([[maybe_unused]] const Frame& frame) noexcept {
+  return frame.id == 67 && frame.body.size() >= 1;
+}
+
+/// The id of the command that a confirmation names. Precondition: is_confirmation(frame).
+constexpr std::uint8_t confirmed_command([[maybe_unused]] const Frame& frame) noexcept {
+  return frame.body[0];
+}
+
+constexpr bool is_error([[maybe_unused]] const Frame& frame) noexcept {
+  return (frame.id == 255 && frame.body.size() == 5) ||
+         (frame.id == 255 && frame.body.size() >= 6);
+}
+
+/// The id of the command that an error names, or 0. Precondition: is_error(frame).
+constexpr std::uint8_t failed_command([[maybe_unused]] const Frame& frame) noexcept {
+  if (frame.id == 255 && frame.body.size() >= 6) return frame.body[0];
+  return 0;
+}
+
+constexpr bool is_reset([[maybe_unused]] const Frame& frame) noexcept {
+  return frame.id == 114;
+}
+
+/// The id of the request, with an empty body, that asks for the introduction; 0 if there is none.
+inline constexpr std::uint8_t introduction_request_id = 86;
+
+/// The largest documented body of an introduction.
+inline constexpr std::size_t introduction_size = 18;
+
+constexpr bool is_introduction([[maybe_unused]] const Frame& frame) noexcept {
+  return frame.id == 86 && frame.body.size() >= 18;
+}
+
+}  // namespace roles
+
+}  // namespace sbgc

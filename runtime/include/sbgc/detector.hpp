@@ -1,0 +1,229 @@
+/// Finds the baud rate and parity of a board, without I/O: time and bytes are handed in, what to do
+/// next comes out.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <sbgc/frame.hpp>
+#include <sbgc/line.hpp>
+#include <sbgc/line_facts.hpp>
+#include <sbgc/parser.hpp>
+#include <sbgc/roles.hpp>
+#include <sbgc/time.hpp>
+
+namespace sbgc {
+
+/// How patient a search is.
+struct DetectorOptions {
+  std::uint8_t rounds = 3;  ///< visits of each line; each waits longer than the one before
+  std::uint8_t probes = 2;  ///< questions in each visit
+  /// Further questions where the board was heard, though it did not answer: it sends other
+  /// messages.
+  std::uint8_t more_probes = 3;
+  Duration settle = milliseconds(10);  ///< between setting a line and the first question
+  /// For the answer in the first round, beside the time on the line; n times as long in round n.
+  Duration patience = milliseconds(60);
+};
+
+/// What was tried on one line, and what came of it.
+struct Trial {
+  LineSettings line{};
+  std::uint16_t probes{};       ///< questions asked
+  std::uint32_t bytes{};        ///< heard
+  std::uint32_t good_frames{};  ///< among them; the introduction, too
+  std::uint32_t bad_frames{};   ///< that looked like a frame, but a checksum was wrong
+  bool is_refused{};            ///< the port can not be set so
+};
+
+/// What the owner of the line is to do, before it asks again.
+struct DetectorStep {
+  enum class Kind : std::uint8_t {
+    set_line,  ///< change to `line`, discard what was received before; or call refuse()
+    write,     ///< write `bytes`
+    wait,      ///< until `until`, unless bytes come
+    found,     ///< nothing: `line` is right, and introduction() is there
+    failed,    ///< nothing: there is no board, or it does not answer; see trials()
+  };
+  Kind kind{};
+  LineSettings line{};
+  std::span<const std::uint8_t> bytes{};
+  Instant until = Instant::never;
+};
+
+/// Asks for the introduction of a board at every baud rate and parity in use, the most likely
+/// first, until it answers.
+///
+/// Every line is visited once, quickly; then again, with more patience. A search in which not one
+/// byte was heard ends behind the second round. Garbage does no harm: it is counted.
+///
+/// No heap, no clock. A Detector takes about 1.6 KB.
+class Detector {
+ public:
+  /// The number of lines that are tried.
+  static constexpr std::size_t lines = baud_rates.size() * parities.size();
+
+  constexpr explicit Detector(const DetectorOptions& options = {}) noexcept : options_(options) {
+    // All rates that the protocol names come before the others, whatever the parity.
+    std::size_t next = 0;
+    for (const bool named : {true, false}) {
+      for (const Parity parity : parities) {
+        for (std::size_t i = 0; i < baud_rates.size(); ++i) {
+          if ((i < named_baud_rates) == named) trials_[next++].line = {baud_rates[i], parity};
+        }
+      }
+    }
+    if (lines == 0 || options_.rounds == 0) phase_ = Phase::failed;
+  }
+
+  /// What to do now.
+  DetectorStep next(Instant now) noexcept {
+    now_ = later(now_, now);
+    if (phase_ == Phase::set_line) {
+      phase_ = Phase::settle;
+      until_ = now_ + options_.settle;
+      probes_ = 0;
+      was_heard_ = false;
+      parser_.reset();
+      return step(DetectorStep::Kind::set_line);
+    }
+    if (phase_ == Phase::settle && until_ <= now_) return probe();
+    if (phase_ == Phase::listen && until_ <= now_) {
+      parser_.flush([this](const Frame& frame) { take(frame); });
+      count_bad_frames();
+      if (phase_ == Phase::listen) {
+        if (probes_ < options_.probes + (was_heard_ ? options_.more_probes : 0)) return probe();
+        leave_line();
+        return next(now);
+      }
+    }
+    switch (phase_) {
+      case Phase::found: return step(DetectorStep::Kind::found);
+      case Phase::failed: return {.kind = DetectorStep::Kind::failed};
+      default: {
+        DetectorStep result = step(DetectorStep::Kind::wait);
+        result.until = until_;
+        return result;
+      }
+    }
+  }
+
+  /// Takes bytes that have come over the line; next() knows what follows from them.
+  void feed(std::span<const std::uint8_t> bytes) noexcept {
+    if (phase_ == Phase::found || phase_ == Phase::failed || phase_ == Phase::set_line) return;
+    trial().bytes += static_cast<std::uint32_t>(bytes.size());
+    parser_.feed(bytes, [this](const Frame& frame) { take(frame); });
+    count_bad_frames();
+  }
+
+  /// Says that the line could not be set as the last step wanted it; it is not tried again.
+  void refuse() noexcept {
+    if (phase_ != Phase::settle) return;
+    trial().is_refused = true;
+    leave_line();
+  }
+
+  /// What the board has said about itself; id 0 before it is found. A view into this object.
+  Frame introduction() const noexcept {
+    if (phase_ != Phase::found) return {};
+    return {introduction_id_, {introduction_.data(), introduction_size_}, 0};
+  }
+
+  /// What was tried, in the order of trying.
+  std::span<const Trial, lines> trials() const noexcept { return trials_; }
+
+ private:
+  enum class Phase : std::uint8_t { set_line, settle, listen, found, failed };
+
+  static constexpr auto question = [] {
+    std::array<std::uint8_t, Framing::frame_size(0)> frame{};
+    static_cast<void>(write_frame(roles::introduction_request_id, {}, frame));
+    return frame;
+  }();
+
+  Trial& trial() noexcept { return trials_[current_]; }
+
+  DetectorStep step(DetectorStep::Kind kind) noexcept {
+    return {.kind = kind, .line = trial().line};
+  }
+
+  DetectorStep probe() noexcept {
+    phase_ = Phase::listen;
+    ++probes_;
+    ++trial().probes;
+    const std::size_t bytes = question.size() + Framing::frame_size(roles::introduction_size);
+    until_ = now_ + wire_time(trial().line, bytes) + options_.patience * (round_ + 1);
+    DetectorStep result = step(DetectorStep::Kind::write);
+    result.bytes = question;
+    return result;
+  }
+
+  void take(const Frame& frame) noexcept {
+    if (phase_ == Phase::found) return;
+    ++trial().good_frames;
+    was_heard_ = true;
+    if (!roles::is_introduction(frame)) return;
+    introduction_id_ = frame.id;
+    introduction_size_ = frame.body.size();
+    __builtin_memcpy(introduction_.data(), frame.body.data(), frame.body.size());
+    phase_ = Phase::found;
+  }
+
+  /// The parser counts since the line was set.
+  void count_bad_frames() noexcept {
+    const ParserCounters counters = parser_.counters();
+    const std::uint64_t bad = counters.header_errors + counters.body_errors;
+    trial().bad_frames += static_cast<std::uint32_t>(bad - bad_counted_);
+    bad_counted_ = bad;
+  }
+
+  void leave_line() noexcept {
+    phase_ = Phase::set_line;
+    bad_counted_ = 0;
+    do {
+      if (++current_ == lines) {
+        current_ = 0;
+        ++round_;
+        if (round_ >= options_.rounds || (round_ == 2 && is_silent()) || are_all_refused()) {
+          phase_ = Phase::failed;
+          return;
+        }
+      }
+    } while (trial().is_refused);
+  }
+
+  bool is_silent() const noexcept {
+    for (const Trial& trial : trials_) {
+      if (trial.bytes != 0) return false;
+    }
+    return true;
+  }
+
+  bool are_all_refused() const noexcept {
+    for (const Trial& trial : trials_) {
+      if (!trial.is_refused) return false;
+    }
+    return true;
+  }
+
+  DetectorOptions options_;
+  Parser parser_{};
+  Phase phase_{};
+  bool was_heard_{};  // since the line was set
+  std::uint8_t round_{};
+  std::uint8_t probes_{};  // since the line was set
+  std::size_t current_{};
+  Instant now_{};
+  Instant until_{};
+  std::uint64_t bad_counted_{};
+  std::array<Trial, lines> trials_{};
+  std::uint8_t introduction_id_{};
+  std::size_t introduction_size_{};
+  std::array<std::uint8_t, max_body_size> introduction_{};
+};
+
+static_assert(sizeof(Detector) <= 2048, "a detector must fit into a small microcontroller");
+
+}  // namespace sbgc

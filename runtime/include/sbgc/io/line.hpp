@@ -1,0 +1,44 @@
+/// The settings of a serial line.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <sbgc/io/error.hpp>
+
+namespace sbgc::io {
+
+/// The parity bit of each byte. There are always 8 data bits and 1 stop bit.
+enum class Parity : std::uint8_t { none, even };
+
+struct LineSettings {
+  std::uint32_t baud_rate = 115200;  ///< bits per second; any rate that the hardware can do
+  Parity parity = Parity::none;
+
+  bool operator==(const LineSettings&) const = default;
+};
+
+/// "115200 8N1".
+std::string to_string(const LineSettings& settings);
+
+/// Control over the line of a transport that has one. Calls do not block.
+class LineControl {
+ public:
+  LineControl() = default;
+  LineControl(const LineControl&) = delete;
+  LineControl& operator=(const LineControl&) = delete;
+  virtual ~LineControl() = default;
+
+  /// Changes the settings, reads them back and discards what has been received but not read.
+  /// Bytes that are still being sent may be garbled. Errc::line_refused if the port does something
+  /// else than was asked for; the settings are then those of current().
+  virtual Error set(const LineSettings& settings) = 0;
+
+  /// The settings that are in force, as last read from the device.
+  virtual LineSettings current() const = 0;
+
+  /// Discards what has been received but not read, and what was written but not sent.
+  virtual Error flush() = 0;
+};
+
+}  // namespace sbgc::io

@@ -1,0 +1,76 @@
+/// Addresses of gimbals as people write them.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include <asio/any_io_executor.hpp>
+
+#include <sbgc/io/error.hpp>
+#include <sbgc/io/line.hpp>
+#include <sbgc/io/replay.hpp>
+#include <sbgc/io/transport.hpp>
+
+namespace sbgc::io {
+
+/// "/dev/ttyUSB0", "serial:/dev/ttyUSB0?baud=57600&parity=even". A path without "serial:" has a
+/// '/'.
+struct SerialAddress {
+  std::string path;
+  LineSettings line{};
+  bool operator==(const SerialAddress&) const = default;
+};
+
+/// "tcp:gimbal.local:5000", "tcp:[fe80::1]:5000".
+struct TcpAddress {
+  std::string host;
+  std::uint16_t port{};
+  bool operator==(const TcpAddress&) const = default;
+};
+
+/// "udp:192.168.0.7:14550".
+struct UdpAddress {
+  std::string host;
+  std::uint16_t port{};
+  bool operator==(const UdpAddress&) const = default;
+};
+
+/// "pty:", a new pseudo-terminal that stays open; description() tells its path.
+struct PtyAddress {
+  bool operator==(const PtyAddress&) const = default;
+};
+
+/// "capture:flight.sbgc", "capture:flight.sbgc?timing=fast" (or timing=original).
+struct CaptureAddress {
+  std::string file;
+  ReplayTiming timing = ReplayTiming::original;
+  bool operator==(const CaptureAddress&) const = default;
+};
+
+using Address = std::variant<SerialAddress, TcpAddress, UdpAddress, PtyAddress, CaptureAddress>;
+
+struct AddressResult {
+  Address address{};
+  Error error{};
+
+  explicit operator bool() const noexcept { return !error; }
+};
+
+/// Errc::bad_address if it is malformed; the message says what is wrong and what is right.
+AddressResult parse_address(std::string_view text);
+
+struct OpenOptions {
+  /// For looking up names and connecting.
+  std::chrono::milliseconds timeout = std::chrono::seconds(5);
+};
+
+/// Opens what the address names. Blocks, no longer than options.timeout; never throws.
+OpenResult open(const asio::any_io_executor& executor, std::string_view address,
+                const OpenOptions& options = {});
+OpenResult open(const asio::any_io_executor& executor, const Address& address,
+                const OpenOptions& options = {});
+
+}  // namespace sbgc::io

@@ -1,0 +1,121 @@
+/// The data streams that a session has started, and what they take of the line.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include <sbgc/exchange.hpp>
+#include <sbgc/frame.hpp>
+#include <sbgc/session/event.hpp>
+
+namespace sbgc::detail {
+
+/// Bytes a second that a stream takes, frames included, rounded up; 0 for one that ends.
+constexpr std::uint32_t stream_load(const StreamChange& stream) noexcept {
+  if (stream.interval_us == 0) return 0;
+  const std::uint64_t bytes = Framing::frame_size(stream.size) * std::uint64_t{1'000'000};
+  const std::uint64_t load = (bytes + stream.interval_us - 1) / stream.interval_us;
+  constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
+  return static_cast<std::uint32_t>(load < most ? load : most);
+}
+
+/// The streams by command and config. A change counts from the moment it is asked for, with what it
+/// takes before or after, whichever is more, until settle() says whether it was made.
+template <std::size_t capacity>
+class Streams {
+ public:
+  /// Whether a change fits: ok, over_budget or too_many_streams. `limit` 0 is none.
+  constexpr SendStatus check(const StreamChange& change, std::uint32_t limit) const noexcept {
+    const std::uint32_t load = stream_load(change);
+    if (load == 0) return SendStatus::ok;
+    const std::size_t place = find(change);
+    if (place == capacity) return SendStatus::too_many_streams;
+    const std::uint32_t before = place < size_ ? streams_[place].taken() : 0;
+    // Less than before always fits.
+    if (limit != 0 && load > before && std::uint64_t{used()} - before + load > limit) {
+      return SendStatus::over_budget;
+    }
+    return SendStatus::ok;
+  }
+
+  /// Notes a change that check() allows and that has been asked for.
+  constexpr void ask(const StreamChange& change) noexcept {
+    const std::size_t place = find(change);
+    if (place == capacity) return;
+    Stream& stream = streams_[place];
+    if (place == size_) {
+      stream = {change.command, change.size, change.config};
+      ++size_;
+    }
+    const std::uint32_t load = stream_load(change);
+    if (stream.asked < load) stream.asked = load;
+    ++stream.changes;
+  }
+
+  /// Says whether the board has made a change that was asked for.
+  constexpr void settle(const StreamChange& change, bool done) noexcept {
+    const std::size_t place = find(change);
+    if (place == size_) return;
+    Stream& stream = streams_[place];
+    if (done) stream.load = stream_load(change);
+    if (--stream.changes != 0) return;
+    stream.asked = 0;
+    if (stream.load == 0) stream = streams_[--size_];
+  }
+
+  /// Whether a running stream, or one that is being started, consists of this message.
+  constexpr bool has(std::uint8_t command) const noexcept {
+    for (std::size_t i = 0; i < size_; ++i) {
+      if (streams_[i].command == command) return true;
+    }
+    return false;
+  }
+
+  /// Whether the frame has just the size of a stream's samples.
+  constexpr bool has_size_of_sample(const Frame& frame) const noexcept {
+    for (std::size_t i = 0; i < size_; ++i) {
+      if (streams_[i].command == frame.id && streams_[i].size == frame.body.size()) return true;
+    }
+    return false;
+  }
+
+  /// Bytes a second that all of them take.
+  constexpr std::uint32_t used() const noexcept {
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < size_; ++i) sum += streams_[i].taken();
+    constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
+    return static_cast<std::uint32_t>(sum < most ? sum : most);
+  }
+
+  /// The board has forgotten them.
+  constexpr void clear() noexcept { size_ = 0; }
+
+ private:
+  struct Stream {
+    std::uint8_t command{};
+    std::uint8_t size{};
+    std::array<std::uint8_t, max_stream_config> config{};
+    std::uint32_t load{};     // as the board has confirmed it
+    std::uint32_t asked{};    // the most of the changes that are not settled
+    std::uint32_t changes{};  // not settled
+
+    constexpr std::uint32_t taken() const noexcept { return load < asked ? asked : load; }
+  };
+
+  /// The place of the stream that a change is about, else the first free one.
+  constexpr std::size_t find(const StreamChange& change) const noexcept {
+    std::size_t i = 0;
+    while (i < size_ &&
+           (streams_[i].command != change.command || streams_[i].config != change.config)) {
+      ++i;
+    }
+    return i;
+  }
+
+  std::array<Stream, capacity> streams_{};
+  std::size_t size_{};
+};
+
+}  // namespace sbgc::detail

@@ -1,0 +1,79 @@
+/// Time as it is handed in: the library has no clock of its own. (<chrono> is not freestanding.)
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <limits>
+
+namespace sbgc {
+
+namespace detail {
+
+/// a + b, held at the ends of the type.
+constexpr std::int64_t add_saturating(std::int64_t a, std::int64_t b) noexcept {
+  std::int64_t sum = 0;
+  if (!__builtin_add_overflow(a, b, &sum)) return sum;
+  return b < 0 ? std::numeric_limits<std::int64_t>::min()
+               : std::numeric_limits<std::int64_t>::max();
+}
+
+/// a - b, held at the ends of the type.
+constexpr std::int64_t subtract_saturating(std::int64_t a, std::int64_t b) noexcept {
+  std::int64_t difference = 0;
+  if (!__builtin_sub_overflow(a, b, &difference)) return difference;
+  return b < 0 ? std::numeric_limits<std::int64_t>::max()
+               : std::numeric_limits<std::int64_t>::min();
+}
+
+}  // namespace detail
+
+/// A length of time in microseconds. Arithmetic stops at the ends of the type, it never wraps.
+struct Duration {
+  std::int64_t us{};
+
+  constexpr auto operator<=>(const Duration&) const = default;
+
+  friend constexpr Duration operator+(Duration a, Duration b) noexcept {
+    return {detail::add_saturating(a.us, b.us)};
+  }
+  friend constexpr Duration operator-(Duration a, Duration b) noexcept {
+    return {detail::subtract_saturating(a.us, b.us)};
+  }
+  friend constexpr Duration operator*(Duration a, std::int32_t n) noexcept {
+    std::int64_t product = 0;
+    if (!__builtin_mul_overflow(a.us, std::int64_t{n}, &product)) return {product};
+    return {(a.us < 0) == (n < 0) ? std::numeric_limits<std::int64_t>::max()
+                                  : std::numeric_limits<std::int64_t>::min()};
+  }
+};
+
+constexpr Duration microseconds(std::int64_t n) noexcept { return {n}; }
+constexpr Duration milliseconds(std::int64_t n) noexcept { return {n * 1000}; }
+constexpr Duration seconds(std::int64_t n) noexcept { return {n * 1'000'000}; }
+
+/// A moment: microseconds since an arbitrary beginning, the same for all calls of one object.
+struct Instant {
+  std::int64_t us{};
+
+  /// Later than any moment that can be reached.
+  static const Instant never;
+
+  constexpr auto operator<=>(const Instant&) const = default;
+
+  friend constexpr Instant operator+(Instant at, Duration by) noexcept {
+    return {detail::add_saturating(at.us, by.us)};
+  }
+  friend constexpr Instant operator-(Instant at, Duration by) noexcept {
+    return {detail::subtract_saturating(at.us, by.us)};
+  }
+  friend constexpr Duration operator-(Instant a, Instant b) noexcept {
+    return {detail::subtract_saturating(a.us, b.us)};
+  }
+};
+
+inline constexpr Instant Instant::never{std::numeric_limits<std::int64_t>::max()};
+
+constexpr Instant earlier(Instant a, Instant b) noexcept { return b < a ? b : a; }
+constexpr Instant later(Instant a, Instant b) noexcept { return a < b ? b : a; }
+
+}  // namespace sbgc

@@ -1,0 +1,255 @@
+// Capture files: the format to the byte, and what is left of a file that is cut or damaged
+// anywhere.
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <sbgc/io/capture.hpp>
+
+#include "capture_support.hpp"
+
+namespace sbgc::io::test {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+using Reason = CaptureDamage::Reason;
+
+/// Two sessions; `cut` is where the second begins, `ends` where items end.
+struct Example {
+  Bytes file;
+  Log log;
+  std::vector<std::size_t> ends;
+};
+
+Example example() {
+  Example result;
+  const TemporaryFile path;
+  const auto end_item = [&] { result.ends.push_back(path.content().size()); };
+  for (int session = 0; session < 2; ++session) {
+    CaptureWriter writer;
+    EXPECT_FALSE(writer.open(path.name(), begin));
+    end_item();
+    EXPECT_FALSE(writer.write(CaptureKind::to_board, Bytes{'>', 86, 0, 86, 0}, begin + 5us));
+    end_item();
+    EXPECT_FALSE(writer.write(CaptureKind::from_board, every_byte(), begin + 1234567us));
+    end_item();
+    EXPECT_FALSE(writer.write_note("line: 57600 8E1", begin + 2s));
+    end_item();
+  }
+  result.file = path.content();
+  result.log = log_of(result.file);
+  return result;
+}
+
+TEST(Capture, IsWrittenAsDocumented) {
+  const TemporaryFile path;
+  const auto before = std::chrono::system_clock::now();
+  CaptureWriter writer;
+  ASSERT_FALSE(writer.open(path.name(), begin));
+  writer.write(CaptureKind::from_board, Bytes{1, 2, 3}, begin + 258us);
+  const Bytes file = path.content();
+  ASSERT_THAT(file, SizeIs(24 + 16 + 3));
+  EXPECT_EQ(Bytes(file.begin(), file.begin() + 12),
+            (Bytes{0x89, 'S', 'B', 'G', 'C', 0x0D, 0x0A, 0x1A, 1, 0, 0, 0}));
+  const auto start = std::get<CaptureSession>(parse(file).at(0).item).start;
+  EXPECT_GE(start, std::chrono::floor<std::chrono::microseconds>(before));
+  EXPECT_LE(start, std::chrono::system_clock::now());
+  // The checksum was calculated by another program (Python's zlib).
+  EXPECT_EQ(Bytes(file.begin() + 24, file.end()),
+            (Bytes{0xA5, 1, 3, 0, 2, 1, 0, 0, 0, 0, 0, 0, 1, 2, 3, 0x01, 0x75, 0x80, 0x1F}));
+}
+
+TEST(Capture, IsReadBack) {
+  const Log log = example().log;
+  ASSERT_THAT(log, SizeIs(8));
+  EXPECT_EQ(log[0], "session");
+  EXPECT_EQ(log[1], "2 @5: " + text_of(Bytes{'>', 86, 0, 86, 0}));
+  EXPECT_EQ(log[2], "1 @1234567: " + text_of(every_byte()));
+  EXPECT_EQ(log[3], "3 @2000000: line: 57600 8E1");
+  EXPECT_EQ(log[4], "session");
+}
+
+TEST(Capture, ArrivesInAnyPieces) {
+  const Example whole = example();
+  for (const std::size_t size : {1U, 2U, 3U, 7U, 23U, 64U, 300U}) {
+    EXPECT_EQ(log_of(whole.file, size), whole.log) << size;
+  }
+}
+
+TEST(Capture, TornAnywhereKeepsEverythingBefore) {
+  const Example whole = example();
+  for (std::size_t size = 0; size < whole.file.size(); ++size) {
+    const Bytes torn(whole.file.begin(), whole.file.begin() + static_cast<std::ptrdiff_t>(size));
+    const auto good = static_cast<std::size_t>(
+        std::upper_bound(whole.ends.begin(), whole.ends.end(), size) - whole.ends.begin());
+    Log expected(whole.log.begin(), whole.log.begin() + static_cast<std::ptrdiff_t>(good));
+    const std::size_t end = good == 0 ? 0 : whole.ends[good - 1];
+    if (size != end) {
+      expected.push_back("torn: " + std::to_string(size - end) + " from " + std::to_string(end));
+    }
+    ASSERT_EQ(log_of(torn), expected) << size;
+  }
+}
+
+TEST(Capture, TornAnywhereAndContinued) {
+  const Example whole = example();
+  const std::size_t half = whole.ends[3];  // the end of the first session
+  for (std::size_t size = capture_magic_size; size < half; ++size) {
+    const TemporaryFile path;
+    path.write({whole.file.begin(), whole.file.begin() + static_cast<std::ptrdiff_t>(size)});
+    {
+      CaptureWriter writer;
+      ASSERT_FALSE(writer.open(path.name(), begin));
+      writer.write(CaptureKind::from_board, Bytes{42}, begin + 1us);
+    }
+    const auto good = static_cast<std::size_t>(
+        std::upper_bound(whole.ends.begin(), whole.ends.end(), size) - whole.ends.begin());
+    Log expected(whole.log.begin(), whole.log.begin() + static_cast<std::ptrdiff_t>(good));
+    const std::size_t end = good == 0 ? 0 : whole.ends[good - 1];
+    if (size != end) {
+      expected.push_back("damaged: " + std::to_string(size - end) + " from " + std::to_string(end));
+    }
+    expected.insert(expected.end(), {"session", "1 @1: *"});
+    ASSERT_EQ(log_of(path.content()), expected) << size;
+  }
+}
+
+TEST(Capture, OneWrongByteCostsNoMoreThanItsSession) {
+  const Example whole = example();
+  const std::size_t half = whole.ends[3];
+  for (std::size_t at = capture_magic_size; at < half; ++at) {
+    Bytes damaged = whole.file;
+    damaged[at] ^= 0x10;
+    const auto good = static_cast<std::size_t>(
+        std::upper_bound(whole.ends.begin(), whole.ends.end(), at) - whole.ends.begin());
+    Log expected(whole.log.begin(), whole.log.begin() + static_cast<std::ptrdiff_t>(good));
+    const std::size_t end = good == 0 ? 0 : whole.ends[good - 1];
+    expected.push_back("damaged: " + std::to_string(half - end) + " from " + std::to_string(end));
+    expected.insert(expected.end(), whole.log.begin() + 4, whole.log.end());
+    ASSERT_EQ(log_of(damaged), expected) << at;
+  }
+}
+
+TEST(Capture, LaterVersionsAreSkipped) {
+  Example whole = example();
+  const std::size_t size = whole.file.size();
+  // A header of version 2, and what may belong to it.
+  const Bytes later{0x89, 0x53, 0x42, 0x47, 0x43, 0x0D, 0x0A, 0x1A, 0x02,
+                    0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00,
+                    0x00, 0x00, 0x7E, 0xD1, 0xE5, 0xE8, 0x01, 0x02, 0x03};
+  whole.file.insert(whole.file.end(), later.begin(), later.end());
+  whole.log.push_back("newer version: " + std::to_string(later.size()) + " from " +
+                      std::to_string(size));
+  EXPECT_EQ(log_of(whole.file), whole.log);
+}
+
+TEST(Capture, ZerosAtTheEndAreDamage) {
+  // What some file systems leave of a file when the power fails.
+  Example whole = example();
+  const std::size_t size = whole.file.size();
+  whole.file.resize(size + 4096);
+  whole.log.push_back("damaged: 4096 from " + std::to_string(size));
+  EXPECT_EQ(log_of(whole.file), whole.log);
+}
+
+TEST(Capture, OtherFilesAreNone) {
+  EXPECT_THAT(log_of({}), IsEmpty());
+  EXPECT_EQ(log_of({'>', 86, 0, 86, 0}), Log{"not a capture: 5 from 0"});
+  Bytes behind = {0};
+  const Bytes file = example().file;
+  behind.insert(behind.end(), file.begin(), file.end());
+  EXPECT_EQ(log_of(behind), Log{"not a capture: " + std::to_string(behind.size()) + " from 0"});
+  EXPECT_FALSE(is_capture(Bytes{0x89, 'S', 'B'}));
+  EXPECT_FALSE(is_capture(behind));
+  EXPECT_TRUE(is_capture(file));
+}
+
+TEST(Capture, UnknownKindsAreHandedOn) {
+  const TemporaryFile path;
+  CaptureWriter writer;
+  writer.open(path.name(), begin);
+  writer.write(static_cast<CaptureKind>(77), Bytes{'a'}, begin);
+  EXPECT_EQ(log_of(path.content()), (Log{"session", "77 @0: a"}));
+}
+
+TEST(Capture, LongReadsBecomeSeveralRecords) {
+  const TemporaryFile path;
+  CaptureWriter writer;
+  writer.open(path.name(), begin);
+  const Bytes much = every_byte(600);
+  writer.write(CaptureKind::from_board, much, begin + 3us);
+  Bytes all;
+  for (const Parsed& parsed : parse(path.content()))
+    all.insert(all.end(), parsed.bytes.begin(), parsed.bytes.end());
+  EXPECT_EQ(all, much);
+  EXPECT_THAT(log_of(path.content()), SizeIs(1 + 3));
+}
+
+TEST(Capture, TimeNeverRunsBackwards) {
+  const TemporaryFile path;
+  CaptureWriter writer;
+  writer.open(path.name(), begin);
+  writer.write(CaptureKind::from_board, Bytes{'a'}, begin - 1h);
+  EXPECT_EQ(log_of(path.content()), (Log{"session", "1 @0: a"}));
+}
+
+TEST(CaptureWriter, LeavesOtherFilesAlone) {
+  const TemporaryFile path;
+  path.write({'n', 'o'});
+  CaptureWriter writer;
+  EXPECT_EQ(writer.open(path.name()).code, Errc::not_a_capture);
+  EXPECT_EQ(writer.write(CaptureKind::from_board, Bytes{1}, begin).code, Errc::not_a_capture);
+  EXPECT_EQ(path.content(), (Bytes{'n', 'o'}));
+}
+
+TEST(CaptureWriter, OneAtATime) {
+  const TemporaryFile path;
+  CaptureWriter first;
+  ASSERT_FALSE(first.open(path.name()));
+  CaptureWriter second;
+  EXPECT_EQ(second.open(path.name()).code, Errc::busy);
+  first = CaptureWriter();
+  EXPECT_FALSE(second.open(path.name()));
+}
+
+TEST(CaptureWriter, SaysWhyNot) {
+  CaptureWriter writer;
+  const Error error = writer.open("/nowhere/x.sbgc");
+  EXPECT_EQ(error.code, std::errc::no_such_file_or_directory);
+  EXPECT_THAT(error.message, HasSubstr("/nowhere/x.sbgc"));
+  EXPECT_TRUE(CaptureWriter().write(CaptureKind::note, {}, begin));
+}
+
+TEST(CaptureWriter, AFullDiskIsAnError) {
+  CaptureWriter writer;
+  EXPECT_EQ(writer.open("/dev/full").code, std::errc::no_space_on_device);
+}
+
+TEST(CaptureWriter, StopsAtTheFirstFailure) {
+  const TemporaryFile path;
+  CaptureWriter writer;
+  ASSERT_FALSE(writer.open(path.name(), begin));
+  writer.write(CaptureKind::from_board, Bytes{'a'}, begin);
+  {
+    const FileSizeLimit limit(path.content().size() + 10);  // within the next record
+    EXPECT_EQ(writer.write(CaptureKind::from_board, Bytes{'b'}, begin).code,
+              std::errc::file_too_large);
+  }
+  // There would be room again, but behind a torn record.
+  EXPECT_EQ(writer.write(CaptureKind::from_board, Bytes{'c'}, begin).code,
+            std::errc::file_too_large);
+  EXPECT_EQ(log_of(path.content()), (Log{"session", "1 @0: a", "torn: 10 from 41"}));
+}
+
+}  // namespace
+}  // namespace sbgc::io::test

@@ -1,0 +1,231 @@
+// TCP and UDP on the loopback interface, against plain Asio sockets.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <asio/error.hpp>
+#include <asio/io_context.hpp>
+#include <asio/ip/tcp.hpp>
+#include <asio/ip/udp.hpp>
+#include <asio/read.hpp>
+#include <asio/write.hpp>
+#include <gmock/gmock.h>
+#include <sys/socket.h>
+
+#include <sbgc/io/network.hpp>
+
+#include "support.hpp"
+
+namespace sbgc::io::test {
+namespace {
+
+using asio::ip::tcp;
+using asio::ip::udp;
+using testing::HasSubstr;
+
+const asio::ip::address_v4 here = asio::ip::address_v4::loopback();
+
+class Tcp : public testing::Test {
+ protected:
+  void connect(const std::string& host = "127.0.0.1") {
+    OpenResult result = open_tcp(context.get_executor(), host, acceptor.local_endpoint().port());
+    ASSERT_TRUE(result) << result.error.message;
+    port = std::move(result.transport);
+    board = acceptor.accept();
+  }
+
+  asio::io_context context;
+  tcp::acceptor acceptor{context, {here, 0}};
+  tcp::socket board{context};
+  std::unique_ptr<Transport> port;
+};
+
+TEST_F(Tcp, BytesArriveUnchangedBothWays) {
+  connect();
+  const Bytes bytes = every_byte(16);
+  EXPECT_EQ(write(context, *port, bytes).size, bytes.size());
+  Bytes got(bytes.size());
+  asio::read(board, asio::buffer(got));
+  EXPECT_EQ(got, bytes);
+  asio::write(board, asio::buffer(bytes));
+  EXPECT_EQ(read_all(context, *port, bytes.size()), bytes);
+  EXPECT_EQ(port->description(),
+            "TCP connection to 127.0.0.1:" + std::to_string(acceptor.local_endpoint().port()));
+  EXPECT_EQ(port->line(), nullptr);
+}
+
+TEST_F(Tcp, NamesAreLookedUp) {
+  connect("localhost");
+  asio::write(board, asio::buffer("x", 1));
+  EXPECT_EQ(read_all(context, *port, 1), Bytes{'x'});
+}
+
+TEST_F(Tcp, OtherSideClosesDuringRead) {
+  connect();
+  Operation reading;
+  Bytes into(8);
+  port->async_read(into, reading.handler());
+  context.poll();
+  EXPECT_FALSE(reading.outcome);
+  board.close();
+  EXPECT_EQ(finish(context, reading).error, Errc::end_of_stream);
+}
+
+TEST_F(Tcp, OtherSideResetsDuringReadAndWrite) {
+  connect();
+  Operation reading;
+  Operation writing;
+  Bytes into(8);
+  const Bytes much(64 << 20);
+  port->async_read(into, reading.handler());
+  port->async_write(much, writing.handler());
+  context.poll();
+  EXPECT_FALSE(writing.outcome) << "nobody reads: it has to wait";
+  board.set_option(asio::socket_base::linger(true, 0));
+  board.close();
+  EXPECT_EQ(finish(context, reading).error, Errc::end_of_stream);
+  EXPECT_EQ(finish(context, writing).error, Errc::end_of_stream);
+}
+
+TEST_F(Tcp, CloseDuringReadAndWrite) {
+  connect();
+  Operation reading;
+  Operation writing;
+  Bytes into(8);
+  const Bytes much(64 << 20);
+  port->async_read(into, reading.handler());
+  port->async_write(much, writing.handler());
+  context.poll();
+  port->close();
+  EXPECT_EQ(finish(context, reading).error, asio::error::operation_aborted);
+  EXPECT_EQ(finish(context, writing).error, asio::error::operation_aborted);
+  EXPECT_EQ(read(context, *port, into).error, asio::error::operation_aborted);
+}
+
+TEST_F(Tcp, RefusedIsSaid) {
+  const std::uint16_t free = acceptor.local_endpoint().port();
+  acceptor.close();
+  const OpenResult result = open_tcp(context.get_executor(), "127.0.0.1", free);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error.code, Errc::refused);
+  EXPECT_THAT(result.error.message, HasSubstr("127.0.0.1:" + std::to_string(free) + " refused"));
+}
+
+TEST_F(Tcp, SilentHostIsGivenUpInTime) {
+  // A listener whose queue is full lets further connections wait.
+  tcp::acceptor busy(context);
+  busy.open(tcp::v4());
+  busy.bind({here, 0});
+  busy.listen(0);
+  std::vector<tcp::socket> waiting;
+  for (int i = 0; i < 8; ++i) {
+    tcp::socket& socket = waiting.emplace_back(context);
+    socket.open(tcp::v4());
+    socket.non_blocking(true);
+    const tcp::endpoint place = busy.local_endpoint();
+    ::connect(socket.native_handle(), place.data(), static_cast<socklen_t>(place.size()));
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  const OpenResult result = open_tcp(context.get_executor(), "127.0.0.1",
+                                     busy.local_endpoint().port(), std::chrono::milliseconds(50));
+  const auto elapsed = std::chrono::steady_clock::now() - begin;
+  EXPECT_EQ(result.error.code, Errc::timed_out) << result.error.message;
+  EXPECT_GE(elapsed, std::chrono::milliseconds(50));
+  EXPECT_LT(elapsed, patience / 2);
+}
+
+TEST_F(Tcp, UnknownHostIsSaid) {
+  // By its standard "invalid" is in no name service, and no host may have such a name.
+  const OpenResult result = open_tcp(context.get_executor(), "gimbal..invalid", 1);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error.code, Errc::host_not_found) << result.error.message;
+  EXPECT_THAT(result.error.message, HasSubstr("gimbal..invalid"));
+}
+
+class Udp : public testing::Test {
+ protected:
+  void connect() {
+    OpenResult result =
+        open_udp(context.get_executor(), "127.0.0.1", board.local_endpoint().port());
+    ASSERT_TRUE(result) << result.error.message;
+    port = std::move(result.transport);
+    // The board learns where the host is from its first datagram.
+    write(context, *port, Bytes{'?'});
+    Bytes got(8);
+    EXPECT_EQ(board.receive_from(asio::buffer(got), host), 1U);
+  }
+
+  void send(const Bytes& bytes) { board.send_to(asio::buffer(bytes), host); }
+
+  asio::io_context context;
+  udp::socket board{context, {here, 0}};
+  udp::endpoint host;
+  std::unique_ptr<Transport> port;
+};
+
+TEST_F(Udp, DatagramsAreAStream) {
+  connect();
+  send({1, 2, 3});
+  send({});
+  send({4, 5});
+  Bytes into(2);
+  EXPECT_EQ(read(context, *port, into).size, 2U);
+  EXPECT_EQ(into, (Bytes{1, 2}));
+  EXPECT_EQ(read(context, *port, into).size, 1U);
+  EXPECT_EQ(into[0], 3);
+  EXPECT_EQ(read(context, *port, into).size, 2U);
+  EXPECT_EQ(into, (Bytes{4, 5}));
+}
+
+TEST_F(Udp, LargeDatagramsArriveWhole) {
+  connect();
+  const Bytes bytes = every_byte(200);
+  send(bytes);
+  EXPECT_EQ(read_all(context, *port, bytes.size()), bytes);
+}
+
+TEST_F(Udp, LongWritesBecomeSeveralDatagrams) {
+  connect();
+  const Bytes bytes = every_byte(10);
+  EXPECT_EQ(write(context, *port, bytes).size, bytes.size());
+  Bytes all;
+  while (all.size() < bytes.size()) {
+    Bytes got(65536);
+    got.resize(board.receive(asio::buffer(got)));
+    EXPECT_LE(got.size(), 1200U);
+    all.insert(all.end(), got.begin(), got.end());
+  }
+  EXPECT_EQ(all, bytes);
+}
+
+TEST_F(Udp, StrangersAreNotHeard) {
+  connect();
+  udp::socket stranger(context, {here, 0});
+  stranger.send_to(asio::buffer("x", 1), host);
+  send({7});
+  EXPECT_EQ(read_all(context, *port, 1), Bytes{7});
+}
+
+TEST_F(Udp, NobodyThereIsSaid) {
+  connect();
+  board.close();
+  Operation reading;
+  Bytes into(8);
+  port->async_read(into, reading.handler());
+  write(context, *port, Bytes{1});
+  EXPECT_EQ(finish(context, reading).error, Errc::refused);
+}
+
+TEST_F(Udp, CloseDuringRead) {
+  connect();
+  Operation reading;
+  Bytes into(8);
+  port->async_read(into, reading.handler());
+  context.poll();
+  port.reset();
+  EXPECT_EQ(finish(context, reading).error, asio::error::operation_aborted);
+}
+
+}  // namespace
+}  // namespace sbgc::io::test

@@ -1,0 +1,116 @@
+// Address strings: what they mean, and what is said about malformed ones.
+
+#include <string>
+
+#include <asio/io_context.hpp>
+#include <gmock/gmock.h>
+
+#include <sbgc/io/open.hpp>
+
+#include "support.hpp"
+
+namespace sbgc::io::test {
+namespace {
+
+using testing::HasSubstr;
+
+Address parsed(std::string_view text) {
+  const AddressResult result = parse_address(text);
+  EXPECT_TRUE(result) << result.error.message;
+  return result.address;
+}
+
+std::string complaint(std::string_view text) {
+  const AddressResult result = parse_address(text);
+  EXPECT_EQ(result.error.code, Errc::bad_address) << text;
+  const std::string begin = "The address '" + std::string(text) + "' is malformed: ";
+  EXPECT_EQ(result.error.message.substr(0, begin.size()), begin);
+  return result.error.message.substr(std::min(begin.size(), result.error.message.size()));
+}
+
+TEST(Address, Serial) {
+  EXPECT_EQ(parsed("/dev/ttyUSB0"), Address(SerialAddress{"/dev/ttyUSB0"}));
+  EXPECT_EQ(parsed("./link"), Address(SerialAddress{"./link"}));
+  EXPECT_EQ(parsed("serial:link"), Address(SerialAddress{"link"}));
+  EXPECT_EQ(parsed("/dev/serial/by-id/usb-Silicon_Labs_CP2102:1.0-port0"),
+            Address(SerialAddress{"/dev/serial/by-id/usb-Silicon_Labs_CP2102:1.0-port0"}));
+  EXPECT_EQ(parsed("serial:/dev/ttyUSB0?baud=57600&parity=even"),
+            Address(SerialAddress{"/dev/ttyUSB0", {57600, Parity::even}}));
+  EXPECT_EQ(parsed("/dev/ttyS1?parity=none"), Address(SerialAddress{"/dev/ttyS1"}));
+}
+
+TEST(Address, Network) {
+  EXPECT_EQ(parsed("tcp:gimbal.local:5000"), Address(TcpAddress{"gimbal.local", 5000}));
+  EXPECT_EQ(parsed("tcp:[fe80::1%eth0]:65535"), Address(TcpAddress{"fe80::1%eth0", 65535}));
+  EXPECT_EQ(parsed("udp:10.0.0.1:1"), Address(UdpAddress{"10.0.0.1", 1}));
+}
+
+TEST(Address, Others) {
+  EXPECT_EQ(parsed("pty:"), Address(PtyAddress{}));
+  EXPECT_EQ(parsed("capture:a.sbgc"), Address(CaptureAddress{"a.sbgc"}));
+  EXPECT_EQ(parsed("capture:a?b.sbgc?timing=fast"),
+            Address(CaptureAddress{"a?b.sbgc", ReplayTiming::fast}));
+  EXPECT_EQ(parsed("capture:/x:y?timing=original"), Address(CaptureAddress{"/x:y"}));
+}
+
+TEST(Address, MalformedOnesAreExplained) {
+  EXPECT_EQ(complaint(""), "it is empty.");
+  EXPECT_EQ(complaint("ttyUSB0"), "a port is written with its path, such as /dev/ttyUSB0.");
+  EXPECT_EQ(complaint("tpc:host:1"),
+            "there is no kind 'tpc'; kinds are serial, tcp, udp, pty and capture.");
+  EXPECT_EQ(complaint("serial:"), "the path is missing.");
+  EXPECT_EQ(complaint("serial:?baud=1"), "the path is missing.");
+  EXPECT_EQ(complaint("/dev/x?baud=fast"), "'fast' is no baud rate.");
+  EXPECT_EQ(complaint("/dev/x?baud=0"), "'0' is no baud rate.");
+  EXPECT_EQ(complaint("/dev/x?baud=-1"), "'-1' is no baud rate.");
+  EXPECT_EQ(complaint("/dev/x?baud=4294967296"), "'4294967296' is no baud rate.");
+  EXPECT_EQ(complaint("/dev/x?baud=9600 "), "'9600 ' is no baud rate.");
+  EXPECT_EQ(complaint("/dev/x?parity=odd"), "'odd' is no parity; parities are none and even.");
+  EXPECT_EQ(complaint("/dev/x?speed=9600"),
+            "there is no option 'speed'; options are baud=NUMBER and parity=none|even.");
+  EXPECT_EQ(complaint("/dev/x?"), "'' is no option; options are baud=NUMBER and parity=none|even.");
+  EXPECT_EQ(complaint("/dev/x?baud=9600&baud=9600"), "'baud' is given twice.");
+  EXPECT_EQ(complaint("tcp:host"), "the port is missing; write HOST:PORT.");
+  EXPECT_EQ(complaint("tcp:[::1]"), "the port is missing; write HOST:PORT.");
+  EXPECT_EQ(complaint("tcp::5000"), "the host is missing; write HOST:PORT.");
+  EXPECT_EQ(complaint("tcp:[::1:5000"), "the ']' behind the IPv6 address is missing.");
+  EXPECT_EQ(complaint("udp:fe80::1:5000"),
+            "an IPv6 address stands in brackets; write [ADDRESS]:PORT.");
+  EXPECT_EQ(complaint("tcp://host:1"), "there are no slashes in front of the host.");
+  for (const std::string port : {"", "0", "65536", "http", "1x", "+1"}) {
+    EXPECT_EQ(complaint("tcp:host:" + port), "'" + port + "' is no port; ports are 1 to 65535.");
+  }
+  EXPECT_EQ(complaint("pty:/dev/pts/1"), "nothing may stand behind 'pty:'.");
+  EXPECT_EQ(complaint("capture:x?timing=slow"),
+            "'slow' is no timing; timings are original and fast.");
+}
+
+TEST(Open, ReportsWhatTheAddressHasWrong) {
+  asio::io_context context;
+  const OpenResult result = open(context.get_executor(), "tcp:host");
+  EXPECT_FALSE(result);
+  EXPECT_EQ(result.error.code, Errc::bad_address);
+}
+
+TEST(Open, PassesTheSettingsOn) {
+  asio::io_context context;
+  const OpenResult board = open(context.get_executor(), "pty:");
+  ASSERT_TRUE(board);
+  const std::string description = board.transport->description();
+  const std::string path = description.substr(description.find('/'));
+  const OpenResult port = open(context.get_executor(), path + "?baud=38400");
+  ASSERT_TRUE(port) << port.error.message;
+  EXPECT_EQ(port.transport->line()->current(), LineSettings{38400});
+  write(context, *port.transport, Bytes{1, 2});
+  EXPECT_EQ(read_all(context, *board.transport, 2), (Bytes{1, 2}));
+}
+
+TEST(Open, NoSuchCapture) {
+  asio::io_context context;
+  const OpenResult result = open(context.get_executor(), "capture:/nowhere/x.sbgc");
+  EXPECT_EQ(result.error.code, Errc::no_such_port);
+  EXPECT_THAT(result.error.message, HasSubstr("/nowhere/x.sbgc"));
+}
+
+}  // namespace
+}  // namespace sbgc::io::test

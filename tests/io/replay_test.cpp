@@ -1,0 +1,170 @@
+// Replay of captures: what comes, in which pieces, and when.
+
+#include <chrono>
+#include <string>
+
+#include <asio/error.hpp>
+#include <asio/io_context.hpp>
+#include <gmock/gmock.h>
+
+#include <sbgc/io/replay.hpp>
+
+#include "capture_support.hpp"
+
+namespace sbgc::io::test {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::ElementsAre;
+using SteadyClock = std::chrono::steady_clock;
+
+class Replay : public testing::Test {
+ protected:
+  /// Adds a session to the file.
+  void session(const std::vector<std::pair<CaptureTime, std::string>>& said) {
+    CaptureWriter writer;
+    ASSERT_FALSE(writer.open(file.name(), begin));
+    for (const auto& [time, text] : said) {
+      writer.write(CaptureKind::to_board, Bytes{'?'}, begin + time);
+      writer.write(CaptureKind::from_board, Bytes(text.begin(), text.end()), begin + time);
+      writer.write_note("said", begin + time);
+    }
+  }
+
+  void open(ReplayTiming timing) {
+    OpenResult result = open_replay(context.get_executor(), file.name(), timing);
+    ASSERT_TRUE(result) << result.error.message;
+    port = std::move(result.transport);
+  }
+
+  /// Reads to the end; one text for each read.
+  std::vector<std::string> all(std::size_t size = 4096) {
+    std::vector<std::string> result;
+    for (;;) {
+      Bytes into(size);
+      const Outcome outcome = read(context, *port, into);
+      if (outcome.error) {
+        EXPECT_EQ(outcome.error, Errc::end_of_stream);
+        return result;
+      }
+      into.resize(outcome.size);
+      result.push_back(text_of(into));
+    }
+  }
+
+  asio::io_context context;
+  TemporaryFile file;
+  std::unique_ptr<Transport> port;
+};
+
+TEST_F(Replay, DeliversTheBoardsBytesInTheirPieces) {
+  session({{0s, "ab"}, {1h, "c"}, {2h, ""}, {3h, "def"}});
+  open(ReplayTiming::fast);
+  EXPECT_THAT(all(), ElementsAre("ab", "c", "def"));
+  EXPECT_EQ(port->description(), "capture " + file.name());
+  EXPECT_EQ(port->line(), nullptr);
+}
+
+TEST_F(Replay, SmallReads) {
+  session({{0s, "abc"}, {1h, "d"}});
+  open(ReplayTiming::fast);
+  EXPECT_THAT(all(2), ElementsAre("ab", "c", "d"));
+}
+
+TEST_F(Replay, OriginalTiming) {
+  session({{20ms, "a"}, {20ms, "b"}, {60ms, "c"}});
+  open(ReplayTiming::original);
+  const auto start = SteadyClock::now();
+  EXPECT_EQ(read_all(context, *port, 1), Bytes{'a'});
+  EXPECT_GE(SteadyClock::now() - start, 20ms);
+  EXPECT_EQ(read_all(context, *port, 1), Bytes{'b'});
+  EXPECT_EQ(read_all(context, *port, 1), Bytes{'c'});
+  EXPECT_GE(SteadyClock::now() - start, 60ms);
+  EXPECT_THAT(all(), ElementsAre());
+}
+
+TEST_F(Replay, NoPauseBetweenSessions) {
+  session({{0s, "a"}, {30ms, "b"}});
+  session({{10ms, "c"}});
+  open(ReplayTiming::original);
+  const auto start = SteadyClock::now();
+  EXPECT_THAT(all(), ElementsAre("a", "b", "c"));
+  EXPECT_GE(SteadyClock::now() - start, 40ms);
+}
+
+TEST_F(Replay, CloseWhileItWaits) {
+  session({{0s, "a"}, {1h, "b"}});
+  open(ReplayTiming::original);
+  EXPECT_EQ(read_all(context, *port, 1), Bytes{'a'});
+  Operation reading;
+  Bytes into(4);
+  port->async_read(into, reading.handler());
+  context.poll();
+  EXPECT_FALSE(reading.outcome);
+  port->close();
+  EXPECT_EQ(finish(context, reading).error, asio::error::operation_aborted);
+  EXPECT_EQ(read(context, *port, into).error, asio::error::operation_aborted);
+  EXPECT_EQ(write(context, *port, into).error, asio::error::operation_aborted);
+}
+
+TEST_F(Replay, DestroyedWhileItWaits) {
+  session({{1h, "b"}});
+  open(ReplayTiming::original);
+  Operation reading;
+  Bytes into(4);
+  port->async_read(into, reading.handler());
+  port.reset();
+  EXPECT_EQ(finish(context, reading).error, asio::error::operation_aborted);
+}
+
+TEST_F(Replay, IgnoresWhatIsWritten) {
+  session({{0s, "a"}});
+  open(ReplayTiming::fast);
+  EXPECT_EQ(write(context, *port, every_byte()).size, 256U);
+  EXPECT_THAT(all(), ElementsAre("a"));
+}
+
+TEST_F(Replay, TornAndDamagedPlacesAreLeftOut) {
+  session({{0s, "a"}, {1s, "b"}});
+  Bytes torn = file.content();
+  torn.resize(torn.size() - 3);
+  file.write(torn);
+  session({{0s, "c"}});
+  torn = file.content();
+  torn.resize(torn.size() - 3);
+  file.write(torn);
+  open(ReplayTiming::fast);
+  EXPECT_THAT(all(), ElementsAre("a", "b", "c"));
+}
+
+TEST_F(Replay, LargeCaptures) {
+  std::vector<std::pair<CaptureTime, std::string>> said;
+  for (int i = 0; i < 3000; ++i) said.emplace_back(CaptureTime(i), std::string(100, 'x'));
+  session(said);
+  open(ReplayTiming::fast);
+  EXPECT_THAT(all(), testing::SizeIs(3000));
+}
+
+TEST_F(Replay, RawCaptures) {
+  const Bytes raw = every_byte(1000);
+  file.write(raw);
+  open(ReplayTiming::original);
+  std::string got;
+  for (const std::string& piece : all()) got += piece;
+  EXPECT_EQ(got, text_of(raw));
+}
+
+TEST_F(Replay, EmptyFile) {
+  file.write({});
+  open(ReplayTiming::original);
+  EXPECT_THAT(all(), ElementsAre());
+}
+
+TEST_F(Replay, OnlyFiles) {
+  EXPECT_EQ(open_replay(context.get_executor(), "/dev/null").error.code, Errc::not_a_capture);
+  EXPECT_EQ(open_replay(context.get_executor(), "/dev").error.code, Errc::not_a_capture);
+  EXPECT_EQ(open_replay(context.get_executor(), file.name()).error.code, Errc::no_such_port);
+}
+
+}  // namespace
+}  // namespace sbgc::io::test

@@ -1,0 +1,410 @@
+// Serial ports, played by real pseudo-terminals.
+
+#include <array>
+#include <cerrno>
+#include <filesystem>
+#include <string>
+
+#include <asio/error.hpp>
+#include <asio/io_context.hpp>
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <sbgc/io/pseudo_terminal.hpp>
+#include <sbgc/io/serial.hpp>
+
+#include "support.hpp"
+
+namespace sbgc::io::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// A serial port and who plays it.
+class Serial : public testing::Test {
+ protected:
+  void play(const PseudoTerminalOptions& options = {}) {
+    PseudoTerminalResult result = open_pseudo_terminal(context.get_executor(), options);
+    ASSERT_TRUE(result) << result.error.message;
+    board = std::move(result.transport);
+  }
+
+  void open(const LineSettings& settings = {}) {
+    if (!board) play();
+    OpenResult result = open_serial(context.get_executor(), board->path(), settings);
+    ASSERT_TRUE(result) << result.error.message;
+    port = std::move(result.transport);
+  }
+
+  /// The settings as another program sees them.
+  termios seen() const {
+    termios result{};
+    const int fd = ::open(board->path().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+    EXPECT_GE(fd, 0);
+    EXPECT_EQ(tcgetattr(fd, &result), 0);
+    ::close(fd);
+    return result;
+  }
+
+  asio::io_context context;
+  std::unique_ptr<PseudoTerminal> board;
+  std::unique_ptr<Transport> port;
+};
+
+TEST_F(Serial, EveryByteArrivesUnchangedBothWays) {
+  open();
+  const Bytes bytes = every_byte(8);
+  Operation to_board;
+  Operation to_host;
+  port->async_write(bytes, to_board.handler());
+  board->async_write(bytes, to_host.handler());
+  EXPECT_EQ(read_all(context, *board, bytes.size()), bytes);
+  EXPECT_EQ(read_all(context, *port, bytes.size()), bytes);
+  EXPECT_EQ(finish(context, to_board).size, bytes.size());
+  EXPECT_EQ(finish(context, to_host).size, bytes.size());
+}
+
+TEST_F(Serial, NothingIsEchoed) {
+  open();
+  write(context, *board, every_byte());
+  EXPECT_EQ(read_all(context, *port, 256), every_byte());
+  // An echo would be in front of this.
+  write(context, *port, Bytes{42});
+  EXPECT_EQ(read_all(context, *board, 1), Bytes{42});
+}
+
+TEST_F(Serial, LeavesNothingOfWhatATerminalDoes) {
+  play();
+  {
+    // The worst that another program can have left behind.
+    const int fd = ::open(board->path().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+    termios bad{};
+    tcgetattr(fd, &bad);
+    bad.c_iflag = ICRNL | INLCR | IGNCR | IXON | IXOFF | IXANY | ISTRIP | INPCK | PARMRK | BRKINT;
+    bad.c_oflag = OPOST | ONLCR;
+    bad.c_lflag = ECHO | ECHONL | ICANON | ISIG | IEXTEN;
+    bad.c_cflag = CS7 | CRTSCTS | HUPCL | CSTOPB;
+    bad.c_cc[VMIN] = 0;
+    bad.c_cc[VTIME] = 5;
+    ASSERT_EQ(tcsetattr(fd, TCSANOW, &bad), 0);
+    ::close(fd);
+  }
+  open();
+  const termios now = seen();
+  EXPECT_EQ(now.c_iflag & (ICRNL | INLCR | IGNCR | IXON | IXOFF | IXANY | ISTRIP | INPCK | PARMRK |
+                           BRKINT | IGNBRK),
+            0U);
+  EXPECT_EQ(now.c_oflag & OPOST, 0U);
+  EXPECT_EQ(now.c_lflag & (ECHO | ECHONL | ICANON | ISIG | IEXTEN), 0U);
+  EXPECT_EQ(now.c_cflag & (CSIZE | CRTSCTS | HUPCL | CSTOPB | PARENB | CREAD | CLOCAL),
+            tcflag_t{CS8 | CREAD | CLOCAL});
+  EXPECT_EQ(now.c_cc[VMIN], 1);
+  EXPECT_EQ(now.c_cc[VTIME], 0);
+  write(context, *port, every_byte());
+  EXPECT_EQ(read_all(context, *board, 256), every_byte());
+}
+
+TEST_F(Serial, StandardRateHasItsConstant) {
+  open({57600});
+  const termios now = seen();
+  EXPECT_EQ(cfgetospeed(&now), speed_t{B57600});
+  EXPECT_EQ(cfgetispeed(&now), speed_t{B57600});
+  EXPECT_EQ(board->other_line(), LineSettings{57600});
+}
+
+TEST_F(Serial, AnyRate) {
+  open({250000});
+  EXPECT_EQ(board->other_line(), LineSettings{250000});
+  ASSERT_NE(port->line(), nullptr);
+  for (const std::uint32_t rate : {1U, 12345U, 115200U, 256000U, 3333333U, 12000000U}) {
+    EXPECT_FALSE(port->line()->set({rate})) << rate;
+    EXPECT_EQ(board->other_line(), LineSettings{rate});
+    EXPECT_EQ(port->line()->current(), LineSettings{rate});
+    EXPECT_EQ(port->description(),
+              "serial port " + board->path() + ", " + std::to_string(rate) + " 8N1");
+  }
+}
+
+TEST_F(Serial, RateZeroIsRefused) {
+  open();
+  EXPECT_EQ(port->line()->set({0}).code, Errc::line_refused);
+  EXPECT_EQ(port->line()->current(), LineSettings{});
+}
+
+TEST_F(Serial, WhatTheDriverDoesNotDoIsNoticed) {
+  // A pseudo-terminal silently has no parity; that is what reading back is for.
+  open();
+  const Error error = port->line()->set({19200, Parity::even});
+  EXPECT_EQ(error.code, Errc::line_refused);
+  EXPECT_THAT(error.message, HasSubstr("does not do 19200 8E1"));
+  EXPECT_THAT(error.message, HasSubstr("19200 8N1."));
+  EXPECT_EQ(port->line()->current(), LineSettings{19200});
+  // And it goes on working.
+  write(context, *port, Bytes{1});
+  EXPECT_EQ(read_all(context, *board, 1), Bytes{1});
+  port.reset();
+  const OpenResult opened =
+      open_serial(context.get_executor(), board->path(), {9600, Parity::even});
+  EXPECT_FALSE(opened);
+  EXPECT_EQ(opened.error.code, Errc::line_refused);
+}
+
+TEST_F(Serial, OpeningDiscardsWhatCameBefore) {
+  play({.stays_open = true});
+  write(context, *board, Bytes{1, 2, 3});
+  // It is there once the kernel has passed it on.
+  const int fd = ::open(board->path().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  std::uint8_t byte = 0;
+  ASSERT_EQ(::read(fd, &byte, 1), 1);
+  ::close(fd);
+  open();
+  write(context, *board, Bytes{9});
+  EXPECT_EQ(read_all(context, *port, 1), Bytes{9});
+}
+
+TEST_F(Serial, FlushDiscards) {
+  open();
+  write(context, *board, Bytes{1, 2, 3});
+  EXPECT_EQ(read_all(context, *port, 1), Bytes{1});  // so the others have arrived, too
+  EXPECT_FALSE(port->line()->flush());
+  write(context, *board, Bytes{9});
+  EXPECT_EQ(read_all(context, *port, 1), Bytes{9});
+}
+
+TEST_F(Serial, OtherSideGoesAwayDuringRead) {
+  open();
+  Operation reading;
+  Bytes into(16);
+  port->async_read(into, reading.handler());
+  context.poll();
+  EXPECT_FALSE(reading.outcome);
+  board.reset();
+  EXPECT_EQ(finish(context, reading).error, Errc::device_lost);
+  // And it stays so.
+  EXPECT_EQ(read(context, *port, into).error, Errc::device_lost);
+  EXPECT_EQ(write(context, *port, into).error, Errc::device_lost);
+  EXPECT_EQ(reading.calls, 1);
+}
+
+TEST_F(Serial, OtherSideGoesAwayDuringWrite) {
+  open();
+  Operation writing;
+  const Bytes much(1 << 20);
+  port->async_write(much, writing.handler());
+  context.poll();
+  EXPECT_FALSE(writing.outcome) << "nobody reads: it has to wait";
+  board->close();
+  const Outcome outcome = finish(context, writing);
+  EXPECT_EQ(outcome.error, Errc::device_lost);
+  EXPECT_LT(outcome.size, much.size());
+}
+
+TEST_F(Serial, CloseDuringReadAndWrite) {
+  open();
+  Operation reading;
+  Operation writing;
+  Bytes into(16);
+  const Bytes much(1 << 20);
+  port->async_read(into, reading.handler());
+  port->async_write(much, writing.handler());
+  context.poll();
+  port->close();
+  port->close();
+  EXPECT_EQ(finish(context, reading).error, asio::error::operation_aborted);
+  EXPECT_EQ(finish(context, writing).error, asio::error::operation_aborted);
+  EXPECT_EQ(read(context, *port, into).error, asio::error::operation_aborted);
+  EXPECT_EQ(write(context, *port, into).error, asio::error::operation_aborted);
+  EXPECT_TRUE(port->line()->set({9600}));
+  EXPECT_TRUE(port->line()->flush());
+}
+
+TEST_F(Serial, DestroyedDuringReadAndWrite) {
+  open();
+  Operation reading;
+  Operation writing;
+  Bytes into(16);
+  const Bytes much(1 << 20);
+  port->async_read(into, reading.handler());
+  port->async_write(much, writing.handler());
+  context.poll();
+  port.reset();
+  EXPECT_EQ(finish(context, reading).error, asio::error::operation_aborted);
+  EXPECT_EQ(finish(context, writing).error, asio::error::operation_aborted);
+}
+
+TEST_F(Serial, DestroyedWhileAWriteIsHalfDone) {
+  // Some of it has been taken, its completion is queued, and then the port goes.
+  open();
+  Operation writing;
+  Operation reading;
+  const Bytes much(1 << 20);
+  Bytes into(4096);
+  port->async_write(much, writing.handler());
+  for (int i = 0; i < 20; ++i) {
+    read(context, *board, into);
+  }
+  port.reset();
+  EXPECT_EQ(finish(context, writing).error, asio::error::operation_aborted);
+}
+
+TEST_F(Serial, IsExclusive) {
+  open();
+  const OpenResult second = open_serial(context.get_executor(), board->path());
+  ASSERT_FALSE(second);
+  EXPECT_EQ(second.error.code, Errc::busy);
+  EXPECT_THAT(second.error.message, HasSubstr(board->path() + " is in use"));
+  // The first is not disturbed.
+  write(context, *board, Bytes{1});
+  EXPECT_EQ(read_all(context, *port, 1), Bytes{1});
+  port.reset();
+  open();
+}
+
+TEST_F(Serial, BusyTellsWho) {
+  open();
+  // A child has the port; this process no longer.
+  std::array<int, 2> pipe{};
+  ASSERT_EQ(::pipe(pipe.data()), 0);
+  const pid_t child = fork();
+  if (child == 0) {
+    ::close(pipe[1]);
+    char byte = 0;
+    _exit(::read(pipe[0], &byte, 1) == 0 ? 0 : 1);  // until the parent closes its end
+  }
+  ::close(pipe[0]);
+  port.reset();
+  const OpenResult second = open_serial(context.get_executor(), board->path());
+  EXPECT_FALSE(second);
+  EXPECT_EQ(second.error.code, Errc::busy);
+  EXPECT_THAT(second.error.message, HasSubstr("(process " + std::to_string(child) + ")"));
+  ::close(pipe[1]);
+  int status = 0;
+  EXPECT_EQ(waitpid(child, &status, 0), child);
+  open();
+}
+
+TEST_F(Serial, CanBeOpenedAgainAfterClosing) {
+  play({.stays_open = true});
+  for (const std::uint8_t value : Bytes{1, 2, 3}) {
+    open();
+    write(context, *port, Bytes{value});
+    EXPECT_EQ(read_all(context, *board, 1), Bytes{value});
+    port->close();
+  }
+}
+
+TEST(SerialErrors, NoSuchPort) {
+  asio::io_context context;
+  const OpenResult result = open_serial(context.get_executor(), "/dev/ttyNONE7");
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error.code, Errc::no_such_port);
+  EXPECT_THAT(result.error.message, StartsWith("There is no port /dev/ttyNONE7. "));
+  EXPECT_THAT(result.error.message,
+              testing::AnyOf(HasSubstr("These are there:\n  /dev/"), HasSubstr("plugged in?")));
+}
+
+TEST(SerialErrors, NotASerialPort) {
+  asio::io_context context;
+  for (const std::string path : {"/dev", "/dev/null", "/etc/passwd"}) {
+    const OpenResult result = open_serial(context.get_executor(), path);
+    EXPECT_EQ(result.error.code, Errc::not_a_port) << path;
+    EXPECT_EQ(result.error.message, path + " is not a serial port.");
+  }
+}
+
+TEST(SerialErrors, APipeDoesNotBlock) {
+  const std::string path = testing::TempDir() + "sbgc_pipe_" + std::to_string(getpid());
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  asio::io_context context;
+  EXPECT_EQ(open_serial(context.get_executor(), path).error.code, Errc::not_a_port);
+  std::filesystem::remove(path);
+}
+
+TEST(SerialErrors, PermissionSaysWhatToDo) {
+  const auto message = [](const DeviceOwner& owner) {
+    const Error error = permission_error("/dev/ttyUSB0", owner);
+    EXPECT_EQ(error.code, Errc::permission_denied);
+    return error.message;
+  };
+  EXPECT_EQ(message({"dialout", true, false}),
+            "You may not open /dev/ttyUSB0. Add yourself to the group dialout: sudo usermod -aG "
+            "dialout $USER, then log in again.");
+  EXPECT_THAT(message({"dialout", true, true}), HasSubstr("log out and in again"));
+  EXPECT_THAT(message({"dialout", false, false}), HasSubstr("udev rule"));
+  EXPECT_THAT(message({"root", true, false}), HasSubstr("udev rule"));
+}
+
+TEST(SerialErrors, PermissionDeniedIsRecognised) {
+  if (geteuid() != 0) GTEST_SKIP() << "needs root, to become somebody else";
+  asio::io_context context;
+  const PseudoTerminalResult board = open_pseudo_terminal(context.get_executor());
+  ASSERT_TRUE(board);
+  ASSERT_EQ(chmod(board.transport->path().c_str(), 0600), 0);
+  ASSERT_EQ(seteuid(65534), 0);
+  const OpenResult result = open_serial(context.get_executor(), board.transport->path());
+  ASSERT_EQ(seteuid(0), 0);
+  EXPECT_EQ(result.error.code, Errc::permission_denied);
+  EXPECT_THAT(result.error.message, HasSubstr("You may not open /dev/pts/"));
+}
+
+TEST(PseudoTerminal, LosesWhatNobodyReadsIfItStaysOpen) {
+  asio::io_context context;
+  const auto board = open_pseudo_terminal(context.get_executor(), {.stays_open = true}).transport;
+  ASSERT_TRUE(board);
+  const Bytes much(1 << 20);
+  const Outcome outcome = write(context, *board, much);
+  EXPECT_FALSE(outcome.error);
+  EXPECT_EQ(outcome.size, much.size());
+}
+
+TEST(PseudoTerminal, StaysOpen) {
+  asio::io_context context;
+  const auto board = open_pseudo_terminal(context.get_executor(), {.stays_open = true}).transport;
+  ASSERT_TRUE(board);
+  Operation reading;
+  Bytes into(4);
+  board->async_read(into, reading.handler());
+  {
+    const OpenResult port = open_serial(context.get_executor(), board->path());
+    ASSERT_TRUE(port);
+  }
+  context.poll();
+  EXPECT_FALSE(reading.outcome);
+  const OpenResult port = open_serial(context.get_executor(), board->path());
+  write(context, *port.transport, Bytes{5});
+  EXPECT_EQ(finish(context, reading).size, 1U);
+  EXPECT_EQ(into[0], 5);
+}
+
+TEST(PseudoTerminal, OtherSideCloses) {
+  asio::io_context context;
+  const auto board = open_pseudo_terminal(context.get_executor()).transport;
+  ASSERT_TRUE(board);
+  OpenResult port = open_serial(context.get_executor(), board->path());
+  Operation reading;
+  Bytes into(4);
+  board->async_read(into, reading.handler());
+  context.poll();
+  EXPECT_FALSE(reading.outcome);
+  port.transport.reset();
+  EXPECT_EQ(finish(context, reading).error, Errc::device_lost);
+}
+
+TEST(PseudoTerminal, Describes) {
+  asio::io_context context;
+  const auto board = open_pseudo_terminal(context.get_executor()).transport;
+  ASSERT_TRUE(board);
+  EXPECT_EQ(board->description(), "pseudo-terminal " + board->path());
+  EXPECT_THAT(board->path(), StartsWith("/dev/pts/"));
+  EXPECT_EQ(board->other_line(), LineSettings{});
+  board->close();
+  EXPECT_EQ(board->other_line(), std::nullopt);
+}
+
+}  // namespace
+}  // namespace sbgc::io::test
