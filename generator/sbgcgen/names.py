@@ -27,7 +27,7 @@ CPP_WORDS = frozenset(
 CPP_TYPES = frozenset(
     """AllMessages AlternativeUnit AnswerForm AnswerOf Availability Axes BasicParser BoundedArray
     BoundedBytes BoundedText Bytes Candidate Code Context Contexts Conversion Counter Direction
-    EnumInfo EnumMeta FieldInfo FieldPath Flags Form Frame Framing Json JsonError M Message
+    EnumInfo EnumMeta FieldInfo FieldPath FieldRole Flags Form Frame Framing Json JsonError M Message
     MessageInfo Meta Number NumberType NumberTypes Optional PackedInfo PackedMeta Parser
     ParserCounters PartInfo Range RawValue Rule Special Status Text Type TypeList ValueInfo
     VariableInfo Verdict Violation WriteResult Xyz""".split()

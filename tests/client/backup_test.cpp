@@ -12,7 +12,7 @@
 
 #include "task_test.hpp"
 
-namespace sbgc::testing {
+namespace sbgc::test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -239,4 +239,4 @@ TEST_F(BackupTest, WithoutABackupOfThePresentStateNothingIsRestored) {
 }
 
 }  // namespace
-}  // namespace sbgc::testing
+}  // namespace sbgc::test

@@ -9,7 +9,7 @@
 
 #include <sbgc/client/clock.hpp>
 
-namespace sbgc::testing {
+namespace sbgc::test {
 
 /// Who sleeps moves the time on; who waits for a change is woken when somebody else does.
 class ManualClock final : public Clock {
@@ -56,4 +56,4 @@ class ManualClock final : public Clock {
   std::multiset<Waiter> waiters_;
 };
 
-}  // namespace sbgc::testing
+}  // namespace sbgc::test

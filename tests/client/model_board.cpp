@@ -6,7 +6,7 @@
 
 #include <sbgc/meta.hpp>
 
-namespace sbgc::testing {
+namespace sbgc::test {
 namespace {
 
 /// A confirmation, with the data that this command has.
@@ -198,4 +198,4 @@ Packet ModelBoard::look() {
   return packet(result);
 }
 
-}  // namespace sbgc::testing
+}  // namespace sbgc::test

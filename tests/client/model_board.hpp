@@ -11,7 +11,7 @@
 
 #include <sbgc/messages.hpp>
 
-namespace sbgc::testing {
+namespace sbgc::test {
 
 /// A message without its frame.
 struct Packet {
@@ -103,4 +103,4 @@ class ModelBoard {
   Packet look();
 };
 
-}  // namespace sbgc::testing
+}  // namespace sbgc::test

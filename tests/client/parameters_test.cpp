@@ -5,7 +5,7 @@
 
 #include "task_test.hpp"
 
-namespace sbgc::testing {
+namespace sbgc::test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -331,4 +331,4 @@ TEST_F(ParametersTest, ASetTakesNothingThatIsNoSettings) {
 }
 
 }  // namespace
-}  // namespace sbgc::testing
+}  // namespace sbgc::test

@@ -4,7 +4,7 @@
 
 #include "task_test.hpp"
 
-namespace sbgc::testing {
+namespace sbgc::test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -73,4 +73,4 @@ TEST_F(ProfilesTest, NamesThatTheBoardDoesNotKeepAreNoticed) {
 }
 
 }  // namespace
-}  // namespace sbgc::testing
+}  // namespace sbgc::test

@@ -7,7 +7,7 @@
 
 #include "task_test.hpp"
 
-namespace sbgc::testing {
+namespace sbgc::test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -110,4 +110,4 @@ TEST_F(VariablesTest, AreSaved) {
 }
 
 }  // namespace
-}  // namespace sbgc::testing
+}  // namespace sbgc::test

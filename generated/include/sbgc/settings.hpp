@@ -11,7 +11,7 @@
 namespace sbgc {
 
 /// How the settings that message M holds are read and stored: `Readers` and `Writers`, both with
-/// deprecated messages last; `copies`, how many of these settings the board has; `copy(message)`,
+/// deprecated messages last; `name` of M; `copies`, how many of these settings the board has; `copy(message)`,
 /// the number of the copy that one of these messages is about, counted from 0.
 template <class M>
 struct SettingsOf;
@@ -19,6 +19,7 @@ struct SettingsOf;
 /// Settings of one profile together with the general settings.
 template <>
 struct SettingsOf<ReadParams3> {
+  static constexpr const char* name = "ReadParams3";
   using Readers = TypeList<ReadParams3Request, ReadParams>;
   using Writers = TypeList<WriteParams3, WriteParams>;
   static constexpr std::uint8_t copies = 5;
@@ -42,6 +43,7 @@ struct SettingsOf<ReadParams3> {
 /// Further settings of one profile: filters, encoders, magnetometer.
 template <>
 struct SettingsOf<ReadParamsExt> {
+  static constexpr const char* name = "ReadParamsExt";
   using Readers = TypeList<ReadParamsExtRequest>;
   using Writers = TypeList<WriteParamsExt>;
   static constexpr std::uint8_t copies = 5;
@@ -60,6 +62,7 @@ struct SettingsOf<ReadParamsExt> {
 /// Still further settings of one profile.
 template <>
 struct SettingsOf<ReadParamsExt2> {
+  static constexpr const char* name = "ReadParamsExt2";
   using Readers = TypeList<ReadParamsExt2Request>;
   using Writers = TypeList<WriteParamsExt2>;
   static constexpr std::uint8_t copies = 5;
@@ -78,6 +81,7 @@ struct SettingsOf<ReadParamsExt2> {
 /// Names of the profiles.
 template <>
 struct SettingsOf<ReadProfileNames> {
+  static constexpr const char* name = "ReadProfileNames";
   using Readers = TypeList<ReadProfileNamesRequest>;
   using Writers = TypeList<WriteProfileNames>;
   static constexpr std::uint8_t copies = 1;
@@ -86,6 +90,7 @@ struct SettingsOf<ReadProfileNames> {
 /// Which RC signals start actions and which ones change adjustable variables.
 template <>
 struct SettingsOf<ReadAdjVarsCfg> {
+  static constexpr const char* name = "ReadAdjVarsCfg";
   using Readers = TypeList<ReadAdjVarsCfgRequest>;
   using Writers = TypeList<WriteAdjVarsCfg>;
   static constexpr std::uint8_t copies = 1;
@@ -94,6 +99,7 @@ struct SettingsOf<ReadAdjVarsCfg> {
 /// Data of the user in the EEPROM.
 template <>
 struct SettingsOf<ReadExternalData> {
+  static constexpr const char* name = "ReadExternalData";
   using Readers = TypeList<ReadExternalDataRequest>;
   using Writers = TypeList<WriteExternalData>;
   static constexpr std::uint8_t copies = 1;

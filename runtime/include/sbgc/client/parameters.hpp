@@ -68,8 +68,8 @@ class ParameterSet {
   /// The settings of copy `copy`; ErrorCode::not_found if the set has none.
   template <Stored M>
   Result<M> get(std::uint8_t copy = 0) const {
-    const Block* const block = find({Meta<M>::info.name, copy});
-    if (block == nullptr) return missing({Meta<M>::info.name, copy});
+    const Block* const block = find({SettingsOf<M>::name, copy});
+    if (block == nullptr) return missing({SettingsOf<M>::name, copy});
     M message{};
     static_cast<void>(decode(std::span(block->body), message));  // put() has seen that it does
     return message;
@@ -82,7 +82,7 @@ class ParameterSet {
     if constexpr (SettingsOf<M>::copies > 1) copy = SettingsOf<M>::copy(message);
     std::vector<std::uint8_t> body(max_body_size);
     body.resize(encode(message, body).size);
-    return put({{Meta<M>::info.name, copy}, std::move(body)});
+    return put({{SettingsOf<M>::name, copy}, std::move(body)});
   }
 
   bool operator==(const ParameterSet&) const = default;
