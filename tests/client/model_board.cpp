@@ -54,6 +54,7 @@ Packets ModelBoard::answer(const Packet& request) {
   log.push_back(request);
   if (is_lost && is_lost(request)) return {};
   Packets result = carry_out(request);
+  if (tamper) tamper(result);
   if (after) after(request);
   if (is_answer_lost && is_answer_lost(request)) return {};
   return result;
@@ -135,6 +136,23 @@ Packets ModelBoard::carry_out(const Packet& request) {
   if (is<ControlExt>(request)) {
     const auto command = message<ControlExt>(request);
     return control(command.control_mode, command.axes);
+  }
+  if (is<CalibGyro>(request) || is<CalibAcc>(request)) {
+    calibrates = request.id;
+    steps_left = calibration_steps;
+    return {{static_cast<std::uint8_t>(CommandId::confirm), {request.id}}};
+  }
+  if (is<CalibInfoRequest>(request)) {
+    CalibInfo state;
+    state.imu_type = message<CalibInfoRequest>(request).imu_type;
+    Packets result;
+    if (steps_left > 0 && --steps_left == 0) {
+      result.push_back({static_cast<std::uint8_t>(CommandId::confirm), {calibrates}});
+    }
+    const unsigned done = 100 * (calibration_steps - steps_left) / std::max(calibration_steps, 1U);
+    state.progress = Percent(static_cast<std::uint8_t>(done));
+    result.insert(result.begin(), packet(state));
+    return result;
   }
   return {};
 }

@@ -76,8 +76,11 @@ class ModelBoard {
   std::map<VariableId, std::int32_t> variables{};
   unsigned saved = 0;
 
-  // Calibration: each request for information is a step of it.
+  // Calibration: it starts with a confirmation, each request for information is a step of it, and
+  // behind the last one it is confirmed again.
   unsigned calibration_steps = 3;
+  unsigned steps_left = 0;
+  std::uint8_t calibrates = 0;  ///< id of the command
 
   /// All requests, in order.
   Packets log{};
@@ -85,6 +88,8 @@ class ModelBoard {
   std::function<bool(const Packet&)> is_lost{};
   /// Whether the answer to a request that is carried out is lost on its way.
   std::function<bool(const Packet&)> is_answer_lost{};
+  /// Changes the answers before they are sent.
+  std::function<void(Packets&)> tamper{};
   /// Changes the board after a request has been carried out.
   std::function<void(const Packet&)> after{};
 

@@ -1,10 +1,12 @@
 /// Tests of tasks: a client that is connected to a board in memory.
 #pragma once
 
-#include <memory>
+#include <array>
+#include <algorithm>
 #include <mutex>
 #include <optional>
 #include <span>
+#include <stdexcept>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -49,6 +51,7 @@ class TaskTest : public ::testing::Test {
     const std::scoped_lock lock(mutex_);
     return use(board);
   }
+  std::mutex& board_mutex() { return mutex_; }
   /// Makes the line break.
   void unplug() { line_.unplug(); }
   /// Sends something unasked.

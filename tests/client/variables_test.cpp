@@ -97,11 +97,16 @@ TEST_F(VariablesTest, ManyAreMovedInMessagesOfForty) {
 }
 
 TEST_F(VariablesTest, AnswersAboutOtherVariablesAreNotTaken) {
-  const auto id = static_cast<std::uint8_t>(GetAdjVarsVal::command);
-  board.after = [&](const Packet& request) {
-    if (request.id == id) board.variables.clear();
+  board.tamper = [](Packets& answers) {
+    if (answers.empty() || !is<SetAdjVarsVal>(answers[0])) return;
+    answers[0].body[1] = static_cast<std::uint8_t>(VariableId::d_yaw);
   };
-  EXPECT_TRUE(get_variable(client(), "P_ROLL"));
+  EXPECT_EQ(get_variable(client(), "P_ROLL").error().code, ErrorCode::mismatch);
+  board.tamper = [](Packets& answers) {
+    if (answers.empty() || !is<SetAdjVarsVal>(answers[0])) return;
+    answers[0].body = {0};
+  };
+  EXPECT_EQ(get_variable(client(), "P_ROLL").error().code, ErrorCode::mismatch);
 }
 
 TEST_F(VariablesTest, AreSaved) {

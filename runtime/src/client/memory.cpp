@@ -70,7 +70,9 @@ std::optional<std::size_t> difference(std::span<const std::uint8_t> a,
 ClientError file_error(std::uint16_t file, ClientError error) {
   if (error.code == ErrorCode::board_error) {
     for (const ValueInfo& known : EnumMeta<FileError>::info.values) {
-      if (known.value != error.detail) continue;
+      // The same number may be an error of another kind; its name tells.
+      const bool is_it = error.message.find(known.name) != std::string::npos;
+      if (known.value != error.detail || !is_it) continue;
       const bool missing = static_cast<FileError>(error.detail) == FileError::file_not_found;
       return {missing ? ErrorCode::not_found : error.code,
               fmt::format("file {}: {} ({})", file, known.summary, known.name), error.detail};
