@@ -64,7 +64,8 @@ int main(int argc, char** argv) {
   const bool is_diff = argc == 4 && std::strcmp(argv[2], "diff") == 0;
   const bool is_save = argc == 4 && std::strcmp(argv[2], "save") == 0;
   if (!is_restore && !is_diff && !is_save) {
-    std::fprintf(stderr, "usage: backup ADDRESS save|diff FILE, backup ADDRESS restore FILE FILE\n");
+    std::fprintf(stderr,
+                 "usage: backup ADDRESS save|diff FILE, backup ADDRESS restore FILE FILE\n");
     return 2;
   }
   auto client = sbgc::Client::connect(argv[1]);

@@ -1,16 +1,23 @@
 // sbgc decode: a capture as JSON lines or as text for people.
 
+#include <chrono>
 #include <cstdio>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <sbgc/io/capture.hpp>
 #include <sbgc/parser.hpp>
 
+#include "capture_frames.hpp"
 #include "commands.hpp"
 #include "decoded_frame.hpp"
 #include "input.hpp"
+#include "rows.hpp"
 #include "text.hpp"
 
 namespace sbgc::tools {
@@ -30,82 +37,198 @@ std::optional<Direction> direction(const std::string& from) {
   return std::nullopt;
 }
 
-/// Prints frames as they come.
-class Printer {
- public:
-  explicit Printer(const Options& options)
-      : jsonl_(options.format == "jsonl"), decoder_(direction(options.from)) {}
-
-  void operator()(const Frame& frame) {
-    const DecodedFrame decoded = decoder_.decode(frame);
-    if (jsonl_) {
-      const std::string line =
-          decoded.to_json().dump(-1, ' ', false, Json::error_handler_t::replace);
-      fmt::print("{}\n", line);
-      return;
-    }
-    print_gap(frame.offset);
-    fmt::print("{}", to_text(decoded));
-    end_ = frame.offset + Framing::frame_size(frame.body.size());
-  }
-
-  /// What can be said at the end of a capture of `size` bytes.
-  void finish(std::uint64_t size, const Parser& parser) {
-    if (jsonl_) return;
-    print_gap(size);
-    const auto counters = parser.counters();
-    fmt::print("{}, {} skipped", counted(counters.frames, "frame"),
-               counted(counters.skipped_bytes, "byte"));
-    fmt::print(" (bad headers: {}, bad bodies: {})\n", counters.header_errors,
-               counters.body_errors);
-  }
-
- private:
-  void print_gap(std::uint64_t until) const {
-    if (until > end_) fmt::print("@{}  no frame: {}\n", end_, counted(until - end_, "byte"));
-  }
-
-  bool jsonl_;
-  FrameDecoder decoder_;
-  std::uint64_t end_ = 0;
-};
-
 /// What has been printed goes out now: a reader may be waiting for it.
 void flush_output() {
   if (std::fflush(stdout) != 0) throw std::runtime_error("can not write to the standard output");
 }
 
-int decode_file(const Options& options) {
-  Input input(options.file);
-  Printer print(options);
-  Parser parser;
+void print_line(const Json& line) {
+  fmt::print("{}\n", line.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+/// "no frame: 5 bytes", if there are bytes between two places of a stream.
+void print_gap(const std::string& place, std::uint64_t begin, std::uint64_t end) {
+  if (end > begin) fmt::print("{}  no frame: {}\n", place, counted(end - begin, "byte"));
+}
+
+void print_counters(const char* whose, const ParserCounters& counters) {
+  fmt::print("{}{}, {} skipped (bad headers: {}, bad bodies: {})\n", whose,
+             counted(counters.frames, "frame"), counted(counters.skipped_bytes, "byte"),
+             counters.header_errors, counters.body_errors);
+}
+
+std::uint64_t end_of(const Frame& frame) {
+  return frame.offset + Framing::frame_size(frame.body.size());
+}
+
+/// A stream of bytes of which nothing else is known.
+class RawDecoder {
+ public:
+  explicit RawDecoder(const Options& options)
+      : jsonl_(options.format == "jsonl"), direction_(direction(options.from)) {}
+
+  void feed(std::span<const std::uint8_t> bytes) {
+    size_ += bytes.size();
+    parser_.feed(bytes, [this](const Frame& frame) { print(frame); });
+  }
+
+  void finish() {
+    parser_.flush([this](const Frame& frame) { print(frame); });
+    if (jsonl_) return;
+    print_gap(place(end_), end_, size_);
+    print_counters("", parser_.counters());
+  }
+
+ private:
+  static std::string place(std::uint64_t offset) { return fmt::format("@{}", offset); }
+
+  void print(const Frame& frame) {
+    const DecodedFrame decoded = decoder_.decode(frame, direction_);
+    if (jsonl_) return print_line(decoded.to_json());
+    print_gap(place(end_), end_, frame.offset);
+    fmt::print("{}", to_text(decoded, place(frame.offset)));
+    end_ = end_of(frame);
+  }
+
+  bool jsonl_;
+  std::optional<Direction> direction_;
+  Parser parser_;
+  FrameDecoder decoder_;
+  std::uint64_t size_ = 0;
+  std::uint64_t end_ = 0;  // of what has been printed
+};
+
+/// A capture file, which knows who sent what and when.
+class CaptureDecoder final : private CaptureListener {
+ public:
+  explicit CaptureDecoder(const Options& options)
+      : jsonl_(options.format == "jsonl"), only_(direction(options.from)), frames_(*this) {}
+
+  void feed(std::span<const std::uint8_t> bytes) { frames_.feed(bytes); }
+
+  /// Throws InputError if parts of the capture could not be read.
+  void finish() {
+    frames_.finish();
+    if (!jsonl_) {
+      for (const Direction side : {Direction::to_board, Direction::from_board}) {
+        const bool board = side == Direction::from_board;
+        if (wanted(side)) {
+          print_counters(board ? "from the board: " : "to the board: ", frames_.counters(side));
+        }
+      }
+    }
+    flush_output();
+    if (!problems_.empty()) throw InputError(problems_);
+  }
+
+ private:
+  bool wanted(Direction side) const { return !only_ || *only_ == side; }
+
+  static std::string place(io::CaptureTime time) {
+    return fmt::format("{}.{:06} s", time.count() / 1'000'000, time.count() % 1'000'000);
+  }
+
+  void on_session(const io::CaptureSession& session) override {
+    decoder_ = FrameDecoder();
+    ++session_;
+    if (jsonl_) return;
+    fmt::print("session {}, begun {:%Y-%m-%d %H:%M:%S} UTC\n", session_,
+               std::chrono::floor<std::chrono::seconds>(session.start));
+  }
+
+  void on_frame(Direction side, io::CaptureTime time, const Frame& frame) override {
+    if (!wanted(side)) return;
+    const DecodedFrame decoded = decoder_.decode(frame, side);
+    if (!jsonl_) {
+      fmt::print("{}", to_text(decoded, place(time)));
+      return;
+    }
+    Json line = decoded.to_json();
+    line["time"] = std::chrono::duration<double>(time).count();
+    line["session"] = session_;
+    print_line(line);
+  }
+
+  void on_skipped(Direction side, io::CaptureTime time, std::uint64_t size) override {
+    if (!jsonl_ && wanted(side)) {
+      fmt::print("{}  no frame: {} {} the board\n", place(time), counted(size, "byte"),
+                 side == Direction::from_board ? "from" : "to");
+    }
+  }
+
+  void on_note(io::CaptureTime time, std::string_view text) override {
+    if (!jsonl_) fmt::print("{}  note: {}\n", place(time), rows_detail::quoted(text));
+  }
+
+  void on_damage(const io::CaptureDamage& damage) override {
+    problems_ += (problems_.empty() ? "" : " ") + to_string(damage);
+  }
+
+  bool jsonl_;
+  std::optional<Direction> only_;
+  CaptureFrames frames_;
+  FrameDecoder decoder_;
+  int session_ = -1;
+  std::string problems_;
+};
+
+/// The first bytes of the input, as many as are needed to tell whether it is a capture file.
+std::vector<std::uint8_t> read_begin(Input& input) {
+  std::vector<std::uint8_t> begin;
+  do {
+    const auto block = input.read();
+    if (block.empty()) break;
+    begin.insert(begin.end(), block.begin(), block.end());
+  } while (io::may_become_capture(begin));
+  return begin;
+}
+
+template <class Decoder>
+void decode_bytes(Input& input, std::span<const std::uint8_t> begin, Decoder decoder) {
+  for (auto block = begin; !block.empty(); block = input.read()) {
+    decoder.feed(block);
+    flush_output();
+  }
+  decoder.finish();
+  flush_output();
+}
+
+void decode_hex(Input& input, RawDecoder decoder) {
   HexDecoder hex;
   std::vector<std::uint8_t> bytes;
-  std::uint64_t size = 0;
-  const auto feed = [&](std::span<const std::uint8_t> block) {
-    size += block.size();
-    parser.feed(block, print);
-    flush_output();
-  };
-  const auto finish = [&] {
-    parser.flush(print);
-    print.finish(size, parser);
+  const auto feed = [&] {
+    decoder.feed(bytes);
+    bytes.clear();
     flush_output();
   };
   try {
     for (auto block = input.read(); !block.empty(); block = input.read()) {
-      bytes.clear();
-      if (options.hex) hex.feed(block, bytes);
-      feed(options.hex ? bytes : block);
+      hex.feed(block, bytes);
+      feed();
     }
-    bytes.clear();
     hex.finish();
   } catch (const InputError&) {
-    feed(bytes);  // what stands before the mistake is good
-    finish();
+    feed();  // what stands before the mistake is good
+    decoder.finish();
+    flush_output();
     throw;
   }
-  finish();
+  decoder.finish();
+  flush_output();
+}
+
+int decode_file(const Options& options) {
+  Input input(options.file);
+  if (options.hex) {
+    decode_hex(input, RawDecoder(options));
+    return success;
+  }
+  const std::vector<std::uint8_t> begin = read_begin(input);
+  if (io::is_capture(begin)) {
+    decode_bytes(input, begin, CaptureDecoder(options));
+  } else {
+    decode_bytes(input, begin, RawDecoder(options));
+  }
   return success;
 }
 
@@ -119,7 +242,7 @@ void add_decode(CLI::App& app, int& status) {
   command
       ->add_option("--from", options->from,
                    "Who sent the bytes; auto takes each frame for what its size fits, the board's "
-                   "meaning first")
+                   "meaning first. Of a capture file, which knows: whose frames to show")
       ->check(CLI::IsMember({"auto", "board", "host"}))
       ->capture_default_str();
   command->add_option("--format", options->format, "How to print")
@@ -131,6 +254,10 @@ void add_decode(CLI::App& app, int& status) {
       "floats "
       "the strings \"inf\", \"-inf\" and \"nan:<bits>\". A field 'tail' has what later firmware "
       "appends, or what can not be read because the request that says how was not seen.\n"
+      "The input may be raw bytes or a capture file as `sbgc record` writes it. Of the latter, "
+      "JSON "
+      "lines have more keys: 'time' in seconds since the session began, and 'session', a number "
+      "from 0; offsets count the bytes of one direction and session.\n"
       "The exit status is 0 when all input was read, 1 when it could not be read, 2 for wrong "
       "usage.");
   command->callback([options, &status] { status = decode_file(*options); });

@@ -71,8 +71,8 @@ std::string command_name(std::uint8_t id, Direction direction) {
   return result;
 }
 
-DecodedFrame FrameDecoder::decode(const Frame& frame) {
-  DecodedFrame result{.frame = frame, .direction = direction_.value_or(guess(frame))};
+DecodedFrame FrameDecoder::decode(const Frame& frame, std::optional<Direction> direction) {
+  DecodedFrame result{.frame = frame, .direction = direction ? *direction : guess(frame)};
   result.command = command_name(frame.id, result.direction);
   const auto take = [&]<class M>(const M& message) {
     contexts_.learn(message);

@@ -40,13 +40,10 @@ struct DecodedFrame {
 /// Decodes frame after frame and remembers what later ones need.
 class FrameDecoder {
  public:
-  /// `direction` says who sent the frames; without it each is taken for what its size fits.
-  explicit FrameDecoder(std::optional<Direction> direction) : direction_(direction) {}
-
-  DecodedFrame decode(const Frame& frame);
+  /// `direction` says who sent the frame; without it, it is taken for what its size fits.
+  DecodedFrame decode(const Frame& frame, std::optional<Direction> direction);
 
  private:
-  std::optional<Direction> direction_;
   Contexts contexts_;
 };
 

@@ -16,6 +16,8 @@ int main(int argc, char** argv) {
     app.set_help_all_flag("--help-all", "Print the help of all subcommands");
     tools::add_decode(app, status);
     tools::add_encode(app, status);
+    tools::add_ports(app, status);
+    tools::add_record(app, status);
     try {
       app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -10,13 +10,12 @@ std::string counted(std::uint64_t number, const char* thing) {
   return fmt::format("{} {}{}", number, thing, number == 1 ? "" : "s");
 }
 
-std::string to_text(const DecodedFrame& decoded) {
+std::string to_text(const DecodedFrame& decoded, const std::string& place) {
   const Frame& frame = decoded.frame;
-  std::string result =
-      fmt::format("@{}  {} ({})  {}, {}", frame.offset,
-                  decoded.command.empty() ? "unknown command" : decoded.command, frame.id,
-                  decoded.direction == Direction::from_board ? "board to host" : "host to board",
-                  counted(frame.body.size(), "byte"));
+  std::string result = fmt::format(
+      "{}  {} ({})  {}, {}", place, decoded.command.empty() ? "unknown command" : decoded.command,
+      frame.id, decoded.direction == Direction::from_board ? "board to host" : "host to board",
+      counted(frame.body.size(), "byte"));
   if (decoded.message != nullptr) result += fmt::format("  {}", decoded.message->name);
   result += '\n';
   if (!decoded.status) {

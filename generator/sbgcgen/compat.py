@@ -237,10 +237,10 @@ def _compare_answers(
     changes.compare(level, f"{what}: safe to retry", before.retry_safe, now.retry_safe, new.at)
     times = (before.timeout_ms, now.timeout_ms)
     changes.compare(Level.COMPATIBLE, f"{what}: timeout_ms", times[0], times[1], new.at)
-    times = tuple(max(case.finish_ms for case in answer.cases) for answer in (before, now))
-    changes.compare(Level.COMPATIBLE, f"{what}: finish_ms", times[0], times[1], new.at)
+    ends = [max(case.finish_ms for case in answer.cases) for answer in (before, now)]
+    changes.compare(Level.COMPATIBLE, f"{what}: finish_ms", ends[0], ends[1], new.at)
     conditions = [[_condition_words(case) for case in answer.cases] for answer in (before, now)]
-    changes.compare(Level.MEANING, f"{what}: answered when", *conditions, new.at)
+    changes.compare(Level.MEANING, f"{what}: answered when", conditions[0], conditions[1], new.at)
     if conditions[0] != conditions[1]:
         return
     for index, (first, second) in enumerate(zip(before.cases, now.cases)):
@@ -254,8 +254,8 @@ def _compare_answers(
             changes.compare(Level.MEANING, f"{case}: confirmed", pair[0], pair[1], new.at)
         echoes = [sorted(c.echoes) for c in (first, second)]
         changes.compare(Level.MEANING, f"{case}: repeats", echoes[0], echoes[1], new.at)
-        pair = (first.restarts, second.restarts)
-        changes.compare(Level.MEANING, f"{case}: restarts the board", pair[0], pair[1], new.at)
+        ends_it = (first.restarts, second.restarts)
+        changes.compare(Level.MEANING, f"{case}: restarts the board", *ends_it, new.at)
         results = [c.result.field.spec_name if c.result else "" for c in (first, second)]
         changes.compare(Level.MEANING, f"{case}: result", results[0], results[1], new.at)
 

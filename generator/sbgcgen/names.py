@@ -25,12 +25,16 @@ CPP_WORDS = frozenset(
 )
 # Types of the runtime, beside which the generated ones stand, and a name that the templates use.
 CPP_TYPES = frozenset(
-    """AllMessages AlternativeUnit AnswerForm AnswerOf Availability Axes BasicParser BoundedArray
-    BoundedBytes BoundedText Bytes Candidate Code Context Contexts Conversion Counter Direction
-    EnumInfo EnumMeta FieldInfo FieldPath FieldRole Flags Form Frame Framing Json JsonError M Message
-    MessageInfo Meta Number NumberType NumberTypes Optional PackedInfo PackedMeta Parser
-    ParserCounters PartInfo Range RawValue Rule Special Status Text Type TypeList ValueInfo
-    VariableInfo Verdict Violation WriteResult Xyz""".split()
+    """AllMessages AlternativeUnit AnswerForm AnswerOf Availability Axes BasicParser
+    BasicSession BoundedArray BoundedBytes BoundedText Bytes Candidate Code ConfirmationResult
+    Confirmed Context Contexts Conversion Counter Detector DetectorOptions DetectorStep
+    Direction Duration Echo EnumInfo EnumMeta Event EventKind Exchange ExchangeTraits FieldInfo
+    FieldPath FieldRole Flags Form Frame Framing Handle Instant Json JsonError LineSettings M
+    Message MessageInfo Meta Number NumberType NumberTypes Optional Outcome Output
+    PacingOptions PackedInfo PackedMeta Parity Parser ParserCounters PartInfo Range RawValue
+    Replies Rule SendOptions SendResult SendStatus Session SessionCapacity SessionOptions
+    SessionStatistics SettingsOf Special Status StoredMessages StreamChange StreamUsage Text
+    Trial Type TypeList ValueInfo VariableInfo Verdict Violation WriteResult Xyz""".split()
 )
 # Members that every generated message has of its own.
 MESSAGE_WORDS = frozenset(("command", "direction", "form", "min_size", "max_size", "since", "tail"))

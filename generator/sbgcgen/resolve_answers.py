@@ -57,6 +57,7 @@ class AnswerResolver:
         self.fields = fields
         self.found = found
         self.defaults = spec.main.get("defaults", {})
+        self.nodes: dict[Position, Map] = {}  # what was resolved, to point at its keys
 
     # While messages are resolved
 
@@ -84,6 +85,7 @@ class AnswerResolver:
         timeout = int(self.defaults.get("answer_timeout_ms", 0))
         if not isinstance(node, Map):
             return AnswerCase(None, (), "never", 0, timeout, 0, False, False, (), (), at=at)
+        self.nodes[node.position] = node
         names = node.get("message", [])
         confirm = str(node.get("confirm", "never"))
         return AnswerCase(
@@ -111,6 +113,7 @@ class AnswerResolver:
             )
             self.found.add(node.at("is"), "SBGC037", message, "move it to the other direction")
             return None
+        self.nodes[node.position] = node
         needed, possible = _PARTS[kind]
         words = _STREAM_WORDS if kind == "stream_request" else ()
         for word in node:
@@ -193,7 +196,7 @@ class AnswerResolver:
                 cases = [self._settle(c, message, board, confirmation) for c in answer.cases]
                 answer = Answer(tuple(cases))
             if role is not None and role.messages:
-                known = [self._board(name, board, role.at) for name in role.messages]
+                known = [self._board(n, board, role.at, "messages") for n in role.messages]
                 streams = tuple(_reply(message, m) for m in known if m is not None)
                 role = replace(role, streams=streams)
             result.append(replace(message, answer=answer, role=role))
@@ -216,10 +219,15 @@ class AnswerResolver:
                     f"see {other.role.at if other.role else other.at}",
                 )
 
-    def _board(self, name: str, board: dict[str, Message], at: Position) -> Message | None:
+    def _board(
+        self, name: str, board: dict[str, Message], at: Position, key: str
+    ) -> Message | None:
+        """The board's message that the `key` of the node at `at` names."""
         if name not in board:
             hint = did_you_mean(name, board) or "name a message under 'from_board'"
-            self.found.add(at, "SBGC021", f"the board sends no message '{name}'", hint)
+            self.found.add(
+                self.nodes[at].at(key), "SBGC021", f"the board sends no message '{name}'", hint
+            )
         return board.get(name)
 
     def _settle(
@@ -229,19 +237,22 @@ class AnswerResolver:
         board: dict[str, Message],
         confirmation: Message | None,
     ) -> AnswerCase:
-        answers = [self._board(name, board, case.at) for name in case.messages]
+        answers = [self._board(n, board, case.at, "message") for n in case.messages]
         replies = [_reply(request, message) for message in answers if message is not None]
         if len(replies) > MAX_REPLIES:
             text = f"{request.name} has {len(replies)} answers; {MAX_REPLIES} are possible"
-            self.found.add(case.at, "SBGC041", text, "let the forms of one message be one answer")
+            at = self.nodes[case.at].at("message")
+            self.found.add(at, "SBGC041", text, "let the forms of one message be one answer")
         by_name = {field.spec_name: field for field in request.fields}
         confirmed: Echo | None = None
+        at = self.nodes[case.at].at("echoes") if case.echoes else case.at
         for name in case.echoes:
             field = by_name.get(name)
             problem = _why_not_echoed(field)
             if field is None or problem:
-                hint = did_you_mean(name, by_name) or "name a number of the request"
-                self.found.add(case.at, "SBGC036", f"'{name}' of {request.name} {problem}", hint)
+                hint = did_you_mean(name, by_name) if field is None else ""
+                hint = hint or "name a number of the request"
+                self.found.add(at, "SBGC036", f"'{name}' of {request.name} {problem}", hint)
                 continue
             found = False
             for index, message in enumerate(m for m in answers if m is not None):
@@ -259,10 +270,10 @@ class AnswerResolver:
             if not found:
                 text = f"what answers {request.name} does not have '{name}' in a fixed place"
                 hint = "a field of the same name and size, in front of what varies"
-                self.found.add(case.at, "SBGC036", text, hint)
+                self.found.add(at, "SBGC036", text, hint)
         if len(case.echoes) > MAX_ECHOES:
             text = f"{len(case.echoes)} fields of {request.name} are repeated"
-            self.found.add(case.at, "SBGC036", text, f"at most {MAX_ECHOES} are possible")
+            self.found.add(at, "SBGC036", text, f"at most {MAX_ECHOES} are possible")
         result = None
         if case.confirm != "never" and confirmation is not None:
             result = _result(confirmation, request.command)

@@ -1,13 +1,12 @@
-#include <sbgc/client/backup.hpp>
-
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <sbgc/client/backup.hpp>
 #include <sbgc/json.hpp>
 
 #include "task_test.hpp"
@@ -86,8 +85,7 @@ TEST_F(BackupTest, AFileTellsWhichBoardItIsOf) {
   EXPECT_EQ(document["board"]["model"], "3.0");
   EXPECT_THAT(document["board"]["firmware"].get<std::string>(), HasSubstr("2.59"));
   EXPECT_EQ(document["board"]["info"]["fields"]["firmware_ver"], 2590);
-  EXPECT_EQ(document["board"]["details"]["fields"]["mcu_id"],
-            detail::to_hex(board.details.mcu_id));
+  EXPECT_EQ(document["board"]["details"]["fields"]["mcu_id"], detail::to_hex(board.details.mcu_id));
   EXPECT_EQ(document["settings"].size(), 18U);
 }
 

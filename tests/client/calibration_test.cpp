@@ -1,15 +1,15 @@
-#include <sbgc/client/calibration.hpp>
-
 #include <vector>
+
+#include <sbgc/client/calibration.hpp>
 
 #include "task_test.hpp"
 
 namespace sbgc::test {
 namespace {
 
+using std::chrono::milliseconds;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using std::chrono::milliseconds;
 
 class CalibrationTest : public TaskTest {
  protected:

@@ -1,8 +1,8 @@
-#include <sbgc/client/memory.hpp>
-
 #include <numeric>
 #include <string>
 #include <vector>
+
+#include <sbgc/client/memory.hpp>
 
 #include "pages.hpp"
 #include "task_test.hpp"
@@ -10,11 +10,11 @@
 namespace sbgc::test {
 namespace {
 
+using detail::page_runs;
+using detail::PageRun;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using detail::page_runs;
-using detail::PageRun;
 
 std::vector<std::uint8_t> bytes(std::size_t size, unsigned seed = 1) {
   std::vector<std::uint8_t> result(size);

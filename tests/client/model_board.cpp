@@ -177,8 +177,7 @@ Packets ModelBoard::write_file(const WriteFile& request) {
     return Packets{confirmation<WriteFile>({static_cast<std::uint8_t>(error)})};
   };
   if (request.data.empty()) {
-    return end(files.erase(request.file_id) != 0 ? FileError::no_error
-                                                 : FileError::file_not_found);
+    return end(files.erase(request.file_id) != 0 ? FileError::no_error : FileError::file_not_found);
   }
   auto& content = files[request.file_id];
   content.resize(request.file_size.raw());
@@ -207,8 +206,8 @@ Packet ModelBoard::look() {
   for (std::size_t i = 0; i < 3; ++i) {
     if (!is_stuck) {
       const int way = targets[i].raw() - angles[i].raw();
-      angles[i] = Angle14(static_cast<std::int16_t>(angles[i].raw() +
-                                                    std::clamp<int>(way, -step, step)));
+      angles[i] =
+          Angle14(static_cast<std::int16_t>(angles[i].raw() + std::clamp<int>(way, -step, step)));
       if (way != 0 && angles[i] == targets[i]) speeds[i] = ControlSpeed(0);
     }
     result.axes[i] = {angles[i], targets[i], speeds[i]};

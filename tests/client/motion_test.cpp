@@ -1,14 +1,14 @@
-#include <sbgc/client/motion.hpp>
-
 #include <vector>
+
+#include <sbgc/client/motion.hpp>
 
 #include "task_test.hpp"
 
 namespace sbgc::test {
 namespace {
 
-using ::testing::HasSubstr;
 using std::chrono::milliseconds;
+using ::testing::HasSubstr;
 
 class MotionTest : public TaskTest {
  protected:
@@ -59,8 +59,8 @@ TEST_F(MotionTest, OldFirmwareHoldsThemAtTheirTargets) {
 
 TEST_F(MotionTest, ATargetBehindTheEndOfTheCountIsNear) {
   board.angles.yaw = board.targets.yaw = Angle14(32760);
-  const auto moved = move_to(client(), {.yaw = Angle14(-32768)}, {},
-                             {.tolerance = 0.5, .clock = clock});
+  const auto moved =
+      move_to(client(), {.yaw = Angle14(-32768)}, {}, {.tolerance = 0.5, .clock = clock});
   ASSERT_TRUE(moved) << moved.error().message;
   EXPECT_LT(moved->elapsed, milliseconds(1000));
 }

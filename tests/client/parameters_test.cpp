@@ -1,7 +1,7 @@
-#include <sbgc/client/parameters.hpp>
-
 #include <string>
 #include <vector>
+
+#include <sbgc/client/parameters.hpp>
 
 #include "task_test.hpp"
 
@@ -241,7 +241,9 @@ TEST_F(ParametersTest, WhatCannotBeReadBackIsUnknown) {
   wanted.gyro_trust = 5;
   ASSERT_TRUE(set.set(wanted));
   bool is_dead = false;
-  board.is_lost = [&](const Packet& request) { return is_dead || (is_dead = is<WriteParams3>(request)); };
+  board.is_lost = [&](const Packet& request) {
+    return is_dead || (is_dead = is<WriteParams3>(request));
+  };
   const WriteReport report = write_parameters(client(), set);
   ASSERT_FALSE(report);
   EXPECT_EQ(state(report, {"ReadParams3", 1}), BlockState::unknown);

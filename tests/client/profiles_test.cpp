@@ -1,6 +1,6 @@
-#include <sbgc/client/profiles.hpp>
-
 #include <string>
+
+#include <sbgc/client/profiles.hpp>
 
 #include "task_test.hpp"
 

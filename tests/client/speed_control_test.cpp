@@ -1,7 +1,7 @@
-#include <sbgc/client/speed_control.hpp>
-
 #include <condition_variable>
 #include <vector>
+
+#include <sbgc/client/speed_control.hpp>
 
 #include "speed_hold.hpp"
 #include "task_test.hpp"
@@ -9,8 +9,8 @@
 namespace sbgc::test {
 namespace {
 
-using std::chrono::milliseconds;
 using detail::SpeedHold;
+using std::chrono::milliseconds;
 using Action = SpeedHold::Action;
 using State = SpeedControl::State;
 

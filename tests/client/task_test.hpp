@@ -1,18 +1,21 @@
 /// Tests of tasks: a client that is connected to a board in memory.
 #pragma once
 
-#include <array>
 #include <algorithm>
+#include <array>
 #include <mutex>
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <sbgc/client/client.hpp>
 #include <sbgc/dispatch.hpp>
+#include <sbgc/io/pseudo_terminal.hpp>
 
 #include "manual_clock.hpp"
 #include "model_board.hpp"
@@ -54,6 +57,14 @@ class TaskTest : public ::testing::Test {
   std::mutex& board_mutex() { return mutex_; }
   /// Makes the line break.
   void unplug() { line_.unplug(); }
+  /// Lets the board play a serial port; returns its path, "" if there can be none.
+  std::string serve_pty() {
+    auto opened = io::open_pseudo_terminal(line_.executor(), {.stays_open = true});
+    if (!opened) return {};
+    std::string path = opened.transport->path();
+    line_.serve(std::move(opened.transport));
+    return path;
+  }
   /// Sends something unasked.
   template <class M>
   void send(const M& message) {

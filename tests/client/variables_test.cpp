@@ -1,9 +1,9 @@
-#include <sbgc/client/variables.hpp>
-
 #include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
+
+#include <sbgc/client/variables.hpp>
 
 #include "task_test.hpp"
 
@@ -79,8 +79,8 @@ TEST_F(VariablesTest, ManyAreMovedInMessagesOfForty) {
   std::vector<VariableValue> values;
   for (const VariableInfo& variable : variables) {
     names.emplace_back(variable.name);
-    values.push_back({variable.name, variable_value(variable, static_cast<std::int32_t>(
-                                                                  variable.range.highest))});
+    values.push_back({variable.name,
+                      variable_value(variable, static_cast<std::int32_t>(variable.range.highest))});
   }
   ASSERT_GT(names.size(), 40U);
   ASSERT_TRUE(set_variables(client(), values));

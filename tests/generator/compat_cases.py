@@ -290,6 +290,38 @@ CASES: dict[str, Case] = {
         MEANING,
         "message Move: safe to retry: yes → no",
     ),
+    "answer under a condition": (
+        [
+            (
+                "      answer: {confirm: always, retry: safe}\n",
+                "      answer:\n"
+                "        - {when: {field: OPTIONS, has: OPTION_FAST}, confirm: always, retry: safe}\n"
+                "        - {confirm: always, retry: safe, then: restart}\n",
+            )
+        ],
+        MEANING,
+        "message Move: answered when: else → options has OPTION_FAST, else",
+    ),
+    "restart": (
+        [
+            (
+                "answer: {confirm: always, retry: safe}",
+                "answer: {confirm: always, retry: safe, then: restart}",
+            )
+        ],
+        MEANING,
+        "message Move: restarts the board: no → yes",
+    ),
+    "role moved": (
+        [
+            (
+                "      source: Incoming commands L52\n",
+                "      source: Incoming commands L52\n" "      role: {is: introduction}\n",
+            )
+        ],
+        OK,
+        "message List: role: none → introduction",
+    ),
     "since later": (
         [("since: {firmware: 2.59}", "since: {firmware: 2.60}")],
         MEANING,

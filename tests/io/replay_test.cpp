@@ -145,6 +145,12 @@ TEST_F(Replay, LargeCaptures) {
   EXPECT_THAT(all(), testing::SizeIs(3000));
 }
 
+TEST_F(Replay, TimesOutOfAllBounds) {
+  for (int i = 0; i < 300; ++i) session({{std::chrono::years(290), "a"}});
+  open(ReplayTiming::fast);
+  EXPECT_THAT(all(), testing::SizeIs(300));
+}
+
 TEST_F(Replay, RawCaptures) {
   const Bytes raw = every_byte(1000);
   file.write(raw);

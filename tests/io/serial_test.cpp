@@ -34,7 +34,7 @@ class Serial : public testing::Test {
     board = std::move(result.transport);
   }
 
-  void open(const LineSettings& settings = {}) {
+  void open(const LineSettings& settings = default_line) {
     if (!board) play();
     OpenResult result = open_serial(context.get_executor(), board->path(), settings);
     ASSERT_TRUE(result) << result.error.message;
@@ -133,7 +133,7 @@ TEST_F(Serial, AnyRate) {
 TEST_F(Serial, RateZeroIsRefused) {
   open();
   EXPECT_EQ(port->line()->set({0}).code, Errc::line_refused);
-  EXPECT_EQ(port->line()->current(), LineSettings{});
+  EXPECT_EQ(port->line()->current(), default_line);
 }
 
 TEST_F(Serial, WhatTheDriverDoesNotDoIsNoticed) {
@@ -401,7 +401,7 @@ TEST(PseudoTerminal, Describes) {
   ASSERT_TRUE(board);
   EXPECT_EQ(board->description(), "pseudo-terminal " + board->path());
   EXPECT_THAT(board->path(), StartsWith("/dev/pts/"));
-  EXPECT_EQ(board->other_line(), LineSettings{});
+  EXPECT_EQ(board->other_line(), default_line);
   board->close();
   EXPECT_EQ(board->other_line(), std::nullopt);
 }

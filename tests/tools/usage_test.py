@@ -25,6 +25,11 @@ LINE = '{"message":"GetAnglesRequest","fields":{}}\n'
         ["decode", "one", "two"],
         ["encode", "--from", "host"],
         ["encode", "one", "two"],
+        ["ports", "--format", "jsonl"],
+        ["ports", "one"],
+        ["record"],
+        ["record", "pty:"],
+        ["record", "pty:", "file", "--seconds", "soon"],
     ],
 )
 def test_wrong_usage(arguments: list[str]) -> None:
@@ -34,7 +39,9 @@ def test_wrong_usage(arguments: list[str]) -> None:
 
 
 @pytest.mark.parametrize(
-    "arguments", [["--help"], ["decode", "--help"], ["encode", "--help"], ["--help-all"]]
+    "arguments",
+    [["--help"], ["--help-all"]]
+    + [[command, "--help"] for command in ("decode", "encode", "ports", "record")],
 )
 def test_help(arguments: list[str]) -> None:
     result = run(*arguments)

@@ -1,11 +1,10 @@
-#include <sbgc/client/backup.hpp>
-
 #include <chrono>
 #include <ctime>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <sbgc/client/backup.hpp>
 #include <sbgc/client/client.hpp>
 #include <sbgc/json.hpp>
 #include <sbgc/meta/system.hpp>
@@ -27,7 +26,8 @@ using ByteVector = std::vector<std::uint8_t>;
 std::string utc_now() {
   const auto now = std::chrono::system_clock::now();
   const auto seconds = std::chrono::floor<std::chrono::seconds>(now);
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(seconds)));
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                     fmt::gmtime(std::chrono::system_clock::to_time_t(seconds)));
 }
 
 template <class M>
@@ -188,10 +188,11 @@ std::string to_json_text(const Backup& backup) {
   if (backup.board.details) board["details"] = message_json(*backup.board.details);
   Json settings = Json::array();
   for (const Block& block : backup.settings.blocks()) {
-    settings.push_back({{"message", block.id.message},
-                        {"copy", block.id.copy},
-                        {"body", detail::to_hex(block.body)},
-                        {"fields", detail::find_settings_kind(block.id.message)->to_json(block.body)}});
+    settings.push_back(
+        {{"message", block.id.message},
+         {"copy", block.id.copy},
+         {"body", detail::to_hex(block.body)},
+         {"fields", detail::find_settings_kind(block.id.message)->to_json(block.body)}});
   }
   const Json document = {{"format", format_name},
                          {"version", format_version},

@@ -1,5 +1,3 @@
-#include <sbgc/client/calibration.hpp>
-
 #include <algorithm>
 #include <condition_variable>
 #include <memory>
@@ -8,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/client/calibration.hpp>
 #include <sbgc/client/client.hpp>
 
 #include "connect.hpp"

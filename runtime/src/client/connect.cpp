@@ -9,15 +9,14 @@
 #include <asio/strand.hpp>
 
 #include <sbgc/exchanges/system.hpp>
+#include <sbgc/io/clock.hpp>
 #include <sbgc/io/capture.hpp>
 #include <sbgc/io/line.hpp>
 #include <sbgc/io/open.hpp>
 #include <sbgc/io/recorder.hpp>
 #include <sbgc/roles.hpp>
 
-#include "clock.hpp"
 #include "conversation_state.hpp"
-#include "line.hpp"
 #include "text.hpp"
 #include "waiter.hpp"
 
@@ -44,7 +43,7 @@ ClientError to_client_error(const io::Error& error) {
 /// "115200 8N1: 312 bytes, none of them understood".
 std::string text_of(const Trial& trial) {
   std::string text =
-      io::to_string(to_io(trial.line)) + ": " + std::to_string(trial.bytes) + " bytes, ";
+      io::to_string(trial.line) + ": " + std::to_string(trial.bytes) + " bytes, ";
   if (trial.good_frames == 0) return text + "none of them understood";
   return text + std::to_string(trial.good_frames) + " messages, but no answer";
 }
@@ -56,9 +55,9 @@ std::string tried(std::span<const Trial> trials) {
   unsigned probes = 0;
   for (const Trial& trial : trials) {
     if (trial.is_refused) {
-      refused += (refused.empty() ? "" : ", ") + io::to_string(to_io(trial.line));
+      refused += (refused.empty() ? "" : ", ") + io::to_string(trial.line);
     } else if (trial.probes != 0) {
-      lines += (lines.empty() ? "" : ", ") + io::to_string(to_io(trial.line));
+      lines += (lines.empty() ? "" : ", ") + io::to_string(trial.line);
     }
     if (trial.bytes != 0) heard += (heard.empty() ? "" : "; ") + text_of(trial);
     probes += trial.probes;
@@ -75,7 +74,7 @@ class Connector {
   Connector(const asio::any_io_executor& executor, const ConnectOptions& options)
       : options_(options),
         strand_(asio::make_strand(executor)),
-        deadline_(now() + to_duration(options.timeout)),
+        deadline_(io::now() + io::from_chrono(options.timeout)),
         state_(std::make_shared<Conversation::State>(strand_, options)) {}
   Connector(const Connector&) = delete;
   Connector& operator=(const Connector&) = delete;
@@ -103,10 +102,10 @@ class Connector {
     using Detection = Conversation::State::Detection;
     const auto waiter = std::make_shared<Waiter<Detection>>();
     state_->detect([waiter](Detection detection) { waiter->put(std::move(detection)); });
-    auto detection = waiter->wait_until(to_time_point(deadline_));
+    auto detection = waiter->wait_until(io::to_chrono(deadline_));
     if (!detection) {
       state_->stop_detecting();
-      detection = waiter->wait_until(to_time_point(deadline_ + milliseconds(200)));
+      detection = waiter->wait_until(io::to_chrono(deadline_ + milliseconds(200)));
     }
     if (detection && detection->found) return {};
     const std::string description = state_->description();
@@ -139,7 +138,7 @@ class Connector {
 
  private:
   std::chrono::milliseconds left() const {
-    const Duration duration = deadline_ - now();
+    const Duration duration = deadline_ - io::now();
     return std::chrono::milliseconds(std::max<std::int64_t>(duration.us / 1000, 1));
   }
 

@@ -1,7 +1,8 @@
 #include <memory>
 #include <utility>
 
-#include "clock.hpp"
+#include <sbgc/io/clock.hpp>
+
 #include "conversation_state.hpp"
 #include "waiter.hpp"
 
@@ -22,7 +23,7 @@ Result<T> wait_for(Conversation::State& state, const Begin& begin) {
   const auto waiter = std::make_shared<Waiter<Result<T>>>();
   const auto [ticket, deadline] =
       begin([waiter](Result<T> result) { waiter->put(std::move(result)); });
-  if (auto result = waiter->wait_until(to_time_point(deadline + grace))) return *std::move(result);
+  if (auto result = waiter->wait_until(io::to_chrono(deadline + grace))) return *std::move(result);
   state.end(ticket, {ErrorCode::timeout, "a handler keeps the client from working"});
   // The end, this one or another that came first, is on its way in some thread.
   return waiter->wait();
@@ -71,6 +72,8 @@ std::string Conversation::description() const { return state_->description(); }
 
 ClientStatistics Conversation::statistics() const { return state_->statistics(); }
 
-void Conversation::close() const noexcept { state_->close(); }
+void Conversation::close() const noexcept {
+  if (state_) state_->close();
+}
 
 }  // namespace sbgc::detail

@@ -7,8 +7,8 @@
 #include <asio/error.hpp>
 #include <asio/post.hpp>
 
-#include "clock.hpp"
-#include "line.hpp"
+#include <sbgc/io/clock.hpp>
+
 #include "text.hpp"
 
 namespace sbgc::detail {
@@ -74,7 +74,7 @@ void Conversation::State::attach(std::unique_ptr<io::Transport> transport) {
   post([this, shared = std::make_shared<std::unique_ptr<io::Transport>>(std::move(transport))] {
     transport_ = std::move(*shared);
     if (const io::LineControl* const line = transport_->line()) {
-      session_.set_line(to_core(line->current()));
+      session_.set_line(line->current());
     }
     const bool is_open = [&] {
       const std::lock_guard lock(mutex_);
@@ -138,10 +138,10 @@ auto Conversation::State::begin(Request request, const CallOptions& options, Rep
   Duration attempt = milliseconds(exchange.timeout_ms);
   Duration allowed = attempt * static_cast<std::int32_t>(attempts);
   if (options.timeout) {
-    allowed = to_duration(*options.timeout);
-    attempt = std::max(attempt, Duration{allowed.us / attempts});
+    allowed = io::from_chrono(*options.timeout);
+    attempt = Duration{allowed.us / attempts};
   } else {
-    allowed = std::max(allowed, milliseconds(exchange.finish_ms)) + to_duration(options_.patience);
+    allowed = std::max(allowed, milliseconds(exchange.finish_ms)) + io::from_chrono(options_.patience);
   }
 
   const auto call = std::make_shared<Call>();
@@ -150,7 +150,7 @@ auto Conversation::State::begin(Request request, const CallOptions& options, Rep
                 .attempts = static_cast<std::uint8_t>(attempts),
                 .timeout = attempt};
   call->allowed = allowed;
-  call->deadline = now() + allowed;
+  call->deadline = io::now() + allowed;
   call->on_confirmation = options.on_confirmation;
   call->handler = std::move(handler);
   std::optional<ClientError> refusal;
@@ -309,7 +309,7 @@ void Conversation::State::advance() {
   do {
     has_room_ = false;
     hand_over();
-    const Instant at = now();
+    const Instant at = io::now();
     end_overdue(at);
     // While a write is under way no other can begin, so nothing is to be had from the session.
     if (is_writing_) break;
@@ -341,10 +341,10 @@ void Conversation::State::stop_detecting() {
 
 void Conversation::State::advance_detection() {
   while (!is_writing_) {
-    const DetectorStep step = detector_->next(now());
+    const DetectorStep step = detector_->next(io::now());
     switch (step.kind) {
       case DetectorStep::Kind::set_line:
-        if (transport_->line()->set(to_io(step.line))) detector_->refuse();
+        if (transport_->line()->set(step.line)) detector_->refuse();
         break;
       case DetectorStep::Kind::write: write(step.bytes); break;
       case DetectorStep::Kind::wait: return arm(step.until);
@@ -438,7 +438,7 @@ void Conversation::State::arm(Instant at) {
     timer_->cancel();
     return;
   }
-  timer_->expires_at(to_time_point(at));
+  timer_->expires_at(io::to_chrono(at));
   timer_->async_wait([self = shared_from_this()](const std::error_code& error) {
     if (!error) self->advance();
   });
@@ -459,7 +459,7 @@ void Conversation::State::read() {
 
 void Conversation::State::take_bytes(std::span<const std::uint8_t> bytes) {
   if (detector_) return detector_->feed(bytes);
-  session_.feed(bytes, now(), [this](const Event& event) { handle_event(event); });
+  session_.feed(bytes, io::now(), [this](const Event& event) { handle_event(event); });
 }
 
 void Conversation::State::write(std::span<const std::uint8_t> bytes) {

@@ -1,5 +1,3 @@
-#include <sbgc/client/memory.hpp>
-
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -7,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/client.hpp>
+#include <sbgc/client/memory.hpp>
 #include <sbgc/client/parameters.hpp>
 #include <sbgc/meta/storage.hpp>
 
@@ -43,7 +42,8 @@ Result<void> check_place(const Client& client, std::uint64_t address, std::size_
 }
 
 /// Reads whole pages.
-Result<ByteVector> read_pages(Client& client, const detail::PageRun& run, const Deadline& deadline) {
+Result<ByteVector> read_pages(Client& client, const detail::PageRun& run,
+                              const Deadline& deadline) {
   EepromReadRequest request;
   request.addr = static_cast<std::uint32_t>(run.address);
   request.size = ByteCount(static_cast<ByteCount::raw_type>(run.size));
@@ -93,10 +93,10 @@ Result<ReadFile> read_part(Client& client, std::uint16_t file, std::size_t offse
   const std::size_t whole = answer->file_size.raw();
   const std::size_t expected = std::min(size, whole - std::min(whole, offset));
   if (answer->page_offset != request.page_offset || answer->data.size() != expected) {
-    return ClientError{ErrorCode::mismatch,
-                       fmt::format("file {}: {} bytes at {} were expected, {} bytes at {} came",
-                                   file, expected, offset, answer->data.size(),
-                                   answer->page_offset.bytes())};
+    return ClientError{
+        ErrorCode::mismatch,
+        fmt::format("file {}: {} bytes at {} were expected, {} bytes at {} came", file, expected,
+                    offset, answer->data.size(), answer->page_offset.bytes())};
   }
   return answer;
 }
@@ -132,17 +132,17 @@ Result<void> write_eeprom(Client& client, std::uint32_t address, std::span<const
   const std::uint64_t end = std::uint64_t{address} + data.size();
   std::uint64_t written = address;
   const auto fail = [&](ClientError error) {
-    const std::string place =
-        written == address ? std::string("nothing has been written for certain")
-                           : fmt::format("the data stand there up to {}", hex(written));
+    const std::string place = written == address
+                                  ? std::string("nothing has been written for certain")
+                                  : fmt::format("the data stand there up to {}", hex(written));
     error.message = fmt::format("{}; {}", error.message, place);
     return error;
   };
   const std::size_t most = std::min(eeprom_most_read, eeprom_most_written);
   for (const auto& run : detail::page_runs(address, data.size(), eeprom_page, most)) {
-    auto going = detail::go_on(task, options.progress,
-                               {static_cast<std::size_t>(written - address), data.size(), task},
-                               deadline);
+    auto going =
+        detail::go_on(task, options.progress,
+                      {static_cast<std::size_t>(written - address), data.size(), task}, deadline);
     if (!going) return fail(going.error());
     const std::uint64_t first = std::max<std::uint64_t>(run.address, address);
     const std::uint64_t last = std::min(run.address + run.size, end);

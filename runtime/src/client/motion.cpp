@@ -1,5 +1,3 @@
-#include <sbgc/client/motion.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/client.hpp>
+#include <sbgc/client/motion.hpp>
 #include <sbgc/messages/control.hpp>
 
 #include "task.hpp"

@@ -1,10 +1,9 @@
-#include <sbgc/client/parameters.hpp>
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include <sbgc/client/client.hpp>
+#include <sbgc/client/parameters.hpp>
 
 #include "settings_kind.hpp"
 #include "task.hpp"
@@ -224,8 +223,8 @@ class Writing {
             if (std::ranges::find(block.wanted, path, &FieldChange::path) == block.wanted.end()) {
               return;
             }
-            problems += fmt::format("{}{}, {}: {}", problems.empty() ? "" : "\n",
-                                    to_text(block.id), path, reason);
+            problems += fmt::format("{}{}, {}: {}", problems.empty() ? "" : "\n", to_text(block.id),
+                                    path, reason);
           });
     }
     if (problems.empty()) return {};
@@ -252,9 +251,9 @@ class Writing {
     }
     if (!sent) return detail::during("writing " + to_text(block.id), sent.error());
     if (block.state == BlockState::written) return {};
-    return ClientError{
-        ErrorCode::mismatch,
-        fmt::format("{} was confirmed, but reading it back gives something else", to_text(block.id))};
+    return ClientError{ErrorCode::mismatch,
+                       fmt::format("{} was confirmed, but reading it back gives something else",
+                                   to_text(block.id))};
   }
 
   /// Reads a block back and notes what is there.

@@ -1,9 +1,8 @@
-#include <sbgc/client/profiles.hpp>
-
 #include <fmt/format.h>
 
 #include <sbgc/client/client.hpp>
 #include <sbgc/client/parameters.hpp>
+#include <sbgc/client/profiles.hpp>
 #include <sbgc/json_text.hpp>
 
 namespace sbgc {

@@ -1,5 +1,3 @@
-#include <sbgc/client/speed_control.hpp>
-
 #include <condition_variable>
 #include <mutex>
 #include <optional>
@@ -8,6 +6,7 @@
 
 #include <sbgc/client/client.hpp>
 #include <sbgc/client/motion.hpp>
+#include <sbgc/client/speed_control.hpp>
 #include <sbgc/messages/control.hpp>
 
 #include "speed_hold.hpp"

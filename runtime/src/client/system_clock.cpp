@@ -1,7 +1,7 @@
-#include <sbgc/client/clock.hpp>
-
 #include <algorithm>
 #include <thread>
+
+#include <sbgc/client/clock.hpp>
 
 namespace sbgc {
 namespace {

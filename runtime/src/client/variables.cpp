@@ -1,5 +1,3 @@
-#include <sbgc/client/variables.hpp>
-
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <sbgc/client/client.hpp>
+#include <sbgc/client/variables.hpp>
 #include <sbgc/messages/adjustable_variables.hpp>
 #include <sbgc/messages/parameters.hpp>
 #include <sbgc/meta/adjustable_variables.hpp>
@@ -53,9 +52,8 @@ std::string number_with_unit(const VariableInfo& variable, double value) {
 Result<const VariableInfo*> find_variable(std::string_view name) {
   const auto* const found = std::ranges::find(variables, name, &VariableInfo::name);
   if (found != std::end(variables)) return found;
-  return ClientError{
-      ErrorCode::not_found,
-      fmt::format("there is no adjustable variable {}{}", name, similar_names(name))};
+  return ClientError{ErrorCode::not_found, fmt::format("there is no adjustable variable {}{}", name,
+                                                       similar_names(name))};
 }
 
 double variable_value(const VariableInfo& variable, std::int32_t raw) noexcept {
@@ -87,7 +85,8 @@ Result<std::vector<double>> get_variables(Client& client, std::span<const std::s
   }
   std::vector<double> result;
   while (result.size() < wanted.size()) {
-    const std::span<const VariableInfo* const> rest(wanted.begin() + static_cast<std::ptrdiff_t>(result.size()), wanted.end());
+    const std::span<const VariableInfo* const> rest(
+        wanted.begin() + static_cast<std::ptrdiff_t>(result.size()), wanted.end());
     const auto part = rest.first(std::min(most_asked, rest.size()));
     GetAdjVarsVal request;
     for (const VariableInfo* const variable : part) request.param_id.push_back(variable->id);

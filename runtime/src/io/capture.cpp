@@ -86,6 +86,10 @@ bool is_capture(std::span<const std::uint8_t> begin) noexcept {
   return begin.size() >= magic.size() && std::equal(magic.begin(), magic.end(), begin.begin());
 }
 
+bool may_become_capture(std::span<const std::uint8_t> begin) noexcept {
+  return begin.size() < magic.size() && std::equal(begin.begin(), begin.end(), magic.begin());
+}
+
 void CaptureParser::feed(std::span<const std::uint8_t> bytes) {
   buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(position_));
   position_ = 0;

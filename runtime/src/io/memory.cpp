@@ -130,7 +130,7 @@ struct Link {
 
   std::mutex mutex;
   std::array<Pipe, 2> pipes;
-  std::array<LineSettings, 2> lines{};
+  std::array<LineSettings, 2> lines{default_line, default_line};
 };
 
 class MemoryLine final : public LineControl {

@@ -24,6 +24,8 @@ template <class... Ts>
 struct Overloaded : Ts... {
   using Ts::operator()...;
 };
+template <class... Ts>
+Overloaded(Ts...) -> Overloaded<Ts...>;
 
 /// A decimal number from 1 to `max`.
 std::optional<std::uint32_t> number(std::string_view text, std::uint32_t max) {

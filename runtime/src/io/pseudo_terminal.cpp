@@ -77,7 +77,8 @@ PseudoTerminalResult open_pseudo_terminal(const asio::any_io_executor& executor,
       ptsname_r(master.get(), path.data(), path.size()) != 0) {
     return failure();
   }
-  if (Error error = detail::make_raw(master.get(), {}, path.data())) return {nullptr, error};
+  if (Error error = detail::make_raw(master.get(), default_line, path.data()))
+    return {nullptr, error};
   detail::Descriptor slave;
   if (options.stays_open) {
     slave = detail::Descriptor(::open(path.data(), O_RDWR | O_NOCTTY | O_CLOEXEC));

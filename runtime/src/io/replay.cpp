@@ -67,8 +67,8 @@ class Source {
     const auto* const record = std::get_if<CaptureRecord>(&item);
     if (record == nullptr) return std::nullopt;
     // Times of a file are not to be trusted: they must not run backwards or out of all bounds.
-    const CaptureTime time = std::min(record->time, CaptureTime(std::chrono::years(1)));
-    last_ = std::max(last_, session_begin_ + time);
+    constexpr CaptureTime bound = std::chrono::years(1);
+    last_ = std::max(last_, std::min(session_begin_ + std::min(record->time, bound), bound));
     if (record->kind != CaptureKind::from_board || record->bytes.empty()) return std::nullopt;
     return Piece{last_, {record->bytes.begin(), record->bytes.end()}};
   }

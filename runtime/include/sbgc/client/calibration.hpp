@@ -17,8 +17,8 @@ enum class Sensor : std::uint8_t { accelerometer, gyroscope };
 
 /// What is seen of a calibration.
 struct CalibrationProgress {
-  bool has_started{};                 ///< the board has confirmed the beginning
-  std::optional<CalibInfo> state{};   ///< what the board tells, if it can
+  bool has_started{};                ///< the board has confirmed the beginning
+  std::optional<CalibInfo> state{};  ///< what the board tells, if it can
   std::chrono::milliseconds elapsed{};
 };
 

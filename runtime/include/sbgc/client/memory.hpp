@@ -32,7 +32,8 @@ struct TransferOptions {
 /// Reads `size` bytes of the EEPROM from `address` on; neither need be a multiple of the page size.
 /// ErrorCode::invalid if they lie outside of the EEPROM.
 Result<std::vector<std::uint8_t>> read_eeprom(Client& client, std::uint32_t address,
-                                              std::size_t size, const TransferOptions& options = {});
+                                              std::size_t size,
+                                              const TransferOptions& options = {});
 
 /// Writes `data` to the EEPROM from `address` on. The board writes whole pages only: where the data
 /// begin or end inside one, its other bytes are read first and written back as they are.

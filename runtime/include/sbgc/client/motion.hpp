@@ -35,9 +35,9 @@ using MoveTarget = Axes<AxisTarget>;
 
 /// What is seen while the camera moves.
 struct MoveProgress {
-  Axes<Angle14> angles{};     ///< measured
-  Axes<double> remaining{};   ///< degrees to the target, with a sign; 0 for axes left alone
-  bool is_close{};            ///< all within the tolerance
+  Axes<Angle14> angles{};    ///< measured
+  Axes<double> remaining{};  ///< degrees to the target, with a sign; 0 for axes left alone
+  bool is_close{};           ///< all within the tolerance
   std::chrono::milliseconds elapsed{};
 };
 

@@ -34,7 +34,9 @@ class Client;
 
 /// A message that holds settings.
 template <class M>
-concept Stored = requires { SettingsOf<M>::copies; };
+concept Stored = requires {
+  SettingsOf<M>::copies;
+};
 
 /// Which settings: the name of the message that holds them, and of which copy, counted from 0.
 struct BlockId {

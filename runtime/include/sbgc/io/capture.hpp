@@ -81,10 +81,12 @@ std::string to_string(const CaptureDamage& damage);
 
 using CaptureItem = std::variant<CaptureSession, CaptureRecord, CaptureDamage>;
 
-/// Whether a file that begins with these bytes, at least 8, is a capture.
-bool is_capture(std::span<const std::uint8_t> begin) noexcept;
-
 inline constexpr std::size_t capture_magic_size = 8;
+
+/// Whether a file that begins with these bytes, at least capture_magic_size, is a capture.
+bool is_capture(std::span<const std::uint8_t> begin) noexcept;
+/// Whether these bytes are too few to tell.
+bool may_become_capture(std::span<const std::uint8_t> begin) noexcept;
 
 /// Reads a capture that arrives in pieces. Keeps no more than one record and what was fed last;
 /// every byte is looked at a bounded number of times.

@@ -1,22 +1,18 @@
-/// The settings of a serial line.
+/// The line of a serial port: its settings, and control over them.
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include <sbgc/io/error.hpp>
+#include <sbgc/line.hpp>
 
 namespace sbgc::io {
 
-/// The parity bit of each byte. There are always 8 data bits and 1 stop bit.
-enum class Parity : std::uint8_t { none, even };
+using sbgc::LineSettings;
+using sbgc::Parity;
 
-struct LineSettings {
-  std::uint32_t baud_rate = 115200;  ///< bits per second; any rate that the hardware can do
-  Parity parity = Parity::none;
-
-  bool operator==(const LineSettings&) const = default;
-};
+/// What a board is set to when it is new.
+inline constexpr LineSettings default_line{115200, Parity::none};
 
 /// "115200 8N1".
 std::string to_string(const LineSettings& settings);

@@ -20,7 +20,7 @@ namespace sbgc::io {
 /// '/'.
 struct SerialAddress {
   std::string path;
-  LineSettings line{};
+  LineSettings line = default_line;
   bool operator==(const SerialAddress&) const = default;
 };
 

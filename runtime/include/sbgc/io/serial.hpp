@@ -16,7 +16,7 @@ namespace sbgc::io {
 /// received before. Settings are verified by reading them back. The transport's line() changes
 /// them; a device that goes away is Errc::device_lost. Does not block.
 OpenResult open_serial(const asio::any_io_executor& executor, const std::string& path,
-                       const LineSettings& settings = {});
+                       const LineSettings& settings = default_line);
 
 /// Who may open a device, for permission_error().
 struct DeviceOwner {

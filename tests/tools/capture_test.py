@@ -1,0 +1,322 @@
+"""Captures in the sbgc command: decode, record, ports. The files are made here, from the description of the
+format, not by the library."""
+
+from __future__ import annotations
+
+import json
+import os
+import pty
+import signal
+import socket
+import struct
+import subprocess
+import tty
+import zlib
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sbgc_command import PROGRAM, decode, frame, run
+
+FROM_BOARD, TO_BOARD, NOTE = 1, 2, 3
+ANGLES_REQUEST = frame(73)
+ANGLES = frame(73, struct.pack("<9h", *range(9)))
+
+
+def session(start: float = 0.0) -> bytes:
+    head = b"\x89SBGC\r\n\x1a" + struct.pack("<HHQ", 1, 0, int(start * 1e6))
+    return head + struct.pack("<I", zlib.crc32(head))
+
+
+def record(kind: int, seconds: float, data: bytes) -> bytes:
+    head = struct.pack("<BBHQ", 0xA5, kind, len(data), round(seconds * 1e6)) + data
+    return head + struct.pack("<I", zlib.crc32(head))
+
+
+def records(capture: bytes) -> list[tuple[int, bytes]]:
+    """Kind and bytes of the records of a capture of one session."""
+    assert capture[:8] == session()[:8]
+    assert zlib.crc32(capture[:20]) == struct.unpack_from("<I", capture, 20)[0]
+    result = []
+    at = 24
+    while at < len(capture):
+        mark, kind, size, _ = struct.unpack_from("<BBHQ", capture, at)
+        end = at + 12 + size
+        assert mark == 0xA5
+        assert zlib.crc32(capture[at:end]) == struct.unpack_from("<I", capture, end)[0]
+        result.append((kind, capture[at + 12 : end]))
+        at = end + 4
+    return result
+
+
+CAPTURE = (
+    session(1_700_000_000)
+    + record(NOTE, 0, b"serial port /dev/ttyUSB0, 115200 8N1")
+    + record(TO_BOARD, 0.25, ANGLES_REQUEST)
+    + record(FROM_BOARD, 0.5, b"??" + ANGLES[:10])
+    + record(TO_BOARD, 0.625, ANGLES_REQUEST)
+    + record(FROM_BOARD, 1.75, ANGLES[10:] + ANGLES)
+)
+
+
+def keys(lines: list[Any], *names: str) -> list[Any]:
+    return [tuple(line[name] for name in names) for line in lines]
+
+
+def test_json_lines_have_direction_and_time() -> None:
+    lines = decode(CAPTURE)
+    assert keys(lines, "message", "direction", "time", "session", "offset") == [
+        ("GetAnglesRequest", "to_board", 0.25, 0, 0),
+        ("GetAnglesRequest", "to_board", 0.625, 0, 5),
+        ("GetAngles", "from_board", 1.75, 0, 2),
+        ("GetAngles", "from_board", 1.75, 0, 2 + len(ANGLES)),
+    ]
+    raw = decode(ANGLES)[0]
+    for key in ("time", "session", "offset"):
+        lines[2].pop(key), raw.pop(key, None)
+    assert lines[2] == raw
+
+
+def test_raw_captures_have_no_time() -> None:
+    assert "time" not in decode(ANGLES)[0]
+
+
+def test_text_shows_direction_time_and_notes() -> None:
+    result = run("decode", stdin=CAPTURE)
+    assert result.status == 0
+    headings = [line for line in result.text.splitlines() if not line.startswith("    ")]
+    assert headings == [
+        "session 0, begun 2023-11-14 22:13:20 UTC",
+        '0.000000 s  note: "serial port /dev/ttyUSB0, 115200 8N1"',
+        "0.250000 s  CMD_GET_ANGLES (73)  host to board, 0 bytes  GetAnglesRequest",
+        "0.625000 s  CMD_GET_ANGLES (73)  host to board, 0 bytes  GetAnglesRequest",
+        "1.750000 s  no frame: 2 bytes from the board",
+        "1.750000 s  CMD_GET_ANGLES (73)  board to host, 18 bytes  GetAngles",
+        "1.750000 s  CMD_GET_ANGLES (73)  board to host, 18 bytes  GetAngles",
+        "to the board: 2 frames, 0 bytes skipped (bad headers: 0, bad bodies: 0)",
+        "from the board: 2 frames, 2 bytes skipped (bad headers: 0, bad bodies: 0)",
+    ]
+
+
+def test_a_frame_has_the_time_of_its_last_byte() -> None:
+    # It is found only when a later, longer candidate in front of it turns out to be false.
+    false_start = b">" + bytes([86, 50, 136])
+    capture = (
+        session()
+        + record(FROM_BOARD, 1, false_start)
+        + record(FROM_BOARD, 2, ANGLES[:5])
+        + record(FROM_BOARD, 3, ANGLES[5:])
+        + record(FROM_BOARD, 4, bytes(60))
+    )
+    assert keys(decode(capture), "message", "time") == [("GetAngles", 3)]
+    # The same at the end of the capture.
+    assert keys(decode(capture[: -60 - 16]), "message", "time") == [("GetAngles", 3)]
+
+
+def test_a_request_tells_what_its_answer_holds() -> None:
+    request = frame(88, struct.pack("<I", 0x10) + bytes(6))
+    answer = frame(88, struct.pack("<H3h", 7, 1, 2, 3))
+    lines = decode(session() + record(TO_BOARD, 0, request) + record(FROM_BOARD, 1, answer))
+    assert lines[1]["fields"] == {"timestamp_ms": 7, "gyro_data": {"roll": 1, "pitch": 2, "yaw": 3}}
+    # But not what another session has told.
+    lines = decode(
+        session() + record(TO_BOARD, 0, request) + session() + record(FROM_BOARD, 1, answer)
+    )
+    assert "gyro_data" not in lines[1]["fields"]
+
+
+@pytest.mark.parametrize("sender, message", [("board", "GetAngles"), ("host", "GetAnglesRequest")])
+def test_one_direction_only(sender: str, message: str) -> None:
+    assert {line["message"] for line in decode(CAPTURE, "--from", sender)} == {message}
+    text = run("decode", "--from", sender, stdin=CAPTURE).text
+    assert ("host to board" in text) == (sender == "host")
+    assert ("board to host" in text) == (sender == "board")
+
+
+def test_sessions_do_not_mix() -> None:
+    half = session() + record(FROM_BOARD, 1, ANGLES[:9])
+    rest = session() + record(FROM_BOARD, 2, ANGLES[9:]) + record(FROM_BOARD, 3, ANGLES)
+    lines = decode(half + rest)
+    assert keys(lines, "time", "session", "offset") == [(3, 1, len(ANGLES) - 9)]
+
+
+@pytest.mark.parametrize("size", range(8, len(CAPTURE), 3))
+def test_a_torn_capture_is_reported_and_read_up_to_there(size: int) -> None:
+    result = run("decode", "--format", "jsonl", stdin=CAPTURE[:size])
+    whole = decode(CAPTURE)
+    assert result.objects == [line for line in whole if size >= end_of_record(line["time"])]
+    end = max([end for end in record_ends() if end <= size], default=0)
+    if end == size:
+        assert result.status == 0
+    else:
+        assert result.status == 1
+        rest = size - end
+        assert (
+            f"The last {rest} byte{'' if rest == 1 else 's'} from offset {end} on" in result.error
+        )
+
+
+def record_ends() -> list[int]:
+    """Where the header and the records of CAPTURE end."""
+    result = [24]
+    while result[-1] < len(CAPTURE):
+        size: int = struct.unpack_from("<H", CAPTURE, result[-1] + 2)[0]
+        result.append(result[-1] + 16 + size)
+    return result
+
+
+def end_of_record(time: float) -> int:
+    """Where the record of this time ends in CAPTURE."""
+    starts = record_ends()
+    (at,) = [s for s in starts[:-1] if struct.unpack_from("<Q", CAPTURE, s + 4)[0] == time * 1e6]
+    return starts[starts.index(at) + 1]
+
+
+def test_a_damaged_session_costs_no_other() -> None:
+    damaged = bytearray(CAPTURE)
+    damaged[30] ^= 1
+    result = run("decode", "--format", "jsonl", stdin=bytes(damaged) + CAPTURE)
+    assert result.status == 1
+    assert f"{len(CAPTURE) - 24} bytes from offset 24 are damaged" in result.error
+    assert keys(result.objects, "session", "time")[0] == (1, 0.25)
+    assert len(result.objects) == 4
+
+
+def test_times_out_of_all_bounds() -> None:
+    late = bytearray(session())
+    late[12:20] = b"\xff" * 8
+    late[20:24] = struct.pack("<I", zlib.crc32(late[:20]))
+    capture = bytes(late) + record(FROM_BOARD, 2**62 / 1e6, ANGLES)
+    assert decode(capture)[0]["time"] > 4e12
+    assert run("decode", stdin=capture).status == 0
+
+
+def test_notes_can_not_talk_to_the_terminal() -> None:
+    text = run("decode", stdin=session() + record(NOTE, 0, b"\x1b[2J\x07")).out
+    assert b"\x1b" not in text and b"\x07" not in text
+
+
+def test_a_capture_arrives_in_pieces(tmp_path: Path) -> None:
+    with subprocess.Popen(
+        [PROGRAM, "decode", "--format", "jsonl"], stdin=subprocess.PIPE, stdout=subprocess.PIPE
+    ) as process:
+        assert process.stdin and process.stdout
+        for piece in (CAPTURE[:1], CAPTURE[1:7], CAPTURE[7:150]):
+            process.stdin.write(piece)
+            process.stdin.flush()
+        # What is complete is printed while the rest is still to come.
+        assert json.loads(process.stdout.readline())["time"] == 0.25
+        process.stdin.close()
+        process.stdout.read()
+        assert process.wait(60) == 1  # torn
+
+
+def test_record_replays_and_decodes(tmp_path: Path) -> None:
+    (tmp_path / "in").write_bytes(CAPTURE)
+    result = run("record", f"capture:{tmp_path / 'in'}?timing=fast", str(tmp_path / "out"))
+    assert result.status == 0
+    assert result.text.splitlines() == [
+        f"capture {tmp_path / 'in'}",
+        f"{2 + 2 * len(ANGLES)} bytes recorded in {tmp_path / 'out'}",
+    ]
+    kept = records((tmp_path / "out").read_bytes())
+    assert [data for kind, data in kept if kind == FROM_BOARD] == [
+        b"??" + ANGLES[:10],
+        ANGLES[10:] + ANGLES,
+    ]
+    assert kept[0] == (NOTE, f"capture {tmp_path / 'in'}".encode())
+    lines = decode((tmp_path / "out").read_bytes())
+    assert keys(lines, "message") == [("GetAngles",), ("GetAngles",)]
+
+
+def test_record_from_a_serial_port_until_it_is_unplugged(tmp_path: Path) -> None:
+    master, slave = pty.openpty()
+    tty.setraw(slave)
+    capture = tmp_path / "capture"
+    with subprocess.Popen(
+        [PROGRAM, "record", f"{os.ttyname(slave)}?baud=57600", str(capture)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    ) as process:
+        assert process.stdout and process.stderr
+        assert b"57600 8N1" in process.stdout.readline()
+        os.close(slave)
+        os.write(master, ANGLES)
+        while sum(len(d) for k, d in records_so_far(capture) if k == FROM_BOARD) < len(ANGLES):
+            assert process.poll() is None
+        os.close(master)
+        assert process.wait(60) == 1
+        assert b"unplugged" in process.stderr.read()
+    assert keys(decode(capture.read_bytes()), "message") == [("GetAngles",)]
+
+
+def records_so_far(path: Path) -> list[tuple[int, bytes]]:
+    """Those of a capture that is being written."""
+    try:
+        return records(path.read_bytes()) if path.exists() and path.stat().st_size >= 24 else []
+    except struct.error:
+        return []
+
+
+@pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM])
+def test_record_stops_when_asked(how: signal.Signals, tmp_path: Path) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        port = server.getsockname()[1]
+        with subprocess.Popen(
+            [PROGRAM, "record", f"tcp:127.0.0.1:{port}", str(tmp_path / "c")],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+        ) as process:
+            connection, _ = server.accept()
+            assert process.stdout and process.stderr
+            process.stdout.readline()
+            connection.sendall(ANGLES)
+            while FROM_BOARD not in [kind for kind, _ in records_so_far(tmp_path / "c")]:
+                assert process.poll() is None
+            process.send_signal(how)
+            assert process.wait(60) == 0
+            assert process.stderr.read() == b""
+            connection.close()
+    assert keys(decode((tmp_path / "c").read_bytes()), "message") == [("GetAngles",)]
+
+
+def test_record_stops_in_time(tmp_path: Path) -> None:
+    result = run("record", "pty:", str(tmp_path / "c"), "--seconds", "0.01")
+    assert result.status == 0
+    assert "0 bytes recorded" in result.text
+
+
+@pytest.mark.parametrize(
+    "address, words",
+    [
+        ("tcp:host", "the port is missing"),
+        ("ttyUSB0", "/dev/ttyUSB0"),
+        ("/dev/ttyNONE", "There is no port /dev/ttyNONE"),
+        ("/dev/null", "not a serial port"),
+        ("capture:/nowhere", "There is no file /nowhere"),
+    ],
+)
+def test_record_says_what_is_wrong(address: str, words: str, tmp_path: Path) -> None:
+    result = run("record", address, str(tmp_path / "c"))
+    assert result.status == 1 and words in result.error
+    assert not (tmp_path / "c").exists()
+
+
+def test_record_says_what_is_wrong_with_the_file(tmp_path: Path) -> None:
+    assert "/nowhere/c" in run("record", "pty:", "/nowhere/c").error
+    other = tmp_path / "other"
+    other.write_text("my thesis")
+    assert "no capture" in run("record", "pty:", str(other)).error
+    assert other.read_text() == "my thesis"
+
+
+def test_ports_are_listed() -> None:
+    text = run("ports")
+    assert text.status == 0 and text.text
+    ports = json.loads(run("ports", "--format", "json").text)
+    assert isinstance(ports, list)
+    for port in ports:
+        assert port["name"] in text.text
+        assert set(port) == {"name", "description", "usb"}
+    assert bool(ports) or text.text == "There is no serial port.\n"

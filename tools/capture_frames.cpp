@@ -1,0 +1,76 @@
+#include "capture_frames.hpp"
+
+#include <string>
+#include <variant>
+
+namespace sbgc::tools {
+
+void CaptureFrames::feed(std::span<const std::uint8_t> bytes) {
+  parser_.feed(bytes);
+  take_items();
+}
+
+void CaptureFrames::finish() {
+  parser_.finish();
+  take_items();
+  end_session();
+}
+
+void CaptureFrames::take_items() {
+  while (const auto item = parser_.next()) {
+    if (const auto* const record = std::get_if<io::CaptureRecord>(&*item)) {
+      take(*record);
+    } else if (const auto* const session = std::get_if<io::CaptureSession>(&*item)) {
+      end_session();
+      listener_.on_session(*session);
+    } else {
+      listener_.on_damage(std::get<io::CaptureDamage>(*item));
+    }
+  }
+}
+
+void CaptureFrames::take(const io::CaptureRecord& record) {
+  last_ = record.time;
+  if (record.kind == io::CaptureKind::note) {
+    listener_.on_note(record.time, std::string(record.bytes.begin(), record.bytes.end()));
+  }
+  if (record.kind != io::CaptureKind::to_board && record.kind != io::CaptureKind::from_board) {
+    return;
+  }
+  Side& side = sides_[record.kind == io::CaptureKind::from_board ? 1 : 0];
+  side.size += record.bytes.size();
+  side.marks.push_back({side.size, record.time});
+  side.parser.feed(record.bytes, [&](const Frame& frame) { take_frame(side, frame); });
+  const std::uint64_t decided = side.size - side.parser.waiting_bytes();
+  while (!side.marks.empty() && side.marks.front().end <= decided) side.marks.pop_front();
+}
+
+void CaptureFrames::take_frame(Side& side, const Frame& frame) {
+  const std::uint64_t end = frame.offset + Framing::frame_size(frame.body.size());
+  while (side.marks.front().end < end) side.marks.pop_front();
+  const io::CaptureTime time = side.marks.front().time;
+  tell_skipped(side, frame.offset, time);
+  listener_.on_frame(side.direction, time, frame);
+  side.told = end;
+}
+
+void CaptureFrames::tell_skipped(Side& side, std::uint64_t until, io::CaptureTime time) {
+  if (until > side.told) listener_.on_skipped(side.direction, time, until - side.told);
+}
+
+void CaptureFrames::end_session() {
+  for (Side& side : sides_) {
+    side.parser.flush([&](const Frame& frame) { take_frame(side, frame); });
+    tell_skipped(side, side.size, last_);
+    const ParserCounters now = side.parser.counters();
+    side = Side{.direction = side.direction,
+                .total = {.frames = side.total.frames + now.frames,
+                          .skipped_bytes = side.total.skipped_bytes + now.skipped_bytes,
+                          .header_errors = side.total.header_errors + now.header_errors,
+                          .body_errors = side.total.body_errors + now.body_errors,
+                          .incomplete = side.total.incomplete + now.incomplete}};
+  }
+  last_ = {};
+}
+
+}  // namespace sbgc::tools

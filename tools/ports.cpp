@@ -1,0 +1,79 @@
+// sbgc ports: the serial ports of this machine.
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <sbgc/io/ports.hpp>
+#include <sbgc/json.hpp>
+
+#include "commands.hpp"
+#include "rows.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+struct Options {
+  std::string format = "text";
+};
+
+Json to_json(const io::PortInfo& port) {
+  Json result{{"name", port.name}, {"description", port.description}, {"usb", nullptr}};
+  if (port.usb) {
+    result["usb"] = {{"vendor_id", port.usb->vendor_id},
+                     {"product_id", port.usb->product_id},
+                     {"manufacturer", port.usb->manufacturer},
+                     {"product", port.usb->product},
+                     {"serial_number", port.usb->serial_number}};
+  }
+  return result;
+}
+
+void print_text(const io::PortInfo& port) {
+  // What a device says about itself goes into quotes: it could say anything.
+  fmt::print("{}", port.name);
+  if (!port.description.empty()) fmt::print("  {}", rows_detail::quoted(port.description));
+  fmt::print("\n");
+  if (!port.usb) return;
+  const io::UsbInfo& usb = *port.usb;
+  fmt::print("    USB {:04x}:{:04x}", usb.vendor_id, usb.product_id);
+  const auto add = [](const char* what, const std::string& text) {
+    if (!text.empty()) fmt::print(", {} {}", what, rows_detail::quoted(text));
+  };
+  add("manufacturer", usb.manufacturer);
+  add("product", usb.product);
+  add("serial number", usb.serial_number);
+  fmt::print("\n");
+}
+
+int print_ports(const Options& options) {
+  const io::PortList list = io::list_ports();
+  if (list.error) throw std::runtime_error(list.error.message);
+  if (options.format == "json") {
+    Json array = Json::array();
+    for (const io::PortInfo& port : list.ports) array.push_back(to_json(port));
+    fmt::print("{}\n", array.dump(2, ' ', false, Json::error_handler_t::replace));
+    return success;
+  }
+  for (const io::PortInfo& port : list.ports) print_text(port);
+  if (list.ports.empty()) fmt::print("There is no serial port.\n");
+  return success;
+}
+
+}  // namespace
+
+void add_ports(CLI::App& app, int& status) {
+  auto* const command = app.add_subcommand("ports", "List the serial ports of this machine");
+  auto options = std::make_shared<Options>();
+  command->add_option("--format", options->format, "How to print")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
+  command->callback([options, &status] { status = print_ports(*options); });
+}
+
+}  // namespace sbgc::tools
