@@ -29,12 +29,12 @@ CPP_TYPES = frozenset(
     BasicSession BoundedArray BoundedBytes BoundedText Bytes Candidate Code ConfirmationResult
     Confirmed Context Contexts Conversion Counter Detector DetectorOptions DetectorStep
     Direction Duration Echo EnumInfo EnumMeta Event EventKind Exchange ExchangeTraits FieldInfo
-    FieldPath Flags Form Frame Framing Handle Instant Json JsonError LineSettings M Message
-    MessageInfo Meta Number NumberType NumberTypes Optional Outcome Output PacingOptions
-    PackedInfo PackedMeta Parity Parser ParserCounters PartInfo Range RawValue Replies Rule
-    SendOptions SendResult SendStatus Session SessionCapacity SessionOptions SessionStatistics
-    Special Status StreamChange StreamUsage Text Trial Type TypeList ValueInfo VariableInfo
-    Verdict Violation WriteResult Xyz""".split()
+    FieldPath FieldRole Flags Form Frame Framing Handle Instant Json JsonError LineSettings M
+    Message MessageInfo Meta Number NumberType NumberTypes Optional Outcome Output
+    PacingOptions PackedInfo PackedMeta Parity Parser ParserCounters PartInfo Range RawValue
+    Replies Rule SendOptions SendResult SendStatus Session SessionCapacity SessionOptions
+    SessionStatistics SettingsOf Special Status StoredMessages StreamChange StreamUsage Text
+    Trial Type TypeList ValueInfo VariableInfo Verdict Violation WriteResult Xyz""".split()
 )
 # Members that every generated message has of its own.
 MESSAGE_WORDS = frozenset(("command", "direction", "form", "min_size", "max_size", "since", "tail"))

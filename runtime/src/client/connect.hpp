@@ -34,8 +34,10 @@ using OnBegun = std::function<void(const Conversation&)>;
 Result<Conversation> connect(const asio::any_io_executor& executor, const Opener& opener,
                              const ConnectOptions& options, const OnBegun& on_begun = {});
 
-/// Makes clients of conversations.
+/// Makes clients of conversations, and gets at these again.
 struct ClientMaker {
+  static const Conversation& conversation(const Client& client) { return client.conversation_; }
+
   /// `keeper` lives as long as the client.
   static Client make(std::shared_ptr<const void> keeper, Conversation conversation) {
     return {std::move(keeper), std::move(conversation)};
