@@ -227,6 +227,23 @@ TEST_F(Subscribed, ToAStreamRegistersItAndEndsIt) {
   EXPECT_EQ(registrations.wait_for(2).at(1), expected);
 }
 
+TEST_F(Subscribed, ToAStreamEndsItWithTheClient) {
+  serve_streams();
+  Subscription survivor;
+  {
+    Client client = connect();
+    auto first = client.stream<RealtimeData4>(milliseconds(20), [](const RealtimeData4&) {});
+    auto second = client.stream<RealtimeData3>(milliseconds(20), [](const RealtimeData3&) {});
+    ASSERT_TRUE(first && second);
+    survivor = *std::move(second);
+    // The other one ends right before the client does.
+  }
+  const auto all = registrations.wait_for(4);
+  EXPECT_EQ(all.at(2).interval_ms, Milliseconds{});
+  EXPECT_EQ(all.at(3).interval_ms, Milliseconds{});
+  EXPECT_NE(all.at(2).cmd_id, all.at(3).cmd_id);
+}
+
 TEST_F(Subscribed, ToTheSameStreamTwiceEndsItOnce) {
   serve_streams();
   Client client = connect();
