@@ -40,6 +40,7 @@ class Conversation::State::StreamHold : public Subscription::Hold {
       : membership_(std::move(membership)), state_(std::move(state)), key_(std::move(key)) {}
   StreamHold(const StreamHold&) = delete;
   StreamHold& operator=(const StreamHold&) = delete;
+  // NOLINTNEXTLINE(bugprone-exception-escape): only if there is no memory left
   ~StreamHold() override {
     membership_.reset();
     if (const auto state = state_.lock()) state->leave_stream(key_);
@@ -293,7 +294,7 @@ ClientError Conversation::State::loss() const {
   return {ErrorCode::link_lost, loss_};
 }
 
-void Conversation::State::close() noexcept {
+void Conversation::State::close() {
   std::vector<CallPointer> ended;
   {
     const std::lock_guard lock(mutex_);

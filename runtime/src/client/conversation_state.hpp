@@ -83,7 +83,7 @@ class Conversation::State : public std::enable_shared_from_this<Conversation::St
 
   std::string description() const;
   ClientStatistics statistics() const;
-  void close() noexcept;
+  void close();
 
   bool runs_in_this_thread() const;
   /// Whether the line broke, and how.
