@@ -298,7 +298,7 @@ def _when_text(when: Condition | None) -> str:
 
 
 def _compare_limits(label: str, old: Field, new: Field, changes: Changes) -> None:
-    """Range, alignment, least and most elements, and special values."""
+    """Range, alignment, role, least and most elements, and special values."""
     before, now = _range(old), _range(new)
     if before and now and before != now:
         narrowed = now[0] > before[0] or now[1] < before[1]
@@ -308,6 +308,7 @@ def _compare_limits(label: str, old: Field, new: Field, changes: Changes) -> Non
     if old.align != new.align:
         level = Level.MEANING if old.align % new.align else Level.COMPATIBLE
         changes.add(level, f"{label}: align", old.align, new.align, new.at)
+    changes.compare(Level.MEANING, f"{label}: role", old.role or None, new.role or None, new.at)
     counts = [f.capacity if f.max_count is None else f.max_count for f in (old, new)]
     if old.max_count != new.max_count and old.dim == new.dim:
         level = Level.MEANING if counts[1] < counts[0] else Level.COMPATIBLE

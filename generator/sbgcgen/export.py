@@ -89,6 +89,8 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
         result["max_count"] = field.max_count
     if field.align != 1:
         result["align"] = field.align
+    if field.role:
+        result["role"] = field.role
     if field.variable:
         result["value_of_variable"] = field.variable
     if field.counter:

@@ -19,6 +19,7 @@ from sbgcgen.model import (
     Quantity,
     Scalar,
     Struct,
+    copy_field,
 )
 from sbgcgen.names import camel_case, slug
 
@@ -83,6 +84,7 @@ FILTERS: dict[str, Callable[..., Any]] = {
     "versions": versions,
     "hex": hexadecimal,
     "fast_runs": fast_runs,
+    "copy_field": copy_field,
     "camel": camel_case,
     "slug": slug,
     "title_of": title_of,

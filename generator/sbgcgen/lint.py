@@ -4,7 +4,20 @@ from __future__ import annotations
 
 from sbgcgen.diagnostics import Diagnostics, Position, did_you_mean
 from sbgcgen.load import Spec
-from sbgcgen.model import Command, Enum, Field, Layout, Message, Packed, Quantity, Struct, Variable
+from sbgcgen.model import (
+    Command,
+    Enum,
+    Field,
+    Layout,
+    Message,
+    Packed,
+    Quantity,
+    Scalar,
+    Settings,
+    Struct,
+    Variable,
+    copy_field,
+)
 from sbgcgen.names import CPP_TYPES, MESSAGE_WORDS, STRUCT_WORDS
 
 # Findings that leave a body without some of its fields, so that its size is not known.
@@ -18,6 +31,7 @@ def lint(spec: Spec, layout: Layout, found: Diagnostics) -> None:
     _check_bodies(layout, found)
     _check_variables(layout, found)
     _check_stores(layout, found)
+    _check_roles(layout, found)
 
 
 def _check_ids(spec: Spec, layout: Layout, found: Diagnostics) -> None:
@@ -113,3 +127,49 @@ def _check_stores(layout: Layout, found: Diagnostics) -> None:
         if message.stores and message.stores not in by_name:
             text = f"{message.name} stores '{message.stores}', which is no message"
             found.add(message.at, "SBGC021", text, did_you_mean(message.stores, by_name))
+
+
+def _check_roles(layout: Layout, found: Diagnostics) -> None:
+    """Fields that say what they are among settings stand in settings, and where they can be used."""
+    for settings in layout.settings:
+        if not settings.readers:
+            text = f"nothing reads the settings {settings.message.name} that a message stores"
+            hint = "name it as the answer of a request"
+            found.add(settings.message.at, "SBGC037", text, hint)
+        _check_copies(settings, found)
+    stored = {s.message.name for s in layout.settings}
+    readers = {id(m) for s in layout.settings for m in s.readers}
+    for struct in (s for family in layout.families for s in family.structs):
+        for field in struct.fields:
+            if field.role:
+                text = f"the role of '{field.name}' is lost inside of {struct.name}"
+                found.add(field.at, "SBGC037", text, "only fields of a message have a role")
+    for message in layout.messages:
+        if message.same_as or message.name in stored:
+            continue
+        for field in message.fields:
+            if field.role and not (field.role == "copy" and id(message) in readers):
+                text = f"{message.name} is neither settings nor asks for them"
+                found.add(field.at, "SBGC037", text, "a 'role' belongs to what a message 'stores'")
+
+
+def _check_copies(settings: Settings, found: Diagnostics) -> None:
+    own = copy_field(settings.message)
+    for message in (settings.message, *settings.readers):
+        copies = [f for f in message.fields if f.role == "copy"]
+        for extra in copies[1:]:
+            text = f"{message.name} has two fields that say which copy it is about"
+            found.add(extra.at, "SBGC037", text, "one of them is the one that counts")
+        field = copies[0] if copies else None
+        if field is None and own is not None:
+            text = f"{message.name} does not say which copy of {settings.message.name} it asks for"
+            found.add(message.at, "SBGC037", text, "mark its field with 'role: copy'")
+        if field is None:
+            continue
+        is_number = isinstance(field.type, Scalar) and field.dim == "one" and field.when is None
+        if not is_number or field.minimum != 0 or field.maximum is None:
+            text = f"'{field.name}' can not count the copies of the settings"
+            found.add(field.at, "SBGC037", text, "it is one integer with a range that begins at 0")
+        elif own is not None and own.maximum not in (None, field.maximum):
+            text = f"'{field.name}' and '{own.name}' of {settings.message.name} have other ranges"
+            found.add(field.at, "SBGC037", text, "both count the same copies")

@@ -248,7 +248,8 @@ class Field:
 
     `dim` says how often the type stands: "one", "axis", "xyz", "fixed" (`count` times),
     "counted" (as the field `counter` says) or "rest" (to the end of the body). `offset` is from
-    the start of the struct, None behind a variable part.
+    the start of the struct, None behind a variable part. `role` is what the field is among
+    settings: "copy" (which of several copies they are), "state" (no setting), or "".
     """
 
     name: str
@@ -276,6 +277,7 @@ class Field:
     deprecated: Deprecation | None
     summary: str
     errata: tuple[str, ...]
+    role: str = ""
     at: Position = field(default=_NOWHERE, compare=False, repr=False)
 
     @property
@@ -621,6 +623,29 @@ class Family:
 
 
 @dataclass(frozen=True)
+class Settings:
+    """A message whose content a host can read and store, and with which requests.
+
+    Deprecated requests come last. `copies` is how many of these settings the board has, told apart
+    by a field with the role "copy"; 1 without such a field.
+    """
+
+    message: Message
+    readers: tuple[Message, ...]
+    writers: tuple[Message, ...]
+
+    @property
+    def copies(self) -> int:
+        found = copy_field(self.message)
+        return int(found.maximum) + 1 if found and found.maximum is not None else 1
+
+
+def copy_field(message: Message) -> Field | None:
+    """The field that says which of several copies of its settings a message is about."""
+    return next((f for f in message.fields if f.role == "copy"), None)
+
+
+@dataclass(frozen=True)
 class Layout:
     """The whole protocol."""
 
@@ -644,6 +669,26 @@ class Layout:
     def definitions(self) -> tuple[Message, ...]:
         """Messages with a type of their own, in the order of families."""
         return tuple(m for family in self.families for m in family.definitions)
+
+    @property
+    def settings(self) -> tuple[Settings, ...]:
+        """What can be read and stored, in the order of families."""
+        stored = {m.stores for m in self.messages}
+
+        def requests(of: list[Message]) -> tuple[Message, ...]:
+            return tuple(sorted(of, key=lambda m: m.deprecated is not None))
+
+        return tuple(
+            Settings(
+                message,
+                requests(
+                    [m for m in self.messages if m.answer and message.name in m.answer.messages]
+                ),
+                requests([m for m in self.messages if m.stores == message.name]),
+            )
+            for message in self.definitions
+            if message.name in stored
+        )
 
     def having_role(self, kind: str) -> tuple[Message, ...]:
         """The messages with a role; several are forms of one command."""

@@ -276,6 +276,7 @@ class FieldResolver:
             if is_reserved and not node.get("summary")
             else self.types.summary(node, at, f"{text} of {owner}"),
             errata=self.types.errata(node),
+            role=str(node.get("role", "")),
             at=at,
         )
 

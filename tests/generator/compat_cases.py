@@ -225,6 +225,11 @@ CASES: dict[str, Case] = {
         "State.COUNT: range: 0..65535 → 0..9",
     ),
     "alignment": ([("align: 2", "align: 4")], MEANING, "StoreExt.WHAT: align: 2 → 4"),
+    "role given": (
+        [("COUNT,  type: u16", "COUNT,  type: u16, role: state")],
+        MEANING,
+        "State.COUNT: role: none → state",
+    ),
     "fewer elements": (
         [("max_count: 8", "max_count: 7")],
         MEANING,

@@ -79,6 +79,13 @@ struct VariableInfo {
   double offset{};
 };
 
+/// What a field is among the settings that a message holds.
+enum class FieldRole : std::uint8_t {
+  setting,  ///< one of them, or no field of settings at all
+  copy,     ///< says which of several copies of the settings these are, from 0 on
+  state,    ///< the state of the board, no setting: written back as it was read
+};
+
 /// One member of a message or struct.
 struct FieldInfo {
   const char* name = "";
@@ -88,6 +95,7 @@ struct FieldInfo {
   std::span<const Special> special{};
   std::uint16_t max_count{};  ///< of a list; 0: what fits
   std::uint16_t align = 1;    ///< the value, or the length of a list of bytes, is a multiple of it
+  FieldRole role{};
   bool is_variable_value{};   ///< of the adjustable variable whose VariableId stands before it
   bool reserved{};
   bool optional{};  ///< may be left out of JSON

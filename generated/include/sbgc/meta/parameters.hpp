@@ -179,7 +179,8 @@ struct Meta<ReadParams3> {
        .spec_name = "PROFILE_ID",
        .summary = "Profile that the settings belong to.",
        .range = &profile_id_range,
-       .special = profile_id_special},
+       .special = profile_id_special,
+       .role = FieldRole::copy},
       {.name = "axes",
        .spec_name = "axes",
        .summary = "Controller and motor of each axis."},
@@ -392,11 +393,13 @@ struct Meta<ReadParams3> {
        .summary = "Order of the Euler angles."},
       {.name = "cur_imu",
        .spec_name = "CUR_IMU",
-       .summary = "Currently selected IMU; written back as it was read."},
+       .summary = "Currently selected IMU; written back as it was read.",
+       .role = FieldRole::state},
       {.name = "cur_profile_id",
        .spec_name = "CUR_PROFILE_ID",
        .summary = "Active profile; written back as it was read.",
-       .range = &cur_profile_id_range},
+       .range = &cur_profile_id_range,
+       .role = FieldRole::state},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -491,7 +494,8 @@ struct Meta<ReadParams3Request> {
        .spec_name = "PROFILE_ID",
        .summary = "Profile to read.",
        .range = &profile_id_range,
-       .special = profile_id_special},
+       .special = profile_id_special,
+       .role = FieldRole::copy},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -522,7 +526,8 @@ struct Meta<ReadParams> {
        .spec_name = "PROFILE_ID",
        .summary = "Profile to read.",
        .range = &profile_id_range,
-       .special = profile_id_special},
+       .special = profile_id_special,
+       .role = FieldRole::copy},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -570,7 +575,8 @@ struct Meta<ReadParamsExt> {
        .spec_name = "PROFILE_ID",
        .summary = "Profile that the settings belong to.",
        .range = &profile_id_range,
-       .special = profile_id_special},
+       .special = profile_id_special,
+       .role = FieldRole::copy},
       {.name = "notches",
        .spec_name = "notches",
        .summary = "Notch filters of each axis."},
@@ -738,7 +744,8 @@ struct Meta<ReadParamsExtRequest> {
        .spec_name = "PROFILE_ID",
        .summary = "Profile to read.",
        .range = &profile_id_range,
-       .special = profile_id_special},
+       .special = profile_id_special,
+       .role = FieldRole::copy},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -773,7 +780,8 @@ struct Meta<ReadParamsExt2> {
        .spec_name = "PROFILE_ID",
        .summary = "Profile that the settings belong to.",
        .range = &profile_id_range,
-       .special = profile_id_special},
+       .special = profile_id_special,
+       .role = FieldRole::copy},
       {.name = "reserved_1",
        .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
@@ -846,7 +854,8 @@ struct Meta<ReadParamsExt2Request> {
        .spec_name = "PROFILE_ID",
        .summary = "Profile to read.",
        .range = &profile_id_range,
-       .special = profile_id_special},
+       .special = profile_id_special,
+       .role = FieldRole::copy},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.

@@ -1,0 +1,1091 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// A function for each request of the protocol.
+#pragma once
+
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include <sbgc/client/options.hpp>
+#include <sbgc/client/result.hpp>
+
+namespace sbgc {
+
+// Declared only: who makes a call includes its message.
+struct BoardInfo;
+struct BoardInfoRequest;
+struct BoardInfoRequestExt;
+struct Confirm;
+struct Error;
+struct ErrorExt;
+struct BoardInfo3;
+struct BoardInfo3Request;
+struct Reset;
+struct ResetRequest;
+struct ResetRequestExt;
+struct BootMode3;
+struct BootMode3Ext;
+struct QueueParamsInfo3;
+struct QueueParamsInfo3Request;
+struct SystemState;
+struct SystemStateRequest;
+struct MavlinkInfo;
+struct MavlinkInfoRequest;
+struct MavlinkDebug;
+struct MavlinkDebugRequest;
+struct ReadParams3;
+struct ReadParams3Request;
+struct ReadParams;
+struct ReadParamsExt;
+struct ReadParamsExtRequest;
+struct ReadParamsExt2;
+struct ReadParamsExt2Request;
+struct ReadProfileNames;
+struct ReadProfileNamesRequest;
+struct SaveParams3;
+struct UseDefaults;
+struct WriteParams3;
+struct WriteParams;
+struct WriteParamsExt;
+struct WriteParamsExt2;
+struct WriteProfileNames;
+struct RealtimeData;
+struct RealtimeData3;
+struct RealtimeData3Request;
+struct RealtimeData4;
+struct RealtimeData4Request;
+struct RealtimeDataCustom;
+struct RealtimeDataCustomRequest;
+struct DataStreamInterval;
+struct Control;
+struct ControlExt;
+struct GetAngles;
+struct GetAnglesRequest;
+struct GetAnglesExt;
+struct GetAnglesExtRequest;
+struct MotorsOn;
+struct MotorsOff;
+struct MotorsOffExt;
+struct ExecuteMenu;
+struct ExecuteMenuExt;
+struct HelperData;
+struct HelperDataExt;
+struct CalibAcc;
+struct CalibAccExt;
+struct CalibGyro;
+struct CalibGyroExt;
+struct CalibMag;
+struct CalibExtGain;
+struct CalibPoles;
+struct CalibOffset;
+struct CalibBat;
+struct CalibInfo;
+struct CalibInfoRequest;
+struct CalibMotorMagLink;
+struct CalibMotorMagLinkRequest;
+struct EncodersCalibOffset4;
+struct EncodersCalibFldOffset4;
+struct AutoPid;
+struct AutoPidRequest;
+struct SelectImu3;
+struct SelectImu3Ext;
+struct AhrsHelper;
+struct AhrsHelperRequest;
+struct AhrsHelperRequestExt;
+struct GyroCorrection;
+struct BeepSound;
+struct TriggerPin;
+struct ServoOut;
+struct I2cWriteRegBuf;
+struct I2cReadRegBuf;
+struct I2cReadRegBufRequest;
+struct ApiVirtChControl;
+struct SetAdjVarsVal;
+struct GetAdjVarsVal;
+struct ReadAdjVarsCfg;
+struct ReadAdjVarsCfgRequest;
+struct AdjVarsState;
+struct AdjVarsStateRequest;
+struct AdjVarsStateRequestExt;
+struct WriteAdjVarsCfg;
+struct EepromWrite;
+struct ReadFile;
+struct ReadFileError;
+struct ReadFileRequest;
+struct WriteFile;
+struct FsClearAll;
+struct EepromRead;
+struct EepromReadRequest;
+struct ReadExternalData;
+struct ReadExternalDataRequest;
+struct WriteExternalData;
+struct RunScript;
+struct ScriptDebug;
+struct DebugVarsInfo3;
+struct DebugVarsInfo3Request;
+struct DebugVars3;
+struct DebugVars3Request;
+
+namespace detail {
+
+/// What a call with the request M delivers.
+template <class M>
+struct CallAnswerOf;
+template <>
+struct CallAnswerOf<BoardInfoRequest> {
+  using type = BoardInfo;
+};
+template <>
+struct CallAnswerOf<BoardInfoRequestExt> {
+  using type = BoardInfo;
+};
+template <>
+struct CallAnswerOf<BoardInfo3Request> {
+  using type = BoardInfo3;
+};
+template <>
+struct CallAnswerOf<ResetRequest> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<ResetRequestExt> {
+  using type = std::optional<Reset>;
+};
+template <>
+struct CallAnswerOf<BootMode3> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<BootMode3Ext> {
+  using type = std::optional<Reset>;
+};
+template <>
+struct CallAnswerOf<QueueParamsInfo3Request> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<SystemStateRequest> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<MavlinkInfoRequest> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<MavlinkDebugRequest> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<ReadParams3Request> {
+  using type = ReadParams3;
+};
+template <>
+struct CallAnswerOf<WriteParams3> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<ReadParams> {
+  using type = ReadParams3;
+};
+template <>
+struct CallAnswerOf<WriteParams> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<ReadParamsExtRequest> {
+  using type = ReadParamsExt;
+};
+template <>
+struct CallAnswerOf<WriteParamsExt> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<ReadParamsExt2Request> {
+  using type = ReadParamsExt2;
+};
+template <>
+struct CallAnswerOf<WriteParamsExt2> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<ReadProfileNamesRequest> {
+  using type = ReadProfileNames;
+};
+template <>
+struct CallAnswerOf<WriteProfileNames> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<SaveParams3> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<UseDefaults> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<RealtimeData> {
+  using type = RealtimeData3;
+};
+template <>
+struct CallAnswerOf<RealtimeData3Request> {
+  using type = RealtimeData3;
+};
+template <>
+struct CallAnswerOf<RealtimeData4Request> {
+  using type = RealtimeData4;
+};
+template <>
+struct CallAnswerOf<RealtimeDataCustomRequest> {
+  using type = RealtimeDataCustom;
+};
+template <>
+struct CallAnswerOf<DataStreamInterval> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<Control> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<ControlExt> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<GetAnglesRequest> {
+  using type = GetAngles;
+};
+template <>
+struct CallAnswerOf<GetAnglesExtRequest> {
+  using type = GetAnglesExt;
+};
+template <>
+struct CallAnswerOf<MotorsOn> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<MotorsOff> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<MotorsOffExt> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<ExecuteMenu> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<ExecuteMenuExt> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<HelperData> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<HelperDataExt> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<CalibAcc> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<CalibAccExt> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<CalibGyro> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<CalibGyroExt> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<CalibMag> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<CalibExtGain> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<CalibPoles> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<CalibOffset> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<CalibBat> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<CalibInfoRequest> {
+  using type = CalibInfo;
+};
+template <>
+struct CallAnswerOf<CalibMotorMagLinkRequest> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<EncodersCalibOffset4> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<EncodersCalibFldOffset4> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<AutoPidRequest> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<SelectImu3> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<SelectImu3Ext> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<AhrsHelperRequest> {
+  using type = AhrsHelper;
+};
+template <>
+struct CallAnswerOf<AhrsHelperRequestExt> {
+  using type = std::optional<AhrsHelper>;
+};
+template <>
+struct CallAnswerOf<GyroCorrection> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<BeepSound> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<TriggerPin> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<ServoOut> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<I2cWriteRegBuf> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<I2cReadRegBufRequest> {
+  using type = I2cReadRegBuf;
+};
+template <>
+struct CallAnswerOf<ApiVirtChControl> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<SetAdjVarsVal> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<GetAdjVarsVal> {
+  using type = SetAdjVarsVal;
+};
+template <>
+struct CallAnswerOf<ReadAdjVarsCfgRequest> {
+  using type = ReadAdjVarsCfg;
+};
+template <>
+struct CallAnswerOf<WriteAdjVarsCfg> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<AdjVarsStateRequest> {
+  using type = AdjVarsState;
+};
+template <>
+struct CallAnswerOf<AdjVarsStateRequestExt> {
+  using type = AdjVarsState;
+};
+template <>
+struct CallAnswerOf<EepromWrite> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<ReadFileRequest> {
+  using type = ReadFile;
+};
+template <>
+struct CallAnswerOf<WriteFile> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<FsClearAll> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<EepromReadRequest> {
+  using type = EepromRead;
+};
+template <>
+struct CallAnswerOf<ReadExternalDataRequest> {
+  using type = ReadExternalData;
+};
+template <>
+struct CallAnswerOf<WriteExternalData> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<RunScript> {
+  using type = void;
+};
+template <>
+struct CallAnswerOf<DebugVarsInfo3Request> {
+  using type = DebugVarsInfo3;
+};
+template <>
+struct CallAnswerOf<DebugVars3Request> {
+  using type = DebugVars3;
+};
+
+template <class M>
+using CallAnswer = typename CallAnswerOf<M>::type;
+
+}  // namespace detail
+
+/// Gives a client a function for each request: `client.get_angles()`,
+/// `client.read_params_3({.profile_id = profile})`. They do what its call(request, options) does;
+/// the errors are the same, too.
+template <class Self>
+class Calls {
+ public:
+  /// Ask for the version of board and firmware.
+  template <class M = BoardInfoRequest>
+  Result<detail::CallAnswer<M>> board_info(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask for the version of board and firmware, and configure this serial port.
+  template <class M = BoardInfoRequestExt>
+  Result<detail::CallAnswer<M>> board_info_ext(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask for serial numbers, memory and scripts of the board.
+  /// Since board 3.0.
+  template <class M = BoardInfo3Request>
+  Result<detail::CallAnswer<M>> board_info_3(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Restart at once and without notice.
+  template <class M = ResetRequest>
+  Result<detail::CallAnswer<M>> reset(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Restart after a while, with notice if that is asked for.
+  template <class M = ResetRequestExt>
+  Result<detail::CallAnswer<M>> reset_ext(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Enter the bootloader at once and without notice.
+  /// Since board 3.0.
+  template <class M = BootMode3>
+  Result<detail::CallAnswer<M>> boot_mode_3(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Enter the bootloader after a while, with notice if that is asked for.
+  /// Since board 3.0.
+  template <class M = BootMode3Ext>
+  Result<detail::CallAnswer<M>> boot_mode_3_ext(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Body to the board, not documented.
+  /// Since board 3.0.
+  template <class M = QueueParamsInfo3Request>
+  Result<detail::CallAnswer<M>> queue_params_info_3(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Body to the board, not documented.
+  /// Since board 3.0.
+  template <class M = SystemStateRequest>
+  Result<detail::CallAnswer<M>> system_state(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Body to the board, not documented.
+  /// Since board 3.0.
+  template <class M = MavlinkInfoRequest>
+  Result<detail::CallAnswer<M>> mavlink_info(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Body to the board, not documented.
+  /// Since board 3.0.
+  template <class M = MavlinkDebugRequest>
+  Result<detail::CallAnswer<M>> mavlink_debug(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask for the settings of one profile.
+  /// Since board 3.0.
+  template <class M = ReadParams3Request>
+  Result<detail::CallAnswer<M>> read_params_3(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Store the settings of one profile and the general ones.
+  /// Since board 3.0.
+  template <class M = WriteParams3>
+  Result<detail::CallAnswer<M>> write_params_3(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask for the settings of one profile, with the older id.
+  template <class M = ReadParams>
+  Result<detail::CallAnswer<M>> read_params(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Store the settings of one profile and the general ones, with the older id.
+  template <class M = WriteParams>
+  Result<detail::CallAnswer<M>> write_params(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask for further settings of one profile.
+  /// Since board 3.0.
+  template <class M = ReadParamsExtRequest>
+  Result<detail::CallAnswer<M>> read_params_ext(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Store further settings of one profile.
+  /// Since board 3.0.
+  template <class M = WriteParamsExt>
+  Result<detail::CallAnswer<M>> write_params_ext(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask for still further settings of one profile.
+  /// Since board 3.0.
+  template <class M = ReadParamsExt2Request>
+  Result<detail::CallAnswer<M>> read_params_ext2(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Store still further settings of one profile.
+  /// Since board 3.0.
+  template <class M = WriteParamsExt2>
+  Result<detail::CallAnswer<M>> write_params_ext2(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask for the names of the profiles.
+  /// Since board 3.0.
+  template <class M = ReadProfileNamesRequest>
+  Result<detail::CallAnswer<M>> read_profile_names(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Store the names of the profiles.
+  /// Since board 3.0.
+  template <class M = WriteProfileNames>
+  Result<detail::CallAnswer<M>> write_profile_names(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Save the settings that are in use, with all changes to adjustable variables, to the active
+  /// profile.
+  /// Since board 3.0.
+  template <class M = SaveParams3>
+  Result<detail::CallAnswer<M>> save_params_3(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Return to the factory settings.
+  template <class M = UseDefaults>
+  Result<detail::CallAnswer<M>> use_defaults(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask for live data, with the older id.
+  template <class M = RealtimeData>
+  Result<detail::CallAnswer<M>> realtime_data(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask for live data.
+  /// Since board 3.0.
+  template <class M = RealtimeData3Request>
+  Result<detail::CallAnswer<M>> realtime_data_3(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask for the longer live data.
+  /// Since board 3.0.
+  template <class M = RealtimeData4Request>
+  Result<detail::CallAnswer<M>> realtime_data_4(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask for live data of the blocks that FLAGS names.
+  /// Since firmware 2.59, board 3.0.
+  template <class M = RealtimeDataCustomRequest>
+  Result<detail::CallAnswer<M>> realtime_data_custom(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Start, change or end a data stream: messages that the board sends at a fixed rate, unasked.
+  /// Since firmware 2.59, board 3.0.
+  template <class M = DataStreamInterval>
+  Result<detail::CallAnswer<M>> data_stream_interval(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Move the camera, one mode for all axes.
+  template <class M = Control>
+  Result<detail::CallAnswer<M>> control(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Move the camera, with a mode for each axis.
+  /// Since firmware 2.55b5.
+  template <class M = ControlExt>
+  Result<detail::CallAnswer<M>> control_ext(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask for the angles and targets of the camera.
+  template <class M = GetAnglesRequest>
+  Result<detail::CallAnswer<M>> get_angles(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask for angles, targets and joint angles.
+  /// Since board 3.0.
+  template <class M = GetAnglesExtRequest>
+  Result<detail::CallAnswer<M>> get_angles_ext(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Turn the motors on.
+  template <class M = MotorsOn>
+  Result<detail::CallAnswer<M>> motors_on(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Turn the motors off.
+  template <class M = MotorsOff>
+  Result<detail::CallAnswer<M>> motors_off(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Turn the motors off, in a way that later firmware lets the host choose.
+  template <class M = MotorsOffExt>
+  Result<detail::CallAnswer<M>> motors_off_ext(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Carry out an action of the menu.
+  template <class M = ExecuteMenu>
+  Result<detail::CallAnswer<M>> execute_menu(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Carry out an action of the menu, with a parameter that later firmware takes.
+  template <class M = ExecuteMenuExt>
+  Result<detail::CallAnswer<M>> execute_menu_ext(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Tell the board how the frame accelerates and leans.
+  template <class M = HelperData>
+  Result<detail::CallAnswer<M>> helper_data(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Tell the board how the frame accelerates, leans and turns.
+  /// Since firmware 2.59.
+  template <class M = HelperDataExt>
+  Result<detail::CallAnswer<M>> helper_data_ext(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Calibrate the accelerometer of the active IMU.
+  template <class M = CalibAcc>
+  Result<detail::CallAnswer<M>> calib_acc(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Calibrate the accelerometer of an IMU, or manage its calibrations.
+  template <class M = CalibAccExt>
+  Result<detail::CallAnswer<M>> calib_acc_ext(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Calibrate the gyroscope of the active IMU.
+  template <class M = CalibGyro>
+  Result<detail::CallAnswer<M>> calib_gyro(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Calibrate the gyroscope of an IMU, or manage its calibrations.
+  template <class M = CalibGyroExt>
+  Result<detail::CallAnswer<M>> calib_gyro_ext(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Calibrate the magnetometer.
+  /// Since board 3.0.
+  template <class M = CalibMag>
+  Result<detail::CallAnswer<M>> calib_mag(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Calibrate the gains of the signals from a flight controller.
+  template <class M = CalibExtGain>
+  Result<detail::CallAnswer<M>> calib_ext_gain(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Find out poles and direction of the motors.
+  template <class M = CalibPoles>
+  Result<detail::CallAnswer<M>> calib_poles(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Calibrate the offset of the follow mode.
+  template <class M = CalibOffset>
+  Result<detail::CallAnswer<M>> calib_offset(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Calibrate the measurement of the battery voltage.
+  template <class M = CalibBat>
+  Result<detail::CallAnswer<M>> calib_bat(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask for what to show while sensors are calibrated.
+  /// Since board 3.0.
+  template <class M = CalibInfoRequest>
+  Result<detail::CallAnswer<M>> calib_info(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Body to the board, not documented.
+  /// Since board 3.0.
+  template <class M = CalibMotorMagLinkRequest>
+  Result<detail::CallAnswer<M>> calib_motor_mag_link(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Calibrate the offsets of the encoders.
+  /// Since board 3.0.
+  template <class M = EncodersCalibOffset4>
+  Result<detail::CallAnswer<M>> encoders_calib_offset_4(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Calibrate the offsets between encoders and the motors' magnetic fields.
+  /// Since board 3.0.
+  template <class M = EncodersCalibFldOffset4>
+  Result<detail::CallAnswer<M>> encoders_calib_fld_offset_4(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Start or stop the automatic tuning.
+  /// Since board 3.0.
+  template <class M = AutoPidRequest>
+  Result<detail::CallAnswer<M>> auto_pid(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Choose the IMU that is configured and calibrated.
+  /// Since board 3.0.
+  template <class M = SelectImu3>
+  Result<detail::CallAnswer<M>> select_imu_3(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Choose an IMU, with parameters that later firmware takes.
+  /// Since board 3.0.
+  template <class M = SelectImu3Ext>
+  Result<detail::CallAnswer<M>> select_imu_3_ext(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask for the attitude of an IMU.
+  /// Since board 3.0.
+  template <class M = AhrsHelperRequest>
+  Result<detail::CallAnswer<M>> ahrs_helper(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask for the attitude of an IMU or set it.
+  /// Since board 3.0.
+  template <class M = AhrsHelperRequestExt>
+  Result<detail::CallAnswer<M>> ahrs_helper_ext(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Correct the zero of a gyroscope by hand.
+  /// Since board 3.0.
+  template <class M = GyroCorrection>
+  Result<detail::CallAnswer<M>> gyro_correction(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Play a melody through the motors, or one of the standard sounds.
+  /// Since firmware 2.59, board 3.0.
+  template <class M = BeepSound>
+  Result<detail::CallAnswer<M>> beep_sound(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Switch an output pin.
+  template <class M = TriggerPin>
+  Result<detail::CallAnswer<M>> trigger_pin(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Send PWM signals to servos.
+  /// Since board 3.0.
+  template <class M = ServoOut>
+  Result<detail::CallAnswer<M>> servo_out(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Write to a device on an I2C bus.
+  /// Since board 3.0.
+  template <class M = I2cWriteRegBuf>
+  Result<detail::CallAnswer<M>> i2c_write_reg_buf(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Read from a device on an I2C bus.
+  /// Since board 3.0.
+  template <class M = I2cReadRegBufRequest>
+  Result<detail::CallAnswer<M>> i2c_read_reg_buf(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Set the virtual RC channels that the host provides; they can control the camera and more.
+  /// Since board 3.0.
+  template <class M = ApiVirtChControl>
+  Result<detail::CallAnswer<M>> api_virt_ch_control(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Set adjustable variables; they are lost at the next start unless CMD_SAVE_PARAMS_3 follows.
+  /// Since board 3.0.
+  template <class M = SetAdjVarsVal>
+  Result<detail::CallAnswer<M>> set_adj_vars_val(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask for the values of adjustable variables.
+  /// Since board 3.0.
+  template <class M = GetAdjVarsVal>
+  Result<detail::CallAnswer<M>> get_adj_vars_val(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask which RC signals start actions and which ones change adjustable variables.
+  /// Since board 3.0.
+  template <class M = ReadAdjVarsCfgRequest>
+  Result<detail::CallAnswer<M>> read_adj_vars_cfg(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Store which RC signals start actions and which ones change adjustable variables.
+  /// Since board 3.0.
+  template <class M = WriteAdjVarsCfg>
+  Result<detail::CallAnswer<M>> write_adj_vars_cfg(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask what one trigger slot and one analog slot do.
+  /// Since board 3.0.
+  template <class M = AdjVarsStateRequest>
+  Result<detail::CallAnswer<M>> adj_vars_state(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask for the state of adjustable variables, as later firmware does it.
+  /// Since firmware 2.62b5.
+  template <class M = AdjVarsStateRequestExt>
+  Result<detail::CallAnswer<M>> adj_vars_state_ext(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Write a block to the EEPROM.
+  /// Since board 3.0.
+  template <class M = EepromWrite>
+  Result<detail::CallAnswer<M>> eeprom_write(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Read part of a file.
+  /// Since board 3.0.
+  template <class M = ReadFileRequest>
+  Result<detail::CallAnswer<M>> read_file(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Write part of a file; without data the file is deleted.
+  /// Since board 3.0.
+  template <class M = WriteFile>
+  Result<detail::CallAnswer<M>> write_file(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Delete all files.
+  /// Since board 3.0.
+  template <class M = FsClearAll>
+  Result<detail::CallAnswer<M>> fs_clear_all(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Read a block of the EEPROM.
+  /// Since board 3.0.
+  template <class M = EepromReadRequest>
+  Result<detail::CallAnswer<M>> eeprom_read(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask for the data of the user in the EEPROM.
+  /// Since board 3.0.
+  template <class M = ReadExternalDataRequest>
+  Result<detail::CallAnswer<M>> read_external_data(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Store data of the user in the EEPROM.
+  /// Since board 3.0.
+  template <class M = WriteExternalData>
+  Result<detail::CallAnswer<M>> write_external_data(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Start or stop a script.
+  /// Since board 3.0.
+  template <class M = RunScript>
+  Result<detail::CallAnswer<M>> run_script(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask for names and types of the debug variables.
+  /// Since board 3.0.
+  template <class M = DebugVarsInfo3Request>
+  Result<detail::CallAnswer<M>> debug_vars_info_3(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask for the values of the debug variables.
+  /// Since board 3.0.
+  template <class M = DebugVars3Request>
+  Result<detail::CallAnswer<M>> debug_vars_3(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+ private:
+  friend Self;
+  Calls() = default;
+
+  Self& self() { return static_cast<Self&>(*this); }
+};
+
+}  // namespace sbgc

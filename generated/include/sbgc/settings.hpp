@@ -1,0 +1,111 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// Settings that the board keeps, and which messages read and store them.
+#pragma once
+
+#include <cstdint>
+
+#include <sbgc/messages.hpp>
+#include <sbgc/meta.hpp>
+
+namespace sbgc {
+
+/// How the settings that message M holds are read and stored: `Readers` and `Writers`, both with
+/// deprecated messages last; `name` of M; `copies`, how many of these settings the board has; `copy(message)`,
+/// the number of the copy that one of these messages is about, counted from 0.
+template <class M>
+struct SettingsOf;
+
+/// Settings of one profile together with the general settings.
+template <>
+struct SettingsOf<ReadParams3> {
+  static constexpr const char* name = "ReadParams3";
+  using Readers = TypeList<ReadParams3Request, ReadParams>;
+  using Writers = TypeList<WriteParams3, WriteParams>;
+  static constexpr std::uint8_t copies = 5;
+
+  static constexpr auto& copy(ReadParams3& message) noexcept { return message.profile_id; }
+  static constexpr const auto& copy(const ReadParams3& message) noexcept {
+    return message.profile_id;
+  }
+
+  static constexpr auto& copy(ReadParams3Request& message) noexcept { return message.profile_id; }
+  static constexpr const auto& copy(const ReadParams3Request& message) noexcept {
+    return message.profile_id;
+  }
+
+  static constexpr auto& copy(ReadParams& message) noexcept { return message.profile_id; }
+  static constexpr const auto& copy(const ReadParams& message) noexcept {
+    return message.profile_id;
+  }
+};
+
+/// Further settings of one profile: filters, encoders, magnetometer.
+template <>
+struct SettingsOf<ReadParamsExt> {
+  static constexpr const char* name = "ReadParamsExt";
+  using Readers = TypeList<ReadParamsExtRequest>;
+  using Writers = TypeList<WriteParamsExt>;
+  static constexpr std::uint8_t copies = 5;
+
+  static constexpr auto& copy(ReadParamsExt& message) noexcept { return message.profile_id; }
+  static constexpr const auto& copy(const ReadParamsExt& message) noexcept {
+    return message.profile_id;
+  }
+
+  static constexpr auto& copy(ReadParamsExtRequest& message) noexcept { return message.profile_id; }
+  static constexpr const auto& copy(const ReadParamsExtRequest& message) noexcept {
+    return message.profile_id;
+  }
+};
+
+/// Still further settings of one profile.
+template <>
+struct SettingsOf<ReadParamsExt2> {
+  static constexpr const char* name = "ReadParamsExt2";
+  using Readers = TypeList<ReadParamsExt2Request>;
+  using Writers = TypeList<WriteParamsExt2>;
+  static constexpr std::uint8_t copies = 5;
+
+  static constexpr auto& copy(ReadParamsExt2& message) noexcept { return message.profile_id; }
+  static constexpr const auto& copy(const ReadParamsExt2& message) noexcept {
+    return message.profile_id;
+  }
+
+  static constexpr auto& copy(ReadParamsExt2Request& message) noexcept { return message.profile_id; }
+  static constexpr const auto& copy(const ReadParamsExt2Request& message) noexcept {
+    return message.profile_id;
+  }
+};
+
+/// Names of the profiles.
+template <>
+struct SettingsOf<ReadProfileNames> {
+  static constexpr const char* name = "ReadProfileNames";
+  using Readers = TypeList<ReadProfileNamesRequest>;
+  using Writers = TypeList<WriteProfileNames>;
+  static constexpr std::uint8_t copies = 1;
+};
+
+/// Which RC signals start actions and which ones change adjustable variables.
+template <>
+struct SettingsOf<ReadAdjVarsCfg> {
+  static constexpr const char* name = "ReadAdjVarsCfg";
+  using Readers = TypeList<ReadAdjVarsCfgRequest>;
+  using Writers = TypeList<WriteAdjVarsCfg>;
+  static constexpr std::uint8_t copies = 1;
+};
+
+/// Data of the user in the EEPROM.
+template <>
+struct SettingsOf<ReadExternalData> {
+  static constexpr const char* name = "ReadExternalData";
+  using Readers = TypeList<ReadExternalDataRequest>;
+  using Writers = TypeList<WriteExternalData>;
+  static constexpr std::uint8_t copies = 1;
+};
+
+/// The messages that hold settings, in the order of the specification's families.
+using StoredMessages = TypeList<ReadParams3, ReadParamsExt, ReadParamsExt2, ReadProfileNames, ReadAdjVarsCfg, ReadExternalData>;
+
+}  // namespace sbgc

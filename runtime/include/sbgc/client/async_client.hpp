@@ -1,0 +1,210 @@
+/// Talking to a gimbal inside an Asio program: the client with completion tokens.
+///
+///     sbgc::AsyncClient client(context.get_executor());
+///     client.async_connect("/dev/ttyUSB0", {}, [&](sbgc::Result<void> connected) {
+///       client.async_call(sbgc::GetAnglesRequest{}, {}, [](sbgc::Result<sbgc::GetAngles> angles) {
+///         …
+///
+/// Include the messages that are used, such as <sbgc/messages/realtime.hpp>.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include <asio/any_io_executor.hpp>
+#include <asio/associated_cancellation_slot.hpp>
+#include <asio/associated_executor.hpp>
+#include <asio/async_result.hpp>
+#include <asio/cancellation_type.hpp>
+#include <asio/execution/outstanding_work.hpp>
+#include <asio/post.hpp>
+#include <asio/prefer.hpp>
+
+#include <sbgc/client/client.hpp>
+#include <sbgc/client/own_transport.hpp>
+
+namespace sbgc {
+
+/// A board, from within an execution context.
+///
+/// Operations end with one call of their completion handler, `void(Result<T>)`, through the
+/// handler's associated executor, which is by default the one given here; never from inside the
+/// call that begins them. All three ways of asio::cancellation_type end an operation with
+/// ErrorCode::cancelled. Errors are those of Client.
+///
+/// Functions may be called from any thread, also at the same time. Handlers of subscriptions run
+/// one at a time, on the executor.
+///
+/// Destroying the client ends all operations with ErrorCode::cancelled. The execution context must
+/// live longer than the client, and something must run it for anything to happen.
+class AsyncClient {
+ public:
+  explicit AsyncClient(const asio::any_io_executor& executor);
+  AsyncClient(AsyncClient&&) noexcept = default;
+  AsyncClient& operator=(AsyncClient&&) noexcept = default;
+  AsyncClient(const AsyncClient&) = delete;
+  AsyncClient& operator=(const AsyncClient&) = delete;
+  /// Waits for a task of async_run(), or a look-up of a host's name, that is under way.
+  ~AsyncClient() = default;
+
+  asio::any_io_executor executor() const;
+
+  /// As Client::connect(). Handler: void(Result<void>). Before it has succeeded, and after it has
+  /// been begun again, other operations fail with ErrorCode::not_connected.
+  template <class Token>
+  auto async_connect(const std::string& address, const ConnectOptions& options, Token&& token) {
+    return initiate<void>(token, [&impl = *impl_, address, options](Completion<void> done) {
+      return begin_connect(impl, address, options, std::move(done));
+    });
+  }
+  /// As connect_over().
+  template <class Token>
+  auto async_connect_over(const TransportFactory& make, const ConnectOptions& options,
+                          Token&& token) {
+    return initiate<void>(token, [&impl = *impl_, make, options](Completion<void> done) {
+      return begin_connect(impl, make, options, std::move(done));
+    });
+  }
+
+  /// As Client::call(). Handler: void(CallResult<M>).
+  template <Message M, class Token>
+  auto async_call(const M& request, const CallOptions& options, Token&& token) {
+    using Answer = detail::CallAnswer<M>;
+    return initiate<Answer>(
+        token, [&impl = *impl_, request, options](Completion<Answer> done) -> Stop {
+          const detail::EncodedRequest encoded(request);
+          if (!encoded) return done(encoded.error()), Stop{};
+          return begin_call(impl, encoded.frame(), options,
+                            [done = std::move(done)](const Result<Reply>& reply) {
+                              done(detail::read_answer<M>(reply));
+                            });
+        });
+  }
+
+  /// As Client::transact(). Handler: void(Result<Reply>).
+  template <Message M, class Token>
+  auto async_transact(const M& request, const CallOptions& options, Token&& token) {
+    return initiate<Reply>(token,
+                           [&impl = *impl_, request, options](Completion<Reply> done) -> Stop {
+                             const detail::EncodedRequest encoded(request);
+                             if (!encoded) return done(encoded.error()), Stop{};
+                             return begin_call(impl, encoded.frame(), options, std::move(done));
+                           });
+  }
+
+  /// As Client::stream(). Handler: void(Result<Subscription>).
+  template <Message M, class Token, class Request = DataStreamInterval>
+  auto async_stream(std::chrono::milliseconds interval, std::function<void(const M&)> handler,
+                    const CallOptions& options, Token&& token) {
+    return async_stream<M>(detail::stream_request<Request>(interval), std::move(handler), options,
+                           std::forward<Token>(token));
+  }
+  template <Message M, class Token, Message Request = DataStreamInterval>
+  auto async_stream(Request request, std::function<void(const M&)> handler,
+                    const CallOptions& options, Token&& token) {
+    request.cmd_id = M::command;
+    return initiate<Subscription>(
+        token,
+        [&impl = *impl_, request, options,
+         handler = std::move(handler)](Completion<Subscription> done) mutable -> Stop {
+          const detail::EncodedRequest encoded(request);
+          if (!encoded) return done(encoded.error()), Stop{};
+          return begin_stream(impl, encoded.frame(), detail::key_of<M>,
+                              detail::typed_handler<M>(std::move(handler)), options,
+                              std::move(done));
+        });
+  }
+
+  /// Runs `task(Client&)`, which may block and returns a Result<T>, on a thread of this client; one
+  /// task runs at a time. It talks to the same board: so functions that take a Client& are used
+  /// asynchronously. Handler: void(Result<T>). A task that has begun runs to its end, but its calls
+  /// fail once the client is closed.
+  template <class Task, class Token>
+  auto async_run(Task task, Token&& token) {
+    using T = typename std::invoke_result_t<Task&, Client&>::value_type;
+    return initiate<T>(
+        token, [&impl = *impl_, task = std::move(task)](Completion<T> done) mutable -> Stop {
+          const auto shared = std::make_shared<Task>(std::move(task));
+          run(impl, [shared, done](Result<Client> client) {
+            if (!client) return done(std::move(client).error());
+            done((*shared)(*client));
+          });
+          return {};
+        });
+  }
+
+  /// As Client::subscribe(); empty before the client is connected.
+  template <Message M>
+  Subscription subscribe(std::function<void(const M&)> handler) {
+    return subscribe_to(detail::key_of<M>, detail::typed_handler<M>(std::move(handler)));
+  }
+  Subscription on_notice(std::function<void(const Notice&)> handler);
+
+  bool is_connected() const;
+  /// Of a connected client; else empty.
+  BoardIdentity board() const;
+  std::string description() const;
+  ClientStatistics statistics() const;
+  /// Ends every operation with ErrorCode::cancelled, and closes the line.
+  void close() noexcept;
+
+ private:
+  class Impl;
+
+  template <class T>
+  using Completion = std::function<void(Result<T>)>;
+  /// Cancels an operation; may be empty.
+  using Stop = std::function<void()>;
+
+  /// Begins an operation with `begin(completion)`, whose completion goes to the token's handler.
+  template <class T, class Token, class Begin>
+  auto initiate(Token& token, Begin&& begin) {
+    return asio::async_initiate<Token, void(Result<T>)>(
+        [executor = executor()](auto handler, std::decay_t<Begin> start) {
+          auto on = asio::prefer(asio::get_associated_executor(handler, executor),
+                                 asio::execution::outstanding_work.tracked);
+          // Filled in below; before that there is nothing to cancel.
+          const auto stop = std::make_shared<Stop>();
+          if (auto slot = asio::get_associated_cancellation_slot(handler); slot.is_connected()) {
+            slot.assign([stop](asio::cancellation_type) {
+              if (*stop) (*stop)();
+            });
+          }
+          // Handlers can be moved only, std::function copies.
+          struct Pending {
+            decltype(handler) complete;
+            decltype(on) executor;
+          };
+          const auto pending =
+              std::make_shared<Pending>(Pending{std::move(handler), std::move(on)});
+          *stop = start([pending](Result<T> result) {
+            auto last = std::move(pending->executor);
+            asio::post(last, [pending, result = std::move(result)]() mutable {
+              auto complete = std::move(pending->complete);
+              complete(std::move(result));
+            });
+          });
+        },
+        token, std::forward<Begin>(begin));
+  }
+
+  static Stop begin_connect(Impl& impl, const std::string& address, const ConnectOptions& options,
+                            Completion<void> done);
+  static Stop begin_connect(Impl& impl, const TransportFactory& make, const ConnectOptions& options,
+                            Completion<void> done);
+  static Stop begin_call(Impl& impl, detail::FrameBytes frame, const CallOptions& options,
+                         Completion<Reply> done);
+  static Stop begin_stream(Impl& impl, detail::FrameBytes frame, detail::MessageKey key,
+                           detail::Conversation::MessageHandler handler, const CallOptions& options,
+                           Completion<Subscription> done);
+  static void run(Impl& impl, std::function<void(Result<Client>)> task);
+  Subscription subscribe_to(detail::MessageKey key, detail::Conversation::MessageHandler handler);
+
+  std::shared_ptr<Impl> impl_;
+};
+
+}  // namespace sbgc

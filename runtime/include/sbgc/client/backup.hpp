@@ -1,0 +1,84 @@
+/// Backups: all settings of a board in a file, and back.
+///
+/// The file is JSON. What counts are the bodies in hex; the fields beside them are for reading, and
+/// a file in which both disagree is refused. The format:
+///
+///     {"format": "sbgc-backup", "version": 1, "created": "2024-05-01T12:00:00Z",
+///      "board": {"model": "3.0", "firmware": "2.59", "serial_number": "…",
+///                "info": {"message": "BoardInfo", "body": "…", "fields": {…}},
+///                "details": {"message": "BoardInfo3", …}},
+///      "settings": [{"message": "ReadParams3", "copy": 0, "body": "…", "fields": {…}}, …]}
+///
+/// `copy` counts profiles from 0. `details` and `serial_number` are missing if the board has none.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <sbgc/client/board_identity.hpp>
+#include <sbgc/client/parameters.hpp>
+#include <sbgc/client/result.hpp>
+
+namespace sbgc {
+
+class Client;
+
+/// The settings of a board, and which board it was.
+struct Backup {
+  BoardIdentity board{};
+  ParameterSet settings{};
+  std::string created{};  ///< when, in UTC: "2024-05-01T12:00:00Z"
+};
+
+/// Reads all settings of the board.
+Result<Backup> make_backup(Client& client, const ReadOptions& options = {});
+
+/// The content of a backup file.
+std::string to_json_text(const Backup& backup);
+
+/// A backup from the content of a file. ErrorCode::bad_file with the place if anything in it is
+/// missing, unknown or contradictory, ErrorCode::incompatible if the format is a newer one.
+Result<Backup> parse_backup(std::string_view text);
+
+/// What to do with a file that is there already.
+enum class Existing : std::uint8_t {
+  keep,     ///< fail with ErrorCode::invalid
+  replace,  ///< the new one takes its place in one step
+};
+
+/// Writes a backup file. At any moment, whatever fails, the file is either not there, or the one
+/// that was there before, or the whole new one; when this returns it has reached the disk.
+Result<void> save_backup(const Backup& backup, const std::filesystem::path& file,
+                         Existing existing = Existing::keep);
+
+/// Reads a backup file; ErrorCode::not_found, io, bad_file or incompatible.
+Result<Backup> load_backup(const std::filesystem::path& file);
+
+/// Why the settings do not belong to this board: "the board is a 3.1, the backup is of a 3.0".
+/// Another board of the same model with the same firmware fits.
+std::vector<std::string> mismatches(const BoardIdentity& board, const BoardIdentity& backup);
+
+/// How a backup is restored.
+struct RestoreOptions {
+  /// Where the present settings are saved before anything is written; needed unless dry_run. An
+  /// existing file is not replaced.
+  std::filesystem::path present{};
+  /// Only tells what would change.
+  bool dry_run = false;
+  /// Restore although the backup is of another board model, or another firmware.
+  bool other_model = false;
+  bool other_firmware = false;
+  /// For all of it.
+  std::chrono::milliseconds timeout{180'000};
+  ProgressHandler progress{};
+  Clock& clock = Clock::system();
+};
+
+/// Makes the settings of the board those of a backup; what the backup does not have stays. See
+/// write_parameters() for how; values are not checked, because a board had them.
+[[nodiscard]] WriteReport restore(Client& client, const Backup& backup,
+                                  const RestoreOptions& options = {});
+
+}  // namespace sbgc

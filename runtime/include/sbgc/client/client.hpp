@@ -1,0 +1,122 @@
+/// Talking to a gimbal: the blocking client.
+///
+///     auto client = sbgc::Client::connect("/dev/ttyUSB0");
+///     if (!client) return fail(client.error().message);
+///     auto angles = client->get_angles();
+///
+/// Include the messages that are used, such as <sbgc/messages/realtime.hpp>.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include <sbgc/client/board_identity.hpp>
+#include <sbgc/client/calls.hpp>
+#include <sbgc/client/conversation.hpp>
+#include <sbgc/client/options.hpp>
+#include <sbgc/client/reply.hpp>
+#include <sbgc/client/result.hpp>
+#include <sbgc/client/subscription.hpp>
+#include <sbgc/client/typed.hpp>
+
+namespace sbgc {
+
+namespace detail {
+struct ClientMaker;
+}
+
+/// A connected board. Every function may be called from any thread, also at the same time; nothing
+/// throws, nothing waits longer than its timeout.
+///
+/// Besides call() there is a function with the name of each command, without its CMD_:
+/// `client.read_params_3({.profile_id = profile})`; see <sbgc/client/calls.hpp>.
+///
+/// Handlers run on the client's own thread, one at a time, and must not wait for the client: a call
+/// from there fails with ErrorCode::invalid.
+class Client : public Calls<Client> {
+ public:
+  /// Opens the address, finds the line's settings if it is a serial port without them, and reads
+  /// what the board tells about itself. For addresses see <sbgc/io/open.hpp>: "/dev/ttyUSB0",
+  /// "serial:/dev/ttyUSB0?baud=115200&parity=even", "tcp:host:port", "udp:host:port".
+  static Result<Client> connect(const std::string& address, const ConnectOptions& options = {});
+
+  Client(Client&&) noexcept = default;
+  Client& operator=(Client&&) noexcept = default;
+  Client(const Client&) = delete;
+  Client& operator=(const Client&) = delete;
+  /// Closes the line; see close().
+  ~Client() = default;
+
+  /// Sends a request and waits for what the protocol says comes back: the message that answers it,
+  /// its confirmations, or nothing.
+  template <Message M>
+  CallResult<M> call(const M& request, const CallOptions& options = {}) {
+    return detail::read_answer<M>(transact(request, options));
+  }
+
+  /// As call(), but tells how it ended and leaves the answer as it came.
+  template <Message M>
+  Result<Reply> transact(const M& request, const CallOptions& options = {}) {
+    const detail::EncodedRequest encoded(request);
+    if (!encoded) return encoded.error();
+    return conversation_.call(encoded.frame(), options);
+  }
+
+  /// Calls `handler` with every M that the board sends, whether asked for or not.
+  template <Message M>
+  Subscription subscribe(std::function<void(const M&)> handler) {
+    return conversation_.subscribe(detail::key_of<M>, detail::typed_handler<M>(std::move(handler)));
+  }
+
+  /// Calls `handler` with everything else that happens: resets, errors, the loss of the line.
+  Subscription on_notice(std::function<void(const Notice&)> handler) {
+    return conversation_.on_notice(std::move(handler));
+  }
+
+  /// Lets the board send M every `interval` as long as the subscription lives; 1 ms is as often as
+  /// it can. ErrorCode::overload if that is more than the line can carry.
+  template <Message M, class Request = DataStreamInterval>
+  Result<Subscription> stream(std::chrono::milliseconds interval,
+                              std::function<void(const M&)> handler,
+                              const CallOptions& options = {}) {
+    return stream<M>(detail::stream_request<Request>(interval), std::move(handler), options);
+  }
+
+  /// The same for messages that the board must be told more about: `request` has the interval and
+  /// whatever else the message needs, its `cmd_id` is filled in here.
+  template <Message M, class Request = DataStreamInterval>
+  Result<Subscription> stream(std::type_identity_t<Request> request,
+                              std::function<void(const M&)> handler,
+                              const CallOptions& options = {}) {
+    request.cmd_id = M::command;
+    const detail::EncodedRequest encoded(request);
+    if (!encoded) return encoded.error();
+    return conversation_.stream(encoded.frame(), detail::key_of<M>,
+                                detail::typed_handler<M>(std::move(handler)), options);
+  }
+
+  /// What the board has told about itself.
+  const BoardIdentity& board() const noexcept { return conversation_.board(); }
+  /// What this client is connected to: "serial port /dev/ttyUSB0, 115200 8N1".
+  std::string description() const { return conversation_.description(); }
+  ClientStatistics statistics() const { return conversation_.statistics(); }
+
+  /// Ends every call with ErrorCode::cancelled, and closes the line. Later calls fail with
+  /// ErrorCode::not_connected.
+  void close() noexcept { conversation_.close(); }
+
+ private:
+  friend struct detail::ClientMaker;
+
+  Client(std::shared_ptr<const void> keeper, detail::Conversation conversation) noexcept
+      : keeper_(std::move(keeper)), conversation_(std::move(conversation)) {}
+
+  std::shared_ptr<const void> keeper_;  // of the thread that does the work; closes with the client
+  detail::Conversation conversation_;
+};
+
+}  // namespace sbgc

@@ -1,0 +1,46 @@
+/// Time for tasks that wait, so that tests can have a time of their own.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+
+namespace sbgc {
+
+/// A steady clock that can be waited for.
+class Clock {
+ public:
+  using time_point = std::chrono::steady_clock::time_point;
+
+  Clock() = default;
+  Clock(const Clock&) = delete;
+  Clock& operator=(const Clock&) = delete;
+  virtual ~Clock() = default;
+
+  virtual time_point now() = 0;
+  virtual void sleep_until(time_point until) = 0;
+  /// Returns when `changed` is notified, at `until`, or for no reason at all.
+  virtual void wait_until(std::unique_lock<std::mutex>& lock, std::condition_variable& changed,
+                          time_point until) = 0;
+
+  /// The clock of the computer.
+  static Clock& system() noexcept;
+};
+
+/// The end of a task that consists of many calls.
+class Deadline {
+ public:
+  Deadline(Clock& clock, std::chrono::milliseconds timeout)
+      : clock_(clock), end_(clock.now() + timeout) {}
+
+  [[nodiscard]] bool is_over() const { return clock_.now() >= end_; }
+  [[nodiscard]] Clock::time_point end() const noexcept { return end_; }
+  /// What is left, rounded up; 0 when it is over.
+  [[nodiscard]] std::chrono::milliseconds left() const;
+
+ private:
+  Clock& clock_;
+  Clock::time_point end_;
+};
+
+}  // namespace sbgc

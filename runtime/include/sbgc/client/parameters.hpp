@@ -1,0 +1,194 @@
+/// All settings of a board: reading them, comparing them, writing them back.
+///
+/// Which messages hold settings, how many copies the board has of each (one for each profile), and
+/// which fields are no settings but state of the board, is what the specification says; see
+/// <sbgc/settings.hpp>.
+///
+/// Volatile and stored settings: a board works with the settings of its active profile in volatile
+/// memory. The write messages change them there and save them to the EEPROM as well. Adjustable
+/// variables change the volatile ones only, until CMD_SAVE_PARAMS_3 saves them to the active
+/// profile (see <sbgc/client/variables.hpp>); until then the settings read for the active profile
+/// may hold values that the next start forgets.
+///
+/// The settings of the board as a whole stand in the copy of each profile, among those of the
+/// profile; the protocol does not say which they are. Writing one profile may thus change what is
+/// read for the others, which is why write_parameters() looks at all of them again in the end.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <sbgc/client/clock.hpp>
+#include <sbgc/client/progress.hpp>
+#include <sbgc/client/result.hpp>
+#include <sbgc/settings.hpp>
+
+namespace sbgc {
+
+class Client;
+
+/// A message that holds settings.
+template <class M>
+concept Stored = requires {
+  SettingsOf<M>::copies;
+};
+
+/// Which settings: the name of the message that holds them, and of which copy, counted from 0.
+struct BlockId {
+  std::string message{};
+  std::uint8_t copy{};
+
+  bool operator==(const BlockId&) const = default;
+};
+
+/// "ReadParams3 of profile 2", "ReadProfileNames".
+std::string to_text(const BlockId& id);
+
+/// Settings as one message holds them, to the last byte.
+struct Block {
+  BlockId id{};
+  std::vector<std::uint8_t> body{};
+
+  bool operator==(const Block&) const = default;
+};
+
+/// The settings of a board, or some of them; each block can be decoded.
+class ParameterSet {
+ public:
+  const std::vector<Block>& blocks() const noexcept { return blocks_; }
+  const Block* find(const BlockId& id) const noexcept;
+
+  /// Takes a block in, in place of one with the same id. ErrorCode::invalid if no message holds
+  /// such settings, the body is none of that message, or it is about another copy.
+  Result<void> put(Block block);
+
+  /// The settings of copy `copy`; ErrorCode::not_found if the set has none.
+  template <Stored M>
+  Result<M> get(std::uint8_t copy = 0) const {
+    const Block* const block = find({SettingsOf<M>::name, copy});
+    if (block == nullptr) return missing({SettingsOf<M>::name, copy});
+    M message{};
+    static_cast<void>(decode(std::span(block->body), message));  // put() has seen that it does
+    return message;
+  }
+
+  /// Puts settings in; the message says of which copy they are.
+  template <Stored M>
+  Result<void> set(const M& message) {
+    std::uint8_t copy = 0;
+    if constexpr (SettingsOf<M>::copies > 1) copy = SettingsOf<M>::copy(message);
+    std::vector<std::uint8_t> body(max_body_size);
+    body.resize(encode(message, body).size);
+    return put({{SettingsOf<M>::name, copy}, std::move(body)});
+  }
+
+  bool operator==(const ParameterSet&) const = default;
+
+ private:
+  static ClientError missing(const BlockId& id);
+
+  std::vector<Block> blocks_{};
+};
+
+/// One field whose value differs. A missing field, of a shorter body, has an empty text.
+struct FieldChange {
+  std::string path{};  ///< "axes.roll.p"
+  std::string before{};
+  std::string after{};
+  std::string before_meaning{};  ///< "-30 deg", "FOLLOW_MODE_FC", or ""
+  std::string after_meaning{};
+
+  bool operator==(const FieldChange&) const = default;
+};
+
+/// What differs within one block, or that only one side has it.
+struct BlockChange {
+  enum class Kind : std::uint8_t { changed, only_before, only_after };
+
+  BlockId id{};
+  Kind kind{};
+  std::vector<FieldChange> fields{};
+
+  bool operator==(const BlockChange&) const = default;
+};
+
+/// The settings in which two sets differ, field by field, in the order of `before`. State of the
+/// board, such as the active profile, is no difference.
+std::vector<BlockChange> diff(const ParameterSet& before, const ParameterSet& after);
+
+/// For people: a heading for each block, a line for each field; "" if there are none.
+std::string to_text(const std::vector<BlockChange>& changes);
+
+/// How settings are read.
+struct ReadOptions {
+  /// For all of it.
+  std::chrono::milliseconds timeout{60'000};
+  ProgressHandler progress{};
+  Clock& clock = Clock::system();
+};
+
+/// Reads all settings that this board and firmware have.
+Result<ParameterSet> read_parameters(Client& client, const ReadOptions& options = {});
+
+/// How settings are written.
+struct WriteOptions {
+  /// For all of it.
+  std::chrono::milliseconds timeout{120'000};
+  /// Only tells what would be written.
+  bool dry_run = false;
+  /// Refuse what the protocol does not allow on this board in the fields that change.
+  bool validate = true;
+  ProgressHandler progress{};
+  Clock& clock = Clock::system();
+};
+
+/// What is known to stand on the board for one block that was to be written.
+enum class BlockState : std::uint8_t {
+  equal,      ///< what was wanted stood there already
+  written,    ///< it has been written and read back
+  unwritten,  ///< what stood there before still does
+  different,  ///< read back after writing: neither what was wanted nor what stood there before
+  unknown,    ///< it has been sent, and could not be read back since
+};
+
+/// The name of a state, e.g. "written".
+const char* name(BlockState state) noexcept;
+
+/// What became of one block.
+struct BlockReport {
+  BlockId id{};
+  BlockState state = BlockState::unwritten;
+  /// What was wanted to change, from the board's settings before.
+  std::vector<FieldChange> wanted{};
+  /// How what stands there now differs from what was wanted, if it is BlockState::different.
+  std::vector<FieldChange> deviation{};
+};
+
+/// What write_parameters() has done, also if it has failed.
+struct WriteReport {
+  /// Everything that was wanted stands on the board, or would after a dry run.
+  Result<void> outcome{};
+  std::vector<BlockReport> blocks{};
+
+  explicit operator bool() const noexcept { return static_cast<bool>(outcome); }
+};
+
+/// For people: the outcome, and what is known about each block.
+std::string to_text(const WriteReport& report);
+
+/// Makes the settings of the board those in `wanted`. Blocks that `wanted` does not have stay.
+///
+/// All blocks are read first; what can be found wrong is found before anything is written. Only
+/// blocks that differ are written, each is confirmed and read back, and in the end all are read
+/// once more. State of the board, and bytes that the board has behind the end of a wanted body,
+/// are written back as they were read. Nothing is undone after a failure: the report says what
+/// stands on the board.
+[[nodiscard]] WriteReport write_parameters(Client& client, const ParameterSet& wanted,
+                                           const WriteOptions& options = {});
+
+}  // namespace sbgc

@@ -1,0 +1,117 @@
+/// From messages to bytes and back, for the calls of Client and AsyncClient.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+#include <sbgc/client/calls.hpp>
+#include <sbgc/client/conversation.hpp>
+#include <sbgc/client/reply.hpp>
+#include <sbgc/client/result.hpp>
+#include <sbgc/message.hpp>
+
+namespace sbgc {
+
+namespace detail {
+
+ClientError encode_error(Status status);
+ClientError decode_error(Status status, const Reply& reply);
+ClientError missing_answer(const Reply& reply);
+
+/// A request in its frame, or why it has none.
+class EncodedRequest {
+ public:
+  template <Message M>
+  explicit EncodedRequest(const M& request) noexcept {
+    static_assert(M::direction != Direction::from_board, "only the board sends this message");
+    written_ = encode_frame(request, bytes_);
+  }
+
+  explicit operator bool() const noexcept { return static_cast<bool>(written_); }
+  FrameBytes frame() const noexcept { return {bytes_.data(), written_.size}; }
+  ClientError error() const { return encode_error(written_.status); }
+
+ private:
+  std::array<std::uint8_t, max_frame_size> bytes_;  // as much as is written is set
+  WriteResult written_;
+};
+
+template <class T>
+struct IsOptional : std::false_type {};
+template <class T>
+struct IsOptional<std::optional<T>> : std::true_type {};
+
+/// One of several messages that may answer: the first that the body is.
+template <class... Ms>
+Status read(const Received& received, std::variant<Ms...>& out) noexcept {
+  Status status{Code::unknown_form};
+  const auto try_one = [&](auto message) {
+    if (static_cast<std::uint8_t>(message.command) != received.id) return false;
+    status = read(received, message);
+    if (status) out = message;
+    return static_cast<bool>(status);
+  };
+  static_cast<void>((try_one(Ms{}) || ...));
+  return status;
+}
+
+/// The answer to an M in what came back for it.
+template <class M>
+Result<CallAnswer<M>> read_answer(const Result<Reply>& reply) {
+  using Answer = CallAnswer<M>;
+  if (!reply) return reply.error();
+  if constexpr (std::is_void_v<Answer>) {
+    return {};
+  } else {
+    const bool is_answered = reply->ending == Ending::answered;
+    Answer answer{};
+    Status status{};
+    if constexpr (IsOptional<Answer>::value) {
+      if (!is_answered) return answer;
+      status = read(reply->received(), answer.emplace());
+    } else {
+      if (!is_answered) return missing_answer(*reply);
+      status = read(reply->received(), answer);
+    }
+    if (!status) return decode_error(status, *reply);
+    return answer;
+  }
+}
+
+/// The registration of a data stream with an interval; one that is too long is not in range.
+template <class Request>
+Request stream_request(std::chrono::milliseconds interval) {
+  Request request{};
+  using Interval = decltype(request.interval_ms);
+  const auto count = std::clamp<std::chrono::milliseconds::rep>(interval.count(), 1, 0xFFFF);
+  request.interval_ms = Interval(static_cast<typename Interval::raw_type>(count));
+  return request;
+}
+
+/// Decodes messages for a handler that takes them typed.
+template <class M>
+Conversation::MessageHandler typed_handler(std::function<void(const M&)> handler) {
+  return [handler = std::move(handler)](const Received& received) {
+    M message{};
+    const bool readable = static_cast<bool>(read(received, message));
+    if (readable) handler(message);
+    return readable;
+  };
+}
+
+}  // namespace detail
+
+/// What a call with the request M returns: the answer, or nothing where the protocol has none; an
+/// optional answer where it depends on what the request says.
+template <class M>
+using CallResult = Result<detail::CallAnswer<M>>;
+
+}  // namespace sbgc

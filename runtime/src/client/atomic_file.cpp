@@ -1,0 +1,138 @@
+#include "atomic_file.hpp"
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace sbgc::detail {
+namespace {
+
+ClientError io_error(const std::string& what, const std::filesystem::path& file, int number) {
+  const std::string reason = std::generic_category().message(number);
+  const ErrorCode code = number == ENOENT ? ErrorCode::not_found : ErrorCode::io;
+  return {code, fmt::format("{} {}: {}", what, file.string(), reason), number};
+}
+
+/// An open file; closed at the end.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) noexcept : number_(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() { close(); }
+
+  [[nodiscard]] int number() const noexcept { return number_; }
+  [[nodiscard]] bool is_open() const noexcept { return number_ >= 0; }
+  bool close() noexcept {
+    const int number = std::exchange(number_, -1);
+    return number < 0 || ::close(number) == 0;
+  }
+
+ private:
+  int number_;
+};
+
+/// A file that disappears unless it has been moved away.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(std::filesystem::path path) : path_(std::move(path)) {}
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() { ::unlink(path_.c_str()); }
+
+  [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.parent_path();
+  return folder.empty() ? std::filesystem::path(".") : folder;
+}
+
+std::filesystem::path name_beside(const std::filesystem::path& file) {
+  static std::atomic<unsigned> number{0};
+  std::filesystem::path result = file;
+  result += fmt::format(".{}-{}.tmp", ::getpid(), number++);
+  return result;
+}
+
+bool write_all(int descriptor, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = ::write(descriptor, content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+/// Moves a file to where there is none yet; an error number, or 0.
+int move_without_replacing(const std::filesystem::path& from, const std::filesystem::path& to) {
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
+  if (errno != EINVAL && errno != ENOSYS) return errno;
+  // This file system cannot do so. A link fails as well if there is a file, in one step, too.
+  return ::link(from.c_str(), to.c_str()) == 0 ? 0 : errno;
+}
+
+/// Brings the entries of a folder to the disk.
+Result<void> sync_folder(const std::filesystem::path& folder) {
+  const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!opened.is_open() || ::fsync(opened.number()) != 0) {
+    return io_error("cannot bring to the disk:", folder, errno);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> write_file_atomically(const std::filesystem::path& file, std::string_view content,
+                                   Existing existing) {
+  constexpr mode_t mode = 0644;
+  const TemporaryFile temporary(name_beside(file));
+  const std::filesystem::path& path = temporary.path();
+  Descriptor opened(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
+  if (!opened.is_open()) return io_error("cannot write", path, errno);
+  const bool is_there = write_all(opened.number(), content) && ::fsync(opened.number()) == 0;
+  if (!is_there || !opened.close()) return io_error("cannot write", path, errno);
+  const bool replaces = existing == Existing::replace;
+  const int error = !replaces                                   ? move_without_replacing(path, file)
+                    : ::rename(path.c_str(), file.c_str()) == 0 ? 0
+                                                                : errno;
+  if (error == EEXIST) {
+    return ClientError{ErrorCode::invalid,
+                       fmt::format("{} is there already and is not replaced", file.string())};
+  }
+  if (error != 0) return io_error("cannot write", file, error);
+  return sync_folder(folder_of(file));
+}
+
+Result<std::string> read_whole_file(const std::filesystem::path& file, std::size_t most) {
+  const Descriptor opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!opened.is_open()) return io_error("cannot read", file, errno);
+  std::string content;
+  std::array<char, 65536> block{};
+  while (true) {
+    const ssize_t size = ::read(opened.number(), block.data(), block.size());
+    if (size < 0 && errno == EINTR) continue;
+    if (size < 0) return io_error("cannot read", file, errno);
+    if (size == 0) return content;
+    content.append(block.data(), static_cast<std::size_t>(size));
+    if (content.size() > most) {
+      return ClientError{ErrorCode::bad_file, fmt::format("{} has more than {} bytes: it is no "
+                                                          "backup",
+                                                          file.string(), most)};
+    }
+  }
+}
+
+}  // namespace sbgc::detail

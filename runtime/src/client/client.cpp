@@ -1,0 +1,65 @@
+#include <memory>
+#include <thread>
+#include <utility>
+
+#include <asio/executor_work_guard.hpp>
+#include <asio/io_context.hpp>
+
+#include <sbgc/client/client.hpp>
+#include <sbgc/client/own_transport.hpp>
+
+#include "connect.hpp"
+
+namespace sbgc {
+
+namespace {
+
+/// The thread of one client, and what it runs.
+class Loop {
+ public:
+  Loop()
+      : context_(std::make_shared<asio::io_context>(1)),
+        work_(context_->get_executor()),
+        thread_([context = context_] { context->run(); }) {}
+  Loop(const Loop&) = delete;
+  Loop& operator=(const Loop&) = delete;
+  /// Waits for the end of everything on it; only on the thread itself, which then outlives this.
+  ~Loop() {
+    conversation_.close();
+    work_.reset();
+    if (thread_.get_id() == std::this_thread::get_id()) {
+      thread_.detach();
+    } else {
+      thread_.join();
+    }
+  }
+
+  asio::any_io_executor executor() const { return context_->get_executor(); }
+  void set_conversation(const detail::Conversation& conversation) { conversation_ = conversation; }
+
+ private:
+  std::shared_ptr<asio::io_context> context_;
+  asio::executor_work_guard<asio::io_context::executor_type> work_;
+  detail::Conversation conversation_;
+  std::thread thread_;
+};
+
+Result<Client> connect_with(const detail::Opener& opener, const ConnectOptions& options) {
+  const auto loop = std::make_shared<Loop>();
+  auto conversation = detail::connect(loop->executor(), opener, options);
+  if (!conversation) return std::move(conversation).error();
+  loop->set_conversation(*conversation);
+  return detail::ClientMaker::make(loop, *std::move(conversation));
+}
+
+}  // namespace
+
+Result<Client> Client::connect(const std::string& address, const ConnectOptions& options) {
+  return connect_with(detail::opener_of(address, options), options);
+}
+
+Result<Client> connect_over(const TransportFactory& make, const ConnectOptions& options) {
+  return connect_with(detail::opener_of(make, options), options);
+}
+
+}  // namespace sbgc

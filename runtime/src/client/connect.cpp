@@ -1,0 +1,203 @@
+#include "connect.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include <asio/strand.hpp>
+
+#include <sbgc/exchanges/system.hpp>
+#include <sbgc/io/capture.hpp>
+#include <sbgc/io/clock.hpp>
+#include <sbgc/io/line.hpp>
+#include <sbgc/io/open.hpp>
+#include <sbgc/io/recorder.hpp>
+#include <sbgc/roles.hpp>
+
+#include "conversation_state.hpp"
+#include "text.hpp"
+#include "waiter.hpp"
+
+namespace sbgc::detail {
+
+namespace {
+
+ClientError to_client_error(const io::Error& error) {
+  ErrorCode code = ErrorCode::io;
+  if (error.code == io::Errc::bad_address || error.code == io::Errc::line_refused) {
+    code = ErrorCode::invalid;
+  } else if (error.code == io::Errc::no_such_port || error.code == io::Errc::not_a_port ||
+             error.code == io::Errc::host_not_found) {
+    code = ErrorCode::not_found;
+  } else if (error.code == io::Errc::timed_out) {
+    code = ErrorCode::timeout;
+  } else if (error.code == io::Errc::not_a_capture) {
+    code = ErrorCode::bad_file;
+  }
+  const bool is_from_system = error.code.category() == std::system_category();
+  return {code, without_stop(error.message), is_from_system ? error.code.value() : 0};
+}
+
+/// "115200 8N1: 312 bytes, none of them understood".
+std::string text_of(const Trial& trial) {
+  std::string text = io::to_string(trial.line) + ": " + std::to_string(trial.bytes) + " bytes, ";
+  if (trial.good_frames == 0) return text + "none of them understood";
+  return text + std::to_string(trial.good_frames) + " messages, but no answer";
+}
+
+std::string tried(std::span<const Trial> trials) {
+  std::string lines;
+  std::string refused;
+  std::string heard;
+  unsigned probes = 0;
+  for (const Trial& trial : trials) {
+    if (trial.is_refused) {
+      refused += (refused.empty() ? "" : ", ") + io::to_string(trial.line);
+    } else if (trial.probes != 0) {
+      lines += (lines.empty() ? "" : ", ") + io::to_string(trial.line);
+    }
+    if (trial.bytes != 0) heard += (heard.empty() ? "" : "; ") + text_of(trial);
+    probes += trial.probes;
+  }
+  std::string text = "asked " + std::to_string(probes) + " times";
+  if (!lines.empty()) text += " at " + lines;
+  if (!refused.empty()) text += "; the port refuses " + refused;
+  return text + (heard.empty() ? "; nothing was heard" : "; heard at " + heard);
+}
+
+/// Connecting, step by step.
+class Connector {
+ public:
+  Connector(const asio::any_io_executor& executor, const ConnectOptions& options)
+      : options_(options),
+        strand_(asio::make_strand(executor)),
+        deadline_(io::now() + io::from_chrono(options.timeout)),
+        state_(std::make_shared<Conversation::State>(strand_, options)) {}
+  Connector(const Connector&) = delete;
+  Connector& operator=(const Connector&) = delete;
+  ~Connector() {
+    if (!is_done_) state_->close();
+  }
+
+  Conversation conversation() const { return Conversation(state_); }
+
+  Result<void> open(const Opener& opener) {
+    io::OpenResult opened = opener.open(strand_, left());
+    if (!opened) return to_client_error(opened.error);
+    has_line_to_find_ = opener.find_line && opened.transport->line() != nullptr;
+    if (!options_.capture.empty()) {
+      io::CaptureWriter file;
+      if (const io::Error error = file.open(options_.capture)) return to_client_error(error);
+      opened.transport = io::record(std::move(opened.transport), std::move(file));
+    }
+    state_->attach(std::move(opened.transport));
+    return {};
+  }
+
+  Result<void> find_line() {
+    if (!has_line_to_find_) return {};
+    using Detection = Conversation::State::Detection;
+    const auto waiter = std::make_shared<Waiter<Detection>>();
+    state_->detect([waiter](Detection detection) { waiter->put(std::move(detection)); });
+    auto detection = waiter->wait_until(io::to_chrono(deadline_));
+    if (!detection) {
+      state_->stop_detecting();
+      detection = waiter->wait_until(io::to_chrono(deadline_ + milliseconds(200)));
+    }
+    if (detection && detection->found) return {};
+    const std::string description = state_->description();
+    if (state_->is_lost()) return state_->loss();
+    return ClientError{ErrorCode::not_found,
+                       "no board found on " + description + ": " +
+                           (detection ? tried(detection->trials) : "out of time")};
+  }
+
+  Result<void> introduce() {
+    BoardIdentity board;
+    auto info = ask(roles::IntroductionRequest{});
+    if (!info) return no_introduction(std::move(info).error());
+    board.info = *std::move(info);
+    state_->set_board(board);
+    if (is_supported<BoardInfo3Request>(board.versions())) {
+      if (auto details = ask(BoardInfo3Request{})) {
+        board.details = *std::move(details);
+      } else if (const auto again = ask(roles::IntroductionRequest{}); !again) {
+        return ClientError{again.error().code, "the board on " + state_->description() +
+                                                   " has introduced itself, then fell silent: " +
+                                                   details.error().message};
+      }
+    }
+    state_->set_board(board);
+    return {};
+  }
+
+  void finish() { is_done_ = true; }
+
+ private:
+  std::chrono::milliseconds left() const {
+    const Duration duration = deadline_ - io::now();
+    return std::chrono::milliseconds(std::max<std::int64_t>(duration.us / 1000, 1));
+  }
+
+  template <Message M>
+  Result<CallAnswer<M>> ask(const M& request) {
+    const EncodedRequest encoded(request);
+    const auto usual = std::chrono::milliseconds(exchange_of(request).timeout_ms);
+    const auto all = usual * (options_.retries + 1);
+    return read_answer<M>(conversation().call(encoded.frame(), {.timeout = std::min(left(), all)}));
+  }
+
+  ClientError no_introduction(ClientError error) const {
+    if (error.code != ErrorCode::timeout) return error;
+    const SessionStatistics seen = state_->statistics().session;
+    const std::uint64_t noise = seen.parser.skipped_bytes;
+    std::string heard = "nothing was heard";
+    if (seen.parser.frames != 0) {
+      heard = std::to_string(seen.parser.frames) + " messages were heard, but no answer";
+    } else if (noise != 0) {
+      heard = std::to_string(noise) + " bytes were heard, none of them understood";
+    }
+    return {ErrorCode::not_found, "no board found on " + state_->description() + ": asked " +
+                                      std::to_string(seen.sent_frames) + " times; " + heard};
+  }
+
+  const ConnectOptions& options_;
+  Strand strand_;
+  Instant deadline_;
+  std::shared_ptr<Conversation::State> state_;
+  bool has_line_to_find_ = false;
+  bool is_done_ = false;
+};
+
+}  // namespace
+
+Opener opener_of(const std::string& address, const ConnectOptions& options) {
+  // An address that says the rate is taken at its word.
+  const bool says_line = address.find("baud=") != std::string::npos;
+  return {[address](const asio::any_io_executor& executor, std::chrono::milliseconds timeout) {
+            return io::open(executor, address, {.timeout = timeout});
+          },
+          options.find_line && !says_line};
+}
+
+Opener opener_of(const TransportFactory& make, const ConnectOptions& options) {
+  return {[make](const asio::any_io_executor& executor, std::chrono::milliseconds) {
+            return io::OpenResult{make(executor), {}};
+          },
+          options.find_line};
+}
+
+Result<Conversation> connect(const asio::any_io_executor& executor, const Opener& opener,
+                             const ConnectOptions& options, const OnBegun& on_begun) {
+  Connector connector(executor, options);
+  if (on_begun) on_begun(connector.conversation());
+  if (auto opened = connector.open(opener); !opened) return std::move(opened).error();
+  if (auto found = connector.find_line(); !found) return std::move(found).error();
+  if (auto known = connector.introduce(); !known) return std::move(known).error();
+  connector.finish();
+  return connector.conversation();
+}
+
+}  // namespace sbgc::detail

@@ -1,0 +1,55 @@
+#include <tuple>
+#include <type_traits>
+
+#include <sbgc/client/reply.hpp>
+#include <sbgc/client/typed.hpp>
+#include <sbgc/dispatch.hpp>
+
+#include "request.hpp"
+#include "text.hpp"
+
+namespace sbgc::detail {
+
+template <class M>
+Status decode_in_context(const Received& received, M& out) noexcept {
+  if (received.contexts == nullptr) return decode(received.body, out, Contexts{}.of(out));
+  return decode(received.body, out, received.contexts->of(out));
+}
+
+namespace {
+
+template <class M>
+constexpr auto decoder_of() noexcept {
+  if constexpr (requires { typename M::Context; }) {
+    return std::tuple{&decode_in_context<M>};
+  } else {
+    return std::tuple{};
+  }
+}
+
+template <class... Ms>
+constexpr auto decoders_of(TypeList<Ms...>) noexcept {
+  return std::tuple_cat(decoder_of<Ms>()...);
+}
+
+/// Makes the compiler emit decode_in_context() for every message that needs it.
+[[gnu::used]] const auto decoders = decoders_of(AllMessages{});
+
+}  // namespace
+
+ClientError encode_error(Status status) {
+  return {ErrorCode::invalid, "the request cannot be encoded: " + status_text(status)};
+}
+
+ClientError decode_error(Status status, const Reply& reply) {
+  return {ErrorCode::bad_answer,
+          "the answer " + command_name(reply.id) + " cannot be read: " + status_text(status)};
+}
+
+ClientError missing_answer(const Reply& reply) {
+  return {ErrorCode::bad_answer, reply.ending == Ending::confirmed
+                                     ? "the board confirmed the request instead of answering it"
+                                     : "the board did not answer the request"};
+}
+
+}  // namespace sbgc::detail

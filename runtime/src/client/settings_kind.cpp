@@ -1,0 +1,212 @@
+#include "settings_kind.hpp"
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include <sbgc/client/client.hpp>
+#include <sbgc/message.hpp>
+#include <sbgc/validate.hpp>
+
+namespace sbgc::detail {
+namespace {
+
+template <class M>
+std::vector<std::uint8_t> bytes_of(const M& message) {
+  std::vector<std::uint8_t> bytes(max_body_size);
+  bytes.resize(encode(message, bytes).size);
+  return bytes;
+}
+
+template <class M>
+M message_of(Body body) {
+  M message{};
+  static_cast<void>(decode(body, message));  // problem() has seen that it decodes
+  return message;
+}
+
+/// Sets all bits of a number or of what stands for one.
+template <class T>
+void set_all_bits(T& value) {
+  if constexpr (std::is_enum_v<T>) {
+    value = static_cast<T>(static_cast<std::underlying_type_t<T>>(~0U));
+  } else if constexpr (std::is_integral_v<T>) {
+    value = static_cast<T>(~0U);
+  } else {
+    static_assert(RawValue<T>, "state of the board is a number");
+    value = T(static_cast<typename T::raw_type>(~0U));
+  }
+}
+
+template <class M>
+std::vector<std::uint8_t> state_mask() {
+  M marked{};
+  Meta<M>::visit(marked, [](const FieldInfo& field, auto&& member) {
+    using Member = std::remove_cvref_t<decltype(member)>;
+    constexpr bool is_number =
+        std::is_enum_v<Member> || std::is_integral_v<Member> || RawValue<Member>;
+    if constexpr (is_number) {
+      if (field.role == FieldRole::state) set_all_bits(member);
+    }
+  });
+  return bytes_of(marked);
+}
+
+/// Calls `use(Type<Request>{})` with the first of these requests that the board has.
+template <class... Requests, class Use>
+bool with_supported(TypeList<Requests...>, const Availability& versions, Use&& use) {
+  return ((is_supported<Requests>(versions) && (use(Type<Requests>{}), true)) || ...);
+}
+
+template <class M>
+Result<std::vector<std::uint8_t>> read_settings(Client& client, std::uint8_t copy,
+                                                const CallOptions& options) {
+  Result<std::vector<std::uint8_t>> result = ClientError{
+      ErrorCode::unsupported, fmt::format("this board can not tell {}", Meta<M>::info.name)};
+  with_supported(typename SettingsOf<M>::Readers{}, client.board().versions(),
+                 [&]<class Request>(Type<Request>) {
+                   Request request{};
+                   if constexpr (SettingsOf<M>::copies > 1) SettingsOf<M>::copy(request) = copy;
+                   const Result<M> answer = client.call(request, options);
+                   if (!answer) {
+                     result = answer.error();
+                   } else {
+                     result = bytes_of(*answer);
+                   }
+                 });
+  return result;
+}
+
+template <class M>
+Result<void> write_settings(Client& client, Body body, const CallOptions& options) {
+  Result<void> result = ClientError{ErrorCode::unsupported,
+                                    fmt::format("this board can not store {}", Meta<M>::info.name)};
+  with_supported(typename SettingsOf<M>::Writers{}, client.board().versions(),
+                 [&]<class Request>(Type<Request>) {
+                   result = client.call(Request{message_of<M>(body)}, options);
+                 });
+  return result;
+}
+
+template <class M>
+std::string problem(Body body, std::uint8_t copy) {
+  M message{};
+  if (const Status status = decode(body, message); !status) {
+    return fmt::format("{} bytes can not be a {}: {}", body.size(), Meta<M>::info.name,
+                       text(status.code));
+  }
+  if (copy >= SettingsOf<M>::copies) {
+    return fmt::format("there is no copy {} of {}", copy, Meta<M>::info.name);
+  }
+  if constexpr (SettingsOf<M>::copies > 1) {
+    const int said = SettingsOf<M>::copy(message);
+    if (said != copy) return fmt::format("the body is about profile {}", said + 1);
+  }
+  return "";
+}
+
+template <class M>
+void violations(Body body, const Availability& versions,
+                const std::function<void(std::string_view, std::string)>& report) {
+  validate(message_of<M>(body), versions, [&](const Violation& violation) {
+    std::array<char, 128> path{};
+    violation.path.write(path.data(), path.size());
+    report(path.data(), fmt::format("{} is not allowed: the {} is {}", violation.value,
+                                    name(violation.rule), violation.limit));
+  });
+}
+
+template <class M>
+SettingsKind kind_of() {
+  return {
+      .name = Meta<M>::info.name,
+      .summary = Meta<M>::info.summary,
+      .copies = SettingsOf<M>::copies,
+      .state_mask = state_mask<M>(),
+      .is_readable =
+          [](const Availability& versions) {
+            return with_supported(typename SettingsOf<M>::Readers{}, versions, [](auto) {});
+          },
+      .is_writable =
+          [](const Availability& versions) {
+            return with_supported(typename SettingsOf<M>::Writers{}, versions, [](auto) {});
+          },
+      .read = read_settings<M>,
+      .write = write_settings<M>,
+      .problem = problem<M>,
+      .leaves = [](Body body) { return leaves(message_of<M>(body)); },
+      .to_json = [](Body body) { return to_json(message_of<M>(body)); },
+      .violations = violations<M>,
+  };
+}
+
+/// The byte of a mask, 0 behind its end.
+std::uint8_t at(const std::vector<std::uint8_t>& mask, std::size_t index) {
+  return index < mask.size() ? mask[index] : std::uint8_t{0};
+}
+
+}  // namespace
+
+const std::vector<SettingsKind>& settings_kinds() {
+  static const std::vector<SettingsKind> kinds = [] {
+    std::vector<SettingsKind> result;
+    StoredMessages::for_each([&]<class M>(Type<M>) { result.push_back(kind_of<M>()); });
+    return result;
+  }();
+  return kinds;
+}
+
+const SettingsKind* find_settings_kind(std::string_view name) {
+  const auto& kinds = settings_kinds();
+  const auto found = std::ranges::find(kinds, name, &SettingsKind::name);
+  return found != kinds.end() ? &*found : nullptr;
+}
+
+std::optional<std::vector<std::uint8_t>> merged(const SettingsKind& kind, Body wanted,
+                                                Body present) {
+  if (wanted.size() > present.size()) return std::nullopt;
+  std::vector<std::uint8_t> result(present.begin(), present.end());
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const std::uint8_t state = at(kind.state_mask, i);
+    result[i] = static_cast<std::uint8_t>((wanted[i] & ~state) | (present[i] & state));
+  }
+  return result;
+}
+
+bool are_equal(const SettingsKind& kind, Body a, Body b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (((a[i] ^ b[i]) & ~at(kind.state_mask, i)) != 0) return false;
+  }
+  return true;
+}
+
+std::vector<FieldChange> field_changes(const SettingsKind& kind, Body before, Body after) {
+  std::vector<FieldChange> changes;
+  std::vector<Leaf> now = kind.leaves(after);
+  std::unordered_map<std::string_view, const Leaf*> by_path;
+  for (const Leaf& leaf : now) by_path.emplace(leaf.path, &leaf);
+  for (Leaf& leaf : kind.leaves(before)) {
+    const auto found = by_path.find(leaf.path);
+    if (found == by_path.end()) {
+      changes.push_back({leaf.path, leaf.raw, "", leaf.meaning, ""});
+      continue;
+    }
+    const Leaf& other = *found->second;
+    if (other.raw != leaf.raw) {
+      changes.push_back({leaf.path, leaf.raw, other.raw, leaf.meaning, other.meaning});
+    }
+    by_path.erase(found);
+  }
+  for (const Leaf& leaf : now) {
+    if (by_path.contains(leaf.path)) {
+      changes.push_back({leaf.path, "", leaf.raw, "", leaf.meaning});
+    }
+  }
+  return changes;
+}
+
+}  // namespace sbgc::detail

@@ -1,0 +1,61 @@
+/// Messages that hold settings, without their types: what can be done with the body of each.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <sbgc/availability.hpp>
+#include <sbgc/client/options.hpp>
+#include <sbgc/client/parameters.hpp>
+#include <sbgc/json.hpp>
+
+#include "leaves.hpp"
+
+namespace sbgc {
+class Client;
+}
+
+namespace sbgc::detail {
+
+using Body = std::span<const std::uint8_t>;
+
+/// One message that holds settings, and the requests that read and store it.
+struct SettingsKind {
+  std::string_view name;
+  const char* summary;
+  std::uint8_t copies;
+  /// 1 bits where a body holds state of the board.
+  std::vector<std::uint8_t> state_mask;
+
+  bool (*is_readable)(const Availability& versions);
+  bool (*is_writable)(const Availability& versions);
+  Result<std::vector<std::uint8_t>> (*read)(Client& client, std::uint8_t copy,
+                                            const CallOptions& options);
+  Result<void> (*write)(Client& client, Body body, const CallOptions& options);
+  /// Why the body is no settings of this copy; "" if it is.
+  std::string (*problem)(Body body, std::uint8_t copy);
+  std::vector<Leaf> (*leaves)(Body body);
+  Json (*to_json)(Body body);
+  /// Calls `report(path, reason)` for every value that these versions do not allow.
+  void (*violations)(Body body, const Availability& versions,
+                     const std::function<void(std::string_view, std::string)>& report);
+};
+
+/// All of them, in the order of the specification's families.
+const std::vector<SettingsKind>& settings_kinds();
+/// Null if no message of this name holds settings.
+const SettingsKind* find_settings_kind(std::string_view name);
+
+/// The wanted body as it has to be written over the present one: with the state of the board, and
+/// the bytes behind the end of the wanted body, as they are. Nothing if the wanted one is longer.
+std::optional<std::vector<std::uint8_t>> merged(const SettingsKind& kind, Body wanted,
+                                                Body present);
+/// Whether both hold the same settings.
+bool are_equal(const SettingsKind& kind, Body a, Body b);
+/// The settings in which they differ.
+std::vector<FieldChange> field_changes(const SettingsKind& kind, Body before, Body after);
+
+}  // namespace sbgc::detail

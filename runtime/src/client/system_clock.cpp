@@ -1,0 +1,31 @@
+#include <algorithm>
+#include <thread>
+
+#include <sbgc/client/clock.hpp>
+
+namespace sbgc {
+namespace {
+
+class SystemClock final : public Clock {
+ public:
+  time_point now() override { return std::chrono::steady_clock::now(); }
+  void sleep_until(time_point until) override { std::this_thread::sleep_until(until); }
+  void wait_until(std::unique_lock<std::mutex>& lock, std::condition_variable& changed,
+                  time_point until) override {
+    changed.wait_until(lock, until);
+  }
+};
+
+}  // namespace
+
+Clock& Clock::system() noexcept {
+  static SystemClock clock;
+  return clock;
+}
+
+std::chrono::milliseconds Deadline::left() const {
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(end_ - clock_.now());
+  return std::max(left, std::chrono::milliseconds(0));
+}
+
+}  // namespace sbgc

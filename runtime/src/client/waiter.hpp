@@ -1,0 +1,40 @@
+/// Where one thread waits for what another delivers.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+namespace sbgc::detail {
+
+template <class T>
+class Waiter {
+ public:
+  void put(T value) {
+    const std::lock_guard lock(mutex_);
+    value_ = std::move(value);
+    ready_.notify_one();
+  }
+
+  /// Empty if nothing has come by then.
+  std::optional<T> wait_until(std::chrono::steady_clock::time_point deadline) {
+    std::unique_lock lock(mutex_);
+    ready_.wait_until(lock, deadline, [this] { return value_.has_value(); });
+    return std::exchange(value_, std::nullopt);
+  }
+
+  T wait() {
+    std::unique_lock lock(mutex_);
+    ready_.wait(lock, [this] { return value_.has_value(); });
+    return *std::exchange(value_, std::nullopt);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable ready_;
+  std::optional<T> value_;
+};
+
+}  // namespace sbgc::detail

@@ -1,0 +1,227 @@
+// The client with completion tokens.
+
+#include <chrono>
+#include <future>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <asio/bind_cancellation_slot.hpp>
+#include <asio/bind_executor.hpp>
+#include <asio/cancellation_signal.hpp>
+#include <asio/executor_work_guard.hpp>
+#include <asio/io_context.hpp>
+#include <asio/thread_pool.hpp>
+#include <asio/use_future.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sbgc/client/async_client.hpp>
+#include <sbgc/messages.hpp>
+
+#include "scripted_board.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using std::chrono::milliseconds;
+
+/// An execution context with a thread that runs it.
+class Running {
+ public:
+  Running() : work_(context_.get_executor()), thread_([this] { context_.run(); }) {}
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+  ~Running() {
+    work_.reset();
+    thread_.join();
+  }
+
+  auto executor() { return context_.get_executor(); }
+  std::thread::id thread() const { return thread_.get_id(); }
+
+ private:
+  asio::io_context context_;
+  asio::executor_work_guard<asio::io_context::executor_type> work_;
+  std::thread thread_;
+};
+
+class Async : public ::testing::Test {
+ protected:
+  void SetUp() override { introduce(board); }
+
+  void connect(AsyncClient& client) {
+    const auto connected =
+        client.async_connect_over(over_memory(board), quick(), asio::use_future).get();
+    ASSERT_TRUE(connected) << connected.error().message;
+  }
+
+  ScriptedBoard board;
+  Running running;
+};
+
+TEST_F(Async, WorksWithFutures) {
+  GetAngles angles;
+  angles.axes.roll.imu_angle = Angle14::from_degrees(10);
+  board.answer<GetAnglesRequest>(angles);
+  AsyncClient client(running.executor());
+  EXPECT_FALSE(client.is_connected());
+  connect(client);
+  EXPECT_TRUE(client.is_connected());
+  EXPECT_EQ(client.board().firmware(), "2.59");
+  const auto answer = client.async_call(GetAnglesRequest{}, {}, asio::use_future).get();
+  ASSERT_TRUE(answer) << answer.error().message;
+  EXPECT_EQ(*answer, angles);
+}
+
+TEST_F(Async, WorksWithCallbacksThatCanOnlyBeMoved) {
+  board.on<MotorsOn>([&](const MotorsOn& request) { board.confirm(request); });
+  AsyncClient client(running.executor());
+  connect(client);
+  std::promise<std::thread::id> where;
+  auto owned = std::make_unique<int>(7);
+  client.async_call(MotorsOn{}, {}, [&where, owned = std::move(owned)](const Result<void>& result) {
+    EXPECT_TRUE(result);
+    EXPECT_EQ(*owned, 7);
+    where.set_value(std::this_thread::get_id());
+  });
+  EXPECT_EQ(where.get_future().get(), running.thread());
+}
+
+TEST_F(Async, CompletesOnTheHandlersExecutor) {
+  board.answer<GetAnglesRequest>(GetAngles{});
+  AsyncClient client(running.executor());
+  connect(client);
+  asio::thread_pool pool(1);
+  std::promise<bool> is_on_pool;
+  client.async_call(GetAnglesRequest{}, {},
+                    asio::bind_executor(pool, [&](const Result<GetAngles>&) {
+                      is_on_pool.set_value(pool.get_executor().running_in_this_thread());
+                    }));
+  EXPECT_TRUE(is_on_pool.get_future().get());
+  pool.join();
+}
+
+TEST_F(Async, NeverCompletesInsideTheCallThatBegins) {
+  AsyncClient client(running.executor());
+  std::promise<bool> was_behind;
+  asio::post(running.executor(), [&] {
+    const auto has_returned = std::make_shared<bool>(false);
+    client.async_call(GetAnglesRequest{}, {}, [&was_behind, has_returned](const auto& result) {
+      EXPECT_EQ(result.error().code, ErrorCode::not_connected);
+      was_behind.set_value(*has_returned);
+    });
+    *has_returned = true;
+  });
+  EXPECT_TRUE(was_behind.get_future().get());
+}
+
+TEST_F(Async, CanBeCancelled) {
+  AsyncClient client(running.executor());
+  connect(client);
+  asio::cancellation_signal signal;
+  std::promise<ErrorCode> code;
+  asio::post(running.executor(), [&] {
+    client.async_call(GetAnglesRequest{}, {.timeout = std::chrono::seconds(60)},
+                      asio::bind_cancellation_slot(signal.slot(), [&](const auto& result) {
+                        code.set_value(result.error().code);
+                      }));
+  });
+  ASSERT_TRUE(board.wait_for<GetAnglesRequest>(1));
+  asio::post(running.executor(), [&] { signal.emit(asio::cancellation_type::all); });
+  EXPECT_EQ(code.get_future().get(), ErrorCode::cancelled);
+}
+
+TEST_F(Async, DestroyingTheClientEndsItsCalls) {
+  std::optional<AsyncClient> client(std::in_place, running.executor());
+  connect(*client);
+  auto first = client->async_call(CalibInfoRequest{}, {.timeout = std::chrono::seconds(60)},
+                                  asio::use_future);
+  auto second = client->async_call(GetAnglesRequest{}, {.timeout = std::chrono::seconds(60)},
+                                   asio::use_future);
+  ASSERT_TRUE(board.wait_for<CalibInfoRequest>(1));
+  client.reset();
+  EXPECT_EQ(first.get().error().code, ErrorCode::cancelled);
+  EXPECT_EQ(second.get().error().code, ErrorCode::cancelled);
+}
+
+TEST_F(Async, DestroyingTheClientEndsConnecting) {
+  board.ignore<BoardInfoRequest>();
+  std::optional<AsyncClient> client(std::in_place, running.executor());
+  ConnectOptions options = quick();
+  options.timeout = std::chrono::seconds(60);
+  options.retries = 99;
+  auto connected = client->async_connect_over(over_memory(board), options, asio::use_future);
+  ASSERT_TRUE(board.wait_for<BoardInfoRequest>(1));
+  client.reset();
+  EXPECT_EQ(connected.get().error().code, ErrorCode::cancelled);
+}
+
+TEST_F(Async, RunsBlockingTasks) {
+  board.answer<GetAnglesRequest>(GetAngles{});
+  AsyncClient client(running.executor());
+  connect(client);
+  const auto count = client
+                         .async_run(
+                             [](Client& blocking) -> Result<int> {
+                               int good = 0;
+                               for (int i = 0; i < 3; ++i) good += blocking.get_angles() ? 1 : 0;
+                               return good;
+                             },
+                             asio::use_future)
+                         .get();
+  ASSERT_TRUE(count);
+  EXPECT_EQ(*count, 3);
+}
+
+TEST_F(Async, DestroyingTheClientEndsTheCallsOfATask) {
+  std::optional<AsyncClient> client(std::in_place, running.executor());
+  connect(*client);
+  const auto wait_long = [](Client& blocking) -> Result<void> {
+    auto result = blocking.calib_info({}, {.timeout = std::chrono::seconds(60)});
+    if (!result) return result.error();
+    return {};
+  };
+  auto running_task = client->async_run(wait_long, asio::use_future);
+  auto waiting_task = client->async_run(wait_long, asio::use_future);
+  ASSERT_TRUE(board.wait_for<CalibInfoRequest>(1));
+  client.reset();
+  EXPECT_EQ(running_task.get().error().code, ErrorCode::cancelled);
+  EXPECT_EQ(waiting_task.get().error().code, ErrorCode::not_connected);
+}
+
+TEST_F(Async, StreamsOnTheExecutor) {
+  board.on<DataStreamInterval>([&](const DataStreamInterval& request) {
+    board.confirm(request);
+    if (request.interval_ms.raw() != 0) board.send(RealtimeData4{});
+  });
+  AsyncClient client(running.executor());
+  connect(client);
+  std::promise<std::thread::id> where;
+  auto stream = client
+                    .async_stream<RealtimeData4>(
+                        milliseconds(20),
+                        [&](const RealtimeData4&) { where.set_value(std::this_thread::get_id()); },
+                        {}, asio::use_future)
+                    .get();
+  ASSERT_TRUE(stream) << stream.error().message;
+  EXPECT_EQ(where.get_future().get(), running.thread());
+  stream->cancel();
+  EXPECT_TRUE(board.wait_for<DataStreamInterval>(2));
+}
+
+TEST_F(Async, CanConnectAgain) {
+  board.answer<GetAnglesRequest>(GetAngles{});
+  AsyncClient client(running.executor());
+  connect(client);
+  connect(client);
+  EXPECT_TRUE(client.async_call(GetAnglesRequest{}, {}, asio::use_future).get());
+  client.close();
+  EXPECT_EQ(client.async_call(GetAnglesRequest{}, {}, asio::use_future).get().error().code,
+            ErrorCode::not_connected);
+}
+
+}  // namespace
+}  // namespace sbgc::test

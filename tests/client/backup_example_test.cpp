@@ -1,0 +1,81 @@
+// examples/backup.cpp, as a user runs it: over a serial port, which here is a pseudo-terminal.
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include <sys/wait.h>
+
+#include "task_test.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+struct Run {
+  int status{};
+  std::string output{};
+};
+
+class BackupExample : public TaskTest {
+ protected:
+  BackupExample() : port_(serve_pty()) {
+    std::string pattern = (std::filesystem::temp_directory_path() / "sbgc-XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+  }
+  ~BackupExample() override { std::filesystem::remove_all(folder_); }
+
+  std::string file(const char* name) const { return (folder_ / name).string(); }
+
+  Run backup(const std::string& arguments) const {
+    const std::string command =
+        std::string(SBGC_EXAMPLE_BACKUP) + " " + port_ + " " + arguments + " 2>&1";
+    Run run;
+    std::FILE* const pipe = ::popen(command.c_str(), "r");
+    std::array<char, 4096> block{};
+    for (std::size_t size = 1; size > 0;) {
+      size = std::fread(block.data(), 1, block.size(), pipe);
+      run.output.append(block.data(), size);
+    }
+    run.status = WEXITSTATUS(::pclose(pipe));
+    return run;
+  }
+
+ private:
+  std::string port_;
+  std::filesystem::path folder_;
+};
+
+TEST_F(BackupExample, SavesComparesAndRestores) {
+  const ModelBoard original = board;
+  Run run = backup("save " + file("a.json"));
+  ASSERT_EQ(run.status, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("saved 18 blocks of a board 3.0 with firmware 2.59"));
+  EXPECT_NE(backup("save " + file("a.json")).status, 0) << "it would replace the first one";
+
+  with_board([](ModelBoard& changed) { changed.params[2].gyro_trust = 1; });
+  run = backup("diff " + file("a.json"));
+  ASSERT_EQ(run.status, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("ReadParams3 of profile 3:\n  gyro_trust: "));
+
+  run = backup("restore " + file("a.json") + " " + file("before.json"));
+  ASSERT_EQ(run.status, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("ReadParams3 of profile 3: written"));
+  EXPECT_TRUE(std::filesystem::exists(file("before.json")));
+  with_board([&](const ModelBoard& restored) { EXPECT_EQ(restored.params, original.params); });
+
+  run = backup("diff " + file("a.json"));
+  EXPECT_THAT(run.output, HasSubstr("no differences"));
+}
+
+TEST_F(BackupExample, ExplainsHowItIsUsed) {
+  EXPECT_EQ(backup("").status, 2);
+  EXPECT_THAT(backup("").output, HasSubstr("usage:"));
+}
+
+}  // namespace
+}  // namespace sbgc::test

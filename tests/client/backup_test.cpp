@@ -1,0 +1,240 @@
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <sbgc/client/backup.hpp>
+#include <sbgc/json.hpp>
+
+#include "task_test.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+namespace fs = std::filesystem;
+
+class BackupTest : public TaskTest {
+ protected:
+  BackupTest() {
+    std::string pattern = (fs::temp_directory_path() / "sbgc-backup-XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+  }
+  ~BackupTest() override { fs::remove_all(folder_); }
+
+  Backup make() {
+    Result<Backup> backup = make_backup(client());
+    EXPECT_TRUE(backup) << backup.error().message;
+    return backup ? *backup : Backup{};
+  }
+  fs::path file(const char* name) const { return folder_ / name; }
+  const fs::path& folder() const { return folder_; }
+  std::vector<std::string> files() const {
+    std::vector<std::string> result;
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      result.push_back(entry.path().filename().string());
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+  static std::string content(const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+  }
+  /// What is found wrong with a backup after `change(json)`.
+  template <class Change>
+  ClientError wrong(Change&& change) {
+    Json document = Json::parse(to_json_text(make()));
+    change(document);
+    const Result<Backup> backup = parse_backup(document.dump());
+    if (backup) {
+      ADD_FAILURE() << "it is taken";
+      return {};
+    }
+    return backup.error();
+  }
+
+ private:
+  fs::path folder_;
+};
+
+TEST_F(BackupTest, NothingIsLostOnTheWayThroughAFile) {
+  const Backup backup = make();
+  ASSERT_TRUE(save_backup(backup, file("a.json")));
+  const Result<Backup> again = load_backup(file("a.json"));
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(again->settings, backup.settings);
+  EXPECT_EQ(again->board.info, board.info);
+  EXPECT_EQ(again->board.details, board.details);
+  EXPECT_EQ(again->created, backup.created);
+  EXPECT_EQ(again->created.size(), std::string("2024-05-01T12:00:00Z").size());
+  EXPECT_EQ(to_json_text(*again), to_json_text(backup));
+  EXPECT_THAT(files(), ElementsAre("a.json"));
+}
+
+TEST_F(BackupTest, AFileTellsWhichBoardItIsOf) {
+  const Json document = Json::parse(to_json_text(make()));
+  EXPECT_EQ(document["board"]["model"], "3.0");
+  EXPECT_THAT(document["board"]["firmware"].get<std::string>(), HasSubstr("2.59"));
+  EXPECT_EQ(document["board"]["info"]["fields"]["firmware_ver"], 2590);
+  EXPECT_EQ(document["board"]["details"]["fields"]["mcu_id"], detail::to_hex(board.details.mcu_id));
+  EXPECT_EQ(document["settings"].size(), 18U);
+}
+
+TEST_F(BackupTest, AnExistingFileIsKept) {
+  std::ofstream(file("a.json")) << "precious";
+  const Result<void> saved = save_backup(make(), file("a.json"));
+  ASSERT_FALSE(saved);
+  EXPECT_EQ(saved.error().code, ErrorCode::invalid);
+  EXPECT_EQ(content(file("a.json")), "precious");
+  EXPECT_THAT(files(), ElementsAre("a.json"));
+}
+
+TEST_F(BackupTest, OrReplacedAsAWhole) {
+  std::ofstream(file("a.json")) << "old";
+  ASSERT_TRUE(save_backup(make(), file("a.json"), Existing::replace));
+  EXPECT_TRUE(load_backup(file("a.json")));
+  EXPECT_THAT(files(), ElementsAre("a.json"));
+}
+
+TEST_F(BackupTest, WhatCannotBeWrittenLeavesNothingBehind) {
+  const Result<void> saved = save_backup(make(), file("missing/a.json"));
+  ASSERT_FALSE(saved);
+  EXPECT_EQ(saved.error().code, ErrorCode::not_found);
+  fs::create_directory(file("folder"));
+  EXPECT_FALSE(save_backup(make(), file("folder"), Existing::replace));
+  EXPECT_THAT(files(), ElementsAre("folder"));
+}
+
+TEST_F(BackupTest, MissingAndForeignFilesAreNamed) {
+  EXPECT_EQ(load_backup(file("none.json")).error().code, ErrorCode::not_found);
+  std::ofstream(file("text")) << "hello";
+  const auto error = load_backup(file("text")).error();
+  EXPECT_EQ(error.code, ErrorCode::bad_file);
+  EXPECT_THAT(error.message, HasSubstr("text: this is no JSON"));
+  EXPECT_EQ(parse_backup("{}").error().code, ErrorCode::bad_file);
+  EXPECT_EQ(parse_backup("[]").error().code, ErrorCode::bad_file);
+}
+
+TEST_F(BackupTest, EveryBeginningOfAFileIsRefused) {
+  const std::string text = to_json_text(make());
+  for (std::size_t size = 0; size + 2 < text.size(); size += 13) {
+    EXPECT_FALSE(parse_backup(text.substr(0, size))) << size;
+  }
+}
+
+TEST_F(BackupTest, EverythingInAFileIsChecked) {
+  EXPECT_EQ(wrong([](Json& json) { json["version"] = 2; }).code, ErrorCode::incompatible);
+  EXPECT_THAT(wrong([](Json& json) { json["version"] = "1"; }).message, HasSubstr("version"));
+  EXPECT_THAT(wrong([](Json& json) { json.erase("board"); }).message,
+              HasSubstr("board: it is missing"));
+  EXPECT_THAT(wrong([](Json& json) { json["board"]["info"]["body"] = "1e"; }).message,
+              HasSubstr("board.info.body"));
+  EXPECT_THAT(wrong([](Json& json) { json["board"]["details"]["message"] = "BoardInfo"; }).message,
+              HasSubstr("board.details.message: BoardInfo3 is needed"));
+  EXPECT_THAT(wrong([](Json& json) { json["settings"] = 5; }).message, HasSubstr("settings"));
+  EXPECT_THAT(wrong([](Json& json) { json["settings"][3]["copy"] = 7; }).message,
+              HasSubstr("settings[3]"));
+  EXPECT_THAT(wrong([](Json& json) { json["settings"][3]["copy"] = -1; }).message,
+              HasSubstr("settings[3].copy"));
+  EXPECT_THAT(wrong([](Json& json) { json["settings"][2]["body"] = "xy"; }).message,
+              HasSubstr("settings[2].body"));
+  EXPECT_THAT(wrong([](Json& json) { json["settings"][1] = json["settings"][0]; }).message,
+              HasSubstr("twice"));
+  EXPECT_THAT(wrong([](Json& json) { json["settings"][0]["message"] = "Beep"; }).message,
+              HasSubstr("Beep"));
+}
+
+TEST_F(BackupTest, FieldsThatWereEditedAreRefusedBecauseOnlyTheBodyCounts) {
+  const auto error =
+      wrong([](Json& json) { json["settings"][2]["fields"]["axes"]["yaw"]["p"] = 255; });
+  EXPECT_EQ(error.code, ErrorCode::bad_file);
+  EXPECT_THAT(error.message, HasSubstr("settings[2].fields.axes.yaw.p"));
+}
+
+TEST_F(BackupTest, FieldsThatAnotherVersionCallsByAnotherNameAreTaken) {
+  Json document = Json::parse(to_json_text(make()));
+  document["settings"][0]["fields"]["new_name"] = document["settings"][0]["fields"]["axes"];
+  document["settings"][0]["fields"].erase("axes");
+  EXPECT_TRUE(parse_backup(document.dump()));
+}
+
+TEST_F(BackupTest, RestoringBringsEverythingBack) {
+  const ModelBoard original = board;
+  const Backup backup = make();
+  for (ReadParams3& params : board.params) {
+    params.gyro_trust = static_cast<std::uint8_t>(params.gyro_trust + 1);
+  }
+  board.params_ext2[2].reserved_2[7] = 0;
+  board.external.data[127] = 0;
+  static_cast<void>(board.names.profile_name[1].assign(std::string_view("Other")));
+
+  const Result<Backup> changed = make_backup(client());
+  const WriteReport report = restore(client(), backup, {.present = file("present.json")});
+  ASSERT_TRUE(report) << to_text(report);
+  EXPECT_EQ(board.params, original.params);
+  EXPECT_EQ(board.params_ext2, original.params_ext2);
+  EXPECT_EQ(board.external, original.external);
+  EXPECT_EQ(board.names, original.names);
+  const Result<Backup> saved = load_backup(file("present.json"));
+  ASSERT_TRUE(saved);
+  EXPECT_EQ(saved->settings, changed->settings);
+}
+
+TEST_F(BackupTest, AnotherModelOrFirmwareIsRefusedUnlessTold) {
+  const Backup backup = make();
+  board.params[0].gyro_trust = 1;
+  board.info.board_ver = BoardVersion(31);
+  connect();
+  WriteReport report = restore(client(), backup, {.present = file("a.json")});
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.outcome.error().code, ErrorCode::incompatible);
+  EXPECT_THAT(report.outcome.error().message, HasSubstr("3.1"));
+  EXPECT_THAT(files(), IsEmpty());
+
+  board.info.firmware_ver = FirmwareVersion(2604);
+  connect();
+  report = restore(client(), backup, {.present = file("a.json"), .other_model = true});
+  ASSERT_FALSE(report);
+  EXPECT_THAT(report.outcome.error().message, HasSubstr("2.60b4"));
+  EXPECT_EQ(board.params[0].gyro_trust, 1);
+  EXPECT_THAT(mismatches(client().board(), backup.board), SizeIs(2));
+
+  report = restore(client(), backup,
+                   {.present = file("a.json"), .other_model = true, .other_firmware = true});
+  EXPECT_TRUE(report) << to_text(report);
+  EXPECT_NE(board.params[0].gyro_trust, 1);
+}
+
+TEST_F(BackupTest, ADryRunNeedsNoFileAndWritesNothing) {
+  const Backup backup = make();
+  board.params[0].gyro_trust = 1;
+  const ModelBoard before = board;
+  const WriteReport report = restore(client(), backup, {.dry_run = true});
+  EXPECT_TRUE(report);
+  EXPECT_EQ(report.blocks.front().wanted.size(), 1U);
+  EXPECT_EQ(board.params, before.params);
+  EXPECT_THAT(files(), IsEmpty());
+}
+
+TEST_F(BackupTest, WithoutABackupOfThePresentStateNothingIsRestored) {
+  const Backup backup = make();
+  board.params[0].gyro_trust = 1;
+  EXPECT_EQ(restore(client(), backup, {}).outcome.error().code, ErrorCode::invalid);
+  std::ofstream(file("a.json")) << "precious";
+  EXPECT_FALSE(restore(client(), backup, {.present = file("a.json")}));
+  EXPECT_EQ(content(file("a.json")), "precious");
+  EXPECT_EQ(board.count<WriteParams3>(), 0U);
+  EXPECT_EQ(board.params[0].gyro_trust, 1);
+}
+
+}  // namespace
+}  // namespace sbgc::test

@@ -1,0 +1,428 @@
+// Calls, and all the ways in which they end.
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <span>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sbgc/client/client.hpp>
+#include <sbgc/messages.hpp>
+
+#include "scripted_board.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class Call : public ::testing::Test {
+ protected:
+  Client connect(const ConnectOptions& options = quick()) {
+    auto client = connect_over(over_memory(board), options);
+    if (!client) ADD_FAILURE() << client.error().message;
+    return *std::move(client);
+  }
+  Client connect_to_firmware(std::uint16_t firmware, std::uint8_t version = 30) {
+    introduce(board, firmware, version);
+    return connect();
+  }
+
+  void SetUp() override { introduce(board); }
+
+  ScriptedBoard board;
+};
+
+TEST_F(Call, ReturnsTheAnswer) {
+  GetAngles angles;
+  angles.axes.pitch.imu_angle = Angle14::from_degrees(-30);
+  board.answer<GetAnglesRequest>(angles);
+  Client client = connect();
+  const auto answer = client.call(GetAnglesRequest{});
+  ASSERT_TRUE(answer) << answer.error().message;
+  EXPECT_EQ(*answer, angles);
+}
+
+TEST_F(Call, HasANamedFunctionForEachCommand) {
+  board.on<ReadParams3Request>([&](const ReadParams3Request& request) {
+    ReadParams3 params;
+    params.profile_id = request.profile_id;
+    board.send(params);
+  });
+  Client client = connect();
+  const auto params = client.read_params_3({.profile_id = 3});
+  ASSERT_TRUE(params) << params.error().message;
+  EXPECT_EQ(params->profile_id, 3);
+}
+
+TEST_F(Call, WaitsForTheConfirmation) {
+  board.on<MotorsOn>([&](const MotorsOn& request) { board.confirm(request); });
+  Client client = connect();
+  const auto reply = client.transact(MotorsOn{});
+  ASSERT_TRUE(reply) << reply.error().message;
+  EXPECT_EQ(reply->ending, Ending::confirmed);
+  EXPECT_TRUE(client.motors_on());
+}
+
+TEST_F(Call, ReportsEachOfSeveralConfirmations) {
+  board.on<CalibGyro>([&](const CalibGyro& request) {
+    board.confirm(request);
+    board.confirm(request);
+  });
+  Client client = connect();
+  std::vector<unsigned> numbers;
+  const auto result = client.calib_gyro(
+      {}, {.on_confirmation = [&](unsigned number) { numbers.push_back(number); }});
+  EXPECT_TRUE(result);
+  EXPECT_EQ(numbers, (std::vector{1U, 2U}));
+}
+
+TEST_F(Call, DoesNotWaitWhereNothingNeedCome) {
+  Client client = connect();
+  const auto reply = client.transact(Control{});
+  ASSERT_TRUE(reply) << reply.error().message;
+  EXPECT_EQ(reply->ending, Ending::sent);
+  EXPECT_TRUE(board.wait_for<Control>(1));
+}
+
+TEST_F(Call, WaitsForAPossibleConfirmationIfAskedTo) {
+  board.on<BeepSound>([&](const BeepSound& request) { board.confirm(request); });
+  Client client = connect();
+  const auto confirmed = client.transact(
+      BeepSound{}, {.timeout = milliseconds(2000), .expect_confirmation = true, .validate = false});
+  ASSERT_TRUE(confirmed) << confirmed.error().message;
+  EXPECT_EQ(confirmed->ending, Ending::confirmed);
+  board.ignore<BeepSound>();
+  const auto unconfirmed =
+      client.transact(BeepSound{}, {.expect_confirmation = true, .validate = false});
+  ASSERT_TRUE(unconfirmed) << unconfirmed.error().message;
+  EXPECT_EQ(unconfirmed->ending, Ending::unconfirmed);
+}
+
+// What this board does not have
+
+TEST_F(Call, NeedsTheFirmwareThatHasTheCommand) {
+  Client client = connect_to_firmware(2439);
+  const auto result = client.beep_sound();
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::unsupported);
+  EXPECT_EQ(result.error().message, "CMD_BEEP_SOUND needs firmware 2.59, the board has 2.43b9");
+  EXPECT_EQ(board.count<BeepSound>(), 0U);
+}
+
+TEST_F(Call, NeedsTheBoardThatHasTheCommand) {
+  Client client = connect_to_firmware(2590, 12);
+  const auto result = client.read_params_ext();
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::unsupported);
+  EXPECT_THAT(result.error().message, HasSubstr("needs board 3.0, this is board 1.2"));
+  EXPECT_FALSE(client.board().details);
+}
+
+TEST_F(Call, RefusesValuesThatAreNotAllowed) {
+  Client client = connect();
+  EepromReadRequest read;
+  read.addr = 7;
+  const auto result = client.call(read);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::invalid);
+  EXPECT_EQ(result.error().message, "CMD_EEPROM_READ: addr = 7 is no multiple of 64");
+  EXPECT_EQ(board.count<EepromReadRequest>(), 0U);
+}
+
+TEST_F(Call, RefusesWhatCannotBeEncoded) {
+  Client client = connect();
+  // A stream of this message must say which parts of it.
+  const auto result = client.data_stream_interval({.cmd_id = CommandId::realtime_data_custom});
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::invalid);
+  EXPECT_THAT(result.error().message, StartsWith("the request cannot be encoded"));
+}
+
+TEST_F(Call, SendsDoubtfulValuesIfToldTo) {
+  board.on<EepromReadRequest>([&](const EepromReadRequest& request) {
+    EepromRead answer;
+    answer.addr = request.addr;
+    board.send(answer);
+  });
+  Client client = connect();
+  const auto result = client.eeprom_read({.addr = 7}, {.validate = false});
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_EQ(result->addr, 7U);
+}
+
+// What the board refuses
+
+TEST_F(Call, TellsTheErrorOfTheBoard) {
+  board.on<MotorsOn>([&](const MotorsOn&) {
+    ErrorExt error;
+    error.cmd_id = CommandId::motors_on;
+    error.error_code = 12;
+    board.send(error);
+  });
+  Client client = connect();
+  const auto result = client.motors_on();
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::board_error);
+  EXPECT_EQ(result.error().detail, 12);
+  EXPECT_EQ(result.error().message, "CMD_MOTORS_ON was refused by the board: error_code 12");
+}
+
+TEST_F(Call, TellsAnAnswerThatIsAnErrorByItsName) {
+  ReadFileError error;
+  error.err_code = FileError::file_not_found;
+  board.answer<ReadFileRequest>(error);
+  Client client = connect();
+  const auto result = client.read_file();
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::board_error);
+  EXPECT_EQ(result.error().detail, static_cast<int>(FileError::file_not_found));
+  EXPECT_THAT(result.error().message, StartsWith("CMD_READ_FILE has failed: err_code "));
+}
+
+TEST_F(Call, FailsWhenTheConfirmationTellsOfAFailure) {
+  board.on<WriteFile>([&](const WriteFile& request) {
+    Confirm confirmation;
+    confirmation.cmd = request.command;
+    confirmation.err_code = FileError::file_not_found;
+    board.send(confirmation);
+  });
+  Client client = connect();
+  const auto result = client.write_file();
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::board_error);
+  EXPECT_EQ(result.error().detail, static_cast<int>(FileError::file_not_found));
+}
+
+// What gets lost
+
+TEST_F(Call, IsSentAgainUntilTheAnswerComes) {
+  std::atomic<int> requests{};
+  board.on<GetAnglesRequest>([&](const GetAnglesRequest&) {
+    if (++requests == 3) board.send(GetAngles{});
+  });
+  Client client = connect();
+  EXPECT_TRUE(client.get_angles({}, {.timeout = milliseconds(600), .retries = 5}));
+  EXPECT_EQ(requests, 3);
+  EXPECT_EQ(client.statistics().session.retries, 2U);
+}
+
+TEST_F(Call, EndsByItsDeadlineWhenTheBoardIsSilent) {
+  Client client = connect();
+  const auto begin = steady_clock::now();
+  const auto result = client.get_angles({}, {.timeout = milliseconds(150)});
+  const auto took = steady_clock::now() - begin;
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::timeout);
+  EXPECT_EQ(result.error().message, "no answer to CMD_GET_ANGLES within 150 ms");
+  EXPECT_GE(took, milliseconds(150));
+  EXPECT_LT(took, milliseconds(1500));
+}
+
+TEST_F(Call, IsSentOnceIfTwiceCouldDoHarm) {
+  Client client = connect();
+  EXPECT_EQ(
+      client.i2c_write_reg_buf({}, {.timeout = milliseconds(100), .validate = false}).error().code,
+      ErrorCode::timeout);
+  EXPECT_EQ(board.count<I2cWriteRegBuf>(), 1U);
+}
+
+TEST_F(Call, GetsNoLateAnswerOfAnEarlierOne) {
+  // The same answer fits both, so only its time tells to which it belongs.
+  std::atomic<int> requests{};
+  board.on<ReadParams3Request>([&](const ReadParams3Request& request) {
+    ReadParams3 answer;
+    answer.profile_id = request.profile_id;
+    if (++requests == 1)
+      return board.later(milliseconds(300), [this, answer] { board.send(answer); });
+    answer.cur_profile_id = 4;
+    board.send(answer);
+  });
+  Client client = connect();
+  const CallOptions once{.timeout = milliseconds(50), .retries = 0};
+  EXPECT_EQ(client.read_params_3({.profile_id = 1}, once).error().code, ErrorCode::timeout);
+  const auto second = client.read_params_3({.profile_id = 1});
+  ASSERT_TRUE(second) << second.error().message;
+  EXPECT_EQ(second->cur_profile_id, 4);
+  EXPECT_EQ(client.statistics().session.late_answers, 1U);
+}
+
+TEST_F(Call, GetsThroughNoise) {
+  board.on<GetAnglesRequest>([&](const GetAnglesRequest&) {
+    std::vector<std::uint8_t> noise;
+    for (unsigned i = 0; i < 1000; ++i) noise.push_back(static_cast<std::uint8_t>(i * i * 7 + 62));
+    board.send_bytes(noise);
+    board.send(GetAngles{});
+    board.send_bytes(noise);
+  });
+  Client client = connect();
+  for (int i = 0; i < 5; ++i) {
+    const auto result = client.get_angles({}, {.timeout = milliseconds(5000)});
+    EXPECT_TRUE(result) << result.error().message;
+  }
+}
+
+TEST_F(Call, SaysThatAnAnswerCannotBeRead) {
+  GetAdjVarsVal request;
+  request.param_id.push_back({});
+  board.on<GetAdjVarsVal>([&](const GetAdjVarsVal&) {
+    const std::vector<std::uint8_t> body{5, 1};  // five values are announced
+    std::array<std::uint8_t, max_frame_size> frame{};
+    const auto written =
+        write_frame(static_cast<std::uint8_t>(CommandId::set_adj_vars_val), body, frame);
+    board.send_bytes(std::span(frame).first(written.size));
+  });
+  Client client = connect();
+  const auto result = client.call(request, {.timeout = milliseconds(300), .validate = false});
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::bad_answer) << result.error().message;
+}
+
+// What goes away
+
+TEST_F(Call, FailsAtOnceWhenTheLineBreaks) {
+  board.on<GetAnglesRequest>([&](const GetAnglesRequest&) { board.unplug(); });
+  Client client = connect();
+  const auto begin = steady_clock::now();
+  const auto result = client.get_angles({}, {.timeout = std::chrono::seconds(30)});
+  EXPECT_LT(steady_clock::now() - begin, std::chrono::seconds(5));
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::link_lost);
+  EXPECT_THAT(result.error().message, HasSubstr("CMD_GET_ANGLES: the connection is lost: "));
+  const auto later = client.get_angles();
+  ASSERT_FALSE(later);
+  EXPECT_EQ(later.error().code, ErrorCode::not_connected);
+}
+
+TEST_F(Call, FailsWhenTheBoardRestarts) {
+  board.on<GetAnglesRequest>([&](const GetAnglesRequest&) { board.send(Reset{}); });
+  Client client = connect();
+  const auto result = client.get_angles({}, {.timeout = std::chrono::seconds(30)});
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::board_reset);
+  board.answer<GetAnglesRequest>(GetAngles{});
+  EXPECT_TRUE(client.get_angles());
+}
+
+TEST_F(Call, ThatRestartsTheBoardHasAnOptionalAnswer) {
+  board.answer<ResetRequestExt>(Reset{});
+  Client client = connect();
+  const auto announced = client.reset_ext({.confirm = ResetOption::notify});
+  ASSERT_TRUE(announced) << announced.error().message;
+  EXPECT_TRUE(announced->has_value());
+  board.ignore<ResetRequestExt>();
+  const auto silent = client.reset_ext();
+  ASSERT_TRUE(silent) << silent.error().message;
+  EXPECT_FALSE(silent->has_value());
+}
+
+TEST_F(Call, EndsWhenTheClientIsClosed) {
+  Client client = connect();
+  std::vector<std::thread> threads;
+  std::array<ErrorCode, 4> codes{};
+  for (ErrorCode& code : codes) {
+    threads.emplace_back(
+        [&] { code = client.calib_info({}, {.timeout = std::chrono::seconds(60)}).error().code; });
+  }
+  ASSERT_TRUE(board.wait_for<CalibInfoRequest>(1));
+  client.close();
+  for (std::thread& thread : threads) thread.join();
+  // Some may have begun behind close().
+  EXPECT_THAT(codes,
+              ::testing::Each(::testing::AnyOf(ErrorCode::cancelled, ErrorCode::not_connected)));
+  EXPECT_EQ(client.get_angles().error().code, ErrorCode::not_connected);
+  client.close();
+}
+
+// Many at once
+
+TEST_F(Call, AThousandFromEightThreadsGetTheirOwnAnswers) {
+  board.on<EepromReadRequest>([&](const EepromReadRequest& request) {
+    EepromRead answer;
+    answer.addr = request.addr;
+    for (unsigned i = 0; i < request.size.raw(); ++i) {
+      answer.data.push_back(static_cast<std::uint8_t>(request.addr / 64 + i));
+    }
+    board.send(answer);
+  });
+  board.answer<GetAnglesRequest>(GetAngles{});
+  Client client = connect();
+  constexpr unsigned thread_count = 8;
+  constexpr unsigned calls = 125;
+  std::array<unsigned, thread_count> good{};
+  std::vector<std::thread> threads;
+  for (unsigned t = 0; t < thread_count; ++t) {
+    threads.emplace_back([&, t] {
+      for (unsigned i = 0; i < calls; ++i) {
+        if (i % 5 == 4) {
+          good[t] += client.get_angles() ? 1U : 0U;
+          continue;
+        }
+        const std::uint32_t address = 64 * (t * calls + i);
+        const auto read = client.eeprom_read({.addr = address, .size = ByteCount(64)});
+        if (!read || read->addr != address || read->data.size() != 64) continue;
+        const auto expected = static_cast<std::uint8_t>(address / 64 + 63);
+        good[t] += read->data[63] == expected ? 1U : 0U;
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_THAT(good, ::testing::Each(calls));
+  const ClientStatistics statistics = client.statistics();
+  EXPECT_EQ(statistics.failures, 0U);
+  EXPECT_EQ(statistics.session.late_answers, 0U);
+}
+
+TEST_F(Call, IsRefusedWhenTooManyWait) {
+  // One that waits for its answer holds up all others of its kind.
+  ConnectOptions options = quick();
+  options.queue = 3;
+  Client client = connect(options);
+  std::vector<std::future<ErrorCode>> codes;
+  for (int i = 0; i < 50; ++i) {
+    codes.push_back(std::async(std::launch::async, [&] {
+      return client.calib_info({}, {.timeout = milliseconds(500), .retries = 0}).error().code;
+    }));
+  }
+  std::size_t overloaded = 0;
+  for (auto& code : codes) overloaded += code.get() == ErrorCode::overload ? 1U : 0U;
+  EXPECT_GE(overloaded, 1U);
+}
+
+// Handlers
+
+TEST_F(Call, FromAHandlerIsRefused) {
+  Client client = connect();
+  std::promise<ErrorCode> code;
+  const auto subscription = client.subscribe<GetAngles>(
+      [&](const GetAngles&) { code.set_value(client.get_angles().error().code); });
+  board.send(GetAngles{});
+  EXPECT_EQ(code.get_future().get(), ErrorCode::invalid);
+}
+
+TEST_F(Call, EndsByItsDeadlineAlsoWhenAHandlerKeepsTheClientBusy) {
+  Client client = connect();
+  std::promise<void> entered;
+  std::promise<void> leave;
+  const auto subscription = client.subscribe<GetAngles>([&](const GetAngles&) {
+    entered.set_value();
+    leave.get_future().wait();
+  });
+  board.send(GetAngles{});
+  entered.get_future().wait();
+  const auto result = client.calib_info({}, {.timeout = milliseconds(50)});
+  EXPECT_EQ(result.error().code, ErrorCode::timeout);
+  leave.set_value();
+}
+
+}  // namespace
+}  // namespace sbgc::test

@@ -1,0 +1,229 @@
+// Connecting: over every kind of line, and when there is nothing to connect to.
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <sbgc/client/client.hpp>
+#include <sbgc/io/pseudo_terminal.hpp>
+#include <sbgc/messages.hpp>
+
+#include "scripted_board.hpp"
+#include "sockets.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class Connect : public ::testing::Test {
+ protected:
+  void SetUp() override { introduce(board); }
+
+  /// The path of a new pseudo-terminal that the board plays.
+  std::string serve_pty() {
+    auto opened = io::open_pseudo_terminal(board.executor(), {.stays_open = true});
+    if (!opened) return {};
+    std::string path = opened.transport->path();
+    board.serve(std::move(opened.transport));
+    return path;
+  }
+
+  ScriptedBoard board;
+};
+
+/// Whether angles come through.
+bool works(Client& client, ScriptedBoard& board) {
+  GetAngles angles;
+  angles.axes.yaw.imu_angle = Angle14::from_degrees(45);
+  board.answer<GetAnglesRequest>(angles);
+  const auto answer = client.get_angles();
+  return answer && *answer == angles;
+}
+
+TEST_F(Connect, OverMemory) {
+  auto client = connect_over(over_memory(board), quick());
+  ASSERT_TRUE(client) << client.error().message;
+  EXPECT_EQ(client->board().firmware(), "2.59");
+  EXPECT_EQ(client->board().board(), "3.0");
+  EXPECT_EQ(client->board().serial_number(), "0011223344556677ab");
+  EXPECT_TRUE(works(*client, board));
+}
+
+TEST_F(Connect, OverAPseudoTerminal) {
+  const std::string path = serve_pty();
+  auto client = Client::connect(path, quick());
+  ASSERT_TRUE(client) << client.error().message;
+  EXPECT_THAT(client->description(), AllOf(HasSubstr(path), HasSubstr("115200 8N1")));
+  EXPECT_TRUE(works(*client, board));
+}
+
+TEST_F(Connect, WithTheLineOfTheAddress) {
+  const std::string path = serve_pty();
+  auto client = Client::connect("serial:" + path + "?baud=57600&parity=none", quick());
+  ASSERT_TRUE(client) << client.error().message;
+  EXPECT_THAT(client->description(), HasSubstr("57600 8N1"));
+  EXPECT_EQ(board.count<BoardInfoRequest>(), 1U);
+  EXPECT_TRUE(works(*client, board));
+}
+
+TEST_F(Connect, OverTcp) {
+  const TcpBoard server(board);
+  auto client = Client::connect(server.address(), quick());
+  ASSERT_TRUE(client) << client.error().message;
+  EXPECT_TRUE(works(*client, board));
+}
+
+TEST_F(Connect, OverUdp) {
+  auto client = Client::connect(serve_udp(board), quick());
+  ASSERT_TRUE(client) << client.error().message;
+  EXPECT_TRUE(works(*client, board));
+}
+
+TEST_F(Connect, WithThePausesOfTheProtocol) {
+  ConnectOptions options = quick();
+  options.pacing = true;
+  auto client = connect_over(over_memory(board), options);
+  ASSERT_TRUE(client) << client.error().message;
+  board.answer<GetAnglesRequest>(GetAngles{});
+  const auto begin = steady_clock::now();
+  for (int i = 0; i < 5; ++i) EXPECT_TRUE(client->get_angles());
+  EXPECT_GE(steady_clock::now() - begin, milliseconds(4 * 10));
+}
+
+TEST_F(Connect, RecordsWhatItIsToldTo) {
+  const auto file =
+      std::filesystem::temp_directory_path() / ("sbgc_connect_test_" + std::to_string(::getpid()));
+  ConnectOptions options = quick();
+  options.capture = file.string();
+  {
+    auto client = connect_over(over_memory(board), options);
+    ASSERT_TRUE(client) << client.error().message;
+    EXPECT_GT(std::filesystem::file_size(file), 0U);
+  }
+  std::filesystem::remove(file);
+  options.capture = "/nonexistent/folder/capture";
+  const auto refused = connect_over(over_memory(board), options);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::io);
+}
+
+// Which line
+
+class ConnectOnLine : public Connect, public ::testing::WithParamInterface<io::LineSettings> {};
+
+TEST_P(ConnectOnLine, FindsTheBoard) {
+  // Wrong settings turn the bytes into garbage, both ways.
+  const TransportFactory make = [&](const asio::any_io_executor& executor) {
+    auto pair = io::make_memory_pair(executor, board.executor(), {.with_line = true});
+    static_cast<void>(pair.second->line()->set(GetParam()));
+    board.serve(std::move(pair.second));
+    return std::move(pair.first);
+  };
+  ConnectOptions options = quick();
+  options.timeout = std::chrono::seconds(30);
+  auto client = connect_over(make, options);
+  ASSERT_TRUE(client) << client.error().message;
+  EXPECT_THAT(client->description(), HasSubstr(io::to_string(GetParam())));
+  EXPECT_TRUE(works(*client, board));
+}
+
+INSTANTIATE_TEST_SUITE_P(Lines, ConnectOnLine,
+                         ::testing::Values(io::LineSettings{115200, io::Parity::none},
+                                           io::LineSettings{115200, io::Parity::even},
+                                           io::LineSettings{9600, io::Parity::none},
+                                           io::LineSettings{921600, io::Parity::even}));
+
+TEST_F(Connect, SaysAllThatWasTriedWhenALineIsSilent) {
+  board.ignore<BoardInfoRequest>();
+  ConnectOptions options = quick();
+  options.timeout = std::chrono::seconds(2);
+  const auto begin = steady_clock::now();
+  const auto client = Client::connect(serve_pty(), options);
+  EXPECT_LT(steady_clock::now() - begin, std::chrono::seconds(4));
+  ASSERT_FALSE(client);
+  EXPECT_EQ(client.error().code, ErrorCode::not_found);
+  EXPECT_THAT(client.error().message,
+              AllOf(HasSubstr("no board found on serial port /dev/pts/"), HasSubstr("115200 8N1, "),
+                    HasSubstr("9600 8N1, "), HasSubstr("nothing was heard")));
+}
+
+TEST_F(Connect, TellsWhatWasHeardInsteadOfABoard) {
+  board.on<BoardInfoRequest>([&](const BoardInfoRequest&) {
+    const std::array<std::uint8_t, 5> garbage{1, 2, 3, 4, 5};
+    board.send_bytes(garbage);
+  });
+  ConnectOptions options = quick();
+  options.timeout = std::chrono::seconds(1);
+  const auto client = Client::connect(serve_pty(), options);
+  ASSERT_FALSE(client);
+  EXPECT_THAT(client.error().message,
+              AllOf(HasSubstr("heard at 115200 8N1: "), HasSubstr("none of them understood")));
+}
+
+// No board
+
+TEST_F(Connect, FailsWhenNobodyAnswers) {
+  board.ignore<BoardInfoRequest>();
+  ConnectOptions options = quick();
+  options.timeout = milliseconds(400);
+  const auto begin = steady_clock::now();
+  const auto client = connect_over(over_memory(board), options);
+  EXPECT_LT(steady_clock::now() - begin, std::chrono::seconds(3));
+  ASSERT_FALSE(client);
+  EXPECT_EQ(client.error().code, ErrorCode::not_found);
+  EXPECT_THAT(client.error().message, AllOf(HasSubstr("no board found on "),
+                                            HasSubstr("asked 3 times; nothing was heard")));
+}
+
+TEST_F(Connect, FailsWhenTheBoardFallsSilentHalfWay) {
+  board.on<BoardInfo3Request>([&](const BoardInfo3Request&) { board.ignore<BoardInfoRequest>(); });
+  ConnectOptions options = quick();
+  options.retries = 0;
+  const auto client = connect_over(over_memory(board), options);
+  ASSERT_FALSE(client);
+  EXPECT_EQ(client.error().code, ErrorCode::timeout);
+  EXPECT_THAT(client.error().message,
+              AllOf(HasSubstr("then fell silent"), HasSubstr("CMD_BOARD_INFO_3")));
+}
+
+TEST_F(Connect, DoesWithoutDetailsThatABoardDoesNotTell) {
+  board.ignore<BoardInfo3Request>();
+  ConnectOptions options = quick();
+  options.retries = 0;
+  const auto client = connect_over(over_memory(board), options);
+  ASSERT_TRUE(client) << client.error().message;
+  EXPECT_FALSE(client->board().details);
+  EXPECT_EQ(client->board().serial_number(), "");
+}
+
+TEST_F(Connect, FailsWhenTheLineBreaksMeanwhile) {
+  board.on<BoardInfoRequest>([&](const BoardInfoRequest&) { board.unplug(); });
+  const auto begin = steady_clock::now();
+  const auto client = connect_over(over_memory(board), quick());
+  EXPECT_LT(steady_clock::now() - begin, std::chrono::seconds(5));
+  ASSERT_FALSE(client);
+  EXPECT_EQ(client.error().code, ErrorCode::link_lost);
+}
+
+TEST(ConnectErrors, AreThoseOfTheLine) {
+  const auto unknown = Client::connect("carrier-pigeon:loft", quick());
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().code, ErrorCode::invalid);
+  const auto missing = Client::connect("/dev/tty-that-does-not-exist", quick());
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().code, ErrorCode::not_found);
+  EXPECT_THAT(missing.error().message, HasSubstr("/dev/tty-that-does-not-exist"));
+}
+
+}  // namespace
+}  // namespace sbgc::test

@@ -1,0 +1,59 @@
+/// A clock that stands still until it is told otherwise.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <set>
+
+#include <sbgc/client/clock.hpp>
+
+namespace sbgc::test {
+
+/// Who sleeps moves the time on; who waits for a change is woken when somebody else does.
+class ManualClock final : public Clock {
+ public:
+  time_point now() override {
+    const std::scoped_lock lock(mutex_);
+    return now_;
+  }
+  void sleep_until(time_point until) override { move_to(until); }
+  void wait_until(std::unique_lock<std::mutex>& lock, std::condition_variable& changed,
+                  time_point until) override {
+    Waiter waiter{lock.mutex(), &changed};
+    {
+      const std::scoped_lock own(mutex_);
+      if (now_ >= until) return;
+      waiters_.insert(waiter);
+    }
+    // advance() locks the mutex of a waiter before it notifies, so nothing is missed.
+    changed.wait(lock);
+    const std::scoped_lock own(mutex_);
+    waiters_.erase(waiters_.find(waiter));
+  }
+
+  void advance(std::chrono::milliseconds duration) { move_to(now() + duration); }
+
+ private:
+  using Waiter = std::pair<std::mutex*, std::condition_variable*>;
+
+  void move_to(time_point time) {
+    std::multiset<Waiter> waiters;
+    {
+      const std::scoped_lock lock(mutex_);
+      now_ = std::max(now_, time);
+      waiters = waiters_;
+    }
+    for (const auto& [mutex, changed] : waiters) {
+      const std::scoped_lock lock(*mutex);
+      changed->notify_all();
+    }
+  }
+
+  std::mutex mutex_;
+  time_point now_{std::chrono::hours(1)};
+  std::multiset<Waiter> waiters_;
+};
+
+}  // namespace sbgc::test

@@ -1,0 +1,211 @@
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include <sbgc/client/memory.hpp>
+
+#include "pages.hpp"
+#include "task_test.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using detail::page_runs;
+using detail::PageRun;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+std::vector<std::uint8_t> bytes(std::size_t size, unsigned seed = 1) {
+  std::vector<std::uint8_t> result(size);
+  for (std::size_t i = 0; i < size; ++i) result[i] = static_cast<std::uint8_t>(seed + i * 13 / 7);
+  return result;
+}
+
+TEST(PageRuns, AreWholePagesThatCoverTheBytes) {
+  EXPECT_THAT(page_runs(0, 0, 64, 192), IsEmpty());
+  EXPECT_THAT(page_runs(0, 1, 64, 192), ElementsAre(PageRun{0, 64}));
+  EXPECT_THAT(page_runs(63, 2, 64, 192), ElementsAre(PageRun{0, 128}));
+  EXPECT_THAT(page_runs(128, 400, 64, 200),
+              ElementsAre(PageRun{128, 192}, PageRun{320, 192}, PageRun{512, 64}));
+}
+
+TEST(PageRuns, CoverEveryByteOnceAndNoPageTooMany) {
+  for (std::uint64_t address = 0; address < 200; ++address) {
+    for (std::size_t size = 1; size < 600; size += 7) {
+      std::uint64_t at = address / 64 * 64;
+      for (const PageRun& run : page_runs(address, size, 64, 192)) {
+        ASSERT_EQ(run.address, at);
+        ASSERT_EQ(run.size % 64, 0U);
+        ASSERT_LE(run.size, 192U);
+        at += run.size;
+      }
+      ASSERT_GE(at, address + size);
+      ASSERT_LT(at - (address + size), 64U);
+    }
+  }
+}
+
+TEST(PageRuns, ReachTheEndOfTheAddressSpace) {
+  EXPECT_THAT(page_runs(0xFFFFFFC0, 64, 64, 192), ElementsAre(PageRun{0xFFFFFFC0, 64}));
+}
+
+class MemoryTest : public TaskTest {
+ protected:
+  std::vector<std::uint8_t> eeprom(std::size_t address, std::size_t size) const {
+    const auto first = board.eeprom.begin() + static_cast<std::ptrdiff_t>(address);
+    return {first, first + static_cast<std::ptrdiff_t>(size)};
+  }
+};
+
+TEST_F(MemoryTest, EepromIsReadFromAnywhere) {
+  for (const auto& [address, size] : std::vector<std::pair<std::uint32_t, std::size_t>>{
+           {0, 64}, {64, 192}, {100, 1}, {127, 2}, {1000, 777}, {32767, 1}, {0, 32768}, {5, 0}}) {
+    const auto read = read_eeprom(client(), address, size);
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(*read, eeprom(address, size)) << address << ' ' << size;
+  }
+}
+
+TEST_F(MemoryTest, EepromOutsideOfTheChipIsRefusedBeforeAnythingIsSent) {
+  EXPECT_EQ(read_eeprom(client(), 32768, 1).error().code, ErrorCode::invalid);
+  EXPECT_THAT(read_eeprom(client(), 32700, 100).error().message, HasSubstr("32768"));
+  EXPECT_FALSE(write_eeprom(client(), 0xFFFFFFFF, bytes(2)));
+  EXPECT_THAT(board.log, IsEmpty());
+}
+
+TEST_F(MemoryTest, EepromIsWrittenWithoutTouchingWhatIsAround) {
+  for (const auto& [address, size] : std::vector<std::pair<std::uint32_t, std::size_t>>{
+           {0, 64}, {64, 500}, {100, 1}, {127, 2}, {1001, 776}, {32767, 1}, {5, 0}}) {
+    auto expected = board.eeprom;
+    const auto data = bytes(size, address);
+    std::copy(data.begin(), data.end(), expected.begin() + address);
+    const auto written = write_eeprom(client(), address, data);
+    ASSERT_TRUE(written) << written.error().message;
+    EXPECT_EQ(board.eeprom, expected) << address << ' ' << size;
+  }
+}
+
+TEST_F(MemoryTest, EepromThatDoesNotKeepWhatIsWrittenIsNoticed) {
+  board.after = [&](const Packet& request) {
+    if (is<EepromWrite>(request)) board.eeprom[0x210] = 0xEE;
+  };
+  auto data = bytes(1000);
+  data[0x10] = 0x11;
+  const auto written = write_eeprom(client(), 0x200, data);
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().code, ErrorCode::mismatch);
+  EXPECT_THAT(written.error().message, HasSubstr("0x11 was written, but the EEPROM has 0xee at "
+                                                 "0x210; nothing has been written"));
+}
+
+TEST_F(MemoryTest, AFailureTellsUpToWhereTheDataStand) {
+  board.is_lost = [](const Packet& request) {
+    return is<EepromWrite>(request) && message<EepromWrite>(request).addr >= 384;
+  };
+  const auto written = write_eeprom(client(), 0, bytes(1000));
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().code, ErrorCode::timeout);
+  EXPECT_THAT(written.error().message, HasSubstr("the data stand there up to 0x180"));
+}
+
+TEST_F(MemoryTest, TransfersTellTheirProgressAndCanBeCancelled) {
+  std::vector<std::size_t> done;
+  TransferOptions options;
+  options.progress = [&](const Progress& progress) {
+    EXPECT_EQ(progress.total, 500U);
+    done.push_back(progress.done);
+    return true;
+  };
+  EXPECT_TRUE(write_eeprom(client(), 100, bytes(500), options));
+  EXPECT_THAT(done, ElementsAre(0, 156, 348, 500));
+  done.clear();
+  EXPECT_TRUE(read_eeprom(client(), 100, 500, options));
+  EXPECT_THAT(done, ElementsAre(0, 156, 348, 500));
+  options.progress = [](const Progress& progress) { return progress.done == 0; };
+  EXPECT_EQ(read_eeprom(client(), 0, 500, options).error().code, ErrorCode::cancelled);
+}
+
+TEST_F(MemoryTest, TransfersEndWithTheirTime) {
+  board.after = [&](const Packet&) { clock.advance(std::chrono::seconds(1)); };
+  TransferOptions options{.timeout = std::chrono::milliseconds(1500), .clock = clock};
+  EXPECT_EQ(read_eeprom(client(), 0, 10'000, options).error().code, ErrorCode::timeout);
+}
+
+TEST_F(MemoryTest, FilesComeBackAsTheyWereWritten) {
+  for (const std::size_t size : {1, 63, 64, 192, 193, 1000, 65535}) {
+    const auto data = bytes(size);
+    const auto written = write_file(client(), 7, data);
+    ASSERT_TRUE(written) << written.error().message;
+    EXPECT_EQ(board.files[7], data) << size;
+    EXPECT_EQ(*read_file(client(), 7), data) << size;
+    EXPECT_EQ(*file_size(client(), 7), size);
+  }
+}
+
+TEST_F(MemoryTest, AnEmptyFileCanBeRead) {
+  board.files[3] = {};
+  const auto read = read_file(client(), 3);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_THAT(*read, IsEmpty());
+}
+
+TEST_F(MemoryTest, FilesThatCannotBeAreRefusedBeforeAnythingIsSent) {
+  EXPECT_EQ(write_file(client(), 7, {}).error().code, ErrorCode::invalid);
+  EXPECT_EQ(write_file(client(), 7, bytes(65536)).error().code, ErrorCode::invalid);
+  EXPECT_THAT(board.log, IsEmpty());
+}
+
+TEST_F(MemoryTest, AMissingFileIsNotFound) {
+  EXPECT_EQ(read_file(client(), 9).error().code, ErrorCode::not_found);
+  EXPECT_EQ(file_size(client(), 9).error().code, ErrorCode::not_found);
+  EXPECT_EQ(delete_file(client(), 9).error().code, ErrorCode::not_found);
+  EXPECT_THAT(read_file(client(), 9).error().message,
+              HasSubstr("file 9: No file has this id. (ERR_FILE_NOT_FOUND)"));
+}
+
+TEST_F(MemoryTest, ErrorsOfTheFileSystemAreSentences) {
+  board.tamper = [](Packets& answers) {
+    for (Packet& one : answers) {
+      if (one.body.size() == 2) one.body[1] = static_cast<std::uint8_t>(FileError::no_free_space);
+    }
+  };
+  const auto error = write_file(client(), 9, bytes(10)).error();
+  EXPECT_EQ(error.code, ErrorCode::board_error);
+  EXPECT_THAT(error.message, HasSubstr("The memory is full. (ERR_NO_FREE_SPACE)"));
+}
+
+TEST_F(MemoryTest, FilesAreDeleted) {
+  board.files = {{1, bytes(5)}, {2, bytes(5)}, {3, bytes(5)}};
+  EXPECT_TRUE(delete_file(client(), 2));
+  EXPECT_EQ(board.files.size(), 2U);
+  EXPECT_TRUE(delete_all_files(client()));
+  EXPECT_THAT(board.files, IsEmpty());
+}
+
+TEST_F(MemoryTest, AFileThatIsReadBackDifferentlyIsNoticed) {
+  board.after = [&](const Packet& request) {
+    if (is<WriteFile>(request)) board.files[5][2] = 0xEE;
+  };
+  const auto written = write_file(client(), 5, bytes(10));
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().code, ErrorCode::mismatch);
+  EXPECT_THAT(written.error().message, HasSubstr("from byte 2 on"));
+}
+
+TEST_F(MemoryTest, DataOfTheUserAreChangedInPart) {
+  auto expected = board.external.data;
+  expected[100] = 1;
+  expected[101] = 2;
+  const std::vector<std::uint8_t> data{1, 2};
+  EXPECT_TRUE(write_external_data(client(), 100, data));
+  EXPECT_EQ(board.external.data, expected);
+  const auto read = read_external_data(client());
+  ASSERT_TRUE(read);
+  EXPECT_TRUE(std::equal(read->begin(), read->end(), expected.begin(), expected.end()));
+  EXPECT_FALSE(write_external_data(client(), 127, data));
+  EXPECT_FALSE(write_external_data(client(), 0, bytes(129)));
+}
+
+}  // namespace
+}  // namespace sbgc::test

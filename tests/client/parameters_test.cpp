@@ -1,0 +1,336 @@
+#include <string>
+#include <vector>
+
+#include <sbgc/client/parameters.hpp>
+
+#include "task_test.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+class ParametersTest : public TaskTest {
+ protected:
+  ParameterSet read() {
+    Result<ParameterSet> set = read_parameters(client());
+    EXPECT_TRUE(set) << set.error().message;
+    return set ? *set : ParameterSet{};
+  }
+  static std::vector<BlockState> states(const WriteReport& report) {
+    std::vector<BlockState> result;
+    for (const BlockReport& block : report.blocks) result.push_back(block.state);
+    return result;
+  }
+  static BlockState state(const WriteReport& report, const BlockId& id) {
+    for (const BlockReport& block : report.blocks) {
+      if (block.id == id) return block.state;
+    }
+    ADD_FAILURE() << to_text(id) << " is not in the report";
+    return {};
+  }
+  static ReadParams3 get(const ParameterSet& set, std::uint8_t profile) {
+    const Result<ReadParams3> result = set.get<ReadParams3>(profile);
+    EXPECT_TRUE(result);
+    return result ? *result : ReadParams3{};
+  }
+  std::size_t writes() const {
+    return board.count<WriteParams3>() + board.count<WriteParamsExt>() +
+           board.count<WriteParamsExt2>() + board.count<WriteProfileNames>() +
+           board.count<WriteAdjVarsCfg>() + board.count<WriteExternalData>();
+  }
+};
+
+TEST_F(ParametersTest, ReadsEveryBlockOfEveryProfileToTheLastByte) {
+  const ParameterSet set = read();
+  ASSERT_THAT(set.blocks(), SizeIs(3 * 5 + 3));
+  for (std::uint8_t profile = 0; profile < 5; ++profile) {
+    EXPECT_EQ(set.find({"ReadParams3", profile})->body, packet(board.params[profile]).body);
+    EXPECT_EQ(set.find({"ReadParamsExt", profile})->body, packet(board.params_ext[profile]).body);
+    EXPECT_EQ(set.find({"ReadParamsExt2", profile})->body, packet(board.params_ext2[profile]).body);
+  }
+  EXPECT_EQ(set.find({"ReadProfileNames", 0})->body, packet(board.names).body);
+  EXPECT_EQ(set.find({"ReadAdjVarsCfg", 0})->body, packet(board.adjustable).body);
+  EXPECT_EQ(set.find({"ReadExternalData", 0})->body, packet(board.external).body);
+  EXPECT_EQ(get(set, 3).tail.size(), 5U);
+}
+
+TEST_F(ParametersTest, ReadingTellsItsProgressAndCanBeCancelled) {
+  std::vector<std::string> seen;
+  ReadOptions options;
+  options.progress = [&](const Progress& progress) {
+    EXPECT_EQ(progress.done, seen.size());
+    EXPECT_EQ(progress.total, 18U);
+    seen.emplace_back(progress.what);
+    return seen.size() < 3;
+  };
+  const Result<ParameterSet> set = read_parameters(client(), options);
+  ASSERT_FALSE(set);
+  EXPECT_EQ(set.error().code, ErrorCode::cancelled);
+  EXPECT_THAT(seen, ElementsAre("ReadParams3 of profile 1", "ReadParams3 of profile 2",
+                                "ReadParams3 of profile 3"));
+}
+
+TEST_F(ParametersTest, ReadingEndsWithItsTime) {
+  board.after = [&](const Packet&) { clock.advance(std::chrono::seconds(1)); };
+  ReadOptions options{.timeout = std::chrono::milliseconds(2500), .clock = clock};
+  const Result<ParameterSet> set = read_parameters(client(), options);
+  ASSERT_FALSE(set);
+  EXPECT_EQ(set.error().code, ErrorCode::timeout);
+  EXPECT_EQ(board.count<ReadParams3Request>(), 3U);
+}
+
+TEST_F(ParametersTest, AnAnswerAboutAnotherProfileIsNotTaken) {
+  board.params[1].profile_id = 3;
+  const Result<ParameterSet> set = read_parameters(client());
+  ASSERT_FALSE(set);
+  EXPECT_THAT(set.error().message, HasSubstr("ReadParams3 of profile 2"));
+}
+
+TEST_F(ParametersTest, BoardsWithoutTheNewerCommandsAreAskedWithTheOlderOne) {
+  board.info.board_ver = BoardVersion(10);
+  const Result<ParameterSet> set = read_parameters(client());
+  EXPECT_EQ(board.count<ReadParams>(), 1U);
+  EXPECT_EQ(board.count<ReadParams3Request>(), 0U);
+  EXPECT_FALSE(set);  // this board does not answer it
+}
+
+TEST_F(ParametersTest, WritingWhatIsThereWritesNothing) {
+  const ParameterSet set = read();
+  const WriteReport report = write_parameters(client(), set);
+  EXPECT_TRUE(report) << to_text(report);
+  EXPECT_EQ(writes(), 0U);
+  for (const BlockState state : states(report)) EXPECT_EQ(state, BlockState::equal);
+}
+
+TEST_F(ParametersTest, OnlyBlocksThatDifferAreWrittenAndNothingElseChanges) {
+  ParameterSet set = read();
+  ReadParams3 wanted = get(set, 2);
+  wanted.axes.pitch.p = 1;
+  ASSERT_TRUE(set.set(wanted));
+  const ReadParams3 before = board.params[2];
+
+  const WriteReport report = write_parameters(client(), set);
+  EXPECT_TRUE(report) << to_text(report);
+  EXPECT_EQ(writes(), 1U);
+  EXPECT_EQ(state(report, {"ReadParams3", 2}), BlockState::written);
+  EXPECT_EQ(state(report, {"ReadParams3", 1}), BlockState::equal);
+  ReadParams3 expected = before;
+  expected.axes.pitch.p = 1;
+  EXPECT_EQ(board.params[2], expected);  // reserved bytes and tail included
+}
+
+TEST_F(ParametersTest, StateOfTheBoardIsNoDifferenceAndIsWrittenAsItIs) {
+  ParameterSet set = read();
+  for (ReadParams3& params : board.params) params.cur_profile_id = 4;
+  board.params[0].cur_imu = SelectedImu::frame;
+  EXPECT_THAT(diff(set, read()), IsEmpty());
+  EXPECT_TRUE(write_parameters(client(), set));
+  EXPECT_EQ(writes(), 0U);
+
+  ReadParams3 wanted = get(set, 0);
+  wanted.gyro_trust = 17;
+  ASSERT_TRUE(set.set(wanted));
+  EXPECT_TRUE(write_parameters(client(), set));
+  EXPECT_EQ(board.params[0].gyro_trust, 17);
+  EXPECT_EQ(board.params[0].cur_profile_id, 4);
+  EXPECT_EQ(board.params[0].cur_imu, SelectedImu::frame);
+}
+
+TEST_F(ParametersTest, AShorterBodyLeavesWhatTheBoardHasBehindIt) {
+  ParameterSet set = read();
+  Block shorter = *set.find({"ReadParams3", 1});
+  shorter.body.resize(ReadParams3::min_size);
+  shorter.body[1] = 77;  // axes.roll.p
+  ASSERT_TRUE(set.put(shorter));
+  const auto tail = board.params[1].tail;
+  EXPECT_TRUE(write_parameters(client(), set));
+  EXPECT_EQ(board.params[1].axes.roll.p, 77);
+  EXPECT_EQ(board.params[1].tail, tail);
+}
+
+TEST_F(ParametersTest, ALongerBodyIsRefusedBeforeAnythingIsWritten) {
+  ParameterSet set = read();
+  Block longer = *set.find({"ReadParamsExt", 4});
+  longer.body.push_back(1);
+  ASSERT_TRUE(set.put(longer));
+  ReadParams3 other = get(set, 0);
+  other.gyro_trust = 1;
+  ASSERT_TRUE(set.set(other));
+  const WriteReport report = write_parameters(client(), set);
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.outcome.error().code, ErrorCode::incompatible);
+  EXPECT_EQ(writes(), 0U);
+}
+
+TEST_F(ParametersTest, ADryRunTellsAndWritesNothing) {
+  ParameterSet set = read();
+  ReadParams3 wanted = get(set, 0);
+  wanted.follow_mode = FollowMode::pitch;
+  wanted.rc_memory.yaw = Angle14::from_degrees(45);
+  ASSERT_TRUE(set.set(wanted));
+  const WriteReport report = write_parameters(client(), set, {.dry_run = true});
+  EXPECT_TRUE(report);
+  EXPECT_EQ(writes(), 0U);
+  EXPECT_EQ(state(report, {"ReadParams3", 0}), BlockState::unwritten);
+  const auto& fields = report.blocks.front().wanted;
+  ASSERT_THAT(fields, SizeIs(2));
+  EXPECT_EQ(fields[0].path, "follow_mode");
+  EXPECT_EQ(fields[0].after_meaning, "FOLLOW_MODE_PITCH");
+  EXPECT_EQ(fields[1].path, "rc_memory.yaw");
+  EXPECT_EQ(fields[1].after, "2048");
+  EXPECT_EQ(fields[1].after_meaning, "45 deg");
+}
+
+TEST_F(ParametersTest, ValuesThatTheProtocolDoesNotAllowAreRefusedOnlyWhereTheyChange) {
+  ParameterSet set = read();
+  ReadParams3 wanted = get(set, 0);
+  board.params[0].rc_expo_rate = 200;  // out of range, but there
+  set = read();
+  wanted = get(set, 0);
+  wanted.gyro_trust = 3;
+  ASSERT_TRUE(set.set(wanted));
+  EXPECT_TRUE(write_parameters(client(), set));
+
+  wanted.follow_expo_rate = 101;
+  ASSERT_TRUE(set.set(wanted));
+  const WriteReport report = write_parameters(client(), set);
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.outcome.error().code, ErrorCode::invalid);
+  EXPECT_THAT(report.outcome.error().message, HasSubstr("follow_expo_rate"));
+  EXPECT_THAT(report.outcome.error().message, HasSubstr("100"));
+  EXPECT_EQ(board.params[0].gyro_trust, 3);
+  EXPECT_TRUE(write_parameters(client(), set, {.validate = false}));
+}
+
+TEST_F(ParametersTest, AWriteThatIsLostIsReportedAsUnwritten) {
+  ParameterSet set = read();
+  for (const std::uint8_t profile : {std::uint8_t{1}, std::uint8_t{3}}) {
+    ReadParams3 wanted = get(set, profile);
+    wanted.gyro_trust = 5;
+    ASSERT_TRUE(set.set(wanted));
+  }
+  board.is_lost = [](const Packet& request) {
+    return is<WriteParams3>(request) && request.body[0] == 3;
+  };
+  const WriteReport report = write_parameters(client(), set);
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.outcome.error().code, ErrorCode::timeout);
+  EXPECT_EQ(state(report, {"ReadParams3", 1}), BlockState::written);
+  EXPECT_EQ(state(report, {"ReadParams3", 3}), BlockState::unwritten);
+  EXPECT_EQ(state(report, {"ReadParams3", 2}), BlockState::equal);
+}
+
+TEST_F(ParametersTest, AWriteWhoseConfirmationIsLostIsReportedAsWrittenAndStillAFailure) {
+  ParameterSet set = read();
+  ReadParams3 wanted = get(set, 1);
+  wanted.gyro_trust = 5;
+  ASSERT_TRUE(set.set(wanted));
+  board.is_answer_lost = [](const Packet& request) { return is<WriteParams3>(request); };
+  const WriteReport report = write_parameters(client(), set);
+  ASSERT_FALSE(report);
+  EXPECT_EQ(state(report, {"ReadParams3", 1}), BlockState::written);
+}
+
+TEST_F(ParametersTest, WhatCannotBeReadBackIsUnknown) {
+  ParameterSet set = read();
+  ReadParams3 wanted = get(set, 1);
+  wanted.gyro_trust = 5;
+  ASSERT_TRUE(set.set(wanted));
+  bool is_dead = false;
+  board.is_lost = [&](const Packet& request) {
+    return is_dead || (is_dead = is<WriteParams3>(request));
+  };
+  const WriteReport report = write_parameters(client(), set);
+  ASSERT_FALSE(report);
+  EXPECT_EQ(state(report, {"ReadParams3", 1}), BlockState::unknown);
+}
+
+TEST_F(ParametersTest, WhatIsReadBackDifferentlyIsAMismatch) {
+  ParameterSet set = read();
+  ReadParams3 wanted = get(set, 1);
+  wanted.gyro_trust = 5;
+  ASSERT_TRUE(set.set(wanted));
+  board.after = [&](const Packet& request) {
+    if (is<WriteParams3>(request)) board.params[1].gyro_trust = 6;
+  };
+  const WriteReport report = write_parameters(client(), set);
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.outcome.error().code, ErrorCode::mismatch);
+  EXPECT_EQ(state(report, {"ReadParams3", 1}), BlockState::different);
+  EXPECT_THAT(to_text(report), HasSubstr("gyro_trust: 5 -> 6"));
+}
+
+TEST_F(ParametersTest, WritingOneProfileThatChangesAnotherIsNoticed) {
+  for (ReadParams3& params : board.params) params.general_flags1 = {};
+  board.after = [&](const Packet& request) {  // a setting of the whole board
+    if (!is<WriteParams3>(request)) return;
+    for (ReadParams3& params : board.params) params.general_flags1 = GeneralFlag::blink_profile;
+  };
+  ParameterSet set = read();
+  ReadParams3 wanted = get(set, 4);
+  wanted.general_flags1 = GeneralFlag::blink_profile;
+  ASSERT_TRUE(set.set(wanted));
+  const WriteReport report = write_parameters(client(), set);
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.outcome.error().code, ErrorCode::mismatch);
+  EXPECT_THAT(report.outcome.error().message, HasSubstr("ReadParams3 of profile 1"));
+  EXPECT_EQ(state(report, {"ReadParams3", 0}), BlockState::different);
+  EXPECT_EQ(state(report, {"ReadParams3", 4}), BlockState::written);
+}
+
+TEST_F(ParametersTest, SettingsThatTheBoardDoesNotHaveAreRefused) {
+  ParameterSet set = read();
+  board.info.board_ver = BoardVersion(10);
+  TaskTest::connect();
+  const WriteReport report = write_parameters(client(), set);
+  ASSERT_FALSE(report);
+  EXPECT_EQ(writes(), 0U);
+}
+
+TEST_F(ParametersTest, DifferencesAreFoundFieldByField) {
+  const ParameterSet before = read();
+  ParameterSet after = before;
+  ReadParamsExt2 changed = *before.get<ReadParamsExt2>(3);
+  changed.pid_gain.yaw = PidGain(95);
+  changed.reserved_2[118] = static_cast<std::uint8_t>(changed.reserved_2[118] + 1);
+  ASSERT_TRUE(after.set(changed));
+  ReadProfileNames names = *before.get<ReadProfileNames>();
+  ASSERT_TRUE(names.profile_name[4].assign(std::string_view("Drone")));
+  ASSERT_TRUE(after.set(names));
+  const auto changes = diff(before, after);
+  ASSERT_THAT(changes, SizeIs(2));
+  ASSERT_THAT(changes[0].fields, SizeIs(2));
+  EXPECT_EQ(changes[0].fields[0].path, "pid_gain.yaw");
+  EXPECT_EQ(changes[0].fields[0].after_meaning, "2");
+  EXPECT_EQ(changes[0].fields[1].path, "reserved_2[118]");
+  EXPECT_THAT(to_text(changes), HasSubstr("ReadParamsExt2 of profile 4:\n"));
+  EXPECT_THAT(to_text(changes), HasSubstr("  profile_name[4]: \"\" -> \"Drone\"\n"));
+}
+
+TEST_F(ParametersTest, BlocksOfOneSideOnlyAreDifferences) {
+  ParameterSet some;
+  ASSERT_TRUE(some.set(board.names));
+  ParameterSet others;
+  ASSERT_TRUE(others.set(board.external));
+  const auto changes = diff(some, others);
+  ASSERT_THAT(changes, SizeIs(2));
+  EXPECT_EQ(changes[0].kind, BlockChange::Kind::only_before);
+  EXPECT_EQ(changes[1].kind, BlockChange::Kind::only_after);
+}
+
+TEST_F(ParametersTest, ASetTakesNothingThatIsNoSettings) {
+  ParameterSet set;
+  EXPECT_FALSE(set.put({{"GetAngles", 0}, std::vector<std::uint8_t>(18)}));
+  EXPECT_FALSE(set.put({{"ReadParams3", 5}, std::vector<std::uint8_t>(134, 5)}));
+  EXPECT_FALSE(set.put({{"ReadParams3", 1}, std::vector<std::uint8_t>(134)}));
+  EXPECT_FALSE(set.put({{"ReadParams3", 0}, std::vector<std::uint8_t>(133)}));
+  EXPECT_TRUE(set.put({{"ReadParams3", 0}, std::vector<std::uint8_t>(134)}));
+  EXPECT_EQ(set.get<ReadParams3>(1).error().code, ErrorCode::not_found);
+}
+
+}  // namespace
+}  // namespace sbgc::test

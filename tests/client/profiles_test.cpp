@@ -1,0 +1,76 @@
+#include <string>
+
+#include <sbgc/client/profiles.hpp>
+
+#include "task_test.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+using ProfilesTest = TaskTest;
+
+TEST_F(ProfilesTest, NamesAreReadWithoutTheirPadding) {
+  ASSERT_TRUE(board.names.profile_name[2].assign(std::string_view("Höhe ½")));
+  const auto names = read_profile_names(client());
+  ASSERT_TRUE(names);
+  EXPECT_THAT(*names, ElementsAre("Handheld", "", "Höhe ½", "", ""));
+}
+
+TEST_F(ProfilesTest, ANameIsWrittenAndTheOthersStayToTheLastByte) {
+  board.names.profile_name[1].bytes = {'a', '\0', '\xFF', 'b'};  // no UTF-8, and a NUL inside
+  const auto before = board.names;
+  ASSERT_TRUE(write_profile_name(client(), 3, "Follow €"));
+  EXPECT_EQ(read_profile_names(client())->at(3), "Follow €");
+  EXPECT_EQ(board.names.profile_name[1], before.profile_name[1]);
+  EXPECT_EQ(board.names.profile_name[0], before.profile_name[0]);
+}
+
+TEST_F(ProfilesTest, AllNamesAreWritten) {
+  const ProfileNames names{"1", "2", "", "4", std::string(48, 'x')};
+  ASSERT_TRUE(write_profile_names(client(), names));
+  EXPECT_EQ(*read_profile_names(client()), names);
+}
+
+TEST_F(ProfilesTest, ANameThatDoesNotFitIsRefusedAndNeverCut) {
+  const std::string euros = [] {
+    std::string text;
+    for (int i = 0; i < 17; ++i) text += "€";  // 3 bytes each: 51
+    return text;
+  }();
+  const auto before = board.names;
+  const auto error = write_profile_name(client(), 0, euros).error();
+  EXPECT_EQ(error.code, ErrorCode::invalid);
+  EXPECT_THAT(error.message, HasSubstr("at most 48 bytes, this one has 51"));
+  EXPECT_FALSE(write_profile_name(client(), 0, std::string(49, 'x')));
+  EXPECT_TRUE(check_profile_name(euros.substr(0, 48)));
+  EXPECT_EQ(board.names, before);
+  EXPECT_EQ(board.log.size(), 0U);
+}
+
+TEST_F(ProfilesTest, ANameThatIsNoUtf8IsRefused) {
+  EXPECT_THAT(check_profile_name("ab\xC3").error().message, HasSubstr("byte 3"));
+  EXPECT_FALSE(check_profile_name("\xED\xA0\x80"));  // half of a surrogate pair
+  EXPECT_FALSE(check_profile_name("\xC0\x80"));      // overlong
+  EXPECT_FALSE(check_profile_name(std::string_view("a\0b", 3)));
+  EXPECT_FALSE(write_profile_names(client(), {"", "", "\xFF", "", ""}));
+  EXPECT_THAT(write_profile_names(client(), {"", "", "\xFF", "", ""}).error().message,
+              HasSubstr("profile 3"));
+  EXPECT_EQ(board.log.size(), 0U);
+}
+
+TEST_F(ProfilesTest, ThereAreFiveProfiles) {
+  EXPECT_EQ(write_profile_name(client(), 5, "x").error().code, ErrorCode::invalid);
+}
+
+TEST_F(ProfilesTest, NamesThatTheBoardDoesNotKeepAreNoticed) {
+  board.after = [&](const Packet& request) {
+    if (is<WriteProfileNames>(request)) board.names = {};
+  };
+  EXPECT_EQ(write_profile_name(client(), 0, "x").error().code, ErrorCode::mismatch);
+}
+
+}  // namespace
+}  // namespace sbgc::test

@@ -1,0 +1,230 @@
+/// A board that does what a test tells it to, also what no board should do.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <asio/executor_work_guard.hpp>
+#include <asio/io_context.hpp>
+#include <asio/post.hpp>
+#include <asio/steady_timer.hpp>
+
+#include <sbgc/client/own_transport.hpp>
+#include <sbgc/io/memory.hpp>
+#include <sbgc/io/transport.hpp>
+#include <sbgc/message.hpp>
+#include <sbgc/messages.hpp>
+#include <sbgc/parser.hpp>
+#include <sbgc/visit.hpp>
+
+namespace sbgc::test {
+
+/// A board with a thread of its own. It knows nothing but what on() has taught it; other requests
+/// it counts and leaves unanswered. All functions may be called from any thread; actions run on the
+/// board's.
+class ScriptedBoard {
+ public:
+  ScriptedBoard() : work_(context_.get_executor()), thread_([this] { context_.run(); }) {}
+  ScriptedBoard(const ScriptedBoard&) = delete;
+  ScriptedBoard& operator=(const ScriptedBoard&) = delete;
+  ~ScriptedBoard() {
+    asio::post(context_, [this] {
+      is_stopping_ = true;
+      if (transport_) transport_->close();
+      timers_.clear();
+    });
+    work_.reset();
+    thread_.join();
+  }
+
+  asio::any_io_executor executor() { return context_.get_executor(); }
+
+  /// Talks over this transport, on executor(), instead of the one before.
+  void serve(std::unique_ptr<io::Transport> transport) {
+    asio::post(
+        context_,
+        [this, shared = std::make_shared<std::unique_ptr<io::Transport>>(std::move(transport))] {
+          if (transport_) old_.push_back(std::move(transport_));
+          transport_ = std::move(*shared);
+          is_writing_ = false;
+          pending_.clear();
+          parser_.reset();
+          read();
+        });
+  }
+
+  /// Calls `action(const M&)` for each M from now on.
+  template <Message M, class Action>
+  void on(Action action) {
+    const std::lock_guard lock(mutex_);
+    actions_[{static_cast<std::uint8_t>(M::command), M::form}] =
+        [action = std::move(action)](std::span<const std::uint8_t> body) {
+          M message{};
+          if (decode(body, message)) action(message);
+        };
+  }
+  /// Answers each M with the same message.
+  template <Message M, Message Answer>
+  void answer(const Answer& answer) {
+    on<M>([this, answer](const M&) { send(answer); });
+  }
+  /// Leaves each M unanswered.
+  template <Message M>
+  void ignore() {
+    on<M>([](const M&) {});
+  }
+
+  template <Message M>
+  void send(const M& message) {
+    std::array<std::uint8_t, max_frame_size> frame{};
+    const WriteResult written = encode_frame(message, frame);
+    send_bytes(std::span(frame).first(written.size));
+  }
+  template <Message M>
+  void confirm(const M&) {
+    Confirm confirmation;
+    confirmation.cmd = M::command;
+    send(confirmation);
+  }
+  void send_bytes(std::span<const std::uint8_t> bytes) {
+    asio::post(context_, [this, copy = std::vector(bytes.begin(), bytes.end())] {
+      pending_.insert(pending_.end(), copy.begin(), copy.end());
+      write();
+    });
+  }
+
+  /// Unplugs the cable.
+  void unplug() {
+    asio::post(context_, [this] { transport_->close(); });
+  }
+
+  /// Calls `action` after a while.
+  void later(std::chrono::milliseconds delay, std::function<void()> action) {
+    asio::post(context_, [this, delay, action = std::move(action)]() mutable {
+      auto& timer = timers_.emplace_back(std::make_unique<asio::steady_timer>(context_, delay));
+      timer->async_wait([action = std::move(action)](std::error_code error) {
+        if (!error) action();
+      });
+    });
+  }
+
+  /// How many requests M have come.
+  template <Message M>
+  std::size_t count() {
+    const std::lock_guard lock(mutex_);
+    return counts_[key<M>()];
+  }
+  /// Waits until `n` requests M have come; false if they have not within 10 s.
+  template <Message M>
+  bool wait_for(std::size_t n) {
+    std::unique_lock lock(mutex_);
+    return came_.wait_for(lock, std::chrono::seconds(10), [&] { return counts_[key<M>()] >= n; });
+  }
+
+ private:
+  using Key = std::pair<std::uint8_t, Form>;
+
+  template <Message M>
+  static constexpr Key key() {
+    return {static_cast<std::uint8_t>(M::command), M::form};
+  }
+
+  void read() {
+    io::Transport* const transport = transport_.get();
+    transport->async_read(in_, [this, transport](std::error_code error, std::size_t size) {
+      if (error || is_stopping_ || transport != transport_.get()) return;
+      parser_.feed(std::span(in_).first(size), [this](const Frame& frame) { take(frame); });
+      read();
+    });
+  }
+
+  void take(const Frame& frame) {
+    Form form{};
+    select(Direction::to_board, frame.id, frame.body.size(),
+           [&]<class M>(Type<M>) { form = M::form; });
+    std::function<void(std::span<const std::uint8_t>)> action;
+    {
+      const std::lock_guard lock(mutex_);
+      if (const auto place = actions_.find({frame.id, form}); place != actions_.end()) {
+        action = place->second;
+      }
+    }
+    if (action) action(frame.body);
+    const std::lock_guard lock(mutex_);
+    ++counts_[{frame.id, form}];
+    came_.notify_all();
+  }
+
+  void write() {
+    if (is_writing_ || pending_.empty() || !transport_ || is_stopping_) return;
+    out_ = std::exchange(pending_, {});
+    is_writing_ = true;
+    io::Transport* const transport = transport_.get();
+    transport->async_write(out_, [this, transport](std::error_code error, std::size_t) {
+      if (error || transport != transport_.get()) return;
+      is_writing_ = false;
+      write();
+    });
+  }
+
+  asio::io_context context_{1};
+  asio::executor_work_guard<asio::io_context::executor_type> work_;
+
+  // On the board's thread only
+  std::unique_ptr<io::Transport> transport_;
+  std::vector<std::unique_ptr<io::Transport>> old_;
+  std::vector<std::unique_ptr<asio::steady_timer>> timers_;
+  Parser parser_;
+  std::array<std::uint8_t, 4096> in_{};
+  std::vector<std::uint8_t> pending_;
+  std::vector<std::uint8_t> out_;
+  bool is_writing_ = false;
+  bool is_stopping_ = false;
+
+  std::mutex mutex_;
+  std::condition_variable came_;
+  std::map<Key, std::function<void(std::span<const std::uint8_t>)>> actions_;
+  std::map<Key, std::size_t> counts_;
+
+  std::thread thread_;
+};
+
+/// Lets it introduce itself as a board 3.0 with this firmware.
+inline void introduce(ScriptedBoard& board, std::uint16_t firmware = 2590,
+                      std::uint8_t version = 30) {
+  BoardInfo info;
+  info.board_ver = BoardVersion(version);
+  info.firmware_ver = FirmwareVersion(firmware);
+  board.answer<BoardInfoRequest>(info);
+  BoardInfo3 details;
+  details.device_id = {{0x00, 0x11, 0x22, 0x33, 0x44, 0x55, 0x66, 0x77, 0xAB}};
+  board.answer<BoardInfo3Request>(details);
+}
+
+/// The board at the other end of a pair in memory.
+inline TransportFactory over_memory(ScriptedBoard& board, io::MemoryOptions options = {}) {
+  return [&board, options](const asio::any_io_executor& executor) {
+    auto pair = io::make_memory_pair(executor, board.executor(), options);
+    board.serve(std::move(pair.second));
+    return std::move(pair.first);
+  };
+}
+
+/// Options for tests: no pause between commands, and failures come soon.
+inline ConnectOptions quick() {
+  return {
+      .timeout = std::chrono::seconds(10), .pacing = false, .patience = std::chrono::seconds(5)};
+}
+
+}  // namespace sbgc::test

@@ -1,0 +1,209 @@
+#include <condition_variable>
+#include <vector>
+
+#include <sbgc/client/speed_control.hpp>
+
+#include "speed_hold.hpp"
+#include "task_test.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using detail::SpeedHold;
+using std::chrono::milliseconds;
+using Action = SpeedHold::Action;
+using State = SpeedControl::State;
+
+// The rules
+
+constexpr SpeedHold::Speed slow{.yaw = ControlSpeed(10)};
+constexpr SpeedHold::Speed fast{.yaw = ControlSpeed(90)};
+
+class SpeedHoldTest : public ::testing::Test {
+ protected:
+  Action at(int ms) { return hold.next(start + milliseconds(ms)); }
+  void set(const SpeedHold::Speed& speed, int ms) { hold.set(speed, start + milliseconds(ms)); }
+
+  Clock::time_point start{std::chrono::hours(1)};
+  SpeedHold hold{milliseconds(500), milliseconds(100)};
+};
+
+TEST_F(SpeedHoldTest, DoesNothingUnasked) {
+  EXPECT_EQ(at(0), Action::none);
+  EXPECT_EQ(at(100'000), Action::none);
+  EXPECT_EQ(hold.state(), State::idle);
+}
+
+TEST_F(SpeedHoldTest, SendsAtOnceAndThenAgainAndAgain) {
+  set(slow, 0);
+  EXPECT_EQ(at(0), Action::send);
+  EXPECT_EQ(at(0), Action::none);
+  EXPECT_EQ(hold.deadline(start), start + milliseconds(100));
+  EXPECT_EQ(at(99), Action::none);
+  EXPECT_EQ(at(100), Action::send);
+  EXPECT_EQ(at(200), Action::send);
+}
+
+TEST_F(SpeedHoldTest, SendsAChangeAsSoonAsTheBoardTakesIt) {
+  set(slow, 0);
+  EXPECT_EQ(at(0), Action::send);
+  set(fast, 5);
+  EXPECT_EQ(at(5), Action::none);
+  EXPECT_EQ(at(20), Action::send);
+  EXPECT_EQ(hold.speed(), fast);
+  set(fast, 30);
+  EXPECT_EQ(at(60), Action::none);
+  EXPECT_EQ(at(120), Action::send);
+}
+
+TEST_F(SpeedHoldTest, StopsWhenTheOwnerIsSilent) {
+  set(slow, 0);
+  for (int ms = 0; ms < 500; ms += 100) EXPECT_EQ(at(ms), Action::send);
+  EXPECT_EQ(at(499), Action::none);
+  EXPECT_EQ(at(500), Action::stop);
+  EXPECT_EQ(at(500), Action::stop) << "until it is done";
+  hold.stopped();
+  EXPECT_EQ(at(500), Action::none);
+  EXPECT_EQ(hold.state(), State::silenced);
+}
+
+TEST_F(SpeedHoldTest, GoesOnWhileItIsRefreshed) {
+  set(slow, 0);
+  for (int ms = 0; ms < 5000; ms += 100) {
+    EXPECT_EQ(at(ms), Action::send);
+    hold.refresh(start + milliseconds(ms));
+  }
+}
+
+TEST_F(SpeedHoldTest, TurnsAgainAfterASilence) {
+  set(slow, 0);
+  EXPECT_EQ(at(500), Action::stop);
+  hold.stopped();
+  set(slow, 600);
+  EXPECT_EQ(at(600), Action::send);
+  EXPECT_EQ(hold.state(), State::turning);
+}
+
+TEST_F(SpeedHoldTest, AFailureEndsWithAStopForEver) {
+  set(slow, 0);
+  EXPECT_EQ(at(0), Action::send);
+  hold.fail();
+  EXPECT_EQ(at(0), Action::stop);
+  hold.stopped();
+  set(fast, 10);
+  EXPECT_EQ(at(1000), Action::none);
+  EXPECT_EQ(hold.state(), State::failed);
+}
+
+TEST_F(SpeedHoldTest, StoppingWhatStandsDoesNothing) {
+  hold.stop();
+  EXPECT_EQ(at(0), Action::none);
+}
+
+// The thread
+
+class SpeedControlTest : public TaskTest {
+ protected:
+  SpeedControlTest() {
+    board.after = [this](const Packet& request) {
+      if (!is<Control>(request)) return;
+      sent_.push_back(message<Control>(request).axes.yaw.speed.raw());
+      came_.notify_all();
+    };
+  }
+  SpeedControlOptions options() { return {milliseconds(500), milliseconds(100), clock}; }
+
+  /// Waits until `n` commands have come; returns their speeds of yaw.
+  std::vector<int> commands(std::size_t n) {
+    std::unique_lock lock(board_mutex());
+    came_.wait_for(lock, std::chrono::seconds(10), [&] { return sent_.size() >= n; });
+    return sent_;
+  }
+
+ private:
+  std::vector<int> sent_;
+  std::condition_variable came_;
+};
+
+TEST_F(SpeedControlTest, TurnsStopsWhenSilentAndTurnsAgain) {
+  SpeedControl control(client(), options());
+  ASSERT_TRUE(control.set({.yaw = ControlSpeed(100)}));
+  ASSERT_TRUE(control.wait());
+  EXPECT_EQ(commands(1), std::vector<int>({100}));
+  EXPECT_EQ(control.state(), State::turning);
+
+  clock.advance(milliseconds(100));
+  EXPECT_EQ(commands(2), std::vector<int>({100, 100}));
+  clock.advance(milliseconds(399));
+  ASSERT_TRUE(control.wait());
+  EXPECT_EQ(control.state(), State::turning);
+  clock.advance(milliseconds(1));
+  ASSERT_TRUE(control.wait());
+  EXPECT_EQ(control.state(), State::silenced);
+  EXPECT_EQ(commands(4), std::vector<int>({100, 100, 100, 0}));
+  EXPECT_EQ(control.refresh().error().code, ErrorCode::cancelled);
+
+  ASSERT_TRUE(control.set({.yaw = ControlSpeed(-50)}));
+  ASSERT_TRUE(control.wait());
+  EXPECT_EQ(commands(5).back(), -50);
+}
+
+TEST_F(SpeedControlTest, StopsWhenAsked) {
+  SpeedControl control(client(), options());
+  ASSERT_TRUE(control.set({.yaw = ControlSpeed(100)}));
+  ASSERT_TRUE(control.wait());
+  ASSERT_TRUE(control.stop());
+  ASSERT_TRUE(control.wait());
+  EXPECT_EQ(commands(2), std::vector<int>({100, 0}));
+  EXPECT_EQ(control.state(), State::idle);
+}
+
+TEST_F(SpeedControlTest, StopsWhenItIsDestroyed) {
+  {
+    SpeedControl control(client(), options());
+    ASSERT_TRUE(control.set({.yaw = ControlSpeed(100)}));
+    ASSERT_TRUE(control.wait());
+  }
+  EXPECT_EQ(commands(2), std::vector<int>({100, 0}));
+}
+
+TEST_F(SpeedControlTest, SendsNothingIfNothingTurned) {
+  {
+    SpeedControl control(client(), options());
+    ASSERT_TRUE(control.wait());
+  }
+  ASSERT_TRUE(client().call(GetAnglesRequest{}));
+  EXPECT_TRUE(commands(0).empty());
+}
+
+TEST_F(SpeedControlTest, ALostLineIsAnErrorOfTheNextCall) {
+  SpeedControl control(client(), options());
+  ASSERT_TRUE(control.set({.yaw = ControlSpeed(100)}));
+  ASSERT_TRUE(control.wait());
+  client().close();
+  static_cast<void>(control.set({.yaw = ControlSpeed(50)}));
+  clock.advance(milliseconds(100));
+  EXPECT_EQ(control.wait().error().code, ErrorCode::not_connected);
+  EXPECT_EQ(control.set({.yaw = ControlSpeed(50)}).error().code, ErrorCode::not_connected);
+  EXPECT_EQ(control.state(), State::failed);
+}
+
+TEST_F(SpeedControlTest, TakesSpeedsFromManyThreads) {
+  SpeedControl control(client(), options());
+  std::vector<std::thread> owners;
+  for (int i = 0; i < 4; ++i) {
+    owners.emplace_back([&] {
+      for (int n = 1; n < 100; ++n) {
+        EXPECT_TRUE(control.set({.yaw = ControlSpeed(static_cast<std::int16_t>(n))}));
+        EXPECT_TRUE(control.refresh());
+      }
+    });
+  }
+  for (std::thread& owner : owners) owner.join();
+  ASSERT_TRUE(control.stop());
+  ASSERT_TRUE(control.wait());
+  EXPECT_EQ(commands(1).back(), 0);
+}
+
+}  // namespace
+}  // namespace sbgc::test

@@ -1,0 +1,370 @@
+// Messages that come unasked: subscriptions, data streams, notices.
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sbgc/client/client.hpp>
+#include <sbgc/messages.hpp>
+
+#include "scripted_board.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using std::chrono::milliseconds;
+using ::testing::HasSubstr;
+
+/// Collects what handlers are called with.
+template <class T>
+class Collector {
+ public:
+  void add(const T& item) {
+    const std::lock_guard lock(mutex_);
+    items_.push_back(item);
+    added_.notify_all();
+  }
+
+  /// What has come once there are `count`; less only after a failure.
+  std::vector<T> wait_for(std::size_t count) {
+    std::unique_lock lock(mutex_);
+    EXPECT_TRUE(
+        added_.wait_for(lock, std::chrono::seconds(10), [&] { return items_.size() >= count; }));
+    return items_;
+  }
+
+  /// Waits until `done(items)`.
+  template <class Done>
+  bool wait_until(Done done) {
+    std::unique_lock lock(mutex_);
+    return added_.wait_for(lock, std::chrono::seconds(10), [&] { return done(items_); });
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable added_;
+  std::vector<T> items_;
+};
+
+GetAngles angles(std::int16_t raw) {
+  GetAngles message;
+  message.axes.yaw.imu_angle = Angle14(raw);
+  return message;
+}
+
+class Subscribed : public ::testing::Test {
+ protected:
+  void SetUp() override { introduce(board); }
+
+  Client connect(const ConnectOptions& options = quick()) {
+    auto client = connect_over(over_memory(board), options);
+    if (!client) ADD_FAILURE() << client.error().message;
+    return *std::move(client);
+  }
+
+  /// Confirms every registration, and counts how the streams stand.
+  void serve_streams() {
+    board.on<DataStreamInterval>([this](const DataStreamInterval& request) {
+      registrations.add(request);
+      board.confirm(request);
+    });
+  }
+
+  /// Whatever the board has sent before has been handled behind this.
+  void settle(Client& client) {
+    board.on<CalibInfoRequest>([this](const CalibInfoRequest&) { board.send(CalibInfo{}); });
+    EXPECT_TRUE(client.calib_info());
+  }
+
+  Collector<DataStreamInterval> registrations;
+  ScriptedBoard board;
+};
+
+TEST_F(Subscribed, GetsEveryMessageOfItsKind) {
+  Client client = connect();
+  Collector<GetAngles> got;
+  const auto subscription =
+      client.subscribe<GetAngles>([&](const GetAngles& message) { got.add(message); });
+  board.send(angles(1));
+  board.send(RealtimeData3{});
+  board.send(angles(2));
+  EXPECT_THAT(got.wait_for(2), ::testing::ElementsAre(angles(1), angles(2)));
+}
+
+TEST_F(Subscribed, GetsAnswersOfCallsToo) {
+  board.answer<GetAnglesRequest>(angles(3));
+  Client client = connect();
+  Collector<GetAngles> got;
+  const auto subscription =
+      client.subscribe<GetAngles>([&](const GetAngles& message) { got.add(message); });
+  EXPECT_TRUE(client.get_angles());
+  EXPECT_THAT(got.wait_for(1), ::testing::ElementsAre(angles(3)));
+}
+
+TEST_F(Subscribed, TellsFormsOfACommandApart) {
+  Client client = connect();
+  std::atomic<int> simple{};
+  Collector<ErrorExt> extended;
+  const auto one = client.subscribe<Error>([&](const Error&) { ++simple; });
+  const auto two = client.subscribe<ErrorExt>([&](const ErrorExt& e) { extended.add(e); });
+  board.send(ErrorExt{});
+  extended.wait_for(1);
+  settle(client);
+  EXPECT_EQ(simple, 0);
+}
+
+TEST_F(Subscribed, EndsWithItsOwner) {
+  Client client = connect();
+  std::atomic<int> calls{};
+  {
+    const auto subscription = client.subscribe<GetAngles>([&](const GetAngles&) { ++calls; });
+    board.send(angles(1));
+    settle(client);
+  }
+  board.send(angles(2));
+  settle(client);
+  EXPECT_EQ(calls, 1);
+}
+
+TEST_F(Subscribed, CanEndItselfInItsHandler) {
+  Client client = connect();
+  std::atomic<int> calls{};
+  std::optional<Subscription> subscription;
+  const auto witness = std::make_shared<int>();
+  subscription = client.subscribe<GetAngles>([&, witness](const GetAngles&) {
+    ++calls;
+    subscription.reset();
+  });
+  board.send(angles(1));
+  board.send(angles(2));
+  settle(client);
+  EXPECT_EQ(calls, 1);
+  EXPECT_FALSE(subscription);
+  EXPECT_EQ(witness.use_count(), 1) << "the handler is still held";
+}
+
+TEST_F(Subscribed, EndingWaitsForTheHandler) {
+  Client client = connect();
+  std::promise<void> entered;
+  std::promise<void> leave;
+  std::atomic<bool> is_running{};
+  std::optional<Subscription> subscription = client.subscribe<GetAngles>([&](const GetAngles&) {
+    is_running = true;
+    entered.set_value();
+    leave.get_future().wait();
+    is_running = false;
+  });
+  board.send(angles(1));
+  entered.get_future().wait();
+  std::thread release([&] { leave.set_value(); });
+  subscription.reset();
+  EXPECT_FALSE(is_running);
+  release.join();
+}
+
+TEST_F(Subscribed, MayOutliveTheClient) {
+  Subscription subscription;
+  Subscription stream;
+  Subscription notices;
+  serve_streams();
+  {
+    Client client = connect();
+    subscription = client.subscribe<GetAngles>([](const GetAngles&) {});
+    notices = client.on_notice([](const Notice&) {});
+    auto started = client.stream<RealtimeData4>(milliseconds(10), [](const RealtimeData4&) {});
+    ASSERT_TRUE(started) << started.error().message;
+    stream = *std::move(started);
+  }
+  subscription.cancel();
+}
+
+TEST_F(Subscribed, ClientMayBeDestroyedByAHandler) {
+  auto client = std::make_unique<Client>(connect());
+  std::promise<void> done;
+  const auto subscription = client->subscribe<GetAngles>([&](const GetAngles&) {
+    client.reset();
+    done.set_value();
+  });
+  board.send(angles(1));
+  EXPECT_EQ(done.get_future().wait_for(std::chrono::seconds(10)), std::future_status::ready);
+}
+
+TEST_F(Subscribed, CountsWhatItCannotRead) {
+  Client client = connect();
+  const auto subscription = client.subscribe<ReadParams3>([](const ReadParams3&) { FAIL(); });
+  const std::array<std::uint8_t, 3> body{1, 2, 3};
+  std::array<std::uint8_t, max_frame_size> frame{};
+  const auto written = write_frame(static_cast<std::uint8_t>(ReadParams3::command), body, frame);
+  board.send_bytes(std::span(frame).first(written.size));
+  settle(client);
+  EXPECT_EQ(client.statistics().unreadable, 1U);
+}
+
+// Data streams
+
+TEST_F(Subscribed, ToAStreamRegistersItAndEndsIt) {
+  serve_streams();
+  Client client = connect();
+  Collector<RealtimeData4> samples;
+  auto stream = client.stream<RealtimeData4>(
+      milliseconds(20), [&](const RealtimeData4& sample) { samples.add(sample); });
+  ASSERT_TRUE(stream) << stream.error().message;
+  DataStreamInterval expected;
+  expected.cmd_id = CommandId::realtime_data_4;
+  expected.interval_ms = Milliseconds::from_milliseconds(20);
+  expected.config.rest.resize(8);
+  EXPECT_EQ(registrations.wait_for(1).at(0), expected);
+  board.send(RealtimeData4{});
+  board.send(RealtimeData4{});
+  samples.wait_for(2);
+  stream->cancel();
+  expected.interval_ms = {};
+  EXPECT_EQ(registrations.wait_for(2).at(1), expected);
+}
+
+TEST_F(Subscribed, ToAStreamEndsItWithTheClient) {
+  serve_streams();
+  Subscription survivor;
+  {
+    Client client = connect();
+    auto first = client.stream<RealtimeData4>(milliseconds(20), [](const RealtimeData4&) {});
+    auto second = client.stream<RealtimeData3>(milliseconds(20), [](const RealtimeData3&) {});
+    ASSERT_TRUE(first && second);
+    survivor = *std::move(second);
+    // The other one ends right before the client does.
+  }
+  // One may be ended twice: when its end was not confirmed yet.
+  const auto is_ended = [](const std::vector<DataStreamInterval>& requests, CommandId command) {
+    return std::any_of(requests.begin(), requests.end(), [&](const DataStreamInterval& request) {
+      return request.cmd_id == command && request.interval_ms == Milliseconds{};
+    });
+  };
+  EXPECT_TRUE(registrations.wait_until([&](const auto& requests) {
+    return is_ended(requests, CommandId::realtime_data_4) &&
+           is_ended(requests, CommandId::realtime_data_3);
+  }));
+}
+
+TEST_F(Subscribed, ToTheSameStreamTwiceEndsItOnce) {
+  serve_streams();
+  Client client = connect();
+  auto first = client.stream<RealtimeData4>(milliseconds(20), [](const RealtimeData4&) {});
+  auto second = client.stream<RealtimeData4>(milliseconds(20), [](const RealtimeData4&) {});
+  ASSERT_TRUE(first && second);
+  first->cancel();
+  settle(client);
+  EXPECT_EQ(registrations.wait_for(2).size(), 2U);
+  second->cancel();
+  EXPECT_EQ(registrations.wait_for(3).at(2).interval_ms, Milliseconds{});
+}
+
+TEST_F(Subscribed, ToAStreamReadsItByWhatWasAskedFor) {
+  board.on<DataStreamInterval>([this](const DataStreamInterval& request) {
+    board.confirm(request);
+    if (request.interval_ms.raw() == 0) return;
+    RealtimeDataCustom sample;
+    sample.imu_angles.emplace().pitch = Angle14(77);
+    board.send(sample);
+  });
+  Client client = connect();
+  Collector<RealtimeDataCustom> samples;
+  DataStreamInterval request;
+  request.interval_ms = Milliseconds::from_milliseconds(50);
+  request.config.flags = RealtimeDataCustomFlags(RealtimeDataCustomFlag::imu_angles);
+  auto stream = client.stream<RealtimeDataCustom>(
+      request, [&](const RealtimeDataCustom& sample) { samples.add(sample); });
+  ASSERT_TRUE(stream) << stream.error().message;
+  const auto got = samples.wait_for(1);
+  ASSERT_TRUE(got.at(0).imu_angles);
+  EXPECT_EQ(got.at(0).imu_angles->pitch, Angle14(77));
+}
+
+TEST_F(Subscribed, ACallReadsItsAnswerByWhatItAskedFor) {
+  board.on<RealtimeDataCustomRequest>([this](const RealtimeDataCustomRequest&) {
+    RealtimeDataCustom sample;
+    sample.imu_angles.emplace().yaw = Angle14(5);
+    board.send(sample);
+  });
+  Client client = connect();
+  const auto answer = client.realtime_data_custom({.flags = RealtimeDataCustomFlag::imu_angles});
+  ASSERT_TRUE(answer) << answer.error().message;
+  ASSERT_TRUE(answer->imu_angles);
+  EXPECT_EQ(answer->imu_angles->yaw, Angle14(5));
+}
+
+TEST_F(Subscribed, ToMoreThanTheLineCarriesIsRefused) {
+  serve_streams();
+  const TransportFactory make = [&](const asio::any_io_executor& executor) {
+    auto pair = io::make_memory_pair(executor, board.executor(), {.with_line = true});
+    static_cast<void>(pair.first->line()->set({9600, io::Parity::none}));
+    static_cast<void>(pair.second->line()->set({9600, io::Parity::none}));
+    board.serve(std::move(pair.second));
+    return std::move(pair.first);
+  };
+  ConnectOptions options = quick();
+  options.find_line = false;
+  auto client = connect_over(make, options);
+  ASSERT_TRUE(client) << client.error().message;
+  auto fits = client->stream<RealtimeData4>(milliseconds(500), [](const RealtimeData4&) {});
+  ASSERT_TRUE(fits) << fits.error().message;
+  const auto usage = client->statistics().streams;
+  EXPECT_EQ(usage.limit, 960U * 80 / 100);
+  EXPECT_GT(usage.used, 0U);
+  const auto refused = client->stream<RealtimeData3>(milliseconds(1), [](const RealtimeData3&) {});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::overload);
+  EXPECT_THAT(refused.error().message, HasSubstr("does not fit through the line: 768 bytes/s"));
+}
+
+TEST_F(Subscribed, ToAStreamThatTheBoardRefusesFails) {
+  board.on<DataStreamInterval>([this](const DataStreamInterval&) {
+    ErrorExt error;
+    error.cmd_id = CommandId::data_stream_interval;
+    error.error_code = 3;
+    board.send(error);
+  });
+  Client client = connect();
+  const auto stream = client.stream<RealtimeData4>(milliseconds(20), [](const RealtimeData4&) {});
+  ASSERT_FALSE(stream);
+  EXPECT_EQ(stream.error().code, ErrorCode::board_error);
+  settle(client);
+  EXPECT_EQ(board.count<DataStreamInterval>(), 1U) << "what never ran need not be ended";
+}
+
+// Notices
+
+TEST_F(Subscribed, ToNoticesHearsOfResetsErrorsAndTheLossOfTheLine) {
+  Client client = connect();
+  Collector<Notice> got;
+  const auto subscription = client.on_notice([&](const Notice& notice) { got.add(notice); });
+  ErrorExt error;
+  error.cmd_id = CommandId::calib_acc;
+  error.error_code = 9;
+  board.send(error);
+  board.send(Reset{});
+  EXPECT_EQ(got.wait_for(2).at(1).kind, NoticeKind::board_reset);
+  board.unplug();
+  const auto notices = got.wait_for(3);
+  ASSERT_EQ(notices.size(), 3U);
+  EXPECT_EQ(notices[0].kind, NoticeKind::board_error);
+  EXPECT_EQ(notices[0].detail, 9);
+  EXPECT_EQ(notices[0].message, "the board reports an error about CMD_CALIB_ACC: error_code 9");
+  EXPECT_EQ(notices[2].kind, NoticeKind::link_lost);
+  EXPECT_THAT(notices[2].message, HasSubstr("the connection is lost"));
+}
+
+}  // namespace
+}  // namespace sbgc::test

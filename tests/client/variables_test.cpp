@@ -1,0 +1,118 @@
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <sbgc/client/variables.hpp>
+
+#include "task_test.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+
+using VariablesTest = TaskTest;
+
+TEST_F(VariablesTest, AreReadInTheirUnits) {
+  board.variables = {{VariableId::lpf_freq_roll, 120},
+                     {VariableId::i_yaw, 5},
+                     {VariableId::frame_heading_angle, -1234},
+                     {VariableId::pid_gain_pitch, 45}};
+  const std::vector<std::string_view> names{"LPF_FREQ_ROLL", "I_YAW", "FRAME_HEADING_ANGLE",
+                                            "PID_GAIN_PITCH"};
+  const auto values = get_variables(client(), names);
+  ASSERT_TRUE(values);
+  ASSERT_THAT(*values, SizeIs(4));
+  EXPECT_DOUBLE_EQ(values->at(0), 120);
+  EXPECT_DOUBLE_EQ(values->at(1), 0.05);
+  EXPECT_DOUBLE_EQ(values->at(2), -123.4);
+  EXPECT_DOUBLE_EQ(values->at(3), 1.0);
+  EXPECT_EQ(board.log.size(), 1U);
+}
+
+TEST_F(VariablesTest, AreSetInTheirUnitsAndRounded) {
+  const std::vector<VariableValue> values{
+      {"FRAME_HEADING_ANGLE", -180}, {"I_ROLL", 0.126}, {"GYRO_HEADING_CORRECTION", 20}};
+  ASSERT_TRUE(set_variables(client(), values));
+  EXPECT_EQ(board.variables[VariableId::frame_heading_angle], -1800);
+  EXPECT_EQ(board.variables[VariableId::i_roll], 13);
+  EXPECT_EQ(board.log.size(), 1U);
+}
+
+TEST_F(VariablesTest, UnknownNamesAreRefusedWithAHint) {
+  EXPECT_EQ(get_variable(client(), "P_PICTH").error().code, ErrorCode::not_found);
+  EXPECT_THAT(get_variable(client(), "p_pitch").error().message, HasSubstr("P_PITCH"));
+  EXPECT_THAT(set_variable(client(), "LPF_ROLL", 1).error().message, HasSubstr("LPF_FREQ_ROLL"));
+  EXPECT_EQ(board.log.size(), 0U);
+}
+
+TEST_F(VariablesTest, ValuesOutOfRangeAreRefusedBeforeAnythingIsSent) {
+  const std::vector<VariableValue> values{{"P_ROLL", 10}, {"LPF_FREQ_YAW", 401}};
+  const auto error = set_variables(client(), values).error();
+  EXPECT_EQ(error.code, ErrorCode::invalid);
+  EXPECT_THAT(error.message, HasSubstr("LPF_FREQ_YAW can not be 401 Hz: it lies between 10 Hz and "
+                                       "400 Hz"));
+  EXPECT_FALSE(set_variable(client(), "P_ROLL", std::nan("")));
+  EXPECT_FALSE(set_variable(client(), "P_ROLL", std::numeric_limits<double>::infinity()));
+  EXPECT_FALSE(set_variable(client(), "P_ROLL", -1));
+  EXPECT_EQ(board.log.size(), 0U);
+}
+
+TEST_F(VariablesTest, EveryLimitOfEveryVariableCanBeSetAndNothingBeyond) {
+  for (const VariableInfo& variable : variables) {
+    for (const double raw : {variable.range.lowest, variable.range.highest}) {
+      const double value = variable_value(variable, static_cast<std::int32_t>(raw));
+      const auto back = variable_raw(variable, value);
+      ASSERT_TRUE(back) << variable.name;
+      EXPECT_EQ(*back, raw) << variable.name;
+    }
+    const auto beyond = static_cast<std::int32_t>(variable.range.highest) + 1;
+    EXPECT_FALSE(variable_raw(variable, variable_value(variable, beyond))) << variable.name;
+  }
+}
+
+TEST_F(VariablesTest, ManyAreMovedInMessagesOfForty) {
+  std::vector<std::string_view> names;
+  std::vector<VariableValue> values;
+  for (const VariableInfo& variable : variables) {
+    names.emplace_back(variable.name);
+    values.push_back({variable.name,
+                      variable_value(variable, static_cast<std::int32_t>(variable.range.highest))});
+  }
+  ASSERT_GT(names.size(), 40U);
+  ASSERT_TRUE(set_variables(client(), values));
+  EXPECT_EQ(board.count<SetAdjVarsVal>(), 2U);
+  EXPECT_EQ(board.log[0].body[0], 40);
+  const auto read = get_variables(client(), names);
+  ASSERT_TRUE(read);
+  for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(read->at(i), values[i].value);
+
+  board.is_lost = [](const Packet& request) {
+    return is<SetAdjVarsVal>(request) && request.body[0] != 40;
+  };
+  EXPECT_THAT(set_variables(client(), values).error().message, HasSubstr("after 40 of"));
+}
+
+TEST_F(VariablesTest, AnswersAboutOtherVariablesAreNotTaken) {
+  board.tamper = [](Packets& answers) {
+    if (answers.empty() || !is<SetAdjVarsVal>(answers[0])) return;
+    answers[0].body[1] = static_cast<std::uint8_t>(VariableId::d_yaw);
+  };
+  EXPECT_EQ(get_variable(client(), "P_ROLL").error().code, ErrorCode::mismatch);
+  board.tamper = [](Packets& answers) {
+    if (answers.empty() || !is<SetAdjVarsVal>(answers[0])) return;
+    answers[0].body = {0};
+  };
+  EXPECT_EQ(get_variable(client(), "P_ROLL").error().code, ErrorCode::mismatch);
+}
+
+TEST_F(VariablesTest, AreSaved) {
+  ASSERT_TRUE(save_variables(client()));
+  EXPECT_EQ(board.saved, 1U);
+}
+
+}  // namespace
+}  // namespace sbgc::test
