@@ -131,7 +131,11 @@ State& state() {
 }  // namespace
 }  // namespace sbgc::tools
 
+#if defined(__wasm__)
 #define SBGC_EXPORT(name) extern "C" __attribute__((export_name(#name)))
+#else  // for tools that only read it
+#define SBGC_EXPORT(name) extern "C"
+#endif
 
 using sbgc::tools::state;
 
