@@ -129,7 +129,7 @@ class AsyncClient {
     return initiate<T>(
         token, [&impl = *impl_, task = std::move(task)](Completion<T> done) mutable -> Stop {
           const auto shared = std::make_shared<Task>(std::move(task));
-          run(impl, [shared, done](Result<Client> client) {
+          run(impl, [shared, done = std::move(done)](Result<Client> client) {
             if (!client) return done(std::move(client).error());
             done((*shared)(*client));
           });
@@ -166,7 +166,7 @@ class AsyncClient {
     return asio::async_initiate<Token, void(Result<T>)>(
         [executor = executor()](auto handler, std::decay_t<Begin> start) {
           auto on = asio::prefer(asio::get_associated_executor(handler, executor),
-                                 asio::execution::outstanding_work.tracked);
+                                 asio::execution::outstanding_work_t::tracked);
           // Filled in below; before that there is nothing to cancel.
           const auto stop = std::make_shared<Stop>();
           if (auto slot = asio::get_associated_cancellation_slot(handler); slot.is_connected()) {
