@@ -96,7 +96,7 @@ TEST_F(MotionTest, TellsHowFarItGot) {
   ASSERT_FALSE(moved);
   EXPECT_EQ(moved.error().code, ErrorCode::timeout);
   EXPECT_THAT(moved.error().message,
-              HasSubstr("pitch is at 0.00 deg, 19.99 deg from its target; it has been stopped"));
+              HasSubstr("pitch is at 0.00 deg, 20.00 deg from its target; it has been stopped"));
   EXPECT_EQ(last_control().control_mode.mode(), ControlModeKind::speed);
 }
 
