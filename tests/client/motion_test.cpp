@@ -110,7 +110,11 @@ TEST_F(MotionTest, CanBeCancelled) {
 }
 
 TEST_F(MotionTest, ASilentBoardIsAnErrorAndIsToldToStop) {
-  board.is_lost = [this](const Packet&) { return board.count<GetAnglesRequest>() > 5; };
+  board.is_lost = [this](const Packet&) {
+    if (board.count<GetAnglesRequest>() <= 5) return false;
+    clock.advance(milliseconds(500));  // as long as the client waits for an answer
+    return true;
+  };
   MoveOptions settings = options();
   const auto moved = move_to(client(), {.pitch = Angle14::from_degrees(20.0)}, {}, settings);
   ASSERT_FALSE(moved);
