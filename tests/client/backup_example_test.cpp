@@ -16,7 +16,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-struct Run {
+struct Finished {
   int status{};
   std::string output{};
 };
@@ -31,10 +31,10 @@ class BackupExample : public TaskTest {
 
   std::string file(const char* name) const { return (folder_ / name).string(); }
 
-  Run backup(const std::string& arguments) const {
+  Finished backup(const std::string& arguments) const {
     const std::string command =
         std::string(SBGC_EXAMPLE_BACKUP) + " " + port_ + " " + arguments + " 2>&1";
-    Run run;
+    Finished run;
     std::FILE* const pipe = ::popen(command.c_str(), "r");
     std::array<char, 4096> block{};
     for (std::size_t size = 1; size > 0;) {
@@ -52,7 +52,7 @@ class BackupExample : public TaskTest {
 
 TEST_F(BackupExample, SavesComparesAndRestores) {
   const ModelBoard original = board;
-  Run run = backup("save " + file("a.json"));
+  Finished run = backup("save " + file("a.json"));
   ASSERT_EQ(run.status, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("saved 18 blocks of a board 3.0 with firmware 2.59"));
   EXPECT_NE(backup("save " + file("a.json")).status, 0) << "it would replace the first one";

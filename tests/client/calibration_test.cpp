@@ -72,7 +72,7 @@ TEST_F(CalibrationTest, WaitingCanBeCancelled) {
 TEST_F(CalibrationTest, ABoardThatRestartsMeanwhileIsAnError) {
   board.calibration_steps = 1000;
   board.after = [this, looks = 0](const Packet& request) mutable {
-    if (is<CalibInfoRequest>(request) && ++looks == 3) send(Reset{});
+    if (is<CalibInfoRequest>(request) && ++looks == 3) send_reset();
   };
   const auto done = calibrate(client(), Sensor::gyroscope, watched());
   ASSERT_FALSE(done);

@@ -133,7 +133,7 @@ TEST_F(MemoryTest, TransfersEndWithTheirTime) {
 }
 
 TEST_F(MemoryTest, FilesComeBackAsTheyWereWritten) {
-  for (const std::size_t size : {1, 63, 64, 192, 193, 1000, 65535}) {
+  for (const std::size_t size : std::vector<std::size_t>{1, 63, 64, 192, 193, 1000, 65535}) {
     const auto data = bytes(size);
     const auto written = write_file(client(), 7, data);
     ASSERT_TRUE(written) << written.error().message;

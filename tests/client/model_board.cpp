@@ -205,7 +205,7 @@ Packet ModelBoard::look() {
   GetAngles result;
   for (std::size_t i = 0; i < 3; ++i) {
     if (!is_stuck) {
-      const int way = targets[i].raw() - angles[i].raw();
+      const int way = static_cast<std::int16_t>(targets[i].raw() - angles[i].raw());
       angles[i] =
           Angle14(static_cast<std::int16_t>(angles[i].raw() + std::clamp<int>(way, -step, step)));
       if (way != 0 && angles[i] == targets[i]) speeds[i] = ControlSpeed(0);

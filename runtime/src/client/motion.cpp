@@ -180,15 +180,14 @@ Result<void> stop(Client& client, const StopOptions& options) {
     if ((!state && !is_silent) || (is_silent && deadline.is_over())) {
       return detail::during("looking whether the camera has stopped", state.error());
     }
-    if (is_silent) continue;
     std::string turning;
-    for (std::size_t i = 0; i < axis_names.size(); ++i) {
+    for (std::size_t i = 0; state && i < axis_names.size(); ++i) {
       const ControlSpeed speed = state->axes[i].rc_speed;
       if (speed.raw() == 0) continue;
       turning += fmt::format("{}{} with {:.2f} deg/s", turning.empty() ? "" : ", ", axis_names[i],
                              speed.degrees_per_second());
     }
-    if (turning.empty()) return {};
+    if (state && turning.empty()) return {};
     if (deadline.is_over()) {
       return ClientError{ErrorCode::timeout, "the camera still turns: " + turning};
     }

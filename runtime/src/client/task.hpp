@@ -1,6 +1,7 @@
 /// What tasks of several calls have in common.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <string>
 #include <utility>
@@ -16,11 +17,12 @@ namespace sbgc::detail {
 
 /// The options of a call that may not last longer than the task it belongs to. A call ends by
 /// itself long before most tasks do, so that it can be sent again; only towards the end of a task
-/// there is less time than that.
+/// there is less time than that. The last one still gets enough for an answer to come.
 inline CallOptions options_within(const Deadline& deadline) {
   constexpr std::chrono::seconds enough{10};
+  constexpr std::chrono::milliseconds least{250};
   CallOptions options;
-  if (deadline.left() < enough) options.timeout = deadline.left();
+  if (deadline.left() < enough) options.timeout = std::max(deadline.left(), least);
   return options;
 }
 
