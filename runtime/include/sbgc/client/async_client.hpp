@@ -110,12 +110,11 @@ class AsyncClient {
     return initiate<Subscription>(
         token,
         [&impl = *impl_, request, options,
-         handler = std::move(handler)](Completion<Subscription> done) mutable -> Stop {
+         handler = std::move(handler)](const Completion<Subscription>& done) mutable -> Stop {
           const detail::EncodedRequest encoded(request);
           if (!encoded) return done(encoded.error()), Stop{};
           return begin_stream(impl, encoded.frame(), detail::key_of<M>,
-                              detail::typed_handler<M>(std::move(handler)), options,
-                              std::move(done));
+                              detail::typed_handler<M>(std::move(handler)), options, done);
         });
   }
 
