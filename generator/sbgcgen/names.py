@@ -25,16 +25,19 @@ CPP_WORDS = frozenset(
 )
 # Types of the runtime, beside which the generated ones stand, and a name that the templates use.
 CPP_TYPES = frozenset(
-    """AllMessages AlternativeUnit AnswerForm AnswerOf Availability Axes BasicParser
-    BasicSession BoundedArray BoundedBytes BoundedText Bytes Candidate Code ConfirmationResult
-    Confirmed Context Contexts Conversion Counter Detector DetectorOptions DetectorStep
-    Direction Duration Echo EnumInfo EnumMeta Event EventKind Exchange ExchangeTraits FieldInfo
-    FieldPath FieldRole Flags Form Frame Framing Handle Instant Json JsonError LineSettings M
-    Message MessageInfo Meta Number NumberType NumberTypes Optional Outcome Output
-    PacingOptions PackedInfo PackedMeta Parity Parser ParserCounters PartInfo Range RawValue
-    Replies Rule SendOptions SendResult SendStatus Session SessionCapacity SessionOptions
-    SessionStatistics SettingsOf Special Status StoredMessages StreamChange StreamUsage Text
-    Trial Type TypeList ValueInfo VariableInfo Verdict Violation WriteResult Xyz""".split()
+    """AllMessages AlternativeUnit AnswerForm AnswerOf AsyncClient Availability Axes BasicParser
+    BasicSession BoardIdentity BoundedArray BoundedBytes BoundedText Bytes CallOptions
+    CallResult Calls Candidate Client ClientError ClientStatistics Code ConfirmationResult
+    Confirmed ConnectOptions Context Contexts Conversion Counter Detector DetectorOptions
+    DetectorStep Direction Duration Echo Ending EnumInfo EnumMeta ErrorCode Event EventKind
+    Exchange ExchangeTraits FieldInfo FieldPath FieldRole Flags Form Frame Framing Handle
+    Instant Json JsonError LineSettings M Message MessageInfo Meta Notice NoticeKind Number
+    NumberType NumberTypes Optional Outcome Output PacingOptions PackedInfo PackedMeta Parity
+    Parser ParserCounters PartInfo Range RawValue Received Replies Reply Result Rule
+    SendOptions SendResult SendStatus Session SessionCapacity SessionOptions SessionStatistics
+    SettingsOf Special Status StoredMessages StreamChange StreamUsage Subscription Text
+    TransportFactory Trial Type TypeList ValueInfo VariableInfo Verdict Violation WriteResult
+    Xyz""".split()
 )
 # Members that every generated message has of its own.
 MESSAGE_WORDS = frozenset(("command", "direction", "form", "min_size", "max_size", "since", "tail"))

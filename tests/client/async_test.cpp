@@ -82,7 +82,7 @@ TEST_F(Async, WorksWithCallbacksThatCanOnlyBeMoved) {
   connect(client);
   std::promise<std::thread::id> where;
   auto owned = std::make_unique<int>(7);
-  client.async_call(MotorsOn{}, {}, [&where, owned = std::move(owned)](Result<void> result) {
+  client.async_call(MotorsOn{}, {}, [&where, owned = std::move(owned)](const Result<void>& result) {
     EXPECT_TRUE(result);
     EXPECT_EQ(*owned, 7);
     where.set_value(std::this_thread::get_id());

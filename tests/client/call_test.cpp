@@ -190,9 +190,9 @@ TEST_F(Call, TellsAnAnswerThatIsAnErrorByItsName) {
 }
 
 TEST_F(Call, FailsWhenTheConfirmationTellsOfAFailure) {
-  board.on<WriteFile>([&](const WriteFile& request) {
+  board.on<WriteFile>([&](const WriteFile&) {
     Confirm confirmation;
-    confirmation.cmd = request.command;
+    confirmation.cmd = WriteFile::command;
     confirmation.err_code = FileError::file_not_found;
     board.send(confirmation);
   });
@@ -327,8 +327,9 @@ TEST_F(Call, ThatRestartsTheBoardHasAnOptionalAnswer) {
 
 TEST_F(Call, EndsWhenTheClientIsClosed) {
   Client client = connect();
-  std::vector<std::thread> threads;
   std::array<ErrorCode, 4> codes{};
+  std::vector<std::thread> threads;
+  threads.reserve(codes.size());
   for (ErrorCode& code : codes) {
     threads.emplace_back(
         [&] { code = client.calib_info({}, {.timeout = std::chrono::seconds(60)}).error().code; });
@@ -360,6 +361,7 @@ TEST_F(Call, AThousandFromEightThreadsGetTheirOwnAnswers) {
   constexpr unsigned calls = 125;
   std::array<unsigned, thread_count> good{};
   std::vector<std::thread> threads;
+  threads.reserve(thread_count);
   for (unsigned t = 0; t < thread_count; ++t) {
     threads.emplace_back([&, t] {
       for (unsigned i = 0; i < calls; ++i) {
@@ -388,6 +390,7 @@ TEST_F(Call, IsRefusedWhenTooManyWait) {
   options.queue = 3;
   Client client = connect(options);
   std::vector<std::future<ErrorCode>> codes;
+  codes.reserve(50);
   for (int i = 0; i < 50; ++i) {
     codes.push_back(std::async(std::launch::async, [&] {
       return client.calib_info({}, {.timeout = milliseconds(500), .retries = 0}).error().code;

@@ -1,5 +1,6 @@
 // Messages that come unasked: subscriptions, data streams, notices.
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -43,6 +44,13 @@ class Collector {
     EXPECT_TRUE(
         added_.wait_for(lock, std::chrono::seconds(10), [&] { return items_.size() >= count; }));
     return items_;
+  }
+
+  /// Waits until `done(items)`.
+  template <class Done>
+  bool wait_until(Done done) {
+    std::unique_lock lock(mutex_);
+    return added_.wait_for(lock, std::chrono::seconds(10), [&] { return done(items_); });
   }
 
  private:
@@ -225,6 +233,29 @@ TEST_F(Subscribed, ToAStreamRegistersItAndEndsIt) {
   stream->cancel();
   expected.interval_ms = {};
   EXPECT_EQ(registrations.wait_for(2).at(1), expected);
+}
+
+TEST_F(Subscribed, ToAStreamEndsItWithTheClient) {
+  serve_streams();
+  Subscription survivor;
+  {
+    Client client = connect();
+    auto first = client.stream<RealtimeData4>(milliseconds(20), [](const RealtimeData4&) {});
+    auto second = client.stream<RealtimeData3>(milliseconds(20), [](const RealtimeData3&) {});
+    ASSERT_TRUE(first && second);
+    survivor = *std::move(second);
+    // The other one ends right before the client does.
+  }
+  // One may be ended twice: when its end was not confirmed yet.
+  const auto is_ended = [](const std::vector<DataStreamInterval>& requests, CommandId command) {
+    return std::any_of(requests.begin(), requests.end(), [&](const DataStreamInterval& request) {
+      return request.cmd_id == command && request.interval_ms == Milliseconds{};
+    });
+  };
+  EXPECT_TRUE(registrations.wait_until([&](const auto& requests) {
+    return is_ended(requests, CommandId::realtime_data_4) &&
+           is_ended(requests, CommandId::realtime_data_3);
+  }));
 }
 
 TEST_F(Subscribed, ToTheSameStreamTwiceEndsItOnce) {

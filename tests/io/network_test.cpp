@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <asio/error.hpp>
@@ -124,7 +125,8 @@ TEST_F(Tcp, SilentHostIsGivenUpInTime) {
     socket.open(tcp::v4());
     socket.non_blocking(true);
     const tcp::endpoint place = busy.local_endpoint();
-    ::connect(socket.native_handle(), place.data(), static_cast<socklen_t>(place.size()));
+    std::ignore =
+        ::connect(socket.native_handle(), place.data(), static_cast<socklen_t>(place.size()));
   }
   const auto begin = std::chrono::steady_clock::now();
   const OpenResult result = open_tcp(context.get_executor(), "127.0.0.1",

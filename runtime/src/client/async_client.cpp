@@ -102,13 +102,15 @@ AsyncClient::AsyncClient(const asio::any_io_executor& executor)
 asio::any_io_executor AsyncClient::executor() const { return impl_->executor(); }
 
 auto AsyncClient::begin_connect(Impl& impl, const std::string& address,
-                                const ConnectOptions& options, Completion<void> done) -> Stop {
+                                const ConnectOptions& options, const Completion<void>& done)
+    -> Stop {
   impl.connect(detail::opener_of(address, options), options, done);
   return impl.closer();
 }
 
 auto AsyncClient::begin_connect(Impl& impl, const TransportFactory& make,
-                                const ConnectOptions& options, Completion<void> done) -> Stop {
+                                const ConnectOptions& options, const Completion<void>& done)
+    -> Stop {
   impl.connect(detail::opener_of(make, options), options, done);
   return impl.closer();
 }

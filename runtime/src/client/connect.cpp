@@ -9,8 +9,8 @@
 #include <asio/strand.hpp>
 
 #include <sbgc/exchanges/system.hpp>
-#include <sbgc/io/clock.hpp>
 #include <sbgc/io/capture.hpp>
+#include <sbgc/io/clock.hpp>
 #include <sbgc/io/line.hpp>
 #include <sbgc/io/open.hpp>
 #include <sbgc/io/recorder.hpp>
@@ -42,8 +42,7 @@ ClientError to_client_error(const io::Error& error) {
 
 /// "115200 8N1: 312 bytes, none of them understood".
 std::string text_of(const Trial& trial) {
-  std::string text =
-      io::to_string(trial.line) + ": " + std::to_string(trial.bytes) + " bytes, ";
+  std::string text = io::to_string(trial.line) + ": " + std::to_string(trial.bytes) + " bytes, ";
   if (trial.good_frames == 0) return text + "none of them understood";
   return text + std::to_string(trial.good_frames) + " messages, but no answer";
 }

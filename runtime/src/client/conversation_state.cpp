@@ -1,6 +1,7 @@
 #include "conversation_state.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 #include <vector>
 
@@ -22,7 +23,10 @@ SessionOptions session_options(const ConnectOptions& options) {
   return result;
 }
 
-/// Waiting for the board's thread of execution, in whole milliseconds.
+/// How long close() waits for the end of what is still to be written.
+constexpr std::chrono::milliseconds longest_farewell{200};
+
+/// In whole milliseconds, rounded up.
 std::string milliseconds_text(Duration duration) {
   return std::to_string((duration.us + 999) / 1000) + " ms";
 }
@@ -32,27 +36,20 @@ std::string milliseconds_text(Duration duration) {
 /// A data stream as long as someone listens to it.
 class Conversation::State::StreamHold : public Subscription::Hold {
  public:
-  StreamHold(std::unique_ptr<Hold> membership, std::weak_ptr<State> state, StreamKey key,
-             std::vector<std::uint8_t> end)
-      : membership_(std::move(membership)),
-        state_(std::move(state)),
-        key_(std::move(key)),
-        end_(std::move(end)) {}
+  StreamHold(std::unique_ptr<Hold> membership, std::weak_ptr<State> state, StreamKey key)
+      : membership_(std::move(membership)), state_(std::move(state)), key_(std::move(key)) {}
   StreamHold(const StreamHold&) = delete;
   StreamHold& operator=(const StreamHold&) = delete;
+  // NOLINTNEXTLINE(bugprone-exception-escape): only if there is no memory left
   ~StreamHold() override {
     membership_.reset();
-    if (const auto state = state_.lock()) state->end_stream(key_, is_running_, end_);
+    if (const auto state = state_.lock()) state->leave_stream(key_);
   }
-
-  void set_running() noexcept { is_running_ = true; }
 
  private:
   std::unique_ptr<Hold> membership_;
   std::weak_ptr<State> state_;
   StreamKey key_;
-  std::vector<std::uint8_t> end_;
-  bool is_running_ = false;
 };
 
 Conversation::State::State(Strand strand, const ConnectOptions& options)
@@ -141,7 +138,8 @@ auto Conversation::State::begin(Request request, const CallOptions& options, Rep
     allowed = io::from_chrono(*options.timeout);
     attempt = Duration{allowed.us / attempts};
   } else {
-    allowed = std::max(allowed, milliseconds(exchange.finish_ms)) + io::from_chrono(options_.patience);
+    allowed =
+        std::max(allowed, milliseconds(exchange.finish_ms)) + io::from_chrono(options_.patience);
   }
 
   const auto call = std::make_shared<Call>();
@@ -228,34 +226,47 @@ auto Conversation::State::start_stream(FrameBytes frame, MessageKey key, Message
   const StreamKey stream{change.command, change.config};
   {
     const std::lock_guard lock(mutex_);
-    ++streams_[stream];
+    Stream& entry = streams_[stream];
+    ++entry.subscriptions;
+    entry.end = frame_that_ends_stream(*request);
   }
   // Subscribed before the first sample can come.
-  auto hold =
-      std::make_unique<StreamHold>(messages_->add(key, std::move(handler)), weak_from_this(),
-                                   stream, frame_that_ends_stream(*request));
+  auto hold = std::make_unique<StreamHold>(messages_->add(key, std::move(handler)),
+                                           weak_from_this(), stream);
   return begin(*std::move(request), options,
-               [hold = std::make_shared<std::unique_ptr<StreamHold>>(std::move(hold)),
+               [this, stream, hold = std::make_shared<std::unique_ptr<StreamHold>>(std::move(hold)),
                 done = std::move(done)](Result<Reply> reply) {
                  if (!reply) {
                    hold->reset();
                    return done(std::move(reply).error());
                  }
-                 (*hold)->set_running();
+                 {
+                   const std::lock_guard lock(mutex_);
+                   streams_[stream].is_running = true;
+                 }
                  done(Subscription(std::move(*hold)));
                });
 }
 
-void Conversation::State::end_stream(const StreamKey& key, bool was_started,
-                                     const std::vector<std::uint8_t>& frame) {
+void Conversation::State::leave_stream(const StreamKey& key) {
+  std::vector<std::uint8_t> end;
   {
     const std::lock_guard lock(mutex_);
     const auto place = streams_.find(key);
-    if (place == streams_.end() || --place->second != 0) return;
-    streams_.erase(place);
-    if (!was_started || phase_ != Phase::open) return;
+    if (place == streams_.end() || --place->second.subscriptions != 0) return;
+    if (!place->second.is_running || phase_ != Phase::open) {
+      streams_.erase(place);
+      return;
+    }
+    end = place->second.end;
   }
-  start(frame, {}, [](const Result<Reply>&) {});
+  start(end, {}, [this, key](const Result<Reply>& reply) {
+    // When the client is closed first, shut() ends it.
+    if (!reply && reply.error().code == ErrorCode::cancelled) return;
+    const std::lock_guard lock(mutex_);
+    const auto place = streams_.find(key);
+    if (place != streams_.end() && place->second.subscriptions == 0) streams_.erase(place);
+  });
 }
 
 std::string Conversation::State::description() const {
@@ -283,7 +294,7 @@ ClientError Conversation::State::loss() const {
   return {ErrorCode::link_lost, loss_};
 }
 
-void Conversation::State::close() noexcept {
+void Conversation::State::close() {
   std::vector<CallPointer> ended;
   {
     const std::lock_guard lock(mutex_);
@@ -450,8 +461,8 @@ void Conversation::State::read() {
       in_, [self = shared_from_this()](const std::error_code& error, std::size_t size) {
         self->is_reading_ = false;
         if (error) return self->lose(error);
-        self->take_bytes(std::span(self->in_).first(size));
         if (self->is_shut_) return self->release();
+        self->take_bytes(std::span(self->in_).first(size));
         self->read();
         self->advance();
       });
@@ -469,7 +480,7 @@ void Conversation::State::write(std::span<const std::uint8_t> bytes) {
                           [self = shared_from_this()](const std::error_code& error, std::size_t) {
                             self->is_writing_ = false;
                             if (error) return self->lose(error);
-                            if (self->is_shut_) return self->release();
+                            if (self->is_shut_) return self->say_farewell();
                             self->advance();
                           });
 }
@@ -597,23 +608,50 @@ void Conversation::State::lose(const std::error_code& reason) {
                                 std::string(call->request.info->command) + ": " + loss_});
   }
   shut();
+  hang_up();
   if (is_news) notify({NoticeKind::link_lost, loss_, 0});
 }
 
-/// Ends all that Asio does for this conversation.
+/// Begins to end all that Asio does for this conversation.
 void Conversation::State::shut() {
-  if (!is_shut_) {
-    if (detector_) end_detection(false);
-    is_shut_ = true;
-    in_session_.clear();
+  if (std::exchange(is_shut_, true)) return;
+  if (detector_) end_detection(false);
+  in_session_.clear();
+  if (!transport_) return hang_up();
+  {
+    const std::lock_guard lock(mutex_);
+    for (auto& [key, stream] : streams_) {
+      if (stream.is_running && phase_ == Phase::closed) farewell_.push_back(stream.end);
+    }
+  }
+  // A line on which nothing can be written is not waited for.
+  timer_->expires_after(longest_farewell);
+  timer_->async_wait([self = shared_from_this()](const std::error_code& error) {
+    if (!error) self->hang_up();
+  });
+  say_farewell();
+}
+
+/// Ends the data streams that are still running, then hangs up.
+void Conversation::State::say_farewell() {
+  if (is_writing_ || is_hung_up_) return release();
+  if (farewell_.empty()) return hang_up();
+  const std::vector<std::uint8_t> frame = std::move(farewell_.back());
+  farewell_.pop_back();
+  write(frame);
+}
+
+void Conversation::State::hang_up() {
+  if (!std::exchange(is_hung_up_, true)) {
     if (timer_) timer_->cancel();
     if (transport_) transport_->close();
   }
   release();
 }
 
+/// Gives up Asio's objects as soon as nothing is under way.
 void Conversation::State::release() {
-  if (is_reading_ || is_writing_) return;
+  if (!is_hung_up_ || is_reading_ || is_writing_) return;
   timer_.reset();
   const std::lock_guard lock(mutex_);
   if (!strand_) return;

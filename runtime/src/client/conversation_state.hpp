@@ -17,6 +17,7 @@
 #include <tuple>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include <asio/any_io_executor.hpp>
 #include <asio/steady_timer.hpp>
@@ -82,7 +83,7 @@ class Conversation::State : public std::enable_shared_from_this<Conversation::St
 
   std::string description() const;
   ClientStatistics statistics() const;
-  void close() noexcept;
+  void close();
 
   bool runs_in_this_thread() const;
   /// Whether the line broke, and how.
@@ -109,6 +110,13 @@ class Conversation::State : public std::enable_shared_from_this<Conversation::St
   };
   using CallPointer = std::shared_ptr<Call>;
 
+  /// A data stream that is subscribed to, or that is being ended.
+  struct Stream {
+    std::size_t subscriptions{};
+    bool is_running{};              // the board may send it
+    std::vector<std::uint8_t> end;  // the frame that ends it
+  };
+
   // Any thread
   Begun begin(Request request, const CallOptions& options, ReplyHandler handler);
   void wake();
@@ -116,7 +124,7 @@ class Conversation::State : public std::enable_shared_from_this<Conversation::St
   void post(Function function);
   CallPointer take(Ticket ticket);
   void complete(const Call& call, Result<Reply> result);
-  void end_stream(const StreamKey& key, bool was_started, const std::vector<std::uint8_t>& frame);
+  void leave_stream(const StreamKey& key);
   ClientError no_line() const;
 
   // On the strand
@@ -139,6 +147,8 @@ class Conversation::State : public std::enable_shared_from_this<Conversation::St
   void notify(const Notice& notice);
   void lose(const std::error_code& reason);
   void shut();
+  void say_farewell();
+  void hang_up();
   void release();
 
   const ConnectOptions options_;
@@ -154,7 +164,7 @@ class Conversation::State : public std::enable_shared_from_this<Conversation::St
   std::unordered_map<Ticket, CallPointer> calls_;  // all that have not ended
   std::deque<CallPointer> waiting_;                // those that the session has no room for
   std::set<std::pair<Instant, Ticket>> deadlines_;
-  std::map<StreamKey, std::size_t> streams_;  // how often each is subscribed to
+  std::map<StreamKey, Stream> streams_;
   ClientStatistics statistics_;
 
   // On the strand only
@@ -167,8 +177,10 @@ class Conversation::State : public std::enable_shared_from_this<Conversation::St
   std::function<void(Detection)> detected_;
   bool is_reading_ = false;
   bool is_writing_ = false;
-  bool is_shut_ = false;
-  bool has_room_ = false;  // a request has left the session
+  bool is_shut_ = false;                             // nothing more is asked of the board
+  bool is_hung_up_ = false;                          // the transport is closed
+  std::vector<std::vector<std::uint8_t>> farewell_;  // frames to be written before that
+  bool has_room_ = false;                            // a request has left the session
   std::array<std::uint8_t, 4096> in_{};
   std::array<std::uint8_t, max_frame_size> out_{};
 

@@ -21,7 +21,7 @@ namespace {
 class Pending {
  public:
   Pending(const asio::any_io_executor& executor, Transport::Handler handler)
-      : executor_(asio::prefer(executor, asio::execution::outstanding_work.tracked)),
+      : executor_(asio::prefer(executor, asio::execution::outstanding_work_t::tracked)),
         handler_(std::move(handler)) {}
 
   void complete(std::error_code error, std::size_t size) {
@@ -162,9 +162,9 @@ class MemoryLine final : public LineControl {
 
 class MemoryTransport final : public Transport {
  public:
-  MemoryTransport(const asio::any_io_executor& executor, const std::shared_ptr<Link>& link,
+  MemoryTransport(asio::any_io_executor executor, const std::shared_ptr<Link>& link,
                   std::size_t end, bool with_line)
-      : executor_(executor), link_(link), end_(end) {
+      : executor_(std::move(executor)), link_(link), end_(end) {
     if (with_line) line_ = std::make_unique<MemoryLine>(link, end);
   }
 
@@ -243,7 +243,7 @@ std::vector<std::uint8_t> received_as(std::span<const std::uint8_t> bytes,
     tick += 8;  // the middle of what should be a start bit
     if (level(tick)) continue;
     unsigned byte = 0;
-    for (unsigned bit = 0; bit < 8; ++bit) byte |= unsigned{level(tick += 16)} << bit;
+    for (unsigned bit = 0; bit < 8; ++bit) byte |= (level(tick += 16) ? 1U : 0U) << bit;
     const bool even = std::popcount(byte) % 2 != 0;
     const bool parity_good = receiver.parity == Parity::none || level(tick += 16) == even;
     const bool stop_good = level(tick += 16);

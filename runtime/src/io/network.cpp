@@ -194,7 +194,7 @@ class DatagramStream {
   static constexpr std::size_t max_datagram = 1200;
 
   struct Datagram {
-    std::array<std::uint8_t, 65536> bytes;
+    std::array<std::uint8_t, 65536> bytes{};
     std::size_t begin = 0;
     std::size_t end = 0;
   };

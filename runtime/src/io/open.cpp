@@ -44,7 +44,7 @@ std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"
 template <class Take>
 std::string split_options(std::string_view text, const char* known, Take take) {
   const std::size_t mark = text.rfind('?');
-  const std::string path(text.substr(0, mark));
+  std::string path(text.substr(0, mark));
   if (path.empty()) throw Malformed{"the path is missing"};
   if (mark == std::string_view::npos) return path;
   std::set<std::string_view> seen;

@@ -25,7 +25,7 @@ class Log {
   }
 
  private:
-  void report(const Error& error) {
+  void report(const Error& error) const {
     if (error && options_.on_error) options_.on_error(error);
   }
 

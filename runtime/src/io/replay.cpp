@@ -32,9 +32,8 @@ struct Piece {
 /// The pieces of a file, read as they are asked for.
 class Source {
  public:
-  explicit Source(detail::Descriptor file) : file_(std::move(file)) {
-    block_ = read_block();
-    raw_ = !is_capture(block_);
+  explicit Source(detail::Descriptor file)
+      : file_(std::move(file)), block_(read_block()), raw_(!is_capture(block_)) {
     parser_.feed(raw_ ? std::span<const std::uint8_t>() : block_);
   }
 
@@ -85,7 +84,7 @@ class Source {
 
   detail::Descriptor file_;
   std::vector<std::uint8_t> block_;
-  bool raw_ = false;
+  bool raw_;
   bool over_ = false;
   CaptureParser parser_;
   CaptureTime session_begin_{};
@@ -168,6 +167,7 @@ class ReplayTransport final : public Transport {
 
   ReplayTransport(const ReplayTransport&) = delete;
   ReplayTransport& operator=(const ReplayTransport&) = delete;
+  // NOLINTNEXTLINE(bugprone-exception-escape): cancelling this kind of timer can not fail
   ~ReplayTransport() override { player_->close(); }
 
   void async_read(std::span<std::uint8_t> into, Handler handler) override {

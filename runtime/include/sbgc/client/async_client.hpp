@@ -57,16 +57,16 @@ class AsyncClient {
   /// been begun again, other operations fail with ErrorCode::not_connected.
   template <class Token>
   auto async_connect(const std::string& address, const ConnectOptions& options, Token&& token) {
-    return initiate<void>(token, [&impl = *impl_, address, options](Completion<void> done) {
-      return begin_connect(impl, address, options, std::move(done));
+    return initiate<void>(token, [&impl = *impl_, address, options](const Completion<void>& done) {
+      return begin_connect(impl, address, options, done);
     });
   }
   /// As connect_over().
   template <class Token>
   auto async_connect_over(const TransportFactory& make, const ConnectOptions& options,
                           Token&& token) {
-    return initiate<void>(token, [&impl = *impl_, make, options](Completion<void> done) {
-      return begin_connect(impl, make, options, std::move(done));
+    return initiate<void>(token, [&impl = *impl_, make, options](const Completion<void>& done) {
+      return begin_connect(impl, make, options, done);
     });
   }
 
@@ -110,12 +110,11 @@ class AsyncClient {
     return initiate<Subscription>(
         token,
         [&impl = *impl_, request, options,
-         handler = std::move(handler)](Completion<Subscription> done) mutable -> Stop {
+         handler = std::move(handler)](const Completion<Subscription>& done) mutable -> Stop {
           const detail::EncodedRequest encoded(request);
           if (!encoded) return done(encoded.error()), Stop{};
           return begin_stream(impl, encoded.frame(), detail::key_of<M>,
-                              detail::typed_handler<M>(std::move(handler)), options,
-                              std::move(done));
+                              detail::typed_handler<M>(std::move(handler)), options, done);
         });
   }
 
@@ -127,7 +126,7 @@ class AsyncClient {
   auto async_run(Task task, Token&& token) {
     using T = typename std::invoke_result_t<Task&, Client&>::value_type;
     return initiate<T>(
-        token, [&impl = *impl_, task = std::move(task)](Completion<T> done) mutable -> Stop {
+        token, [&impl = *impl_, task = std::move(task)](const Completion<T>& done) mutable -> Stop {
           const auto shared = std::make_shared<Task>(std::move(task));
           run(impl, [shared, done](Result<Client> client) {
             if (!client) return done(std::move(client).error());
@@ -166,7 +165,7 @@ class AsyncClient {
     return asio::async_initiate<Token, void(Result<T>)>(
         [executor = executor()](auto handler, std::decay_t<Begin> start) {
           auto on = asio::prefer(asio::get_associated_executor(handler, executor),
-                                 asio::execution::outstanding_work.tracked);
+                                 asio::execution::outstanding_work_t::tracked);
           // Filled in below; before that there is nothing to cancel.
           const auto stop = std::make_shared<Stop>();
           if (auto slot = asio::get_associated_cancellation_slot(handler); slot.is_connected()) {
@@ -193,9 +192,9 @@ class AsyncClient {
   }
 
   static Stop begin_connect(Impl& impl, const std::string& address, const ConnectOptions& options,
-                            Completion<void> done);
+                            const Completion<void>& done);
   static Stop begin_connect(Impl& impl, const TransportFactory& make, const ConnectOptions& options,
-                            Completion<void> done);
+                            const Completion<void>& done);
   static Stop begin_call(Impl& impl, detail::FrameBytes frame, const CallOptions& options,
                          Completion<Reply> done);
   static Stop begin_stream(Impl& impl, detail::FrameBytes frame, detail::MessageKey key,

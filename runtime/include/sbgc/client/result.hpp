@@ -20,18 +20,23 @@ class [[nodiscard]] Result {
  public:
   using value_type = T;
 
-  Result(T value)
-      : content_(std::in_place_index<0>, std::move(value)) {
-  }  // NOLINT(*-explicit-*): return value;
-  Result(ClientError error)
-      : content_(std::in_place_index<1>, std::move(error)) {}  // NOLINT(*-explicit-*): the same
+  // NOLINTNEXTLINE(google-explicit-constructor): `return value;`
+  Result(T value) : content_(std::in_place_index<0>, std::move(value)) {}
+  // NOLINTNEXTLINE(google-explicit-constructor): `return error;`
+  Result(ClientError error) : content_(std::in_place_index<1>, std::move(error)) {}
 
   explicit operator bool() const noexcept { return content_.index() == 0; }
 
-  T& operator*() & noexcept { return value(); }
-  const T& operator*() const& noexcept { return const_cast<Result&>(*this).value(); }
-  T&& operator*() && noexcept { return std::move(value()); }
-  T* operator->() noexcept { return &value(); }
+  T& operator*() & noexcept {
+    assert(*this);
+    return *std::get_if<0>(&content_);
+  }
+  const T& operator*() const& noexcept {
+    assert(*this);
+    return *std::get_if<0>(&content_);
+  }
+  T&& operator*() && noexcept { return std::move(**this); }
+  T* operator->() noexcept { return &**this; }
   const T* operator->() const noexcept { return &**this; }
 
   const ClientError& error() const& noexcept {
@@ -44,11 +49,6 @@ class [[nodiscard]] Result {
   }
 
  private:
-  T& value() noexcept {
-    assert(*this);
-    return *std::get_if<0>(&content_);
-  }
-
   std::variant<T, ClientError> content_;
 };
 
@@ -59,8 +59,8 @@ class [[nodiscard]] Result<void> {
   using value_type = void;
 
   Result() noexcept = default;
-  Result(ClientError error)
-      : error_(std::move(error)), failed_(true) {}  // NOLINT(*-explicit-*): return error;
+  // NOLINTNEXTLINE(google-explicit-constructor): `return error;`
+  Result(ClientError error) : error_(std::move(error)), failed_(true) {}
 
   explicit operator bool() const noexcept { return !failed_; }
 

@@ -30,9 +30,8 @@ ClientError missing_answer(const Reply& reply);
 class EncodedRequest {
  public:
   template <Message M>
-  explicit EncodedRequest(const M& request) noexcept {
+  explicit EncodedRequest(const M& request) noexcept : written_(encode_frame(request, bytes_)) {
     static_assert(M::direction != Direction::from_board, "only the board sends this message");
-    written_ = encode_frame(request, bytes_);
   }
 
   explicit operator bool() const noexcept { return static_cast<bool>(written_); }
@@ -40,7 +39,7 @@ class EncodedRequest {
   ClientError error() const { return encode_error(written_.status); }
 
  private:
-  std::array<std::uint8_t, max_frame_size> bytes_;  // as much as is written is set
+  std::array<std::uint8_t, max_frame_size> bytes_{};
   WriteResult written_;
 };
 

@@ -1,0 +1,48 @@
+// Finds the gimbal at an address, tilts the camera 30 degrees down, then prints its angles for two
+// seconds:
+//
+//     quickstart /dev/ttyUSB0
+
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+#include <sbgc/client/client.hpp>
+#include <sbgc/client/motion.hpp>
+#include <sbgc/messages/control.hpp>
+#include <sbgc/messages/realtime.hpp>
+
+namespace {
+
+int fail(const sbgc::ClientError& error) {
+  std::fprintf(stderr, "%s\n", error.message.c_str());
+  return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace std::chrono_literals;
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: quickstart ADDRESS, e.g. /dev/ttyUSB0 or tcp:gimbal.local:5000\n");
+    return 2;
+  }
+
+  auto client = sbgc::Client::connect(argv[1]);
+  if (!client) return fail(client.error());
+  std::printf("board %s, firmware %s, on %s\n", client->board().board().c_str(),
+              client->board().firmware().c_str(), client->description().c_str());
+
+  if (auto on = client->motors_on(); !on) return fail(on.error());
+  const auto moved = sbgc::move_to(*client, {.pitch = sbgc::Angle14::from_degrees(-30.0)},
+                                   sbgc::ControlSpeed::from_degrees_per_second(20.0));
+  if (!moved) return fail(moved.error());
+
+  const auto stream =
+      client->stream<sbgc::RealtimeData4>(100ms, [](const sbgc::RealtimeData4& data) {
+        std::printf("roll %6.1f  pitch %6.1f  yaw %6.1f degrees\n", data.angle.roll.degrees(),
+                    data.angle.pitch.degrees(), data.angle.yaw.degrees());
+      });
+  if (!stream) return fail(stream.error());
+  std::this_thread::sleep_for(2s);
+}

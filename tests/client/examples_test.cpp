@@ -1,0 +1,98 @@
+// The examples as a user runs them: over a serial port, which here is a pseudo-terminal.
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <sbgc/io/pseudo_terminal.hpp>
+#include <sbgc/messages.hpp>
+
+#include "scripted_board.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+struct Finished {
+  int status{};
+  std::string output{};
+};
+
+Finished run(const std::string& command) {
+  Finished result;
+  std::FILE* const pipe = ::popen((command + " 2>&1").c_str(), "r");
+  std::array<char, 4096> block{};
+  for (std::size_t size = 1; size > 0;) {
+    size = std::fread(block.data(), 1, block.size(), pipe);
+    result.output.append(block.data(), size);
+  }
+  result.status = WEXITSTATUS(::pclose(pipe));
+  return result;
+}
+
+/// A gimbal that is at once where it shall be.
+class Examples : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    introduce(board_);
+    board_.on<MotorsOn>([this](const MotorsOn& request) { board_.confirm(request); });
+    board_.on<Control>([this](const Control& request) { turn(request.axes.pitch.angle); });
+    board_.on<ControlExt>([this](const ControlExt& request) { turn(request.axes.pitch.angle); });
+    board_.answer<GetAnglesRequest>(angles_);
+    board_.on<DataStreamInterval>([this](const DataStreamInterval& request) {
+      board_.confirm(request);
+      if (request.interval_ms.raw() == 0) return;
+      for (int i = 0; i < 60; ++i) board_.send(sample_);
+    });
+    auto opened = io::open_pseudo_terminal(board_.executor(), {.stays_open = true});
+    ASSERT_TRUE(opened) << opened.error.message;
+    port_ = opened.transport->path();
+    board_.serve(std::move(opened.transport));
+  }
+
+  ScriptedBoard board_;
+  std::string port_;
+
+ private:
+  void turn(Angle14 pitch) {
+    angles_.axes.pitch.imu_angle = angles_.axes.pitch.rc_target_angle = pitch;
+    sample_.angle.pitch = pitch;
+    sample_.angle.yaw = Angle14::from_degrees(12.5);
+    board_.answer<GetAnglesRequest>(angles_);
+  }
+
+  GetAngles angles_;
+  RealtimeData4 sample_;
+};
+
+TEST_F(Examples, Quickstart) {
+  const Finished result = run(SBGC_EXAMPLE_QUICKSTART " " + port_);
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.output, AllOf(HasSubstr("board 3.0, firmware 2.59, on serial port " + port_),
+                                   HasSubstr("roll    0.0  pitch  -30.0  yaw   12.5 degrees\n")));
+  EXPECT_TRUE(board_.wait_for<DataStreamInterval>(2)) << "it does not end its stream";
+}
+
+TEST_F(Examples, AsyncStream) {
+  const Finished result = run(SBGC_EXAMPLE_ASYNC_STREAM " " + port_);
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.output, AllOf(HasSubstr("firmware 2.59\n"), HasSubstr("50: yaw    0.0 deg")));
+}
+
+TEST_F(Examples, TellWhatIsWrong) {
+  for (const char* program : {SBGC_EXAMPLE_QUICKSTART, SBGC_EXAMPLE_ASYNC_STREAM}) {
+    EXPECT_EQ(run(program).status, 2);
+    const Finished result = run(std::string(program) + " /dev/no-such-port");
+    EXPECT_EQ(result.status, 1);
+    EXPECT_THAT(result.output, HasSubstr("/dev/no-such-port"));
+  }
+}
+
+}  // namespace
+}  // namespace sbgc::test
