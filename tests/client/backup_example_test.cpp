@@ -2,19 +2,18 @@
 
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 
 #include <sys/wait.h>
 
 #include "task_test.hpp"
+#include "temporary_folder.hpp"
 
 namespace sbgc::test {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 struct Finished {
   int status{};
@@ -23,13 +22,7 @@ struct Finished {
 
 class BackupExample : public TaskTest {
  protected:
-  BackupExample() : port_(serve_pty()) {
-    std::string pattern = (std::filesystem::temp_directory_path() / "sbgc-XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  ~BackupExample() override { std::filesystem::remove_all(folder_); }
-
-  std::string file(const char* name) const { return (folder_ / name).string(); }
+  std::string file(const char* name) const { return (folder_.path() / name).string(); }
 
   Finished backup(const std::string& arguments) const {
     const std::string command =
@@ -46,8 +39,8 @@ class BackupExample : public TaskTest {
   }
 
  private:
-  std::string port_;
-  std::filesystem::path folder_;
+  std::string port_ = serve_pty();
+  TemporaryFolder folder_;
 };
 
 TEST_F(BackupExample, SavesComparesAndRestores) {

@@ -1,15 +1,14 @@
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <sbgc/client/backup.hpp>
 #include <sbgc/json.hpp>
 
 #include "task_test.hpp"
+#include "temporary_folder.hpp"
 
 namespace sbgc::test {
 namespace {
@@ -23,22 +22,15 @@ namespace fs = std::filesystem;
 
 class BackupTest : public TaskTest {
  protected:
-  BackupTest() {
-    std::string pattern = (fs::temp_directory_path() / "sbgc-backup-XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  ~BackupTest() override { fs::remove_all(folder_); }
-
   Backup make() {
     Result<Backup> backup = make_backup(client());
     EXPECT_TRUE(backup) << backup.error().message;
     return backup ? *backup : Backup{};
   }
-  fs::path file(const char* name) const { return folder_ / name; }
-  const fs::path& folder() const { return folder_; }
+  fs::path file(const char* name) const { return folder_.path() / name; }
   std::vector<std::string> files() const {
     std::vector<std::string> result;
-    for (const auto& entry : fs::directory_iterator(folder_)) {
+    for (const auto& entry : fs::directory_iterator(folder_.path())) {
       result.push_back(entry.path().filename().string());
     }
     std::sort(result.begin(), result.end());
@@ -63,7 +55,7 @@ class BackupTest : public TaskTest {
   }
 
  private:
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(BackupTest, NothingIsLostOnTheWayThroughAFile) {

@@ -14,13 +14,13 @@ namespace sbgc::test {
 /// Who sleeps moves the time on; who waits for a change is woken when somebody else does.
 class ManualClock final : public Clock {
  public:
-  time_point now() override {
+  TimePoint now() override {
     const std::scoped_lock lock(mutex_);
     return now_;
   }
-  void sleep_until(time_point until) override { move_to(until); }
+  void sleep_until(TimePoint until) override { move_to(until); }
   void wait_until(std::unique_lock<std::mutex>& lock, std::condition_variable& changed,
-                  time_point until) override {
+                  TimePoint until) override {
     Waiter waiter{lock.mutex(), &changed};
     {
       const std::scoped_lock own(mutex_);
@@ -38,7 +38,7 @@ class ManualClock final : public Clock {
  private:
   using Waiter = std::pair<std::mutex*, std::condition_variable*>;
 
-  void move_to(time_point time) {
+  void move_to(TimePoint time) {
     std::multiset<Waiter> waiters;
     {
       const std::scoped_lock lock(mutex_);
@@ -52,7 +52,7 @@ class ManualClock final : public Clock {
   }
 
   std::mutex mutex_;
-  time_point now_{std::chrono::hours(1)};
+  TimePoint now_{std::chrono::hours(1)};
   std::multiset<Waiter> waiters_;
 };
 

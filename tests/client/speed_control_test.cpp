@@ -25,7 +25,7 @@ class SpeedHoldTest : public ::testing::Test {
   Action at(int ms) { return hold.next(start + milliseconds(ms)); }
   void set(const SpeedHold::Speed& speed, int ms) { hold.set(speed, start + milliseconds(ms)); }
 
-  Clock::time_point start{std::chrono::hours(1)};
+  Clock::TimePoint start{std::chrono::hours(1)};
   SpeedHold hold{milliseconds(500), milliseconds(100)};
 };
 
@@ -192,6 +192,7 @@ TEST_F(SpeedControlTest, ALostLineIsAnErrorOfTheNextCall) {
 TEST_F(SpeedControlTest, TakesSpeedsFromManyThreads) {
   SpeedControl control(client(), options());
   std::vector<std::thread> owners;
+  owners.reserve(4);
   for (int i = 0; i < 4; ++i) {
     owners.emplace_back([&] {
       for (int n = 1; n < 100; ++n) {

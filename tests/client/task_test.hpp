@@ -17,6 +17,12 @@
 namespace sbgc::test {
 
 class TaskTest : public ::testing::Test {
+ public:
+  TaskTest(const TaskTest&) = delete;
+  TaskTest& operator=(const TaskTest&) = delete;
+  TaskTest(TaskTest&&) = delete;
+  TaskTest& operator=(TaskTest&&) = delete;
+
  protected:
   TaskTest();
   ~TaskTest() override;

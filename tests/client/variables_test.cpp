@@ -10,7 +10,6 @@
 namespace sbgc::test {
 namespace {
 
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 

@@ -49,16 +49,16 @@ class Move {
 
  private:
   Result<MoveProgress> arrive() {
-    constexpr Clock::time_point never = Clock::time_point::max();
-    Clock::time_point close_since = never;
-    Clock::time_point sent_at{};
+    constexpr Clock::TimePoint never = Clock::TimePoint::max();
+    Clock::TimePoint close_since = never;
+    Clock::TimePoint sent_at{};
     while (true) {
       // Without an answer there is no use in commands, and old firmware has to be told where axes
       // are that are left alone.
       const Result<GetAngles> state =
           client_.call(GetAnglesRequest{}, detail::options_within(deadline_));
       if (!state) return detail::during(where(), state.error());
-      const Clock::time_point now = options_.clock.now();
+      const Clock::TimePoint now = options_.clock.now();
       see(*state, now);
       const bool stands_still = !seen_->is_close && !turns(*state) && now - sent_at >= patience;
       if (!sent_ || stands_still) {
@@ -82,11 +82,11 @@ class Move {
     }
   }
 
-  void see(const GetAngles& state, Clock::time_point now) {
+  void see(const GetAngles& state, Clock::TimePoint now) {
     MoveProgress& seen = seen_.emplace();
     seen.is_close = true;
     seen.elapsed = std::chrono::duration_cast<std::chrono::milliseconds>(now - start_);
-    for (std::size_t i = 0; i < target_.size(); ++i) {
+    for (std::size_t i = 0; i < axis_names.size(); ++i) {
       seen.angles[i] = state.axes[i].imu_angle;
       if (!target_[i]) continue;
       seen.remaining[i] = degrees_between(seen.angles[i], *target_[i]);
@@ -96,7 +96,7 @@ class Move {
 
   /// Whether an axis that is moved has a speed.
   bool turns(const GetAngles& state) const {
-    for (std::size_t i = 0; i < target_.size(); ++i) {
+    for (std::size_t i = 0; i < axis_names.size(); ++i) {
       if (target_[i] && state.axes[i].rc_speed.raw() != 0) return true;
     }
     return false;
@@ -107,7 +107,7 @@ class Move {
     const bool all = target_.roll && target_.pitch && target_.yaw;
     if (!all && is_supported<ControlExt>(client_.board().versions())) {
       ControlExt command;
-      for (std::size_t i = 0; i < target_.size(); ++i) {
+      for (std::size_t i = 0; i < axis_names.size(); ++i) {
         if (!target_[i]) continue;  // no control, which is 0
         command.control_mode[i].set_mode(ControlModeKind::angle);
         command.axes[i] = {speed_, *target_[i]};
@@ -116,7 +116,7 @@ class Move {
     }
     Control command;
     command.control_mode.set_mode(ControlModeKind::angle);
-    for (std::size_t i = 0; i < target_.size(); ++i) {
+    for (std::size_t i = 0; i < axis_names.size(); ++i) {
       command.axes[i] = {speed_, target_[i] ? *target_[i] : state.axes[i].rc_target_angle};
     }
     return client_.call(command, options);
@@ -126,7 +126,7 @@ class Move {
   std::string where() const {
     if (!seen_) return "asking where the camera is";
     std::string result;
-    for (std::size_t i = 0; i < target_.size(); ++i) {
+    for (std::size_t i = 0; i < axis_names.size(); ++i) {
       if (!target_[i]) continue;
       result += fmt::format("{}{} is at {:.2f} deg, {:.2f} deg from its target",
                             result.empty() ? "" : ", ", axis_names[i], seen_->angles[i].degrees(),
@@ -139,7 +139,7 @@ class Move {
   const MoveTarget& target_;
   ControlSpeed speed_;
   const MoveOptions& options_;
-  Clock::time_point start_;
+  Clock::TimePoint start_;
   Deadline deadline_;
   bool sent_ = false;
   std::optional<MoveProgress> seen_{};

@@ -26,6 +26,8 @@ class SpeedControl::Keeper {
         thread_([this] { run(); }) {}
   Keeper(const Keeper&) = delete;
   Keeper& operator=(const Keeper&) = delete;
+  Keeper(Keeper&&) = delete;
+  Keeper& operator=(Keeper&&) = delete;
   ~Keeper() {
     {
       const std::scoped_lock lock(mutex_);
@@ -86,7 +88,7 @@ class SpeedControl::Keeper {
   Result<void> send(const SpeedHold::Speed& speed) {
     Control command;
     command.control_mode.set_mode(ControlModeKind::speed);
-    for (std::size_t i = 0; i < speed.size(); ++i) command.axes[i].speed = speed[i];
+    for (std::size_t i = 0; i < SpeedHold::Speed::size(); ++i) command.axes[i].speed = speed[i];
     return client_.call(command);
   }
   Result<void> halt() { return sbgc::stop(client_, {.clock = clock_}); }

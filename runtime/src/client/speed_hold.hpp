@@ -13,7 +13,7 @@ class SpeedHold {
  public:
   using State = SpeedControl::State;
   using Speed = Axes<ControlSpeed>;
-  using time_point = Clock::time_point;
+  using TimePoint = Clock::TimePoint;
 
   /// The board takes at most 50 commands a second.
   static constexpr std::chrono::milliseconds fastest{20};
@@ -26,7 +26,7 @@ class SpeedHold {
   [[nodiscard]] State state() const noexcept { return state_; }
   [[nodiscard]] const Speed& speed() const noexcept { return speed_; }
 
-  void set(const Speed& speed, time_point now) noexcept {
+  void set(const Speed& speed, TimePoint now) noexcept {
     if (state_ == State::failed) return;
     // A change is sent as soon as commands may follow each other, the same speed in its turn.
     if (state_ != State::turning || !(speed == speed_)) due_ = std::max(now, sent_at_ + fastest);
@@ -35,7 +35,7 @@ class SpeedHold {
     must_stop_ = false;
     refresh(now);
   }
-  void refresh(time_point now) noexcept { silent_at_ = now + silence_; }
+  void refresh(TimePoint now) noexcept { silent_at_ = now + silence_; }
   void stop() noexcept { end(State::idle); }
   /// Sending has failed: what is left to do is to stop.
   void fail() noexcept {
@@ -47,7 +47,7 @@ class SpeedHold {
   void stopped() noexcept { must_stop_ = false; }
 
   /// What has to be done now; a send counts as done.
-  Action next(time_point now) noexcept {
+  Action next(TimePoint now) noexcept {
     if (state_ == State::turning && now >= silent_at_) end(State::silenced);
     if (must_stop_) return Action::stop;
     if (state_ != State::turning || now < due_) return Action::none;
@@ -56,7 +56,7 @@ class SpeedHold {
     return Action::send;
   }
   /// When next() has to be asked again at the latest.
-  [[nodiscard]] time_point deadline(time_point now) const noexcept {
+  [[nodiscard]] TimePoint deadline(TimePoint now) const noexcept {
     if (must_stop_) return now;
     if (state_ != State::turning) return now + std::chrono::hours(1);
     return std::min(due_, silent_at_);
@@ -74,9 +74,9 @@ class SpeedHold {
   State state_ = State::idle;
   bool must_stop_ = false;
   Speed speed_{};
-  time_point sent_at_ = time_point::min();
-  time_point due_{};
-  time_point silent_at_{};
+  TimePoint sent_at_ = TimePoint::min();
+  TimePoint due_{};
+  TimePoint silent_at_{};
 };
 
 }  // namespace sbgc::detail

@@ -8,10 +8,10 @@ namespace {
 
 class SystemClock final : public Clock {
  public:
-  time_point now() override { return std::chrono::steady_clock::now(); }
-  void sleep_until(time_point until) override { std::this_thread::sleep_until(until); }
+  TimePoint now() override { return std::chrono::steady_clock::now(); }
+  void sleep_until(TimePoint until) override { std::this_thread::sleep_until(until); }
   void wait_until(std::unique_lock<std::mutex>& lock, std::condition_variable& changed,
-                  time_point until) override {
+                  TimePoint until) override {
     changed.wait_until(lock, until);
   }
 };

@@ -130,7 +130,7 @@ Result<void> set_variables(Client& client, std::span<const VariableValue> values
     for (; sent < wanted.size() && request.params.size() < most_set; ++sent) {
       request.params.push_back(wanted[sent]);
     }
-    const Result<void> done = client.call(request);
+    Result<void> done = client.call(request);
     if (done) continue;
     const std::size_t before = sent - request.params.size();
     if (wanted.size() <= most_set) return done;

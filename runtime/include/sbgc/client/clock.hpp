@@ -10,18 +10,20 @@ namespace sbgc {
 /// A steady clock that can be waited for.
 class Clock {
  public:
-  using time_point = std::chrono::steady_clock::time_point;
+  using TimePoint = std::chrono::steady_clock::time_point;
 
   Clock() = default;
   Clock(const Clock&) = delete;
   Clock& operator=(const Clock&) = delete;
+  Clock(Clock&&) = delete;
+  Clock& operator=(Clock&&) = delete;
   virtual ~Clock() = default;
 
-  virtual time_point now() = 0;
-  virtual void sleep_until(time_point until) = 0;
+  virtual TimePoint now() = 0;
+  virtual void sleep_until(TimePoint until) = 0;
   /// Returns when `changed` is notified, at `until`, or for no reason at all.
   virtual void wait_until(std::unique_lock<std::mutex>& lock, std::condition_variable& changed,
-                          time_point until) = 0;
+                          TimePoint until) = 0;
 
   /// The clock of the computer.
   static Clock& system() noexcept;
@@ -34,13 +36,13 @@ class Deadline {
       : clock_(clock), end_(clock.now() + timeout) {}
 
   [[nodiscard]] bool is_over() const { return clock_.now() >= end_; }
-  [[nodiscard]] Clock::time_point end() const noexcept { return end_; }
+  [[nodiscard]] Clock::TimePoint end() const noexcept { return end_; }
   /// What is left, rounded up; 0 when it is over.
   [[nodiscard]] std::chrono::milliseconds left() const;
 
  private:
   Clock& clock_;
-  Clock::time_point end_;
+  Clock::TimePoint end_;
 };
 
 }  // namespace sbgc

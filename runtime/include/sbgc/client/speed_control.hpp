@@ -48,6 +48,8 @@ class SpeedControl {
   explicit SpeedControl(Client& client, const SpeedControlOptions& options = {});
   SpeedControl(const SpeedControl&) = delete;
   SpeedControl& operator=(const SpeedControl&) = delete;
+  SpeedControl(SpeedControl&&) = delete;
+  SpeedControl& operator=(SpeedControl&&) = delete;
   /// Stops the camera if it turns, and waits for that.
   ~SpeedControl();
 
