@@ -46,7 +46,7 @@ Json rows_of(const DecodedFrame& decoded) {
 /// One input, from its first byte to its end.
 class Decoding {
  public:
-  Decoding(std::optional<Direction> direction, bool hex) : decoder_(direction), is_hex_(hex) {}
+  Decoding(std::optional<Direction> direction, bool hex) : direction_(direction), is_hex_(hex) {}
 
   void feed(std::span<const std::uint8_t> block, std::string& out) {
     bytes_.clear();
@@ -90,7 +90,7 @@ class Decoding {
   };
 
   void take(const Frame& frame, std::string& out) {
-    const DecodedFrame decoded = decoder_.decode(frame);
+    const DecodedFrame decoded = decoder_.decode(frame, direction_);
     Json line;
     line["frame"] = decoded.to_json();
     line["size"] = Framing::frame_size(frame.body.size());
@@ -107,6 +107,7 @@ class Decoding {
     add_line(out, line);
   }
 
+  std::optional<Direction> direction_;
   FrameDecoder decoder_;
   Parser parser_;
   HexDecoder hex_;
