@@ -25,19 +25,23 @@ CPP_WORDS = frozenset(
 )
 # Types of the runtime, beside which the generated ones stand, and a name that the templates use.
 CPP_TYPES = frozenset(
-    """AllMessages AlternativeUnit AnswerForm AnswerOf AsyncClient Availability Axes BasicParser
-    BasicSession BoardIdentity BoundedArray BoundedBytes BoundedText Bytes CallOptions
-    CallResult Calls Candidate Client ClientError ClientStatistics Code ConfirmationResult
-    Confirmed ConnectOptions Context Contexts Conversion Counter Detector DetectorOptions
-    DetectorStep Direction Duration Echo Ending EnumInfo EnumMeta ErrorCode Event EventKind
-    Exchange ExchangeTraits FieldInfo FieldPath FieldRole Flags Form Frame Framing Handle
-    Instant Json JsonError LineSettings M Message MessageInfo Meta Notice NoticeKind Number
-    NumberType NumberTypes Optional Outcome Output PacingOptions PackedInfo PackedMeta Parity
-    Parser ParserCounters PartInfo Range RawValue Received Replies Reply Result Rule
-    SendOptions SendResult SendStatus Session SessionCapacity SessionOptions SessionStatistics
-    SettingsOf Special Status StoredMessages StreamChange StreamUsage Subscription Text
-    TransportFactory Trial Type TypeList ValueInfo VariableInfo Verdict Violation WriteResult
-    Xyz""".split()
+    """AllMessages AlternativeUnit AnswerForm AnswerOf AsyncClient Availability Axes AxisTarget
+    Backup BasicParser BasicSession Block BlockChange BlockId BlockReport BlockState
+    BoardIdentity BoundedArray BoundedBytes BoundedText Bytes CalibrationOptions
+    CalibrationProgress CallOptions CallResult Calls Candidate Client ClientError ClientMaker
+    ClientStatistics Clock Code ConfirmationResult Confirmed ConnectOptions Context Contexts
+    Conversion Counter Deadline Detector DetectorOptions DetectorStep Direction Duration Echo
+    Ending EnumInfo EnumMeta ErrorCode Event EventKind Exchange ExchangeTraits Existing
+    FieldChange FieldInfo FieldPath FieldRole Flags Form Frame Framing Handle Instant Json
+    JsonError LineSettings M Message MessageInfo Meta MoveOptions MoveProgress MoveTarget
+    Notice NoticeKind Number NumberType NumberTypes Optional Outcome Output PacingOptions
+    PackedInfo PackedMeta ParameterSet Parity Parser ParserCounters PartInfo ProfileNames
+    Progress ProgressHandler Range RawValue ReadOptions Received Replies Reply RestoreOptions
+    Result Rule SendOptions SendResult SendStatus Sensor Session SessionCapacity SessionOptions
+    SessionStatistics SettingsOf Special SpeedControl SpeedControlOptions Status StopOptions
+    Stored StoredMessages StreamChange StreamUsage Subscription Text TransferOptions
+    TransportFactory Trial Type TypeList ValueInfo VariableInfo VariableValue Verdict Violation
+    WriteOptions WriteReport WriteResult Xyz""".split()
 )
 # Members that every generated message has of its own.
 MESSAGE_WORDS = frozenset(("command", "direction", "form", "min_size", "max_size", "since", "tail"))

@@ -13,7 +13,7 @@ family: probe
 summary: Requests of all kinds.
 
 enums:
-  Ending:
+  Closing:
     type: u8
     summary: How it went.
     source: Variables L22
@@ -43,7 +43,7 @@ commands:
       fields:
         - {name: CMD, type: CommandId, summary: What.}
         - {name: PLACE, type: u16, when: {field: CMD, is: [CMD_PUT], may_be_missing: true}, summary: Where.}
-        - {name: ENDING, type: Ending, when: {field: CMD, is: [CMD_PUT], may_be_missing: true}, summary: How.}
+        - {name: ENDING, type: Closing, when: {field: CMD, is: [CMD_PUT], may_be_missing: true}, summary: How.}
 
   CMD_PUT:
     id: 11
