@@ -10,6 +10,7 @@ from functools import partial
 from typing import Any
 
 from sbgcgen.example import example_of
+from sbgcgen.example_cpp import code_of
 from sbgcgen.model import (
     Availability,
     Command,
@@ -44,6 +45,7 @@ def names(layout: Layout) -> dict[str, Any]:
         "news": news(layout),
         "groups": groups,
         "example": partial(example_of, layout=layout),
+        "cpp": code_of,
     }
 
 

@@ -16,6 +16,8 @@ from spec_maker import write_spec
 from sbgcgen import docs_model
 from sbgcgen.build import load_protocol
 from sbgcgen.emit import render
+from sbgcgen.example import example_of
+from sbgcgen.example_cpp import code_of
 from sbgcgen.markdown_text import anchor, escape
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -110,6 +112,14 @@ def anchors(page: str) -> list[str]:
     """The anchors of a page as a code host makes them of the headings."""
     page = re.sub(r"```.*?```", "", page, flags=re.DOTALL)
     return [anchor(plain(title)) for title in re.findall(r"^#+ (.+)$", page, re.MULTILINE)]
+
+
+def test_every_example_stands_there_as_the_code_of_the_site() -> None:
+    for message in LAYOUT.messages:
+        example = example_of(message, LAYOUT)
+        code = code_of(example).text.strip()
+        page = FILES[f"messages/{message.family}.md"]
+        assert not example.fields or f"```cpp\n{code}\n```" in page, message.name
 
 
 @pytest.mark.parametrize("name", FILES)

@@ -67,13 +67,16 @@ function overflowing() {
     .concat(`scrollWidth ${document.documentElement.scrollWidth}`);
 }
 
-test("every page loads without an error, asks only for files, and fits into 320 pixels", async () => {
+test("every page loads without an error, asks only for files, fits into 320 and 1280 pixels", async () => {
   assert.ok(all.length > 1);
   const problems = [];
-  const narrow = { viewport: { width: 320, height: 600 } };
-  await inParallel(browser, all, narrow, async (page, name) => {
+  await inParallel(browser, all, {}, async (page, name) => {
     const { problems: found } = await visit(page, name);
-    found.push(...(await page.evaluate(overflowing)).map((what) => `too wide: ${what}`));
+    for (const width of [320, 1280]) {
+      await page.setViewportSize({ width, height: 600 });
+      const wide = await page.evaluate(overflowing);
+      found.push(...wide.map((what) => `too wide for ${width} pixels: ${what}`));
+    }
     problems.push(...found.map((problem) => `${name}: ${problem}`));
   });
   assert.deepEqual(problems, []);
