@@ -96,7 +96,7 @@ struct FieldInfo {
   std::uint16_t max_count{};  ///< of a list; 0: what fits
   std::uint16_t align = 1;    ///< the value, or the length of a list of bytes, is a multiple of it
   FieldRole role{};
-  bool is_variable_value{};   ///< of the adjustable variable whose VariableId stands before it
+  bool is_variable_value{};  ///< of the adjustable variable whose VariableId stands before it
   bool reserved{};
   bool optional{};  ///< may be left out of JSON
   Availability since{};
