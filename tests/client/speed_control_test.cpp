@@ -208,14 +208,14 @@ TEST_F(SpeedControlTest, StopsAsSoonAsTheLineCarriesItAgain) {
   ASSERT_TRUE(control.set({.yaw = ControlSpeed(100)}));
   ASSERT_TRUE(control.wait());
   EXPECT_EQ(commands(1), std::vector<int>({100}));
-  with_board([&](ModelBoard& board) {
-    board.is_lost = [](const Packet& request) { return is<Control>(request); };
+  with_board([&](ModelBoard& model) {
+    model.is_lost = [](const Packet& request) { return is<Control>(request); };
     return 0;
   });
   clock.advance(milliseconds(500));  // the owner is silent
   EXPECT_EQ(control.wait().error().code, ErrorCode::timeout);
-  with_board([&](ModelBoard& board) {
-    board.is_lost = {};
+  with_board([&](ModelBoard& model) {
+    model.is_lost = {};
     return 0;
   });
   clock.advance(milliseconds(100));
