@@ -159,6 +159,43 @@ TEST_F(Async, DestroyingTheClientEndsConnecting) {
   EXPECT_EQ(connected.get().error().code, ErrorCode::cancelled);
 }
 
+TEST_F(Async, DestroyingTheClientOnItsExecutorEndsTheSearchForTheLine) {
+  board.ignore<BoardInfoRequest>();
+  std::optional<AsyncClient> client(std::in_place, running.executor());
+  ConnectOptions options = quick();
+  options.timeout = std::chrono::seconds(60);
+  auto connected = client->async_connect_over(over_memory(board, {.with_line = true}), options,
+                                              asio::use_future);
+  ASSERT_TRUE(board.wait_for<BoardInfoRequest>(1));
+  // Nobody else runs the context while it waits.
+  std::promise<void> destroyed;
+  asio::post(running.executor(), [&] {
+    client.reset();
+    destroyed.set_value();
+  });
+  EXPECT_EQ(destroyed.get_future().wait_for(std::chrono::seconds(3)), std::future_status::ready);
+  EXPECT_EQ(connected.get().error().code, ErrorCode::cancelled);
+}
+
+TEST_F(Async, CancellingWhatIsOverDoesNothing) {
+  // As the operators && and || of awaitables do, and parallel groups.
+  AsyncClient client(running.executor());
+  asio::cancellation_signal signal;
+  std::promise<bool> connected;
+  asio::post(running.executor(), [&] {
+    client.async_connect_over(
+        over_memory(board), quick(),
+        asio::bind_cancellation_slot(signal.slot(), [&](const Result<void>& result) {
+          signal.emit(asio::cancellation_type::all);
+          connected.set_value(static_cast<bool>(result));
+        }));
+  });
+  ASSERT_TRUE(connected.get_future().get());
+  board.answer<GetAnglesRequest>(GetAngles{});
+  const auto angles = client.async_call(GetAnglesRequest{}, {}, asio::use_future).get();
+  EXPECT_TRUE(angles) << angles.error().message;
+}
+
 TEST_F(Async, RunsBlockingTasks) {
   board.answer<GetAnglesRequest>(GetAngles{});
   AsyncClient client(running.executor());

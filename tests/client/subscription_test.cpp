@@ -344,6 +344,42 @@ TEST_F(Subscribed, ToAStreamThatTheBoardRefusesFails) {
   EXPECT_EQ(board.count<DataStreamInterval>(), 1U) << "what never ran need not be ended";
 }
 
+TEST_F(Subscribed, ToAStreamEndsItWhenItIsCancelledBehindTheClient) {
+  // The line must be closed behind the end of the stream, whoever comes first.
+  board.on<DataStreamInterval>([this](const DataStreamInterval& m) { board.confirm(m); });
+  Client client = connect();
+  auto stream = client.stream<RealtimeData4>(milliseconds(20), [](const RealtimeData4&) {});
+  ASSERT_TRUE(stream) << stream.error().message;
+  // The client's thread is kept busy, so that closing is still to be done.
+  std::promise<void> is_busy;
+  std::promise<void> may_go_on;
+  const auto busy = client.subscribe<RealtimeData3>([&](const RealtimeData3&) {
+    is_busy.set_value();
+    may_go_on.get_future().wait();
+  });
+  board.send(RealtimeData3{});
+  is_busy.get_future().wait();
+  client.close();
+  stream->cancel();
+  may_go_on.set_value();
+  EXPECT_TRUE(board.wait_for<DataStreamInterval>(2));
+}
+
+TEST_F(Subscribed, ToAStreamThatMayHaveBegunUnheardEndsIt) {
+  Collector<unsigned> intervals;
+  board.on<DataStreamInterval>([this, &intervals](const DataStreamInterval& m) {
+    intervals.add(m.interval_ms.raw());
+    if (m.interval_ms.raw() == 0) board.confirm(m);  // the other confirmation is lost
+  });
+  Client client = connect();
+  const auto stream = client.stream<RealtimeData4>(milliseconds(20), [](const RealtimeData4&) {},
+                                                   {.timeout = milliseconds(30), .retries = 0});
+  ASSERT_FALSE(stream);
+  EXPECT_EQ(stream.error().code, ErrorCode::timeout);
+  EXPECT_THAT(intervals.wait_for(2), ::testing::ElementsAre(20U, 0U));
+  client.close();  // nothing of it may be left to come
+}
+
 // Notices
 
 TEST_F(Subscribed, ToNoticesHearsOfResetsErrorsAndTheLossOfTheLine) {

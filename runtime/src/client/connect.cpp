@@ -108,7 +108,7 @@ class Connector {
     }
     if (detection && detection->found) return {};
     const std::string description = state_->description();
-    if (state_->is_lost()) return state_->loss();
+    if (auto reason = state_->end_reason()) return *std::move(reason);
     return ClientError{ErrorCode::not_found,
                        "no board found on " + description + ": " +
                            (detection ? tried(detection->trials) : "out of time")};

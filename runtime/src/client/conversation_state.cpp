@@ -237,6 +237,12 @@ auto Conversation::State::start_stream(FrameBytes frame, MessageKey key, Message
                [this, stream, hold = std::make_shared<std::unique_ptr<StreamHold>>(std::move(hold)),
                 done = std::move(done)](Result<Reply> reply) {
                  if (!reply) {
+                   const ErrorCode code = reply.error().code;
+                   if (code == ErrorCode::timeout || code == ErrorCode::cancelled) {
+                     // The board may have heard the request: its end has to be asked for, too.
+                     const std::lock_guard lock(mutex_);
+                     streams_[stream].is_running = true;
+                   }
                    hold->reset();
                    return done(std::move(reply).error());
                  }
@@ -254,16 +260,16 @@ void Conversation::State::leave_stream(const StreamKey& key) {
     const std::lock_guard lock(mutex_);
     const auto place = streams_.find(key);
     if (place == streams_.end() || --place->second.subscriptions != 0) return;
-    if (!place->second.is_running || phase_ != Phase::open) {
+    if (phase_ == Phase::closed) return;  // shut() ends it
+    if (!place->second.is_running || phase_ == Phase::lost) {
       streams_.erase(place);
       return;
     }
     end = place->second.end;
   }
-  start(end, {}, [this, key](const Result<Reply>& reply) {
-    // When the client is closed first, shut() ends it.
-    if (!reply && reply.error().code == ErrorCode::cancelled) return;
+  start(end, {}, [this, key](const Result<Reply>&) {
     const std::lock_guard lock(mutex_);
+    if (phase_ == Phase::closed) return;
     const auto place = streams_.find(key);
     if (place != streams_.end() && place->second.subscriptions == 0) streams_.erase(place);
   });
@@ -284,18 +290,16 @@ bool Conversation::State::runs_in_this_thread() const {
   return strand_ && strand_->running_in_this_thread();
 }
 
-bool Conversation::State::is_lost() const {
+std::optional<ClientError> Conversation::State::end_reason() const {
   const std::lock_guard lock(mutex_);
-  return phase_ == Phase::lost;
-}
-
-ClientError Conversation::State::loss() const {
-  const std::lock_guard lock(mutex_);
-  return {ErrorCode::link_lost, loss_};
+  if (phase_ == Phase::open) return std::nullopt;
+  if (phase_ == Phase::lost) return ClientError{ErrorCode::link_lost, loss_};
+  return ClientError{ErrorCode::cancelled, "the client was closed"};
 }
 
 void Conversation::State::close() {
   std::vector<CallPointer> ended;
+  std::function<void(Detection)> detected;
   {
     const std::lock_guard lock(mutex_);
     if (phase_ == Phase::closed) return;
@@ -304,7 +308,10 @@ void Conversation::State::close() {
     deadlines_.clear();
     for (auto& [ticket, call] : calls_) ended.push_back(std::move(call));
     calls_.clear();
+    detected = std::exchange(detected_, nullptr);
   }
+  // Here, too: who closes may be the one that runs the strand.
+  if (detected) detected({});
   for (const CallPointer& call : ended) {
     complete(*call, ClientError{ErrorCode::cancelled, "the client was closed"});
   }
@@ -335,10 +342,16 @@ void Conversation::State::advance() {
   arm(next);
 }
 
-void Conversation::State::detect(std::function<void(Detection)> done) {
-  post([this, done = std::move(done)]() mutable {
-    if (!transport_ || is_shut_ || transport_->line() == nullptr) return done({});
-    detected_ = std::move(done);
+void Conversation::State::detect(const std::function<void(Detection)>& done) {
+  bool is_open = false;
+  {
+    const std::lock_guard lock(mutex_);
+    is_open = phase_ == Phase::open;
+    if (is_open) detected_ = done;
+  }
+  if (!is_open) return done({});
+  post([this] {
+    if (!transport_ || is_shut_ || transport_->line() == nullptr) return report({});
     detector_.emplace();
     advance();
   });
@@ -373,7 +386,16 @@ void Conversation::State::end_detection(bool found) {
     const std::lock_guard lock(mutex_);
     description_ = transport_->description();
   }
-  std::exchange(detected_, nullptr)(detection);
+  report(detection);
+}
+
+void Conversation::State::report(const Detection& detection) {
+  std::function<void(Detection)> detected;
+  {
+    const std::lock_guard lock(mutex_);
+    detected = std::exchange(detected_, nullptr);
+  }
+  if (detected) detected(detection);  // else the conversation has been closed
 }
 
 void Conversation::State::hand_over() {

@@ -59,8 +59,8 @@ class Conversation::State : public std::enable_shared_from_this<Conversation::St
     std::array<Trial, Detector::lines> trials{};
   };
   /// Searches for the settings of the line at which a board answers, and leaves the line there.
-  /// Behind attach(), before any call; the transport has a line.
-  void detect(std::function<void(Detection)> done);
+  /// Behind attach(), before any call; the transport has a line. close() ends the search.
+  void detect(const std::function<void(Detection)>& done);
   /// Ends a search that is under way, unsuccessfully.
   void stop_detecting();
 
@@ -86,9 +86,8 @@ class Conversation::State : public std::enable_shared_from_this<Conversation::St
   void close();
 
   bool runs_in_this_thread() const;
-  /// Whether the line broke, and how.
-  bool is_lost() const;
-  ClientError loss() const;
+  /// Why there is no conversation any more; nothing while it goes on.
+  std::optional<ClientError> end_reason() const;
 
  private:
   class StreamHold;
@@ -132,6 +131,7 @@ class Conversation::State : public std::enable_shared_from_this<Conversation::St
   void hand_over();
   void advance_detection();
   void end_detection(bool found);
+  void report(const Detection& detection);
   void forget(const Call& call);
   void end_overdue(Instant at);
   static ClientError overdue(const Call& call, bool was_sent);
@@ -166,6 +166,7 @@ class Conversation::State : public std::enable_shared_from_this<Conversation::St
   std::set<std::pair<Instant, Ticket>> deadlines_;
   std::map<StreamKey, Stream> streams_;
   ClientStatistics statistics_;
+  std::function<void(Detection)> detected_;  // while the line's settings are searched for
 
   // On the strand only
   BasicSession<capacity> session_;
@@ -174,7 +175,6 @@ class Conversation::State : public std::enable_shared_from_this<Conversation::St
   std::unique_ptr<io::Transport> transport_;
   std::optional<asio::steady_timer> timer_;
   std::optional<Detector> detector_;
-  std::function<void(Detection)> detected_;
   bool is_reading_ = false;
   bool is_writing_ = false;
   bool is_shut_ = false;                             // nothing more is asked of the board

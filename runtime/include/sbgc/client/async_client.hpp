@@ -8,6 +8,7 @@
 /// Include the messages that are used, such as <sbgc/messages/realtime.hpp>.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -34,7 +35,7 @@ namespace sbgc {
 /// Operations end with one call of their completion handler, `void(Result<T>)`, through the
 /// handler's associated executor, which is by default the one given here; never from inside the
 /// call that begins them. All three ways of asio::cancellation_type end an operation with
-/// ErrorCode::cancelled. Errors are those of Client.
+/// ErrorCode::cancelled; only async_run() goes on. Errors are those of Client.
 ///
 /// Functions may be called from any thread, also at the same time. Handlers of subscriptions run
 /// one at a time, on the executor.
@@ -48,7 +49,8 @@ class AsyncClient {
   AsyncClient& operator=(AsyncClient&&) noexcept = default;
   AsyncClient(const AsyncClient&) = delete;
   AsyncClient& operator=(const AsyncClient&) = delete;
-  /// Waits for a task of async_run(), or a look-up of a host's name, that is under way.
+  /// Waits for a task of async_run(), or the opening of a line (the look-up of a host's name, a TCP
+  /// connection), that is under way.
   ~AsyncClient() = default;
 
   asio::any_io_executor executor() const;
@@ -166,11 +168,15 @@ class AsyncClient {
         [executor = executor()](auto handler, std::decay_t<Begin> start) {
           auto on = asio::prefer(asio::get_associated_executor(handler, executor),
                                  asio::execution::outstanding_work_t::tracked);
-          // Filled in below; before that there is nothing to cancel.
-          const auto stop = std::make_shared<Stop>();
+          // Filled in below; before that there is nothing to cancel, nor is there when it is over.
+          struct Canceller {
+            Stop stop{};
+            std::atomic<bool> is_over{false};
+          };
+          const auto canceller = std::make_shared<Canceller>();
           if (auto slot = asio::get_associated_cancellation_slot(handler); slot.is_connected()) {
-            slot.assign([stop](asio::cancellation_type) {
-              if (*stop) (*stop)();
+            slot.assign([canceller](asio::cancellation_type) {
+              if (canceller->stop && !canceller->is_over) canceller->stop();
             });
           }
           // Handlers can be moved only, std::function copies.
@@ -180,7 +186,8 @@ class AsyncClient {
           };
           const auto pending =
               std::make_shared<Pending>(Pending{std::move(handler), std::move(on)});
-          *stop = start([pending](Result<T> result) {
+          canceller->stop = start([pending, canceller](Result<T> result) {
+            canceller->is_over = true;
             auto last = std::move(pending->executor);
             asio::post(last, [pending, result = std::move(result)]() mutable {
               auto complete = std::move(pending->complete);
