@@ -96,6 +96,20 @@ TEST_F(SpeedHoldTest, AFailureEndsWithAStopForEver) {
   EXPECT_EQ(hold.state(), State::failed);
 }
 
+TEST_F(SpeedHoldTest, AStopThatFailedIsRepeated) {
+  set(slow, 0);
+  EXPECT_EQ(at(500), Action::stop);
+  hold.not_stopped(start + milliseconds(500));
+  EXPECT_EQ(hold.deadline(start + milliseconds(500)), start + milliseconds(600));
+  EXPECT_EQ(at(599), Action::none);
+  EXPECT_EQ(at(600), Action::stop);
+  hold.not_stopped(start + milliseconds(600));
+  hold.stop();
+  EXPECT_EQ(at(600), Action::stop) << "the owner does not wait";
+  hold.stopped();
+  EXPECT_EQ(at(10'000), Action::none);
+}
+
 TEST_F(SpeedHoldTest, StoppingWhatStandsDoesNothing) {
   hold.stop();
   EXPECT_EQ(at(0), Action::none);
@@ -186,6 +200,26 @@ TEST_F(SpeedControlTest, ALostLineIsAnErrorOfTheNextCall) {
   clock.advance(milliseconds(100));
   EXPECT_EQ(control.wait().error().code, ErrorCode::not_connected);
   EXPECT_EQ(control.set({.yaw = ControlSpeed(50)}).error().code, ErrorCode::not_connected);
+  EXPECT_EQ(control.state(), State::failed);
+}
+
+TEST_F(SpeedControlTest, StopsAsSoonAsTheLineCarriesItAgain) {
+  SpeedControl control(client(), options());
+  ASSERT_TRUE(control.set({.yaw = ControlSpeed(100)}));
+  ASSERT_TRUE(control.wait());
+  EXPECT_EQ(commands(1), std::vector<int>({100}));
+  with_board([&](ModelBoard& board) {
+    board.is_lost = [](const Packet& request) { return is<Control>(request); };
+    return 0;
+  });
+  clock.advance(milliseconds(500));  // the owner is silent
+  EXPECT_EQ(control.wait().error().code, ErrorCode::timeout);
+  with_board([&](ModelBoard& board) {
+    board.is_lost = {};
+    return 0;
+  });
+  clock.advance(milliseconds(100));
+  EXPECT_EQ(commands(2), std::vector<int>({100, 0}));
   EXPECT_EQ(control.state(), State::failed);
 }
 

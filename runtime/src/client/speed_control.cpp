@@ -77,7 +77,13 @@ class SpeedControl::Keeper {
       lock.unlock();
       Result<void> sent = action == SpeedHold::Action::send ? send(speed) : halt();
       lock.lock();
-      if (action == SpeedHold::Action::stop) hold_.stopped();
+      if (action == SpeedHold::Action::stop) {
+        if (sent || is_final(sent.error().code)) {
+          hold_.stopped();
+        } else {
+          hold_.not_stopped(clock_.now());
+        }
+      }
       if (!sent) {
         if (!error_) error_ = std::move(sent).error();
         hold_.fail();
@@ -85,11 +91,18 @@ class SpeedControl::Keeper {
     }
   }
 
+  /// Whether nothing can ever be sent again.
+  static bool is_final(ErrorCode code) noexcept {
+    return code == ErrorCode::link_lost || code == ErrorCode::not_connected ||
+           code == ErrorCode::cancelled;
+  }
+
   Result<void> send(const SpeedHold::Speed& speed) {
     Control command;
     command.control_mode.set_mode(ControlModeKind::speed);
     for (std::size_t i = 0; i < SpeedHold::Speed::size(); ++i) command.axes[i].speed = speed[i];
-    return client_.call(command);
+    // A stop must not wait for long behind a command that finds no room.
+    return client_.call(command, {.timeout = std::chrono::seconds(1)});
   }
   Result<void> halt() { return sbgc::stop(client_, {.clock = clock_}); }
 

@@ -36,20 +36,25 @@ class SpeedHold {
     refresh(now);
   }
   void refresh(TimePoint now) noexcept { silent_at_ = now + silence_; }
-  void stop() noexcept { end(State::idle); }
+  void stop() noexcept {
+    end(State::idle);
+    stop_due_ = TimePoint::min();
+  }
   /// Sending has failed: what is left to do is to stop.
   void fail() noexcept {
     const bool turned = state_ == State::turning;
     state_ = State::failed;
     must_stop_ = must_stop_ || turned;
   }
-  /// The stop has been sent, or cannot be.
+  /// The camera has been stopped, or never can be.
   void stopped() noexcept { must_stop_ = false; }
+  /// It may turn on, and has to be stopped a little later.
+  void not_stopped(TimePoint now) noexcept { stop_due_ = now + std::max(repeat_, fastest); }
 
   /// What has to be done now; a send counts as done.
   Action next(TimePoint now) noexcept {
     if (state_ == State::turning && now >= silent_at_) end(State::silenced);
-    if (must_stop_) return Action::stop;
+    if (must_stop_) return now < stop_due_ ? Action::none : Action::stop;
     if (state_ != State::turning || now < due_) return Action::none;
     sent_at_ = now;
     due_ = now + std::max(repeat_, fastest);
@@ -57,7 +62,7 @@ class SpeedHold {
   }
   /// When next() has to be asked again at the latest.
   [[nodiscard]] TimePoint deadline(TimePoint now) const noexcept {
-    if (must_stop_) return now;
+    if (must_stop_) return std::max(now, stop_due_);
     if (state_ != State::turning) return now + std::chrono::hours(1);
     return std::min(due_, silent_at_);
   }
@@ -67,6 +72,7 @@ class SpeedHold {
     if (state_ != State::turning) return;
     state_ = state;
     must_stop_ = true;
+    stop_due_ = TimePoint::min();
   }
 
   std::chrono::milliseconds silence_;
@@ -77,6 +83,7 @@ class SpeedHold {
   TimePoint sent_at_ = TimePoint::min();
   TimePoint due_{};
   TimePoint silent_at_{};
+  TimePoint stop_due_ = TimePoint::min();
 };
 
 }  // namespace sbgc::detail

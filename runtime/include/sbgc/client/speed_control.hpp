@@ -31,8 +31,9 @@ struct SpeedControlOptions {
 ///       if (auto set = control.set({.yaw = joystick.speed()}); !set) return fail(set.error());
 ///     }
 ///
-/// The camera is stopped when the owner is silent for too long, when sending fails (as far as that
-/// is possible then), by stop() and when this is destroyed. Every function may be called from any
+/// The camera is stopped when the owner is silent for too long, when sending fails, by stop() and
+/// when this is destroyed. A stop that the board does not carry out is repeated until it does, the
+/// line is gone, or this is destroyed, which tries once more. Every function may be called from any
 /// thread, and returns at once: a thread of its own does the sending. What that runs into, the next
 /// call returns.
 class SpeedControl {
