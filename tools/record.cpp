@@ -73,10 +73,11 @@ int record_line(const Options& options) {
   std::function<void()> stop;
   const auto on_error = [&](const io::Error& error) {
     file_problem = error.message;
-    stop();
+    if (stop) stop();  // else it failed before there was anything to stop
   };
   const std::unique_ptr<io::Transport> transport =
       io::record(std::move(opened.transport), std::move(writer), {.on_error = on_error});
+  if (!file_problem.empty()) throw std::runtime_error(file_problem);
   asio::signal_set signals(context, SIGINT, SIGTERM);
   asio::steady_timer timer(context);
   Listener listener(*transport, [&] {

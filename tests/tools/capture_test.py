@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 import os
 import pty
+import resource
 import signal
 import socket
 import struct
@@ -309,6 +310,26 @@ def test_record_says_what_is_wrong_with_the_file(tmp_path: Path) -> None:
     other.write_text("my thesis")
     assert "no capture" in run("record", "pty:", str(other)).error
     assert other.read_text() == "my thesis"
+
+
+def leave_little_room() -> None:
+    """For the header of a session, not for the first record."""
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (30, 30))
+
+
+def test_record_says_that_there_is_no_room(tmp_path: Path) -> None:
+    (tmp_path / "in").write_bytes(CAPTURE)
+    done = subprocess.run(
+        [PROGRAM, "record", f"capture:{tmp_path / 'in'}", str(tmp_path / "c")],
+        capture_output=True,
+        preexec_fn=leave_little_room,
+        restore_signals=False,
+        timeout=60,
+        check=False,
+    )
+    assert done.returncode == 1
+    assert b"c can not be written: File too large" in done.stderr
 
 
 def test_ports_are_listed() -> None:
