@@ -288,6 +288,55 @@ TEST(Session, TheAnswerOfACancelledRequestIsNotThatOfTheNext) {
   EXPECT_EQ(line.completion(second)->body[0], 2);
 }
 
+TEST(Session, AnAnswerIsLateEvenIfItsRequestWasStuckInTheLine) {
+  sbgc::Session session;
+  std::vector<Record> events;
+  const auto sink = [&](const sbgc::Event& event) {
+    events.push_back({event, {event.frame.body.begin(), event.frame.body.end()}, {}});
+  };
+  const auto say = [&](std::uint8_t content, sbgc::Instant now) {
+    std::array<std::uint8_t, sbgc::max_frame_size> frame{};
+    const auto size = sbgc::write_frame(board_info, body_of(18, {content}), frame).size;
+    session.feed(std::span(frame).first(size), now, sink);
+  };
+  sbgc::Instant now{};
+  const Handle first = session.send(sbgc::BoardInfoRequest{}).handle;
+  ASSERT_FALSE(session.poll(now, sink).bytes.empty());
+  now = now + milliseconds(100);
+  ASSERT_TRUE(session.cancel(first, sink));
+  now = now + seconds(5);
+  session.written(now);  // only now
+
+  const Handle second = session.send(sbgc::BoardInfoRequest{}).handle;
+  now = now + milliseconds(50);
+  EXPECT_TRUE(session.poll(now, sink).bytes.empty()) << "the answer to the first may still come";
+  say(1, now);
+  ASSERT_THAT(events, SizeIs(2));
+  EXPECT_TRUE(events[1].event.is_late);
+  now = now + milliseconds(50);
+  ASSERT_FALSE(session.poll(now, sink).bytes.empty());
+  session.written(now);
+  say(2, now + milliseconds(10));
+  ASSERT_THAT(events, SizeIs(3));
+  EXPECT_EQ(events[2].event.handle, second);
+  EXPECT_EQ(events[2].body.front(), 2);
+}
+
+TEST(Session, TheTimeForAnAnswerBeginsWhenTheRequestHasLeft) {
+  sbgc::Session session;
+  Outcome outcome = Outcome::none;
+  const auto sink = [&](const sbgc::Event& event) { outcome = event.outcome; };
+  sbgc::Instant now{};
+  session.send(sbgc::BoardInfoRequest{}, {.attempts = 1});
+  ASSERT_FALSE(session.poll(now, sink).bytes.empty());
+  now = now + seconds(3);
+  session.written(now);
+  static_cast<void>(session.poll(now + milliseconds(499), sink));
+  EXPECT_EQ(outcome, Outcome::none);
+  static_cast<void>(session.poll(now + milliseconds(501), sink));
+  EXPECT_EQ(outcome, Outcome::timeout);
+}
+
 TEST(Session, CancelsWhatIsNotSentYet) {
   Simulation line;
   const Handle handle = line.send(sbgc::MotorsOn{});

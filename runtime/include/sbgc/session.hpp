@@ -97,6 +97,21 @@ class BasicSession {
     return {{out_.data(), size}, size != 0 ? next : later(next, now_ + microseconds(1))};
   }
 
+  /// For links on which a write can take long: the frame of the last poll() has left only now, and
+  /// the time for its answer begins here. To be called before the next poll().
+  void written(Instant now) noexcept {
+    advance(now);
+    next_send_ = later(next_send_, now_ + sent_.pause);
+    for (Request& request : requests_) {
+      if (!request.handle || request.handle != sent_.handle || request.confirmations != 0) continue;
+      const Instant sent_at = later(request.sent_at, now_ + sent_.answer_time);
+      if (request.attempt_end != Instant::never) request.attempt_end = sent_at + request.timeout;
+      request.sent_at = sent_at;
+      return;
+    }
+    ghosts_.prolong(sent_.replies, now_ + sent_.answer_time + sent_.finish + options_.late);
+  }
+
   /// Ends a request with the outcome `cancelled`; false if it is already over. What is sent can not
   /// be called back: its answer still has its time.
   template <class Sink>
@@ -159,6 +174,15 @@ class BasicSession {
     Instant attempt_end = Instant::never;
     Instant deadline = Instant::never;
     std::array<std::uint8_t, max_frame_size> frame{};
+  };
+
+  /// The last transmission.
+  struct Transmission {
+    Handle handle{};
+    Replies replies{};
+    Duration pause{};        // behind it
+    Duration answer_time{};  // of the answer on the line
+    Duration finish{};
   };
 
   // Taking requests
@@ -251,13 +275,15 @@ class BasicSession {
     statistics_.sent_bytes += size;
     statistics_.retries += request.is_in_flight ? 1U : 0U;
     const std::size_t answer = answer_size(request.exchange);
-    const Instant written = now_ + wire_time(options_.line, size);
-    next_send_ = written + detail::pause_behind(options_, size, answer);
+    sent_ = {request.handle, request.exchange.replies, detail::pause_behind(options_, size, answer),
+             wire_time(options_.line, answer), request.finish};
+    const Instant left = now_ + wire_time(options_.line, size);
+    next_send_ = left + sent_.pause;
     request.is_in_flight = true;
     request.is_due = false;
     --request.attempts;
     ++request.transmissions;
-    request.sent_at = written + wire_time(options_.line, answer);
+    request.sent_at = left + sent_.answer_time;
     request.attempt_end = request.sent_at + request.timeout;
     if (!request.waits) complete(request, Outcome::sent, {}, sink);
     return size;
@@ -514,7 +540,8 @@ class BasicSession {
         end = later(end, now_ + options_.duplicates);
       }
     }
-    if (expected != 0 && now_ < end) ghosts_.add(exchange.replies, expected, end);
+    // Even if it is over by now: the frame may still be stuck, see written().
+    if (expected != 0) ghosts_.add(exchange.replies, expected, end);
   }
 
   template <class Sink>
@@ -528,6 +555,7 @@ class BasicSession {
   Instant last_byte_{};
   Instant next_send_{std::numeric_limits<std::int64_t>::min()};
   std::uint64_t last_handle_{};
+  Transmission sent_{};
   std::array<Request, capacity.requests> requests_{};
   detail::Ghosts<capacity.ghosts> ghosts_{};
   detail::Streams<capacity.streams> streams_{};

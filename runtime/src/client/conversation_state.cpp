@@ -502,6 +502,7 @@ void Conversation::State::write(std::span<const std::uint8_t> bytes) {
                           [self = shared_from_this()](const std::error_code& error, std::size_t) {
                             self->is_writing_ = false;
                             if (error) return self->lose(error);
+                            self->session_.written(io::now());
                             if (self->is_shut_) return self->say_farewell();
                             self->advance();
                           });

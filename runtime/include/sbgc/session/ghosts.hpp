@@ -38,6 +38,12 @@ class Ghosts {
     }
   }
 
+  /// Keeps the ghost with these replies, if there is one, until `until` at least.
+  constexpr void prolong(const Replies& replies, Instant until) noexcept {
+    const std::size_t place = find(replies);
+    if (place != size_) ghosts_[place].until = later(ghosts_[place].until, until);
+  }
+
   /// Removes what has had its time.
   constexpr void expire(Instant now) noexcept {
     for (std::size_t i = size_; i-- > 0;) {
