@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <exception>
 #include <string>
 #include <utility>
 
@@ -77,9 +78,14 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: async_stream ADDRESS\n");
     return 2;
   }
-  asio::io_context context;
-  Printer printer(context);
-  printer.run(argv[1]);
-  context.run();
-  return printer.status();
+  try {
+    asio::io_context context;
+    Printer printer(context);
+    printer.run(argv[1]);
+    context.run();
+    return printer.status();
+  } catch (const std::exception& error) {  // of Asio; sbgc throws nothing
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
 }

@@ -256,6 +256,24 @@ TEST_F(Call, GetsNoLateAnswerOfAnEarlierOne) {
   EXPECT_EQ(client.statistics().session.late_answers, 1U);
 }
 
+TEST_F(Call, DoesNotTakeARepeatedAnswerForItsOwn) {
+  int requests = 0;
+  board.on<GetAnglesRequest>([&](const GetAnglesRequest&) {
+    GetAngles answer;
+    answer.axes.yaw.imu_angle = Angle14(static_cast<std::int16_t>(++requests));
+    board.send(answer);
+    board.later(milliseconds(20), [this, answer] { board.send(answer); });
+  });
+  ConnectOptions options = quick();
+  options.duplicates = milliseconds(100);
+  Client client = connect(options);
+  for (int i = 1; i <= 5; ++i) {
+    const auto result = client.get_angles();
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_EQ(result->axes.yaw.imu_angle.raw(), i);
+  }
+}
+
 TEST_F(Call, GetsThroughNoise) {
   board.on<GetAnglesRequest>([&](const GetAnglesRequest&) {
     std::vector<std::uint8_t> noise;

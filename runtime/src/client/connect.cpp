@@ -100,7 +100,7 @@ class Connector {
     if (!has_line_to_find_) return {};
     using Detection = Conversation::State::Detection;
     const auto waiter = std::make_shared<Waiter<Detection>>();
-    state_->detect([waiter](Detection detection) { waiter->put(std::move(detection)); });
+    state_->detect([waiter](const Detection& detection) { waiter->put(detection); });
     auto detection = waiter->wait_until(io::to_chrono(deadline_));
     if (!detection) {
       state_->stop_detecting();

@@ -19,6 +19,7 @@ namespace {
 SessionOptions session_options(const ConnectOptions& options) {
   SessionOptions result;
   if (!options.pacing) result.pacing = {Duration{}, Duration{}};
+  result.duplicates = milliseconds(options.duplicates.count());
   result.stream_percent = static_cast<std::uint8_t>(std::min(options.stream_share, 100U));
   return result;
 }

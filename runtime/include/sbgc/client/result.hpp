@@ -14,6 +14,7 @@ namespace sbgc {
 /// Reading the value of a failure, or the error of a success, is a mistake in the program.
 template <class T>
 class [[nodiscard]] Result {
+  // NOLINTNEXTLINE(bugprone-sizeof-expression): whether T is complete, be it a pointer or not
   static_assert(sizeof(T) != 0,
                 "include the message's header, such as <sbgc/messages/control.hpp>");
 
