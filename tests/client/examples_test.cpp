@@ -40,31 +40,31 @@ Finished run(const std::string& command) {
 class Examples : public ::testing::Test {
  protected:
   void SetUp() override {
-    introduce(board_);
-    board_.on<MotorsOn>([this](const MotorsOn& request) { board_.confirm(request); });
-    board_.on<Control>([this](const Control& request) { turn(request.axes.pitch.angle); });
-    board_.on<ControlExt>([this](const ControlExt& request) { turn(request.axes.pitch.angle); });
-    board_.answer<GetAnglesRequest>(angles_);
-    board_.on<DataStreamInterval>([this](const DataStreamInterval& request) {
-      board_.confirm(request);
+    introduce(board);
+    board.on<MotorsOn>([this](const MotorsOn& request) { board.confirm(request); });
+    board.on<Control>([this](const Control& request) { turn(request.axes.pitch.angle); });
+    board.on<ControlExt>([this](const ControlExt& request) { turn(request.axes.pitch.angle); });
+    board.answer<GetAnglesRequest>(angles_);
+    board.on<DataStreamInterval>([this](const DataStreamInterval& request) {
+      board.confirm(request);
       if (request.interval_ms.raw() == 0) return;
-      for (int i = 0; i < 60; ++i) board_.send(sample_);
+      for (int i = 0; i < 60; ++i) board.send(sample_);
     });
-    auto opened = io::open_pseudo_terminal(board_.executor(), {.stays_open = true});
+    auto opened = io::open_pseudo_terminal(board.executor(), {.stays_open = true});
     ASSERT_TRUE(opened) << opened.error.message;
-    port_ = opened.transport->path();
-    board_.serve(std::move(opened.transport));
+    port = opened.transport->path();
+    board.serve(std::move(opened.transport));
   }
 
-  ScriptedBoard board_;
-  std::string port_;
+  ScriptedBoard board;
+  std::string port;
 
  private:
   void turn(Angle14 pitch) {
     angles_.axes.pitch.imu_angle = angles_.axes.pitch.rc_target_angle = pitch;
     sample_.angle.pitch = pitch;
     sample_.angle.yaw = Angle14::from_degrees(12.5);
-    board_.answer<GetAnglesRequest>(angles_);
+    board.answer<GetAnglesRequest>(angles_);
   }
 
   GetAngles angles_;
@@ -72,15 +72,15 @@ class Examples : public ::testing::Test {
 };
 
 TEST_F(Examples, Quickstart) {
-  const Finished result = run(SBGC_EXAMPLE_QUICKSTART " " + port_);
+  const Finished result = run(SBGC_EXAMPLE_QUICKSTART " " + port);
   EXPECT_EQ(result.status, 0);
-  EXPECT_THAT(result.output, AllOf(HasSubstr("board 3.0, firmware 2.59, on serial port " + port_),
+  EXPECT_THAT(result.output, AllOf(HasSubstr("board 3.0, firmware 2.59, on serial port " + port),
                                    HasSubstr("roll    0.0  pitch  -30.0  yaw   12.5 degrees\n")));
-  EXPECT_TRUE(board_.wait_for<DataStreamInterval>(2)) << "it does not end its stream";
+  EXPECT_TRUE(board.wait_for<DataStreamInterval>(2)) << "it does not end its stream";
 }
 
 TEST_F(Examples, AsyncStream) {
-  const Finished result = run(SBGC_EXAMPLE_ASYNC_STREAM " " + port_);
+  const Finished result = run(SBGC_EXAMPLE_ASYNC_STREAM " " + port);
   EXPECT_EQ(result.status, 0);
   EXPECT_THAT(result.output, AllOf(HasSubstr("firmware 2.59\n"), HasSubstr("50: yaw    0.0 deg")));
 }
