@@ -4,6 +4,9 @@
 #include <sstream>
 #include <string>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <sbgc/client/backup.hpp>
 #include <sbgc/json.hpp>
 
@@ -104,6 +107,21 @@ TEST_F(BackupTest, WhatCannotBeWrittenLeavesNothingBehind) {
   fs::create_directory(file("folder"));
   EXPECT_FALSE(save_backup(make(), file("folder"), Existing::replace));
   EXPECT_THAT(files(), ElementsAre("folder"));
+}
+
+TEST_F(BackupTest, WhatAKilledProcessLeftBehindIsNoHindrance) {
+  for (int i = 0; i < 100; ++i) {  // names that this process would choose
+    std::ofstream(
+        file(("a.json." + std::to_string(::getpid()) + "-" + std::to_string(i) + ".tmp").c_str()));
+  }
+  ASSERT_TRUE(save_backup(make(), file("a.json")));
+  EXPECT_TRUE(load_backup(file("a.json")));
+  EXPECT_THAT(files(), SizeIs(101)) << "the files of others are left alone";
+}
+
+TEST_F(BackupTest, WhatIsNoFileIsNotWaitedFor) {
+  ASSERT_EQ(::mkfifo(file("pipe").c_str(), 0600), 0);
+  EXPECT_EQ(load_backup(file("pipe")).error().code, ErrorCode::bad_file);
 }
 
 TEST_F(BackupTest, MissingAndForeignFilesAreNamed) {

@@ -45,14 +45,12 @@ class Descriptor {
 /// A file that disappears unless it has been moved away.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(std::filesystem::path path) : path_(std::move(path)) {}
+  explicit TemporaryFile(std::filesystem::path path) noexcept : path_(std::move(path)) {}
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
   TemporaryFile(TemporaryFile&&) = delete;
   TemporaryFile& operator=(TemporaryFile&&) = delete;
   ~TemporaryFile() { ::unlink(path_.c_str()); }
-
-  [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
 
  private:
   std::filesystem::path path_;
@@ -68,6 +66,19 @@ std::filesystem::path name_beside(const std::filesystem::path& file) {
   std::filesystem::path result = file;
   result += fmt::format(".{}-{}.tmp", ::getpid(), number++);
   return result;
+}
+
+/// Makes a new file beside another; its descriptor, or -1. A name may be taken: by a process that
+/// was killed and had the same number.
+int open_beside(const std::filesystem::path& file, std::filesystem::path& path) {
+  constexpr mode_t mode = 0644;
+  constexpr int most_names = 1000;
+  for (int i = 0; i < most_names; ++i) {
+    path = name_beside(file);
+    const int opened = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    if (opened >= 0 || errno != EEXIST) return opened;
+  }
+  return -1;
 }
 
 bool write_all(int descriptor, std::string_view content) {
@@ -101,11 +112,10 @@ Result<void> sync_folder(const std::filesystem::path& folder) {
 
 Result<void> write_file_atomically(const std::filesystem::path& file, std::string_view content,
                                    Existing existing) {
-  constexpr mode_t mode = 0644;
-  const TemporaryFile temporary(name_beside(file));
-  const std::filesystem::path& path = temporary.path();
-  Descriptor opened(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
+  std::filesystem::path path;
+  Descriptor opened(open_beside(file, path));
   if (!opened.is_open()) return io_error("cannot write", path, errno);
+  const TemporaryFile temporary(path);
   const bool is_there = write_all(opened.number(), content) && ::fsync(opened.number()) == 0;
   if (!is_there || !opened.close()) return io_error("cannot write", path, errno);
   const bool replaces = existing == Existing::replace;
@@ -121,8 +131,14 @@ Result<void> write_file_atomically(const std::filesystem::path& file, std::strin
 }
 
 Result<std::string> read_whole_file(const std::filesystem::path& file, std::size_t most) {
-  const Descriptor opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  // Not blocking: opening a named pipe would wait for somebody to write.
+  const Descriptor opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!opened.is_open()) return io_error("cannot read", file, errno);
+  struct stat about {};
+  if (::fstat(opened.number(), &about) != 0) return io_error("cannot read", file, errno);
+  if (!S_ISREG(about.st_mode)) {
+    return ClientError{ErrorCode::bad_file, fmt::format("{} is no file", file.string())};
+  }
   std::string content;
   std::array<char, 65536> block{};
   while (true) {

@@ -262,6 +262,9 @@ WriteReport restore(Client& client, const Backup& backup, const RestoreOptions& 
     if (options.present.empty()) {
       return failed({ErrorCode::invalid, "restoring needs a file for the present settings"});
     }
+    if (std::error_code unknown; std::filesystem::exists(options.present, unknown)) {
+      return failed({ErrorCode::invalid, options.present.string() + " is there already"});
+    }
     const ReadOptions reading{deadline.left(), options.progress, options.clock};
     const Result<Backup> present = make_backup(client, reading);
     if (!present) return failed(detail::during("saving the present settings", present.error()));
