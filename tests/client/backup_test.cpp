@@ -242,7 +242,7 @@ TEST_F(BackupTest, WithoutABackupOfThePresentStateNothingIsRestored) {
   std::ofstream(file("a.json")) << "precious";
   EXPECT_FALSE(restore(client(), backup, {.present = file("a.json")}));
   EXPECT_EQ(content(file("a.json")), "precious");
-  EXPECT_EQ(board.count<WriteParams3>(), 0U);
+  EXPECT_EQ(count<WriteParams3>(), 0U);
   EXPECT_EQ(board.params[0].gyro_trust, 1);
 }
 

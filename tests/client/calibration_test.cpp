@@ -31,7 +31,7 @@ class CalibrationTest : public TaskTest {
 TEST_F(CalibrationTest, EndsWithTheSecondConfirmationAndTellsItsProgress) {
   EXPECT_TRUE(calibrate(client(), Sensor::gyroscope, watched()));
   EXPECT_THAT(progress, ElementsAre(33, 66, 100));
-  EXPECT_EQ(board.count<CalibGyro>(), 1U);
+  EXPECT_EQ(count<CalibGyro>(), 1U);
 }
 
 TEST_F(CalibrationTest, TheBoardIsToldWhichImuAndWhatToDo) {

@@ -34,7 +34,7 @@ TEST_F(MotionTest, MovesAllAxesAndWaitsForTheEnd) {
   EXPECT_EQ(moved->angles.pitch.raw(), -1365);
   EXPECT_TRUE(moved->is_close);
   // 90 degrees are 4096 counts, 200 each look.
-  EXPECT_GE(board.count<GetAnglesRequest>(), 21U);
+  EXPECT_GE(count<GetAnglesRequest>(), 21U);
   EXPECT_GE(moved->elapsed, milliseconds(20 * 50 + 300));
   const Control sent = last_control();
   EXPECT_EQ(sent.control_mode.mode(), ControlModeKind::angle);
@@ -89,7 +89,7 @@ TEST_F(MotionTest, ALostCommandIsSentAgain) {
   };
   const auto moved = move_to(client(), {.pitch = Angle14::from_degrees(20.0)}, {}, options());
   ASSERT_TRUE(moved) << moved.error().message;
-  EXPECT_EQ(board.count<Control>(), 2U);
+  EXPECT_EQ(count<Control>(), 2U);
 }
 
 TEST_F(MotionTest, TellsHowFarItGot) {
@@ -138,7 +138,7 @@ TEST_F(MotionTest, StopsAndLooksWhetherItHas) {
     return is<Control>(request) && std::exchange(first, false);
   };
   ASSERT_TRUE(stop(client(), {.clock = clock}));
-  EXPECT_EQ(board.count<Control>(), 2U);
+  EXPECT_EQ(count<Control>(), 2U);
   EXPECT_EQ(board.speeds.yaw.raw(), 0);
 }
 

@@ -37,10 +37,9 @@ class ParametersTest : public TaskTest {
     EXPECT_TRUE(result);
     return result ? *result : ReadParams3{};
   }
-  std::size_t writes() const {
-    return board.count<WriteParams3>() + board.count<WriteParamsExt>() +
-           board.count<WriteParamsExt2>() + board.count<WriteProfileNames>() +
-           board.count<WriteAdjVarsCfg>() + board.count<WriteExternalData>();
+  std::size_t writes() {
+    return count<WriteParams3>() + count<WriteParamsExt>() + count<WriteParamsExt2>() +
+           count<WriteProfileNames>() + count<WriteAdjVarsCfg>() + count<WriteExternalData>();
   }
 };
 
@@ -80,7 +79,7 @@ TEST_F(ParametersTest, ReadingEndsWithItsTime) {
   const Result<ParameterSet> set = read_parameters(client(), options);
   ASSERT_FALSE(set);
   EXPECT_EQ(set.error().code, ErrorCode::timeout);
-  EXPECT_EQ(board.count<ReadParams3Request>(), 3U);
+  EXPECT_EQ(count<ReadParams3Request>(), 3U);
 }
 
 TEST_F(ParametersTest, AnAnswerAboutAnotherProfileIsNotTaken) {
@@ -93,8 +92,8 @@ TEST_F(ParametersTest, AnAnswerAboutAnotherProfileIsNotTaken) {
 TEST_F(ParametersTest, BoardsWithoutTheNewerCommandsAreAskedWithTheOlderOne) {
   board.info.board_ver = BoardVersion(10);
   const Result<ParameterSet> set = read_parameters(client());
-  EXPECT_EQ(board.count<ReadParams>(), 1U);
-  EXPECT_EQ(board.count<ReadParams3Request>(), 0U);
+  EXPECT_EQ(count<ReadParams>(), 1U);
+  EXPECT_EQ(count<ReadParams3Request>(), 0U);
   EXPECT_FALSE(set);  // this board does not answer it
 }
 

@@ -126,6 +126,10 @@ class SpeedControlTest : public TaskTest {
       came_.notify_all();
     };
   }
+  SpeedControlTest(const SpeedControlTest&) = delete;
+  SpeedControlTest& operator=(const SpeedControlTest&) = delete;
+  ~SpeedControlTest() override { disconnect(); }
+
   SpeedControlOptions options() { return {milliseconds(500), milliseconds(100), clock}; }
 
   /// Waits until `n` commands have come; returns their speeds of yaw.

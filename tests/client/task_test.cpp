@@ -54,6 +54,11 @@ void TaskTest::connect() {
   board.log.clear();
 }
 
+void TaskTest::disconnect() {
+  client_.reset();
+  line_.reset();
+}
+
 std::string TaskTest::serve_pty() {
   auto opened = io::open_pseudo_terminal(line_->executor(), {.stays_open = true});
   if (!opened) return {};

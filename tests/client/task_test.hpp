@@ -40,6 +40,13 @@ class TaskTest : public ::testing::Test {
     const std::scoped_lock lock(mutex_);
     return use(board);
   }
+  /// How many requests M have come, even if one is under way.
+  template <class M>
+  std::size_t count() {
+    return with_board([](const ModelBoard& model) { return model.count<M>(); });
+  }
+  /// Ends client, line and the board's thread; for tests with members that the board uses.
+  void disconnect();
   std::mutex& board_mutex() { return mutex_; }
   /// Makes the line break.
   void unplug();

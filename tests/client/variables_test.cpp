@@ -83,7 +83,7 @@ TEST_F(VariablesTest, ManyAreMovedInMessagesOfForty) {
   }
   ASSERT_GT(names.size(), 40U);
   ASSERT_TRUE(set_variables(client(), values));
-  EXPECT_EQ(board.count<SetAdjVarsVal>(), 2U);
+  EXPECT_EQ(count<SetAdjVarsVal>(), 2U);
   EXPECT_EQ(board.log[0].body[0], 40);
   const auto read = get_variables(client(), names);
   ASSERT_TRUE(read);
