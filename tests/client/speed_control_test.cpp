@@ -118,6 +118,11 @@ TEST_F(SpeedHoldTest, StoppingWhatStandsDoesNothing) {
 // The thread
 
 class SpeedControlTest : public TaskTest {
+ public:
+  SpeedControlTest(const SpeedControlTest&) = delete;
+  SpeedControlTest& operator=(const SpeedControlTest&) = delete;
+  ~SpeedControlTest() override { disconnect(); }
+
  protected:
   SpeedControlTest() {
     board.after = [this](const Packet& request) {
@@ -126,10 +131,6 @@ class SpeedControlTest : public TaskTest {
       came_.notify_all();
     };
   }
-  SpeedControlTest(const SpeedControlTest&) = delete;
-  SpeedControlTest& operator=(const SpeedControlTest&) = delete;
-  ~SpeedControlTest() override { disconnect(); }
-
   SpeedControlOptions options() { return {milliseconds(500), milliseconds(100), clock}; }
 
   /// Waits until `n` commands have come; returns their speeds of yaw.

@@ -21,8 +21,8 @@ struct ConnectOptions {
   bool pacing = true;
   /// How much of a serial line data streams may take, in percent.
   unsigned stream_share = 80;
-  /// How long a frame of the board may come once more, on a line that repeats packets, as UDP may. A
-  /// request then waits until no frame can be taken for its answer that was one before; 0: never.
+  /// How long a frame of the board may come once more, on a line that repeats packets, as UDP may.
+  /// A request then waits until no frame can be taken for its answer that was one before; 0: never.
   std::chrono::milliseconds duplicates{0};
   /// How many calls may wait for their turn.
   std::size_t queue = 1024;
