@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <optional>
 #include <span>
 #include <string>
@@ -137,8 +138,10 @@ class CaptureDecoder final : private CaptureListener {
     decoder_ = FrameDecoder();
     ++session_;
     if (jsonl_) return;
+    // As seconds: a time point would be converted to nanoseconds, which overflow in a far future.
+    const auto start = std::chrono::floor<std::chrono::seconds>(session.start).time_since_epoch();
     fmt::print("session {}, begun {:%Y-%m-%d %H:%M:%S} UTC\n", session_,
-               std::chrono::floor<std::chrono::seconds>(session.start));
+               fmt::gmtime(static_cast<std::time_t>(start.count())));
   }
 
   void on_frame(Direction side, io::CaptureTime time, const Frame& frame) override {

@@ -120,8 +120,10 @@ Result<std::vector<std::uint8_t>> read_eeprom(Client& client, std::uint32_t addr
   }
   auto end = detail::go_on(task, options.progress, {size, size, task}, deadline);
   if (!end) return end.error();
-  const auto first = pages.begin() + static_cast<std::ptrdiff_t>(skipped);
-  return ByteVector(first, first + static_cast<std::ptrdiff_t>(size));
+  skipped = std::min(skipped, pages.size());
+  pages.erase(pages.begin(), pages.begin() + static_cast<std::ptrdiff_t>(skipped));
+  pages.resize(size);
+  return pages;
 }
 
 Result<void> write_eeprom(Client& client, std::uint32_t address, std::span<const std::uint8_t> data,
