@@ -1,0 +1,27 @@
+/// How the frame that carries a gimbal moves.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <sbgc/time.hpp>
+#include <sbgc/types.hpp>
+
+namespace sbgc::board {
+
+/// The frame's attitude at one moment, Euler angles in degrees.
+struct FrameAngles {
+  Instant at{};
+  Axes<double> angles{};
+};
+
+/// At rest, a synthetic motion, or a recorded one that is repeated.
+struct Disturbance {
+  enum class Kind : std::uint8_t { rest, handheld, drone, vehicle, recorded };
+
+  Kind kind = Kind::rest;
+  double strength = 1;                   ///< factor on synthetic motion
+  std::vector<FrameAngles> recording{};  ///< times ascend from 0; for `recorded`
+};
+
+}  // namespace sbgc::board

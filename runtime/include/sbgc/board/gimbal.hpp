@@ -1,0 +1,153 @@
+/// The mechanics of an emulated gimbal: camera, joints, frame, sensors and battery.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include <sbgc/board/disturbance.hpp>
+#include <sbgc/time.hpp>
+#include <sbgc/types.hpp>
+
+namespace sbgc::board {
+
+/// A vector of space: x points right, y forward, z up (normal position).
+using Vector = Xyz<double>;
+
+/// What an axis is told to do. Angles in degrees, speeds in degrees per second.
+enum class AxisMode : std::uint8_t {
+  remote,          ///< no control: the RC signal of the axis
+  speed,           ///< turn with `speed`
+  angle,           ///< go to `angle` with `speed`, 0: the speed of the settings
+  speed_angle,     ///< turn with `speed` and hold `angle` meanwhile
+  signal,          ///< `signal` stands for the RC signal
+  relative_angle,  ///< go to `angle`, counted from the frame, over all turns; speed as for `angle`
+};
+
+struct AxisCommand {
+  AxisMode mode{};
+  double speed{};
+  double angle{};
+  double signal{};  ///< -1..1
+};
+
+/// How the settings tune one axis.
+struct AxisTuning {
+  double p = 10, i = 0.1, d = 10;            ///< as in the settings, times the gain factor
+  double power = 100;                        ///< 0..255; 0: the motor holds nothing
+  double acceleration = 0;                   ///< limit in deg/s^2; 0: none but the motor's own
+  double speed = 50;                         ///< of a move without a speed of its own, deg/s
+  double follow_speed = 50;                  ///< deg/s at most
+  double follow_deadband = 0;                ///< degrees
+  bool follows = false;                      ///< the target turns with the frame
+  bool remote_is_speed = false;              ///< the RC signal is a speed, not an angle
+  double remote_min = -90, remote_max = 90;  ///< angles of the lowest and the highest signal
+  double remote_speed = 50;                  ///< speed of the full signal, deg/s
+  double start_angle = 0;                    ///< where the axis points when the board starts
+};
+
+struct Tuning {
+  Axes<AxisTuning> axes{};
+  std::array<std::uint8_t, 3> rotation_order{1, 0,
+                                             2};  ///< axes by Euler order: 0 roll, 1 pitch, 2 yaw
+  double gyro_trust = 100;                        ///< 0..255
+  double battery_stop = -1;  ///< volts below which the motors stop; negative: never
+};
+
+/// Everything that can be measured at one moment. Angles in degrees, speeds in degrees per second.
+struct Sample {
+  Axes<double> angles{};   ///< Euler angles of the camera as the IMU estimates them; not wrapped
+  Axes<double> speeds{};   ///< their derivatives
+  Axes<double> targets{};  ///< where the controller holds the camera; not wrapped
+  Axes<double> target_speeds{};  ///< 0 once a target is reached
+  Axes<double> joints{};         ///< of the motors, from the frame; not wrapped
+  Axes<double> frame{};          ///< Euler angles of the frame
+  Vector frame_speed{};
+  Vector gyro{};          ///< deg/s about x, y, z of the camera, with noise and drift
+  Vector acceleration{};  ///< in g, camera, with noise; (0, 0, 1) when level and at rest
+  Vector frame_gyro{};
+  Vector frame_acceleration{};
+  Vector magnetic{};  ///< relative to the strength of the field, camera
+  Vector up{};        ///< unit vector that points up, as the main IMU knows it
+  Vector north{};     ///< unit vector that points north, as the main IMU knows it
+  Vector frame_up{};
+  Vector frame_north{};
+  Axes<double> power{};      ///< of each motor, 0..1
+  Axes<double> imbalance{};  ///< share of the motor power that holding costs, -1..1
+  double battery{};          ///< volts
+  double current{};          ///< amperes
+  double temperature{};      ///< of the main IMU, Celsius
+  double frame_temperature{};
+  double gravity_error{};  ///< degrees between the estimated and the reference vector
+  double heading_error{};
+};
+
+/// The simulation. It moves in fixed steps, so that its state depends on time and commands alone
+/// and not on how often it is asked; between two steps a sample is extrapolated. Same seed, same
+/// commands at the same times: same samples.
+class Gimbal {
+ public:
+  struct Options {
+    std::uint32_t seed = 1;
+    Disturbance frame{};    ///< how the frame moves
+    double noise = 1;       ///< factor on the noise of all sensors; 0: none
+    double battery = 16.4;  ///< volts, when full
+    double capacity = 3.0;  ///< ampere hours
+    double ambient = 22;    ///< Celsius
+    Axes<double> imbalance{0.02, 0.03, 0.01};
+  };
+
+  Gimbal(const Options& options, Instant start);
+  Gimbal(Gimbal&&) noexcept;
+  Gimbal& operator=(Gimbal&&) noexcept;
+  ~Gimbal();
+
+  /// The board starts anew: commands, targets and estimates are forgotten, the camera stays where
+  /// it is, and moves to the start angles when the motors turn on.
+  void restart(Instant now);
+  /// As often as the settings change; what is under way goes on.
+  void tune(const Tuning& tuning, Instant now);
+  void set_motors(bool on, Instant now);
+  bool motors_on() const;
+  /// The battery has stopped the motors.
+  bool stopped_by_battery() const;
+
+  void command(std::size_t axis, const AxisCommand& command, Instant now);
+  const AxisCommand& command(std::size_t axis) const;
+  /// The RC signal of an axis, -1..1; none: no signal, the axis holds its target.
+  void set_remote(std::size_t axis, std::optional<double> signal, Instant now);
+
+  /// What an outer system knows of the frame; improves the stabilization.
+  void help(const Vector& acceleration, Instant now);
+  /// Replaces (or, as a reference, corrects) what an IMU knows of its attitude for a while.
+  struct Attitude {
+    std::optional<Vector> up{};
+    std::optional<Vector> north{};
+    bool of_frame = false;
+    bool reference_only = false;
+  };
+  void correct(const Attitude& attitude, Instant now);
+  /// Offset of a gyroscope's zero, deg/s: heading errors grow or shrink with it. `heading` turns
+  /// about the vertical.
+  void correct_gyro(bool of_frame, const Vector& offset, double heading, Instant now);
+  /// A calibration at rest has ended: the drift of that gyroscope is gone.
+  void gyro_calibrated(bool of_frame, Instant now);
+
+  /// Test hooks: a hand turns the camera by so many degrees; a joint is stuck (or free again); the
+  /// battery's voltage is this from now on.
+  void push(std::size_t axis, double degrees, Instant now);
+  void jam(std::size_t axis, bool is_jammed, Instant now);
+  void set_battery(double volts, Instant now);
+  /// Places the camera, at rest, with its targets there.
+  void place(const Axes<double>& angles, Instant now);
+
+  /// Precondition for all: times do not decrease.
+  Sample sample(Instant now);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sbgc::board

@@ -1,0 +1,41 @@
+/// What an emulated board remembers without power.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <sbgc/types.hpp>
+
+namespace sbgc::board {
+
+/// Calibration of one IMU.
+struct ImuCalibration {
+  bool gyro_is_calibrated = true;
+  std::uint8_t acc_limits = 0;  ///< calibrated directions, as CalibratedLimits
+  bool gyro_temperature_enabled = false, acc_temperature_enabled = false;
+  std::int8_t gyro_temperature_min = 0, gyro_temperature_max = 0;
+  std::int8_t acc_temperature_min = 0, acc_temperature_max = 0;
+  std::array<std::uint8_t, 6> acc_slots{};  ///< calibrated temperatures of +X, +Y, +Z, -X, -Y, -Z
+  Xyz<double> gyro_offset{};                ///< deg/s, corrected by hand
+
+  bool operator==(const ImuCalibration&) const = default;
+};
+
+/// All of it. Settings, names, user data and files stand in the EEPROM, as on a real board: whoever
+/// writes to it changes them at the next start.
+struct Memory {
+  static constexpr std::size_t eeprom_size = 32768;
+
+  std::vector<std::uint8_t> eeprom = std::vector<std::uint8_t>(eeprom_size, 0xFF);
+  std::array<ImuCalibration, 2> imus{};     ///< main, frame; in the main EEPROM of a real board
+  std::array<ImuCalibration, 2> sensors{};  ///< in the EEPROM of each sensor: factory calibration
+  double battery_factor = 1;                ///< calibration of the voltage measurement
+  std::uint8_t profile = 0;                 ///< active one
+  std::uint32_t revision = 0;               ///< grows with each change; not kept
+
+  bool operator==(const Memory&) const = default;
+};
+
+}  // namespace sbgc::board

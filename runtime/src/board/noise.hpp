@@ -1,0 +1,21 @@
+/// Random numbers that depend on a seed and a counter alone.
+#pragma once
+
+#include <cstdint>
+
+namespace sbgc::board {
+
+/// 64 random bits for each pair of numbers (SplitMix64's finalizer).
+constexpr std::uint64_t random_bits(std::uint64_t seed, std::uint64_t counter) noexcept {
+  std::uint64_t z = seed * 0x9E3779B97F4A7C15ULL + (counter + 1) * 0xBF58476D1CE4E5B9ULL;
+  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
+  return z ^ (z >> 31U);
+}
+
+/// 0 <= x < 1.
+constexpr double random_share(std::uint64_t seed, std::uint64_t counter) noexcept {
+  return static_cast<double>(random_bits(seed, counter) >> 11U) * 0x1.0p-53;
+}
+
+}  // namespace sbgc::board
