@@ -324,6 +324,16 @@ def export(layout: Layout) -> dict[str, Any]:
                 "scale": _number(variable.quantity.scale) if variable.quantity else None,
                 "add": _number(variable.quantity.offset) if variable.quantity else None,
                 "summary": variable.summary,
+                "sets": [
+                    {
+                        "message": setting.message,
+                        "path": setting.path,
+                        "scale_exact": str(setting.scale),
+                        "add_exact": str(setting.offset),
+                    }
+                    for setting in variable.settings
+                ],
+                "as_switch": variable.is_switch,
             }
             for variable in layout.variables
         ],

@@ -331,6 +331,9 @@ def _variables(layout: Layout) -> Iterator[Fact]:
         yield Fact(place, "variable summary", variable.summary, "meaning")
         if variable.quantity:
             yield Fact(place, "variable unit", variable.quantity.name, "unit")
+        for setting in variable.settings:
+            yield Fact(place, "variable setting", setting.path, "setting")
+            yield Fact(place, "variable setting", setting.message, "setting")
         for number in variable.errata:
             yield Fact(place, "variable errata", number, "meaning")
 
