@@ -18,8 +18,7 @@ using Kind = Calibrations::Kind;
 /// Index of an IMU in Memory::imus; nothing if the board has none such.
 std::optional<std::size_t> index_of(const Machine& machine, CalibImu imu) {
   switch (imu) {
-    case CalibImu::active:
-      return machine.cur_imu == static_cast<unsigned>(SelectedImu::frame) ? 1 : 0;
+    case CalibImu::active: return machine.cur_imu == SelectedImu::frame ? 1 : 0;
     case CalibImu::main: return 0;
     case CalibImu::frame: break;
     default: return {};

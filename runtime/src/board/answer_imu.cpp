@@ -9,7 +9,7 @@ Outcome select(Turn& turn, SelectedImu imu) {
   const bool exists =
       imu == SelectedImu::main || (imu == SelectedImu::frame && turn.machine.options.has_frame_imu);
   if (!exists) return Turn::ignore();
-  turn.machine.cur_imu = static_cast<std::uint8_t>(imu);
+  turn.machine.cur_imu = imu;
   return turn.confirm();
 }
 

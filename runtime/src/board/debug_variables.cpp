@@ -54,18 +54,18 @@ constexpr std::array<Variable, 14> variables{{
     {"BATTERY", Kind::float32, 0, [](const View& v, Index) { return v.sample.battery; }},
     {"TEMPERATURE", Kind::int8, 0, [](const View& v, Index) { return v.sample.temperature; }},
     {"ERRORS", Kind::uint16, 0,
-     [](const View& v, Index) { return double{v.machine.errors(v.now).raw()}; }},
+     [](const View& v, Index) -> double { return v.machine.errors(v.now).raw(); }},
     {"PROFILE", Kind::uint8, 0,
-     [](const View& v, Index) { return double{v.machine.settings.profile()}; }},
+     [](const View& v, Index) -> double { return v.machine.settings.profile(); }},
     {"SCRIPT_CMD", Kind::uint16, 0,
-     [](const View& v, Index) { return double{v.machine.scripts.command()}; }},
+     [](const View& v, Index) -> double { return v.machine.scripts.command(); }},
     {"SOUND", Kind::uint16, 0,
-     [](const View& v, Index) {
+     [](const View& v, Index) -> double {
        const auto sound = v.machine.outputs.sound();
-       return sound ? double{sound->mode.raw()} : 0.0;
+       return sound ? sound->mode.raw() : 0;
      }},
     {"HIGH_PINS", Kind::uint16, 0,
-     [](const View& v, Index) { return double{v.machine.outputs.high_pins()}; }},
+     [](const View& v, Index) -> double { return v.machine.outputs.high_pins(); }},
 }};
 
 /// The nearest number of that type; integers beyond its ends go round.
