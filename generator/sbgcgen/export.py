@@ -85,6 +85,8 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
         result["packed"] = field.type.name
     if field.special:
         result["special"] = {str(s.value): s.meaning for s in field.special}
+    if any(s.name for s in field.special):
+        result["special_names"] = {str(s.value): s.name for s in field.special if s.name}
     if field.max_count is not None:
         result["max_count"] = field.max_count
     if field.align != 1:

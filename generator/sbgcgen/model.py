@@ -6,7 +6,7 @@ computes a layout again.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from math import floor, lcm
 from typing import Union
@@ -199,10 +199,42 @@ Type = Union[Scalar, Quantity, Enum, Packed, Blob, Struct, Announced]
 
 @dataclass(frozen=True)
 class Special:
-    """A value outside the ordinary meaning."""
+    """A value outside the ordinary meaning; `name` is that of a constant in C++, or ""."""
 
     value: int
     meaning: str
+    name: str = ""
+    at: Position = field(default=_NOWHERE, compare=False, repr=False)
+
+
+@dataclass(frozen=True)
+class Constant:
+    """A special value, of these `fields`, that a struct or message has a name for."""
+
+    name: str
+    scalar: Scalar
+    value: int
+    meaning: str
+    fields: tuple[str, ...]
+    at: Position = field(default=_NOWHERE, compare=False, repr=False)
+
+
+def constants(fields: tuple[Field, ...]) -> tuple[Constant, ...]:
+    """The special values of fields that have a name, each name once."""
+    found: dict[str, Constant] = {}
+    for owner in fields:
+        if isinstance(owner.type, (Blob, Struct, Announced)):
+            continue
+        scalar = owner.type if isinstance(owner.type, Scalar) else owner.type.scalar
+        for special in owner.special:
+            if special.name in found:
+                first = found[special.name]
+                found[special.name] = replace(first, fields=(*first.fields, owner.name))
+            elif special.name:
+                found[special.name] = Constant(
+                    special.name, scalar, special.value, special.meaning, (owner.name,), special.at
+                )
+    return tuple(found.values())
 
 
 @dataclass(frozen=True)

@@ -222,6 +222,8 @@ def _leaf(message: Message, leaf: Leaf) -> Iterator[Fact]:
     for special in field.special:
         yield Fact(place, "field special value", Fraction(special.value), "meaning")
         yield Fact(place, "field special meaning", special.meaning, "meaning")
+        if special.name:
+            yield Fact(place, "field special name", special.name, "meaning")
     if field.reserved:
         yield Fact(place, "field reserved", "reserved", "meaning", re.IGNORECASE)
     if field.max_count is not None:

@@ -525,6 +525,11 @@ CASES: dict[str, Case] = {
         OK,
         "variable TRIM: range: -100..100 → -110..110",
     ),
+    "special value named": (
+        [("special: {255: unknown}", "special: {255: {as: unknown, summary: unknown}}")],
+        OK,
+        "State.LEVEL: special 255: C++ name: none → unknown",
+    ),
     "variable's setting": (
         [
             ("variables:\n", STORE_STATE + "\nvariables:\n"),

@@ -28,6 +28,9 @@ class AutoTuning {
   void stop();
   bool is_running() const { return run_.has_value(); }
 
+  /// The port closes: nothing more goes there.
+  void forget_port(std::size_t port);
+
   Instant next() const;
   void advance(Machine& machine, Instant now);
   void restart(Machine& machine, Instant now);

@@ -57,6 +57,9 @@ class Calibrations {
   /// What a real board needs `length` for, on a board with these options; at least one cycle.
   static Duration scaled(const Options& options, Duration length);
 
+  /// The port closes: nothing more goes there.
+  void forget_port(std::size_t port);
+
   Instant next() const;
   void advance(Machine& machine, Instant now);
   void restart(Machine& machine, Instant now);

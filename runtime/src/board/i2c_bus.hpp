@@ -28,7 +28,7 @@ class I2cBus {
   /// Addresses of registers count up and begin again behind the last one. Precondition for both:
   /// the device answers.
   std::vector<std::uint8_t> read(Machine& machine, I2cDevice device, std::uint8_t address,
-                                 std::size_t size, Instant now);
+                                 std::size_t size, Instant now) const;
   /// Registers that cannot be written stay as they are.
   void write(Machine& machine, I2cDevice device, std::uint8_t address,
              std::span<const std::uint8_t> data);

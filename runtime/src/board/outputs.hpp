@@ -11,10 +11,13 @@
 #include <sbgc/messages/peripherals.hpp>
 #include <sbgc/time.hpp>
 
+#include "turn.hpp"
+
 namespace sbgc::board {
 
 struct Machine;
 
+/// Nothing is connected to it: the state of the outputs can be asked for.
 class Outputs {
  public:
   static constexpr std::size_t servos = std::tuple_size_v<decltype(ServoOut::servo_time)>;
@@ -28,22 +31,23 @@ class Outputs {
   };
 
   /// False, and nothing happens, if there is no such pin or it serves another purpose now.
-  bool set_pin(Machine& machine, OutputPin pin, PinState state);
+  bool set_pin(const Machine& machine, OutputPin pin, PinState state);
   /// What a host has set it to; nothing if it has not.
   std::optional<PinState> pin(OutputPin pin) const;
   /// A set of bits, one for each pin in the order of OutputPin: those that are high.
   std::uint16_t high_pins() const;
 
-  /// False, and nothing changes, if a pulse does not fit into the period of SERVO_RATE.
-  bool set_servos(const Machine& machine, const ServoOut& request);
+  /// Says why it could not, and nothing changes then: a pulse does not fit into the period of
+  /// SERVO_RATE, or the pin serves as an input.
+  std::optional<Refusal> set_servos(const Machine& machine, const ServoOut& request);
   /// As in CMD_SERVO_OUT. Precondition: index < servos.
   ServoPulse servo(std::size_t index) const { return servos_[index]; }
 
   /// Plays a melody or a standard sound, instead of what it plays. False, and nothing happens, if
   /// the message does not describe one.
   bool play(const BeepSound& sound, Instant now);
-  /// Plays a standard sound, if the settings want it.
-  void signal(Machine& machine, BeepMode sound, Instant now);
+  /// Plays the standard sound of an event, if the settings want it.
+  void signal(const Machine& machine, BeeperMode event, Instant now);
   std::optional<Sound> sound() const { return sound_; }
 
   Instant next() const;

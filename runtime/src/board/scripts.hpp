@@ -20,8 +20,8 @@ class Scripts {
   /// Slots count from 0 (ours), as many as the menu has actions for.
   static constexpr std::uint8_t slots = 5;
 
-  /// Starts it; another one that runs ends. With a port, that gets CMD_SCRIPT_DEBUG. Says why it
-  /// could not start.
+  /// Starts it; another one that runs ends. With a port, that gets CMD_SCRIPT_DEBUG with each
+  /// command, and once more at the end. Says why it could not start.
   std::optional<Refusal> start(Machine& machine, std::uint8_t slot, std::optional<std::size_t> port,
                                Instant now);
   void stop() { run_.reset(); }
@@ -29,6 +29,9 @@ class Scripts {
   std::optional<std::uint8_t> running() const;
   /// Number of its command that runs now, from 1; 0 if none runs.
   std::uint16_t command() const { return run_ ? run_->command : 0; }
+
+  /// The port closes: nothing more goes there.
+  void forget_port(std::size_t port);
 
   Instant next() const;
   void advance(Machine& machine, Instant now);

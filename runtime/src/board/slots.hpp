@@ -24,7 +24,7 @@ class Slots {
   /// Takes the configuration from the settings; for Machine::apply_settings().
   void apply_settings(const Machine& machine, Instant now);
   /// What the slots do now. Precondition: trigger < triggers, analog < analogs.
-  AdjVarsState state(Machine& machine, std::size_t trigger, std::size_t analog, Instant now) const;
+  AdjVarsState state(const Machine& machine, std::size_t trigger, std::size_t analog) const;
 
   Instant next() const { return next_; }
   void advance(Machine& machine, Instant now);
