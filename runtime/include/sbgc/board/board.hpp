@@ -92,6 +92,9 @@ class Board {
 
  private:
   class Core;
+  /// For calls in which there may be traffic to tell of.
+  Core& entered();
+
   std::unique_ptr<Core> core_;
 };
 
