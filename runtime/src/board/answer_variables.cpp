@@ -51,6 +51,11 @@ Outcome handle(Turn& turn, const SetAdjVarsVal& request) {
   return turn.confirm();
 }
 
+Outcome handle(Turn& turn, const SaveParams3&) {
+  turn.machine.settings.save();
+  return turn.confirm();
+}
+
 Outcome handle(Turn& turn, const AdjVarsStateRequest& request) {
   return report(turn, request.trigger_slot, request.analog_slot);
 }

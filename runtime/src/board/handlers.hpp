@@ -18,7 +18,6 @@ Outcome handle(Turn& turn, const BootMode3& request);
 Outcome handle(Turn& turn, const BootMode3Ext& request);
 
 // handlers_storage.cpp
-Outcome handle(Turn& turn, const SaveParams3& request);
 Outcome handle(Turn& turn, const UseDefaults& request);
 Outcome handle(Turn& turn, const EepromReadRequest& request);
 Outcome handle(Turn& turn, const EepromWrite& request);
@@ -36,6 +35,7 @@ Outcome handle(Turn& turn, const ExecuteMenu& request);
 Outcome handle(Turn& turn, const ExecuteMenuExt& request);
 Outcome handle(Turn& turn, const HelperData& request);
 Outcome handle(Turn& turn, const HelperDataExt& request);
+Outcome handle(Turn& turn, const ApiVirtChControl& request);
 
 // handlers_realtime.cpp
 Outcome handle(Turn& turn, const RealtimeData& request);
@@ -87,6 +87,7 @@ Outcome handle(Turn& turn, const DebugVars3Request& request);
 // answer_variables.cpp
 Outcome handle(Turn& turn, const GetAdjVarsVal& request);
 Outcome handle(Turn& turn, const SetAdjVarsVal& request);
+Outcome handle(Turn& turn, const SaveParams3& request);
 Outcome handle(Turn& turn, const AdjVarsStateRequest& request);
 Outcome handle(Turn& turn, const AdjVarsStateRequestExt& request);
 
