@@ -72,6 +72,9 @@ class Board::Core {
 
   void close(std::size_t port) {
     machine.streams.forget(machine, port, clock_);
+    machine.calibrations.forget_port(port);
+    machine.auto_tuning.forget_port(port);
+    machine.scripts.forget_port(port);
     machine.ports.close(port);
     turns_[port] = Instant::never;
   }
