@@ -1,6 +1,7 @@
 // For every request of the model: what the emulated board sends is what the model says, and the
 // board's state has followed. A request without an entry here fails the test.
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -516,7 +517,7 @@ void Table::add_storage() {
   WriteFile file;
   file.file_id = 300;
   file.file_size = ByteCount(3);
-  for (const std::uint8_t byte : {1, 2, 3}) file.data.push_back(byte);
+  for (const std::uint8_t byte : std::array<std::uint8_t, 3>{1, 2, 3}) file.data.push_back(byte);
   const ReadFileRequest look{.file_id = 300, .max_data_size = ByteCount(100)};
   const auto is_there = [](Host&, const Packets& packets) {
     const auto part = all<ReadFile>(packets);
@@ -573,7 +574,7 @@ TEST_P(Answers, AreWhatTheModelSays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Requests, Answers, ::testing::ValuesIn(requests()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& one) { return one.param; });
 
 TEST(Answers, EveryCheckIsOfARequest) {
   const auto names = requests();
