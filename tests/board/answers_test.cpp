@@ -1,6 +1,7 @@
 // For every request of the model: what the emulated board sends is what the model says, and the
 // board's state has followed. A request without an entry here fails the test.
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -520,7 +521,7 @@ void Table::add_storage() {
   WriteFile file;
   file.file_id = 300;
   file.file_size = ByteCount(3);
-  for (std::uint8_t byte = 1; byte <= 3; ++byte) file.data.push_back(byte);
+  for (const std::uint8_t byte : std::array<std::uint8_t, 3>{1, 2, 3}) file.data.push_back(byte);
   const ReadFileRequest look{.file_id = 300, .max_data_size = ByteCount(100)};
   const auto is_there = [](Host&, const Packets& packets) {
     const auto part = all<ReadFile>(packets);
@@ -577,15 +578,15 @@ TEST_P(Answers, AreWhatTheModelSays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Requests, Answers, ::testing::ValuesIn(requests()),
-                         [](const auto& request) { return request.param; });
+                         [](const auto& one) { return one.param; });
 
-TEST(AnswersTable, EveryCheckIsOfARequest) {
+TEST(Answers, EveryCheckIsOfARequest) {
   const auto names = requests();
   const std::set<std::string> known(names.begin(), names.end());
   for (const auto& [name, check] : Table::checks()) EXPECT_TRUE(known.contains(name)) << name;
 }
 
-TEST(AnswersTable, AnOldBoardIgnoresWhatItDoesNotKnow) {
+TEST(Answers, AnOldBoardIgnoresWhatItDoesNotKnow) {
   board::Options old;
   old.board = BoardVersion(30);
   old.firmware = FirmwareVersion(2439);
