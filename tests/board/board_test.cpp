@@ -84,8 +84,8 @@ Bytes run(std::uint32_t seed, Cut cut, board::Options options = {}) {
   Instant now{};
   for (const Event& event : random_events(seed)) {
     while (cut != Cut::never) {
-      now = cut == Cut::at_random ? now + microseconds(cuts.up_to(20'000))
-                                  : later(now, board.next());
+      now =
+          cut == Cut::at_random ? now + microseconds(cuts.up_to(20'000)) : later(now, board.next());
       if (now >= event.at) break;
       board.advance(now);
     }

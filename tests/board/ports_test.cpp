@@ -59,7 +59,9 @@ TEST(Ports, AnswersWaitForRoomAndRequestsBehindThem) {
   options.output_buffer = answer_size + 5;
   Host host(options);
   int carried_out = 0;
-  host.board.on_traffic = [&](const board::Board::Traffic& one) { carried_out += one.outcome ? 1 : 0; };
+  host.board.on_traffic = [&](const board::Board::Traffic& one) {
+    carried_out += one.outcome ? 1 : 0;
+  };
   host.send_bytes(times(4, who));
   host.now = host.now + seconds(1);
   host.board.advance(host.now);
