@@ -1,8 +1,11 @@
 // Time: the same seed and commands give the same samples, however often somebody looks.
 
-#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <iterator>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -138,12 +141,16 @@ TEST(Time, NothingJumpsFromStepToStep) {
   }
 }
 
-TEST(Time, AnHourOfMotionTakesNoTime) {
-  const auto start = std::chrono::steady_clock::now();
+TEST(Time, AnHourOfMotionTakesAMomentOfTheProcessor) {
+#ifdef NDEBUG
+  constexpr double limit = 1.5;
+#else
+  constexpr double limit = 30;
+#endif
+  const std::clock_t start = std::clock();
   Gimbal gimbal = ready(lively());
   gimbal.sample(ms(3'600'000));
-  // Thirty times what it takes; for loaded machines and builds without optimisation.
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(15));
+  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, limit);
 }
 
 TEST(Time, YearsPassAtOnce) {

@@ -116,7 +116,9 @@ class Gimbal {
   };
 
   Gimbal(const Options& options, Instant start);
+  Gimbal(const Gimbal&) = delete;
   Gimbal(Gimbal&&) noexcept;
+  Gimbal& operator=(const Gimbal&) = delete;
   Gimbal& operator=(Gimbal&&) noexcept;
   ~Gimbal();
 
