@@ -334,8 +334,10 @@ TEST(Frame, RecordedTurnsAddUp) {
 
 TEST(Frame, BadRecordingsAreRest) {
   const double none = std::numeric_limits<double>::quiet_NaN();
-  for (const std::vector<FrameAngles>& recording :
-       {std::vector<FrameAngles>{}, {{ms(0), {none, 0, 0}}}, {{ms(-5), {1, 0, 0}}}}) {
+  for (const std::vector<FrameAngles>& recording : {std::vector<FrameAngles>{},
+                                                    {{ms(0), {none, 0, 0}}},
+                                                    {{ms(-5), {1, 0, 0}}},
+                                                    {{Instant::never, {1, 0, 0}}}}) {
     FrameMotion motion({Disturbance::Kind::recorded, 1, recording}, 1);
     motion.step();
     EXPECT_EQ(motion.now().angles, (Axes<double>{}));
