@@ -21,7 +21,7 @@ void Restarts::announce(Machine& machine, Instant now) {
 }
 
 void Restarts::restart_now(Machine& machine, Instant now, bool to_bootloader, bool power_off) {
-  ++count_;
+  ++machine.ports.counters.restarts;
   scheduled_.reset();
   machine.ports.restart(power_off);
   for_each_part(machine, [&](auto& part) { part.restart(machine, now); });
