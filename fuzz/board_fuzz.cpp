@@ -163,8 +163,8 @@ class Player {
     const auto output = board_.output(index);
     const auto taken = output.first(std::min(output.size(), most));
     port.parser.feed(taken, [&](const sbgc::Frame& frame) {
-      const auto code = sbgc::select(sbgc::Direction::from_board, frame.id, frame.body.size(),
-                                     [](auto) {});
+      const auto code =
+          sbgc::select(sbgc::Direction::from_board, frame.id, frame.body.size(), [](auto) {});
       require(code == sbgc::Code::ok || port.is_torn);
     });
     require(port.is_torn || port.parser.counters().skipped_bytes == 0);

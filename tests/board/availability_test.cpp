@@ -40,8 +40,8 @@ TEST(Availability, OfEveryRequestIsThatOfTheModel) {
       if constexpr (M::direction == Direction::to_board) {
         const auto unknown = host.board.counters().unknown;
         host.ask(M{}, milliseconds(2));
-        const bool is_known = is_supported<M>(Availability{options.firmware.raw(),
-                                                           options.board.raw()});
+        const bool is_known =
+            is_supported<M>(Availability{options.firmware.raw(), options.board.raw()});
         EXPECT_EQ(host.board.counters().unknown - unknown, is_known ? 0U : 1U)
             << Meta<M>::info.name;
         // It may have restarted.

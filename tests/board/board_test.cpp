@@ -77,6 +77,9 @@ std::vector<Event> random_events(std::uint32_t seed) {
 enum class Cut { never, as_next_says, at_random };
 
 Bytes run(std::uint32_t seed, Cut cut, board::Options options = {}) {
+  // There are many restarts among the requests.
+  options.start_time = milliseconds(5);
+  options.bootloader_time = milliseconds(20);
   board::Board board(options, {}, {});
   const auto port = board.open_port().value();
   RandomRequests cuts(seed + 1);
@@ -84,8 +87,8 @@ Bytes run(std::uint32_t seed, Cut cut, board::Options options = {}) {
   Instant now{};
   for (const Event& event : random_events(seed)) {
     while (cut != Cut::never) {
-      now = cut == Cut::at_random ? now + microseconds(cuts.up_to(20'000))
-                                  : later(now, board.next());
+      now =
+          cut == Cut::at_random ? now + microseconds(cuts.up_to(20'000)) : later(now, board.next());
       if (now >= event.at) break;
       board.advance(now);
     }

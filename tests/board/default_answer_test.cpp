@@ -1,5 +1,5 @@
-// What the board answers from the model alone fits the model: for every request there is, also those
-// that have code of their own.
+// What the board answers from the model alone fits the model: for every request there is, also
+// those that have code of their own.
 
 #include "default_answer.hpp"
 

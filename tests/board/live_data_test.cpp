@@ -158,7 +158,8 @@ TEST(LiveData, AnAttitudeThatIsNoneIsRefused) {
   EXPECT_THAT(all<ErrorExt>(host.ask(set)), SizeIs(1));
   set.z1_vector = {0, 0, 5};
   EXPECT_THAT(all<ErrorExt>(host.ask(set)), SizeIs(1));
-  EXPECT_THAT(all<ErrorExt>(host.ask(AhrsHelperRequest{.mode = AhrsHelperModeBit::set})), SizeIs(1));
+  EXPECT_THAT(all<ErrorExt>(host.ask(AhrsHelperRequest{.mode = AhrsHelperModeBit::set})),
+              SizeIs(1));
 }
 
 }  // namespace

@@ -46,7 +46,8 @@ TEST(Restart, ABoardThatStartsIsSilent) {
 
 TEST(Restart, ComesAfterItsDelayAndNotice) {
   Host host;
-  EXPECT_THAT(all<Reset>(host.ask(with_notice<ResetRequestExt>(400), milliseconds(100))), SizeIs(1));
+  EXPECT_THAT(all<Reset>(host.ask(with_notice<ResetRequestExt>(400), milliseconds(100))),
+              SizeIs(1));
   EXPECT_TRUE(answers(host));
   host.listen(milliseconds(290));
   EXPECT_TRUE(answers(host));

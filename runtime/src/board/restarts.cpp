@@ -59,9 +59,7 @@ void Restarts::begin_running(Machine& machine, Instant now) {
   machine.set_motors(true, now);
 }
 
-Instant Restarts::next() const {
-  return scheduled_ ? earlier(scheduled_->at, changes_) : changes_;
-}
+Instant Restarts::next() const { return scheduled_ ? earlier(scheduled_->at, changes_) : changes_; }
 
 void Restarts::advance(Machine& machine, Instant now) {
   if (scheduled_ && scheduled_->at <= now) {
