@@ -77,6 +77,9 @@ std::vector<Event> random_events(std::uint32_t seed) {
 enum class Cut { never, as_next_says, at_random };
 
 Bytes run(std::uint32_t seed, Cut cut, board::Options options = {}) {
+  // There are many restarts among the requests.
+  options.start_time = milliseconds(5);
+  options.bootloader_time = milliseconds(20);
   board::Board board(options, {}, {});
   const auto port = board.open_port().value();
   RandomRequests cuts(seed + 1);

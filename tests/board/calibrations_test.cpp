@@ -109,8 +109,8 @@ TEST(Calibrations, LiveDataAreThoseOfTheImu) {
   Host host(options);
   const CalibInfo still = info(host);
   EXPECT_NEAR(still.acc_data.z.g(), 1, 0.02);
-  EXPECT_NEAR(still.imu_temp_cels.degrees_celsius(), host.board.gimbal().sample(host.now).temperature,
-              1);
+  EXPECT_NEAR(still.imu_temp_cels.degrees_celsius(),
+              host.board.gimbal().sample(host.now).temperature, 1);
   host.board.gimbal().command(2, {.mode = board::AxisMode::speed, .speed = 40}, host.now);
   host.listen(seconds(2));
   EXPECT_NEAR(info(host).gyro_abs_val * GyroRate(1).degrees_per_second(), 40, 4);

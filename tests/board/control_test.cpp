@@ -57,9 +57,9 @@ TEST(Control, OneModeForAllAxes) {
 }
 
 TEST(Control, FineSpeedIsKnownToNewFirmwareOnly) {
-  for (const std::uint16_t firmware : {2590, 2560}) {
+  for (const int firmware : {2590, 2560}) {
     board::Options options;
-    options.firmware = FirmwareVersion(firmware);
+    options.firmware = FirmwareVersion(static_cast<std::uint16_t>(firmware));
     Host host(options);
     auto request = one_axis(ControlModeKind::speed, 1000, 0);
     request.control_mode.pitch.set_flags(ControlFlag::high_res_speed);

@@ -108,6 +108,7 @@ TEST(Streams, AreLimitedOverAllPorts) {
     ASSERT_THAT(all<Confirm>(packets), SizeIs(1));
   }
   EXPECT_TRUE(is_error(host.ask(stream(CommandId::realtime_data_3, 60'000))));
+  host.port = first;
   EXPECT_FALSE(is_error(host.ask(custom_stream(RealtimeDataCustomFlags(0), 50'000)))) << "a change";
   host.board.close_port(first);
   host.port = other;
