@@ -18,7 +18,7 @@
 
 #include "../runtime/src/board/files.hpp"
 #include "../runtime/src/board/settings.hpp"
-#include "../runtime/src/io/crc32.hpp"
+#include "../runtime/src/common/crc32.hpp"
 
 namespace {
 

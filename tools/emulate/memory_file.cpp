@@ -17,7 +17,7 @@
 #include <sbgc/to_json.hpp>
 
 #include "../../runtime/src/client/atomic_file.hpp"
-#include "../../runtime/src/io/crc32.hpp"
+#include "../../runtime/src/common/crc32.hpp"
 
 namespace sbgc::tools {
 namespace {
