@@ -45,8 +45,9 @@ TEST(GyroCorrection, ChangesTheDrift) {
   EXPECT_TRUE(is_confirmed(corrected, request));
   plain.ask(SelectImu3{.imu_type = SelectedImu::main});
   for (Host* host : {&plain, &corrected}) host->listen(seconds(60));
-  const double one = plain.board.gimbal().sample(plain.now).heading_error;
-  const double other = corrected.board.gimbal().sample(corrected.now).heading_error;
+  // The camera turns, because the board believes that it does not.
+  const double one = plain.board.gimbal().sample(plain.now).joints.yaw;
+  const double other = corrected.board.gimbal().sample(corrected.now).joints.yaw;
   EXPECT_GT(std::abs(one - other), 1);
 }
 
@@ -59,6 +60,18 @@ TEST(GyroCorrection, IsRemembered) {
   EXPECT_GT(kept[1].gyro_offset.x, 0);
   EXPECT_NEAR(kept[1].gyro_offset.z, -2 * kept[1].gyro_offset.x, 1e-9);
   EXPECT_EQ(kept[0].gyro_offset, board::Vector{});
+}
+
+TEST(GyroCorrection, IsInForceWhenTheBoardIsSwitchedOn) {
+  Options options;
+  options.gimbal.noise = 0;
+  board::Memory memory;
+  memory.imus[0].gyro_offset = {0, 0, 0.5};
+  Host plain(options), corrected(options, memory);
+  for (Host* host : {&plain, &corrected}) host->listen(seconds(60));
+  EXPECT_GT(std::abs(plain.board.gimbal().sample(plain.now).joints.yaw -
+                     corrected.board.gimbal().sample(corrected.now).joints.yaw),
+            1);
 }
 
 TEST(GyroCorrection, NeedsAnImu) {
