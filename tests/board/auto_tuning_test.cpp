@@ -115,7 +115,7 @@ TEST(AutoTuning, AllProfilesGetTheResultOnDemand) {
   host.ask(tune(AutoPidFlag::pitch | AutoPidFlag::all_profiles, 1));
   host.listen(seconds(30));
   const auto found = settings(host, 1).axes.pitch;
-  for (const std::uint8_t profile : {0, 2, 3, 4}) {
+  for (std::uint8_t profile = 0; profile < 5; ++profile) {
     EXPECT_EQ(settings(host, profile).axes.pitch.p, found.p);
     EXPECT_EQ(settings(host, profile).axes.pitch.d, found.d);
   }

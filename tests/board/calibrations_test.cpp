@@ -109,8 +109,8 @@ TEST(Calibrations, LiveDataAreThoseOfTheImu) {
   Host host(options);
   const CalibInfo still = info(host);
   EXPECT_NEAR(still.acc_data.z.g(), 1, 0.02);
-  EXPECT_NEAR(still.imu_temp_cels.degrees_celsius(), host.board.gimbal().sample(host.now).temperature,
-              1);
+  EXPECT_NEAR(still.imu_temp_cels.degrees_celsius(),
+              host.board.gimbal().sample(host.now).temperature, 1);
   host.board.gimbal().command(2, {.mode = board::AxisMode::speed, .speed = 40}, host.now);
   host.listen(seconds(2));
   EXPECT_NEAR(info(host).gyro_abs_val * GyroRate(1).degrees_per_second(), 40, 4);
@@ -158,8 +158,9 @@ TEST(Calibrations, OverTemperatureTakesMinutes) {
   EXPECT_EQ(confirmations<CalibGyro>(host.listen(seconds(100))), 1);
   const CalibInfo one = info(host);
   EXPECT_EQ(one.temp_calib_gyro_enabled, 1);
-  EXPECT_LE(one.temp_calib_gyro_t_min_cels, one.imu_temp_cels);
-  EXPECT_GE(one.temp_calib_gyro_t_max_cels, one.imu_temp_cels);
+  // The board warms up all the time.
+  EXPECT_LT(one.temp_calib_gyro_t_min_cels, one.temp_calib_gyro_t_max_cels);
+  EXPECT_NEAR(one.temp_calib_gyro_t_max_cels.raw(), one.imu_temp_cels.raw(), 3);
   EXPECT_EQ(one.temp_calib_acc_enabled, 0);
 }
 

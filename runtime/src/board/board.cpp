@@ -141,7 +141,7 @@ class Board::Core {
     Outcome outcome = Outcome::unknown;
     const Code code =
         select(Direction::to_board, request.id, request.body.size(), [&]<class M>(Type<M>) {
-          if constexpr (M::direction == Direction::to_board) {
+          if constexpr (M::direction != Direction::from_board) {
             if (!is_supported<M>(machine.versions())) return;
             M message{};
             if (!decode(std::span(request.body), message)) {

@@ -70,7 +70,7 @@ std::vector<std::uint8_t> measured(Machine& machine, std::uint8_t address, Insta
     const Vector& gyro = is_main ? sample.gyro : sample.frame_gyro;
     registers[mpu::gyro_config] = registers[mpu::acc_config] = mpu::full_range;
     for (std::size_t i = 0; i < 3; ++i) {
-      put(registers, mpu::acc + 2 * i, acceleration[i] * mpu::per_g);
+      put(registers, mpu::acc + std::size_t{2} * i, acceleration[i] * mpu::per_g);
       put(registers, mpu::gyro + 2 * i, gyro[i] * mpu::per_degree_per_second);
     }
     const double celsius = is_main ? sample.temperature : sample.frame_temperature;
@@ -92,7 +92,7 @@ std::vector<std::uint8_t> measured(Machine& machine, std::uint8_t address, Insta
 }
 
 std::uint16_t key(std::uint8_t address, std::size_t reg) {
-  return static_cast<std::uint16_t>(address * 256U + reg);
+  return static_cast<std::uint16_t>(std::size_t{address} * 256 + reg);
 }
 
 /// Where a register of the EEPROM begins. Ours: REG_ADDR is the upper byte of the address, so

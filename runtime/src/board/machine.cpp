@@ -17,7 +17,11 @@ Machine::Machine(const Options& of, Memory kept, Instant now)
       files(memory),
       gimbal(options.gimbal, now),
       ports(options),
-      restarts(*this, now) {}
+      restarts(*this, now) {
+  for (const std::size_t imu : {0U, 1U}) {
+    gimbal.correct_gyro(imu == 1, memory.imus[imu].gyro_offset, 0, now);
+  }
+}
 
 Availability Machine::versions() const { return {options.firmware.raw(), options.board.raw()}; }
 
