@@ -132,7 +132,7 @@ class Player {
   void send_form(std::uint8_t index, std::uint8_t extra) {
     std::size_t at = 0;
     sbgc::AllMessages::for_each([&]<class M>(sbgc::Type<M>) {
-      if constexpr (M::direction == sbgc::Direction::to_board) {
+      if constexpr (M::direction != sbgc::Direction::from_board) {
         if (at++ != index) return;
         send_frame(static_cast<std::uint8_t>(M::command),
                    bytes(std::min<std::size_t>(M::max_size, M::min_size + extra % 64)));

@@ -37,7 +37,7 @@ TEST(Availability, OfEveryRequestIsThatOfTheModel) {
   for (const auto& options : {versions(10, 2200), versions(30, 2439), versions(30, 2590)}) {
     Host host(options);
     AllMessages::for_each([&]<class M>(Type<M>) {
-      if constexpr (M::direction == Direction::to_board) {
+      if constexpr (M::direction != Direction::from_board) {
         const auto unknown = host.board.counters().unknown;
         host.ask(M{}, milliseconds(2));
         const bool is_known =

@@ -59,7 +59,7 @@ void expect_answer_of_model(const Request& request) {
 
 TEST(DefaultAnswer, FitsTheModelForEveryRequest) {
   AllMessages::for_each([]<class M>(Type<M>) {
-    if constexpr (M::direction == Direction::to_board) expect_answer_of_model(M{});
+    if constexpr (M::direction != Direction::from_board) expect_answer_of_model(M{});
   });
 }
 

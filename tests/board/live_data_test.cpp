@@ -90,7 +90,9 @@ TEST(LiveData, CustomBlocksAreThoseOfTheRequest) {
     ASSERT_TRUE(decode(std::span(packets[0].body), data, {.flags = flags}));
     EXPECT_TRUE(data.tail.empty()) << bits;
     EXPECT_EQ(data.rc_channels.has_value(), flags.has(RealtimeDataCustomFlag::rc_channels));
-    if (data.rc_data) EXPECT_EQ((*data.rc_data)[0].raw(), RealtimeDataCustom::undefined);
+    if (data.rc_data) {
+      EXPECT_EQ((*data.rc_data)[0].raw(), RealtimeDataCustom::undefined);
+    }
   }
 }
 

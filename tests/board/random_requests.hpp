@@ -25,7 +25,7 @@ class RandomRequests {
  public:
   explicit RandomRequests(std::uint32_t seed) : random_(seed) {
     AllMessages::for_each([this]<class M>(Type<M>) {
-      if constexpr (M::direction == Direction::to_board) {
+      if constexpr (M::direction != Direction::from_board) {
         forms_.push_back({static_cast<std::uint8_t>(M::command), M::min_size, M::max_size});
       }
     });

@@ -42,7 +42,7 @@ constexpr double per_g = 2048, per_degree_per_second = 16.4;
 /// A magnetometer as HMC5883L, in a field of 0.5 Gauss.
 namespace hmc {
 constexpr std::size_t size = 13;
-constexpr std::size_t measured = 3, last_measured = 8, status = 9, identity = 10;
+constexpr std::size_t measured = 3, status = 9, identity = 10;
 constexpr double per_field = 545;
 }  // namespace hmc
 
