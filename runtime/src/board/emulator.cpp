@@ -8,9 +8,9 @@
 
 namespace sbgc::board {
 
-Emulator::Emulator(const EmulatorOptions& options, Memory memory, Instant now)
-    : options_(options), beginning_(now), board_(options.board, std::move(memory), now) {
-  if (options.restart_at) restart_at_ = now + *options.restart_at;
+Emulator::Emulator(const EmulatorOptions& options, Memory memory, Instant now, Instant beginning)
+    : options_(options), beginning_(beginning), board_(options.board, std::move(memory), now) {
+  if (options.restart_at) restart_at_ = beginning + *options.restart_at;
   follow_rate();
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <sbgc/board/board.hpp>
@@ -33,8 +34,11 @@ class Emulator {
   /// So many bytes from the host may be on their way to the board: see room().
   static constexpr std::size_t input_limit = 4096;
 
-  /// Switches the board on.
-  Emulator(const EmulatorOptions& options, Memory memory, Instant now);
+  /// Switches the board on. `beginning` is where times in `options` are counted from; as a rule the
+  /// same moment.
+  Emulator(const EmulatorOptions& options, Memory memory, Instant now, Instant beginning);
+  Emulator(const EmulatorOptions& options, Memory memory, Instant now)
+      : Emulator(options, std::move(memory), now, now) {}
 
   /// A host connects to a free port; nothing if all are taken. A port that is USB has no rate.
   std::optional<std::size_t> connect(bool is_usb, Instant now);
@@ -58,6 +62,8 @@ class Emulator {
 
   Board& board() { return board_; }
   const Board& board() const { return board_; }
+  /// The board's end of the line as it is now.
+  const LineSettings& line() const { return options_.line.board; }
   const LineCounters& counters(std::size_t port, Line::Way way) const;
 
  private:
