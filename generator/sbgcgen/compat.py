@@ -328,4 +328,8 @@ def _compare_variable(what: str, old: Variable, new: Variable, changes: Changes)
     level = Level.MEANING if narrowed else Level.COMPATIBLE
     ranges = [f"{v.minimum}..{v.maximum}" for v in (old, new)]
     changes.compare(level, f"{what}: range", ranges[0], ranges[1], new.at)
+    level = Level.MEANING if old.settings else Level.COMPATIBLE
+    sets = [" ".join(f"{s.message}.{s.path}" for s in v.settings) for v in (old, new)]
+    changes.compare(level, f"{what}: sets", sets[0], sets[1], new.at)
+    changes.compare(level, f"{what}: as_switch", old.is_switch, new.is_switch, new.at)
     changes.compare(Level.COMPATIBLE, f"{what}: summary", old.summary, new.summary, new.at)

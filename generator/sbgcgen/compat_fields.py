@@ -319,6 +319,9 @@ def _compare_limits(label: str, old: Field, new: Field, changes: Changes) -> Non
         changes.compare(
             Level.MEANING, what, special.meaning, meanings.pop(special.value, None), new.at
         )
+        name = next((s.name for s in new.special if s.value == special.value), "")
+        level = Level.SOURCE if special.name else Level.COMPATIBLE
+        changes.compare(level, f"{what}: C++ name", special.name, name, new.at)
     for value, meaning in meanings.items():
         was_ordinary = before is not None and before[0] <= value <= before[1]
         level = Level.MEANING if was_ordinary else Level.COMPATIBLE

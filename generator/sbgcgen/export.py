@@ -85,6 +85,8 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
         result["packed"] = field.type.name
     if field.special:
         result["special"] = {str(s.value): s.meaning for s in field.special}
+    if any(s.name for s in field.special):
+        result["special_names"] = {str(s.value): s.name for s in field.special if s.name}
     if field.max_count is not None:
         result["max_count"] = field.max_count
     if field.align != 1:
@@ -324,6 +326,16 @@ def export(layout: Layout) -> dict[str, Any]:
                 "scale": _number(variable.quantity.scale) if variable.quantity else None,
                 "add": _number(variable.quantity.offset) if variable.quantity else None,
                 "summary": variable.summary,
+                "sets": [
+                    {
+                        "message": setting.message,
+                        "path": setting.path,
+                        "scale_exact": str(setting.scale),
+                        "add_exact": str(setting.offset),
+                    }
+                    for setting in variable.settings
+                ],
+                "as_switch": variable.is_switch,
             }
             for variable in layout.variables
         ],

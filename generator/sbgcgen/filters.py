@@ -19,6 +19,7 @@ from sbgcgen.model import (
     Quantity,
     Scalar,
     Struct,
+    constants,
     copy_field,
 )
 from sbgcgen.names import camel_case, slug
@@ -84,6 +85,7 @@ FILTERS: dict[str, Callable[..., Any]] = {
     "versions": versions,
     "hex": hexadecimal,
     "fast_runs": fast_runs,
+    "constants": constants,
     "copy_field": copy_field,
     "camel": camel_case,
     "slug": slug,

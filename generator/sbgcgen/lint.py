@@ -16,9 +16,11 @@ from sbgcgen.model import (
     Settings,
     Struct,
     Variable,
+    constants,
     copy_field,
 )
 from sbgcgen.names import CPP_TYPES, MESSAGE_WORDS, STRUCT_WORDS
+from sbgcgen.resolve_fields import scalar_of
 
 # Findings that leave a body without some of its fields, so that its size is not known.
 _UNSIZED = ("SBGC010", "SBGC021", "SBGC025", "SBGC029", "SBGC031")
@@ -80,12 +82,15 @@ def _check_bodies(layout: Layout, found: Diagnostics) -> None:
                 text = f"'{field.name}' is a member that every struct has"
                 found.add(field.at, "SBGC022", text, "give the field another name with 'as'")
             _check_member(field, taken, found)
+        _check_constants(struct.fields, STRUCT_WORDS, found)
     for message in layout.messages:
         for field in message.fields:
             if field.name in MESSAGE_WORDS:
                 text = f"'{field.name}' is a member that every message has"
                 found.add(field.at, "SBGC022", text, "give the field another name with 'as'")
             _check_member(field, taken, found)
+        if not message.same_as:
+            _check_constants(message.fields, MESSAGE_WORDS, found)
         if message.name in taken:
             text = f"message {message.name} has the name of a type (at {taken[message.name]})"
             found.add(message.at, "SBGC028", text, "give the message another one with 'as'")
@@ -99,6 +104,22 @@ def _check_member(field: Field, taken: dict[str, Position], found: Diagnostics) 
     if field.name in taken or field.name in CPP_TYPES:
         text = f"'{field.name}' is the name of a type"
         found.add(field.at, "SBGC022", text, "a member's name begins with a lower-case letter")
+
+
+def _check_constants(fields: tuple[Field, ...], words: frozenset[str], found: Diagnostics) -> None:
+    """The names of special values stand beside those of the fields."""
+    members = {f.name: f.at for f in fields}
+    known = {c.name: c for c in constants(fields)}
+    for field in fields:
+        for special in field.special:
+            if special.name in members or special.name in words:
+                text = f"'{special.name}' is the name of another member"
+                hint = "give the special value another name"
+                found.add(special.at, "SBGC012", text, hint)
+            first = known.get(special.name)
+            if first and (first.value != special.value or first.scalar != scalar_of(field.type)):
+                text = f"'{special.name}' is the name of another special value"
+                found.add(special.at, "SBGC012", text, f"see {first.at}")
 
 
 def _check_alternatives(message: Message, fields: tuple[Field, ...], found: Diagnostics) -> None:

@@ -6,8 +6,9 @@ computes a layout again.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from math import floor, lcm
 from typing import Union
 
 from sbgcgen.diagnostics import Position
@@ -198,10 +199,42 @@ Type = Union[Scalar, Quantity, Enum, Packed, Blob, Struct, Announced]
 
 @dataclass(frozen=True)
 class Special:
-    """A value outside the ordinary meaning."""
+    """A value outside the ordinary meaning; `name` is that of a constant in C++, or ""."""
 
     value: int
     meaning: str
+    name: str = ""
+    at: Position = field(default=_NOWHERE, compare=False, repr=False)
+
+
+@dataclass(frozen=True)
+class Constant:
+    """A special value, of these `fields`, that a struct or message has a name for."""
+
+    name: str
+    scalar: Scalar
+    value: int
+    meaning: str
+    fields: tuple[str, ...]
+    at: Position = field(default=_NOWHERE, compare=False, repr=False)
+
+
+def constants(fields: tuple[Field, ...]) -> tuple[Constant, ...]:
+    """The special values of fields that have a name, each name once."""
+    found: dict[str, Constant] = {}
+    for owner in fields:
+        if isinstance(owner.type, (Blob, Struct, Announced)):
+            continue
+        scalar = owner.type if isinstance(owner.type, Scalar) else owner.type.scalar
+        for special in owner.special:
+            if special.name in found:
+                first = found[special.name]
+                found[special.name] = replace(first, fields=(*first.fields, owner.name))
+            elif special.name:
+                found[special.name] = Constant(
+                    special.name, scalar, special.value, special.meaning, (owner.name,), special.at
+                )
+    return tuple(found.values())
 
 
 @dataclass(frozen=True)
@@ -531,8 +564,50 @@ class Command:
 
 
 @dataclass(frozen=True)
+class VariableSetting:
+    """A setting that a variable stands for: its count is the variable's * `scale` + `offset`."""
+
+    message: str
+    path: str
+    scalar: Scalar
+    scale: Fraction
+    offset: Fraction
+
+    @property
+    def denominator(self) -> int:
+        """Of both `scale` and `offset`."""
+        return lcm(self.scale.denominator, self.offset.denominator)
+
+    @property
+    def numerator(self) -> int:
+        return int(self.scale * self.denominator)
+
+    @property
+    def addend(self) -> int:
+        return int(self.offset * self.denominator)
+
+    def count(self, value: int) -> int:
+        """The count of the setting that is nearest to a value of the variable."""
+        return _nearest(value * self.scale + self.offset)
+
+    def value(self, count: int) -> int:
+        """The value of the variable that is nearest to a count of the setting."""
+        return _nearest((count - self.offset) / self.scale)
+
+
+def _nearest(exact: Fraction) -> int:
+    """The nearest integer; a half goes away from 0."""
+    whole = floor(abs(exact) + Fraction(1, 2))
+    return whole if exact >= 0 else -whole
+
+
+@dataclass(frozen=True)
 class Variable:
-    """An adjustable variable (Appendix B)."""
+    """An adjustable variable (Appendix B).
+
+    It stands for `settings`, the first of which is the one that is read. A switch tells only
+    whether its settings are 0, and leaves what is not 0 as it is when it is switched on.
+    """
 
     name: str
     identifier: str
@@ -543,6 +618,8 @@ class Variable:
     maximum: int
     summary: str
     errata: tuple[str, ...]
+    settings: tuple[VariableSetting, ...] = ()
+    is_switch: bool = False
     at: Position = field(default=_NOWHERE, compare=False, repr=False)
 
 

@@ -8,7 +8,6 @@ from typing import Any
 from sbgcgen.diagnostics import Diagnostics, Position, did_you_mean
 from sbgcgen.load import Map, Spec
 from sbgcgen.model import (
-    SCALARS,
     Announcement,
     Command,
     Context,
@@ -19,7 +18,6 @@ from sbgcgen.model import (
     Layout,
     Message,
     Struct,
-    Variable,
 )
 from sbgcgen.names import camel_case, snake_case
 from sbgcgen.resolve_answers import AnswerResolver
@@ -32,6 +30,7 @@ from sbgcgen.resolve_fields import (
     total_size,
 )
 from sbgcgen.resolve_types import TypeResolver
+from sbgcgen.resolve_variables import VariableResolver
 
 DIRECTIONS = ("from_board", "to_board")
 _FORM_SUFFIX = {None: "", "simple": "", "success": "", "extended": "Ext", "error": "Error"}
@@ -80,6 +79,7 @@ class _Resolver:
         messages = self.answers.settle(messages)
         for name in self.fields._nodes:
             self.fields.struct(name)
+        variables = VariableResolver(self.types, messages, self.found)
         families = []
         for family, content in self.spec.families.items():
             structs = [s for s in self.fields.structs.values() if s.family == family]
@@ -96,7 +96,10 @@ class _Resolver:
             enums=tuple(self.types.types.enums.values()),
             packed=tuple(self.types.types.packed.values()),
             commands=tuple(self.commands),
-            variables=tuple(self._variable(*entry) for entry in self.spec.entries("variables")),
+            variables=tuple(
+                variables.variable(name, node, at)
+                for _, name, node, at in self.spec.entries("variables")
+            ),
             errata=tuple(self._errata()),
             indices=self.fields.indices,
         )
@@ -128,38 +131,6 @@ class _Resolver:
             )
             for number, node in entries.items()
         ]
-
-    def _variable(self, family: str, name: str, node: Map, at: Position) -> Variable:
-        quantity = self.types.types.quantities.get(str(node["type"]))
-        scalar = quantity.scalar if quantity else SCALARS.get(str(node["type"]))
-        if scalar is None:
-            known = [*SCALARS, *self.types.types.quantities]
-            hint = did_you_mean(str(node["type"]), known)
-            hint = hint or "a variable is a number or a quantity"
-            self.found.add(node.at("type"), "SBGC010", f"unknown type '{node['type']}'", hint)
-            scalar = SCALARS["i32"]
-        low, _, high = str(node["range"]).partition("..")
-        minimum, maximum = int(low), int(high)
-        if minimum > maximum:
-            message = f"the range of {name} is upside down"
-            self.found.add(node.at("range"), "SBGC017", message, f"write {high}..{low}")
-        if scalar.minimum is not None and scalar.maximum is not None:
-            if min(minimum, maximum) < scalar.minimum or max(minimum, maximum) > scalar.maximum:
-                message = f"the range of {name} goes beyond {scalar.name}"
-                hint = "the range is in raw wire values"
-                self.found.add(node.at("range"), "SBGC017", message, hint)
-        return Variable(
-            name=name,
-            identifier=self.types.identifier(snake_case(name), at),
-            id=node["id"],
-            scalar=scalar,
-            quantity=quantity,
-            minimum=minimum,
-            maximum=maximum,
-            summary=self.types.summary(node, at, name),
-            errata=self.types.errata(node),
-            at=at,
-        )
 
     # Commands and messages
 

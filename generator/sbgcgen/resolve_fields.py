@@ -316,7 +316,7 @@ class FieldResolver:
         self, node: Map, type_: Type, text: str
     ) -> tuple[Fraction | None, Fraction | None, tuple[Special, ...]]:
         at = node.at("range")
-        special = tuple(Special(int(k), str(v)) for k, v in (node.get("special") or {}).items())
+        special = self._special(node)
         minimum = maximum = None
         scalar = scalar_of(type_)
         if "range" in node:
@@ -346,6 +346,19 @@ class FieldResolver:
                     hint = "narrow the range, or mark it with 'special_in_range: true'"
                     self.found.add(where, "SBGC018", message, hint)
         return minimum, maximum, special
+
+    def _special(self, node: Map) -> tuple[Special, ...]:
+        """The special values, which are texts, or mappings that give them a name in C++."""
+        result = []
+        for key, content in (node.get("special") or {}).items():
+            if not isinstance(content, Map):
+                result.append(Special(int(key), str(content), at=node["special"].at(key)))
+                continue
+            at = content.at("as")
+            name = self.types.identifier(str(content["as"]), at)
+            text = self.types.summary(content, content.position, f"the special value {key}")
+            result.append(Special(int(key), text, name, at))
+        return tuple(result)
 
     def _variable(self, node: Map, earlier: list[Field]) -> str:
         """The earlier field with the id of the adjustable variable that this is the value of."""

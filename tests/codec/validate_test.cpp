@@ -40,7 +40,7 @@ TEST(Validate, Minimum) {
 
 TEST(Validate, MaximumAndSpecialValues) {
   BeepSound message = good_beep();
-  message.note_freq_hz[0] = NoteFrequency(21000);
+  message.note_freq_hz[0] = NoteFrequency(BeepSound::pause);
   message.note_length = NoteLength(0);
   EXPECT_EQ(violations_of(message), Violations{}) << "these mean something else";
   message.note_freq_hz[0] = NoteFrequency(21001);

@@ -222,6 +222,8 @@ def _leaf(message: Message, leaf: Leaf) -> Iterator[Fact]:
     for special in field.special:
         yield Fact(place, "field special value", Fraction(special.value), "meaning")
         yield Fact(place, "field special meaning", special.meaning, "meaning")
+        if special.name:
+            yield Fact(place, "field special name", special.name, "meaning")
     if field.reserved:
         yield Fact(place, "field reserved", "reserved", "meaning", re.IGNORECASE)
     if field.max_count is not None:
@@ -331,6 +333,9 @@ def _variables(layout: Layout) -> Iterator[Fact]:
         yield Fact(place, "variable summary", variable.summary, "meaning")
         if variable.quantity:
             yield Fact(place, "variable unit", variable.quantity.name, "unit")
+        for setting in variable.settings:
+            yield Fact(place, "variable setting", setting.path, "setting")
+            yield Fact(place, "variable setting", setting.message, "setting")
         for number in variable.errata:
             yield Fact(place, "variable errata", number, "meaning")
 

@@ -19,6 +19,7 @@ _COLUMNS = {
     "type": ["Type"],
     "unit": ["Type", "Unit"],
     "range": ["Values", "Range"],
+    "setting": ["Setting"],
     "number": ["Value"],
     "id": ["Id"],
 }

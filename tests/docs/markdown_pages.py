@@ -17,6 +17,7 @@ _COLUMNS = {
     "type": "Type",
     "unit": "Values",
     "range": "Raw range",
+    "setting": "Setting",
     "meaning": "Meaning",
     "name": "Name",
     "number": "Value",

@@ -29,6 +29,12 @@ MORE_COMMAND = (
     "      answer: none\n"
 )
 
+TILT = "        - {name: TILT, type: i8, summary: Tilt.}\n"
+STORE_STATE = (
+    "  CMD_KEEP:\n    id: 14\n    summary: New.\n    to_board:\n      source: Outgoing L64\n"
+    "      answer: none\n      same_as: State\n      stores: State\n"
+)
+
 CASES: dict[str, Case] = {
     # On the wire
     "command deleted": ([(MOVE, "")], WIRE, "command CMD_MOVE: 11 → deleted"),
@@ -518,5 +524,19 @@ CASES: dict[str, Case] = {
         [("range: -100..100", "range: -110..110")],
         OK,
         "variable TRIM: range: -100..100 → -110..110",
+    ),
+    "special value named": (
+        [("special: {255: unknown}", "special: {255: {as: unknown, summary: unknown}}")],
+        OK,
+        "State.LEVEL: special 255: C++ name: none → unknown",
+    ),
+    "variable's setting": (
+        [
+            ("variables:\n", STORE_STATE + "\nvariables:\n"),
+            ("range: -100..100,", "range: -100..100, sets: State.tilt,"),
+            ("type: u16, summary: How often.}\n", f"type: u16, summary: How often.}}\n{TILT}"),
+        ],
+        OK,
+        "variable TRIM: sets: none → State.tilt",
     ),
 }

@@ -197,7 +197,7 @@ commands:
     from_board:
       source: L1
       fields:
-        - {name: A, type: Angle, range: -100..100, special: {-32768: undefined}, summary: An angle.}
+        - {name: A, type: Angle, range: -100..100, special: {-32768: {as: lost, summary: undefined}}, summary: An angle.}
         - {name: B, type: f32, range: -1.5..1, summary: A fraction.}
         - {name: C, type: Mode, summary: A mode.}
         - {name: "N[2]", type: "text[8]", summary: Two names.}
@@ -210,6 +210,9 @@ def test_leaf_by_leaf(tmp_path: Path) -> None:
     exported = export(layout_of(tmp_path, PROBE))
     (message,) = [m for m in exported["messages"] if m["name"] == "Probe"]
     rows = [tuple(leaf[key] for key in LEAF) for leaf in message["layout"]]
+    (special,) = [leaf for leaf in message["layout"] if "special" in leaf]
+    assert special["special"] == {"-32768": "undefined"}
+    assert special["special_names"] == {"-32768": "lost"}
     assert rows == [
         ("a", "A", 0, "i16", 1, "deg", 360 / 16384, -100, 100, None, False),
         ("b", "B", 2, "f32", 1, None, None, -1.5, 1, None, False),

@@ -388,6 +388,9 @@ class SpecMaker:
             if self.chance(0.3):
                 node["special"] = {str(low): 'Lowest "of" all.'}
                 node["special_in_range"] = True
+                if low % 2:
+                    named = {"as": self.unique("named_special_"), "summary": "Lowest of all."}
+                    node["special"][str(low)] = named
         elif kind.number == "f32" and self.chance(0.4):
             node["range"] = self.random.choice(("-0.5..1.25", "0..1", "-1000000000..0.1"))
         if kind.number in INTEGERS and "special" not in node and self.chance(0.2):

@@ -3,12 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <span>
-#include <vector>
+#include <optional>
 
+#include <sbgc/availability.hpp>
 #include <sbgc/board/board.hpp>
-#include <sbgc/message.hpp>
+#include <sbgc/units.hpp>
 
 #include "auto_tuning.hpp"
 #include "calibrations.hpp"
@@ -43,7 +42,6 @@ struct Machine {
   Gimbal gimbal;
   Ports ports;                ///< of hosts: buffers, sending
   Streams streams;            ///< CMD_DATA_STREAM_INTERVAL
-  Restarts restarts;          ///< reset, boot mode, start
   Remote remote;              ///< RC inputs and virtual channels, and what they control
   Slots slots;                ///< RC signals that start actions and change variables
   Calibrations calibrations;  ///< those that take time
@@ -63,7 +61,36 @@ struct Machine {
   /// Errors as live data show them.
   Flags<SystemError> errors(Instant now);
 
-  std::uint32_t cur_imu = 1;  ///< SelectedImu that hosts have chosen
+  /// What the board is.
+  Availability versions() const;
+  /// Of the controller.
+  static Duration cycle();
+  /// Volts, as the calibrated sensor shows them.
+  double measured_battery(const Sample& sample) const;
+  /// The gyroscopes find their zero when the board starts, if the settings want that.
+  void calibrate_at_start(Instant now);
+
+  std::uint32_t baud_rate{};  ///< that SERIAL_SPEED has set at the last start
+
+  SelectedImu cur_imu = SelectedImu::main;  ///< that hosts have chosen
+  /// Angles that the board starts with and comes home to, if MENU_CMD_SET_ANGLE_NO_SAVE has set
+  /// others than the settings have.
+  std::optional<Axes<Angle14>> home{};
+  Restarts restarts;  ///< reset, boot mode, start; last, it starts all the others
 };
+
+/// Calls `use(part)` for each part that does something by itself, in a fixed order.
+template <class Use>
+void for_each_part(Machine& machine, Use&& use) {
+  use(machine.remote);
+  use(machine.slots);
+  use(machine.calibrations);
+  use(machine.auto_tuning);
+  use(machine.scripts);
+  use(machine.outputs);
+  use(machine.i2c);
+  use(machine.debug_variables);
+  use(machine.streams);
+}
 
 }  // namespace sbgc::board

@@ -22,14 +22,20 @@ struct Waiting {
   std::vector<std::uint8_t> body{};
 };
 
+/// Buffers. They know nothing of what frames mean.
 class Ports {
  public:
+  /// No port has this number; sending to it does nothing.
+  static constexpr std::size_t none = Board::max_ports;
+
   explicit Ports(const Options& options);
 
   std::optional<std::size_t> open(bool is_usb);
   void close(std::size_t port);
   bool is_open(std::size_t port) const;
   bool is_usb(std::size_t port) const;
+  /// Of the line, since the board has started.
+  std::uint64_t errors(std::size_t port) const;
 
   /// Sends a message, even if it has to wait for room; nothing happens if the port is closed.
   template <Message M>
@@ -48,8 +54,56 @@ class Ports {
     return true;
   }
   void send_frame(std::size_t port, std::span<const std::uint8_t> frame);
-  /// Bytes that fit into the output buffer now.
+  /// Bytes that fit into the output buffer now; none into that of a closed port.
   std::size_t room(std::size_t port) const;
+
+  /// Finds the requests in what has come from a host, and keeps them, or only counts them while the
+  /// board does not listen.
+  void receive(std::size_t port, std::span<const std::uint8_t> bytes, bool is_listening);
+  /// A request waits, and nothing that waits to be sent keeps it from its turn.
+  bool has_turn(std::size_t port) const;
+  /// Precondition: has_turn(port).
+  Waiting take(std::size_t port);
+  /// Forgets what has come from hosts: the board has restarted. `output_too`: what waits to be sent
+  /// as well.
+  void restart(bool output_too);
+
+  std::span<const std::uint8_t> output(std::size_t port) const;
+  void sent(std::size_t port, std::size_t size);
+
+  /// Nothing goes out any more.
+  void set_silent(bool is_silent) { is_silent_ = is_silent; }
+
+  Instant now{};  ///< for `on_traffic`
+  const std::function<void(const Board::Traffic&)>* on_traffic{};
+  BoardCounters counters{};
+
+  void tell(std::size_t port, const Frame& frame, std::optional<Outcome> outcome) const;
+
+ private:
+  /// Of what nobody has asked for, such as the progress of a calibration, so much waits at most
+  /// beyond the output buffer when a host does not read. Ours.
+  static constexpr std::size_t max_overflow = 4096;
+
+  struct Port {
+    bool is_open{}, is_usb{};
+    Parser parser{};
+    std::deque<Waiting> requests{};
+    std::size_t requests_size{};
+    std::vector<std::uint8_t> output{};  ///< from `output_begin` on
+    std::size_t output_begin{};
+
+    std::size_t output_size() const { return output.size() - output_begin; }
+  };
+
+  static std::uint64_t parser_errors(const Parser& parser);
+  static void forget_input(Port& port);
+  void keep(std::size_t port, const Frame& frame, bool is_listening);
+
+  std::array<Port, Board::max_ports> ports_{};
+  std::size_t input_limit_{};
+  std::size_t output_limit_{};
+  bool is_silent_{};
 };
 
 }  // namespace sbgc::board

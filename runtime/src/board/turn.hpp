@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include <sbgc/availability.hpp>
 #include <sbgc/board/board.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/messages.hpp>
@@ -39,15 +40,46 @@ class Turn {
   const std::uint8_t command;  ///< id of the request
   const Instant now;
 
-  /// Sends a message back.
+  /// Sends a message back, if this board and firmware have it.
   template <Message M>
-  Outcome answer(const M& message);
-  /// CMD_CONFIRM that names the request, with these data.
+  Outcome answer(const M& message) {
+    if (is_supported<M>(versions())) send(message);
+    return Outcome::carried_out;
+  }
+  /// CMD_CONFIRM that names the request, with these data. Of commands that hosts send in quick
+  /// succession there is none, see confirms().
   Outcome confirm(std::span<const std::uint8_t> data = {});
   /// CMD_ERROR that names the request.
   Outcome refuse(Refusal reason, std::uint32_t detail = 0);
   /// Says nothing, where the specification wants that.
   static Outcome ignore() { return Outcome::refused; }
+
+  /// A message that is not known as a type.
+  void answer_body(std::uint8_t id, std::span<const std::uint8_t> body);
+  /// What the board is.
+  Availability versions() const;
+
+ private:
+  void send_frame(std::span<const std::uint8_t> frame);
+  template <Message M>
+  void send(const M& message) {
+    std::array<std::uint8_t, max_frame_size> frame{};
+    if (const WriteResult written = encode_frame(message, frame)) {
+      send_frame(std::span(frame).first(written.size));
+    }
+  }
 };
+
+/// Whether the board confirms a command of which the specification does not say. Real boards
+/// confirm most of them, CMD_CONTROL too (E085). Ours: those that carry a steady flow of data come
+/// so often that confirmations would take the line from the live data; nobody waits for them.
+constexpr bool confirms(std::uint8_t command) noexcept {
+  switch (static_cast<CommandId>(command)) {
+    case CommandId::helper_data:
+    case CommandId::api_virt_ch_control:
+    case CommandId::ahrs_helper: return false;
+    default: return true;
+  }
+}
 
 }  // namespace sbgc::board

@@ -787,9 +787,12 @@ struct AutoPidRequest {
   static constexpr std::size_t max_size = 19;
   static constexpr Availability since{0, 30};
 
+  /// For cfg_flags: stops the tuning.
+  static constexpr std::uint8_t stop_tuning = 0;
+
   /// Profile to switch to first. Range: 0 to 4. Errata: E062.
   std::uint8_t profile_id{};
-  /// What to tune and how. 0: stops the tuning. Errata: E056.
+  /// What to tune and how. stop_tuning (0): stops the tuning. Errata: E056.
   AutoPidFlags cfg_flags{};
   /// How far to go for high gains, at the cost of stability. Range: 0 to 255.
   std::uint8_t gain_vs_stability{};

@@ -157,13 +157,21 @@ struct ReadParams3 {
   static constexpr std::size_t max_size = 134;
   static constexpr Availability since{0, 30};
 
-  /// Profile that the settings belong to. Range: 0 to 4. 255: the active profile. Errata: E062.
+  /// For profile_id: the active profile.
+  static constexpr std::uint8_t active_profile = 255;
+  /// For acc_limiter_all: disabled.
+  static constexpr std::uint8_t acc_limiter_disabled = 0;
+  /// For servo_out: disabled.
+  static constexpr std::uint8_t servo_disabled = 0;
+
+  /// Profile that the settings belong to. Range: 0 to 4. active_profile (255): the active profile.
+  /// Errata: E062.
   std::uint8_t profile_id{};
   /// Controller and motor of each axis.
   Axes<AxisPid> axes{};
-  /// Limit of the acceleration of all axes. Unit: deg/s^2, one count is 5. Range: 0 to 255. 0:
-  /// disabled. Deprecated since firmware 2.59: use ACC_LIMITER3 of CMD_READ_PARAMS_EXT2. Errata:
-  /// E066.
+  /// Limit of the acceleration of all axes. Unit: deg/s^2, one count is 5. Range: 0 to 255.
+  /// acc_limiter_disabled (0): disabled. Deprecated since firmware 2.59: use ACC_LIMITER3 of
+  /// CMD_READ_PARAMS_EXT2. Errata: E066.
   AngularAcceleration acc_limiter_all{};
   /// Gain of the flight controller's roll signal. Range: -127 to 127. Errata: E036.
   std::int8_t ext_fc_gain_roll{};
@@ -260,7 +268,8 @@ struct ReadParams3 {
   std::uint8_t frame_angle_from_motors{};
   /// Angle at start-up. Unit: deg, one count is 360/16384. Range: -32768 to 32767. Errata: E052.
   Axes<Angle14> rc_memory{};
-  /// Virtual channel that is output at each servo pin. Range: 1 to 32. 0: disabled. Errata: E069.
+  /// Virtual channel that is output at each servo pin. Range: 1 to 32. servo_disabled (0):
+  /// disabled. Errata: E069.
   std::array<std::uint8_t, 4> servo_out{};
   /// PWM frequency of the servo outputs. Unit: Hz, one count is 10. Range: 5 to 40.
   ServoRate servo_rate{};
@@ -483,7 +492,10 @@ struct ReadParams3Request {
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{0, 30};
 
-  /// Profile to read. Range: 0 to 4. 255: the active profile. Errata: E062.
+  /// For profile_id: the active profile.
+  static constexpr std::uint8_t active_profile = 255;
+
+  /// Profile to read. Range: 0 to 4. active_profile (255): the active profile. Errata: E062.
   std::uint8_t profile_id{};
 
   constexpr bool operator==(const ReadParams3Request&) const = default;
@@ -525,7 +537,10 @@ struct ReadParams {
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{};
 
-  /// Profile to read. Range: 0 to 4. 255: the active profile. Errata: E062.
+  /// For profile_id: the active profile.
+  static constexpr std::uint8_t active_profile = 255;
+
+  /// Profile to read. Range: 0 to 4. active_profile (255): the active profile. Errata: E062.
   std::uint8_t profile_id{};
 
   constexpr bool operator==(const ReadParams&) const = default;
@@ -567,7 +582,11 @@ struct ReadParamsExt {
   static constexpr std::size_t max_size = 104;
   static constexpr Availability since{0, 30};
 
-  /// Profile that the settings belong to. Range: 0 to 4. 255: the active profile. Errata: E062.
+  /// For profile_id: the active profile.
+  static constexpr std::uint8_t active_profile = 255;
+
+  /// Profile that the settings belong to. Range: 0 to 4. active_profile (255): the active profile.
+  /// Errata: E062.
   std::uint8_t profile_id{};
   /// Notch filters of each axis. Errata: E011.
   Axes<AxisNotches> notches{};
@@ -776,7 +795,10 @@ struct ReadParamsExtRequest {
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{0, 30};
 
-  /// Profile to read. Range: 0 to 4. 255: the active profile. Errata: E062.
+  /// For profile_id: the active profile.
+  static constexpr std::uint8_t active_profile = 255;
+
+  /// Profile to read. Range: 0 to 4. active_profile (255): the active profile. Errata: E062.
   std::uint8_t profile_id{};
 
   constexpr bool operator==(const ReadParamsExtRequest&) const = default;
@@ -818,8 +840,11 @@ struct ReadParamsExt2 {
   static constexpr std::size_t max_size = 151;
   static constexpr Availability since{0, 30};
 
-  /// Profile that the settings belong to. Range: 0 to 4. 255: the active profile. Errata: E001,
-  /// E062.
+  /// For profile_id: the active profile.
+  static constexpr std::uint8_t active_profile = 255;
+
+  /// Profile that the settings belong to. Range: 0 to 4. active_profile (255): the active profile.
+  /// Errata: E001, E062.
   std::uint8_t profile_id{};
   /// Reserved; kept as it is.
   Bytes<16> reserved_1{};
@@ -927,7 +952,10 @@ struct ReadParamsExt2Request {
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{0, 30};
 
-  /// Profile to read. Range: 0 to 4. 255: the active profile. Errata: E062.
+  /// For profile_id: the active profile.
+  static constexpr std::uint8_t active_profile = 255;
+
+  /// Profile to read. Range: 0 to 4. active_profile (255): the active profile. Errata: E062.
   std::uint8_t profile_id{};
 
   constexpr bool operator==(const ReadParamsExt2Request&) const = default;
@@ -1075,7 +1103,10 @@ struct UseDefaults {
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{};
 
-  /// Profile to reset. Range: 0 to 4. 253: erases the EEPROM. Errata: E062.
+  /// For profile_id: erases the EEPROM.
+  static constexpr std::uint8_t erase_eeprom = 253;
+
+  /// Profile to reset. Range: 0 to 4. erase_eeprom (253): erases the EEPROM. Errata: E062.
   std::uint8_t profile_id{};
 
   constexpr bool operator==(const UseDefaults&) const = default;

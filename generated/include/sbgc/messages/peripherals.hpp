@@ -30,18 +30,23 @@ struct BeepSound {
   static constexpr std::size_t max_size = 72;
   static constexpr Availability since{2590, 30};
 
+  /// For decay_factor: no envelope.
+  static constexpr std::uint8_t no_envelope = 0;
+  /// For note_freq_hz: pause, then the envelope starts again.
+  static constexpr std::uint16_t pause = 21000;
+
   /// Which sound to make. Errata: E111.
   BeepModes mode{};
   /// Length of each note of a custom melody. Unit: ms, one count is 8. Range: 1 to 255. 0: without
   /// meaning unless a custom melody is played. Errata: E063.
   NoteLength note_length{};
   /// How slowly a note fades after each pause; 0 turns the envelope off. Heard only with encoder
-  /// firmware or while the motors are off. Range: 0 to 15. 0: no envelope.
+  /// firmware or while the motors are off. Range: 0 to 15. no_envelope (0): no envelope.
   std::uint8_t decay_factor{};
   /// Reserved; kept as it is.
   Bytes<8> reserved{};
-  /// The notes of a custom melody. Unit: Hz. Range: 554 to 20999. 21000: pause, then the envelope
-  /// starts again. At most 30. Errata: E010, E064.
+  /// The notes of a custom melody. Unit: Hz. Range: 554 to 20999. pause (21000): pause, then the
+  /// envelope starts again. At most 30. Errata: E010, E064.
   BoundedArray<NoteFrequency, 121> note_freq_hz{};
 
   constexpr bool operator==(const BeepSound&) const = default;
@@ -153,8 +158,13 @@ struct ServoOut {
   static constexpr std::size_t max_size = 16;
   static constexpr Availability since{0, 30};
 
-  /// Pulse of each output. Unit: us. Range: -1 to 20000. -1: the pin is set free and floats. 0: the
-  /// pin is low all the time. Errata: E076.
+  /// For servo_time: the pin is set free and floats.
+  static constexpr std::int16_t floating = -1;
+  /// For servo_time: the pin is low all the time.
+  static constexpr std::int16_t low = 0;
+
+  /// Pulse of each output. Unit: us. Range: -1 to 20000. floating (-1): the pin is set free and
+  /// floats. low (0): the pin is low all the time. Errata: E076.
   std::array<ServoPulse, 8> servo_time{};
 
   constexpr bool operator==(const ServoOut&) const = default;
@@ -351,8 +361,12 @@ struct ApiVirtChControl {
   static constexpr std::size_t max_size = 64;
   static constexpr Availability since{0, 30};
 
+  /// For val_ch: undefined, as if the signal were lost.
+  static constexpr std::int16_t undefined = -10000;
+
   /// Signal of each channel; the board clips what goes beyond. Unit: no unit, one count is 1/500.
-  /// Range: -500 to 500. -10000: undefined, as if the signal were lost. Errata: E042, E069, E070.
+  /// Range: -500 to 500. undefined (-10000): undefined, as if the signal were lost. Errata: E042,
+  /// E069, E070.
   std::array<CentredRcSignal, 32> val_ch{};
 
   constexpr bool operator==(const ApiVirtChControl&) const = default;

@@ -97,6 +97,9 @@ struct RealtimeData3 {
   static constexpr std::size_t max_size = 63;
   static constexpr Availability since{0, 30};
 
+  /// For ext_fc_roll and ext_fc_pitch: the input serves RC control or commands.
+  static constexpr std::int16_t ext_fc_unused = 0;
+
   /// Sensors of each axis.
   Axes<AxisSensors> axes{};
   /// Errors counted on the serial line.
@@ -111,11 +114,11 @@ struct RealtimeData3 {
   Axes<RcSignal> rc{};
   /// RC command channel. Unit: us. Range: 1000 to 2000. Errata: E070.
   RcSignal rc_cmd{};
-  /// Signal of an external flight controller for roll. Unit: us. Range: 1000 to 2000. 0: the input
-  /// serves RC control or commands. Errata: E060.
+  /// Signal of an external flight controller for roll. Unit: us. Range: 1000 to 2000. ext_fc_unused
+  /// (0): the input serves RC control or commands. Errata: E060.
   RcSignal ext_fc_roll{};
-  /// Signal of an external flight controller for pitch. Unit: us. Range: 1000 to 2000. 0: the input
-  /// serves RC control or commands. Errata: E060.
+  /// Signal of an external flight controller for pitch. Unit: us. Range: 1000 to 2000.
+  /// ext_fc_unused (0): the input serves RC control or commands. Errata: E060.
   RcSignal ext_fc_pitch{};
   /// Angles of the camera. Unit: deg, one count is 360/16384. Range: -32768 to 32767.
   Axes<Angle14> angle{};
@@ -280,6 +283,9 @@ struct RealtimeData4 {
   static constexpr std::size_t max_size = 124;
   static constexpr Availability since{0, 30};
 
+  /// For ext_fc_roll and ext_fc_pitch: the input serves RC control or commands.
+  static constexpr std::int16_t ext_fc_unused = 0;
+
   /// Sensors of each axis.
   Axes<AxisSensors> axes{};
   /// Errors counted on the serial line.
@@ -294,11 +300,11 @@ struct RealtimeData4 {
   Axes<RcSignal> rc{};
   /// RC command channel. Unit: us. Range: 1000 to 2000. Errata: E070.
   RcSignal rc_cmd{};
-  /// Signal of an external flight controller for roll. Unit: us. Range: 1000 to 2000. 0: the input
-  /// serves RC control or commands. Errata: E060.
+  /// Signal of an external flight controller for roll. Unit: us. Range: 1000 to 2000. ext_fc_unused
+  /// (0): the input serves RC control or commands. Errata: E060.
   RcSignal ext_fc_roll{};
-  /// Signal of an external flight controller for pitch. Unit: us. Range: 1000 to 2000. 0: the input
-  /// serves RC control or commands. Errata: E060.
+  /// Signal of an external flight controller for pitch. Unit: us. Range: 1000 to 2000.
+  /// ext_fc_unused (0): the input serves RC control or commands. Errata: E060.
   RcSignal ext_fc_pitch{};
   /// Angles of the camera. Unit: deg, one count is 360/16384. Range: -32768 to 32767.
   Axes<Angle14> angle{};
@@ -513,6 +519,9 @@ struct RealtimeDataCustom {
   static constexpr std::size_t max_size = 110;
   static constexpr Availability since{2590, 30};
 
+  /// For rc_data and rc_channels: undefined.
+  static constexpr std::int16_t undefined = -32768;
+
   /// What has to be known from earlier messages to read the body.
   struct Context {
     /// The FLAGS of the request: they are not in the answer, and decide which blocks it has.
@@ -537,8 +546,8 @@ struct RealtimeDataCustom {
   /// GYRO_DATA. Errata: E078.
   Optional<Axes<GyroRate>> gyro_data{};
   /// RC signals of the inputs ROLL, PITCH, YAW, CMD, FC_ROLL, FC_PITCH. Unit: no unit, one count is
-  /// 1/16384. Range: -16384 to 16384. -32768: undefined. Present when flags has RC_DATA. Errata:
-  /// E070.
+  /// 1/16384. Range: -16384 to 16384. undefined (-32768): undefined. Present when flags has
+  /// RC_DATA. Errata: E070.
   Optional<std::array<FineRcSignal, 6>> rc_data{};
   /// Gravity row of the rotation matrix. Range: -1 to 1. Present when flags has Z1_H1_VECTORS.
   /// Errata: E038.
@@ -546,8 +555,8 @@ struct RealtimeDataCustom {
   /// Heading row of the rotation matrix; the cross product of both is the third row. Range: -1 to
   /// 1. Present when flags has Z1_H1_VECTORS. Errata: E038.
   Optional<Xyz<float>> h1_vector{};
-  /// All captured RC channels. Unit: no unit, one count is 1/16384. Range: -16384 to 16384. -32768:
-  /// undefined. Present when flags has RC_CHANNELS. Errata: E070.
+  /// All captured RC channels. Unit: no unit, one count is 1/16384. Range: -16384 to 16384.
+  /// undefined (-32768): undefined. Present when flags has RC_CHANNELS. Errata: E070.
   Optional<std::array<FineRcSignal, 18>> rc_channels{};
   /// Accelerometer after calibration. Unit: g, one count is 1/512. Present when flags has ACC_DATA.
   /// Errata: E078.
@@ -678,10 +687,15 @@ struct DataStreamInterval {
   static constexpr std::size_t max_size = 21;
   static constexpr Availability since{2590, 30};
 
+  /// For interval_ms: ends the stream.
+  static constexpr std::uint16_t end_stream = 0;
+  /// For interval_ms: a sample in every cycle, 0.8 ms.
+  static constexpr std::uint16_t every_cycle = 1;
+
   /// Message to send. Errata: E089.
   CommandId cmd_id{};
-  /// Time between two samples. Unit: ms. 0: ends the stream. 1: a sample in every cycle, 0.8 ms.
-  /// Errata: E072.
+  /// Time between two samples. Unit: ms. end_stream (0): ends the stream. every_cycle (1): a sample
+  /// in every cycle, 0.8 ms. Errata: E072.
   Milliseconds interval_ms{};
   /// What the message needs to know; unused bytes are 0. Errata: E100.
   StreamConfig config{};

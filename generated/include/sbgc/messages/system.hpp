@@ -357,14 +357,17 @@ struct BoardInfo3 {
   static constexpr std::size_t max_size = 69;
   static constexpr Availability since{0, 30};
 
+  /// For script_slot_size: the slot is empty.
+  static constexpr std::uint16_t empty_slot = 0;
+
   /// Identifies the board. Errata: E112.
   Bytes<9> device_id{};
   /// Identifies the microcontroller. Errata: E112.
   Bytes<12> mcu_id{};
   /// Size of the EEPROM. Unit: byte. Errata: E014, E116.
   LongByteCount eeprom_size{};
-  /// Size of the user-written script in each slot. Unit: byte. 0: the slot is empty. Errata: E097,
-  /// E116.
+  /// Size of the user-written script in each slot. Unit: byte. empty_slot (0): the slot is empty.
+  /// Errata: E097, E116.
   std::array<ByteCount, 5> script_slot_size{};
   /// Reserved; kept as it is.
   Bytes<34> reserved{};

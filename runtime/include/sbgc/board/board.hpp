@@ -47,8 +47,8 @@ class Board {
 
   /// Switches the board on.
   Board(const Options& options, Memory memory, Instant now);
-  Board(Board&&) noexcept;
-  Board& operator=(Board&&) noexcept;
+  Board(Board&& other) noexcept;
+  Board& operator=(Board&& other) noexcept;
   ~Board();
 
   /// A host connects to a free interface; nothing if all are taken.
@@ -91,8 +91,11 @@ class Board {
   std::function<void(const Traffic&)> on_traffic{};
 
  private:
-  class Machine;
-  std::unique_ptr<Machine> machine_;
+  class Core;
+  /// For calls in which there may be traffic to tell of.
+  Core& entered();
+
+  std::unique_ptr<Core> core_;
 };
 
 }  // namespace sbgc::board

@@ -23,6 +23,7 @@ struct Options {
   /// Room for requests that wait; one that does not fit is lost whole. 0: not limited.
   std::size_t input_buffer = 0;
   /// Room for what waits to be sent: answers wait until they fit, samples of streams are left out.
+  /// 0: not limited.
   std::size_t output_buffer = 1024;
   /// From a restart until the board listens again.
   Duration start_time = milliseconds(500);

@@ -1,0 +1,43 @@
+/// Requests that choose and correct IMUs.
+#include "handlers.hpp"
+#include "machine.hpp"
+
+namespace sbgc::board {
+namespace {
+
+Outcome select(Turn& turn, SelectedImu imu) {
+  const bool exists =
+      imu == SelectedImu::main || (imu == SelectedImu::frame && turn.machine.options.has_frame_imu);
+  if (!exists) return Turn::ignore();
+  turn.machine.cur_imu = imu;
+  return turn.confirm();
+}
+
+/// Ours: the unit of the gyroscope is that of its readings.
+double degrees_per_second(GyroOffset offset) {
+  return offset.gyro_units() * GyroRate(1).degrees_per_second();
+}
+
+}  // namespace
+
+Outcome handle(Turn& turn, const SelectImu3& request) { return select(turn, request.imu_type); }
+/// Its further parameters are not documented.
+Outcome handle(Turn& turn, const SelectImu3Ext& request) { return select(turn, request.imu_type); }
+
+Outcome handle(Turn& turn, const GyroCorrection& request) {
+  Machine& machine = turn.machine;
+  const bool of_frame = request.imu_type == ImuIndex::frame;
+  if (!of_frame && request.imu_type != ImuIndex::main) return turn.refuse(Refusal::bad_parameter);
+  if (of_frame && !machine.options.has_frame_imu) return turn.refuse(Refusal::no_device);
+  Vector offset;
+  for (std::size_t i = 0; i < 3; ++i) {
+    offset[i] = degrees_per_second(request.gyro_zero_corr[i]);
+  }
+  machine.gimbal.correct_gyro(of_frame, offset, degrees_per_second(request.gyro_zero_heading_corr),
+                              turn.now);
+  machine.memory.imus[of_frame ? 1 : 0].gyro_offset = offset;
+  ++machine.memory.revision;
+  return turn.confirm();
+}
+
+}  // namespace sbgc::board

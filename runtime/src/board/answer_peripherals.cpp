@@ -1,0 +1,40 @@
+/// Requests about pins, servos, sound and I2C.
+#include "handlers.hpp"
+#include "machine.hpp"
+
+namespace sbgc::board {
+
+Outcome handle(Turn& turn, const TriggerPin& request) {
+  const bool switched = turn.machine.outputs.set_pin(turn.machine, request.pin_id, request.state);
+  return switched ? turn.confirm() : Turn::ignore();
+}
+
+Outcome handle(Turn& turn, const ServoOut& request) {
+  const auto refusal = turn.machine.outputs.set_servos(turn.machine, request);
+  return refusal ? turn.refuse(*refusal) : turn.confirm();
+}
+
+Outcome handle(Turn& turn, const BeepSound& request) {
+  const bool plays = turn.machine.outputs.play(request, turn.now);
+  return plays ? turn.confirm() : turn.refuse(Refusal::bad_parameter);
+}
+
+Outcome handle(Turn& turn, const I2cReadRegBufRequest& request) {
+  Machine& machine = turn.machine;
+  if (!I2cBus::answers(machine, request.device_addr)) return turn.refuse(Refusal::no_device);
+  if (request.data_len.raw() == 0) return turn.refuse(Refusal::bad_parameter);
+  const auto bytes = machine.i2c.read(machine, request.device_addr, request.reg_addr,
+                                      request.data_len.raw(), turn.now);
+  I2cReadRegBuf answer;
+  for (const std::uint8_t byte : bytes) answer.data.push_back(byte);
+  return turn.answer(answer);
+}
+
+Outcome handle(Turn& turn, const I2cWriteRegBuf& request) {
+  Machine& machine = turn.machine;
+  if (!I2cBus::answers(machine, request.device_addr)) return turn.refuse(Refusal::no_device);
+  machine.i2c.write(machine, request.device_addr, request.reg_addr, request.data);
+  return turn.confirm();
+}
+
+}  // namespace sbgc::board

@@ -1,0 +1,23 @@
+/// Requests about scripts.
+#include "handlers.hpp"
+#include "machine.hpp"
+
+namespace sbgc::board {
+
+Outcome handle(Turn& turn, const RunScript& request) {
+  Machine& machine = turn.machine;
+  std::optional<std::size_t> debug_port;
+  switch (request.mode) {
+    case ScriptMode::stop:
+      if (request.slot >= Scripts::slots) return turn.refuse(Refusal::bad_parameter);
+      if (machine.scripts.running() == request.slot) machine.scripts.stop();
+      return turn.confirm();
+    case ScriptMode::start: break;
+    case ScriptMode::start_debug: debug_port = turn.port; break;
+    default: return turn.refuse(Refusal::bad_parameter);
+  }
+  const auto refusal = machine.scripts.start(machine, request.slot, debug_port, turn.now);
+  return refusal ? turn.refuse(*refusal) : turn.confirm();
+}
+
+}  // namespace sbgc::board

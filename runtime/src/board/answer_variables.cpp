@@ -1,0 +1,67 @@
+/// Requests about adjustable variables.
+#include <cstdint>
+#include <vector>
+
+#include <sbgc/meta/adjustable_variables.hpp>
+#include <sbgc/validate.hpp>
+
+#include "handlers.hpp"
+#include "machine.hpp"
+
+namespace sbgc::board {
+namespace {
+
+Outcome report(Turn& turn, std::uint8_t trigger, std::uint8_t analog) {
+  if (trigger >= Slots::triggers || analog >= Slots::analogs) {
+    return turn.refuse(Refusal::bad_parameter);
+  }
+  return turn.answer(turn.machine.slots.state(turn.machine, trigger, analog));
+}
+
+}  // namespace
+
+Outcome handle(Turn& turn, const GetAdjVarsVal& request) {
+  if (!is_valid(request)) return turn.refuse(Refusal::bad_parameter);
+  SetAdjVarsVal answer;
+  for (const VariableId id : request.param_id) {
+    const auto value = turn.machine.settings.variable(id);
+    if (!value) return turn.refuse(Refusal::bad_parameter, static_cast<std::uint8_t>(id));
+    answer.params.push_back({id, *value});
+  }
+  return turn.answer(answer);
+}
+
+/// All of them or none.
+Outcome handle(Turn& turn, const SetAdjVarsVal& request) {
+  Machine& machine = turn.machine;
+  if (!is_valid(request)) return turn.refuse(Refusal::bad_parameter);
+  std::vector<AdjVarValue> before;
+  for (const AdjVarValue& variable : request.params) {
+    const auto value = machine.settings.variable(variable.param_id);
+    if (value && machine.settings.set_variable(variable.param_id, variable.param_value)) {
+      before.push_back({variable.param_id, *value});
+      continue;
+    }
+    for (auto old = before.rbegin(); old != before.rend(); ++old) {
+      machine.settings.set_variable(old->param_id, old->param_value);
+    }
+    return turn.refuse(Refusal::bad_parameter, static_cast<std::uint8_t>(variable.param_id));
+  }
+  machine.apply_settings(turn.now);
+  return turn.confirm();
+}
+
+Outcome handle(Turn& turn, const SaveParams3&) {
+  turn.machine.settings.save();
+  return turn.confirm();
+}
+
+Outcome handle(Turn& turn, const AdjVarsStateRequest& request) {
+  return report(turn, request.trigger_slot, request.analog_slot);
+}
+/// Ours, because these parameters are not documented: the first two are those of the simple form.
+Outcome handle(Turn& turn, const AdjVarsStateRequestExt& request) {
+  return report(turn, request.params[0], request.params[1]);
+}
+
+}  // namespace sbgc::board

@@ -1,0 +1,197 @@
+#include <sbgc/board/board.hpp>
+
+#include <array>
+#include <utility>
+
+#include <sbgc/availability.hpp>
+#include <sbgc/dispatch.hpp>
+#include <sbgc/exchanges/all.hpp>
+#include <sbgc/settings.hpp>
+
+#include "default_answer.hpp"
+#include "handlers.hpp"
+#include "machine.hpp"
+#include "settings_access.hpp"
+
+namespace sbgc::board {
+namespace {
+
+template <Message M>
+Outcome carry_out(Turn& turn, const M& request) {
+  if constexpr (requires { handle(turn, request); }) {
+    return handle(turn, request);
+  } else if constexpr (accesses_settings<M>) {
+    return access_settings(turn, request);
+  } else {
+    return default_answer(turn, request);
+  }
+}
+
+}  // namespace
+
+/// The machine, and the order in which things happen in it.
+class Board::Core {
+ public:
+  Core(const Options& options, Memory memory, Instant now)
+      : machine(options, std::move(memory), now), start_(now), clock_(now) {
+    turns_.fill(Instant::never);
+  }
+
+  /// Everything that is due up to that time, in the order of time.
+  void run_until(Instant until) {
+    until = later(until, clock_);
+    for (;;) {
+      const Instant at = later(next(), clock_);
+      if (at > until || at == Instant::never) break;
+      clock_ = machine.ports.now = at;
+      run_due(at);
+    }
+    clock_ = machine.ports.now = until;
+    machine.streams.count_skipped(machine, until);
+  }
+
+  Instant next() {
+    Instant next = earlier(machine.restarts.next(), machine.streams.next());
+    for_each_part(machine, [&](auto& part) { next = earlier(next, part.next()); });
+    for (const Instant turn : turns_) next = earlier(next, turn);
+    return next;
+  }
+
+  void receive(std::size_t port, std::span<const std::uint8_t> bytes, Instant now) {
+    run_until(now);
+    machine.ports.receive(port, bytes, machine.restarts.is_listening());
+    plan_turn(port);
+  }
+
+  void sent(std::size_t port, std::size_t size, Instant now) {
+    run_until(now);
+    machine.ports.sent(port, size);
+    machine.streams.has_room(machine, port, clock_);
+    plan_turn(port);
+  }
+
+  void close(std::size_t port) {
+    machine.streams.forget(machine, port, clock_);
+    machine.ports.close(port);
+    turns_[port] = Instant::never;
+  }
+
+  void restart(Instant now) {
+    run_until(now);
+    machine.restarts.restart_now(machine, clock_, false, true);
+  }
+
+  void set_silent(bool is_silent) {
+    machine.ports.set_silent(is_silent);
+    for (std::size_t port = 0; port < turns_.size(); ++port) {
+      machine.streams.has_room(machine, port, clock_);
+    }
+  }
+
+  Machine machine;
+
+ private:
+  void run_due(Instant now) {
+    machine.restarts.advance(machine, now);
+    for_each_part(machine, [&](auto& part) {
+      if (part.next() <= now) part.advance(machine, now);
+    });
+    for (std::size_t port = 0; port < turns_.size(); ++port) {
+      if (turns_[port] > now) continue;
+      turns_[port] = Instant::never;
+      if (machine.ports.has_turn(port)) take_turn(port, now);
+      plan_turn(port);
+    }
+  }
+
+  /// One request of a port is carried out in each cycle of the controller.
+  void plan_turn(std::size_t port) {
+    if (turns_[port] != Instant::never || !machine.ports.has_turn(port)) return;
+    const std::int64_t cycle = Machine::cycle().us;
+    const std::int64_t elapsed = (clock_ - start_).us;
+    turns_[port] = clock_ + microseconds(cycle - elapsed % cycle);
+  }
+
+  void take_turn(std::size_t port, Instant now) {
+    const Waiting request = machine.ports.take(port);
+    const Outcome outcome = carry_out_frame(port, request, now);
+    BoardCounters& counters = machine.ports.counters;
+    if (outcome == Outcome::refused) ++counters.refused;
+    if (outcome == Outcome::unknown || outcome == Outcome::malformed) ++counters.unknown;
+    machine.ports.tell(port, {request.id, request.body}, outcome);
+  }
+
+  /// What the board does not know it ignores, as an old board does.
+  Outcome carry_out_frame(std::size_t port, const Waiting& request, Instant now) {
+    Outcome outcome = Outcome::unknown;
+    const Code code =
+        select(Direction::to_board, request.id, request.body.size(), [&]<class M>(Type<M>) {
+          if (!is_supported<M>(machine.versions())) return;
+          M message{};
+          if (!decode(std::span(request.body), message)) {
+            outcome = Outcome::malformed;
+            return;
+          }
+          Turn turn(machine, port, request.id, now);
+          outcome = carry_out(turn, message);
+        });
+    return code == Code::unknown_form ? Outcome::malformed : outcome;
+  }
+
+  Instant start_;
+  Instant clock_;
+  std::array<Instant, max_ports> turns_{};  ///< when a request of each port is carried out
+};
+
+Board::Board(const Options& options, Memory memory, Instant now)
+    : core_(std::make_unique<Core>(options, std::move(memory), now)) {}
+Board::Board(Board&& other) noexcept = default;
+Board& Board::operator=(Board&& other) noexcept = default;
+Board::~Board() = default;
+
+Board::Core& Board::entered() {
+  core_->machine.ports.on_traffic = &on_traffic;
+  return *core_;
+}
+
+std::optional<std::size_t> Board::open_port(bool is_usb) {
+  return core_->machine.ports.open(is_usb);
+}
+
+void Board::close_port(std::size_t port) { core_->close(port); }
+
+void Board::receive(std::size_t port, std::span<const std::uint8_t> bytes, Instant now) {
+  entered().receive(port, bytes, now);
+}
+
+void Board::advance(Instant now) {
+  entered().run_until(now);
+}
+
+Instant Board::next() const { return core_->next(); }
+
+std::span<const std::uint8_t> Board::output(std::size_t port) const {
+  return core_->machine.ports.output(port);
+}
+
+void Board::sent(std::size_t port, std::size_t size, Instant now) {
+  entered().sent(port, size, now);
+}
+
+void Board::restart(Instant now) {
+  entered().restart(now);
+}
+
+void Board::set_silent(bool is_silent) { core_->set_silent(is_silent); }
+
+const Memory& Board::memory() const { return core_->machine.memory; }
+
+Gimbal& Board::gimbal() { return core_->machine.gimbal; }
+
+const BoardCounters& Board::counters() const { return core_->machine.ports.counters; }
+
+const Options& Board::options() const { return core_->machine.options; }
+
+std::uint32_t Board::baud_rate() const { return core_->machine.baud_rate; }
+
+}  // namespace sbgc::board

@@ -1,0 +1,109 @@
+#include "debug_variables.hpp"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+
+#include "machine.hpp"
+
+namespace sbgc::board {
+namespace {
+
+/// What values are taken from.
+struct View {
+  Machine& machine;
+  Sample sample;
+  Instant now;
+  Instant start;
+};
+
+struct Variable {
+  std::string_view name;
+  DebugVarKind kind;
+  std::uint16_t size;  ///< of an array; 0: a scalar
+  double (*value)(const View& view, std::size_t index);
+  DebugVarAxis axis = DebugVarAxis::no_axis;
+  bool is_angle = false;  ///< 16384 counts for one turn
+};
+
+/// Degrees as counts of Angle14, on one turn.
+double counts(double degrees) { return std::remainder(degrees, 360.0) * 16384 / 360; }
+
+using Kind = DebugVarKind;
+using Axis = DebugVarAxis;
+using Index = std::size_t;
+
+constexpr std::array<Variable, 14> variables{{
+    {"UPTIME_MS", Kind::uint32, 0,
+     [](const View& v, Index) {
+       return std::floor(static_cast<double>((v.now - v.start).us) / 1000);
+     }},
+    {"ROLL", Kind::int16, 0, [](const View& v, Index) { return counts(v.sample.angles.roll); },
+     Axis::roll, true},
+    {"PITCH", Kind::int16, 0, [](const View& v, Index) { return counts(v.sample.angles.pitch); },
+     Axis::pitch, true},
+    {"YAW", Kind::int16, 0, [](const View& v, Index) { return counts(v.sample.angles.yaw); },
+     Axis::yaw, true},
+    {"YAW_JOINT", Kind::int32, 0,
+     [](const View& v, Index) { return v.sample.joints.yaw * 16384 / 360; }, Axis::yaw, true},
+    {"GYRO", Kind::int16, 3,
+     [](const View& v, Index i) { return v.sample.gyro[i] * 32767 / 2000; }},
+    {"POWER", Kind::uint8, 3, [](const View& v, Index i) { return v.sample.power[i] * 255; }},
+    {"BATTERY", Kind::float32, 0, [](const View& v, Index) { return v.sample.battery; }},
+    {"TEMPERATURE", Kind::int8, 0, [](const View& v, Index) { return v.sample.temperature; }},
+    {"ERRORS", Kind::uint16, 0,
+     [](const View& v, Index) -> double { return v.machine.errors(v.now).raw(); }},
+    {"PROFILE", Kind::uint8, 0,
+     [](const View& v, Index) -> double { return v.machine.settings.profile(); }},
+    {"SCRIPT_CMD", Kind::uint16, 0,
+     [](const View& v, Index) -> double { return v.machine.scripts.command(); }},
+    {"SOUND", Kind::uint16, 0,
+     [](const View& v, Index) -> double {
+       const auto sound = v.machine.outputs.sound();
+       return sound ? sound->mode.raw() : 0;
+     }},
+    {"HIGH_PINS", Kind::uint16, 0,
+     [](const View& v, Index) -> double { return v.machine.outputs.high_pins(); }},
+}};
+
+/// The nearest number of that type; integers beyond its ends go round.
+Number number(NumberType type, double value) {
+  if (type == NumberType::f32)
+    return {type, std::bit_cast<std::uint32_t>(static_cast<float>(value))};
+  const auto bits = static_cast<std::uint64_t>(std::llround(value));
+  const unsigned unused = 64 - 8 * static_cast<unsigned>(size_of(type));
+  return {type, static_cast<std::uint32_t>(bits << unused >> unused)};
+}
+
+}  // namespace
+
+DebugVarsInfo3 DebugVariables::info() {
+  DebugVarsInfo3 info;
+  for (const Variable& variable : variables) {
+    DebugVarInfo one;
+    one.var_name.assign(variable.name);
+    one.var_type.set_kind(variable.kind);
+    one.var_type.set_axis(variable.axis);
+    if (variable.is_angle) one.var_type.set_flags(DebugVarFlag::angle14);
+    one.arr_size = variable.size;
+    info.vars.push_back(one);
+  }
+  return info;
+}
+
+DebugVars3 DebugVariables::values(Machine& machine, Instant now) const {
+  const View view{machine, machine.gimbal.sample(now), now, start_};
+  DebugVars3 values;
+  for (const Variable& variable : variables) {
+    const NumberType type = number_type(variable.kind);
+    std::size_t index = 0;
+    do {
+      values.var_value.push_back(number(type, variable.value(view, index)));
+    } while (++index < variable.size);
+  }
+  return values;
+}
+
+}  // namespace sbgc::board

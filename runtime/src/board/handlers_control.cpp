@@ -1,0 +1,113 @@
+// Moving the camera.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+#include <sbgc/meta/enums.hpp>
+
+#include "fields.hpp"
+#include "handlers.hpp"
+#include "machine.hpp"
+
+namespace sbgc::board {
+namespace {
+
+std::optional<AxisMode> mode_of(ControlModeKind kind) {
+  switch (kind) {
+    case ControlModeKind::no_control: return AxisMode::remote;
+    case ControlModeKind::speed: return AxisMode::speed;
+    case ControlModeKind::angle: return AxisMode::angle;
+    case ControlModeKind::speed_angle: return AxisMode::speed_angle;
+    case ControlModeKind::rc: return AxisMode::signal;
+    case ControlModeKind::angle_rel_frame: return AxisMode::relative_angle;
+  }
+  return {};
+}
+
+/// Nothing if there is no such mode.
+std::optional<AxisCommand> command_of(const Availability& versions, ControlMode mode,
+                                      const ControlAxis& target) {
+  const auto axis_mode = mode_of(mode.mode());
+  if (!axis_mode) return {};
+  // Firmware that does not know the flag does not look at it.
+  const bool is_fine = mode.flags().has(ControlFlag::high_res_speed) &&
+                       knows(versions, ControlFlag::high_res_speed);
+  AxisCommand command{*axis_mode};
+  command.speed = is_fine ? FineSpeed(target.speed.raw()).degrees_per_second()
+                          : target.speed.degrees_per_second();
+  // Where the angle says the direction, the speed is a size.
+  if (*axis_mode == AxisMode::angle || *axis_mode == AxisMode::relative_angle) {
+    command.speed = std::abs(command.speed);
+  }
+  command.angle = target.angle.degrees();
+  // "Should be in range -500...500": beyond it the signal stays at its end, as that of a receiver.
+  command.signal = std::clamp(CentredRcSignal(target.angle.raw()).fraction(), -1.0, 1.0);
+  return command;
+}
+
+Outcome control(Turn& turn, const Axes<ControlMode>& modes, const Axes<ControlAxis>& targets) {
+  Axes<AxisCommand> commands;
+  for (std::size_t axis = 0; axis < commands.size(); ++axis) {
+    const auto command = command_of(turn.versions(), modes[axis], targets[axis]);
+    if (!command) return turn.refuse(Refusal::bad_parameter, modes[axis].raw());
+    commands[axis] = *command;
+  }
+  for (std::size_t axis = 0; axis < commands.size(); ++axis) {
+    turn.machine.gimbal.command(axis, commands[axis], turn.now);
+  }
+  return turn.confirm();
+}
+
+Outcome turn_motors(Turn& turn, bool on) {
+  turn.machine.set_motors(on, turn.now);
+  // An empty battery keeps them off.
+  if (on && turn.machine.gimbal.stopped_by_battery()) return turn.refuse(Refusal::not_possible);
+  return turn.confirm();
+}
+
+Outcome execute(Turn& turn, MenuCommand action) {
+  if (turn.machine.execute(action, turn.now)) return turn.confirm();
+  return turn.refuse(Refusal::bad_parameter, static_cast<std::uint32_t>(action));
+}
+
+/// Only the acceleration matters to the simulation: it knows the frame's attitude and speed.
+Outcome help(Turn& turn, const Xyz<Acceleration>& acceleration) {
+  turn.machine.gimbal.help(
+      {acceleration.x.real(), acceleration.y.real(), acceleration.z.real()}, turn.now);
+  return turn.confirm();
+}
+
+}  // namespace
+
+Outcome handle(Turn& turn, const Control& request) {
+  const ControlMode mode = request.control_mode;
+  return control(turn, {mode, mode, mode}, request.axes);
+}
+
+Outcome handle(Turn& turn, const ControlExt& request) {
+  return control(turn, request.control_mode, request.axes);
+}
+
+Outcome handle(Turn& turn, const MotorsOn& /*request*/) { return turn_motors(turn, true); }
+
+Outcome handle(Turn& turn, const MotorsOff& /*request*/) { return turn_motors(turn, false); }
+
+// What the ways of turning them off are is not documented.
+Outcome handle(Turn& turn, const MotorsOffExt& /*request*/) { return turn_motors(turn, false); }
+
+Outcome handle(Turn& turn, const ExecuteMenu& request) { return execute(turn, request.cmd_id); }
+
+Outcome handle(Turn& turn, const ExecuteMenuExt& request) { return execute(turn, request.cmd_id); }
+
+Outcome handle(Turn& turn, const HelperData& request) { return help(turn, request.frame_acc); }
+
+Outcome handle(Turn& turn, const HelperDataExt& request) {
+  if (request.coord_sys != CoordinateSystem::ground_yaw_rotated) {
+    return turn.refuse(Refusal::bad_parameter, static_cast<std::uint32_t>(request.coord_sys));
+  }
+  return help(turn, request.frame_acc);
+}
+
+}  // namespace sbgc::board

@@ -1,0 +1,57 @@
+// Live data, asked for or streamed.
+
+#include "handlers.hpp"
+#include "live_data.hpp"
+#include "machine.hpp"
+
+namespace sbgc::board {
+namespace {
+
+Outcome tell_data_3(Turn& turn) {
+  RealtimeData3 data;
+  measure(turn.machine, turn.port, turn.now, data);
+  return turn.answer(data);
+}
+
+}  // namespace
+
+Outcome handle(Turn& turn, const RealtimeData& /*request*/) { return tell_data_3(turn); }
+
+Outcome handle(Turn& turn, const RealtimeData3Request& /*request*/) { return tell_data_3(turn); }
+
+Outcome handle(Turn& turn, const RealtimeData4Request& /*request*/) {
+  RealtimeData4 data;
+  measure(turn.machine, turn.port, turn.now, data);
+  return turn.answer(data);
+}
+
+Outcome handle(Turn& turn, const RealtimeDataCustomRequest& request) {
+  RealtimeDataCustom data;
+  measure(turn.machine, request.flags, turn.now, data);
+  return turn.answer(data);
+}
+
+Outcome handle(Turn& turn, const GetAnglesRequest& /*request*/) {
+  GetAngles data;
+  measure(turn.machine, turn.now, data);
+  return turn.answer(data);
+}
+
+Outcome handle(Turn& turn, const GetAnglesExtRequest& /*request*/) {
+  GetAnglesExt data;
+  measure(turn.machine, turn.now, data);
+  return turn.answer(data);
+}
+
+Outcome handle(Turn& turn, const DataStreamInterval& request) {
+  switch (turn.machine.streams.change(turn.machine, turn.port, request, turn.now)) {
+    case Streams::Change::done: break;
+    case Streams::Change::no_room:
+      return turn.refuse(Refusal::no_room, static_cast<std::uint32_t>(request.cmd_id));
+    case Streams::Change::bad_command:
+      return turn.refuse(Refusal::bad_parameter, static_cast<std::uint32_t>(request.cmd_id));
+  }
+  return turn.confirm();
+}
+
+}  // namespace sbgc::board

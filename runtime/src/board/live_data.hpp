@@ -1,0 +1,33 @@
+/// What the board tells of its present state: answers and samples of streams.
+#pragma once
+
+#include <cstddef>
+
+#include <sbgc/messages/control.hpp>
+#include <sbgc/messages/imu.hpp>
+#include <sbgc/messages/realtime.hpp>
+#include <sbgc/time.hpp>
+
+namespace sbgc::board {
+
+struct Machine;
+
+/// Sets `data` to what the board measures now. Precondition for the attitude: the board knows it.
+void measure(Machine& machine, std::size_t port, Instant now, RealtimeData3& data);
+void measure(Machine& machine, std::size_t port, Instant now, RealtimeData4& data);
+void measure(Machine& machine, RealtimeDataCustomFlags blocks, Instant now,
+             RealtimeDataCustom& data);
+void measure(Machine& machine, Instant now, GetAngles& data);
+void measure(Machine& machine, Instant now, GetAnglesExt& data);
+void measure(Machine& machine, bool of_frame, Instant now, AhrsHelper& data);
+
+/// Whether the frame's attitude is known.
+bool knows_frame(const Machine& machine);
+
+/// Whether this board can send the stream that a request asks for.
+bool can_stream(const Machine& machine, const DataStreamInterval& request);
+/// Sends a sample of it, if there is room. Precondition: can_stream().
+bool offer_sample(Machine& machine, std::size_t port, const DataStreamInterval& request,
+                  Instant now);
+
+}  // namespace sbgc::board

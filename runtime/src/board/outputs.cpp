@@ -1,0 +1,157 @@
+#include "outputs.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include <sbgc/availability.hpp>
+#include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/peripherals.hpp>
+#include <sbgc/validate.hpp>
+
+#include "machine.hpp"
+
+namespace sbgc::board {
+namespace {
+
+/// Ours: the standard sounds take this long.
+constexpr Duration standard_sound = milliseconds(300);
+constexpr Duration click_sound = milliseconds(20);
+
+/// The place of a value among those of its enum.
+template <class E>
+std::optional<std::size_t> index_of(E value) {
+  const auto values = EnumMeta<E>::info.values;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i].value == static_cast<std::int64_t>(value)) return i;
+  }
+  return {};
+}
+
+Availability versions_of(const Machine& machine) {
+  return {machine.options.firmware.raw(), machine.options.board.raw()};
+}
+
+/// Whether a board has the value of an enum.
+template <class E>
+bool has(const Machine& machine, E value) {
+  const auto index = index_of(value);
+  return index && is_available(EnumMeta<E>::info.values[*index].since, versions_of(machine));
+}
+
+/// Whether a source of RC signals is this pin: RC_MAP_* name pins with the numbers of OutputPin.
+bool is_at(const Machine& machine, RcMap source, OutputPin pin) {
+  // Boards without analog inputs of their own read analog signals at the pins for PWM.
+  const bool reads_pin = source.source() == RcSource::pwm ||
+                         (source.source() == RcSource::analog && !has(machine, RcInput::adc1));
+  return reads_pin && source.channel() == static_cast<std::uint8_t>(pin);
+}
+
+bool is_input(const Machine& machine, OutputPin pin) {
+  const auto& settings = machine.settings.of<ReadParams3>();
+  const RcVirtualMode mode = settings.rc_virt_mode;
+  const bool has_receiver =
+      mode == RcVirtualMode::cppm || mode == RcVirtualMode::sbus || mode == RcVirtualMode::spektrum;
+  if (has_receiver && pin == OutputPin::rc_input_roll) return true;
+  const auto is_pin = [&](RcMap source) { return is_at(machine, source, pin); };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (is_pin(settings.rc_map[axis])) return true;
+  }
+  if (is_pin(settings.rc_map_cmd) || is_pin(settings.rc_map_fc_roll) ||
+      is_pin(settings.rc_map_fc_pitch)) {
+    return true;
+  }
+  const auto& slots = machine.settings.of<ReadAdjVarsCfg>();
+  const auto reads_pin = [&](const auto& slot) { return is_pin(slot.src_ch); };
+  return std::any_of(slots.trigger_slots.begin(), slots.trigger_slots.end(), reads_pin) ||
+         std::any_of(slots.analog_slots.begin(), slots.analog_slots.end(), reads_pin);
+}
+
+/// Pins of the servo outputs, as CMD_SERVO_OUT describes them.
+constexpr std::array<OutputPin, Outputs::servo_pins> servo_pin{
+    OutputPin::ext_fc_input_roll, OutputPin::ext_fc_input_pitch, OutputPin::rc_input_pitch,
+    OutputPin::pin_aux1};
+
+constexpr ServoPulse floating{ServoOut::floating};
+
+}  // namespace
+
+std::array<ServoPulse, Outputs::servos> Outputs::free_servos() {
+  std::array<ServoPulse, servos> result;
+  result.fill(floating);
+  return result;
+}
+
+bool Outputs::set_pin(const Machine& machine, OutputPin pin, PinState state) {
+  if (!has(machine, pin) || !index_of(state) || is_input(machine, pin)) return false;
+  const auto& settings = machine.settings.of<ReadParams3>();
+  for (std::size_t i = 0; i < servo_pin.size(); ++i) {
+    const bool is_servo = servos_[i] != floating || settings.servo_out[i] != 0;
+    if (servo_pin[i] == pin && is_servo) return false;
+  }
+  pins_[*index_of(pin)] = state;
+  return true;
+}
+
+std::optional<PinState> Outputs::pin(OutputPin pin) const {
+  const auto index = index_of(pin);
+  return index ? pins_[*index] : std::nullopt;
+}
+
+std::uint16_t Outputs::high_pins() const {
+  unsigned bits = 0;
+  for (std::size_t i = 0; i < pins_.size(); ++i) {
+    if (pins_[i] == PinState::high) bits |= 1U << i;
+  }
+  return static_cast<std::uint16_t>(bits);
+}
+
+std::optional<Refusal> Outputs::set_servos(const Machine& machine, const ServoOut& request) {
+  if (!is_valid(request)) return Refusal::bad_parameter;
+  const double rate = machine.settings.of<ReadParams3>().servo_rate.hertz();
+  for (std::size_t i = 0; i < servos; ++i) {
+    const ServoPulse pulse = request.servo_time[i];
+    if (pulse.raw() * rate >= 1e6) return Refusal::bad_parameter;
+    const bool has_pin = i < servo_pin.size();
+    if (has_pin && pulse != floating && is_input(machine, servo_pin[i])) {
+      return Refusal::not_possible;
+    }
+  }
+  servos_ = request.servo_time;
+  for (std::size_t i = 0; i < servo_pin.size(); ++i) {
+    if (servos_[i] != floating) pins_[*index_of(servo_pin[i])].reset();
+  }
+  return {};
+}
+
+bool Outputs::play(const BeepSound& sound, Instant now) {
+  // Ours: one sound at a time, although the mode is a set.
+  const auto mode = static_cast<BeepMode>(sound.mode.raw());
+  if (!std::has_single_bit(sound.mode.raw()) || !index_of(mode) || !is_valid(sound)) return false;
+  Duration length = mode == BeepMode::click ? click_sound : standard_sound;
+  if (mode == BeepMode::custom_melody) {
+    const auto note = static_cast<std::int64_t>(sound.note_length.milliseconds());
+    if (note == 0 || sound.note_freq_hz.empty()) return false;
+    length = milliseconds(note) * static_cast<std::int32_t>(sound.note_freq_hz.size());
+  }
+  sound_ = Sound{sound.mode, now + length};
+  return true;
+}
+
+void Outputs::signal(const Machine& machine, BeeperMode event, Instant now) {
+  if (!machine.settings.of<ReadParams3>().beeper_modes.has(event)) return;
+  // The sounds have the numbers of the events that the settings choose from.
+  sound_ = Sound{BeepModes(static_cast<std::uint16_t>(event)), now + standard_sound};
+}
+
+Instant Outputs::next() const { return sound_ ? sound_->end : Instant::never; }
+
+void Outputs::advance(Machine&, Instant now) {
+  if (sound_ && sound_->end <= now) sound_.reset();
+}
+
+void Outputs::restart(Machine&, Instant) {
+  static_assert(std::size(EnumMeta<OutputPin>::values) == pin_count);
+  *this = {};
+}
+
+}  // namespace sbgc::board

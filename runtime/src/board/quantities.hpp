@@ -1,0 +1,43 @@
+/// From numbers of the simulation to quantities of the wire.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+
+#include <sbgc/quantity.hpp>
+#include <sbgc/units.hpp>
+
+namespace sbgc::board {
+
+/// For what physically can exceed the type of the wire, such as the speed of a camera that is
+/// pushed: the value at the end of the type, as a sensor saturates. Not a number becomes 0.
+template <class Q>
+Q saturated(double value) {
+  if (const auto quantity = Q::from_real(value)) return *quantity;
+  using Raw = typename Q::raw_type;
+  if (std::isnan(value)) return Q(Raw{});
+  return Q(value < 0 ? std::numeric_limits<Raw>::lowest() : std::numeric_limits<Raw>::max());
+}
+
+/// The same for plain numbers.
+template <std::integral Raw>
+Raw saturated_raw(double value) {
+  constexpr auto lowest = static_cast<double>(std::numeric_limits<Raw>::lowest());
+  constexpr auto highest = static_cast<double>(std::numeric_limits<Raw>::max());
+  if (std::isnan(value)) return 0;
+  if (value <= lowest) return std::numeric_limits<Raw>::lowest();
+  if (value >= highest) return std::numeric_limits<Raw>::max();
+  return static_cast<Raw>(std::lround(value));
+}
+
+/// An angle that starts again when its counts overflow, after two turns in each direction.
+inline Angle14 wrapped(double degrees) {
+  constexpr double counts = 0x1.0p16;
+  constexpr double period = counts * Angle14(1).degrees();
+  const auto angle = LongAngle14::from_degrees(std::remainder(degrees, period));
+  return Angle14(static_cast<std::int16_t>(angle.value_or(LongAngle14{}).raw()));
+}
+
+}  // namespace sbgc::board

@@ -1,0 +1,105 @@
+#include "remote.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "machine.hpp"
+
+namespace sbgc::board {
+namespace {
+
+/// Settings that bend a signal have its resolution: 500 counts from the middle to the end. Ours:
+/// the specification gives no units.
+double share_of_signal(int counts) {
+  return CentredRcSignal(static_cast<std::int16_t>(counts)).fraction();
+}
+
+double bent(const ReadParams3& settings, std::size_t axis, double signal) {
+  if (settings.rc[axis].rc_mode.inverted()) signal = -signal;
+  signal += share_of_signal(settings.rc_trim[axis]);
+  const double beyond = std::abs(signal) - share_of_signal(settings.rc_deadband);
+  if (beyond <= 0) return 0;
+  const double curve = settings.rc_expo_rate / 100.0;
+  const double size = std::min(beyond, 1.0);
+  return std::copysign((1 - curve) * size + curve * size * size * size, signal);
+}
+
+/// Adds the flight controller's share, if it is mixed into this axis.
+double mixed(double signal, RcMix mix, std::size_t axis, std::optional<double> controller,
+             int gain) {
+  const auto target = static_cast<std::size_t>(mix.target());
+  if (target != axis + 1 || !controller) return signal;
+  constexpr double all = 63;  // of RcMix::rate()
+  const double share = mix.rate() / all;
+  // EXT_FC_GAIN: 127 is the whole signal. Ours.
+  const double added = *controller * gain / std::numeric_limits<std::int8_t>::max();
+  return signal * (1 - share) + added * share;
+}
+
+}  // namespace
+
+std::optional<double> Remote::signal(RcMap source) const {
+  if (source.source() != RcSource::api || source.channel() == 0) return {};
+  return signals_[source.channel() - 1U];
+}
+
+std::optional<double> Remote::axis(const Machine& machine, std::size_t axis) const {
+  const ReadParams3& settings = machine.settings.of<ReadParams3>();
+  const auto own = signal(settings.rc_map[source_of_axis_[axis]]);
+  if (!own) return {};
+  double result = bent(settings, axis, *own);
+  result = mixed(result, settings.rc_mix_fc_roll, axis, signal(settings.rc_map_fc_roll),
+                 settings.ext_fc_gain_roll);
+  result = mixed(result, settings.rc_mix_fc_pitch, axis, signal(settings.rc_map_fc_pitch),
+                 settings.ext_fc_gain_pitch);
+  return std::clamp(result, -1.0, 1.0);
+}
+
+void Remote::swap(std::size_t one, std::size_t other) {
+  std::swap(source_of_axis_[one], source_of_axis_[other]);
+}
+
+void Remote::apply(Machine& machine, Instant now) const {
+  for (std::size_t index = 0; index < source_of_axis_.size(); ++index) {
+    machine.gimbal.set_remote(index, axis(machine, index), now);
+  }
+}
+
+void Remote::set_channels(Machine& machine, const ApiVirtChControl& signals, Instant now) {
+  for (std::size_t i = 0; i < channels; ++i) {
+    const CentredRcSignal signal = signals.val_ch[i];
+    if (signal.raw() == undefined_api_signal) {
+      signals_[i].reset();
+    } else {
+      // "Value may go outside these limits and will be clipped."
+      signals_[i] = std::clamp(signal.fraction(), -1.0, 1.0);
+    }
+  }
+  apply(machine, now);
+  follow_command_channel(machine, now);
+}
+
+/// The command channel is a switch of three positions; each change of it starts an action. Only new
+/// signals do: were it looked at after each change of settings, an action that changes the channel's
+/// source could start itself for ever.
+void Remote::follow_command_channel(Machine& machine, Instant now) {
+  const ReadParams3& settings = machine.settings.of<ReadParams3>();
+  const auto level = signal(settings.rc_map_cmd);
+  // Thirds of the range: ours.
+  constexpr double third = 1.0 / 3;
+  const Position position = !level           ? Position::none
+                            : *level < -third ? Position::low
+                            : *level > third  ? Position::high
+                                              : Position::middle;
+  if (std::exchange(command_, position) == position || position == Position::none) return;
+  const MenuCommand action = position == Position::low    ? settings.rc_cmd_low
+                             : position == Position::high ? settings.rc_cmd_high
+                                                          : settings.rc_cmd_mid;
+  static_cast<void>(machine.execute(action, now));
+}
+
+void Remote::restart(Machine& /*machine*/, Instant /*now*/) { *this = {}; }
+
+}  // namespace sbgc::board

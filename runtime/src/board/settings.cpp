@@ -1,0 +1,74 @@
+#include "settings.hpp"
+
+#include <sbgc/meta/variables.hpp>
+#include <sbgc/variable_settings.hpp>
+
+namespace sbgc::board {
+
+Settings::Settings(Memory& memory) : memory_(memory), eeprom_(memory) { reload(); }
+
+void Settings::reload() {
+  variables_.clear();
+  StoredMessages::for_each([this]<class M>(Type<M>) { use(stored<M>(copy_in_use<M>())); });
+}
+
+std::uint8_t Settings::profile() const {
+  constexpr std::uint8_t profiles = SettingsOf<ReadParams3>::copies;
+  return memory_.profile < profiles ? memory_.profile : std::uint8_t{0};
+}
+
+void Settings::select_profile(std::uint8_t profile) {
+  if (memory_.profile != profile) ++memory_.revision;
+  memory_.profile = profile;
+  StoredMessages::for_each([&]<class M>(Type<M>) {
+    if constexpr (is_of_profile<M>) use(stored<M>(profile));
+  });
+}
+
+std::optional<std::int32_t> Settings::variable(VariableId id) const {
+  if (find_variable(id) == nullptr) return std::nullopt;
+  const Optional<std::int32_t> now = variable_value(in_use_, id);
+  // Another variable may have changed the same setting since.
+  const auto set = variables_.find(id);
+  if (set != variables_.end() && set->second.made == now) return set->second.given;
+  return now ? *now : 0;
+}
+
+bool Settings::set_variable(VariableId id, std::int32_t value) {
+  const VariableInfo* const known = find_variable(id);
+  if (known == nullptr || value < known->range.lowest || value > known->range.highest) {
+    return false;
+  }
+  const auto before = in_use_;
+  if (variable_value(in_use_, id) && !sbgc::set_variable(in_use_, id, value)) return false;
+  if (before.messages != in_use_.messages) ++version_;
+  variables_[id] = {value, variable_value(in_use_, id)};
+  return true;
+}
+
+void Settings::forget_variables() {
+  std::erase_if(variables_, [](const auto& entry) { return entry.second.made.has_value(); });
+}
+
+void Settings::save() {
+  StoredMessages::for_each([this]<class M>(Type<M>) {
+    // What is in use has been stored or loaded before, so it is not too long.
+    if constexpr (is_of_profile<M>) static_cast<void>(store(profile(), of<M>()));
+  });
+  forget_variables();
+}
+
+void Settings::use_defaults(std::uint8_t profile) {
+  StoredMessages::for_each([&]<class M>(Type<M>) {
+    if constexpr (is_of_profile<M>) static_cast<void>(write(profile, factory_settings<M>(profile)));
+  });
+}
+
+void Settings::erase() {
+  eeprom_.erase();
+  if (memory_.profile != 0) ++memory_.revision;
+  memory_.profile = 0;
+  reload();
+}
+
+}  // namespace sbgc::board

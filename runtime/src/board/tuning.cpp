@@ -1,0 +1,92 @@
+#include "tuning.hpp"
+
+#include "fields.hpp"
+
+namespace sbgc::board {
+namespace {
+
+/// First rotation first, as the name of the order says. The orders for two axes have no yaw of
+/// their own, it is the outermost one; unknown orders count as the first.
+std::array<std::uint8_t, 3> rotation_order(EulerOrder order) {
+  constexpr std::uint8_t roll = 0, pitch = 1, yaw = 2;
+  switch (order) {
+    case EulerOrder::pitch_roll_yaw:
+    case EulerOrder::local_roll: break;
+    case EulerOrder::roll_pitch_yaw:
+    case EulerOrder::roll_local: return {roll, pitch, yaw};
+    case EulerOrder::yaw_roll_pitch: return {yaw, roll, pitch};
+    case EulerOrder::yaw_pitch_roll: return {yaw, pitch, roll};
+  }
+  return {pitch, roll, yaw};
+}
+
+bool follows(const ReadParams3& settings, std::size_t axis) {
+  constexpr std::size_t yaw = 2;
+  if (axis == yaw) return settings.rc.yaw.rc_follow != 0;
+  return settings.follow_mode == FollowMode::pitch;
+}
+
+AngularAcceleration acceleration_limit(const Settings& settings, const Availability& versions,
+                                       std::size_t axis) {
+  constexpr Availability since = field_of<ReadParamsExt2>("acc_limiter3").since;
+  return is_available(since, versions) ? settings.of<ReadParamsExt2>().acc_limiter3[axis]
+                                       : settings.of<ReadParams3>().acc_limiter_all;
+}
+
+/// Ours: the specification gives no unit for these speeds and for the dead band; deg/s and tenths
+/// of a degree make sense over their ranges.
+double speed_of(std::uint8_t setting) { return setting; }
+double deadband_of(std::uint8_t setting) {
+  return TenthDegrees(static_cast<std::int16_t>(setting)).degrees();
+}
+
+}  // namespace
+
+Axes<double> home_angles(const Settings& settings, const std::optional<Axes<Angle14>>& home) {
+  const ReadParams3& main = settings.of<ReadParams3>();
+  const bool is_neutral = main.profile_flags1.has(ProfileFlag::start_neutral_position);
+  Axes<double> angles;
+  for (std::size_t axis = 0; axis < angles.size(); ++axis) {
+    if (home) {
+      angles[axis] = (*home)[axis].degrees();
+    } else if (!is_neutral) {
+      angles[axis] = main.rc_memory[axis].degrees();
+    }
+  }
+  return angles;
+}
+
+Tuning tuning_of(const Settings& settings, const Availability& versions,
+                 const std::optional<Axes<Angle14>>& home, double battery_factor) {
+  const ReadParams3& main = settings.of<ReadParams3>();
+  const ReadParamsExt2& more = settings.of<ReadParamsExt2>();
+  const Axes<double> start = home_angles(settings, home);
+  Tuning tuning;
+  for (std::size_t axis = 0; axis < tuning.axes.size(); ++axis) {
+    AxisTuning& out = tuning.axes[axis];
+    const AxisPid& pid = main.axes[axis];
+    const AxisRc& rc = main.rc[axis];
+    const double gain = more.pid_gain[axis].real();
+    out.p = pid.p * gain;
+    out.i = pid.i.real() * gain;
+    out.d = pid.d * gain;
+    out.power = main.output[axis] == MotorOutput::disabled ? 0 : pid.power;
+    out.acceleration = acceleration_limit(settings, versions, axis).real();
+    out.speed = out.remote_speed = speed_of(rc.rc_speed);
+    out.follow_speed = speed_of(main.follow_speed[axis]);
+    out.follow_deadband = deadband_of(main.follow_deadband);
+    out.follows = follows(main, axis);
+    out.remote_is_speed = rc.rc_mode.mode() == RcModeKind::speed;
+    out.remote_min = rc.rc_min_angle.degrees();
+    out.remote_max = rc.rc_max_angle.degrees();
+    out.start_angle = start[axis];
+  }
+  tuning.rotation_order = rotation_order(main.euler_order);
+  tuning.gyro_trust = main.gyro_trust;
+  const double stop = main.bat_threshold_motors.volts();
+  // The threshold is about what the sensor shows.
+  tuning.battery_stop = stop < 0 || !(battery_factor > 0) ? -1 : stop / battery_factor;
+  return tuning;
+}
+
+}  // namespace sbgc::board

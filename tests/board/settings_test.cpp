@@ -1,0 +1,404 @@
+// Settings of the board: what a host writes is read again, per profile, after a restart as well.
+
+#include "settings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <random>
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/meta/all.hpp>
+#include <sbgc/validate.hpp>
+
+namespace {
+
+using sbgc::Meta;
+using sbgc::ReadAdjVarsCfg;
+using sbgc::ReadExternalData;
+using sbgc::ReadParams3;
+using sbgc::ReadParamsExt;
+using sbgc::ReadParamsExt2;
+using sbgc::ReadProfileNames;
+using sbgc::SettingsOf;
+using sbgc::StoredMessages;
+using sbgc::Type;
+using sbgc::VariableId;
+using sbgc::board::Memory;
+using sbgc::board::Settings;
+using ByteVector = std::vector<std::uint8_t>;
+
+constexpr std::uint8_t profiles = SettingsOf<ReadParams3>::copies;
+
+template <class M>
+ByteVector bytes_of(const M& message) {
+  ByteVector bytes(sbgc::max_body_size);
+  bytes.resize(encode(message, bytes).size);
+  return bytes;
+}
+
+template <class M>
+void set_copy(M& message, std::uint8_t copy) {
+  if constexpr (SettingsOf<M>::copies > 1) SettingsOf<M>::copy(message) = copy;
+}
+
+/// A body of any bytes with a tail: reserved bytes, values without a meaning, all of it.
+template <class M>
+M random_message(std::mt19937& random, std::uint8_t copy) {
+  ByteVector body(M::min_size + random() % (sbgc::max_body_size - M::min_size + 1));
+  for (auto& byte : body) byte = static_cast<std::uint8_t>(random());
+  M message{};
+  EXPECT_TRUE(decode(std::span(body), message));
+  EXPECT_EQ(bytes_of(message), body);
+  set_copy(message, copy);
+  return message;
+}
+
+/// Writes random bodies everywhere and hands them out again, in the same order.
+template <class Use>
+void for_each_random(unsigned seed, Use&& use) {
+  std::mt19937 random(seed);
+  StoredMessages::for_each([&]<class M>(Type<M>) {
+    for (std::uint8_t copy = 0; copy < SettingsOf<M>::copies; ++copy) {
+      use(copy, random_message<M>(random, copy));
+    }
+  });
+}
+
+void write_random(Settings& settings, unsigned seed) {
+  for_each_random(seed, [&](std::uint8_t copy, const auto& message) {
+    EXPECT_TRUE(settings.write(copy, message));
+  });
+}
+
+void expect_random(const Settings& settings, unsigned seed) {
+  for_each_random(seed, [&]<class M>(std::uint8_t copy, const M& message) {
+    EXPECT_EQ(bytes_of(settings.read<M>(copy)), bytes_of(message))
+        << Meta<M>::info.name << ' ' << int{copy};
+  });
+}
+
+template <class M>
+M with_gain(std::uint8_t gain) {
+  M result = sbgc::board::factory_settings<M>(0);
+  result.axes.roll.p = gain;
+  return result;
+}
+
+TEST(Settings, EveryBodyComesBackBitForBit) {
+  Memory memory;
+  Settings settings(memory);
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    write_random(settings, seed);
+    expect_random(settings, seed);
+  }
+}
+
+TEST(Settings, AreThereAfterAPowerCycle) {
+  Memory memory;
+  {
+    Settings settings(memory);
+    write_random(settings, 1);
+    settings.select_profile(3);
+  }
+  Memory kept = memory;
+  const Settings settings(kept);
+  EXPECT_EQ(settings.profile(), 3);
+  expect_random(settings, 1);
+}
+
+TEST(Settings, SayTheNumberOfTheirProfile) {
+  Memory memory;
+  Settings settings(memory);
+  for (std::uint8_t profile = 0; profile < profiles; ++profile) {
+    ReadParams3 sent = with_gain<ReadParams3>(1);
+    sent.profile_id = 255;  // "the active one"
+    ASSERT_TRUE(settings.write(profile, sent));
+    EXPECT_EQ(settings.read<ReadParams3>(profile).profile_id, profile);
+    settings.select_profile(profile);
+    EXPECT_EQ(settings.of<ReadParams3>().profile_id, profile);
+  }
+}
+
+TEST(Settings, OneProfileLeavesTheOthersAlone) {
+  Memory memory;
+  Settings settings(memory);
+  for (std::uint8_t profile = 0; profile < profiles; ++profile) {
+    ASSERT_TRUE(settings.write(profile, with_gain<ReadParams3>(100 + profile)));
+  }
+  ASSERT_TRUE(settings.write(2, with_gain<ReadParams3>(7)));
+  for (std::uint8_t profile = 0; profile < profiles; ++profile) {
+    const std::uint8_t expected = profile == 2 ? 7 : 100 + profile;
+    EXPECT_EQ(settings.read<ReadParams3>(profile).axes.roll.p, expected);
+    settings.select_profile(profile);
+    EXPECT_EQ(settings.of<ReadParams3>().axes.roll.p, expected);
+  }
+}
+
+TEST(Settings, WritingTheActiveProfileTakesEffectAtOnce) {
+  Memory memory;
+  Settings settings(memory);
+  const auto version = settings.version();
+  ASSERT_TRUE(settings.write(1, with_gain<ReadParams3>(77)));
+  EXPECT_NE(settings.of<ReadParams3>().axes.roll.p, 77);
+  EXPECT_EQ(settings.version(), version);
+  ASSERT_TRUE(settings.write(0, with_gain<ReadParams3>(78)));
+  EXPECT_EQ(settings.of<ReadParams3>().axes.roll.p, 78);
+  EXPECT_NE(settings.version(), version);
+}
+
+TEST(Settings, StateOfTheBoardIsNoChangeButIsKept) {
+  Memory memory;
+  Settings settings(memory);
+  ReadParams3 sent = settings.of<ReadParams3>();
+  sent.cur_imu = sbgc::SelectedImu::frame;
+  sent.cur_profile_id = 4;
+  const auto version = settings.version();
+  ASSERT_TRUE(settings.write(0, sent));
+  EXPECT_EQ(settings.version(), version);
+  EXPECT_EQ(settings.profile(), 0);
+  EXPECT_EQ(Settings(memory).read<ReadParams3>(0), sent);
+}
+
+TEST(Settings, ADamagedRecordIsTheFactorySettings) {
+  Memory memory;
+  Settings settings(memory);
+  write_random(settings, 3);
+  // The first record is that of the first message and profile.
+  memory.eeprom[sbgc::board::layout::settings + 50] ^= 0x40;
+  EXPECT_EQ(settings.read<ReadParams3>(0).profile_id, 0);
+  const Memory damaged = memory;
+  settings.reload();
+  EXPECT_EQ(settings.read<ReadParams3>(0), sbgc::board::factory_settings<ReadParams3>(0));
+  EXPECT_EQ(memory, damaged) << "loading has changed something";
+  for_each_random(3, [&]<class M>(std::uint8_t copy, const M& message) {
+    const bool is_damaged = std::is_same_v<M, ReadParams3> && copy == 0;
+    if (is_damaged) return;
+    EXPECT_EQ(settings.read<M>(copy), message);
+  });
+}
+
+TEST(Settings, ARawWriteToTheEepromCountsAtTheNextStart) {
+  Memory other;
+  Settings(other).write(0, with_gain<ReadParams3>(42));
+  Memory memory;
+  Settings settings(memory);
+  ASSERT_TRUE(settings.write(0, with_gain<ReadParams3>(41)));
+  memory.eeprom = other.eeprom;
+  EXPECT_EQ(settings.of<ReadParams3>().axes.roll.p, 41);
+  EXPECT_EQ(settings.read<ReadParams3>(0).axes.roll.p, 41);
+  settings.reload();
+  EXPECT_EQ(settings.of<ReadParams3>().axes.roll.p, 42);
+}
+
+TEST(Settings, AnUnknownActiveProfileIsTheFirst) {
+  Memory memory;
+  memory.profile = 200;
+  Settings settings(memory);
+  EXPECT_EQ(settings.profile(), 0);
+  EXPECT_EQ(settings.of<ReadParams3>().profile_id, 0);
+}
+
+TEST(Settings, DefaultsAreOfOneProfile) {
+  Memory memory;
+  Settings settings(memory);
+  write_random(settings, 4);
+  settings.select_profile(2);
+  settings.use_defaults(2);
+  EXPECT_EQ(settings.of<ReadParamsExt>(), sbgc::board::factory_settings<ReadParamsExt>(2));
+  EXPECT_EQ(Settings(memory).of<ReadParams3>(), sbgc::board::factory_settings<ReadParams3>(2));
+  settings.use_defaults(4);
+  EXPECT_EQ(settings.profile(), 2);
+  for_each_random(4, [&]<class M>(std::uint8_t copy, const M& message) {
+    const bool is_new = SettingsOf<M>::copies > 1 && (copy == 2 || copy == 4);
+    EXPECT_EQ(settings.read<M>(copy), is_new ? sbgc::board::factory_settings<M>(copy) : message);
+  });
+}
+
+TEST(Settings, ErasingLeavesNothing) {
+  Memory memory;
+  Settings settings(memory);
+  write_random(settings, 5);
+  settings.select_profile(1);
+  memory.eeprom.back() = 3;  // of a file
+  const auto revision = memory.revision;
+  settings.erase();
+  EXPECT_EQ(memory.eeprom, Memory().eeprom);
+  EXPECT_NE(memory.revision, revision);
+  EXPECT_EQ(settings.profile(), 0);
+  StoredMessages::for_each([&]<class M>(Type<M>) {
+    for (std::uint8_t copy = 0; copy < SettingsOf<M>::copies; ++copy) {
+      EXPECT_EQ(settings.read<M>(copy), sbgc::board::factory_settings<M>(copy));
+    }
+  });
+}
+
+TEST(FactorySettings, AreAllowedOnOldBoardsToo) {
+  StoredMessages::for_each([]<class M>(Type<M>) {
+    for (std::uint8_t copy = 0; copy < SettingsOf<M>::copies; ++copy) {
+      const M message = sbgc::board::factory_settings<M>(copy);
+      for (const sbgc::Availability versions : {sbgc::newest, sbgc::Availability{2400, 30}}) {
+        sbgc::validate(message, versions, [&](const sbgc::Violation& violation) {
+          std::array<char, 128> path{};
+          violation.path.write(path.data(), path.size());
+          ADD_FAILURE() << Meta<M>::info.name << ' ' << int{copy} << ' ' << path.data() << ": "
+                        << violation.value << " against " << violation.limit;
+        });
+      }
+      if constexpr (SettingsOf<M>::copies > 1) {
+        EXPECT_EQ(SettingsOf<M>::copy(message), copy);
+      }
+    }
+  });
+}
+
+TEST(FactorySettings, NameTheProfiles) {
+  const auto names = sbgc::board::factory_settings<ReadProfileNames>(0).profile_name;
+  EXPECT_EQ(std::string_view(names[0].data(), names[0].size()), "Profile 1");
+  EXPECT_EQ(std::string_view(names[4].data(), names[4].size()), "Profile 5");
+}
+
+TEST(FactorySettings, SlotsAreEmpty) {
+  EXPECT_EQ(sbgc::board::factory_settings<ReadAdjVarsCfg>(0), ReadAdjVarsCfg{});
+}
+
+TEST(FactorySettings, VariablesAreInsideOfTheirRanges) {
+  Memory memory;
+  const Settings settings(memory);
+  for (const sbgc::VariableInfo& variable : sbgc::variables) {
+    const auto value = settings.variable(variable.id);
+    ASSERT_TRUE(value) << variable.name;
+    EXPECT_GE(*value, variable.range.lowest) << variable.name;
+    EXPECT_LE(*value, variable.range.highest) << variable.name;
+  }
+}
+
+TEST(Variables, AreWhatWasSet) {
+  Memory memory;
+  Settings settings(memory);
+  const Memory before = memory;
+  std::mt19937 random(7);
+  for (const sbgc::VariableInfo& variable : sbgc::variables) {
+    const auto lowest = static_cast<std::int32_t>(variable.range.lowest);
+    const auto highest = static_cast<std::int32_t>(variable.range.highest);
+    for (int i = 0; i < 20; ++i) {
+      const auto width = static_cast<unsigned>(highest - lowest) + 1;
+      const auto value = i == 0   ? lowest
+                         : i == 1 ? highest
+                                  : lowest + static_cast<std::int32_t>(random() % width);
+      ASSERT_TRUE(settings.set_variable(variable.id, value)) << variable.name << ' ' << value;
+      EXPECT_EQ(settings.variable(variable.id), value) << variable.name;
+    }
+    EXPECT_FALSE(settings.set_variable(variable.id, lowest - 1)) << variable.name;
+    EXPECT_FALSE(settings.set_variable(variable.id, highest + 1)) << variable.name;
+  }
+  EXPECT_EQ(memory, before) << "variables are volatile";
+}
+
+TEST(Variables, ThoseThatThereAreNot) {
+  Memory memory;
+  Settings settings(memory);
+  std::set<VariableId> known;
+  for (const sbgc::VariableInfo& variable : sbgc::variables) known.insert(variable.id);
+  for (int id = 0; id <= 255; ++id) {
+    const auto variable = static_cast<VariableId>(id);
+    EXPECT_EQ(settings.variable(variable).has_value(), known.contains(variable)) << id;
+    if (known.contains(variable)) continue;
+    EXPECT_FALSE(settings.set_variable(variable, 0)) << id;
+  }
+}
+
+TEST(Variables, ChangeTheSettingsInUse) {
+  Memory memory;
+  Settings settings(memory);
+  const auto version = settings.version();
+  ASSERT_TRUE(settings.set_variable(VariableId::p_roll, 99));
+  EXPECT_EQ(settings.of<ReadParams3>().axes.roll.p, 99);
+  EXPECT_EQ(settings.read<ReadParams3>(0).axes.roll.p, 99);
+  EXPECT_NE(settings.version(), version);
+}
+
+TEST(Variables, ACoarserSettingHasTheNearestStep) {
+  Memory memory;
+  Settings settings(memory);
+  ASSERT_TRUE(settings.set_variable(VariableId::acc_limiter_roll, 12));
+  EXPECT_EQ(settings.variable(VariableId::acc_limiter_roll), 12);
+  EXPECT_EQ(settings.of<ReadParamsExt2>().acc_limiter3.roll.raw(), 2);
+  settings.save();
+  EXPECT_EQ(settings.variable(VariableId::acc_limiter_roll), 10);
+}
+
+TEST(Variables, OneThatChangesTheSettingOfAnotherIsSeenThere) {
+  Memory memory;
+  Settings settings(memory);
+  ASSERT_TRUE(settings.set_variable(VariableId::acc_limiter_roll, 12));
+  ASSERT_TRUE(settings.set_variable(VariableId::acc_limiter, 100));
+  EXPECT_EQ(settings.variable(VariableId::acc_limiter), 100);
+  EXPECT_EQ(settings.variable(VariableId::acc_limiter_roll), 100);
+}
+
+TEST(Variables, AreForgottenUnlessSaved) {
+  Memory memory;
+  Settings settings(memory);
+  const auto original = settings.variable(VariableId::p_pitch);
+  const auto set = [&] { ASSERT_TRUE(settings.set_variable(VariableId::p_pitch, 201)); };
+  set();
+  settings.reload();
+  EXPECT_EQ(settings.variable(VariableId::p_pitch), original);
+  set();
+  settings.select_profile(1);
+  EXPECT_EQ(settings.variable(VariableId::p_pitch), original);
+  settings.select_profile(0);
+  EXPECT_EQ(settings.variable(VariableId::p_pitch), original);
+  set();
+  ASSERT_TRUE(settings.write(0, sbgc::board::factory_settings<ReadParams3>(0)));
+  EXPECT_EQ(settings.variable(VariableId::p_pitch), original);
+  set();
+  settings.save();
+  settings.reload();
+  EXPECT_EQ(settings.variable(VariableId::p_pitch), 201);
+  EXPECT_EQ(Settings(memory).variable(VariableId::p_pitch), 201);
+}
+
+TEST(Variables, AreSavedInTheActiveProfileAlone) {
+  Memory memory;
+  Settings settings(memory);
+  write_random(settings, 8);
+  settings.select_profile(3);
+  ASSERT_TRUE(settings.set_variable(VariableId::gyro_trust, 33));
+  ASSERT_TRUE(settings.set_variable(VariableId::lpf_freq_yaw, 77));
+  ASSERT_TRUE(settings.set_variable(VariableId::pid_gain_yaw, 55));
+  settings.save();
+  const Settings restarted(memory);
+  for_each_random(8, [&]<class M>(std::uint8_t copy, M message) {
+    if (copy == 3) {
+      if constexpr (std::is_same_v<M, ReadParams3>) message.gyro_trust = 33;
+      if constexpr (std::is_same_v<M, ReadParamsExt>) message.lpf_freq.yaw = sbgc::Frequency(77);
+      if constexpr (std::is_same_v<M, ReadParamsExt2>) message.pid_gain.yaw = sbgc::PidGain(55);
+    }
+    EXPECT_EQ(bytes_of(restarted.read<M>(copy)), bytes_of(message)) << Meta<M>::info.name;
+  });
+}
+
+TEST(Variables, ThoseWithoutASettingAreKeptUntilTheRestart) {
+  Memory memory;
+  Settings settings(memory);
+  const VariableId heading = VariableId::frame_heading_angle;
+  EXPECT_EQ(settings.variable(heading), 0);
+  EXPECT_EQ(settings.variable(VariableId::gyro_heading_correction), 0);
+  const auto version = settings.version();
+  ASSERT_TRUE(settings.set_variable(heading, -1234));
+  ASSERT_TRUE(settings.set_variable(VariableId::gyro_heading_correction, 20000));
+  EXPECT_EQ(settings.version(), version) << "no setting has changed";
+  settings.save();
+  settings.select_profile(2);
+  EXPECT_EQ(settings.variable(heading), -1234);
+  settings.reload();
+  EXPECT_EQ(settings.variable(heading), 0);
+  EXPECT_EQ(settings.variable(VariableId::gyro_heading_correction), 0);
+}
+
+}  // namespace
