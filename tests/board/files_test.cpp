@@ -63,7 +63,8 @@ std::uint16_t capacity() {
   Memory memory;
   FileSystem files(memory);
   std::uint16_t size = 0x8000;
-  while (files.write(1, size, 0, numbered(1)) == FileError::no_free_space) size -= page;
+  while (files.write(1, size, 0, numbered(1)) == FileError::no_free_space)
+    size = static_cast<std::uint16_t>(size - page);
   return size;
 }
 

@@ -148,9 +148,9 @@ Result<std::string> read_whole_file(const std::filesystem::path& file, std::size
     if (size == 0) return content;
     content.append(block.data(), static_cast<std::size_t>(size));
     if (content.size() > most) {
-      return ClientError{ErrorCode::bad_file, fmt::format("{} has more than {} bytes: it is no "
-                                                          "backup",
-                                                          file.string(), most)};
+      return ClientError{
+          ErrorCode::bad_file,
+          fmt::format("{} has more than {} bytes: too many for such a file", file.string(), most)};
     }
   }
 }
