@@ -1,0 +1,133 @@
+#include "attitude.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace sbgc::board {
+
+namespace {
+
+constexpr double radian = std::numbers::pi / 180;
+
+/// Of roll, pitch and yaw, the axis of space about which they turn.
+constexpr std::array<std::uint8_t, 3> direction_of{1, 0, 2};
+
+struct PlaneTurn {
+  double sine, cosine;
+};
+
+PlaneTurn turn_of(double degrees) {
+  const double angle = wrapped(degrees) * radian;
+  return {std::sin(angle), std::cos(angle)};
+}
+
+/// v as seen from a body that has turned about `axis`: the inverse rotation.
+Vector seen(const Vector& v, std::size_t axis, const PlaneTurn& turn) {
+  const std::size_t j = (axis + 1) % 3;
+  const std::size_t k = (axis + 2) % 3;
+  Vector result = v;
+  result[j] = turn.cosine * v[j] + turn.sine * v[k];
+  result[k] = turn.cosine * v[k] - turn.sine * v[j];
+  return result;
+}
+
+std::optional<Vector> unit(const Vector& v) {
+  // Scaled first: squares of large numbers are not finite.
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) return {};
+  if (largest < 1e-3) return {};
+  const Vector scaled{v.x / largest, v.y / largest, v.z / largest};
+  const double length = std::sqrt(dot(scaled, scaled));
+  return Vector{scaled.x / length, scaled.y / length, scaled.z / length};
+}
+
+}  // namespace
+
+double dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+Vector cross(const Vector& a, const Vector& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+double wrapped(double degrees) {
+  return std::abs(degrees) <= 180 ? degrees : std::remainder(degrees, 360);
+}
+
+RotationOrder valid_order(const RotationOrder& order) {
+  std::array<bool, 3> seen_axes{};
+  for (const std::uint8_t axis : order) {
+    if (axis > 2 || seen_axes[axis]) return {1, 0, 2};
+    seen_axes[axis] = true;
+  }
+  return order;
+}
+
+Pose::Pose(const Axes<double>& angles, const RotationOrder& order) : axis_(order) {
+  std::array<PlaneTurn, 3> turns{};
+  for (std::size_t i = 0; i < 3; ++i) turns[i] = turn_of(angles[order[i]]);
+  // World to body: undo the outermost turn first.
+  for (std::size_t row = 0; row < 3; ++row) {
+    Vector v{};
+    v[row] = 1;
+    for (std::size_t i = 3; i-- > 0;) v = seen(v, direction_of[order[i]], turns[i]);
+    rotation_.rows[row] = v;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    Vector v{};
+    v[direction_of[order[i]]] = 1;
+    for (std::size_t inner = i; inner-- > 0;) v = seen(v, direction_of[order[inner]], turns[inner]);
+    directions_[i] = v;
+  }
+}
+
+Vector Pose::rates(const Axes<double>& speeds) const {
+  Vector sum{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double speed = speeds[axis_[i]];
+    sum.x += directions_[i].x * speed;
+    sum.y += directions_[i].y * speed;
+    sum.z += directions_[i].z * speed;
+  }
+  return sum;
+}
+
+std::optional<Rotation> rotation_of(const Vector& up, const Vector& north) {
+  const std::optional<Vector> z = unit(up);
+  const std::optional<Vector> about = unit(north);
+  if (!z || !about) return {};
+  const std::optional<Vector> x = unit(cross(*about, *z));
+  if (!x) return {};
+  return Rotation{{*x, cross(*z, *x), *z}};
+}
+
+Axes<double> angles_of(const Rotation& rotation, const RotationOrder& order,
+                       const Axes<double>& near) {
+  const std::size_t i = direction_of[order[2]];
+  const std::size_t j = direction_of[order[1]];
+  const std::size_t k = direction_of[order[0]];
+  const double sign = (i + 1) % 3 == j ? 1 : -1;
+  const auto& r = rotation.rows;
+  const double middle = std::asin(std::clamp(sign * r[i][k], -1.0, 1.0)) / radian;
+  const double outer = std::atan2(-sign * r[j][k], r[k][k]) / radian;
+  const double inner = std::atan2(-sign * r[i][j], r[i][i]) / radian;
+
+  const auto nearest = [&](double a, double b, double c) {
+    Axes<double> angles;
+    angles[order[0]] = a;
+    angles[order[1]] = b;
+    angles[order[2]] = c;
+    double distance = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double off = wrapped(angles[axis] - near[axis]);
+      distance += std::abs(off);
+      angles[axis] = near[axis] + off;
+    }
+    return std::pair{distance, angles};
+  };
+  const auto one = nearest(inner, middle, outer);
+  const auto other = nearest(inner + 180, 180 - middle, outer + 180);
+  return other.first < one.first ? other.second : one.second;
+}
+
+}  // namespace sbgc::board

@@ -1,0 +1,206 @@
+#include "gimbal_axis.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "attitude.hpp"
+#include "physics_limits.hpp"
+
+namespace sbgc::board {
+
+namespace {
+
+bool is_remote(AxisMode mode) { return mode == AxisMode::remote || mode == AxisMode::signal; }
+
+/// The signal that controls the axis, if one does.
+std::optional<double> signal_of(const AxisOrders& orders) {
+  if (orders.command.mode == AxisMode::signal) return orders.command.signal;
+  return orders.remote;
+}
+
+/// Ours: who follows the frame does so unless he is told an angle of the world.
+bool can_follow(AxisMode mode) { return is_remote(mode) || mode == AxisMode::speed; }
+
+/// Of the angles that are the same to the protocol the one that is nearest. 16 bits of 14-bit
+/// angles wrap after 4 turns.
+double nearest(double angle, double to) { return to + std::remainder(angle - to, 1440); }
+
+double estimated_frame(const AxisSurroundings& around) { return around.frame + around.error; }
+
+}  // namespace
+
+void AxisState::stay() {
+  own = {motion.angle, 0};
+  follow = {};
+  follows = false;
+}
+
+void AxisState::obey(const AxisOrders& orders, bool has_power, bool is_new,
+                     const AxisSurroundings& around) {
+  const AxisMode mode = orders.command.mode;
+  const bool was_held = is_held;
+  is_held = has_power && orders.gains.strength >= 1;
+  if (!is_held) {
+    stay();
+    return;
+  }
+  if (!was_held) {
+    stay();
+    motion.integral = 0;
+    is_new = true;
+  }
+  const bool follows_now = orders.tuning.follows && can_follow(mode);
+  if (follows_now && !follows) {
+    follow = {estimated_frame(around), 0};
+    own.position -= follow.position;
+  } else if (!follows_now && follows) {
+    own = {target(), target_speed()};
+    follow = {};
+  }
+  follows = follows_now;
+
+  const AxisTuning& tuning = orders.tuning;
+  if (is_remote(mode)) {
+    const std::optional<double> signal = signal_of(orders);
+    const bool decides = signal && (!tuning.remote_is_speed || *signal != 0);
+    if (mode == AxisMode::signal || decides) is_starting = false;
+    if (is_starting) {
+      goal = within(tuning.start_angle, -top_angle, top_angle);
+    } else if (signal && !tuning.remote_is_speed) {
+      const double low = within(tuning.remote_min, -top_angle, top_angle);
+      const double high = within(tuning.remote_max, -top_angle, top_angle);
+      goal = low + (high - low) * (*signal + 1) / 2;
+      if (!follows) goal = nearest(goal, own.position);
+    }
+    return;
+  }
+  is_starting = false;
+  if (mode == AxisMode::relative_angle) {
+    // The neutral point is found once, when the command comes.
+    if (is_new) goal = motion.angle - motion.joint + orders.command.angle;
+  } else {
+    goal = nearest(orders.command.angle, own.position);
+  }
+}
+
+void AxisState::move_own(const AxisOrders& orders, double acceleration, double seconds) {
+  const AxisCommand& command = orders.command;
+  const AxisTuning& tuning = orders.tuning;
+  const double usual_speed = within(std::abs(tuning.speed), 0, top_speed);
+  const double speed = command.speed == 0 ? usual_speed : std::abs(command.speed);
+  switch (command.mode) {
+    case AxisMode::remote:
+    case AxisMode::signal: {
+      const std::optional<double> signal = signal_of(orders);
+      if (is_starting) {
+        go(own, goal, usual_speed, acceleration, seconds);
+        is_starting = own.speed != 0 || own.position != goal;
+      } else if (!signal) {
+        turn(own, 0, acceleration, seconds);
+      } else if (tuning.remote_is_speed) {
+        const double full = within(tuning.remote_speed, -top_speed, top_speed);
+        turn(own, *signal * full, acceleration, seconds);
+      } else {
+        go(own, goal, usual_speed, acceleration, seconds);
+      }
+      return;
+    }
+    case AxisMode::speed: turn(own, command.speed, acceleration, seconds); return;
+    case AxisMode::angle:
+    case AxisMode::relative_angle: go(own, goal, speed, acceleration, seconds); return;
+    case AxisMode::speed_angle:
+      pull(own, goal, command.speed, usual_speed, acceleration, seconds);
+      return;
+  }
+}
+
+void AxisState::move_follow(const AxisOrders& orders, double frame, double acceleration,
+                            double seconds) {
+  constexpr double eagerness = 4;  // 1/s
+  const double off = frame - follow.position;
+  const double excess = std::abs(off) - within(orders.tuning.follow_deadband, 0, top_angle);
+  double speed = 0;
+  if (excess > 0) {
+    speed = std::min({within(orders.tuning.follow_speed, 0, top_speed), eagerness * excess,
+                      std::sqrt(acceleration * excess)});
+  }
+  if (speed < 1e-3) speed = 0;  // so that it comes to rest
+  turn(follow, std::copysign(speed, off), acceleration, seconds);
+}
+
+void AxisState::step(const AxisOrders& orders, const AxisSurroundings& around, double seconds) {
+  if (!is_held) {
+    motion.coast(around, seconds);
+    own = {motion.angle, 0};
+    return;
+  }
+  const double before = target_speed();
+  if (follows) {
+    // Both together must not exceed the limit.
+    const double half = orders.gains.acceleration / 2;
+    move_own(orders, half, seconds);
+    move_follow(orders, estimated_frame(around), half, seconds);
+  } else {
+    move_own(orders, orders.gains.acceleration, seconds);
+  }
+  const Path path{target(), target_speed()};
+  motion.hold(orders.gains, path, (path.speed - before) / seconds, around, seconds);
+}
+
+void AxisState::skip(const AxisOrders& orders, const AxisSurroundings& around, double seconds) {
+  if (is_held) {
+    const AxisMode mode = orders.command.mode;
+    const bool has_goal = mode == AxisMode::angle || mode == AxisMode::relative_angle ||
+                          (is_remote(mode) && (is_starting || !orders.tuning.remote_is_speed));
+    const double way = own.speed * seconds;
+    if (mode == AxisMode::speed_angle) {
+      own.speed = 0;  // it hangs at its balance, or soon will
+    } else if (has_goal && std::abs(goal - own.position) <= std::abs(way)) {
+      own = {goal, 0};
+    } else {
+      own.position += way;
+    }
+    if (follows) {
+      const double deadband = within(orders.tuning.follow_deadband, 0, top_angle);
+      const double frame = estimated_frame(around);
+      follow = {std::clamp(follow.position, frame - deadband, frame + deadband), 0};
+    }
+    if (!motion.is_jammed) {
+      motion.angle = target();
+      motion.speed = target_speed();
+      motion.joint = motion.angle - around.frame - around.error;
+      motion.joint_speed = motion.speed - around.frame_speed - around.error_speed;
+      return;
+    }
+  }
+  motion.stick(around);
+  if (!is_held) stay();
+}
+
+void AxisState::place(double angle, const AxisSurroundings& around) {
+  motion.angle = angle;
+  motion.joint = angle - around.frame - around.error;
+  motion.speed = 0;
+  motion.joint_speed = -around.frame_speed - around.error_speed;
+  if (!is_held || motion.is_jammed) motion.stick(around);
+  is_starting = false;
+  stay();
+}
+
+void AxisState::push(double degrees) {
+  if (motion.is_jammed) return;
+  motion.angle += degrees;
+  motion.joint += degrees;
+  if (!is_held) stay();
+}
+
+void AxisState::restart(const AxisSurroundings& around) {
+  motion.joint = wrapped(motion.joint);
+  motion.angle = around.frame + motion.joint + around.error;
+  motion.integral = 0;
+  is_held = false;
+  is_starting = true;
+  stay();
+}
+
+}  // namespace sbgc::board
