@@ -21,8 +21,8 @@ class Endpoint {
   Endpoint& operator=(const Endpoint&) = delete;
   virtual ~Endpoint() = default;
 
-  /// What a host connects to, as `sbgc` and the library take it: "/dev/pts/7",
-  /// "tcp:127.0.0.1:5000".
+  /// What a host connects to, as the library takes it: "tcp:127.0.0.1:5000", "/dev/pts/7"; for
+  /// people there may be more: "/dev/pts/7 (also /tmp/gimbal)".
   virtual std::string address() const = 0;
 };
 

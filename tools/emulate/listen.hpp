@@ -18,9 +18,8 @@ inline asio::ip::address address_of(const ListenAddress& listen) {
   std::error_code error;
   const asio::ip::address result = asio::ip::make_address(listen.host, error);
   if (error) {
-    throw std::runtime_error(
-        fmt::format("'{}' is no address to listen on, such as 127.0.0.1, 0.0.0.0 or [::1]",
-                    listen.host));
+    throw std::runtime_error(fmt::format(
+        "'{}' is no address to listen on, such as 127.0.0.1, 0.0.0.0 or [::1]", listen.host));
   }
   return result;
 }
@@ -43,8 +42,8 @@ void bind_to(Socket& socket, const AsioEndpoint& endpoint, const char* protocol,
   }
   if (!error) socket.bind(endpoint, error);
   if (error) {
-    throw std::runtime_error(fmt::format("can not listen on {}:{}: {}", protocol,
-                                         place_of(endpoint), error.message()));
+    throw std::runtime_error(
+        fmt::format("can not listen on {}:{}: {}", protocol, place_of(endpoint), error.message()));
   }
   if (!endpoint.address().is_loopback()) {
     logs.warning(fmt::format("{}:{} can be reached from other machines, by anybody", protocol,

@@ -1,8 +1,8 @@
 #include "motion_file.hpp"
 
 #include <array>
-#include <cmath>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <optional>
@@ -78,8 +78,8 @@ std::vector<board::FrameAngles> read_motion(std::istream& text, const std::strin
 std::vector<board::FrameAngles> load_motion(const std::filesystem::path& file) {
   std::ifstream text(file);
   if (!text) {
-    throw std::runtime_error(fmt::format("can not read {}: {}", file.string(),
-                                         std::strerror(errno)));
+    throw std::runtime_error(
+        fmt::format("can not read {}: {}", file.string(), std::strerror(errno)));
   }
   return read_motion(text, file.string());
 }

@@ -47,7 +47,9 @@ class Terminal final : public Endpoint {
     host_->close();
   }
 
-  std::string address() const override { return path_; }
+  std::string address() const override {
+    return link_ ? path_ + " (also " + link_->path() + ")" : path_;
+  }
 
  private:
   void look() {

@@ -11,18 +11,12 @@ namespace {
 
 const char* to_text(board::Outcome outcome) {
   switch (outcome) {
-    case board::Outcome::carried_out:
-      return "carried out";
-    case board::Outcome::refused:
-      return "refused";
-    case board::Outcome::unknown:
-      return "unknown here";
-    case board::Outcome::malformed:
-      return "malformed";
-    case board::Outcome::lost:
-      return "lost: no room";
-    case board::Outcome::not_listening:
-      return "not listening";
+    case board::Outcome::carried_out: return "carried out";
+    case board::Outcome::refused: return "refused";
+    case board::Outcome::unknown: return "unknown here";
+    case board::Outcome::malformed: return "malformed";
+    case board::Outcome::lost: return "lost: no room";
+    case board::Outcome::not_listening: return "not listening";
   }
   return "?";
 }
@@ -33,11 +27,10 @@ std::string to_text(const board::Board::Traffic& traffic) {
   const Direction direction = traffic.outcome ? Direction::to_board : Direction::from_board;
   const Frame& frame = traffic.frame;
   const std::string name = tools::command_name(frame.id, direction);
-  std::string result =
-      fmt::format("{:10.4f}  host {} {} {} ({}), {}", static_cast<double>(traffic.at.us) * 1e-6,
-                  traffic.port, traffic.outcome ? '>' : '<',
-                  name.empty() ? "unknown command" : name, frame.id,
-                  tools::counted(frame.body.size(), "byte"));
+  std::string result = fmt::format(
+      "{:10.4f}  host {} {} {} ({}), {}", static_cast<double>(traffic.at.us) * 1e-6, traffic.port,
+      traffic.outcome ? '>' : '<', name.empty() ? "unknown command" : name, frame.id,
+      tools::counted(frame.body.size(), "byte"));
   if (traffic.outcome) result += fmt::format("  {}", to_text(*traffic.outcome));
   return result;
 }

@@ -51,12 +51,12 @@ class UdpEndpoint final : public Endpoint {
 
  private:
   void receive() {
-    socket_.async_receive_from(
-        asio::buffer(input_), from_, [this](std::error_code error, std::size_t size) {
-          if (error == asio::error::operation_aborted) return;
-          if (!error && size > 0) take({input_.data(), size});
-          receive();
-        });
+    socket_.async_receive_from(asio::buffer(input_), from_,
+                               [this](std::error_code error, std::size_t size) {
+                                 if (error == asio::error::operation_aborted) return;
+                                 if (!error && size > 0) take({input_.data(), size});
+                                 receive();
+                               });
   }
 
   void take(std::span<const std::uint8_t> bytes) {
@@ -74,9 +74,9 @@ class UdpEndpoint final : public Endpoint {
                                     [&](const Peer& peer) { return peer.endpoint == endpoint; });
     if (known != peers_.end()) return &*known;
     auto port = connect(endpoint);
-    if (!port && forget(std::min_element(
-                     peers_.begin(), peers_.end(),
-                     [](const Peer& a, const Peer& b) { return a.heard < b.heard; }))) {
+    if (!port &&
+        forget(std::min_element(peers_.begin(), peers_.end(),
+                                [](const Peer& a, const Peer& b) { return a.heard < b.heard; }))) {
       port = connect(endpoint);
     }
     if (!port) return nullptr;
@@ -103,10 +103,10 @@ class UdpEndpoint final : public Endpoint {
     timer_.expires_after(std::chrono::seconds(1));
     timer_.async_wait([this](std::error_code error) {
       if (error) return;
-      while (forget(std::find_if(
-                        peers_.begin(), peers_.end(),
-                        [&](const Peer& peer) { return board_.now() - peer.heard >= idle_time; }),
-                    idle_time)) {
+      while (forget(
+          std::find_if(peers_.begin(), peers_.end(),
+                       [&](const Peer& peer) { return board_.now() - peer.heard >= idle_time; }),
+          idle_time)) {
       }
       watch();
     });
