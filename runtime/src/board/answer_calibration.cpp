@@ -183,7 +183,7 @@ Outcome handle(Turn& turn, const CalibInfoRequest& request) {
 
 Outcome handle(Turn& turn, const AutoPidRequest& request) {
   Machine& machine = turn.machine;
-  if (request.cfg_flags == AutoPidFlags(AutoPidFlag::stop)) {
+  if (request.cfg_flags.raw() == AutoPidRequest::stop_tuning) {
     machine.auto_tuning.stop();
     return turn.confirm();
   }

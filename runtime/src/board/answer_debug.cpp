@@ -9,7 +9,7 @@ Outcome handle(Turn& turn, const DebugVarsInfo3Request&) {
 }
 
 Outcome handle(Turn& turn, const DebugVars3Request&) {
-  return turn.answer(turn.machine.debug_variables.values(turn.machine, turn.now));
+  return turn.answer(DebugVariables::values(turn.machine, turn.now));
 }
 
 }  // namespace sbgc::board

@@ -72,6 +72,9 @@ class Board::Core {
 
   void close(std::size_t port) {
     machine.streams.forget(machine, port, clock_);
+    machine.calibrations.forget_port(port);
+    machine.auto_tuning.forget_port(port);
+    machine.scripts.forget_port(port);
     machine.ports.close(port);
     turns_[port] = Instant::never;
   }
@@ -126,14 +129,16 @@ class Board::Core {
     Outcome outcome = Outcome::unknown;
     const Code code =
         select(Direction::to_board, request.id, request.body.size(), [&]<class M>(Type<M>) {
-          if (!is_supported<M>(machine.versions())) return;
-          M message{};
-          if (!decode(std::span(request.body), message)) {
-            outcome = Outcome::malformed;
-            return;
+          if constexpr (M::direction == Direction::to_board) {
+            if (!is_supported<M>(machine.versions())) return;
+            M message{};
+            if (!decode(std::span(request.body), message)) {
+              outcome = Outcome::malformed;
+              return;
+            }
+            Turn turn(machine, port, request.id, now);
+            outcome = carry_out(turn, message);
           }
-          Turn turn(machine, port, request.id, now);
-          outcome = carry_out(turn, message);
         });
     return code == Code::unknown_form ? Outcome::malformed : outcome;
   }

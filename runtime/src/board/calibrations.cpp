@@ -6,6 +6,7 @@
 
 #include "machine.hpp"
 #include "noise.hpp"
+#include "quantities.hpp"
 #include "turn.hpp"
 
 namespace sbgc::board {
@@ -13,8 +14,7 @@ namespace {
 
 using Kind = Calibrations::Kind;
 
-constexpr Duration cycle = milliseconds(1);  ///< nothing is shorter
-constexpr unsigned steps = 40;               ///< looks at the sensors in one calibration
+constexpr unsigned steps = 40;  ///< looks at the sensors in one calibration
 /// Ours: a sensor that turns faster than this does not rest, in deg/s.
 constexpr double rest_speed = 5;
 /// Ours: it gives up after so many times the length of a calibration without a rest of that length.
@@ -37,7 +37,7 @@ constexpr Duration length_of(Kind kind) {
     case Kind::encoder_offset: return seconds(1);
     case Kind::encoder_field: return seconds(10);
   }
-  return cycle;
+  return {};
 }
 
 constexpr bool needs_rest(Kind kind) {
@@ -56,10 +56,8 @@ double temperature_of(const Sample& sample, std::size_t imu) {
 }
 double length(const Vector& v) { return std::hypot(v.x, v.y, v.z); }
 
-/// Whole degrees Celsius, as the memory holds them.
-int whole_celsius(double value) {
-  return static_cast<int>(std::lround(std::clamp(value, -127.0, 127.0)));
-}
+/// Whole degrees Celsius, as the memory holds them; a sensor shows no more than this.
+int whole_celsius(double value) { return saturated_raw<std::int8_t>(std::max(value, -127.0)); }
 
 /// The direction of the accelerometer that points up now.
 struct Direction {
@@ -114,7 +112,7 @@ bool change_settings(Machine& machine, Instant now, const Change& change) {
 
 Duration Calibrations::scaled(const Options& options, Duration length) {
   const std::int64_t us = length.us / 100 * options.calibration_time;
-  return std::max(cycle, microseconds(us));
+  return std::max(Machine::cycle(), microseconds(us));
 }
 
 bool Calibrations::start(Machine& machine, Kind kind, std::size_t imu, std::optional<Asker> asker,
@@ -122,6 +120,7 @@ bool Calibrations::start(Machine& machine, Kind kind, std::size_t imu, std::opti
   if (run_ || machine.auto_tuning.is_running()) return false;
   Run run{.kind = kind, .imu = imu, .asker = asker};
   const Duration length = scaled(machine.options, length_of(kind));
+  const Duration cycle = Machine::cycle();
   run.steps_needed = length <= cycle ? 1 : steps;
   run.steps_left = patience * run.steps_needed;
   run.step = std::max(cycle, microseconds(length.us / run.steps_needed));
@@ -234,15 +233,13 @@ bool Calibrations::store(Machine& machine, const Run& run, Instant now) {
       return change_settings<ReadParamsExt>(machine, now, [&](ReadParamsExt& settings) {
         // The present position becomes the zero.
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          const double turn = std::remainder(sample.joints[axis], 360.0);
-          settings.encoder_offset[axis] = Angle14::from_degrees(turn).value_or({});
+          settings.encoder_offset[axis] = wrapped(std::remainder(sample.joints[axis], 360.0));
         }
       });
     case Kind::encoder_field:
       return change_settings<ReadParamsExt>(machine, now, [&](ReadParamsExt& settings) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          const double turn = 360 * random(2 + axis) - 180;
-          settings.encoder_fld_offset[axis] = Angle14::from_degrees(turn).value_or({});
+          settings.encoder_fld_offset[axis] = wrapped(360 * random(2 + axis) - 180);
         }
       });
   }
@@ -282,15 +279,14 @@ CalibInfo Calibrations::info(Machine& machine, std::size_t imu, Instant now) con
   }
   info.imu_type = imu == 0 ? SelectedImu::main : SelectedImu::frame;
   for (std::size_t i = 0; i < 3; ++i) {
-    info.acc_data[i] = Acceleration::from_g(acceleration[i]).value_or({});
+    info.acc_data[i] = saturated<Acceleration>(acceleration[i]);
   }
   // Ours: in the gyroscope's own unit, as GYRO_DATA of CMD_REALTIME_DATA_3.
-  const auto rate = GyroRate::from_degrees_per_second(length(gyro_of(sample, imu)));
-  info.gyro_abs_val = static_cast<std::uint16_t>(rate.value_or(GyroRate(32767)).raw());
+  info.gyro_abs_val =
+      saturated_raw<std::uint16_t>(length(gyro_of(sample, imu)) / GyroRate(1).degrees_per_second());
   info.acc_cur_axis = static_cast<std::uint8_t>(up(acceleration).axis);
   info.acc_limits_info = CalibratedLimits(memory.acc_limits);
-  info.imu_temp_cels =
-      Temperature(static_cast<std::int8_t>(whole_celsius(temperature_of(sample, imu))));
+  info.imu_temp_cels = saturated<Temperature>(whole_celsius(temperature_of(sample, imu)));
   info.temp_calib_gyro_enabled = memory.gyro_temperature_enabled ? 1 : 0;
   info.temp_calib_gyro_t_min_cels = Temperature(memory.gyro_temperature_min);
   info.temp_calib_gyro_t_max_cels = Temperature(memory.gyro_temperature_max);
@@ -301,8 +297,7 @@ CalibInfo Calibrations::info(Machine& machine, std::size_t imu, Instant now) con
   // Two unit vectors with this angle between them.
   constexpr double half_degree = 3.14159265358979323846 / 360;
   info.h1_err_length =
-      Hundredths::from_value(2 * std::abs(std::sin(sample.heading_error * half_degree)))
-          .value_or({});
+      saturated<Hundredths>(2 * std::abs(std::sin(sample.heading_error * half_degree)));
   return info;
 }
 

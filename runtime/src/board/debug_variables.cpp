@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "machine.hpp"
+#include "quantities.hpp"
 
 namespace sbgc::board {
 namespace {
@@ -16,7 +17,6 @@ struct View {
   Machine& machine;
   Sample sample;
   Instant now;
-  Instant start;
 };
 
 struct Variable {
@@ -28,8 +28,9 @@ struct Variable {
   bool is_angle = false;  ///< 16384 counts for one turn
 };
 
-/// Degrees as counts of Angle14, on one turn.
-double counts(double degrees) { return std::remainder(degrees, 360.0) * 16384 / 360; }
+/// What stands on the wire.
+double counts(double degrees) { return wrapped(degrees).raw(); }
+double counts(GyroRate rate) { return rate.raw(); }
 
 using Kind = DebugVarKind;
 using Axis = DebugVarAxis;
@@ -38,7 +39,7 @@ using Index = std::size_t;
 constexpr std::array<Variable, 14> variables{{
     {"UPTIME_MS", Kind::uint32, 0,
      [](const View& v, Index) {
-       return std::floor(static_cast<double>((v.now - v.start).us) / 1000);
+       return std::floor(static_cast<double>((v.now - v.machine.restarts.started()).us) / 1000);
      }},
     {"ROLL", Kind::int16, 0, [](const View& v, Index) { return counts(v.sample.angles.roll); },
      Axis::roll, true},
@@ -47,9 +48,10 @@ constexpr std::array<Variable, 14> variables{{
     {"YAW", Kind::int16, 0, [](const View& v, Index) { return counts(v.sample.angles.yaw); },
      Axis::yaw, true},
     {"YAW_JOINT", Kind::int32, 0,
-     [](const View& v, Index) { return v.sample.joints.yaw * 16384 / 360; }, Axis::yaw, true},
+     [](const View& v, Index) { return v.sample.joints.yaw / LongAngle14(1).degrees(); }, Axis::yaw,
+     true},
     {"GYRO", Kind::int16, 3,
-     [](const View& v, Index i) { return v.sample.gyro[i] * 32767 / 2000; }},
+     [](const View& v, Index i) { return counts(saturated<GyroRate>(v.sample.gyro[i])); }},
     {"POWER", Kind::uint8, 3, [](const View& v, Index i) { return v.sample.power[i] * 255; }},
     {"BATTERY", Kind::float32, 0, [](const View& v, Index) { return v.sample.battery; }},
     {"TEMPERATURE", Kind::int8, 0, [](const View& v, Index) { return v.sample.temperature; }},
@@ -70,8 +72,9 @@ constexpr std::array<Variable, 14> variables{{
 
 /// The nearest number of that type; integers beyond its ends go round.
 Number number(NumberType type, double value) {
-  if (type == NumberType::f32)
+  if (type == NumberType::f32) {
     return {type, std::bit_cast<std::uint32_t>(static_cast<float>(value))};
+  }
   const auto bits = static_cast<std::uint64_t>(std::llround(value));
   const unsigned unused = 64 - 8 * static_cast<unsigned>(size_of(type));
   return {type, static_cast<std::uint32_t>(bits << unused >> unused)};
@@ -93,8 +96,8 @@ DebugVarsInfo3 DebugVariables::info() {
   return info;
 }
 
-DebugVars3 DebugVariables::values(Machine& machine, Instant now) const {
-  const View view{machine, machine.gimbal.sample(now), now, start_};
+DebugVars3 DebugVariables::values(Machine& machine, Instant now) {
+  const View view{machine, machine.gimbal.sample(now), now};
   DebugVars3 values;
   for (const Variable& variable : variables) {
     const NumberType type = number_type(variable.kind);

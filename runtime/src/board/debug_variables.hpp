@@ -13,14 +13,11 @@ class DebugVariables {
   /// Names and types, always the same.
   static DebugVarsInfo3 info();
   /// Values, in the order of info().
-  DebugVars3 values(Machine& machine, Instant now) const;
+  static DebugVars3 values(Machine& machine, Instant now);
 
   static Instant next() { return Instant::never; }
   static void advance(Machine&, Instant) {}
-  void restart(Machine&, Instant now) { start_ = now; }
-
- private:
-  Instant start_{};
+  static void restart(Machine&, Instant) {}
 };
 
 }  // namespace sbgc::board

@@ -110,4 +110,9 @@ Outcome handle(Turn& turn, const HelperDataExt& request) {
   return help(turn, request.frame_acc);
 }
 
+Outcome handle(Turn& turn, const ApiVirtChControl& request) {
+  turn.machine.remote.set_channels(turn.machine, request, turn.now);
+  return turn.confirm();
+}
+
 }  // namespace sbgc::board

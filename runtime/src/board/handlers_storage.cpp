@@ -15,13 +15,8 @@ Outcome confirm_result(Turn& turn, FileError error) {
 
 }  // namespace
 
-Outcome handle(Turn& turn, const SaveParams3& /*request*/) {
-  turn.machine.settings.save();
-  return turn.confirm();
-}
-
 Outcome handle(Turn& turn, const UseDefaults& request) {
-  if (request.profile_id == erase_eeprom) {
+  if (request.profile_id == UseDefaults::erase_eeprom) {
     turn.machine.settings.erase();
   } else if (request.profile_id < SettingsOf<ReadParams3>::copies) {
     turn.machine.settings.use_defaults(request.profile_id);

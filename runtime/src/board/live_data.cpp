@@ -32,11 +32,11 @@ RcSignal pulse(std::optional<double> signal) {
 /// A flight controller's signal; 0 if its input does not serve that.
 RcSignal controller_pulse(const Machine& machine, RcMap source) {
   const auto signal = machine.remote.signal(source);
-  return signal ? pulse(signal) : RcSignal{};
+  return signal ? pulse(signal) : RcSignal(RealtimeData3::ext_fc_unused);
 }
 
 FineRcSignal fine(std::optional<double> signal) {
-  return signal ? saturated<FineRcSignal>(*signal) : FineRcSignal(undefined_rc_signal);
+  return signal ? saturated<FineRcSignal>(*signal) : FineRcSignal(RealtimeDataCustom::undefined);
 }
 
 Xyz<float> vector(const Vector& from) {
@@ -61,7 +61,7 @@ bool knows_joints(const Machine& machine) {
   return machine.options.features.has(BoardFeature::encoders) || machine.options.has_frame_imu;
 }
 
-bool is_bit_set(const Machine& machine, BoardFeature feature) {
+bool has(const Machine& machine, BoardFeature feature) {
   return machine.options.features.has(feature);
 }
 
@@ -88,7 +88,7 @@ void measure_common(Machine& machine, std::size_t port, Instant now, const Sampl
   data.rc_angle = angles(sample.targets);
   if (knows_frame(machine)) data.frame_imu_angle = angles(sample.frame);
   data.cycle_time = saturated<Microseconds>(static_cast<double>(machine.cycle().us));
-  if (is_bit_set(machine, BoardFeature::bat_monitoring)) {
+  if (has(machine, BoardFeature::bat_monitoring)) {
     data.bat_level = saturated<Voltage>(machine.measured_battery(sample));
   }
   if (machine.gimbal.motors_on()) data.other_flags.set(OtherFlag::motors_on);
@@ -125,7 +125,7 @@ void measure(Machine& machine, std::size_t port, Instant now, RealtimeData4& dat
     // Ours: the scale of the raw data depends on the sensor.
     data.mag_data[axis] = saturated_raw<std::int16_t>(1000 * sample.magnetic[sensor_axis(axis)]);
   }
-  if (is_bit_set(machine, BoardFeature::current_sensor)) {
+  if (has(machine, BoardFeature::current_sensor)) {
     data.current = saturated<Current>(1000 * sample.current);
   }
   data.imu_temperature = saturated<Temperature>(sample.temperature);

@@ -9,19 +9,24 @@
 
 namespace sbgc::board {
 
-Machine::Machine(const Options& options, Memory memory, Instant now)
-    : options(options),
-      memory(std::move(memory)),
-      eeprom(this->memory),
-      settings(this->memory),
-      files(this->memory),
+Machine::Machine(const Options& of, Memory kept, Instant now)
+    : options(of),
+      memory(std::move(kept)),
+      eeprom(memory),
+      settings(memory),
+      files(memory),
       gimbal(options.gimbal, now),
       ports(options),
       restarts(*this, now) {}
 
 Availability Machine::versions() const { return {options.firmware.raw(), options.board.raw()}; }
 
-Duration Machine::cycle() { return microseconds(800); }
+Duration Machine::cycle() {
+  constexpr DataStreamInterval every_cycle{
+      .interval_ms = Milliseconds(DataStreamInterval::every_cycle)};
+  constexpr std::uint32_t length = stream_change(every_cycle).interval_us;
+  return microseconds(length);
+}
 
 double Machine::measured_battery(const Sample& sample) const {
   return sample.battery * memory.battery_factor;

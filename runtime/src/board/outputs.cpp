@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <bit>
 
-#include <sbgc/availability.hpp>
 #include <sbgc/meta/enums.hpp>
 #include <sbgc/meta/peripherals.hpp>
 #include <sbgc/validate.hpp>
 
+#include "fields.hpp"
 #include "machine.hpp"
 
 namespace sbgc::board {
@@ -27,22 +27,12 @@ std::optional<std::size_t> index_of(E value) {
   return {};
 }
 
-Availability versions_of(const Machine& machine) {
-  return {machine.options.firmware.raw(), machine.options.board.raw()};
-}
-
-/// Whether a board has the value of an enum.
-template <class E>
-bool has(const Machine& machine, E value) {
-  const auto index = index_of(value);
-  return index && is_available(EnumMeta<E>::info.values[*index].since, versions_of(machine));
-}
-
 /// Whether a source of RC signals is this pin: RC_MAP_* name pins with the numbers of OutputPin.
 bool is_at(const Machine& machine, RcMap source, OutputPin pin) {
   // Boards without analog inputs of their own read analog signals at the pins for PWM.
-  const bool reads_pin = source.source() == RcSource::pwm ||
-                         (source.source() == RcSource::analog && !has(machine, RcInput::adc1));
+  const bool reads_pin =
+      source.source() == RcSource::pwm ||
+      (source.source() == RcSource::analog && !knows(machine.versions(), RcInput::adc1));
   return reads_pin && source.channel() == static_cast<std::uint8_t>(pin);
 }
 
@@ -82,10 +72,11 @@ std::array<ServoPulse, Outputs::servos> Outputs::free_servos() {
 }
 
 bool Outputs::set_pin(const Machine& machine, OutputPin pin, PinState state) {
-  if (!has(machine, pin) || !index_of(state) || is_input(machine, pin)) return false;
+  if (!knows(machine.versions(), pin) || !index_of(state) || is_input(machine, pin)) return false;
   const auto& settings = machine.settings.of<ReadParams3>();
   for (std::size_t i = 0; i < servo_pin.size(); ++i) {
-    const bool is_servo = servos_[i] != floating || settings.servo_out[i] != 0;
+    const bool is_servo =
+        servos_[i] != floating || settings.servo_out[i] != ReadParams3::servo_disabled;
     if (servo_pin[i] == pin && is_servo) return false;
   }
   pins_[*index_of(pin)] = state;

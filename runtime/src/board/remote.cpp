@@ -70,7 +70,7 @@ void Remote::apply(Machine& machine, Instant now) const {
 void Remote::set_channels(Machine& machine, const ApiVirtChControl& signals, Instant now) {
   for (std::size_t i = 0; i < channels; ++i) {
     const CentredRcSignal signal = signals.val_ch[i];
-    if (signal.raw() == undefined_api_signal) {
+    if (signal.raw() == ApiVirtChControl::undefined) {
       signals_[i].reset();
     } else {
       // "Value may go outside these limits and will be clipped."

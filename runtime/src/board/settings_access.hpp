@@ -35,7 +35,7 @@ std::optional<std::uint8_t> copy_of(const Machine& machine, const Request& reque
     return std::uint8_t{0};
   } else {
     const std::uint8_t copy = SettingsOf<S>::copy(request);
-    if (copy == active_profile) return machine.settings.profile();
+    if (copy == Request::active_profile) return machine.settings.profile();
     if (copy < SettingsOf<S>::copies) return copy;
     return {};
   }

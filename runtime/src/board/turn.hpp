@@ -32,8 +32,8 @@ enum class Refusal : std::uint8_t {
 /// message without a handler is answered as the model says (default_answer.hpp).
 class Turn {
  public:
-  Turn(Machine& machine, std::size_t port, std::uint8_t command, Instant now)
-      : machine(machine), port(port), command(command), now(now) {}
+  Turn(Machine& of, std::size_t from, std::uint8_t id, Instant at)
+      : machine(of), port(from), command(id), now(at) {}
 
   Machine& machine;
   const std::size_t port;
