@@ -1,9 +1,8 @@
-#include <sbgc/board/board.hpp>
-
 #include <array>
 #include <utility>
 
 #include <sbgc/availability.hpp>
+#include <sbgc/board/board.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/exchanges/all.hpp>
 #include <sbgc/settings.hpp>
@@ -169,9 +168,7 @@ void Board::receive(std::size_t port, std::span<const std::uint8_t> bytes, Insta
   entered().receive(port, bytes, now);
 }
 
-void Board::advance(Instant now) {
-  entered().run_until(now);
-}
+void Board::advance(Instant now) { entered().run_until(now); }
 
 Instant Board::next() const { return core_->next(); }
 
@@ -183,9 +180,7 @@ void Board::sent(std::size_t port, std::size_t size, Instant now) {
   entered().sent(port, size, now);
 }
 
-void Board::restart(Instant now) {
-  entered().restart(now);
-}
+void Board::restart(Instant now) { entered().restart(now); }
 
 void Board::set_silent(bool is_silent) { core_->set_silent(is_silent); }
 

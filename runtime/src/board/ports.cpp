@@ -70,8 +70,7 @@ std::size_t Ports::room(std::size_t port) const {
 
 void Ports::receive(std::size_t port, std::span<const std::uint8_t> bytes, bool is_listening) {
   if (is_silent_) return;
-  ports_[port].parser.feed(bytes,
-                           [&](const Frame& frame) { keep(port, frame, is_listening); });
+  ports_[port].parser.feed(bytes, [&](const Frame& frame) { keep(port, frame, is_listening); });
 }
 
 void Ports::keep(std::size_t port, const Frame& frame, bool is_listening) {

@@ -27,6 +27,7 @@
 
 #include <sbgc/client/client.hpp>
 #include <sbgc/client/own_transport.hpp>
+#include <sbgc/roles.hpp>
 
 namespace sbgc {
 
@@ -99,16 +100,16 @@ class AsyncClient {
   }
 
   /// As Client::stream(). Handler: void(Result<Subscription>).
-  template <Message M, class Token, class Request = DataStreamInterval>
+  template <Message M, class Token, class Request = roles::StreamRequest>
   auto async_stream(std::chrono::milliseconds interval, std::function<void(const M&)> handler,
                     const CallOptions& options, Token&& token) {
     return async_stream<M>(detail::stream_request<Request>(interval), std::move(handler), options,
                            std::forward<Token>(token));
   }
-  template <Message M, class Token, Message Request = DataStreamInterval>
+  template <Message M, class Token, Message Request = roles::StreamRequest>
   auto async_stream(Request request, std::function<void(const M&)> handler,
                     const CallOptions& options, Token&& token) {
-    request.cmd_id = M::command;
+    roles::stream_command(request) = M::command;
     return initiate<Subscription>(
         token,
         [&impl = *impl_, request, options,

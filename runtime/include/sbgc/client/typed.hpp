@@ -17,6 +17,7 @@
 #include <sbgc/client/reply.hpp>
 #include <sbgc/client/result.hpp>
 #include <sbgc/message.hpp>
+#include <sbgc/roles.hpp>
 
 namespace sbgc {
 
@@ -89,9 +90,10 @@ Result<CallAnswer<M>> read_answer(const Result<Reply>& reply) {
 template <class Request>
 Request stream_request(std::chrono::milliseconds interval) {
   Request request{};
-  using Interval = decltype(request.interval_ms);
+  auto& chosen = roles::stream_interval(request);
+  using Interval = std::remove_reference_t<decltype(chosen)>;
   const auto count = std::clamp<std::chrono::milliseconds::rep>(interval.count(), 1, 0xFFFF);
-  request.interval_ms = Interval(static_cast<typename Interval::raw_type>(count));
+  chosen = Interval(static_cast<typename Interval::raw_type>(count));
   return request;
 }
 
