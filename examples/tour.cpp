@@ -29,7 +29,7 @@ void show(const sbgc::RealtimeData4& data) {
 }
 
 sbgc::Result<sbgc::MoveProgress> tilt(sbgc::Client& client, sbgc::Angle14 pitch) {
-  std::printf("pitch to %g degrees\n", pitch.degrees());
+  std::printf("pitch to %.0f degrees\n", pitch.degrees());
   return sbgc::move_to(client, {.pitch = pitch}, sbgc::ControlSpeed::from_degrees_per_second(25.0));
 }
 
@@ -55,11 +55,12 @@ int main(int argc, char** argv) {
   if (auto on = client->motors_on(); !on) return fail(on.error());
   const auto stream = client->stream<sbgc::RealtimeData4>(250ms, show);
   if (!stream) return fail(stream.error());
-  for (const sbgc::Angle14 pitch :
-       {sbgc::Angle14::from_degrees(-30.0), sbgc::Angle14::from_degrees(0.0)}) {
+  constexpr sbgc::Angle14 down = sbgc::Angle14::from_degrees(-30.0);
+  constexpr sbgc::Angle14 level = sbgc::Angle14::from_degrees(0.0);
+  for (const sbgc::Angle14 pitch : {down, level}) {
     const auto moved = tilt(*client, pitch);
     if (!moved) return fail(moved.error());
-    std::printf("pitch is %.2f degrees\n", moved->angles.pitch.degrees());
+    std::printf("pitch is %.1f degrees\n", moved->angles.pitch.degrees());
   }
   if (auto released = sbgc::release(*client); !released) return fail(released.error());
 }

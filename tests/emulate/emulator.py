@@ -84,7 +84,10 @@ class Line:
         """Whether something came in that time."""
         if not select.select([self.fd], [], [], seconds)[0]:
             return False
-        data = os.read(self.fd, 65536)
+        try:
+            data = os.read(self.fd, 65536)
+        except ConnectionResetError:
+            return False
         self.heard += data
         return bool(data)
 

@@ -41,6 +41,8 @@ class LiveBoard {
 
   /// Called when the board's memory has changed.
   std::function<void()> on_memory_changed{};
+  /// Called when what the board had to do has been done, for now.
+  std::function<void()> after_traffic{};
 
  private:
   /// After everything: who waits for something is told, and the timer set.
