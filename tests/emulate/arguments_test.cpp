@@ -66,7 +66,8 @@ TEST(Arguments, Versions) {
   EXPECT_EQ(parse_firmware("2.59"), FirmwareVersion(2590));
   EXPECT_EQ(parse_firmware("2.59").minor(), 59);
   EXPECT_EQ(parse_board("3.2"), BoardVersion(32));
-  for (const char* text : {"", "2", "2.5", "2.590", "2.59b", "2.59b0", "2.59b10", "x.59", "2.59 "}) {
+  for (const char* text :
+       {"", "2", "2.5", "2.590", "2.59b", "2.59b0", "2.59b10", "x.59", "2.59 "}) {
     EXPECT_THROW(parse_firmware(text), std::invalid_argument) << text;
   }
   for (const char* text : {"", "3", "3.", "3.10", "30.0", "3.0b1"}) {
