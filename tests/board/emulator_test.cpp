@@ -145,6 +145,72 @@ TEST(Emulator, ToldWhenTheHostShouldWait) {
   EXPECT_NEAR(static_cast<double>(bench.emulator.room(bench.port)), 960, 2);
 }
 
+TEST(Emulator, RequestsThatWaitTakeUpRoom) {
+  Bench bench;  // the line is perfect: it is the board that takes its time
+  Bytes requests;
+  while (requests.size() < Emulator::input_limit) {
+    const Bytes one = frame_of(BoardInfoRequest{});
+    requests.insert(requests.end(), one.begin(), one.end());
+  }
+  bench.send(requests);
+  EXPECT_LT(bench.emulator.room(bench.port), 20U);
+  // A host that does not listen keeps them from their turn.
+  bench.now = bench.now + seconds(60);
+  bench.emulator.advance(bench.now);
+  for (int i = 0; i < 20; ++i) bench.send(requests);
+  bench.now = bench.now + seconds(60);
+  bench.emulator.advance(bench.now);
+  EXPECT_EQ(bench.emulator.room(bench.port), 0U);
+  bench.listen(seconds(30));
+  EXPECT_EQ(bench.emulator.room(bench.port), Emulator::input_limit);
+}
+
+TEST(Emulator, TheBoardsInputBufferCanBeFilled) {
+  EmulatorOptions options;
+  options.board.input_buffer = 2 * Emulator::input_limit;
+  Bench bench(options);
+  const Bytes request = frame_of(BoardInfoRequest{});
+  for (std::size_t sent = 0; sent <= options.board.input_buffer; sent += request.size()) {
+    ASSERT_GT(bench.emulator.room(bench.port), 0U);
+    bench.send(request);
+  }
+  EXPECT_GT(bench.emulator.board().counters().lost, 0U);
+}
+
+TEST(Emulator, BytesThatNeverArriveTakeTheirTime) {
+  EmulatorOptions options;
+  options.line.board.baud_rate = 9600;
+  for (const bool is_lost : {true, false}) {
+    options.line.faults.lost = is_lost ? 1 : 0;
+    Bench bench(options);
+    if (!is_lost) bench.emulator.set_host_line(bench.port, LineSettings{9601}, bench.now);
+    bench.send(Bytes(Emulator::input_limit, 0xFF));
+    EXPECT_LE(bench.emulator.room(bench.port), 1U);
+    bench.listen(seconds(1));
+    EXPECT_NEAR(static_cast<double>(bench.emulator.room(bench.port)), 960, 2);
+  }
+}
+
+TEST(Emulator, IsQuietWhenAllThatWasAskedHasBeenTaken) {
+  EmulatorOptions options;
+  options.line.board.baud_rate = 9600;
+  Bench bench(options);
+  EXPECT_TRUE(bench.emulator.is_quiet(bench.port));
+  Bytes got;
+  bench.send(frame_of(BoardInfoRequest{}));
+  while (!bench.emulator.is_quiet(bench.port)) {
+    const Bytes more = bench.listen(microseconds(300), microseconds(300));
+    got.insert(got.end(), more.begin(), more.end());
+    ASSERT_LT(bench.now, Instant{} + seconds(5));
+  }
+  EXPECT_EQ(frames_in(got, CommandId::board_info), 1U);
+  // What has arrived and is not taken is not quiet.
+  bench.send(frame_of(BoardInfoRequest{}));
+  bench.now = bench.now + seconds(1);
+  bench.emulator.advance(bench.now);
+  EXPECT_FALSE(bench.emulator.is_quiet(bench.port));
+}
+
 TEST(Emulator, TheRateOfTheSettings) {
   EmulatorOptions options;
   options.rate_of_settings = true;
