@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t most_per_write = 4096;
 
-/// A host that has sent its last byte may still wait for answers.
+/// A host that has sent its last byte may still wait for answers: it is let go at one of these
+/// moments, when there is nothing left to do for it.
 constexpr auto linger_time = std::chrono::milliseconds(500);
 
 }  // namespace
@@ -72,9 +73,15 @@ void Host::write() {
 void Host::finish_reading(std::error_code error) {
   if (error != asio::error::eof && error != io::Errc::end_of_stream) return end(error);
   has_read_all_ = true;
+  linger();
+}
+
+void Host::linger() {
   linger_.expires_after(linger_time);
   linger_.async_wait([self = shared_from_this()](std::error_code aborted) {
-    if (!aborted) self->end({});
+    if (aborted || self->is_closed_) return;
+    if (self->is_writing_ || !self->board_.is_quiet(self->port_)) return self->linger();
+    self->end({});
   });
 }
 
