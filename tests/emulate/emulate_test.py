@@ -132,6 +132,28 @@ def test_tcp_has_several_hosts() -> None:
         assert "refused: all ports" in emulator.error
 
 
+def test_tcp_has_one_host_after_the_other() -> None:
+    with Emulator("--tcp", "0") as emulator:
+        for _ in range(40):
+            host = Connection(emulator.places[0])
+            assert host.ask(BOARD_INFO)
+            host.close()
+        emulator.end()
+        assert emulator.error == ""
+
+
+def test_tcp_host_that_sends_its_end_with_its_requests() -> None:
+    with Emulator("--tcp", "0", "--baud", "9600") as emulator:
+        host = Connection(emulator.places[0])
+        for _ in range(20):
+            host.send(BOARD_INFO_3)
+        host.socket.shutdown(socket.SHUT_WR)
+        while host.receive(PATIENCE):
+            pass
+        assert len(host.heard) == 20 * 74
+        host.close()
+
+
 def test_udp_has_several_hosts() -> None:
     with Emulator("--udp", "0") as emulator:
         (place,) = emulator.places
