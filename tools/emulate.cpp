@@ -229,7 +229,7 @@ void add_line_options(CLI::App& command, Options& options) {
           },
           "A byte with parity takes 11 bits [none]")
       ->check(CLI::IsMember({"none", "even"}))
-      ->type_name("")
+      ->type_name("PARITY")
       ->group("The line");
   const auto add_share = [&](const char* name, double& share, const char* help) {
     add(
