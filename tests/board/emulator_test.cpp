@@ -11,6 +11,7 @@
 
 #include <sbgc/board/emulator.hpp>
 #include <sbgc/message.hpp>
+#include <sbgc/messages/parameters.hpp>
 #include <sbgc/messages/realtime.hpp>
 #include <sbgc/messages/system.hpp>
 #include <sbgc/parser.hpp>
@@ -223,6 +224,48 @@ TEST(Emulator, TheRateOfTheSettings) {
   bench.emulator.set_host_line(bench.port, bench.emulator.line(), bench.now);
   bench.send(frame_of(BoardInfoRequest{}));
   EXPECT_EQ(frames_in(bench.listen(seconds(1)), CommandId::board_info), 1U);
+}
+
+TEST(Emulator, ANewRateOfTheSettingsHoldsFromTheNextStartOn) {
+  EmulatorOptions options;
+  options.rate_of_settings = true;
+  Bench bench(options);
+  const std::size_t usb = bench.emulator.connect(true, bench.now).value();
+  bench.send(frame_of(ReadParams3Request{}));
+  ReadParams3 settings;
+  Parser parser;
+  parser.feed(bench.listen(seconds(1)),
+              [&](const Frame& frame) { EXPECT_TRUE(decode(frame.body, settings)); });
+  settings.serial_speed = SerialSpeed::baud_9600;
+  bench.send(frame_of(WriteParams3{settings}));
+  bench.listen(seconds(1));
+  EXPECT_EQ(bench.emulator.line().baud_rate, 115200U);
+  bench.emulator.restart(bench.now);
+  bench.listen(seconds(1));
+  EXPECT_EQ(bench.emulator.line().baud_rate, 9600U);
+
+  // On the port that has a rate an answer takes 29 ms, on USB one cycle.
+  bench.send(frame_of(BoardInfoRequest{}));
+  bench.emulator.from_host(usb, frame_of(BoardInfoRequest{}), bench.now);
+  EXPECT_EQ(frames_in(bench.listen(milliseconds(20)), CommandId::board_info), 0U);
+  const auto over_usb = bench.emulator.to_host(usb);
+  EXPECT_EQ(frames_in({over_usb.begin(), over_usb.end()}, CommandId::board_info), 1U);
+}
+
+TEST(Emulator, ConnectionsHaveFaultsOfTheirOwn) {
+  EmulatorOptions options;
+  options.line.faults.lost = 0.5;
+  Bench bench(options);
+  const std::size_t other = bench.emulator.connect(false, bench.now).value();
+  for (int i = 0; i < 100; ++i) {
+    bench.send(Bytes(100, 0));
+    bench.emulator.from_host(other, Bytes(100, 0), bench.now);
+    const auto lost = [&](std::size_t port) {
+      return bench.emulator.counters(port, Line::Way::to_board).lost;
+    };
+    if (lost(bench.port) != lost(other)) return;
+  }
+  FAIL() << "both lose the same bytes";
 }
 
 TEST(Emulator, UsbHasNoRate) {
