@@ -169,6 +169,20 @@ def test_udp_has_several_hosts() -> None:
             host.close()
 
 
+def test_udp_carries_whole_answers_and_no_more_than_fits() -> None:
+    with Emulator("--udp", "0") as emulator:
+        host = Connection(emulator.places[0])
+        host.send(BOARD_INFO_3)
+        assert len(host.socket.recv(65536)) == 74
+        host.socket.send(frame(BOARD_INFO) * 800)
+        assert host.receive(PATIENCE)
+        host.socket.send(frame(BOARD_INFO) * 800)  # there is no room for both
+        while host.receive(1):
+            pass
+        assert host.heard.count(bytes([0x3E, BOARD_INFO, 18])) == 800
+        host.close()
+
+
 def test_standard_input_and_output(tmp_path: Path) -> None:
     done = subprocess.run(
         [PROGRAM, "emulate", "--stdio", "--verbose"],
@@ -271,14 +285,15 @@ def test_state_survives(tmp_path: Path) -> None:
     data = bytes(range(128))
     with Emulator("--tcp", "0", "--state", str(state)) as emulator:
         host = Connection(emulator.places[0])
-        host.send(WRITE_EXTERNAL_DATA, data)
-        host.body(CONFIRM)
         serial = host.ask(BOARD_INFO_3)[:21]
-        before = state.stat().st_mtime_ns
-        # It is saved by itself, so that even a killed one has it.
-        end = time.monotonic() + PATIENCE
-        while state.stat().st_mtime_ns == before and time.monotonic() < end:
-            time.sleep(0.05)
+        # It is saved by itself, each time, so that even a killed one has it.
+        for new in (data[1:] + data[:1], data):
+            before = state.stat().st_mtime_ns
+            host.send(WRITE_EXTERNAL_DATA, new)
+            host.body(CONFIRM)
+            end = time.monotonic() + PATIENCE
+            while state.stat().st_mtime_ns == before and time.monotonic() < end:
+                time.sleep(0.05)
         emulator.process.kill()
         emulator.wait()
         host.close()
@@ -308,13 +323,32 @@ def test_a_state_that_can_not_be_used(tmp_path: Path) -> None:
     refused("--state", str(tmp_path / "missing" / "state"))
 
 
-def test_board_and_firmware() -> None:
-    with Emulator("--tcp", "0", "--firmware", "2.43b9", "--board", "3.1") as emulator:
+def test_a_state_that_can_not_be_saved_any_more(tmp_path: Path) -> None:
+    folder = tmp_path / "folder"
+    folder.mkdir()
+    with Emulator("--tcp", "0", "--state", str(folder / "state")) as emulator:
+        folder.rename(tmp_path / "elsewhere")
         host = Connection(emulator.places[0])
-        info = host.ask(BOARD_INFO)
-        assert info[0] == 31
-        assert int.from_bytes(info[1:3], "little") == 2439
+        host.send(WRITE_EXTERNAL_DATA, bytes(range(128)))
+        host.body(CONFIRM)
+        time.sleep(1)  # it has been tried, and is tried again at the end
+        assert host.ask(BOARD_INFO)
         host.close()
+        assert emulator.end() == 1
+        assert emulator.error.count("cannot write") == 2
+        assert "not everything could be saved" in emulator.error
+
+
+def test_board_and_firmware(tmp_path: Path) -> None:
+    state = ["--state", str(tmp_path / "state")]
+    # The state knows which board it is of.
+    for model in (["--firmware", "2.43b9", "--board", "3.1"], []):
+        with Emulator("--tcp", "0", *state, *model) as emulator:
+            host = Connection(emulator.places[0])
+            info = host.ask(BOARD_INFO)
+            assert info[0] == 31
+            assert int.from_bytes(info[1:3], "little") == 2439
+            host.close()
 
 
 def test_wrong_baud_rate_is_garbage() -> None:
