@@ -174,12 +174,12 @@ def test_udp_carries_whole_answers_and_no_more_than_fits() -> None:
         host = Connection(emulator.places[0])
         host.send(BOARD_INFO_3)
         assert len(host.socket.recv(65536)) == 74
-        host.socket.send(frame(BOARD_INFO) * 800)
-        assert host.receive(PATIENCE)
-        host.socket.send(frame(BOARD_INFO) * 800)  # there is no room for both
+        for _ in range(10):  # there is not room for all
+            host.socket.send(frame(BOARD_INFO) * 800)
         while host.receive(1):
             pass
-        assert host.heard.count(bytes([0x3E, BOARD_INFO, 18])) == 800
+        answers, rest = divmod(host.heard.count(bytes([0x3E, BOARD_INFO, 18])), 800)
+        assert 1 <= answers < 10 and rest == 0
         host.close()
 
 
