@@ -1,4 +1,5 @@
 #include <condition_variable>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -121,26 +122,31 @@ class SpeedControlTest : public TaskTest {
  public:
   SpeedControlTest(const SpeedControlTest&) = delete;
   SpeedControlTest& operator=(const SpeedControlTest&) = delete;
-  ~SpeedControlTest() override { disconnect(); }
+  ~SpeedControlTest() override {
+    board.after({});
+    disconnect();
+  }
 
  protected:
   SpeedControlTest() {
-    board.after = [this](const Packet& request) {
+    board.after([this](const Packet& request) {
       if (!is<Control>(request)) return;
+      const std::scoped_lock lock(mutex_);
       sent_.push_back(message<Control>(request).axes.yaw.speed.raw());
       came_.notify_all();
-    };
+    });
   }
   SpeedControlOptions options() { return {milliseconds(500), milliseconds(100), clock}; }
 
   /// Waits until `n` commands have come; returns their speeds of yaw.
   std::vector<int> commands(std::size_t n) {
-    std::unique_lock lock(board_mutex());
+    std::unique_lock lock(mutex_);
     came_.wait_for(lock, std::chrono::seconds(10), [&] { return sent_.size() >= n; });
     return sent_;
   }
 
  private:
+  std::mutex mutex_;
   std::vector<int> sent_;
   std::condition_variable came_;
 };
@@ -213,16 +219,10 @@ TEST_F(SpeedControlTest, StopsAsSoonAsTheLineCarriesItAgain) {
   ASSERT_TRUE(control.set({.yaw = ControlSpeed(100)}));
   ASSERT_TRUE(control.wait());
   EXPECT_EQ(commands(1), std::vector<int>({100}));
-  with_board([&](ModelBoard& model) {
-    model.is_lost = [](const Packet& request) { return is<Control>(request); };
-    return 0;
-  });
+  board.on_lost([](const Packet& request) { return is<Control>(request); });
   clock.advance(milliseconds(500));  // the owner is silent
   EXPECT_EQ(control.wait().error().code, ErrorCode::timeout);
-  with_board([&](ModelBoard& model) {
-    model.is_lost = {};
-    return 0;
-  });
+  board.on_lost({});
   clock.advance(milliseconds(100));
   EXPECT_EQ(commands(2), std::vector<int>({100, 0}));
   EXPECT_EQ(control.state(), State::failed);

@@ -70,7 +70,7 @@ class Subscribed : public ::testing::Test {
   void SetUp() override { introduce(board); }
 
   Client connect(const ConnectOptions& options = quick()) {
-    auto client = connect_over(over_memory(board), options);
+    auto client = connect_over(over_line(board), options);
     if (!client) ADD_FAILURE() << client.error().message;
     return *std::move(client);
   }

@@ -28,7 +28,8 @@ inline asio::ip::address address_of(const ListenAddress& listen) {
 template <class AsioEndpoint>
 std::string place_of(const AsioEndpoint& endpoint) {
   const std::string host = endpoint.address().to_string();
-  return fmt::format(endpoint.address().is_v6() ? "[{}]:{}" : "{}:{}", host, endpoint.port());
+  return endpoint.address().is_v6() ? fmt::format("[{}]:{}", host, endpoint.port())
+                                    : fmt::format("{}:{}", host, endpoint.port());
 }
 
 /// Opens and binds a socket or an acceptor; `protocol` is for messages.
