@@ -5,6 +5,13 @@
 
 namespace sbgc::test {
 
+namespace {
+
+/// The board deals with a request in its next cycle, which is shorter than this.
+constexpr Duration one_cycle = sbgc::milliseconds(1);
+
+}  // namespace
+
 board::EmulatorOptions quick_board() {
   board::EmulatorOptions options;
   options.line.board.baud_rate = 0;
@@ -38,6 +45,14 @@ void EmulatedBoard::start(board::Memory memory) {
     running.board->between = [this](std::unique_ptr<io::Transport> transport) {
       return std::make_unique<Tap>(std::move(transport), hooks_);
     };
+    // Inside the call the board must be left alone.
+    running.board->emulator().board().on_traffic =
+        [this, executor, back_door = running.back_door](const board::Board::Traffic& traffic) {
+          if (!traffic.outcome || traffic.port == back_door) return;
+          asio::post(executor, [this] {
+            if (hooks_.tap != nullptr) hooks_.tap->dealt_with();
+          });
+        };
   }
   const bool has_rate = options_.line.board.baud_rate != 0 || options_.rate_of_settings;
   if (line_kind() == LineKind::terminal) {
@@ -115,6 +130,7 @@ Packets EmulatedBoard::ask(const Packet& request) {
     Parser parser;
     live().take(port, live().output(port).size());  // what nobody has asked for
     live().receive(port, to_frame(request));
+    live().skip(one_cycle);
     parser.feed(live().output(port), [&](const Frame& frame) {
       result.push_back({frame.id, {frame.body.begin(), frame.body.end()}});
     });

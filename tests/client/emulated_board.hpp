@@ -34,17 +34,14 @@
 
 namespace sbgc::test {
 
-namespace detail {
 template <class List>
 struct FirstOf;
 template <class M, class... More>
 struct FirstOf<TypeList<M, More...>> {
   using Type = M;
 };
-}  // namespace detail
-
 template <class List>
-using First = typename detail::FirstOf<List>::Type;
+using First = typename FirstOf<List>::Type;
 
 /// A board without noise, on a line without a rate.
 board::EmulatorOptions quick_board();
@@ -93,15 +90,18 @@ class EmulatedBoard {
 
   // The back door: another host, over USB
 
-  /// Sends a request; returns what comes at once.
+  /// Sends a request; returns what comes within a millisecond, which passes for the board at once.
   Packets ask(const Packet& request);
   /// The board's answer. Throws std::runtime_error if there is none.
   template <Message Answer, Message Request>
   Answer read(const Request& request) {
+    std::string others;
     for (const Packet& one : ask(packet(request))) {
       if (is<Answer>(one)) return message<Answer>(one);
+      others += " " + std::to_string(one.id);
     }
-    throw std::runtime_error("the back door does not open");
+    throw std::runtime_error("command " + std::to_string(packet(request).id) +
+                             " at the back door has no such answer, but these:" + others);
   }
   /// Expects a confirmation, and throws std::runtime_error if there is none.
   template <Message Request>

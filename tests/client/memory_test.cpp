@@ -216,13 +216,13 @@ TEST_F(MemoryTest, ErrorsOfTheFileSystemAreSentences) {
 }
 
 TEST_F(MemoryTest, FilesAreDeleted) {
-  for (const std::uint16_t id : {1, 2, 3}) put_file(id, bytes(5, id));
+  for (std::uint16_t id = 1; id <= 3; ++id) put_file(id, bytes(5, id));
   EXPECT_TRUE(delete_file(client(), 2));
   EXPECT_EQ(file(1), bytes(5, 1));
   EXPECT_THAT(file(2), IsEmpty());
   EXPECT_EQ(file(3), bytes(5, 3));
   EXPECT_TRUE(delete_all_files(client()));
-  for (const std::uint16_t id : {1, 2, 3}) EXPECT_THAT(file(id), IsEmpty());
+  for (std::uint16_t id = 1; id <= 3; ++id) EXPECT_THAT(file(id), IsEmpty());
 }
 
 TEST_F(MemoryTest, AFileThatIsReadBackDifferentlyIsNoticed) {

@@ -344,7 +344,7 @@ TEST_F(ParametersTest, DifferencesAreFoundFieldByField) {
   EXPECT_EQ(changes[0].fields[0].after_meaning, "2");
   EXPECT_EQ(changes[0].fields[1].path, "reserved_2[118]");
   EXPECT_THAT(to_text(changes), HasSubstr("ReadParamsExt2 of profile 4:\n"));
-  EXPECT_THAT(to_text(changes), HasSubstr("  profile_name[4]: \"\" -> \"Drone\"\n"));
+  EXPECT_THAT(to_text(changes), HasSubstr("  profile_name[4]: \"Profile 5\" -> \"Drone\"\n"));
 }
 
 TEST_F(ParametersTest, BlocksOfOneSideOnlyAreDifferences) {

@@ -18,6 +18,10 @@ Tap::~Tap() {
 }
 
 void Tap::async_read(std::span<std::uint8_t> into, Handler handler) {
+  if (is_busy_ && !is_closed_) {
+    reading_ = {into, std::move(handler)};
+    return;
+  }
   if (is_closed_ || prepare()) {
     asio::post(executor(),
                [this, into, handler = std::move(handler)]() mutable { deliver(into, handler); });
@@ -49,11 +53,19 @@ void Tap::deliver(std::span<std::uint8_t> into, Handler& handler) {
   const auto end = ready_.begin() + static_cast<std::ptrdiff_t>(size);
   std::copy(ready_.begin(), end, into.begin());
   ready_.erase(ready_.begin(), end);
-  is_delivering_ = true;
-  handler({}, size);  // it keeps the owner of this alive
-  is_delivering_ = false;
-  if (ready_.empty() && hooks_.after) hooks_.after(*request_);
+  is_busy_ = ready_.empty();
+  handler({}, size);
+}
+
+void Tap::dealt_with() {
+  if (!is_busy_) return;
+  is_busy_ = false;
+  if (hooks_.after) hooks_.after(*request_);
   if (writing_) send(*std::exchange(writing_, {}));
+  if (reading_) {
+    Reading reading = *std::exchange(reading_, {});
+    async_read(reading.into, std::move(reading.handler));
+  }
 }
 
 void Tap::async_write(std::span<const std::uint8_t> bytes, Handler handler) {
@@ -61,7 +73,7 @@ void Tap::async_write(std::span<const std::uint8_t> bytes, Handler handler) {
     leaving_.push_back({frame.id, {frame.body.begin(), frame.body.end()}});
   });
   Writing writing{bytes.size(), std::move(handler)};
-  if (is_delivering_) {
+  if (is_busy_ && !is_closed_) {
     writing_ = std::move(writing);
   } else {
     send(std::move(writing));
@@ -89,6 +101,12 @@ void Tap::send(Writing writing) {
 void Tap::close() {
   is_closed_ = true;
   inner_->close();
+  const auto abort = [this](Handler handler) {
+    asio::post(executor(),
+               [handler = std::move(handler)] { handler(asio::error::operation_aborted, 0); });
+  };
+  if (reading_) abort(std::exchange(reading_, {})->handler);
+  if (writing_) abort(std::exchange(writing_, {})->handler);
 }
 
 }  // namespace sbgc::test

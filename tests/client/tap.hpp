@@ -26,7 +26,7 @@ struct TapHooks {
   std::function<bool(const Packet&)> is_lost{};
   /// Whether what the board sends between this request and the next one is lost on its way.
   std::function<bool(const Packet&)> is_answer_lost{};
-  /// Changes what the board sends at once for a request, or by itself, before it is sent.
+  /// Changes what the board sends, before it is sent.
   std::function<void(Packets&)> tamper{};
   /// Called when the board has dealt with a request, before its answers are sent.
   std::function<void(const Packet&)> after{};
@@ -35,7 +35,7 @@ struct TapHooks {
 };
 
 /// A transport with hooks at packet level: requests are read from it one by one, and bytes that are
-/// no frames are left out.
+/// no frames are left out. Who owns it tells when the board has dealt with a request.
 class Tap final : public io::Transport {
  public:
   Tap(std::unique_ptr<io::Transport> inner, TapHooks& hooks);
@@ -50,10 +50,16 @@ class Tap final : public io::Transport {
   std::string description() const override { return inner_->description(); }
   io::LineControl* line() override { return inner_->line(); }
 
+  /// The board has dealt with what it has got. What it has sent meanwhile leaves now.
+  void dealt_with();
   /// Breaks the line.
   void unplug() { inner_->close(); }
 
  private:
+  struct Reading {
+    std::span<std::uint8_t> into{};
+    Handler handler{};
+  };
   struct Writing {
     std::size_t size{};
     Handler handler{};
@@ -79,8 +85,11 @@ class Tap final : public io::Transport {
   Parser answers_;
   Packets leaving_{};
   std::vector<std::uint8_t> out_;
-  bool is_delivering_ = false;
-  std::optional<Writing> writing_{};  // while a request is delivered
+
+  // While the board deals with a request
+  bool is_busy_ = false;
+  std::optional<Reading> reading_{};
+  std::optional<Writing> writing_{};
 };
 
 }  // namespace sbgc::test
