@@ -20,7 +20,7 @@
 
 #include <sbgc/io/capture.hpp>
 
-#include "../runtime/src/io/crc32.hpp"
+#include "../runtime/src/common/crc32.hpp"
 
 namespace {
 

@@ -283,6 +283,9 @@ def _compare_roles(what: str, old: Message, new: Message, changes: Changes) -> N
     for key in ("interval_us", "end", "cycle", "cycle_us", "delay_ms"):
         pair = [getattr(role, key) for role in (old.role, new.role)]
         changes.compare(Level.MEANING, f"{what}: role: {key}", pair[0], pair[1], new.at)
+    limits = [role.limit or None for role in (old.role, new.role)]
+    level = Level.COMPATIBLE if limits[0] is None else Level.MEANING
+    changes.compare(level, f"{what}: role: limit", limits[0], limits[1], new.at)
     messages = [set(role.messages) for role in (old.role, new.role)]
     level = Level.MEANING if messages[0] - messages[1] else Level.COMPATIBLE
     changes.compare(

@@ -178,6 +178,7 @@ def _role(role: Role | None) -> dict[str, Any] | None:
             end=role.end,
             cycle=role.cycle,
             cycle_us=role.cycle_us,
+            limit=role.limit or None,
         )
     if role.kind == "reset":
         result["delay_ms"] = role.delay_ms

@@ -482,7 +482,8 @@ class Role:
 
     A board restarts `delay_ms` after its reset message.
     `streams` are the messages that a stream request makes the board send; its interval is in units
-    of `interval_us`, `end` ends the stream and `cycle` stands for `cycle_us`.
+    of `interval_us`, `end` ends the stream and `cycle` stands for `cycle_us`. There are at most
+    `limit` streams at a time over all ports; 0 if that is not known.
     """
 
     kind: str
@@ -493,6 +494,7 @@ class Role:
     end: int = 0
     cycle: int | None = None
     cycle_us: int = 0
+    limit: int = 0
     delay_ms: int = 0
     at: Position = field(default=_NOWHERE, compare=False, repr=False)
 

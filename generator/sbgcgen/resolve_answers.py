@@ -39,11 +39,12 @@ _PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "error": ((), ("command",)),
     "reset": ((), ()),
     "introduction": ((), ()),
+    "details": ((), ()),
     "stream_request": (("command", "interval", "config"), ()),
 }
 _WORDS = {
     "reset": ("delay_ms",),
-    "stream_request": ("end", "cycle", "cycle_us", "messages"),
+    "stream_request": ("end", "cycle", "cycle_us", "limit", "messages"),
 }
 
 
@@ -182,6 +183,7 @@ class AnswerResolver:
             end=int(node.get("end", 0)),
             cycle=node.get("cycle"),
             cycle_us=int(node.get("cycle_us", 0)),
+            limit=int(node.get("limit", 0)),
         )
 
     # When all messages are there

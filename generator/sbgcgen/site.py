@@ -56,8 +56,13 @@ def captures_in(folder: Path) -> list[Capture]:
 
 
 def guides_in(folder: Path) -> list[Guide]:
-    """The guides in the order of their file names; a leading number is only for the order."""
-    return [_guide(path) for path in sorted(folder.glob("*.md"))]
+    """The guides in the order of the numbers that their file names begin with."""
+    return [_guide(path) for path in sorted(folder.glob("*.md"), key=_guide_order)]
+
+
+def _guide_order(path: Path) -> tuple[int, str]:
+    number = re.match(r"[0-9]*", path.stem)
+    return (int(number[0] or 0) if number else 0, path.stem)
 
 
 def _guide(path: Path) -> Guide:

@@ -1,6 +1,7 @@
 // For every request of the model: what the emulated board sends is what the model says, and the
 // board's state has followed. A request without an entry here fails the test.
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -53,6 +54,8 @@ void expect_as_modelled(const Exchange& exchange, const Packets& packets, Comes 
       ++confirmations;
       EXPECT_TRUE(exchange.replies.is_confirmed_by(roles::confirmed_command(frame), frame));
       EXPECT_FALSE(exchange.result.is_failure(one.body));
+    } else if (roles::is_reset(frame)) {
+      EXPECT_TRUE(exchange.restarts_board) << "it restarts unasked";
     } else {
       ADD_FAILURE() << "command " << int{one.id} << " is no answer to it";
     }
@@ -106,6 +109,7 @@ class Table {
       const std::uint64_t restarts = host.board.counters().restarts;
       const Packets packets = host.ask(entry.request, patience(exchange));
       expect_as_modelled(exchange, packets, entry.comes);
+      if (exchange.restarts_board) host.listen(seconds(2));
       EXPECT_EQ(host.board.counters().restarts - restarts, exchange.restarts_board ? 1U : 0U);
       if (entry.after) entry.after(host, packets);
     });
@@ -444,7 +448,8 @@ void Table::add_peripherals() {
   add<TriggerPin>({.request = {.pin_id = OutputPin::pin_aux1, .state = PinState::high},
                    .comes = Comes::confirmation});
   ServoOut servos;
-  servos.servo_time[0] = ServoPulse(1500);
+  servos.servo_time.fill(ServoPulse(-1));
+  servos.servo_time[3] = ServoPulse(1500);
   add<ServoOut>({.request = servos, .comes = Comes::confirmation});
   // The first register that can be written and read back.
   I2cDevice imu;
@@ -516,7 +521,7 @@ void Table::add_storage() {
   WriteFile file;
   file.file_id = 300;
   file.file_size = ByteCount(3);
-  for (const std::uint8_t byte : {1, 2, 3}) file.data.push_back(byte);
+  for (const std::uint8_t byte : std::array<std::uint8_t, 3>{1, 2, 3}) file.data.push_back(byte);
   const ReadFileRequest look{.file_id = 300, .max_data_size = ByteCount(100)};
   const auto is_there = [](Host&, const Packets& packets) {
     const auto part = all<ReadFile>(packets);
@@ -573,7 +578,7 @@ TEST_P(Answers, AreWhatTheModelSays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Requests, Answers, ::testing::ValuesIn(requests()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& one) { return one.param; });
 
 TEST(Answers, EveryCheckIsOfARequest) {
   const auto names = requests();

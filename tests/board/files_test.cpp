@@ -15,6 +15,7 @@
 
 namespace sbgc {
 
+// NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for
 void PrintTo(FileError error, std::ostream* out) {
   *out << "FileError " << static_cast<int>(error);
 }
@@ -234,9 +235,10 @@ TEST(Files, ADamagedFileIsNoticedAndTheOthersAreNot) {
   FileSystem files(memory);
   ASSERT_EQ(write_whole(files, 1, ByteVector(200, 0xA5)), FileError::no_error);
   ASSERT_EQ(write_whole(files, 2, numbered(100)), FileError::no_error);
-  const auto found = std::ranges::search(memory.eeprom, ByteVector(200, 0xA5));
-  ASSERT_FALSE(found.empty());
-  const auto at = found.begin() + 100;
+  const ByteVector content(200, 0xA5);
+  const auto at =
+      std::search(memory.eeprom.begin(), memory.eeprom.end(), content.begin(), content.end());
+  ASSERT_NE(at, memory.eeprom.end());
   *at ^= 0x01;
   EXPECT_EQ(files.read(1, 0, 64).error, FileError::crc);
   EXPECT_EQ(files.write(1, 200, 0, numbered(64)), FileError::crc);

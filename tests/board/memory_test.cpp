@@ -77,6 +77,8 @@ class MemoryFile : public testing::Test {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
   ~MemoryFile() override { std::filesystem::remove_all(folder_); }
 
   [[nodiscard]] std::string path(const std::string& file) const {
@@ -159,9 +161,9 @@ TEST(MemoryText, SaysWhatIsWrongAndWhere) {
   expect_error(changed(text, "\"profile\": 0", "\"profile\": -1"), bad, "profile: a number");
   expect_error(changed(text, "\"profile\": 0", "\"profile\": 0.5"), bad, "profile: a number");
   expect_error(changed(text, "\"profile\": 0", "\"profile\": 1"), bad, "crc32: the checksum");
-  expect_error(changed(text, "\"profile\"", "\"colour\": 1, \"profile\""), bad,
+  expect_error(changed(text, "\"profile\"", R"("colour": 1, "profile")"), bad,
                "colour: this is not known");
-  expect_error(changed(text, "\"acc_limits\"", "\"x\": 1, \"acc_limits\""), bad,
+  expect_error(changed(text, "\"acc_limits\"", R"("x": 1, "acc_limits")"), bad,
                "imus[0].x: this is not known");
   expect_error(changed(text, "\"acc_limits\"", "\"acc_limit\""), bad,
                "imus[0].acc_limits: it is missing");
@@ -173,7 +175,7 @@ TEST(MemoryText, SaysWhatIsWrongAndWhere) {
                "battery_factor: it is below 0");
   expect_error(changed(text, "\"gyro_is_calibrated\": true", "\"gyro_is_calibrated\": 1"), bad,
                "imus[0].gyro_is_calibrated: true or false");
-  expect_error(changed(text, "\"device_id\": \"", "\"device_id\": \"00"), bad,
+  expect_error(changed(text, R"("device_id": ")", R"("device_id": "00)"), bad,
                "board.device_id: hex digits of 9 bytes");
   const std::string line = "\"" + std::string(128, 'f') + "\"";
   expect_error(changed(text, line, line + "," + line), bad, "eeprom: a list of 512");

@@ -114,7 +114,7 @@ TEST(Settings, SayTheNumberOfTheirProfile) {
   Memory memory;
   Settings settings(memory);
   for (std::uint8_t profile = 0; profile < profiles; ++profile) {
-    ReadParams3 sent = with_gain<ReadParams3>(1);
+    auto sent = with_gain<ReadParams3>(1);
     sent.profile_id = 255;  // "the active one"
     ASSERT_TRUE(settings.write(profile, sent));
     EXPECT_EQ(settings.read<ReadParams3>(profile).profile_id, profile);

@@ -1,9 +1,11 @@
 // The client with completion tokens.
 
+#include <atomic>
 #include <chrono>
 #include <future>
 #include <memory>
 #include <optional>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -247,6 +249,33 @@ TEST_F(Async, StreamsOnTheExecutor) {
   EXPECT_EQ(where.get_future().get(), running.thread());
   stream->cancel();
   EXPECT_TRUE(board.wait_for<DataStreamInterval>(2));
+}
+
+TEST_F(Async, StreamWithAnImpossibleIntervalCompletesWithAnError) {
+  std::atomic<int> asked{0};
+  board.on<DataStreamInterval>([&](const DataStreamInterval& request) {
+    ++asked;
+    board.confirm(request);
+  });
+  AsyncClient client(running.executor());
+  connect(client);
+  for (const milliseconds interval : {milliseconds(0), milliseconds(70000)}) {
+    const auto stream = client
+                            .async_stream<RealtimeData4>(
+                                interval, [](const RealtimeData4&) {}, {}, asio::use_future)
+                            .get();
+    ASSERT_FALSE(stream) << interval.count();
+    EXPECT_EQ(stream.error().code, ErrorCode::invalid);
+    EXPECT_EQ(stream.error().message, "a stream cannot come every " +
+                                          std::to_string(interval.count()) +
+                                          " ms: from 1 to 65535 ms is possible");
+  }
+  const auto possible = client
+                            .async_stream<RealtimeData4>(
+                                milliseconds(20), [](const RealtimeData4&) {}, {}, asio::use_future)
+                            .get();
+  EXPECT_TRUE(possible);
+  EXPECT_EQ(asked, 1) << "nothing was sent for the others";
 }
 
 TEST_F(Async, CanConnectAgain) {

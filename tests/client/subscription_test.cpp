@@ -10,6 +10,7 @@
 #include <mutex>
 #include <optional>
 #include <span>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -233,6 +234,29 @@ TEST_F(Subscribed, ToAStreamRegistersItAndEndsIt) {
   stream->cancel();
   expected.interval_ms = {};
   EXPECT_EQ(registrations.wait_for(2).at(1), expected);
+}
+
+TEST_F(Subscribed, ToAStreamWithAnIntervalThatTheRequestCannotTellFails) {
+  serve_streams();
+  Client client = connect();
+  const auto ask = [&](milliseconds interval) {
+    return client.stream<RealtimeData4>(interval, [](const RealtimeData4&) {});
+  };
+  for (const milliseconds interval :
+       {milliseconds(0), milliseconds(-20), milliseconds(0x10000), milliseconds(70000),
+        milliseconds::max(), milliseconds::min()}) {
+    const auto stream = ask(interval);
+    ASSERT_FALSE(stream) << interval.count();
+    EXPECT_EQ(stream.error().code, ErrorCode::invalid);
+    EXPECT_THAT(stream.error().message,
+                testing::AllOf(testing::HasSubstr(std::to_string(interval.count()) + " ms"),
+                               testing::HasSubstr("1 to 65535 ms")));
+  }
+  const auto longest = ask(milliseconds(0xFFFF));
+  ASSERT_TRUE(longest) << longest.error().message;
+  const auto requests = registrations.wait_for(1);
+  ASSERT_EQ(requests.size(), 1U) << "nothing was sent for the others";
+  EXPECT_EQ(requests.at(0).interval_ms, Milliseconds(0xFFFF));
 }
 
 TEST_F(Subscribed, ToAStreamEndsItWithTheClient) {

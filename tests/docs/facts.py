@@ -157,6 +157,11 @@ def facts_of_message(message: Message) -> Iterator[Fact]:
         yield from _answer(place, message.answer)
     if message.stores:
         yield Fact(place, "message stores", message.stores)
+    if message.role and message.role.messages:
+        for name in message.role.messages:
+            yield Fact(place, "message streams", name)
+        if message.role.limit:
+            yield Fact(place, "message stream limit", Fraction(message.role.limit))
     for context in message.contexts:
         yield Fact(place, "context", context.name)
         yield Fact(place, "context", context.summary)

@@ -86,7 +86,7 @@ commands:
     to_board:
       source: Outgoing commands L62
       answer: {confirm: always}
-      role: {is: stream_request, command: ID, interval: TIME, config: HOW, end: 0, cycle: 1, cycle_us: 80, messages: [Ping]}
+      role: {is: stream_request, command: ID, interval: TIME, config: HOW, end: 0, cycle: 1, cycle_us: 80, limit: 7, messages: [Ping]}
       fields:
         - {name: TIME, type: Time, summary: How long.}
         - {name: ID, type: CommandId, summary: Which.}
@@ -144,6 +144,7 @@ def test_roles(tmp_path: Path) -> None:
         "config": 3,
     }
     assert (role.interval_us, role.end, role.cycle, role.cycle_us) == (10000, 0, 1, 80)
+    assert role.limit == 7
     assert [(s.message, s.max_size) for s in role.streams] == [("Ping", 1)]
     assert layout.having_role("reset") == ()
 

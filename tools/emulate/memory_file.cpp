@@ -17,7 +17,7 @@
 #include <sbgc/to_json.hpp>
 
 #include "../../runtime/src/client/atomic_file.hpp"
-#include "../../runtime/src/io/crc32.hpp"
+#include "../../runtime/src/common/crc32.hpp"
 
 namespace sbgc::tools {
 namespace {
@@ -216,8 +216,9 @@ class Reader {
     bytes(json, path, out);
   }
   void value(const Json& json, const std::string& path, Xyz<double>& out) {
-    if (!json.is_array() || json.size() != out.size()) return fail(path, "3 numbers are needed");
-    for (std::size_t i = 0; i < out.size(); ++i) value(json[i], at(path, i), out[i]);
+    constexpr std::size_t size = Xyz<double>::size();
+    if (!json.is_array() || json.size() != size) return fail(path, "3 numbers are needed");
+    for (std::size_t i = 0; i < size; ++i) value(json[i], at(path, i), out[i]);
   }
   void value(const Json& json, const std::string& path, ImuCalibration& out) {
     members(json, path, [&](auto& use) { for_each_member(out, use); });

@@ -12,12 +12,14 @@
 namespace sbgc {
 
 struct BoardInfo;
+struct BoardInfo3;
 struct Confirm;
 struct DataStreamInterval;
 struct Error;
 struct ErrorExt;
 struct Reset;
 struct BoardInfoRequest;
+struct BoardInfo3Request;
 
 namespace roles {
 
@@ -31,8 +33,33 @@ using Reset = sbgc::Reset;
 using Introduction = sbgc::BoardInfo;
 /// Asks for the introduction.
 using IntroductionRequest = sbgc::BoardInfoRequest;
+/// Says what else there is to know about the board.
+using Details = sbgc::BoardInfo3;
+/// Asks for these details.
+using DetailsRequest = sbgc::BoardInfo3Request;
 /// Starts, changes and ends a data stream.
 using StreamRequest = sbgc::DataStreamInterval;
+
+/// The command whose message a StreamRequest is about.
+template <class Request>
+constexpr auto& stream_command(Request& request) noexcept {
+  return request.cmd_id;
+}
+/// The time between two messages of the stream.
+template <class Request>
+constexpr auto& stream_interval(Request& request) noexcept {
+  return request.interval_ms;
+}
+
+/// Microseconds that one count of the interval is.
+inline constexpr std::uint32_t stream_interval_us = 1000;
+/// The interval, in counts, that ends a stream.
+inline constexpr std::uint32_t stream_end = 0;
+/// The interval, in counts, that stands for every cycle of the board, and how long one is.
+inline constexpr std::uint32_t stream_cycle = 1;
+inline constexpr std::uint32_t stream_cycle_us = 800;
+/// The most streams that the board keeps at a time, over all its ports.
+inline constexpr std::size_t stream_limit = 10;
 
 /// The largest documented body of a confirmation.
 inline constexpr std::size_t confirmation_size = 6;

@@ -10,8 +10,8 @@ Outcome handle(Turn& turn, const TriggerPin& request) {
 }
 
 Outcome handle(Turn& turn, const ServoOut& request) {
-  const auto refusal = turn.machine.outputs.set_servos(turn.machine, request);
-  return refusal ? turn.refuse(*refusal) : turn.confirm();
+  const bool fits = turn.machine.outputs.set_servos(turn.machine, request);
+  return fits ? turn.confirm() : turn.refuse(Refusal::bad_parameter);
 }
 
 Outcome handle(Turn& turn, const BeepSound& request) {

@@ -1,4 +1,5 @@
 /// Requests about adjustable variables.
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -42,8 +43,9 @@ Outcome handle(Turn& turn, const SetAdjVarsVal& request) {
       before.push_back({variable.param_id, *value});
       continue;
     }
-    for (auto old = before.rbegin(); old != before.rend(); ++old) {
-      machine.settings.set_variable(old->param_id, old->param_value);
+    std::reverse(before.begin(), before.end());  // one may have been set twice
+    for (const AdjVarValue& old : before) {
+      machine.settings.set_variable(old.param_id, old.param_value);
     }
     return turn.refuse(Refusal::bad_parameter, static_cast<std::uint8_t>(variable.param_id));
   }

@@ -22,14 +22,25 @@ PlaneTurn turn_of(double degrees) {
   return {std::sin(angle), std::cos(angle)};
 }
 
-/// v as seen from a body that has turned about `axis`: the inverse rotation.
-Vector seen(const Vector& v, std::size_t axis, const PlaneTurn& turn) {
-  const std::size_t j = (axis + 1) % 3;
-  const std::size_t k = (axis + 2) % 3;
-  Vector result = v;
-  result[j] = turn.cosine * v[j] + turn.sine * v[k];
-  result[k] = turn.cosine * v[k] - turn.sine * v[j];
-  return result;
+using Three = std::array<double, 3>;
+
+/// Makes of v what a body sees that has turned about `axis`: the inverse rotation.
+void see(Three& v, std::size_t axis, const PlaneTurn& turn) {
+  const std::size_t j = axis == 2 ? 0 : axis + 1;
+  const std::size_t k = axis == 0 ? 2 : axis - 1;
+  const double vj = v[j];
+  v[j] = turn.cosine * vj + turn.sine * v[k];
+  v[k] = turn.cosine * v[k] - turn.sine * vj;
+}
+
+Vector vector_of(const Three& v) { return {v[0], v[1], v[2]}; }
+
+}  // namespace
+
+double dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+Vector cross(const Vector& a, const Vector& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 std::optional<Vector> unit(const Vector& v) {
@@ -42,12 +53,13 @@ std::optional<Vector> unit(const Vector& v) {
   return Vector{scaled.x / length, scaled.y / length, scaled.z / length};
 }
 
-}  // namespace
-
-double dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-Vector cross(const Vector& a, const Vector& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+Vector turned(const Vector& v, const Vector& from, const Vector& to) {
+  const Vector axis = cross(from, to);
+  const Vector once = cross(axis, v);
+  const Vector twice = cross(axis, once);
+  const double share = 1 / (1 + dot(from, to));
+  return {v.x + once.x + twice.x * share, v.y + once.y + twice.y * share,
+          v.z + once.z + twice.z * share};
 }
 
 double wrapped(double degrees) {
@@ -66,18 +78,20 @@ RotationOrder valid_order(const RotationOrder& order) {
 Pose::Pose(const Axes<double>& angles, const RotationOrder& order) : axis_(order) {
   std::array<PlaneTurn, 3> turns{};
   for (std::size_t i = 0; i < 3; ++i) turns[i] = turn_of(angles[order[i]]);
+  const std::array<std::size_t, 3> about{direction_of[order[0]], direction_of[order[1]],
+                                         direction_of[order[2]]};
   // World to body: undo the outermost turn first.
   for (std::size_t row = 0; row < 3; ++row) {
-    Vector v{};
+    Three v{};
     v[row] = 1;
-    for (std::size_t i = 3; i-- > 0;) v = seen(v, direction_of[order[i]], turns[i]);
-    rotation_.rows[row] = v;
+    for (std::size_t i = 3; i-- > 0;) see(v, about[i], turns[i]);
+    rotation_.rows[row] = vector_of(v);
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    Vector v{};
-    v[direction_of[order[i]]] = 1;
-    for (std::size_t inner = i; inner-- > 0;) v = seen(v, direction_of[order[inner]], turns[inner]);
-    directions_[i] = v;
+    Three v{};
+    v[about[i]] = 1;
+    for (std::size_t inner = i; inner-- > 0;) see(v, about[inner], turns[inner]);
+    directions_[i] = vector_of(v);
   }
 }
 

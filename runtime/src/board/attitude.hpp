@@ -54,6 +54,13 @@ std::optional<Rotation> rotation_of(const Vector& up, const Vector& north);
 Axes<double> angles_of(const Rotation& rotation, const RotationOrder& order,
                        const Axes<double>& near);
 
+/// `v`, turned by the shortest turn from one unit vector to another. Precondition: they are not
+/// opposite.
+Vector turned(const Vector& v, const Vector& from, const Vector& to);
+
+/// `v` with length 1. Nothing if it is not finite or shorter than 0.001.
+std::optional<Vector> unit(const Vector& v);
+
 /// -180..180.
 double wrapped(double degrees);
 

@@ -44,8 +44,8 @@ bool AutoTuning::start(Machine& machine, std::uint8_t profile, AutoPidFlags conf
 
   Run run{.profile = profile, .config = config};
   if (config.has(AutoPidFlag::send_gui)) run.port = port;
-  const ReadParams3 settings = machine.settings.read<ReadParams3>(profile);
-  const ReadParamsExt filters = machine.settings.read<ReadParamsExt>(profile);
+  const auto settings = machine.settings.read<ReadParams3>(profile);
+  const auto filters = machine.settings.read<ReadParamsExt>(profile);
   const bool tunes_filter = config.has(AutoPidFlag::tune_lpf_freq);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const AxisPid& pid = settings.axes[axis];
@@ -142,8 +142,8 @@ void AutoTuning::report(Machine& machine, const Run& run) const {
 void AutoTuning::store(Machine& machine, const Run& run, Instant now) const {
   for (std::uint8_t profile = 0; profile < SettingsOf<ReadParams3>::copies; ++profile) {
     if (profile != run.profile && !run.config.has(AutoPidFlag::all_profiles)) continue;
-    ReadParams3 settings = machine.settings.read<ReadParams3>(profile);
-    ReadParamsExt filters = machine.settings.read<ReadParamsExt>(profile);
+    auto settings = machine.settings.read<ReadParams3>(profile);
+    auto filters = machine.settings.read<ReadParamsExt>(profile);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!run.config.has(axis_flags[axis])) continue;
       const Gains found = gains(run, axis);

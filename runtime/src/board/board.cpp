@@ -1,9 +1,8 @@
-#include <sbgc/board/board.hpp>
-
 #include <array>
 #include <utility>
 
 #include <sbgc/availability.hpp>
+#include <sbgc/board/board.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/exchanges/all.hpp>
 #include <sbgc/settings.hpp>
@@ -35,6 +34,7 @@ class Board::Core {
   Core(const Options& options, Memory memory, Instant now)
       : machine(options, std::move(memory), now), start_(now), clock_(now) {
     turns_.fill(Instant::never);
+    idle_.fill(Instant::never);
   }
 
   /// Everything that is due up to that time, in the order of time.
@@ -54,12 +54,15 @@ class Board::Core {
     Instant next = earlier(machine.restarts.next(), machine.streams.next());
     for_each_part(machine, [&](auto& part) { next = earlier(next, part.next()); });
     for (const Instant turn : turns_) next = earlier(next, turn);
+    for (const Instant idle : idle_) next = earlier(next, idle);
     return next;
   }
 
   void receive(std::size_t port, std::span<const std::uint8_t> bytes, Instant now) {
     run_until(now);
+    if (bytes.empty()) return;
     machine.ports.receive(port, bytes, machine.restarts.is_listening());
+    idle_[port] = machine.ports.is_in_frame(port) ? clock_ + idle_time : Instant::never;
     plan_turn(port);
   }
 
@@ -76,7 +79,7 @@ class Board::Core {
     machine.auto_tuning.forget_port(port);
     machine.scripts.forget_port(port);
     machine.ports.close(port);
-    turns_[port] = Instant::never;
+    turns_[port] = idle_[port] = Instant::never;
   }
 
   void restart(Instant now) {
@@ -94,11 +97,20 @@ class Board::Core {
   Machine machine;
 
  private:
+  /// A pause after which a frame that has begun is none. Ours.
+  static constexpr Duration idle_time = milliseconds(100);
+
   void run_due(Instant now) {
     machine.restarts.advance(machine, now);
     for_each_part(machine, [&](auto& part) {
       if (part.next() <= now) part.advance(machine, now);
     });
+    for (std::size_t port = 0; port < idle_.size(); ++port) {
+      if (idle_[port] > now) continue;
+      idle_[port] = Instant::never;
+      machine.ports.give_up_frame(port, machine.restarts.is_listening());
+      plan_turn(port);
+    }
     for (std::size_t port = 0; port < turns_.size(); ++port) {
       if (turns_[port] > now) continue;
       turns_[port] = Instant::never;
@@ -129,7 +141,7 @@ class Board::Core {
     Outcome outcome = Outcome::unknown;
     const Code code =
         select(Direction::to_board, request.id, request.body.size(), [&]<class M>(Type<M>) {
-          if constexpr (M::direction == Direction::to_board) {
+          if constexpr (M::direction != Direction::from_board) {
             if (!is_supported<M>(machine.versions())) return;
             M message{};
             if (!decode(std::span(request.body), message)) {
@@ -146,6 +158,7 @@ class Board::Core {
   Instant start_;
   Instant clock_;
   std::array<Instant, max_ports> turns_{};  ///< when a request of each port is carried out
+  std::array<Instant, max_ports> idle_{};   ///< when a frame that has begun is given up
 };
 
 Board::Board(const Options& options, Memory memory, Instant now)
@@ -169,9 +182,7 @@ void Board::receive(std::size_t port, std::span<const std::uint8_t> bytes, Insta
   entered().receive(port, bytes, now);
 }
 
-void Board::advance(Instant now) {
-  entered().run_until(now);
-}
+void Board::advance(Instant now) { entered().run_until(now); }
 
 Instant Board::next() const { return core_->next(); }
 
@@ -183,9 +194,7 @@ void Board::sent(std::size_t port, std::size_t size, Instant now) {
   entered().sent(port, size, now);
 }
 
-void Board::restart(Instant now) {
-  entered().restart(now);
-}
+void Board::restart(Instant now) { entered().restart(now); }
 
 void Board::set_silent(bool is_silent) { core_->set_silent(is_silent); }
 

@@ -101,7 +101,7 @@ void copy_acc(const ImuCalibration& from, ImuCalibration& to) {
 template <class M, class Change>
 bool change_settings(Machine& machine, Instant now, const Change& change) {
   const std::uint8_t profile = machine.settings.profile();
-  M settings = machine.settings.read<M>(profile);
+  auto settings = machine.settings.read<M>(profile);
   change(settings);
   const bool stored = machine.settings.write(profile, settings);
   if (stored) machine.apply_settings(now);

@@ -35,6 +35,8 @@ constexpr std::array<Spectrum, 3> vehicle{
     Spectrum{Sine{25, 0.021}, Sine{6, 0.05}, Sine{0.3, 1.2}, Sine{0.02, 13}}};
 
 constexpr double seconds_per_us = 1e-6;
+/// 30 years.
+constexpr std::int64_t longest_recording_us = 1'000'000'000'000'000;
 
 double square(double x) { return x * x; }
 
@@ -70,7 +72,8 @@ void FrameMotion::plan_sines(const Disturbance& disturbance, std::uint32_t seed)
 void FrameMotion::plan_recording(const std::vector<FrameAngles>& recording) {
   for (const FrameAngles& sample : recording) {
     Point point{sample.at.us, sample.angles, {}};
-    bool is_good = point.us >= 0 && (points_.empty() || point.us > points_.back().us);
+    bool is_good = point.us >= 0 && point.us <= longest_recording_us &&
+                   (points_.empty() || point.us > points_.back().us);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       is_good = is_good && std::isfinite(point.angles[axis]);
     }

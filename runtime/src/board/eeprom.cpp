@@ -4,7 +4,7 @@
 
 #include <sbgc/meta/storage.hpp>
 
-#include "../client/meta_limits.hpp"
+#include "../common/meta_limits.hpp"
 
 namespace sbgc::board {
 namespace {

@@ -5,6 +5,8 @@
 namespace sbgc::board {
 namespace {
 
+constexpr std::size_t axes = Axes<int>::size();
+
 void set_motors(ReadParams3& out) {
   constexpr std::uint8_t poles = 14;
   out.axes.roll = {.p = 12, .i = Hundredths(10), .d = 12, .power = 80, .invert = 0, .poles = poles};
@@ -17,7 +19,7 @@ void set_motors(ReadParams3& out) {
 }
 
 void set_remote_control(ReadParams3& out) {
-  for (std::size_t axis = 0; axis < out.rc.size(); ++axis) {
+  for (std::size_t axis = 0; axis < axes; ++axis) {
     out.rc[axis].rc_lpf = 2;
     out.rc[axis].rc_speed = 50;
     out.follow_speed[axis] = 40;
@@ -53,9 +55,9 @@ void set_sensors(ReadParams3& out) {
 }  // namespace
 
 template <>
-ReadParams3 factory_settings(std::uint8_t profile) {
+ReadParams3 factory_settings(std::uint8_t copy) {
   ReadParams3 out;
-  out.profile_id = profile;
+  out.profile_id = copy;
   set_motors(out);
   set_remote_control(out);
   set_sensors(out);
@@ -70,15 +72,15 @@ ReadParams3 factory_settings(std::uint8_t profile) {
   out.adaptive_pid_rate = 10;
   out.adaptive_pid_recovery_factor = 5;
   out.cur_imu = SelectedImu::main;
-  out.cur_profile_id = profile;
+  out.cur_profile_id = copy;
   return out;
 }
 
 template <>
-ReadParamsExt factory_settings(std::uint8_t profile) {
+ReadParamsExt factory_settings(std::uint8_t copy) {
   ReadParamsExt out;
-  out.profile_id = profile;
-  for (std::size_t axis = 0; axis < out.lpf_freq.size(); ++axis) {
+  out.profile_id = copy;
+  for (std::size_t axis = 0; axis < axes; ++axis) {
     out.lpf_freq[axis] = Frequency::from_hertz(120);
     out.filters_en[axis] = FilterSwitche::lpf;
     out.motor_mag_link[axis] = 100;
@@ -97,10 +99,10 @@ ReadParamsExt factory_settings(std::uint8_t profile) {
 }
 
 template <>
-ReadParamsExt2 factory_settings(std::uint8_t profile) {
+ReadParamsExt2 factory_settings(std::uint8_t copy) {
   ReadParamsExt2 out;
-  out.profile_id = profile;
-  for (std::size_t axis = 0; axis < out.pid_gain.size(); ++axis) {
+  out.profile_id = copy;
+  for (std::size_t axis = 0; axis < axes; ++axis) {
     out.motor_mag_link_fine[axis] = LongHundredths::from_value(100);
     out.pid_gain[axis] = PidGain::from_value(1);
   }

@@ -15,11 +15,11 @@ template <class M>
 M factory_settings(std::uint8_t copy);
 
 template <>
-ReadParams3 factory_settings(std::uint8_t profile);
+ReadParams3 factory_settings(std::uint8_t copy);
 template <>
-ReadParamsExt factory_settings(std::uint8_t profile);
+ReadParamsExt factory_settings(std::uint8_t copy);
 template <>
-ReadParamsExt2 factory_settings(std::uint8_t profile);
+ReadParamsExt2 factory_settings(std::uint8_t copy);
 template <>
 ReadProfileNames factory_settings(std::uint8_t copy);
 template <>

@@ -5,7 +5,7 @@
 #include <sbgc/units.hpp>
 #include <sbgc/wire.hpp>
 
-#include "../io/crc32.hpp"
+#include "../common/crc32.hpp"
 
 namespace sbgc::board {
 namespace {

@@ -47,6 +47,16 @@ Axes<double> plus(const Axes<double>& a, const Axes<double>& b, double factor = 
   return {a.roll + b.roll * factor, a.pitch + b.pitch * factor, a.yaw + b.yaw * factor};
 }
 
+/// The attitude that an outside source tells, with what it does not tell as before.
+std::optional<Rotation> attitude_told(const Gimbal::Attitude& attitude, const Rotation& before) {
+  if (!attitude.up) return rotation_of(before.up(), attitude.north.value_or(before.north()));
+  if (attitude.north) return rotation_of(*attitude.up, *attitude.north);
+  // A tilt does not turn the camera about its vertical.
+  const std::optional<Vector> up = unit(*attitude.up);
+  if (!up || dot(*up, before.up()) < -0.999) return {};
+  return rotation_of(*up, turned(before.north(), before.up(), *up));
+}
+
 }  // namespace
 
 struct Gimbal::State {
@@ -252,10 +262,7 @@ void Gimbal::correct(const Attitude& attitude, Instant now) {
   Imu& imu = attitude.of_frame ? state.second : state.main;
   const Axes<double> estimate =
       attitude.of_frame ? plus(state.frame.now().angles, state.second.error()) : state.estimate();
-  const Pose now_is(estimate, state.order);
-  // What is not told stays.
-  const auto told = rotation_of(attitude.up.value_or(now_is.rotation().up()),
-                                attitude.north.value_or(now_is.rotation().north()));
+  const auto told = attitude_told(attitude, Pose(estimate, state.order).rotation());
   if (!told) return;
   const Axes<double> off = minus(angles_of(*told, state.order, estimate), estimate);
   const Axes<double> error = plus(imu.error(), off);

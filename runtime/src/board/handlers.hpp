@@ -1,5 +1,5 @@
-/// Requests that the board carries out with code of its own. All others are answered by settings.hpp
-/// and default_answer.hpp from the model alone.
+/// Requests that the board carries out with code of its own. All others are answered by
+/// settings.hpp and default_answer.hpp from the model alone.
 #pragma once
 
 #include <sbgc/messages.hpp>

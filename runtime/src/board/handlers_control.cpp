@@ -32,8 +32,8 @@ std::optional<AxisCommand> command_of(const Availability& versions, ControlMode 
   const auto axis_mode = mode_of(mode.mode());
   if (!axis_mode) return {};
   // Firmware that does not know the flag does not look at it.
-  const bool is_fine = mode.flags().has(ControlFlag::high_res_speed) &&
-                       knows(versions, ControlFlag::high_res_speed);
+  const bool is_fine =
+      mode.flags().has(ControlFlag::high_res_speed) && knows(versions, ControlFlag::high_res_speed);
   AxisCommand command{*axis_mode};
   command.speed = is_fine ? FineSpeed(target.speed.raw()).degrees_per_second()
                           : target.speed.degrees_per_second();
@@ -74,8 +74,8 @@ Outcome execute(Turn& turn, MenuCommand action) {
 
 /// Only the acceleration matters to the simulation: it knows the frame's attitude and speed.
 Outcome help(Turn& turn, const Xyz<Acceleration>& acceleration) {
-  turn.machine.gimbal.help(
-      {acceleration.x.real(), acceleration.y.real(), acceleration.z.real()}, turn.now);
+  turn.machine.gimbal.help({acceleration.x.real(), acceleration.y.real(), acceleration.z.real()},
+                           turn.now);
   return turn.confirm();
 }
 

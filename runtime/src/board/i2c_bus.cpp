@@ -42,7 +42,7 @@ constexpr double per_g = 2048, per_degree_per_second = 16.4;
 /// A magnetometer as HMC5883L, in a field of 0.5 Gauss.
 namespace hmc {
 constexpr std::size_t size = 13;
-constexpr std::size_t measured = 3, last_measured = 8, status = 9, identity = 10;
+constexpr std::size_t measured = 3, status = 9, identity = 10;
 constexpr double per_field = 545;
 }  // namespace hmc
 
@@ -70,7 +70,7 @@ std::vector<std::uint8_t> measured(Machine& machine, std::uint8_t address, Insta
     const Vector& gyro = is_main ? sample.gyro : sample.frame_gyro;
     registers[mpu::gyro_config] = registers[mpu::acc_config] = mpu::full_range;
     for (std::size_t i = 0; i < 3; ++i) {
-      put(registers, mpu::acc + 2 * i, acceleration[i] * mpu::per_g);
+      put(registers, mpu::acc + std::size_t{2} * i, acceleration[i] * mpu::per_g);
       put(registers, mpu::gyro + 2 * i, gyro[i] * mpu::per_degree_per_second);
     }
     const double celsius = is_main ? sample.temperature : sample.frame_temperature;
@@ -92,7 +92,7 @@ std::vector<std::uint8_t> measured(Machine& machine, std::uint8_t address, Insta
 }
 
 std::uint16_t key(std::uint8_t address, std::size_t reg) {
-  return static_cast<std::uint16_t>(address * 256U + reg);
+  return static_cast<std::uint16_t>(std::size_t{address} * 256 + reg);
 }
 
 /// Where a register of the EEPROM begins. Ours: REG_ADDR is the upper byte of the address, so

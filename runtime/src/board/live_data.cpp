@@ -74,8 +74,8 @@ void measure_common(Machine& machine, std::size_t port, Instant now, const Sampl
     data.axes[axis].acc_data = saturated<Acceleration>(sample.acceleration[sensor_axis(axis)]);
     data.axes[axis].gyro_data = saturated<GyroRate>(sample.gyro[sensor_axis(axis)]);
     data.rc[axis] = pulse(machine.remote.axis(machine, axis));
-    data.motor_power[axis] = saturated_raw<std::uint8_t>(
-        sample.power[axis] * std::numeric_limits<std::uint8_t>::max());
+    data.motor_power[axis] =
+        saturated_raw<std::uint8_t>(sample.power[axis] * std::numeric_limits<std::uint8_t>::max());
   }
   // Counters begin again when they overflow.
   data.serial_error_cnt = static_cast<std::uint16_t>(machine.ports.errors(port));
@@ -220,13 +220,12 @@ bool offer_sample(Machine& machine, std::size_t port, const DataStreamInterval& 
   };
   return use_if<RealtimeData3>(machine, request, [&] { return offer(RealtimeData3{}, port); }) ||
          use_if<RealtimeData4>(machine, request, [&] { return offer(RealtimeData4{}, port); }) ||
-         use_if<RealtimeDataCustom>(machine, request,
-                                    [&] {
-                                      return offer(RealtimeDataCustom{},
-                                                   request.config.flags
-                                                       ? *request.config.flags
-                                                       : RealtimeDataCustomFlags{});
-                                    }) ||
+         use_if<RealtimeDataCustom>(
+             machine, request,
+             [&] {
+               return offer(RealtimeDataCustom{}, request.config.flags ? *request.config.flags
+                                                                       : RealtimeDataCustomFlags{});
+             }) ||
          use_if<AhrsHelper>(machine, request,
                             [&] { return offer(AhrsHelper{}, is_of_frame(request)); });
 }

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include <sbgc/exchanges/realtime.hpp>
+#include <sbgc/roles.hpp>
 
 #include "tuning.hpp"
 
@@ -17,16 +17,15 @@ Machine::Machine(const Options& of, Memory kept, Instant now)
       files(memory),
       gimbal(options.gimbal, now),
       ports(options),
-      restarts(*this, now) {}
+      restarts(*this, now) {
+  for (const std::size_t imu : {0U, 1U}) {
+    gimbal.correct_gyro(imu == 1, memory.imus[imu].gyro_offset, 0, now);
+  }
+}
 
 Availability Machine::versions() const { return {options.firmware.raw(), options.board.raw()}; }
 
-Duration Machine::cycle() {
-  constexpr DataStreamInterval every_cycle{
-      .interval_ms = Milliseconds(DataStreamInterval::every_cycle)};
-  constexpr std::uint32_t length = stream_change(every_cycle).interval_us;
-  return microseconds(length);
-}
+Duration Machine::cycle() { return microseconds(roles::stream_cycle_us); }
 
 double Machine::measured_battery(const Sample& sample) const {
   return sample.battery * memory.battery_factor;

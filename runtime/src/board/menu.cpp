@@ -37,7 +37,7 @@ Axes<Angle14> present_angles(Machine& machine, Instant now) {
 }
 
 void set_angle(Machine& machine, Instant now) {
-  // Of what is in use, only the angles are stored.
+  // Ours: what else is in use and not saved is stored with them.
   Settings& settings = machine.settings;
   ReadParams3 changed = settings.of<ReadParams3>();
   changed.rc_memory = present_angles(machine, now);

@@ -96,22 +96,18 @@ std::uint16_t Outputs::high_pins() const {
   return static_cast<std::uint16_t>(bits);
 }
 
-std::optional<Refusal> Outputs::set_servos(const Machine& machine, const ServoOut& request) {
-  if (!is_valid(request)) return Refusal::bad_parameter;
+bool Outputs::set_servos(const Machine& machine, const ServoOut& request) {
+  if (!is_valid(request)) return false;
   const double rate = machine.settings.of<ReadParams3>().servo_rate.hertz();
-  for (std::size_t i = 0; i < servos; ++i) {
-    const ServoPulse pulse = request.servo_time[i];
-    if (pulse.raw() * rate >= 1e6) return Refusal::bad_parameter;
-    const bool has_pin = i < servo_pin.size();
-    if (has_pin && pulse != floating && is_input(machine, servo_pin[i])) {
-      return Refusal::not_possible;
-    }
+  constexpr double second = 1e6;  // in the unit of pulses
+  for (const ServoPulse pulse : request.servo_time) {
+    if (pulse.raw() * rate >= second) return false;
   }
   servos_ = request.servo_time;
   for (std::size_t i = 0; i < servo_pin.size(); ++i) {
     if (servos_[i] != floating) pins_[*index_of(servo_pin[i])].reset();
   }
-  return {};
+  return true;
 }
 
 bool Outputs::play(const BeepSound& sound, Instant now) {

@@ -11,8 +11,6 @@
 #include <sbgc/messages/peripherals.hpp>
 #include <sbgc/time.hpp>
 
-#include "turn.hpp"
-
 namespace sbgc::board {
 
 struct Machine;
@@ -37,9 +35,9 @@ class Outputs {
   /// A set of bits, one for each pin in the order of OutputPin: those that are high.
   std::uint16_t high_pins() const;
 
-  /// Says why it could not, and nothing changes then: a pulse does not fit into the period of
-  /// SERVO_RATE, or the pin serves as an input.
-  std::optional<Refusal> set_servos(const Machine& machine, const ServoOut& request);
+  /// False, and nothing changes, if a pulse does not fit into the period of SERVO_RATE. Ours: it
+  /// takes the pin from any other purpose.
+  bool set_servos(const Machine& machine, const ServoOut& request);
   /// As in CMD_SERVO_OUT. Precondition: index < servos.
   ServoPulse servo(std::size_t index) const { return servos_[index]; }
 

@@ -34,7 +34,8 @@ bool Ports::is_open(std::size_t port) const { return port < ports_.size() && por
 bool Ports::is_usb(std::size_t port) const { return is_open(port) && ports_[port].is_usb; }
 
 std::uint64_t Ports::parser_errors(const Parser& parser) {
-  return parser.counters().header_errors + parser.counters().body_errors;
+  const ParserCounters counters = parser.counters();
+  return counters.header_errors + counters.body_errors + counters.incomplete;
 }
 
 std::uint64_t Ports::errors(std::size_t port) const {
@@ -70,8 +71,15 @@ std::size_t Ports::room(std::size_t port) const {
 
 void Ports::receive(std::size_t port, std::span<const std::uint8_t> bytes, bool is_listening) {
   if (is_silent_) return;
-  ports_[port].parser.feed(bytes,
-                           [&](const Frame& frame) { keep(port, frame, is_listening); });
+  ports_[port].parser.feed(bytes, [&](const Frame& frame) { keep(port, frame, is_listening); });
+}
+
+bool Ports::is_in_frame(std::size_t port) const {
+  return is_open(port) && ports_[port].parser.waiting_bytes() != 0;
+}
+
+void Ports::give_up_frame(std::size_t port, bool is_listening) {
+  ports_[port].parser.flush([&](const Frame& frame) { keep(port, frame, is_listening); });
 }
 
 void Ports::keep(std::size_t port, const Frame& frame, bool is_listening) {

@@ -60,6 +60,10 @@ class Ports {
   /// Finds the requests in what has come from a host, and keeps them, or only counts them while the
   /// board does not listen.
   void receive(std::size_t port, std::span<const std::uint8_t> bytes, bool is_listening);
+  /// A frame has begun and is not complete.
+  bool is_in_frame(std::size_t port) const;
+  /// It never will be: the line has been idle.
+  void give_up_frame(std::size_t port, bool is_listening);
   /// A request waits, and nothing that waits to be sent keeps it from its turn.
   bool has_turn(std::size_t port) const;
   /// Precondition: has_turn(port).

@@ -3,7 +3,7 @@
 #include <sbgc/framing.hpp>
 #include <sbgc/wire.hpp>
 
-#include "../io/crc32.hpp"
+#include "../common/crc32.hpp"
 
 namespace sbgc::board {
 namespace {

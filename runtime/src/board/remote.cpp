@@ -82,14 +82,14 @@ void Remote::set_channels(Machine& machine, const ApiVirtChControl& signals, Ins
 }
 
 /// The command channel is a switch of three positions; each change of it starts an action. Only new
-/// signals do: were it looked at after each change of settings, an action that changes the channel's
-/// source could start itself for ever.
+/// signals do: were it looked at after each change of settings, an action that changes the
+/// channel's source could start itself for ever.
 void Remote::follow_command_channel(Machine& machine, Instant now) {
   const ReadParams3& settings = machine.settings.of<ReadParams3>();
   const auto level = signal(settings.rc_map_cmd);
   // Thirds of the range: ours.
   constexpr double third = 1.0 / 3;
-  const Position position = !level           ? Position::none
+  const Position position = !level            ? Position::none
                             : *level < -third ? Position::low
                             : *level > third  ? Position::high
                                               : Position::middle;

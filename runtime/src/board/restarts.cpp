@@ -21,7 +21,7 @@ void Restarts::announce(Machine& machine, Instant now) {
 }
 
 void Restarts::restart_now(Machine& machine, Instant now, bool to_bootloader, bool power_off) {
-  ++count_;
+  ++machine.ports.counters.restarts;
   scheduled_.reset();
   machine.ports.restart(power_off);
   for_each_part(machine, [&](auto& part) { part.restart(machine, now); });
@@ -59,9 +59,7 @@ void Restarts::begin_running(Machine& machine, Instant now) {
   machine.set_motors(true, now);
 }
 
-Instant Restarts::next() const {
-  return scheduled_ ? earlier(scheduled_->at, changes_) : changes_;
-}
+Instant Restarts::next() const { return scheduled_ ? earlier(scheduled_->at, changes_) : changes_; }
 
 void Restarts::advance(Machine& machine, Instant now) {
   if (scheduled_ && scheduled_->at <= now) {

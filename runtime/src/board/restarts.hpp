@@ -27,7 +27,6 @@ class Restarts {
 
   State state() const { return state_; }
   bool is_listening() const { return state_ == State::running; }
-  std::uint64_t count() const { return count_; }
   /// When the board has started last.
   Instant started() const { return started_; }
 
@@ -47,7 +46,6 @@ class Restarts {
   Instant changes_ = Instant::never;  ///< when the state does
   Instant started_{};
   std::optional<Scheduled> scheduled_{};
-  std::uint64_t count_{};
 };
 
 }  // namespace sbgc::board

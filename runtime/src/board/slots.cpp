@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <sbgc/meta/variables.hpp>
 
@@ -45,6 +46,9 @@ CentredRcSignal rc_data(std::optional<double> signal) {
 
 void Slots::apply_settings(const Machine& machine, Instant now) {
   const auto& settings = machine.settings.of<ReadAdjVarsCfg>();
+  if (std::exchange(profile_, machine.settings.profile()) != machine.settings.profile()) {
+    for (Analog& slot : analogs_) slot.value.reset();
+  }
   bool is_any_used = false;
   for (std::size_t i = 0; i < triggers; ++i) {
     const TriggerSlot& config = settings.trigger_slots[i];
@@ -67,18 +71,7 @@ void Slots::advance(Machine& machine, Instant now) {
   if (now < next_) return;
   next_ = next_ + period;
   if (next_ <= now) next_ = now + period;  // a signal has no value in the past to look at
-  bool is_changed = false;
-  for (Analog& slot : analogs_) {
-    const auto signal = machine.remote.signal(slot.config.src_ch);
-    const VariableInfo* variable = find_variable(slot.config.param_id);
-    if (!is_used(slot.config) || !signal || variable == nullptr) continue;
-    const std::int32_t value = value_of(slot.config, *variable, *signal);
-    // A host may set the variable too: the signal wins when it changes.
-    if (slot.value == value) continue;
-    slot.value = value;
-    is_changed = machine.settings.set_variable(slot.config.param_id, value) || is_changed;
-  }
-  if (is_changed) machine.apply_settings(now);
+  // Actions first: they may switch to another profile.
   for (Trigger& slot : triggers_) {
     const auto signal =
         is_used(slot.config) ? machine.remote.signal(slot.config.src_ch) : std::nullopt;
@@ -90,6 +83,18 @@ void Slots::advance(Machine& machine, Instant now) {
     slot.action = action;
     if (action != MenuCommand::none) machine.execute(action, now);
   }
+  bool is_changed = false;
+  for (Analog& slot : analogs_) {
+    const auto signal = machine.remote.signal(slot.config.src_ch);
+    const VariableInfo* variable = find_variable(slot.config.param_id);
+    if (!is_used(slot.config) || !signal || variable == nullptr) continue;
+    const std::int32_t value = value_of(slot.config, *variable, *signal);
+    // A host may set the variable too: the signal wins when it changes, or the profile.
+    if (slot.value == value) continue;
+    slot.value = value;
+    is_changed = machine.settings.set_variable(slot.config.param_id, value) || is_changed;
+  }
+  if (is_changed) machine.apply_settings(now);
 }
 
 AdjVarsState Slots::state(const Machine& machine, std::size_t trigger, std::size_t analog) const {

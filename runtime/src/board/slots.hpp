@@ -43,6 +43,7 @@ class Slots {
 
   std::array<Trigger, triggers> triggers_{};
   std::array<Analog, analogs> analogs_{};
+  std::uint8_t profile_{};  ///< that the values were set in
   Instant next_ = Instant::never;
 };
 

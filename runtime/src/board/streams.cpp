@@ -3,13 +3,16 @@
 #include <algorithm>
 
 #include <sbgc/exchanges/realtime.hpp>
+#include <sbgc/roles.hpp>
 
 #include "live_data.hpp"
 #include "machine.hpp"
 
 namespace sbgc::board {
 
-Instant Streams::Stream::due() const { return start + microseconds((samples + 1) * interval_us); }
+Instant Streams::Stream::due() const {
+  return start + microseconds(samples * interval_us) + microseconds(interval_us);
+}
 
 Streams::Change Streams::change(Machine& machine, std::size_t port,
                                 const DataStreamInterval& request, Instant now) {
@@ -27,7 +30,7 @@ Streams::Change Streams::change(Machine& machine, std::size_t port,
     return Change::done;
   }
   if (stream == streams_.end()) {
-    if (streams_.size() == limit) return Change::no_room;
+    if (streams_.size() == roles::stream_limit) return Change::no_room;
     stream = streams_.emplace(streams_.end());
   } else {
     skip(machine, *stream, now);

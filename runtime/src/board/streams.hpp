@@ -16,9 +16,6 @@ struct Machine;
 
 class Streams {
  public:
-  /// Over all ports, with firmware 2.59.
-  static constexpr std::size_t limit = 10;
-
   enum class Change : std::uint8_t { done, no_room, bad_command };
 
   /// Starts, changes or ends a stream of a port.

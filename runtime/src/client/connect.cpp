@@ -120,8 +120,8 @@ class Connector {
     if (!info) return no_introduction(std::move(info).error());
     board.info = *std::move(info);
     state_->set_board(board);
-    if (is_supported<BoardInfo3Request>(board.versions())) {
-      if (auto details = ask(BoardInfo3Request{})) {
+    if (is_supported<roles::DetailsRequest>(board.versions())) {
+      if (auto details = ask(roles::DetailsRequest{})) {
         board.details = *std::move(details);
       } else if (const auto again = ask(roles::IntroductionRequest{}); !again) {
         return ClientError{again.error().code, "the board on " + state_->description() +

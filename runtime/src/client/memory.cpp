@@ -9,7 +9,7 @@
 #include <sbgc/client/parameters.hpp>
 #include <sbgc/meta/storage.hpp>
 
-#include "meta_limits.hpp"
+#include "../common/meta_limits.hpp"
 #include "pages.hpp"
 #include "task.hpp"
 

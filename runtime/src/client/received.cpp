@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <string>
 #include <tuple>
 #include <type_traits>
 
@@ -39,6 +41,19 @@ constexpr auto decoders_of(TypeList<Ms...>) noexcept {
 
 ClientError encode_error(Status status) {
   return {ErrorCode::invalid, "the request cannot be encoded: " + status_text(status)};
+}
+
+Result<std::int64_t> stream_interval_count(std::chrono::milliseconds interval, std::int64_t most) {
+  constexpr std::int64_t unit = roles::stream_interval_us;
+  const std::int64_t longest = most * unit / 1000;
+  const std::int64_t wanted = interval.count();
+  const bool is_possible = wanted > 0 && wanted <= longest && wanted * 1000 % unit == 0 &&
+                           wanted * 1000 / unit != roles::stream_end;
+  if (is_possible) return wanted * 1000 / unit;
+  return ClientError{ErrorCode::invalid,
+                     "a stream cannot come every " + std::to_string(wanted) + " ms: from " +
+                         std::to_string(std::max<std::int64_t>(unit / 1000, 1)) + " to " +
+                         std::to_string(longest) + " ms is possible"};
 }
 
 ClientError decode_error(Status status, const Reply& reply) {

@@ -122,7 +122,8 @@ std::vector<std::uint8_t> frame_that_ends_stream(const Request& request) {
       visit(request.id, request.body, Direction::to_board, [&]<class M>(const M& message) {
         if constexpr (std::is_same_v<M, roles::StreamRequest>) {
           M end = message;
-          end.interval_ms = {};
+          auto& interval = roles::stream_interval(end);
+          interval = std::remove_reference_t<decltype(interval)>(roles::stream_end);
           written = encode_frame(end, frame);
         }
       });

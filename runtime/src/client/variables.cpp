@@ -10,7 +10,7 @@
 #include <sbgc/messages/parameters.hpp>
 #include <sbgc/meta/adjustable_variables.hpp>
 
-#include "meta_limits.hpp"
+#include "../common/meta_limits.hpp"
 #include "task.hpp"
 
 namespace sbgc {

@@ -11,7 +11,7 @@
 #include <sbgc/io/capture.hpp>
 #include <sbgc/wire.hpp>
 
-#include "crc32.hpp"
+#include "../common/crc32.hpp"
 
 namespace sbgc::io {
 

@@ -672,9 +672,8 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 
 /// Start, change or end a data stream: messages that the board sends at a fixed rate, unasked.
 /// CMD_ID and CONFIG together name the stream on this port: a second request with the same ones
-/// changes its interval. Firmware 2.59 keeps at most 10 streams over all ports. Single samples come
-/// within 1 ms of their time, their average rate is exact; what does not fit through the port is
-/// left out.
+/// changes its interval. Single samples come within 1 ms of their time, their average rate is
+/// exact; what does not fit through the port is left out.
 ///
 /// CMD_DATA_STREAM_INTERVAL (85), to the board; 21 bytes.
 /// Since firmware 2.59, board 3.0.

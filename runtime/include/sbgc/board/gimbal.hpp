@@ -116,7 +116,9 @@ class Gimbal {
   };
 
   Gimbal(const Options& options, Instant start);
+  Gimbal(const Gimbal&) = delete;
   Gimbal(Gimbal&&) noexcept;
+  Gimbal& operator=(const Gimbal&) = delete;
   Gimbal& operator=(Gimbal&&) noexcept;
   ~Gimbal();
 
@@ -142,7 +144,7 @@ class Gimbal {
   void help(const Vector& acceleration, Instant now);
   /// Replaces what an IMU knows of its attitude for a second, or as a reference corrects it slowly
   /// for two. Vectors of any length; what is not given stays. Nothing happens if they are parallel,
-  /// shorter than 0.001 or not finite.
+  /// shorter than 0.001, not finite, or `up` alone is opposite to what it was.
   struct Attitude {
     std::optional<Vector> up{};
     std::optional<Vector> north{};

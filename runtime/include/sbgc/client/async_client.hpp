@@ -27,6 +27,7 @@
 
 #include <sbgc/client/client.hpp>
 #include <sbgc/client/own_transport.hpp>
+#include <sbgc/roles.hpp>
 
 namespace sbgc {
 
@@ -99,25 +100,17 @@ class AsyncClient {
   }
 
   /// As Client::stream(). Handler: void(Result<Subscription>).
-  template <Message M, class Token, class Request = DataStreamInterval>
+  template <Message M, class Token, class Request = roles::StreamRequest>
   auto async_stream(std::chrono::milliseconds interval, std::function<void(const M&)> handler,
                     const CallOptions& options, Token&& token) {
-    return async_stream<M>(detail::stream_request<Request>(interval), std::move(handler), options,
-                           std::forward<Token>(token));
+    return register_stream<M>(detail::stream_request<Request>(interval), std::move(handler),
+                              options, token);
   }
-  template <Message M, class Token, Message Request = DataStreamInterval>
+  template <Message M, class Token, Message Request = roles::StreamRequest>
   auto async_stream(Request request, std::function<void(const M&)> handler,
                     const CallOptions& options, Token&& token) {
-    request.cmd_id = M::command;
-    return initiate<Subscription>(
-        token,
-        [&impl = *impl_, request, options,
-         handler = std::move(handler)](const Completion<Subscription>& done) mutable -> Stop {
-          const detail::EncodedRequest encoded(request);
-          if (!encoded) return done(encoded.error()), Stop{};
-          return begin_stream(impl, encoded.frame(), detail::key_of<M>,
-                              detail::typed_handler<M>(std::move(handler)), options, done);
-        });
+    return register_stream<M>(Result<Request>(std::move(request)), std::move(handler), options,
+                              token);
   }
 
   /// Runs `task(Client&)`, which may block and returns a Result<T>, on a thread of this client; one
@@ -160,6 +153,23 @@ class AsyncClient {
   using Completion = std::function<void(Result<T>)>;
   /// Cancels an operation; may be empty.
   using Stop = std::function<void()>;
+
+  /// Registers a stream, or completes with the reason why there is no request for it.
+  template <Message M, class Request, class Token>
+  auto register_stream(Result<Request> request, std::function<void(const M&)> handler,
+                       const CallOptions& options, Token& token) {
+    return initiate<Subscription>(
+        token,
+        [&impl = *impl_, request = std::move(request), options,
+         handler = std::move(handler)](const Completion<Subscription>& done) mutable -> Stop {
+          if (!request) return done(request.error()), Stop{};
+          roles::stream_command(*request) = M::command;
+          const detail::EncodedRequest encoded(*request);
+          if (!encoded) return done(encoded.error()), Stop{};
+          return begin_stream(impl, encoded.frame(), detail::key_of<M>,
+                              detail::typed_handler<M>(std::move(handler)), options, done);
+        });
+  }
 
   /// Begins an operation with `begin(completion)`, whose completion goes to the token's handler.
   template <class T, class Token, class Begin>

@@ -22,6 +22,7 @@
 #include <sbgc/client/result.hpp>
 #include <sbgc/client/subscription.hpp>
 #include <sbgc/client/typed.hpp>
+#include <sbgc/roles.hpp>
 
 namespace sbgc {
 
@@ -78,21 +79,24 @@ class Client : public Calls<Client> {
   }
 
   /// Lets the board send M every `interval` as long as the subscription lives; 1 ms is as often as
-  /// it can. ErrorCode::overload if that is more than the line can carry.
-  template <Message M, class Request = DataStreamInterval>
+  /// it can. ErrorCode::invalid if the interval is 0 or longer than a request can tell, about a
+  /// minute; ErrorCode::overload if that is more than the line can carry.
+  template <Message M, class Request = roles::StreamRequest>
   Result<Subscription> stream(std::chrono::milliseconds interval,
                               std::function<void(const M&)> handler,
                               const CallOptions& options = {}) {
-    return stream<M>(detail::stream_request<Request>(interval), std::move(handler), options);
+    const auto request = detail::stream_request<Request>(interval);
+    if (!request) return request.error();
+    return stream<M, Request>(*request, std::move(handler), options);
   }
 
   /// The same for messages that the board must be told more about: `request` has the interval and
-  /// whatever else the message needs, its `cmd_id` is filled in here.
-  template <Message M, class Request = DataStreamInterval>
+  /// whatever else the message needs, its command is filled in here.
+  template <Message M, class Request = roles::StreamRequest>
   Result<Subscription> stream(std::type_identity_t<Request> request,
                               std::function<void(const M&)> handler,
                               const CallOptions& options = {}) {
-    request.cmd_id = M::command;
+    roles::stream_command(request) = M::command;
     const detail::EncodedRequest encoded(request);
     if (!encoded) return encoded.error();
     return conversation_.stream(encoded.frame(), detail::key_of<M>,

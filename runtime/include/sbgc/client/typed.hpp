@@ -1,11 +1,11 @@
 /// From messages to bytes and back, for the calls of Client and AsyncClient.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <type_traits>
@@ -17,6 +17,7 @@
 #include <sbgc/client/reply.hpp>
 #include <sbgc/client/result.hpp>
 #include <sbgc/message.hpp>
+#include <sbgc/roles.hpp>
 
 namespace sbgc {
 
@@ -25,6 +26,8 @@ namespace detail {
 ClientError encode_error(Status status);
 ClientError decode_error(Status status, const Reply& reply);
 ClientError missing_answer(const Reply& reply);
+/// The interval of a data stream in the counts of the protocol, of which the largest is `most`.
+Result<std::int64_t> stream_interval_count(std::chrono::milliseconds interval, std::int64_t most);
 
 /// A request in its frame, or why it has none.
 class EncodedRequest {
@@ -85,13 +88,16 @@ Result<CallAnswer<M>> read_answer(const Result<Reply>& reply) {
   }
 }
 
-/// The registration of a data stream with an interval; one that is too long is not in range.
+/// The registration of a data stream with an interval, or why there is no such interval.
 template <class Request>
-Request stream_request(std::chrono::milliseconds interval) {
+Result<Request> stream_request(std::chrono::milliseconds interval) {
   Request request{};
-  using Interval = decltype(request.interval_ms);
-  const auto count = std::clamp<std::chrono::milliseconds::rep>(interval.count(), 1, 0xFFFF);
-  request.interval_ms = Interval(static_cast<typename Interval::raw_type>(count));
+  auto& chosen = roles::stream_interval(request);
+  using Interval = std::remove_reference_t<decltype(chosen)>;
+  const auto count =
+      stream_interval_count(interval, std::numeric_limits<typename Interval::raw_type>::max());
+  if (!count) return count.error();
+  chosen = Interval(static_cast<typename Interval::raw_type>(*count));
   return request;
 }
 

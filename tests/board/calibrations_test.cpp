@@ -1,0 +1,349 @@
+// Calibrations: when they are confirmed, what they find and store, and what disturbs them.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "replies.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using board::Memory;
+using board::Options;
+using board::Refusal;
+using ::testing::IsEmpty;
+
+CalibAccExt acc(CalibAction action, CalibImu imu = CalibImu::main) {
+  return {.imu_idx = imu, .action = action};
+}
+CalibGyroExt gyro(CalibAction action, CalibImu imu = CalibImu::main) {
+  return {.imu_idx = imu, .action = action};
+}
+
+CalibInfo info(Host& host, SelectedImu imu = SelectedImu::main) {
+  return host.get<CalibInfo>(CalibInfoRequest{.imu_type = imu});
+}
+
+TEST(Calibrations, GyroscopeIsConfirmedOnReceptionAndAtTheEnd) {
+  Host host;
+  EXPECT_TRUE(is_confirmed(host, CalibGyro{}));
+  EXPECT_THAT(host.listen(milliseconds(3800)), IsEmpty());
+  EXPECT_EQ(confirmations<CalibGyro>(host.listen(milliseconds(400))), 1);
+  EXPECT_THAT(host.listen(seconds(30)), IsEmpty());
+}
+
+TEST(Calibrations, AccelerometerLearnsTheDirectionThatPointsUp) {
+  Host host;
+  EXPECT_EQ(info(host).acc_limits_info, CalibratedLimits{});
+  EXPECT_EQ(info(host).acc_cur_axis, 2);
+  EXPECT_TRUE(is_confirmed(host, CalibAcc{}));
+  EXPECT_EQ(confirmations<CalibAcc>(host.listen(milliseconds(3200))), 1);
+  EXPECT_EQ(info(host).acc_limits_info, CalibratedLimit::plus_z);
+
+  host.board.gimbal().place({90, 0, 0}, host.now);
+  EXPECT_EQ(info(host).acc_cur_axis, 0);
+  EXPECT_TRUE(is_confirmed(host, acc(CalibAction::regular)));
+  EXPECT_EQ(confirmations<CalibAcc>(host.listen(milliseconds(3200))), 1);
+  const auto limits = info(host).acc_limits_info;
+  EXPECT_TRUE(limits == (CalibratedLimit::plus_z | CalibratedLimit::plus_x) ||
+              limits == (CalibratedLimit::plus_z | CalibratedLimit::minus_x));
+}
+
+TEST(Calibrations, EachImuHasItsOwn) {
+  Host host;
+  EXPECT_TRUE(is_confirmed(host, acc(CalibAction::regular, CalibImu::frame)));
+  host.listen(seconds(4));
+  EXPECT_EQ(info(host, SelectedImu::frame).acc_limits_info, CalibratedLimit::plus_z);
+  EXPECT_EQ(info(host, SelectedImu::main).acc_limits_info, CalibratedLimits{});
+}
+
+TEST(Calibrations, TheActiveImuIsTheOneThatWasSelected) {
+  Host host;
+  EXPECT_TRUE(is_confirmed(host, SelectImu3{.imu_type = SelectedImu::frame}));
+  EXPECT_TRUE(is_confirmed(host, CalibAcc{}));
+  host.listen(seconds(4));
+  EXPECT_EQ(info(host, SelectedImu::frame).acc_limits_info, CalibratedLimit::plus_z);
+}
+
+TEST(Calibrations, AWrongParameterIsMetWithSilence) {
+  Options options;
+  options.has_frame_imu = false;
+  Host host(options);
+  EXPECT_THAT(host.ask(acc(CalibAction{0})), IsEmpty());
+  EXPECT_THAT(host.ask(gyro(CalibAction{8})), IsEmpty());
+  EXPECT_THAT(host.ask(acc(CalibAction::regular, CalibImu{3})), IsEmpty());
+  EXPECT_THAT(host.ask(gyro(CalibAction::regular, CalibImu::frame)), IsEmpty());
+  EXPECT_THAT(host.listen(seconds(10)), IsEmpty());
+}
+
+TEST(Calibrations, InformationNeedsAnImuThatIsThere) {
+  Options options;
+  options.has_frame_imu = false;
+  Host host(options);
+  EXPECT_EQ(refusal(host, CalibInfoRequest{.imu_type = SelectedImu::frame}), Refusal::no_device);
+  EXPECT_EQ(refusal(host, CalibInfoRequest{.imu_type = SelectedImu{3}}), Refusal::bad_parameter);
+}
+
+TEST(Calibrations, ProgressGoesFromNothingToAll) {
+  Host host;
+  EXPECT_EQ(info(host).progress, Percent(0));
+  host.ask(CalibGyro{});
+  int last = 0, steps = 0;
+  for (int i = 0; i < 10; ++i) {
+    const int now = info(host).progress.raw();
+    EXPECT_GE(now, last);
+    steps += now > last ? 1 : 0;
+    last = now;
+    host.listen(milliseconds(300));
+  }
+  EXPECT_GT(steps, 5);
+  EXPECT_GT(last, 50);
+  EXPECT_LT(last, 100);
+  host.listen(seconds(2));
+  EXPECT_EQ(info(host).progress, Percent(100));
+}
+
+TEST(Calibrations, LiveDataAreThoseOfTheImu) {
+  Options options;
+  options.gimbal.noise = 0;
+  Host host(options);
+  const CalibInfo still = info(host);
+  EXPECT_NEAR(still.acc_data.z.g(), 1, 0.02);
+  EXPECT_NEAR(still.imu_temp_cels.degrees_celsius(),
+              host.board.gimbal().sample(host.now).temperature, 1);
+  host.board.gimbal().command(2, {.mode = board::AxisMode::speed, .speed = 40}, host.now);
+  host.listen(seconds(2));
+  EXPECT_NEAR(info(host).gyro_abs_val * GyroRate(1).degrees_per_second(), 40, 4);
+  EXPECT_GT(info(host).gyro_abs_val, still.gyro_abs_val);
+}
+
+TEST(Calibrations, OneAtATime) {
+  Host host;
+  EXPECT_TRUE(is_confirmed(host, CalibGyro{}));
+  EXPECT_EQ(refusal(host, CalibAcc{}), Refusal::not_possible);
+  EXPECT_EQ(refusal(host, acc(CalibAction::reset)), Refusal::not_possible);
+  EXPECT_EQ(refusal(host, CalibPoles{}), Refusal::not_possible);
+  const Packets packets = host.listen(seconds(5));
+  EXPECT_EQ(packets.size(), 1U);
+  EXPECT_EQ(confirmations<CalibGyro>(packets), 1);
+  EXPECT_TRUE(is_confirmed(host, CalibAcc{}));
+}
+
+TEST(Calibrations, AGimbalThatMovesIsWaitedFor) {
+  Host host;
+  host.board.gimbal().command(2, {.mode = board::AxisMode::speed, .speed = 30}, host.now);
+  host.listen(seconds(1));
+  EXPECT_TRUE(is_confirmed(host, CalibGyro{}));
+  EXPECT_THAT(host.listen(seconds(5)), IsEmpty());
+  EXPECT_EQ(info(host).progress, Percent(0));
+  host.board.gimbal().command(2, {.mode = board::AxisMode::speed, .speed = 0}, host.now);
+  EXPECT_EQ(confirmations<CalibGyro>(host.listen(seconds(6))), 1);
+}
+
+TEST(Calibrations, AGimbalThatKeepsMovingCannotBeCalibrated) {
+  Host host;
+  host.board.gimbal().command(2, {.mode = board::AxisMode::speed, .speed = 30}, host.now);
+  host.listen(seconds(1));
+  EXPECT_TRUE(is_confirmed(host, CalibAcc{}));
+  EXPECT_EQ(refusal<CalibAcc>(host.listen(seconds(25))), Refusal::not_possible);
+  EXPECT_EQ(info(host).acc_limits_info, CalibratedLimits{});
+  const auto errors = host.get<RealtimeData4>(RealtimeData4Request{}).system_error;
+  EXPECT_TRUE(errors.has(SystemError::calib_acc));
+}
+
+TEST(Calibrations, OverTemperatureTakesMinutes) {
+  Host host;
+  EXPECT_TRUE(is_confirmed(host, gyro(CalibAction::temperature)));
+  EXPECT_THAT(host.listen(seconds(200)), IsEmpty());
+  EXPECT_EQ(confirmations<CalibGyro>(host.listen(seconds(100))), 1);
+  const CalibInfo one = info(host);
+  EXPECT_EQ(one.temp_calib_gyro_enabled, 1);
+  // The board warms up all the time.
+  EXPECT_LT(one.temp_calib_gyro_t_min_cels, one.temp_calib_gyro_t_max_cels);
+  EXPECT_NEAR(one.temp_calib_gyro_t_max_cels.raw(), one.imu_temp_cels.raw(), 3);
+  EXPECT_EQ(one.temp_calib_acc_enabled, 0);
+}
+
+TEST(Calibrations, AccelerometerHasThreeTemperaturesForEachDirection) {
+  Host host;
+  for (int i = 1; i <= 4; ++i) {
+    host.ask(acc(CalibAction::temperature));
+    host.listen(seconds(250));
+    const CalibInfo one = info(host);
+    EXPECT_EQ(one.temp_calib_acc_slot_num[2], std::min(i, 3));
+    EXPECT_EQ(one.temp_calib_acc_enabled, 1);
+    EXPECT_TRUE(one.acc_limits_info.has(CalibratedLimit::plus_z));
+  }
+}
+
+TEST(Calibrations, TemperatureCanBeSwitchedOffAndOnAgain) {
+  Host host;
+  host.ask(acc(CalibAction::temperature));
+  host.listen(seconds(250));
+  const CalibInfo before = info(host);
+
+  const Packets packets = host.ask(acc(CalibAction::disable_temperature));
+  EXPECT_EQ(confirmations<CalibAcc>(packets), 1);
+  host.listen(seconds(2));
+  EXPECT_EQ(host.board.counters().restarts, 1U);
+  EXPECT_EQ(info(host).temp_calib_acc_enabled, 0);
+  EXPECT_EQ(info(host).temp_calib_acc_slot_num, before.temp_calib_acc_slot_num);
+
+  host.ask(acc(CalibAction::enable_temperature));
+  host.listen(seconds(2));
+  EXPECT_EQ(host.board.counters().restarts, 2U);
+  EXPECT_EQ(info(host).temp_calib_acc_enabled, 1);
+}
+
+TEST(Calibrations, WhatIsNotThereIsNotSwitchedOn) {
+  Host host;
+  EXPECT_EQ(confirmations<CalibGyro>(host.ask(gyro(CalibAction::enable_temperature))), 1);
+  host.listen(seconds(2));
+  EXPECT_EQ(info(host).temp_calib_gyro_enabled, 0);
+}
+
+TEST(Calibrations, ResetForgetsThemAndRestarts) {
+  Memory memory;
+  memory.imus[0].acc_limits = 0x3F;
+  memory.imus[1].acc_limits = 0x3F;
+  Host host({}, memory);
+  const Packets packets = host.ask(acc(CalibAction::reset));
+  EXPECT_EQ(confirmations<CalibAcc>(packets), 1);
+  host.listen(seconds(2));
+  EXPECT_EQ(host.board.counters().restarts, 1U);
+  EXPECT_EQ(info(host).acc_limits_info, CalibratedLimits{});
+  EXPECT_EQ(info(host, SelectedImu::frame).acc_limits_info, CalibratedLimits(0x3F));
+  EXPECT_TRUE(host.board.memory().imus[0].gyro_is_calibrated) << "that is another sensor";
+}
+
+TEST(Calibrations, SensorsKeepTheirOwn) {
+  Memory memory;
+  memory.sensors[0].acc_limits = 0x3F;
+  memory.sensors[0].gyro_temperature_max = 50;
+  Host host({}, memory);
+  EXPECT_TRUE(is_confirmed(host, acc(CalibAction::restore_factory)));
+  EXPECT_EQ(confirmations<CalibAcc>(host.listen(seconds(1))), 1);
+  EXPECT_EQ(info(host).acc_limits_info, CalibratedLimits(0x3F));
+  EXPECT_EQ(info(host).temp_calib_gyro_t_max_cels, Temperature(0)) << "that is another sensor";
+
+  host.ask(gyro(CalibAction::temperature));
+  host.listen(seconds(250));
+  EXPECT_TRUE(is_confirmed(host, gyro(CalibAction::store_in_sensor)));
+  EXPECT_EQ(confirmations<CalibGyro>(host.listen(seconds(1))), 1);
+  const Memory& after = host.board.memory();
+  EXPECT_EQ(after.sensors[0].gyro_temperature_max, after.imus[0].gyro_temperature_max);
+  EXPECT_TRUE(after.sensors[0].gyro_temperature_enabled);
+}
+
+TEST(Calibrations, PolesAreConfirmedAtTheEndOnly) {
+  Host host;
+  auto settings = host.get<ReadParams3>(ReadParams3Request{});
+  settings.axes.pitch.poles = 99;
+  WriteParams3 write;
+  static_cast<ReadParams3&>(write) = settings;
+  EXPECT_TRUE(is_confirmed(host, write));
+  EXPECT_THAT(host.ask(CalibPoles{}), IsEmpty());
+  EXPECT_THAT(host.listen(seconds(9)), IsEmpty());
+  EXPECT_EQ(confirmations<CalibPoles>(host.listen(seconds(2))), 1);
+  EXPECT_EQ(host.get<ReadParams3>(ReadParams3Request{}).axes.pitch.poles, 14);
+}
+
+TEST(Calibrations, GainsOfAFlightController) {
+  Host host;
+  EXPECT_THAT(host.ask(CalibExtGain{}), IsEmpty());
+  EXPECT_EQ(confirmations<CalibExtGain>(host.listen(seconds(6))), 1);
+  const auto settings = host.get<ReadParams3>(ReadParams3Request{});
+  EXPECT_NE(settings.ext_fc_gain_roll, 0);
+  EXPECT_NE(settings.ext_fc_gain_pitch, 0);
+}
+
+TEST(Calibrations, OffsetsOfTheFollowMode) {
+  Host host;
+  host.board.gimbal().place({0, -20, 35}, host.now);
+  EXPECT_TRUE(is_confirmed(host, CalibOffset{}));
+  const auto settings = host.get<ReadParams3>(ReadParams3Request{});
+  EXPECT_NEAR(settings.follow_offset.pitch, -20, 1);
+  EXPECT_NEAR(settings.follow_offset.yaw, 35, 1);
+
+  host.board.gimbal().place({0, 0, 170}, host.now);
+  EXPECT_EQ(refusal(host, CalibOffset{}), Refusal::not_possible);
+  EXPECT_EQ(host.get<ReadParams3>(ReadParams3Request{}).follow_offset.yaw,
+            settings.follow_offset.yaw);
+}
+
+TEST(Calibrations, BatteryShowsTheVoltageThatWasGiven) {
+  Host host;
+  const double shown = host.get<RealtimeData4>(RealtimeData4Request{}).bat_level.volts();
+  EXPECT_TRUE(is_confirmed(host, CalibBat{*Voltage::from_volts(shown * 1.1)}));
+  EXPECT_NEAR(host.get<RealtimeData4>(RealtimeData4Request{}).bat_level.volts(), shown * 1.1, 0.1);
+  const double factor = host.board.memory().battery_factor;
+  EXPECT_EQ(refusal(host, CalibBat{Voltage(1)}), Refusal::bad_parameter);
+  EXPECT_EQ(host.board.memory().battery_factor, factor);
+}
+
+TEST(Calibrations, Magnetometer) {
+  Host host;
+  EXPECT_TRUE(is_confirmed(host, CalibMag{}));
+  EXPECT_LT(info(host).progress.raw(), 100);
+  EXPECT_THAT(host.listen(seconds(25)), IsEmpty());
+  EXPECT_EQ(info(host).progress, Percent(100));
+}
+
+TEST(Calibrations, EncodersCountFromThePresentPosition) {
+  Host host;
+  host.board.gimbal().place({0, -30, 0}, host.now);
+  EXPECT_TRUE(is_confirmed(host, EncodersCalibOffset4{}));
+  host.listen(seconds(2));
+  const auto settings = host.get<ReadParamsExt>(ReadParamsExtRequest{});
+  EXPECT_NEAR(settings.encoder_offset.pitch.degrees(), -30, 1);
+  EXPECT_TRUE(is_confirmed(host, EncodersCalibFldOffset4{}));
+  host.listen(seconds(12));
+  EXPECT_NE(host.get<ReadParamsExt>(ReadParamsExtRequest{}).encoder_fld_offset,
+            settings.encoder_fld_offset);
+}
+
+TEST(Calibrations, NothingIsDoneToEncodersThatAreNotThere) {
+  Options options;
+  options.features = BoardFeature::three_axis;
+  Host host(options);
+  EXPECT_EQ(refusal(host, EncodersCalibOffset4{}), Refusal::no_device);
+  EXPECT_EQ(refusal(host, EncodersCalibFldOffset4{}), Refusal::no_device);
+}
+
+TEST(Calibrations, AHostThatHasLeftGetsNothing) {
+  Host host;
+  host.ask(CalibGyro{});
+  host.board.close_port(host.port);
+  ASSERT_EQ(host.board.open_port(), host.port) << "the next host has the same port";
+  EXPECT_THAT(host.listen(seconds(10)), IsEmpty());
+  EXPECT_EQ(info(host).progress, Percent(100)) << "it went on nevertheless";
+}
+
+TEST(Calibrations, ARestartEndsThem) {
+  Host host;
+  host.ask(CalibGyro{});
+  host.board.restart(host.now);
+  EXPECT_THAT(host.listen(seconds(10)), IsEmpty());
+  EXPECT_EQ(info(host).progress, Percent(0));
+  EXPECT_TRUE(is_confirmed(host, CalibGyro{}));
+}
+
+TEST(Calibrations, TheMenuStartsThem) {
+  Host host;
+  host.ask(ExecuteMenu{.cmd_id = MenuCommand::calib_acc});
+  EXPECT_EQ(refusal(host, CalibGyro{}), Refusal::not_possible);
+  EXPECT_THAT(host.listen(seconds(5)), IsEmpty()) << "no request is left to be confirmed";
+  EXPECT_EQ(info(host).acc_limits_info, CalibratedLimit::plus_z);
+}
+
+TEST(Calibrations, TestsNeedNotWait) {
+  Options options;
+  options.calibration_time = 0;
+  Host host(options);
+  EXPECT_EQ(confirmations<CalibGyro>(host.ask(CalibGyro{})), 2);
+  EXPECT_EQ(confirmations<CalibAcc>(host.ask(acc(CalibAction::temperature))), 2);
+  EXPECT_EQ(confirmations<CalibPoles>(host.ask(CalibPoles{})), 1);
+}
+
+}  // namespace
+}  // namespace sbgc::test

@@ -1,0 +1,160 @@
+// What control commands make of the axes.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using board::AxisMode;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+ControlExt one_axis(ControlModeKind mode, std::int16_t speed, std::int16_t angle) {
+  ControlExt request;
+  request.control_mode.pitch.set_mode(mode);
+  request.axes.pitch = {ControlSpeed(speed), Angle14(angle)};
+  return request;
+}
+
+TEST(Control, ModesAndUnits) {
+  Host host;
+  const auto command = [&] { return host.board.gimbal().command(1); };
+  EXPECT_THAT(host.ask(one_axis(ControlModeKind::speed, 1000, 0)), SizeIs(1));
+  EXPECT_EQ(command().mode, AxisMode::speed);
+  EXPECT_NEAR(command().speed, 1000 * 4000.0 / 32767, 1e-9);
+  host.ask(one_axis(ControlModeKind::angle, -1000, 8192));
+  EXPECT_EQ(command().mode, AxisMode::angle);
+  EXPECT_NEAR(command().speed, 1000 * 4000.0 / 32767, 1e-9) << "the angle says the direction";
+  EXPECT_EQ(command().angle, 180);
+  host.ask(one_axis(ControlModeKind::speed_angle, -1000, 100));
+  EXPECT_EQ(command().mode, AxisMode::speed_angle);
+  EXPECT_LT(command().speed, 0);
+  host.ask(one_axis(ControlModeKind::rc, 0, -250));
+  EXPECT_EQ(command().mode, AxisMode::signal);
+  EXPECT_EQ(command().signal, -0.5);
+  host.ask(one_axis(ControlModeKind::rc, 0, 9999));
+  EXPECT_EQ(command().signal, 1);
+  host.ask(one_axis(ControlModeKind::angle_rel_frame, 0, -16384));
+  EXPECT_EQ(command().mode, AxisMode::relative_angle);
+  EXPECT_EQ(command().angle, -360);
+  EXPECT_EQ(host.board.gimbal().command(0).mode, AxisMode::remote) << "other axes have their own";
+  host.ask(one_axis(ControlModeKind::no_control, 0, 0));
+  EXPECT_EQ(command().mode, AxisMode::remote);
+}
+
+TEST(Control, OneModeForAllAxes) {
+  Host host;
+  Control request;
+  request.control_mode.set_mode(ControlModeKind::speed);
+  request.axes.yaw.speed = ControlSpeed(100);
+  host.ask(request);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    EXPECT_EQ(host.board.gimbal().command(axis).mode, AxisMode::speed);
+  }
+}
+
+TEST(Control, FineSpeedIsKnownToNewFirmwareOnly) {
+  for (const int firmware : {2590, 2560}) {
+    board::Options options;
+    options.firmware = FirmwareVersion(static_cast<std::uint16_t>(firmware));
+    Host host(options);
+    auto request = one_axis(ControlModeKind::speed, 1000, 0);
+    request.control_mode.pitch.set_flags(ControlFlag::high_res_speed);
+    host.ask(request);
+    const double speed = host.board.gimbal().command(1).speed;
+    EXPECT_NEAR(speed, firmware == 2590 ? 1.0 : 1000 * 4000.0 / 32767, 1e-9);
+  }
+}
+
+TEST(Control, AnUnknownModeIsRefusedAsAWhole) {
+  Host host;
+  host.ask(one_axis(ControlModeKind::speed, 10, 0));
+  ControlExt request = one_axis(ControlModeKind::angle, 10, 0);
+  request.control_mode.yaw = ControlMode(9);
+  EXPECT_EQ(host.get<ErrorExt>(request).cmd_id, CommandId::control);
+  EXPECT_EQ(host.board.gimbal().command(1).mode, AxisMode::speed);
+}
+
+TEST(Control, TheCameraMoves) {
+  Host host;
+  auto request = one_axis(ControlModeKind::angle, 0, 0);
+  request.axes.pitch.angle = Angle14::from_degrees(-30);
+  host.ask(request);
+  host.listen(seconds(5));
+  const auto angles = host.get<GetAngles>(GetAnglesRequest{});
+  EXPECT_NEAR(angles.axes.pitch.imu_angle.degrees(), -30, 0.5);
+  EXPECT_EQ(angles.axes.pitch.rc_speed.raw(), 0);
+}
+
+TEST(Control, AnEmptyBatteryKeepsTheMotorsOff) {
+  Host host;
+  host.board.gimbal().set_battery(9, host.now);
+  host.listen(seconds(1));
+  host.ask(MotorsOff{});
+  const auto packets = host.ask(MotorsOn{});
+  ASSERT_THAT(packets, SizeIs(1));
+  EXPECT_TRUE(is<ErrorExt>(packets[0]));
+}
+
+/// Settings by which an API channel controls pitch.
+void map_pitch(Host& host, int channel, RcModeKind mode = RcModeKind::angle) {
+  auto settings = host.get<ReadParams3>(ReadParams3Request{});
+  settings.rc_map.pitch.set_source(RcSource::api);
+  settings.rc_map.pitch.set_channel(static_cast<std::uint8_t>(channel));
+  settings.rc.pitch.rc_mode.set_mode(mode);
+  settings.rc_trim = {};
+  settings.rc_deadband = 0;
+  settings.rc_expo_rate = 0;
+  host.ask(WriteParams3{settings});
+}
+
+ApiVirtChControl channels(std::size_t channel, std::int16_t signal) {
+  ApiVirtChControl request;
+  request.val_ch.fill(CentredRcSignal(ApiVirtChControl::undefined));
+  request.val_ch[channel - 1] = CentredRcSignal(signal);
+  return request;
+}
+
+TEST(Control, VirtualChannelsControlTheCamera) {
+  Host host;
+  map_pitch(host, 5);
+  EXPECT_THAT(host.ask(channels(5, 500)), IsEmpty()) << "it comes often, so it is not confirmed";
+  host.listen(seconds(8));
+  const auto settings = host.get<ReadParams3>(ReadParams3Request{});
+  const auto angles = host.get<GetAngles>(GetAnglesRequest{});
+  EXPECT_NEAR(angles.axes.pitch.rc_target_angle.degrees(), settings.rc.pitch.rc_max_angle.degrees(),
+              1);
+}
+
+TEST(Control, SignalsShowInLiveData) {
+  Host host;
+  map_pitch(host, 31);
+  host.ask(channels(31, 250));
+  EXPECT_EQ(host.get<RealtimeData3>(RealtimeData3Request{}).rc.pitch.raw(), 1750);
+  host.ask(channels(31, 9999));
+  EXPECT_EQ(host.get<RealtimeData3>(RealtimeData3Request{}).rc.pitch.raw(), 2000) << "clipped";
+  host.ask(channels(30, 250));
+  EXPECT_EQ(host.get<RealtimeData3>(RealtimeData3Request{}).rc.pitch.raw(), 1500) << "lost";
+}
+
+TEST(Control, TheCommandChannelStartsActions) {
+  Host host;
+  auto settings = host.get<ReadParams3>(ReadParams3Request{});
+  settings.rc_map_cmd.set_source(RcSource::api);
+  settings.rc_map_cmd.set_channel(1);
+  settings.rc_cmd_high = MenuCommand::motor_toggle;
+  host.ask(WriteParams3{settings});
+  host.ask(channels(1, 400));
+  EXPECT_FALSE(host.board.gimbal().motors_on());
+  host.ask(channels(1, 450));
+  EXPECT_FALSE(host.board.gimbal().motors_on()) << "once for each movement of the switch";
+  host.ask(channels(1, 0));
+  host.ask(channels(1, 400));
+  EXPECT_TRUE(host.board.gimbal().motors_on());
+}
+
+}  // namespace
+}  // namespace sbgc::test

@@ -1,0 +1,69 @@
+// Debug variables: announced, and alive.
+
+#include "debug_variables.hpp"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/meta/enums.hpp>
+
+#include "debug_values.hpp"
+#include "replies.hpp"
+
+namespace sbgc::test {
+namespace {
+
+TEST(DebugVariables, EveryKindOfVariableIsThere) {
+  const DebugVarsInfo3 info = board::DebugVariables::info();
+  std::set<DebugVarKind> kinds;
+  std::set<DebugVarAxis> axes;
+  std::set<std::string> names;
+  bool has_array = false, has_angle = false;
+  for (const DebugVarInfo& one : info.vars) {
+    kinds.insert(one.var_type.kind());
+    axes.insert(one.var_type.axis());
+    names.insert(std::string(one.var_name.data(), one.var_name.size()));
+    has_array = has_array || one.arr_size > 1;
+    has_angle = has_angle || one.var_type.flags().has(DebugVarFlag::angle14);
+  }
+  EXPECT_EQ(kinds.size(), EnumMeta<DebugVarKind>::info.values.size());
+  EXPECT_EQ(axes.size(), EnumMeta<DebugVarAxis>::info.values.size());
+  EXPECT_EQ(names.size(), info.vars.size()) << "names are different";
+  EXPECT_EQ(names.count(""), 0U);
+  EXPECT_TRUE(has_array);
+  EXPECT_TRUE(has_angle);
+}
+
+TEST(DebugVariables, ValuesAreLive) {
+  Host host;
+  const auto before = debug_values(host);
+  host.board.gimbal().place({10, -20, 30}, host.now);
+  host.listen(seconds(2));
+  const auto after = debug_values(host);
+  EXPECT_NEAR(after.at("UPTIME_MS")[0] - before.at("UPTIME_MS")[0], 2100, 100);
+  EXPECT_NEAR(after.at("ROLL")[0] * Angle14(1).degrees(), 10, 1);
+  EXPECT_NEAR(after.at("PITCH")[0] * Angle14(1).degrees(), -20, 1);
+  EXPECT_NEAR(after.at("YAW")[0] * Angle14(1).degrees(), 30, 1);
+  EXPECT_NEAR(after.at("BATTERY")[0], 16, 2);
+  EXPECT_EQ(after.at("GYRO").size(), 3U);
+  EXPECT_NE(after.at("GYRO"), before.at("GYRO")) << "it has noise";
+}
+
+TEST(DebugVariables, FollowTheProfile) {
+  Host host;
+  EXPECT_EQ(debug_values(host).at("PROFILE")[0], 0);
+  host.ask(ExecuteMenu{.cmd_id = MenuCommand::profile4});
+  EXPECT_EQ(debug_values(host).at("PROFILE")[0], 3);
+}
+
+TEST(DebugVariables, UptimeBeginsWithTheRestart) {
+  Host host;
+  host.listen(seconds(100));
+  host.board.restart(host.now);
+  host.listen(seconds(2));
+  EXPECT_LT(debug_values(host).at("UPTIME_MS")[0], 3000);
+}
+
+}  // namespace
+}  // namespace sbgc::test

@@ -1,0 +1,86 @@
+// Choosing and correcting IMUs.
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "replies.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using board::Options;
+using board::Refusal;
+using ::testing::IsEmpty;
+
+SelectedImu active(Host& host) { return host.get<ReadParams3>(ReadParams3Request{}).cur_imu; }
+
+TEST(SelectImu, TheChoiceIsReported) {
+  Host host;
+  EXPECT_EQ(active(host), SelectedImu::main);
+  EXPECT_TRUE(is_confirmed(host, SelectImu3{.imu_type = SelectedImu::frame}));
+  EXPECT_EQ(active(host), SelectedImu::frame);
+  SelectImu3Ext later{.imu_type = SelectedImu::main, .param = 7};
+  later.params.push_back(1);
+  EXPECT_TRUE(is_confirmed(host, later));
+  EXPECT_EQ(active(host), SelectedImu::main);
+}
+
+TEST(SelectImu, WhatIsNotConnectedIsIgnored) {
+  Options options;
+  options.has_frame_imu = false;
+  Host host(options);
+  EXPECT_THAT(host.ask(SelectImu3{.imu_type = SelectedImu::frame}), IsEmpty());
+  EXPECT_THAT(host.ask(SelectImu3{.imu_type = SelectedImu{0}}), IsEmpty());
+  EXPECT_EQ(active(host), SelectedImu::main);
+}
+
+TEST(GyroCorrection, ChangesTheDrift) {
+  Options options;
+  options.gimbal.noise = 0;
+  Host plain(options), corrected(options);
+  GyroCorrection request{.imu_type = ImuIndex::main,
+                         .gyro_zero_heading_corr = GyroOffset::from_gyro_units(4)};
+  EXPECT_TRUE(is_confirmed(corrected, request));
+  plain.ask(SelectImu3{.imu_type = SelectedImu::main});
+  for (Host* host : {&plain, &corrected}) host->listen(seconds(60));
+  // The camera turns, because the board believes that it does not.
+  const double one = plain.board.gimbal().sample(plain.now).joints.yaw;
+  const double other = corrected.board.gimbal().sample(corrected.now).joints.yaw;
+  EXPECT_GT(std::abs(one - other), 1);
+}
+
+TEST(GyroCorrection, IsRemembered) {
+  Host host;
+  GyroCorrection request{.imu_type = ImuIndex::frame};
+  request.gyro_zero_corr = {GyroOffset(100), GyroOffset(0), GyroOffset(-200)};
+  EXPECT_TRUE(is_confirmed(host, request));
+  const auto& kept = host.board.memory().imus;
+  EXPECT_GT(kept[1].gyro_offset.x, 0);
+  EXPECT_NEAR(kept[1].gyro_offset.z, -2 * kept[1].gyro_offset.x, 1e-9);
+  EXPECT_EQ(kept[0].gyro_offset, board::Vector{});
+}
+
+TEST(GyroCorrection, IsInForceWhenTheBoardIsSwitchedOn) {
+  Options options;
+  options.gimbal.noise = 0;
+  board::Memory memory;
+  memory.imus[0].gyro_offset = {0, 0, 0.5};
+  Host plain(options), corrected(options, memory);
+  for (Host* host : {&plain, &corrected}) host->listen(seconds(60));
+  EXPECT_GT(std::abs(plain.board.gimbal().sample(plain.now).joints.yaw -
+                     corrected.board.gimbal().sample(corrected.now).joints.yaw),
+            1);
+}
+
+TEST(GyroCorrection, NeedsAnImu) {
+  Options options;
+  options.has_frame_imu = false;
+  Host host(options);
+  EXPECT_EQ(refusal(host, GyroCorrection{.imu_type = ImuIndex::frame}), Refusal::no_device);
+  EXPECT_EQ(refusal(host, GyroCorrection{.imu_type = ImuIndex{2}}), Refusal::bad_parameter);
+}
+
+}  // namespace
+}  // namespace sbgc::test

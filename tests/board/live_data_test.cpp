@@ -1,0 +1,168 @@
+// Live data: units, limits and what is behind them.
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using ::testing::SizeIs;
+
+board::Options still() {
+  board::Options options;
+  options.gimbal.noise = 0;
+  return options;
+}
+
+/// A board whose motors are off, so that the camera stays where it is placed.
+Host placed(const Axes<double>& angles, board::Options options = still()) {
+  Host host(options);
+  host.ask(MotorsOff{});
+  host.board.gimbal().place(angles, host.now);
+  return host;
+}
+
+TEST(LiveData, LevelAndAtRest) {
+  Host host = placed({0, 0, 0});
+  const auto data = host.get<RealtimeData4>(RealtimeData4Request{});
+  EXPECT_NEAR(data.axes.yaw.acc_data.g(), 1, 0.02);
+  EXPECT_NEAR(data.axes.roll.acc_data.g(), 0, 0.02);
+  EXPECT_NEAR(data.angle.pitch.degrees(), 0, 0.1);
+  EXPECT_EQ(data.cycle_time.raw(), 800);
+  EXPECT_EQ(data.system_error.raw(), 0);
+  EXPECT_FALSE(data.other_flags.has(OtherFlag::motors_on));
+  EXPECT_GT(data.bat_level.volts(), 15);
+  EXPECT_NEAR(data.imu_temperature.real(), 25, 15);
+}
+
+TEST(LiveData, AnglesBeginAgainAfterTwoTurns) {
+  Host host = placed({0, 0, 700});
+  EXPECT_NEAR(host.get<GetAngles>(GetAnglesRequest{}).axes.yaw.imu_angle.degrees(), 700, 0.5);
+  host.board.gimbal().place({0, 0, 730}, host.now);
+  EXPECT_NEAR(host.get<GetAngles>(GetAnglesRequest{}).axes.yaw.imu_angle.degrees(), 730 - 1440,
+              0.5);
+  EXPECT_NEAR(host.get<GetAnglesExt>(GetAnglesExtRequest{}).axes.yaw.stator_rotor_angle.degrees(),
+              730, 1)
+      << "joints count on";
+}
+
+TEST(LiveData, BothFormsAgree) {
+  Host host = placed({3, -20, 40});
+  const auto three = host.get<RealtimeData3>(RealtimeData3Request{});
+  const auto four = host.get<RealtimeData4>(RealtimeData4Request{});
+  EXPECT_EQ(three.angle, four.angle);
+  EXPECT_NEAR(three.angle.pitch.degrees(), -20, 0.1);
+  EXPECT_EQ(host.get<RealtimeData3>(RealtimeData{}).angle, four.angle) << "the older request";
+}
+
+TEST(LiveData, TheBatteryIsWatched) {
+  Host host;
+  const auto errors = [&](double volts) {
+    host.board.gimbal().set_battery(volts, host.now);
+    host.listen(seconds(1));
+    return host.get<RealtimeData3>(RealtimeData3Request{}).system_error;
+  };
+  auto settings = host.get<ReadParams3>(ReadParams3Request{});
+  settings.bat_threshold_alarm = VoltageThreshold::from_volts(14);
+  settings.bat_threshold_motors = VoltageThreshold::from_volts(12);
+  host.ask(WriteParams3{settings});
+  EXPECT_EQ(errors(15.5).raw(), 0);
+  EXPECT_EQ(errors(13), SystemErrors(SystemError::low_bat1));
+  EXPECT_EQ(errors(11), SystemError::low_bat1 | SystemError::low_bat2);
+  settings.bat_threshold_alarm = VoltageThreshold::from_volts(-14);
+  settings.bat_threshold_motors = VoltageThreshold::from_volts(-12);
+  host.ask(WriteParams3{settings});
+  host.ask(MotorsOn{});
+  EXPECT_EQ(errors(11).raw(), 0) << "negative thresholds are none";
+}
+
+TEST(LiveData, CustomBlocksAreThoseOfTheRequest) {
+  Host host;
+  for (std::uint32_t bits = 0; bits < 0x200; ++bits) {
+    const RealtimeDataCustomFlags flags(bits);
+    const auto packets = host.ask(RealtimeDataCustomRequest{.flags = flags}, milliseconds(2));
+    ASSERT_THAT(packets, SizeIs(1));
+    RealtimeDataCustom data;
+    ASSERT_TRUE(decode(std::span(packets[0].body), data, {.flags = flags}));
+    EXPECT_TRUE(data.tail.empty()) << bits;
+    EXPECT_EQ(data.rc_channels.has_value(), flags.has(RealtimeDataCustomFlag::rc_channels));
+    if (data.rc_data) {
+      EXPECT_EQ((*data.rc_data)[0].raw(), RealtimeDataCustom::undefined);
+    }
+  }
+}
+
+TEST(LiveData, TheTimestampCountsMilliseconds) {
+  Host host;
+  const auto stamp = [&] {
+    return host.get<RealtimeDataCustom>(RealtimeDataCustomRequest{}).timestamp_ms.raw();
+  };
+  const auto first = stamp();
+  host.listen(milliseconds(1000 - 50));
+  EXPECT_NEAR(static_cast<std::uint16_t>(stamp() - first), 1000, 1);
+  host.listen(seconds(70));
+  EXPECT_NEAR(static_cast<std::uint16_t>(stamp() - first), (1000 + 70'050) % 65536, 1);
+}
+
+TEST(LiveData, WithoutAFrameImuNothingIsKnownOfTheFrame) {
+  board::Options options = still();
+  options.has_frame_imu = false;
+  options.features = {};
+  Host host = placed({0, 0, 90}, options);
+  const auto data = host.get<RealtimeData4>(RealtimeData4Request{});
+  EXPECT_EQ(data.rotor_angle, Axes<Angle14>{});
+  EXPECT_EQ(data.frame_imu_angle, Axes<Angle14>{});
+  EXPECT_EQ(data.bat_level.raw(), 0);
+  EXPECT_EQ(data.current.raw(), 0);
+  const AhrsHelperRequest of_frame{.mode = AhrsHelperModeBit::frame_imu};
+  EXPECT_EQ(host.get<ErrorExt>(of_frame).cmd_id, CommandId::ahrs_helper);
+}
+
+double length(const Xyz<float>& v) {
+  return std::hypot(static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z));
+}
+
+TEST(LiveData, TheAttitudeAsVectors) {
+  Host host = placed({0, 0, 0});
+  auto level = host.get<AhrsHelper>(AhrsHelperRequest{});
+  EXPECT_NEAR(static_cast<double>(level.z1_vector.z), 1, 0.01);
+  EXPECT_NEAR(length(level.h1_vector), 1, 1e-5);
+  host.board.gimbal().place({30, 0, 0}, host.now);
+  const auto tilted = host.get<AhrsHelper>(AhrsHelperRequestExt{});
+  EXPECT_NEAR(static_cast<double>(tilted.z1_vector.z), std::cos(30 * M_PI / 180), 0.01);
+  EXPECT_NEAR(std::abs(static_cast<double>(tilted.z1_vector.x)), 0.5, 0.01);
+}
+
+TEST(LiveData, AnAttitudeCanBeSet) {
+  Host host = placed({0, 0, 0});
+  AhrsHelperRequestExt set;
+  set.mode = AhrsHelperModeBit::set;
+  set.z1_vector = {0, -0.70710678F, 0.70710678F};
+  set.h1_vector = {0, 0.70710678F, 0.70710678F};
+  EXPECT_THAT(host.ask(set, milliseconds(3)), SizeIs(0)) << "it comes often";
+  const auto angles = host.get<GetAngles>(GetAnglesRequest{}, milliseconds(3));
+  EXPECT_NEAR(std::abs(angles.axes.pitch.imu_angle.degrees()), 45, 2);
+}
+
+TEST(LiveData, AnAttitudeThatIsNoneIsRefused) {
+  Host host;
+  AhrsHelperRequestExt set;
+  set.mode = AhrsHelperModeBit::set;
+  set.z1_vector = {0, 0, 1};
+  EXPECT_EQ(host.get<ErrorExt>(set).cmd_id, CommandId::ahrs_helper) << "no heading";
+  set.mode = AhrsHelperModeBit::set | AhrsHelperModeBit::z1_only;
+  EXPECT_THAT(host.ask(set), SizeIs(0));
+  set.z1_vector = {0, 0, NAN};
+  EXPECT_THAT(all<ErrorExt>(host.ask(set)), SizeIs(1));
+  set.z1_vector = {0, 0, 5};
+  EXPECT_THAT(all<ErrorExt>(host.ask(set)), SizeIs(1));
+  EXPECT_THAT(all<ErrorExt>(host.ask(AhrsHelperRequest{.mode = AhrsHelperModeBit::set})),
+              SizeIs(1));
+}
+
+}  // namespace
+}  // namespace sbgc::test

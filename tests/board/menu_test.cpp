@@ -1,0 +1,163 @@
+// Every action of the menu.
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sbgc/meta/enums.hpp>
+
+#include "host.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using ::testing::SizeIs;
+
+void execute(Host& host, MenuCommand action, Duration wait = seconds(4)) {
+  EXPECT_THAT(all<Confirm>(host.ask(ExecuteMenu{action}, wait)), SizeIs(1));
+}
+
+Axes<double> angles(Host& host) {
+  const auto data = host.get<RealtimeData3>(RealtimeData3Request{});
+  return {data.angle.roll.degrees(), data.angle.pitch.degrees(), data.angle.yaw.degrees()};
+}
+
+void go_to(Host& host, const Axes<double>& wanted) {
+  Control request;
+  request.control_mode.set_mode(ControlModeKind::angle);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    request.axes[axis].angle = Angle14::from_degrees(wanted[axis]).value_or({});
+  }
+  host.ask(request, seconds(8));
+}
+
+TEST(Menu, HasAllActionsOfTheModelAndNoOther) {
+  for (int action = 0; action < 256; ++action) {
+    bool is_known = false;
+    for (const ValueInfo& info : EnumMeta<MenuCommand>::values) is_known |= info.value == action;
+    Host host;
+    const auto packets = host.ask(ExecuteMenu{static_cast<MenuCommand>(action)});
+    EXPECT_EQ(all<Confirm>(packets).size(), is_known ? 1U : 0U) << action;
+    EXPECT_EQ(all<ErrorExt>(packets).size(), is_known ? 0U : 1U) << action;
+  }
+}
+
+TEST(Menu, Profiles) {
+  Host host;
+  std::uint8_t profile = 0;
+  for (const auto action : {MenuCommand::profile1, MenuCommand::profile2, MenuCommand::profile3,
+                            MenuCommand::profile4, MenuCommand::profile5}) {
+    execute(host, action, milliseconds(10));
+    EXPECT_EQ(host.get<RealtimeData3>(RealtimeData3Request{}).cur_profile, profile++);
+  }
+}
+
+TEST(Menu, Motors) {
+  Host host;
+  const auto is_on = [&] { return host.board.gimbal().motors_on(); };
+  execute(host, MenuCommand::motor_toggle);
+  EXPECT_FALSE(is_on());
+  execute(host, MenuCommand::motor_on);
+  EXPECT_TRUE(is_on());
+  execute(host, MenuCommand::motor_off);
+  EXPECT_FALSE(is_on());
+}
+
+TEST(Menu, LookDownPointsTheCameraToTheGround) {
+  Host host;
+  execute(host, MenuCommand::look_down, seconds(8));
+  const auto attitude = host.get<AhrsHelper>(AhrsHelperRequest{});
+  EXPECT_NEAR(static_cast<double>(attitude.z1_vector.y), -1, 0.02)
+      << "y points forward: up lies behind the camera";
+}
+
+TEST(Menu, Positions) {
+  Host host;
+  go_to(host, {10, -20, 30});
+  execute(host, MenuCommand::level_roll_pitch, seconds(8));
+  EXPECT_NEAR(angles(host).roll, 0, 0.5);
+  EXPECT_NEAR(angles(host).pitch, 0, 0.5);
+  EXPECT_NEAR(angles(host).yaw, 30, 0.5);
+  execute(host, MenuCommand::center_yaw, seconds(8));
+  EXPECT_NEAR(angles(host).yaw, 0, 0.5);
+  go_to(host, {10, -20, 30});
+  execute(host, MenuCommand::home_position, seconds(8));
+  EXPECT_NEAR(angles(host).pitch, 0, 0.5);
+  EXPECT_NEAR(angles(host).yaw, 0, 0.5);
+}
+
+TEST(Menu, UntwistTurnsBackFullTurnsAndCenterDoesNot) {
+  Host host;
+  go_to(host, {0, 0, 400});
+  host.listen(seconds(20));
+  const auto joint = [&] {
+    return host.get<GetAnglesExt>(GetAnglesExtRequest{}).axes.yaw.stator_rotor_angle.degrees();
+  };
+  EXPECT_NEAR(joint(), 400, 1);
+  execute(host, MenuCommand::center_yaw, seconds(20));
+  EXPECT_NEAR(joint(), 360, 1);
+  execute(host, MenuCommand::untwist_cables, seconds(20));
+  EXPECT_NEAR(joint(), 0, 1);
+}
+
+TEST(Menu, TheStartAngleIsSavedOrNot) {
+  for (const bool is_saved : {true, false}) {
+    Host host;
+    go_to(host, {0, -25, 0});
+    execute(host, is_saved ? MenuCommand::set_angle : MenuCommand::set_angle_no_save);
+    go_to(host, {0, 10, 0});
+    execute(host, MenuCommand::home_position, seconds(8));
+    EXPECT_NEAR(angles(host).pitch, -25, 0.5);
+    host.ask(ResetRequest{}, seconds(8));
+    EXPECT_NEAR(angles(host).pitch, is_saved ? -25 : 0, 0.5);
+  }
+}
+
+TEST(Menu, SignalsAreSwapped) {
+  Host host;
+  auto settings = host.get<ReadParams3>(ReadParams3Request{});
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    settings.rc_map[axis].set_source(RcSource::api);
+    settings.rc_map[axis].set_channel(static_cast<std::uint8_t>(axis + 1));
+  }
+  settings.rc_deadband = 0;
+  settings.rc_trim = {};
+  settings.rc_expo_rate = 0;
+  host.ask(WriteParams3{settings});
+  ApiVirtChControl signals;
+  for (std::size_t i = 0; i < 3; ++i) {
+    signals.val_ch[i] = CentredRcSignal(static_cast<std::int16_t>(100 * (i + 1)));
+  }
+  host.ask(signals);
+  const auto rc = [&] { return host.get<RealtimeData3>(RealtimeData3Request{}).rc; };
+  EXPECT_EQ(rc(), (Axes<RcSignal>{RcSignal(1600), RcSignal(1700), RcSignal(1800)}));
+  execute(host, MenuCommand::swap_pitch_roll, milliseconds(10));
+  EXPECT_EQ(rc(), (Axes<RcSignal>{RcSignal(1700), RcSignal(1600), RcSignal(1800)}));
+  execute(host, MenuCommand::swap_pitch_roll, milliseconds(10));
+  execute(host, MenuCommand::swap_yaw_roll, milliseconds(10));
+  EXPECT_EQ(rc(), (Axes<RcSignal>{RcSignal(1800), RcSignal(1700), RcSignal(1600)}));
+}
+
+TEST(Menu, AButtonThatPressesItselfDoesNothing) {
+  Host host;
+  auto settings = host.get<ReadParams3>(ReadParams3Request{});
+  settings.menu_cmd[0] = MenuCommand::button_press;
+  host.ask(WriteParams3{settings});
+  execute(host, MenuCommand::button_press);
+  settings.menu_cmd[0] = MenuCommand::motor_off;
+  host.ask(WriteParams3{settings});
+  execute(host, MenuCommand::button_press);
+  EXPECT_FALSE(host.board.gimbal().motors_on());
+}
+
+TEST(Menu, ACalibrationIsStarted) {
+  Host host;
+  execute(host, MenuCommand::calib_gyro, milliseconds(500));
+  const auto info = host.get<CalibInfo>(CalibInfoRequest{.imu_type = SelectedImu::main});
+  EXPECT_GT(info.progress.raw(), 0);
+  EXPECT_LT(info.progress.raw(), 100);
+}
+
+}  // namespace
+}  // namespace sbgc::test

@@ -1,0 +1,189 @@
+// Pins, servos and sounds; the debug variables show what became of them.
+
+#include <array>
+#include <cstdint>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "debug_values.hpp"
+#include "replies.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using board::Options;
+using board::Refusal;
+using ::testing::IsEmpty;
+
+TriggerPin pin(OutputPin id, PinState state = PinState::high) {
+  return {.pin_id = id, .state = state};
+}
+
+/// Changes the settings of the first profile.
+template <class Change>
+void change(Host& host, const Change& change) {
+  WriteParams3 settings;
+  static_cast<ReadParams3&>(settings) = host.get<ReadParams3>(ReadParams3Request{});
+  change(settings);
+  ASSERT_TRUE(is_confirmed(host, settings));
+}
+
+ServoOut servos(std::int16_t first, std::int16_t others = ServoOut::floating) {
+  ServoOut request;
+  request.servo_time.fill(ServoPulse(others));
+  request.servo_time[0] = ServoPulse(first);
+  return request;
+}
+
+double sound(Host& host) { return debug_values(host).at("SOUND")[0]; }
+
+TEST(Pins, AreSwitchedAndConfirmed) {
+  Host host;
+  EXPECT_EQ(debug_values(host).at("HIGH_PINS")[0], 0);
+  EXPECT_TRUE(is_confirmed(host, pin(OutputPin::pin_aux1)));
+  const double one = debug_values(host).at("HIGH_PINS")[0];
+  EXPECT_NE(one, 0);
+  EXPECT_TRUE(is_confirmed(host, pin(OutputPin::pin_buzzer)));
+  EXPECT_GT(debug_values(host).at("HIGH_PINS")[0], one);
+  EXPECT_TRUE(is_confirmed(host, pin(OutputPin::pin_buzzer, PinState::low)));
+  EXPECT_EQ(debug_values(host).at("HIGH_PINS")[0], one);
+}
+
+TEST(Pins, InputsStayInputs) {
+  Host host;
+  change(host, [](ReadParams3& settings) {
+    settings.rc_map = {RcInput::rc_input_roll, RcInput::input_no, RcInput::input_no};
+    settings.rc_map_fc_pitch = RcInput::ext_fc_input_pitch;
+  });
+  EXPECT_THAT(host.ask(pin(OutputPin::rc_input_roll)), IsEmpty());
+  EXPECT_THAT(host.ask(pin(OutputPin::ext_fc_input_pitch)), IsEmpty());
+  EXPECT_TRUE(is_confirmed(host, pin(OutputPin::rc_input_pitch)));
+  EXPECT_TRUE(is_confirmed(host, pin(OutputPin::ext_fc_input_roll)));
+}
+
+TEST(Pins, AReceiverTakesTheFirst) {
+  Host host;
+  change(host, [](ReadParams3& settings) { settings.rc_map = {}; });
+  EXPECT_TRUE(is_confirmed(host, pin(OutputPin::rc_input_roll)));
+  change(host, [](ReadParams3& settings) { settings.rc_virt_mode = RcVirtualMode::sbus; });
+  EXPECT_THAT(host.ask(pin(OutputPin::rc_input_roll)), IsEmpty());
+}
+
+TEST(Pins, SlotsReadThemToo) {
+  Host host;
+  change(host, [](ReadParams3& settings) { settings.rc_map = {}; });
+  WriteAdjVarsCfg config;
+  config.trigger_slots[4].src_ch = RcInput::rc_input_yaw;
+  ASSERT_TRUE(is_confirmed(host, config));
+  EXPECT_THAT(host.ask(pin(OutputPin::rc_input_yaw)), IsEmpty());
+}
+
+TEST(Pins, WhatIsNoPinOrStateIsMetWithSilence) {
+  Host host;
+  EXPECT_THAT(host.ask(pin(OutputPin{0})), IsEmpty());
+  EXPECT_THAT(host.ask(pin(OutputPin{19})), IsEmpty());
+  EXPECT_THAT(host.ask(pin(OutputPin::pin_aux1, PinState{2})), IsEmpty());
+}
+
+TEST(Pins, OldBoardsHaveFewer) {
+  Options options;
+  options.board = BoardVersion(12);
+  Host host(options);
+  EXPECT_THAT(host.ask(pin(OutputPin::rc_input_yaw)), IsEmpty());
+  EXPECT_TRUE(is_confirmed(host, pin(OutputPin::pin_aux2)));
+}
+
+TEST(Pins, AServoIsNoPin) {
+  Host host;
+  EXPECT_TRUE(is_confirmed(host, servos(1500)));
+  EXPECT_THAT(host.ask(pin(OutputPin::ext_fc_input_roll)), IsEmpty());
+  EXPECT_TRUE(is_confirmed(host, servos(ServoOut::floating)));
+  EXPECT_TRUE(is_confirmed(host, pin(OutputPin::ext_fc_input_roll)));
+  change(host, [](ReadParams3& settings) { settings.servo_out[3] = 7; });
+  EXPECT_THAT(host.ask(pin(OutputPin::pin_aux1)), IsEmpty());
+}
+
+TEST(Pins, AreForgottenByARestart) {
+  Host host;
+  host.ask(pin(OutputPin::pin_aux1));
+  host.board.restart(host.now);
+  host.listen(seconds(1));
+  EXPECT_EQ(debug_values(host).at("HIGH_PINS")[0], 0);
+}
+
+TEST(Servos, PulsesMustFitIntoThePeriod) {
+  Host host;
+  change(host, [](ReadParams3& settings) { settings.servo_rate = ServoRate::from_hertz(400); });
+  EXPECT_TRUE(is_confirmed(host, servos(2499)));
+  EXPECT_EQ(refusal(host, servos(2500)), Refusal::bad_parameter);
+  EXPECT_EQ(refusal(host, servos(0, 2500)), Refusal::bad_parameter);
+  change(host, [](ReadParams3& settings) { settings.servo_rate = ServoRate::from_hertz(50); });
+  EXPECT_TRUE(is_confirmed(host, servos(19999)));
+  EXPECT_EQ(refusal(host, servos(20000)), Refusal::bad_parameter);
+}
+
+TEST(Servos, SpecialValues) {
+  Host host;
+  EXPECT_TRUE(is_confirmed(host, servos(ServoOut::low, ServoOut::low)));
+  EXPECT_TRUE(is_confirmed(host, servos(ServoOut::floating)));
+  EXPECT_EQ(refusal(host, servos(-2)), Refusal::bad_parameter);
+}
+
+TEST(Sounds, AStandardSoundIsShort) {
+  Host host;
+  EXPECT_TRUE(is_confirmed(host, BeepSound{.mode = BeepMode::complete}));
+  EXPECT_EQ(sound(host), BeepModes(BeepMode::complete).raw());
+  host.listen(seconds(1));
+  EXPECT_EQ(sound(host), 0);
+}
+
+TEST(Sounds, AMelodyIsAsLongAsItsNotes) {
+  Host host;
+  BeepSound melody{.mode = BeepMode::custom_melody,
+                   .note_length = *NoteLength::from_milliseconds(400)};
+  constexpr std::array<std::uint16_t, 5> notes{987, 987, BeepSound::pause, 1174, 1567};
+  for (const std::uint16_t note : notes) {
+    melody.note_freq_hz.push_back(NoteFrequency(note));
+  }
+  EXPECT_TRUE(is_confirmed(host, melody));
+  host.listen(milliseconds(1500));
+  EXPECT_EQ(sound(host), BeepModes(BeepMode::custom_melody).raw());
+  host.listen(milliseconds(400));
+  EXPECT_EQ(sound(host), 0);
+}
+
+TEST(Sounds, WhatIsNoSoundIsRefused) {
+  Host host;
+  EXPECT_EQ(refusal(host, BeepSound{}), Refusal::bad_parameter);
+  EXPECT_EQ(refusal(host, BeepSound{.mode = BeepModes(0x0100)}), Refusal::bad_parameter);
+  EXPECT_EQ(refusal(host, BeepSound{.mode = BeepMode::click | BeepMode::error}),
+            Refusal::bad_parameter);
+  EXPECT_EQ(refusal(host, BeepSound{.mode = BeepMode::custom_melody, .note_length = NoteLength(5)}),
+            Refusal::bad_parameter)
+      << "no notes";
+  BeepSound melody{.mode = BeepMode::custom_melody, .note_length = NoteLength(5)};
+  melody.note_freq_hz.push_back(NoteFrequency(553));
+  EXPECT_EQ(refusal(host, melody), Refusal::bad_parameter) << "too low";
+  melody.note_freq_hz[0] = NoteFrequency(554);
+  melody.note_length = NoteLength(0);
+  EXPECT_EQ(refusal(host, melody), Refusal::bad_parameter) << "no length";
+  melody.note_length = NoteLength(5);
+  EXPECT_TRUE(is_confirmed(host, melody));
+  while (melody.note_freq_hz.size() < 31) melody.note_freq_hz.push_back(NoteFrequency(554));
+  EXPECT_EQ(refusal(host, melody), Refusal::bad_parameter) << "too many";
+}
+
+TEST(Sounds, CalibrationsAreHeardIfTheSettingsWantIt) {
+  Host host;
+  change(host, [](ReadParams3& settings) { settings.beeper_modes = BeeperMode::calibrate; });
+  host.ask(CalibGyro{});
+  EXPECT_EQ(sound(host), BeepModes(BeepMode::calibrate).raw());
+  host.listen(seconds(5));
+  change(host, [](ReadParams3& settings) { settings.beeper_modes = {}; });
+  host.ask(CalibGyro{});
+  EXPECT_EQ(sound(host), 0);
+}
+
+}  // namespace
+}  // namespace sbgc::test

@@ -1,0 +1,44 @@
+/// What a board says to a request, in tests.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+
+#include <sbgc/messages.hpp>
+
+#include "host.hpp"
+#include "turn.hpp"
+
+namespace sbgc::test {
+
+/// Confirmations of a request among the packets.
+template <class M>
+std::ptrdiff_t confirmations(const Packets& packets) {
+  const auto all_of_them = all<Confirm>(packets);
+  return std::count_if(all_of_them.begin(), all_of_them.end(),
+                       [](const Confirm& one) { return one.cmd == M::command; });
+}
+
+/// The reason if the packets are one CMD_ERROR that names the request.
+template <class M>
+std::optional<board::Refusal> refusal(const Packets& packets) {
+  const auto errors = all<ErrorExt>(packets);
+  if (packets.size() != 1 || errors.size() != 1 || errors[0].cmd_id != M::command) return {};
+  return static_cast<board::Refusal>(errors[0].error_code);
+}
+
+/// Whether a request is confirmed, and nothing else comes.
+template <Message M>
+bool is_confirmed(Host& host, const M& request) {
+  const Packets packets = host.ask(request);
+  return packets.size() == 1 && confirmations<M>(packets) == 1;
+}
+
+/// Why a request is refused; nothing if something else comes.
+template <Message M>
+std::optional<board::Refusal> refusal(Host& host, const M& request) {
+  return refusal<M>(host.ask(request));
+}
+
+}  // namespace sbgc::test

@@ -1,0 +1,155 @@
+// Restarts: their times, their notice, and what is lost.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sbgc/roles.hpp>
+
+#include "host.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+bool answers(Host& host) { return host.ask(BoardInfoRequest{}, milliseconds(2)).size() == 1; }
+
+/// How long the board does not answer from now on.
+Duration silence(Host& host) {
+  const Instant begin = host.now;
+  while (!answers(host) && host.now - begin < seconds(60)) {
+  }
+  return host.now - begin;
+}
+
+template <class Request>
+Request with_notice(int delay_ms) {
+  Request request;
+  request.confirm = ResetOption::notify;
+  request.delay_ms = Milliseconds(static_cast<std::uint16_t>(delay_ms));
+  return request;
+}
+
+TEST(Restart, ABoardThatStartsIsSilent) {
+  board::Options options;
+  options.start_time = milliseconds(300);
+  board::Board board(options, {}, {});
+  EXPECT_EQ(board.next(), Instant{} + options.start_time);
+  Host host(options);
+  host.ask(ResetRequest{}, milliseconds(1));
+  const Duration length = silence(host);
+  EXPECT_GT(length, milliseconds(298));
+  EXPECT_LT(length, milliseconds(304));
+  EXPECT_EQ(host.board.counters().restarts, 1U);
+}
+
+TEST(Restart, ComesAfterItsDelayAndNotice) {
+  Host host;
+  EXPECT_THAT(all<Reset>(host.ask(with_notice<ResetRequestExt>(400), milliseconds(100))),
+              SizeIs(1));
+  EXPECT_TRUE(answers(host));
+  host.listen(milliseconds(290));
+  EXPECT_TRUE(answers(host));
+  host.listen(milliseconds(20));
+  EXPECT_FALSE(answers(host));
+}
+
+TEST(Restart, WithoutAWishForItThereIsNoNotice) {
+  Host host;
+  auto request = with_notice<ResetRequestExt>(100);
+  request.confirm = {};
+  EXPECT_THAT(host.ask(request, seconds(1)), IsEmpty());
+  EXPECT_EQ(host.board.counters().restarts, 1U);
+}
+
+TEST(Restart, TheNoticeOfAnImmediateOneArrives) {
+  Host host;
+  EXPECT_THAT(all<Reset>(host.ask(with_notice<ResetRequestExt>(0), milliseconds(5))), SizeIs(1));
+  EXPECT_FALSE(answers(host));
+}
+
+TEST(Restart, TheBootloaderGivesUp) {
+  board::Options options;
+  options.bootloader_time = seconds(3);
+  Host host(options);
+  EXPECT_THAT(all<Reset>(host.ask(with_notice<BootMode3Ext>(0), milliseconds(5))), SizeIs(1));
+  EXPECT_GT(silence(host), seconds(3) + options.start_time - milliseconds(10));
+  EXPECT_TRUE(answers(host));
+}
+
+TEST(Restart, OfTheBoardItselfIsAnnouncedToAll) {
+  Host host;
+  const auto other = host.board.open_port().value();
+  const auto packets = host.ask(ExecuteMenu{.cmd_id = MenuCommand::reset}, milliseconds(10));
+  EXPECT_THAT(all<Reset>(packets), SizeIs(1));
+  EXPECT_FALSE(host.board.output(other).empty());
+  host.listen(milliseconds(roles::reset_delay_ms - 20));
+  EXPECT_EQ(host.board.counters().restarts, 0U);
+  host.listen(milliseconds(20));
+  EXPECT_EQ(host.board.counters().restarts, 1U);
+}
+
+TEST(Restart, LosesWhatIsNotSaved) {
+  Host host;
+  SetAdjVarsVal change;
+  change.params.push_back({VariableId::p_roll, 99});
+  host.ask(change);
+  host.ask(MotorsOff{});
+  host.ask(ResetRequest{}, seconds(1));
+  EXPECT_NE(host.get<ReadParams3>(ReadParams3Request{}).axes.roll.p, 99);
+  EXPECT_TRUE(host.board.gimbal().motors_on()) << "they are on after each start";
+}
+
+TEST(Restart, PowerOffLosesWhatWaitsToBeSent) {
+  Host host;
+  host.send(BoardInfoRequest{});
+  host.board.advance(host.now + milliseconds(10));
+  host.board.restart(host.now + milliseconds(10));
+  EXPECT_TRUE(host.board.output(host.port).empty());
+  EXPECT_FALSE(answers(host));
+}
+
+std::uint8_t profile_after_restart(bool is_remembered) {
+  Host host;
+  host.ask(ExecuteMenu{.cmd_id = MenuCommand::profile3});
+  auto settings = host.get<ReadParams3>(ReadParams3Request{.profile_id = 2});
+  settings.general_flags1.set(GeneralFlag::remember_last_used_profile, is_remembered);
+  host.ask(WriteParams3{settings});
+  host.ask(ResetRequest{}, seconds(1));
+  return host.get<RealtimeData3>(RealtimeData3Request{}).cur_profile;
+}
+
+TEST(Restart, TheLastProfileIsRememberedIfTheSettingsWantThat) {
+  EXPECT_EQ(profile_after_restart(true), 2);
+  EXPECT_EQ(profile_after_restart(false), 0);
+}
+
+TEST(Restart, ANewBaudRateIsThatOfTheNextStart) {
+  Host host;
+  EXPECT_EQ(host.board.baud_rate(), 115200U);
+  auto settings = host.get<ReadParams3>(ReadParams3Request{});
+  settings.serial_speed = SerialSpeed::baud_9600;
+  host.ask(WriteParams3{settings});
+  EXPECT_EQ(host.board.baud_rate(), 115200U);
+  host.board.restart(host.now);
+  EXPECT_EQ(host.board.baud_rate(), 9600U);
+}
+
+TEST(Restart, WhatIsWrittenIntoTheEepromHoldsFromTheNextStartOn) {
+  Host host;
+  EepromWrite erase;
+  erase.data.resize(64);
+  for (auto& byte : erase.data) byte = 0xFF;
+  auto settings = host.get<ReadParams3>(ReadParams3Request{});
+  const auto before = settings.gyro_trust;
+  settings.gyro_trust = static_cast<std::uint8_t>(before + 1);
+  host.ask(WriteParams3{settings});
+  host.ask(erase);
+  EXPECT_EQ(host.get<ReadParams3>(ReadParams3Request{}).gyro_trust, before + 1);
+  host.ask(ResetRequest{}, seconds(1));
+  EXPECT_EQ(host.get<ReadParams3>(ReadParams3Request{}).gyro_trust, before);
+}
+
+}  // namespace
+}  // namespace sbgc::test

@@ -1,0 +1,102 @@
+// Adjustable variables: set and asked for, lost or saved.
+
+#include <initializer_list>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sbgc/meta/variables.hpp>
+
+#include "replies.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using board::Refusal;
+
+SetAdjVarsVal setting(std::initializer_list<AdjVarValue> values) {
+  SetAdjVarsVal request;
+  for (const AdjVarValue& one : values) request.params.push_back(one);
+  return request;
+}
+
+std::int32_t value(Host& host, VariableId id) {
+  GetAdjVarsVal request;
+  request.param_id.push_back(id);
+  const auto answer = host.get<SetAdjVarsVal>(request);
+  EXPECT_EQ(answer.params.size(), 1U);
+  return answer.params.empty() ? 0 : answer.params[0].param_value;
+}
+
+std::uint8_t p_of_pitch(Host& host) {
+  return host.get<ReadParams3>(ReadParams3Request{}).axes.pitch.p;
+}
+
+TEST(Variables, AreTheSettingsTheyStandFor) {
+  Host host;
+  EXPECT_EQ(value(host, VariableId::p_pitch), p_of_pitch(host));
+  EXPECT_TRUE(
+      is_confirmed(host, setting({{VariableId::p_pitch, 77}, {VariableId::rc_trim_yaw, -5}})));
+  EXPECT_EQ(value(host, VariableId::p_pitch), 77);
+  EXPECT_EQ(value(host, VariableId::rc_trim_yaw), -5);
+  EXPECT_EQ(p_of_pitch(host), 77);
+}
+
+TEST(Variables, AreLostUnlessSaved) {
+  Host host;
+  const int before = p_of_pitch(host);
+  host.ask(setting({{VariableId::p_pitch, 77}}));
+  host.board.restart(host.now);
+  host.listen(seconds(1));
+  EXPECT_EQ(p_of_pitch(host), before);
+
+  host.ask(setting({{VariableId::p_pitch, 77}}));
+  EXPECT_TRUE(is_confirmed(host, SaveParams3{}));
+  host.board.restart(host.now);
+  host.listen(seconds(1));
+  EXPECT_EQ(p_of_pitch(host), 77);
+}
+
+TEST(Variables, AllOrNone) {
+  Host host;
+  const int p = value(host, VariableId::p_pitch);
+  EXPECT_EQ(refusal(host, setting({{VariableId::p_pitch, p + 1}, {VariableId{200}, 1}})),
+            Refusal::bad_parameter);
+  EXPECT_EQ(value(host, VariableId::p_pitch), p);
+  EXPECT_EQ(refusal(host, setting({{VariableId::p_pitch, p + 1}, {VariableId::follow_mode, 3}})),
+            Refusal::bad_parameter);
+  EXPECT_EQ(value(host, VariableId::p_pitch), p);
+  EXPECT_EQ(refusal(host, setting({})), Refusal::bad_parameter);
+}
+
+TEST(Variables, EveryOneCanBeSetToBothEnds) {
+  Host host;
+  for (const VariableInfo& one : variables) {
+    for (const double end : {one.range.lowest, one.range.highest}) {
+      const auto wanted = static_cast<std::int32_t>(end);
+      EXPECT_TRUE(is_confirmed(host, setting({{one.id, wanted}}))) << one.name;
+      EXPECT_EQ(value(host, one.id), wanted) << one.name;
+    }
+    const auto beyond = static_cast<std::int32_t>(one.range.highest) + 1;
+    EXPECT_EQ(refusal(host, setting({{one.id, beyond}})), Refusal::bad_parameter) << one.name;
+  }
+}
+
+TEST(Variables, OnlyKnownOnesAreAnswered) {
+  Host host;
+  GetAdjVarsVal request;
+  EXPECT_EQ(refusal(host, request), Refusal::bad_parameter) << "none";
+  request.param_id.push_back(VariableId::p_roll);
+  request.param_id.push_back(VariableId{200});
+  EXPECT_EQ(refusal(host, request), Refusal::bad_parameter);
+}
+
+TEST(Variables, TheGimbalFeelsThem) {
+  Host host;
+  host.ask(setting({{VariableId::power_pitch, 0}}));
+  host.listen(seconds(1));
+  EXPECT_EQ(host.board.gimbal().sample(host.now).power.pitch, 0);
+}
+
+}  // namespace
+}  // namespace sbgc::test
