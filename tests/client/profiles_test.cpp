@@ -12,7 +12,10 @@ using ::testing::HasSubstr;
 
 class ProfilesTest : public TaskTest {
  protected:
-  ProfilesTest() { set(0, "Handheld"); }
+  ProfilesTest() {
+    board.store(ReadProfileNames{});
+    set(0, "Handheld");
+  }
   void set(std::size_t profile, std::string_view name) {
     board.edit<ReadProfileNames>(
         0, [&](auto& names) { ASSERT_TRUE(names.profile_name[profile].assign(name)); });

@@ -47,6 +47,7 @@ class ScriptedBoard {
     asio::post(context_, [this] {
       is_stopping_ = true;
       if (transport_) transport_->close();
+      for (const auto& old : old_) old->close();
       timers_.clear();
     });
     work_.reset();

@@ -144,6 +144,13 @@ class SpeedControlTest : public TaskTest {
     came_.wait_for(lock, std::chrono::seconds(10), [&] { return sent_.size() >= n; });
     return sent_;
   }
+  /// The camera needs its time to stop; until then it is told to again and again.
+  static std::vector<int> without_repeated_stops(std::vector<int> speeds) {
+    while (speeds.size() > 1 && speeds.back() == 0 && speeds[speeds.size() - 2] == 0) {
+      speeds.pop_back();
+    }
+    return speeds;
+  }
 
  private:
   std::mutex mutex_;
@@ -166,12 +173,13 @@ TEST_F(SpeedControlTest, TurnsStopsWhenSilentAndTurnsAgain) {
   clock.advance(milliseconds(1));
   ASSERT_TRUE(control.wait());
   EXPECT_EQ(control.state(), State::silenced);
-  EXPECT_EQ(commands(4), std::vector<int>({100, 100, 100, 0}));
+  EXPECT_EQ(without_repeated_stops(commands(4)), std::vector<int>({100, 100, 100, 0}));
   EXPECT_EQ(control.refresh().error().code, ErrorCode::cancelled);
 
   ASSERT_TRUE(control.set({.yaw = ControlSpeed(-50)}));
+  const std::size_t before = commands(0).size();
   clock.advance(milliseconds(20));  // commands do not follow each other faster
-  EXPECT_EQ(commands(5).back(), -50);
+  EXPECT_EQ(commands(before + 1).back(), -50);
 }
 
 TEST_F(SpeedControlTest, StopsWhenAsked) {
@@ -180,7 +188,7 @@ TEST_F(SpeedControlTest, StopsWhenAsked) {
   ASSERT_TRUE(control.wait());
   ASSERT_TRUE(control.stop());
   ASSERT_TRUE(control.wait());
-  EXPECT_EQ(commands(2), std::vector<int>({100, 0}));
+  EXPECT_EQ(without_repeated_stops(commands(2)), std::vector<int>({100, 0}));
   EXPECT_EQ(control.state(), State::idle);
 }
 
@@ -190,7 +198,7 @@ TEST_F(SpeedControlTest, StopsWhenItIsDestroyed) {
     ASSERT_TRUE(control.set({.yaw = ControlSpeed(100)}));
     ASSERT_TRUE(control.wait());
   }
-  EXPECT_EQ(commands(2), std::vector<int>({100, 0}));
+  EXPECT_EQ(without_repeated_stops(commands(2)), std::vector<int>({100, 0}));
 }
 
 TEST_F(SpeedControlTest, SendsNothingIfNothingTurned) {
@@ -224,7 +232,7 @@ TEST_F(SpeedControlTest, StopsAsSoonAsTheLineCarriesItAgain) {
   EXPECT_EQ(control.wait().error().code, ErrorCode::timeout);
   board.on_lost({});
   clock.advance(milliseconds(100));
-  EXPECT_EQ(commands(2), std::vector<int>({100, 0}));
+  EXPECT_EQ(without_repeated_stops(commands(2)), std::vector<int>({100, 0}));
   EXPECT_EQ(control.state(), State::failed);
 }
 

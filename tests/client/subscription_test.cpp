@@ -185,7 +185,7 @@ TEST_F(Subscribed, MayOutliveTheClient) {
     Client client = connect();
     subscription = client.subscribe<GetAngles>([](const GetAngles&) {});
     notices = client.on_notice([](const Notice&) {});
-    auto started = client.stream<RealtimeData4>(milliseconds(10), [](const RealtimeData4&) {});
+    auto started = client.stream<RealtimeData4>(milliseconds(20), [](const RealtimeData4&) {});
     ASSERT_TRUE(started) << started.error().message;
     stream = *std::move(started);
   }
@@ -264,8 +264,8 @@ TEST_F(Subscribed, ToAStreamEndsItWithTheClient) {
   Subscription survivor;
   {
     Client client = connect();
-    auto first = client.stream<RealtimeData4>(milliseconds(20), [](const RealtimeData4&) {});
-    auto second = client.stream<RealtimeData3>(milliseconds(20), [](const RealtimeData3&) {});
+    auto first = client.stream<RealtimeData4>(milliseconds(50), [](const RealtimeData4&) {});
+    auto second = client.stream<RealtimeData3>(milliseconds(50), [](const RealtimeData3&) {});
     ASSERT_TRUE(first && second);
     survivor = *std::move(second);
     // The other one ends right before the client does.

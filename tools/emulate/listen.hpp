@@ -28,8 +28,8 @@ inline asio::ip::address address_of(const ListenAddress& listen) {
 template <class AsioEndpoint>
 std::string place_of(const AsioEndpoint& endpoint) {
   const std::string host = endpoint.address().to_string();
-  return endpoint.address().is_v6() ? fmt::format("[{}]:{}", host, endpoint.port())
-                                    : fmt::format("{}:{}", host, endpoint.port());
+  const std::string name = endpoint.address().is_v6() ? "[" + host + "]" : host;
+  return fmt::format("{}:{}", name, endpoint.port());
 }
 
 /// Opens and binds a socket or an acceptor; `protocol` is for messages.

@@ -71,6 +71,7 @@ void LiveBoard::settle() {
     if (poke) poke();
   }
   is_settling_ = false;
+  if (after_traffic) after_traffic();
   if (std::exchange(revision_, memory().revision) != memory().revision && on_memory_changed) {
     on_memory_changed();
   }

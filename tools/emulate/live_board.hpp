@@ -45,6 +45,8 @@ class LiveBoard {
 
   /// Called when the board's memory has changed.
   std::function<void()> on_memory_changed{};
+  /// Called when what the board had to do has been done, for now.
+  std::function<void()> after_traffic{};
   /// Puts something between the board and hosts that come from now on. For tests.
   std::function<std::unique_ptr<io::Transport>(std::unique_ptr<io::Transport>)> between{};
 

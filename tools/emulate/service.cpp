@@ -73,10 +73,13 @@ void Service::add(unsigned number) {
     served.board->on_memory_changed = [&keeper = *served.state] { keeper.changed(); };
   }
   if (logs_.traffic) {
-    served.board->emulator().board().on_traffic =
-        [log = numbered(logs_.event, number)](const board::Board::Traffic& traffic) {
-          log(to_text(traffic));
-        };
+    const auto lines = std::make_shared<TrafficLines>();
+    served.board->emulator().board().on_traffic = [lines](const board::Board::Traffic& traffic) {
+      lines->add(traffic);
+    };
+    served.board->after_traffic = [lines, log = numbered(logs_.event, number)] {
+      for (const std::string& line : lines->take()) log(line);
+    };
   }
   open_endpoints(served, number);
 }

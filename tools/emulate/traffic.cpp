@@ -1,5 +1,7 @@
 #include "traffic.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "../decoded_frame.hpp"
@@ -33,6 +35,21 @@ std::string to_text(const board::Board::Traffic& traffic) {
       tools::counted(frame.body.size(), "byte"));
   if (traffic.outcome) result += fmt::format("  {}", to_text(*traffic.outcome));
   return result;
+}
+
+void TrafficLines::add(const board::Board::Traffic& traffic) {
+  if (traffic.at != at_ || traffic.port != port_) answers_ = 0;
+  at_ = traffic.at;
+  port_ = traffic.port;
+  const bool is_request = traffic.outcome.has_value();
+  const auto place = lines_.end() - static_cast<std::ptrdiff_t>(is_request ? answers_ : 0);
+  lines_.insert(place, to_text(traffic));
+  answers_ = is_request ? 0 : answers_ + 1;
+}
+
+std::vector<std::string> TrafficLines::take() {
+  answers_ = 0;
+  return std::exchange(lines_, {});
 }
 
 }  // namespace sbgc::emulate

@@ -65,6 +65,7 @@ void Emulator::from_host(std::size_t port, std::span<const std::uint8_t> bytes, 
 
 void Emulator::advance(Instant now) {
   for (Instant at = next(); at <= now; at = next()) step(at);
+  board_.advance(now);  // its counters are those of now
 }
 
 Instant Emulator::next() const {
