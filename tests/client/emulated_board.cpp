@@ -64,18 +64,32 @@ void EmulatedBoard::start(board::Memory memory) {
   running.thread = std::thread([&context = running.context] { context.run(); });
 }
 
-TransportFactory EmulatedBoard::line(io::MemoryOptions options) {
+TransportFactory EmulatedBoard::line() {
   if (running_->endpoint) return over(running_->endpoint->address());
-  return [this, options](const asio::any_io_executor& executor) {
-    auto pair = io::make_memory_pair(executor, running_->context.get_executor(), options);
-    on_thread([&] {
-      Running& running = *running_;
-      if (running.host) running.host->close();
-      running.host = emulate::Host::connect(*running.board, std::move(pair.second));
-      running.host->start();
-    });
+  return [this](const asio::any_io_executor& executor) {
+    auto pair = io::make_memory_pair(executor, running_->context.get_executor());
+    serve(std::move(pair.second));
     return std::move(pair.first);
   };
+}
+
+TransportFactory EmulatedBoard::line_with(const LineSettings& settings) {
+  return [this, settings](const asio::any_io_executor& executor) {
+    auto pair =
+        io::make_memory_pair(executor, running_->context.get_executor(), {.with_line = true});
+    static_cast<void>(pair.second->line()->set(settings));
+    serve(std::move(pair.second));
+    return std::move(pair.first);
+  };
+}
+
+void EmulatedBoard::serve(std::unique_ptr<io::Transport> transport) {
+  on_thread([&] {
+    Running& running = *running_;
+    if (running.host) running.host->close();
+    running.host = emulate::Host::connect(*running.board, std::move(transport));
+    running.host->start();
+  });
 }
 
 std::string EmulatedBoard::serve_terminal() {

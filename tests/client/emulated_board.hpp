@@ -60,7 +60,9 @@ class EmulatedBoard {
   ~EmulatedBoard();
 
   /// How a client reaches it.
-  TransportFactory line(io::MemoryOptions options = {});
+  TransportFactory line();
+  /// Over a line in memory that has these settings at the board's end.
+  TransportFactory line_with(const LineSettings& settings);
   /// Where it serves a serial port from now on, "" if there can be none.
   std::string serve_terminal();
 
@@ -143,14 +145,25 @@ class EmulatedBoard {
   auto gimbal(Use use) {
     return on_thread([&] { return use(live().emulator().board().gimbal(), live().now()); });
   }
+  /// The board's time.
+  Instant now() {
+    return on_thread([this] { return live().now(); });
+  }
+  board::BoardCounters counters() {
+    return on_thread([this] { return live().emulator().board().counters(); });
+  }
+  /// Power off and on.
+  void restart() {
+    on_thread([this] { live().emulator().restart(live().now()); });
+  }
   /// Lets time pass for the board.
   void skip(std::chrono::milliseconds time);
 
   /// Runs `action()` on the board's thread and returns what it does.
   template <class Action>
-  auto on_thread(Action action) {
+  std::invoke_result_t<Action&> on_thread(Action action) {
     if (running_->thread.get_id() == std::this_thread::get_id()) return action();
-    std::packaged_task<std::invoke_result_t<Action>()> task(std::move(action));
+    std::packaged_task<std::invoke_result_t<Action&>()> task(std::move(action));
     auto done = task.get_future();
     asio::post(running_->context, std::move(task));
     return done.get();
@@ -174,6 +187,8 @@ class EmulatedBoard {
   };
 
   void start(board::Memory memory);
+  /// Puts the transport in place of the one before.
+  void serve(std::unique_ptr<io::Transport> transport);
   emulate::LiveBoard& live() { return *running_->board; }
 
   board::EmulatorOptions options_;
