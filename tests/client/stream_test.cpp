@@ -54,7 +54,9 @@ TEST_F(Streams, KeepTheirRate) {
       client.stream<RealtimeData3>(milliseconds(100), [&](const RealtimeData3&) { ++slow; });
   ASSERT_TRUE(second) << second.error().message;
   const double passed = let_pass(client, std::chrono::seconds(10), begin);
-  EXPECT_NEAR(fast, passed / 20, 3);
+  EXPECT_NEAR(fast, passed / 20, 3)
+      << "frames " << client.statistics().session.parser.frames << ", bad "
+      << client.statistics().session.parser.bad_checksums << " sent " << board.counters().sent;
   EXPECT_NEAR(slow, passed / 100, 3);
   EXPECT_EQ(board.counters().skipped, 0U);
 }
@@ -86,6 +88,7 @@ TEST_F(Streams, ShowWhatTheCameraDoes) {
   turn.control_mode.set_mode(ControlModeKind::speed);
   turn.axes.yaw.speed = ControlSpeed::from_degrees_per_second(20.0);
   ASSERT_TRUE(client.call(turn));
+  ASSERT_TRUE(client.get_angles());  // the command has got there
   let_pass(client, std::chrono::seconds(2), board.now());
   stream->cancel();
   ASSERT_TRUE(client.get_angles());
