@@ -31,11 +31,13 @@ class Streams : public ::testing::Test {
   /// Lets time pass for the board, in steps; `client` has all samples then. Returns how much time,
   /// in milliseconds, that of this machine included.
   double let_pass(Client& client, milliseconds time, Instant begin) {
-    for (milliseconds passed{}; passed < time; passed += milliseconds(10)) {
-      board.skip(milliseconds(10));
+    // A pseudo-terminal loses what is not read in time, so the client has to keep up.
+    for (milliseconds passed{}; passed < time; passed += milliseconds(100)) {
+      for (int step = 0; step < 10; ++step) board.skip(milliseconds(10));
+      EXPECT_TRUE(client.get_angles());  // behind all samples
     }
     const Instant end = board.now();
-    EXPECT_TRUE(client.get_angles());  // behind all samples
+    EXPECT_TRUE(client.get_angles());
     return static_cast<double>((end - begin).us) / 1000;
   }
 
@@ -54,9 +56,7 @@ TEST_F(Streams, KeepTheirRate) {
       client.stream<RealtimeData3>(milliseconds(100), [&](const RealtimeData3&) { ++slow; });
   ASSERT_TRUE(second) << second.error().message;
   const double passed = let_pass(client, std::chrono::seconds(10), begin);
-  EXPECT_NEAR(fast, passed / 20, 3)
-      << "frames " << client.statistics().session.parser.frames << ", bad "
-      << client.statistics().session.parser.bad_checksums << " sent " << board.counters().sent;
+  EXPECT_NEAR(fast, passed / 20, 3);
   EXPECT_NEAR(slow, passed / 100, 3);
   EXPECT_EQ(board.counters().skipped, 0U);
 }
