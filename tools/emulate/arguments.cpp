@@ -70,7 +70,7 @@ ListenAddress parse_listen(const std::string& text) {
     port.remove_prefix(colon + 1);
     if (host.size() > 2 && host.front() == '[' && host.back() == ']') {
       host = host.substr(1, host.size() - 2);
-    } else if (host.find(':') != std::string_view::npos) {
+    } else if (host.find_first_of(":[]") != std::string_view::npos) {
       refuse(text, wanted);
     }
     if (host.empty()) refuse(text, wanted);

@@ -15,7 +15,7 @@ constexpr Instant line_beginning{};
 
 }  // namespace
 
-LiveBoard::LiveBoard(const asio::any_io_executor& executor, board::EmulatorOptions options,
+LiveBoard::LiveBoard(const asio::any_io_executor& executor, const board::EmulatorOptions& options,
                      board::Memory memory)
     : beginning_(io::Clock::now()),
       emulator_(options, std::move(memory), line_beginning - options.board.start_time,

@@ -23,7 +23,7 @@ namespace sbgc::emulate {
 class LiveBoard {
  public:
   /// Its own time begins at 0, and by then it has finished starting: `options` count from there.
-  LiveBoard(const asio::any_io_executor& executor, board::EmulatorOptions options,
+  LiveBoard(const asio::any_io_executor& executor, const board::EmulatorOptions& options,
             board::Memory memory);
 
   /// `poke` is called, never from inside connect(), when there may be output or room.

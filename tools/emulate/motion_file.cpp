@@ -48,11 +48,11 @@ std::vector<board::FrameAngles> read_motion(std::istream& text, const std::strin
     ++number_of_line;
     std::string_view rest = trimmed(line);
     if (rest.empty() || rest.front() == '#') continue;
-    if (number_of_line == 1 && rest.find_first_of("0123456789") == rest.npos) continue;
+    if (number_of_line == 1 && rest.find_first_of("0123456789") == std::string_view::npos) continue;
     std::array<double, 4> values{};
     for (std::size_t i = 0; i < values.size(); ++i) {
       const std::size_t comma = rest.find(',');
-      if ((comma == rest.npos) != (i + 1 == values.size())) {
+      if ((comma == std::string_view::npos) != (i + 1 == values.size())) {
         fail("there must be four numbers: time,roll,pitch,yaw");
       }
       const std::string_view word = rest.substr(0, comma);
@@ -62,7 +62,7 @@ std::vector<board::FrameAngles> read_motion(std::istream& text, const std::strin
         fail(fmt::format("{} is too large", *value));
       }
       values[i] = *value;
-      rest.remove_prefix(comma == rest.npos ? rest.size() : comma + 1);
+      rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 1);
     }
     const auto us = static_cast<std::int64_t>(std::llround(values[0] * 1e6));
     if (result.empty()) begin_us = us;

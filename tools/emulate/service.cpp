@@ -31,9 +31,9 @@ std::string model(BoardVersion board, FirmwareVersion firmware) {
 
 }  // namespace
 
-Service::Service(asio::io_context& context, const ServiceOptions& options, const ServiceLogs& logs,
+Service::Service(asio::io_context& context, const ServiceOptions& options, ServiceLogs logs,
                  std::function<void(std::error_code)> on_end)
-    : context_(context), options_(options), logs_(logs), on_end_(std::move(on_end)) {
+    : context_(context), options_(options), logs_(std::move(logs)), on_end_(std::move(on_end)) {
   for (Log* const log : {&logs_.endpoint, &logs_.event, &logs_.warning}) {
     if (!*log) *log = [](const std::string&) {};
   }

@@ -38,7 +38,7 @@ struct ServiceLogs {
 class Service {
  public:
   /// `on_end`: the standard input has ended.
-  Service(asio::io_context& context, const ServiceOptions& options, const ServiceLogs& logs,
+  Service(asio::io_context& context, const ServiceOptions& options, ServiceLogs logs,
           std::function<void(std::error_code)> on_end = {});
   Service(const Service&) = delete;
   Service& operator=(const Service&) = delete;

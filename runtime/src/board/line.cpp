@@ -239,11 +239,10 @@ Instant Line::next() const {
 }
 
 bool Line::is_silent(Instant from, Instant until) const {
-  for (const Silence& silence : options_.faults.silences) {
+  return std::ranges::any_of(options_.faults.silences, [&](const Silence& silence) {
     const Instant begin = beginning_ + silence.from;
-    if (from < begin + silence.length && (from >= begin || until > begin)) return true;
-  }
-  return false;
+    return from < begin + silence.length && (from >= begin || until > begin);
+  });
 }
 
 bool Line::happens(Fault fault, double share, std::uint64_t number) const {
