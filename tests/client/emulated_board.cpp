@@ -24,18 +24,24 @@ EmulatedBoard::EmulatedBoard(board::EmulatorOptions options, board::Memory memor
   start(std::move(memory));
 }
 
-EmulatedBoard::~EmulatedBoard() { running_.reset(); }
+EmulatedBoard::~EmulatedBoard() { stop(); }
+
+void EmulatedBoard::stop() {
+  if (!running_) return;
+  // First of all: the thread looks at running_.
+  running_->context.stop();
+  if (running_->thread.joinable()) running_->thread.join();
+  running_.reset();
+}
 
 EmulatedBoard::Running::~Running() {
-  context.stop();
-  if (thread.joinable()) thread.join();
   if (host) host->close();
   host.reset();
   endpoint.reset();
 }
 
 void EmulatedBoard::start(board::Memory memory) {
-  running_.reset();
+  stop();
   running_ = std::make_unique<Running>();
   Running& running = *running_;
   const asio::any_io_executor executor = running.context.get_executor();

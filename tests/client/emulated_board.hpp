@@ -187,6 +187,7 @@ class EmulatedBoard {
   };
 
   void start(board::Memory memory);
+  void stop();
   /// Puts the transport in place of the one before.
   void serve(std::unique_ptr<io::Transport> transport);
   emulate::LiveBoard& live() { return *running_->board; }
