@@ -281,6 +281,27 @@ TEST(Calibrations, BatteryShowsTheVoltageThatWasGiven) {
   EXPECT_EQ(host.board.memory().battery_factor, factor);
 }
 
+TEST(Calibrations, TheMotorsObeyTheBatteryAsItShowsAtOnce) {
+  Host host;
+  const auto settings = host.get<ReadParams3>(ReadParams3Request{});
+  const double stop = settings.bat_threshold_motors.volts();
+  host.ask(CalibBat{*Voltage::from_volts(stop - 0.5)});
+  EXPECT_TRUE(host.board.gimbal().stopped_by_battery());
+}
+
+TEST(Calibrations, ErasingTheEepromForgetsThem) {
+  Memory memory;
+  memory.battery_factor = 1.5;
+  memory.imus[1].acc_limits = 0x3F;
+  memory.sensors[1].acc_limits = 0x15;
+  Host host({}, memory);
+  EXPECT_TRUE(is_confirmed(host, UseDefaults{.profile_id = UseDefaults::erase_eeprom}));
+  const Memory& after = host.board.memory();
+  EXPECT_EQ(after.battery_factor, 1);
+  EXPECT_EQ(info(host, SelectedImu::frame).acc_limits_info, CalibratedLimits{});
+  EXPECT_EQ(after.sensors[1].acc_limits, 0x15) << "that is another EEPROM";
+}
+
 TEST(Calibrations, Magnetometer) {
   Host host;
   EXPECT_TRUE(is_confirmed(host, CalibMag{}));

@@ -80,6 +80,17 @@ TEST(LiveData, TheBatteryIsWatched) {
   EXPECT_EQ(errors(11).raw(), 0) << "negative thresholds are none";
 }
 
+TEST(LiveData, ABoardWithoutAMeterDoesNotWatchTheBattery) {
+  board::Options options;
+  options.features = BoardFeature::three_axis;
+  Host host(options);
+  host.board.gimbal().set_battery(9, host.now);
+  host.listen(seconds(1));
+  EXPECT_TRUE(host.board.gimbal().motors_on());
+  EXPECT_EQ(host.get<RealtimeData3>(RealtimeData3Request{}).system_error.raw(), 0);
+  EXPECT_EQ(host.get<ErrorExt>(CalibBat{*Voltage::from_volts(9)}).cmd_id, CommandId::calib_bat);
+}
+
 TEST(LiveData, CustomBlocksAreThoseOfTheRequest) {
   Host host;
   for (std::uint32_t bits = 0; bits < 0x200; ++bits) {
@@ -146,6 +157,26 @@ TEST(LiveData, AnAttitudeCanBeSet) {
   EXPECT_THAT(host.ask(set, milliseconds(3)), SizeIs(0)) << "it comes often";
   const auto angles = host.get<GetAngles>(GetAnglesRequest{}, milliseconds(3));
   EXPECT_NEAR(std::abs(angles.axes.pitch.imu_angle.degrees()), 45, 2);
+}
+
+TEST(LiveData, AFrameTellsTheCamerasAttitudeAndTheOtherWayRound) {
+  for (const bool by_frame : {false, true}) {
+    Host host = placed({0, 0, 0});
+    AhrsHelperRequestExt set;
+    set.mode = AhrsHelperModeBit::set | AhrsHelperModeBit::translate;
+    if (by_frame) set.mode.set(AhrsHelperModeBit::frame_imu);
+    set.z1_vector = {0, -0.5F, 0.8660254F};
+    set.h1_vector = {0, 0.8660254F, 0.5F};
+    host.ask(set, milliseconds(3));
+    // It is only a reference for the other one, which goes there slowly.
+    const auto before = host.board.gimbal().sample(host.now);
+    EXPECT_NEAR(by_frame ? before.angles.pitch : before.frame.pitch, 0, 0.5);
+    for (int i = 0; i < 2000; ++i) host.ask(set, milliseconds(20));
+    const auto after = host.board.gimbal().sample(host.now);
+    const double moved = by_frame ? after.angles.pitch - before.angles.pitch
+                                  : after.frame.pitch - before.frame.pitch;
+    EXPECT_NEAR(moved, -30, 5) << by_frame;
+  }
 }
 
 TEST(LiveData, AnAttitudeThatIsNoneIsRefused) {
