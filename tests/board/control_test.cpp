@@ -129,6 +129,22 @@ TEST(Control, VirtualChannelsControlTheCamera) {
               1);
 }
 
+TEST(Control, TheDeadBandLeavesTheEndsOfTheStick) {
+  Host host;
+  map_pitch(host, 5);
+  auto settings = host.get<ReadParams3>(ReadParams3Request{});
+  settings.rc_deadband = 100;
+  host.ask(WriteParams3{settings});
+  const auto shown = [&](std::int16_t signal) {
+    host.ask(channels(5, signal));
+    return host.get<RealtimeData3>(RealtimeData3Request{}).rc.pitch.raw();
+  };
+  EXPECT_EQ(shown(100), 1500);
+  EXPECT_NEAR(shown(300), 1750, 1);
+  EXPECT_EQ(shown(500), 2000);
+  EXPECT_EQ(shown(-500), 1000);
+}
+
 TEST(Control, SignalsShowInLiveData) {
   Host host;
   map_pitch(host, 31);

@@ -19,10 +19,12 @@ double share_of_signal(int counts) {
 double bent(const ReadParams3& settings, std::size_t axis, double signal) {
   if (settings.rc[axis].rc_mode.inverted()) signal = -signal;
   signal += share_of_signal(settings.rc_trim[axis]);
-  const double beyond = std::abs(signal) - share_of_signal(settings.rc_deadband);
+  const double deadband = share_of_signal(settings.rc_deadband);
+  const double beyond = std::abs(signal) - deadband;
   if (beyond <= 0) return 0;
   const double curve = settings.rc_expo_rate / 100.0;
-  const double size = std::min(beyond, 1.0);
+  // Ours: the rest of the way covers the whole range, so that the ends can be reached.
+  const double size = std::min(beyond / (1 - deadband), 1.0);
   return std::copysign((1 - curve) * size + curve * size * size * size, signal);
 }
 
