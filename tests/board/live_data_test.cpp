@@ -50,6 +50,22 @@ TEST(LiveData, AnglesBeginAgainAfterTwoTurns) {
       << "joints count on";
 }
 
+TEST(LiveData, EachAxisShowsItsOwnTurning) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    Host host(still());
+    ControlExt turn;
+    turn.control_mode[axis].set_mode(ControlModeKind::speed);
+    turn.axes[axis].speed = ControlSpeed::from_degrees_per_second(20);
+    host.ask(turn);
+    host.listen(milliseconds(400));
+    const auto data = host.get<RealtimeData3>(RealtimeData3Request{}, milliseconds(2));
+    for (std::size_t other = 0; other < 3; ++other) {
+      const double speed = data.axes[other].gyro_data.degrees_per_second();
+      EXPECT_NEAR(speed, other == axis ? 20 : 0, 4) << axis << other;
+    }
+  }
+}
+
 TEST(LiveData, BothFormsAgree) {
   Host host = placed({3, -20, 40});
   const auto three = host.get<RealtimeData3>(RealtimeData3Request{});
@@ -146,6 +162,26 @@ TEST(LiveData, TheAttitudeAsVectors) {
   const auto tilted = host.get<AhrsHelper>(AhrsHelperRequestExt{});
   EXPECT_NEAR(static_cast<double>(tilted.z1_vector.z), std::cos(30 * M_PI / 180), 0.01);
   EXPECT_NEAR(std::abs(static_cast<double>(tilted.z1_vector.x)), 0.5, 0.01);
+}
+
+TEST(LiveData, TheOrderOfTheAnglesIsThatOfTheSettings) {
+  Host host = placed({30, 40, 50});
+  const auto up = [&](EulerOrder order) {
+    auto settings = host.get<ReadParams3>(ReadParams3Request{});
+    settings.euler_order = order;
+    host.ask(WriteParams3{settings});
+    return host.get<AhrsHelper>(AhrsHelperRequest{}).z1_vector;
+  };
+  const auto near = [](const Xyz<float>& a, const Xyz<float>& b) {
+    return length({a.x - b.x, a.y - b.y, a.z - b.z}) < 0.01;
+  };
+  using enum EulerOrder;
+  EXPECT_FALSE(near(up(pitch_roll_yaw), up(roll_pitch_yaw)));
+  EXPECT_FALSE(near(up(yaw_roll_pitch), up(yaw_pitch_roll)));
+  EXPECT_FALSE(near(up(yaw_roll_pitch), up(roll_pitch_yaw)));
+  // For two axes: yaw is the outermost.
+  EXPECT_TRUE(near(up(local_roll), up(pitch_roll_yaw)));
+  EXPECT_TRUE(near(up(roll_local), up(roll_pitch_yaw)));
 }
 
 TEST(LiveData, AnAttitudeCanBeSet) {

@@ -33,7 +33,7 @@ double mixed(double signal, RcMix mix, std::size_t axis, std::optional<double> c
              int gain) {
   const auto target = static_cast<std::size_t>(mix.target());
   if (target != axis + 1 || !controller) return signal;
-  constexpr double all = 63;  // of RcMix::rate()
+  constexpr double all = RcMix(std::numeric_limits<RcMix::raw_type>::max()).rate();
   const double share = mix.rate() / all;
   // EXT_FC_GAIN: 127 is the whole signal. Ours.
   const double added = *controller * gain / std::numeric_limits<std::int8_t>::max();
