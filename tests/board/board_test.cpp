@@ -190,6 +190,9 @@ TEST(Board, RefusesPagesThatAreNone) {
   EXPECT_TRUE(is_refused(64, 10));
   EXPECT_TRUE(is_refused(0xFFFFFFC0, 64));
   EXPECT_TRUE(is_refused(0, 256));
+  const auto error = host.get<ErrorExt>(EepromReadRequest{0xA0B0C040, ByteCount(64)});
+  EXPECT_EQ(error.error_data[0], 0x40) << "the address";
+  EXPECT_EQ(error.error_data[3], 0xA0);
 }
 
 }  // namespace

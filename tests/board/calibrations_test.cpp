@@ -129,6 +129,18 @@ TEST(Calibrations, OneAtATime) {
   EXPECT_TRUE(is_confirmed(host, CalibAcc{}));
 }
 
+TEST(Calibrations, WhoHasAskedIsToldOfTheEnd) {
+  Host host;
+  const auto first = host.port;
+  const auto other = host.board.open_port().value();
+  EXPECT_TRUE(is_confirmed(host, CalibGyro{}));
+  host.port = other;
+  EXPECT_EQ(refusal(host, CalibGyro{}), Refusal::not_possible);
+  EXPECT_THAT(host.listen(seconds(5)), IsEmpty());
+  host.port = first;
+  EXPECT_EQ(confirmations<CalibGyro>(host.listen({})), 1);
+}
+
 TEST(Calibrations, AGimbalThatMovesIsWaitedFor) {
   Host host;
   host.board.gimbal().command(2, {.mode = board::AxisMode::speed, .speed = 30}, host.now);

@@ -9,8 +9,8 @@
 
 namespace sbgc::board {
 
-Machine::Machine(const Options& of, Memory kept, Instant now)
-    : options(of),
+Machine::Machine(Options of, Memory kept, Instant now)
+    : options(std::move(of)),
       memory(std::move(kept)),
       eeprom(memory),
       settings(memory),

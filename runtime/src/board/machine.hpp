@@ -33,7 +33,7 @@ namespace sbgc::board {
 ///     void restart(Machine& machine, Instant now); // the board has restarted
 /// Parts keep ports by number; Ports::send() to one that has closed does nothing.
 struct Machine {
-  Machine(const Options& of, Memory kept, Instant now);
+  Machine(Options of, Memory kept, Instant now);
 
   Options options;
   Memory memory;
