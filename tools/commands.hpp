@@ -13,6 +13,7 @@ enum ExitStatus : int {
 };
 
 void add_decode(CLI::App& app, int& status);
+void add_emulate(CLI::App& app, int& status);
 void add_encode(CLI::App& app, int& status);
 void add_ports(CLI::App& app, int& status);
 void add_record(CLI::App& app, int& status);

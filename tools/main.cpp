@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     app.set_help_all_flag("--help-all", "Print the help of all subcommands");
     tools::add_decode(app, status);
+    tools::add_emulate(app, status);
     tools::add_encode(app, status);
     tools::add_ports(app, status);
     tools::add_record(app, status);

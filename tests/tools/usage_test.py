@@ -41,7 +41,7 @@ def test_wrong_usage(arguments: list[str]) -> None:
 @pytest.mark.parametrize(
     "arguments",
     [["--help"], ["--help-all"]]
-    + [[command, "--help"] for command in ("decode", "encode", "ports", "record")],
+    + [[command, "--help"] for command in ("decode", "emulate", "encode", "ports", "record")],
 )
 def test_help(arguments: list[str]) -> None:
     result = run(*arguments)

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <deque>
 #include <mutex>
 #include <optional>
@@ -12,6 +11,7 @@
 #include <asio/prefer.hpp>
 
 #include <sbgc/io/memory.hpp>
+#include <sbgc/uart.hpp>
 
 namespace sbgc::io {
 
@@ -212,44 +212,18 @@ class MemoryTransport final : public Transport {
   bool closed_ = false;
 };
 
-/// The levels on the line while `bytes` are sent: a start bit (0), 8 data bits, parity, stop (1).
-std::vector<bool> levels(std::span<const std::uint8_t> bytes, Parity parity) {
-  std::vector<bool> result;
-  for (const std::uint8_t byte : bytes) {
-    result.push_back(false);
-    for (unsigned bit = 0; bit < 8; ++bit) result.push_back(((byte >> bit) & 1U) != 0);
-    if (parity == Parity::even) result.push_back(std::popcount(byte) % 2 != 0);
-    result.push_back(true);
-  }
-  return result;
-}
-
 }  // namespace
 
 std::vector<std::uint8_t> received_as(std::span<const std::uint8_t> bytes,
                                       const LineSettings& sender, const LineSettings& receiver) {
   if (sender == receiver) return {bytes.begin(), bytes.end()};
-  const std::vector<bool> line = levels(bytes, sender.parity);
-  // Time is counted in ticks, 16 to a bit of the receiver.
-  const auto level = [&](std::uint64_t tick) {
-    const std::uint64_t bit = tick * sender.baud_rate / (std::uint64_t{16} * receiver.baud_rate);
-    return bit >= line.size() || line[bit];  // an idle line is 1
-  };
-  const std::uint64_t end =
-      std::uint64_t{16} * line.size() * receiver.baud_rate / sender.baud_rate + 1;
+  UartReceiver uart(sender, receiver);
   std::vector<std::uint8_t> result;
-  for (std::uint64_t tick = 0; tick < end; ++tick) {
-    if (level(tick)) continue;
-    tick += 8;  // the middle of what should be a start bit
-    if (level(tick)) continue;
-    unsigned byte = 0;
-    for (unsigned bit = 0; bit < 8; ++bit) byte |= (level(tick += 16) ? 1U : 0U) << bit;
-    const bool even = std::popcount(byte) % 2 != 0;
-    const bool parity_good = receiver.parity == Parity::none || level(tick += 16) == even;
-    const bool stop_good = level(tick += 16);
-    if (parity_good && stop_good) result.push_back(static_cast<std::uint8_t>(byte));
-    while (tick < end && !level(tick)) ++tick;
-  }
+  const auto hear = [&](bool level) {
+    if (const auto byte = uart.hear(level)) result.push_back(*byte);
+  };
+  for (const std::uint8_t byte : bytes) send_levels(byte, parity_bit(byte, sender.parity), hear);
+  while (!uart.is_idle()) hear(true);
   return result;
 }
 

@@ -1,0 +1,228 @@
+// A board behind its lines: rates, backpressure, restarts, and that calling more often changes
+// nothing.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sbgc/board/emulator.hpp>
+#include <sbgc/message.hpp>
+#include <sbgc/messages/realtime.hpp>
+#include <sbgc/messages/system.hpp>
+#include <sbgc/parser.hpp>
+
+#include "noise.hpp"
+
+namespace sbgc::board {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+template <Message M>
+Bytes frame_of(const M& message) {
+  std::array<std::uint8_t, max_frame_size> frame{};
+  const std::size_t size = encode_frame(message, frame).size;
+  return {frame.begin(), frame.begin() + static_cast<std::ptrdiff_t>(size)};
+}
+
+Bytes stream_of(std::uint16_t interval_ms) {
+  DataStreamInterval request;
+  request.cmd_id = CommandId::realtime_data_4;
+  request.interval_ms = Milliseconds(interval_ms);
+  return frame_of(request);
+}
+
+constexpr std::size_t sample_size = Framing::frame_size(RealtimeData4::max_size);
+
+/// One host on one port.
+struct Bench {
+  explicit Bench(const EmulatorOptions& options = {}, bool is_usb = false)
+      : emulator(options, {}, now), port(emulator.connect(is_usb, now).value()) {
+    listen(seconds(1));
+  }
+
+  /// What comes meanwhile.
+  Bytes listen(Duration duration, Duration step = milliseconds(10)) {
+    Bytes result;
+    const Instant end = now + duration;
+    while (now < end) {
+      now = earlier(end, now + step);
+      emulator.advance(now);
+      const auto arrived = emulator.to_host(port);
+      result.insert(result.end(), arrived.begin(), arrived.end());
+      emulator.take(port, arrived.size(), now);
+    }
+    return result;
+  }
+
+  void send(const Bytes& bytes) { emulator.from_host(port, bytes, now); }
+
+  Instant now{};
+  Emulator emulator;
+  std::size_t port;
+};
+
+std::size_t frames_in(const Bytes& bytes, CommandId id) {
+  std::size_t result = 0;
+  Parser parser;
+  parser.feed(bytes, [&](const Frame& frame) {
+    result += frame.id == static_cast<std::uint8_t>(id) ? 1U : 0U;
+  });
+  return result;
+}
+
+TEST(Emulator, AnswersOverALine) {
+  Bench bench;
+  bench.send(frame_of(BoardInfoRequest{}));
+  EXPECT_EQ(frames_in(bench.listen(milliseconds(100)), CommandId::board_info), 1U);
+}
+
+TEST(Emulator, TheLineTakesItsTime) {
+  EmulatorOptions options;
+  options.line.board.baud_rate = 9600;
+  Bench bench(options);
+  bench.send(frame_of(BoardInfoRequest{}));
+  // 5 bytes there and 23 back take 29 ms, whatever the board needs.
+  EXPECT_TRUE(bench.listen(milliseconds(6), milliseconds(1)).empty());
+  const Bytes early = bench.listen(milliseconds(20), milliseconds(1));
+  EXPECT_EQ(frames_in(early, CommandId::board_info), 0U);
+  Bytes all = early;
+  const Bytes rest = bench.listen(milliseconds(60));
+  all.insert(all.end(), rest.begin(), rest.end());
+  EXPECT_EQ(frames_in(all, CommandId::board_info), 1U);
+}
+
+TEST(Emulator, AStreamThatTheLineCarriesKeepsItsRate) {
+  EmulatorOptions options;
+  options.line.board.baud_rate = 115200;
+  Bench bench(options);
+  bench.send(stream_of(20));
+  EXPECT_NEAR(static_cast<double>(frames_in(bench.listen(seconds(60)), CommandId::realtime_data_4)),
+              3000, 3);
+}
+
+TEST(Emulator, AStreamThatTheLineDoesNotCarryFillsIt) {
+  EmulatorOptions options;
+  options.line.board.baud_rate = 9600;
+  Bench bench(options);
+  bench.send(stream_of(20));
+  bench.listen(seconds(2));
+  const Bytes got = bench.listen(seconds(60));
+  EXPECT_NEAR(static_cast<double>(got.size()), 960 * 60, 200);
+  EXPECT_NEAR(static_cast<double>(frames_in(got, CommandId::realtime_data_4)),
+              960.0 * 60 / sample_size, 3);
+  EXPECT_GT(bench.emulator.board().counters().skipped, 2000U);
+}
+
+TEST(Emulator, AHostThatDoesNotListenHoldsTheBoardUp) {
+  Bench bench;
+  bench.send(stream_of(20));
+  bench.now = bench.now + seconds(120);
+  bench.emulator.advance(bench.now);
+  EXPECT_LE(bench.emulator.to_host(bench.port).size(), Emulator::output_limit);
+  EXPECT_GT(bench.emulator.to_host(bench.port).size(), Emulator::output_limit - 1000);
+  EXPECT_GT(bench.emulator.board().counters().skipped, 5000U);
+  // It goes on as if nothing had been when it listens again: whole frames.
+  const Bytes got = bench.listen(seconds(1));
+  EXPECT_GT(frames_in(got, CommandId::realtime_data_4), 500U);
+  Parser parser;
+  parser.feed(got, [](const Frame&) {});
+  EXPECT_EQ(parser.counters().skipped_bytes, 0U);
+}
+
+TEST(Emulator, ToldWhenTheHostShouldWait) {
+  EmulatorOptions options;
+  options.line.board.baud_rate = 9600;
+  Bench bench(options);
+  EXPECT_EQ(bench.emulator.room(bench.port), Emulator::input_limit);
+  bench.send(Bytes(Emulator::input_limit, 0));
+  EXPECT_EQ(bench.emulator.room(bench.port), 0U);
+  bench.listen(seconds(1));
+  EXPECT_NEAR(static_cast<double>(bench.emulator.room(bench.port)), 960, 2);
+}
+
+TEST(Emulator, TheRateOfTheSettings) {
+  EmulatorOptions options;
+  options.rate_of_settings = true;
+  Bench bench(options);
+  EXPECT_NE(bench.emulator.board().baud_rate(), 0U);
+  EXPECT_EQ(bench.emulator.line().baud_rate, bench.emulator.board().baud_rate());
+  bench.emulator.set_host_line(bench.port, LineSettings{9600}, bench.now);
+  bench.send(frame_of(BoardInfoRequest{}));
+  EXPECT_EQ(frames_in(bench.listen(seconds(1)), CommandId::board_info), 0U);
+  bench.emulator.set_host_line(bench.port, bench.emulator.line(), bench.now);
+  bench.send(frame_of(BoardInfoRequest{}));
+  EXPECT_EQ(frames_in(bench.listen(seconds(1)), CommandId::board_info), 1U);
+}
+
+TEST(Emulator, UsbHasNoRate) {
+  EmulatorOptions options;
+  options.line.board.baud_rate = 9600;
+  Bench bench(options, true);
+  bench.send(stream_of(20));
+  EXPECT_NEAR(static_cast<double>(frames_in(bench.listen(seconds(5)), CommandId::realtime_data_4)),
+              250, 3);
+}
+
+TEST(Emulator, RestartsWhenItIsTold) {
+  EmulatorOptions options;
+  options.restart_at = milliseconds(1500);
+  Bench bench(options);
+  EXPECT_EQ(bench.emulator.board().counters().restarts, 0U);
+  bench.listen(milliseconds(499));
+  EXPECT_EQ(bench.emulator.board().counters().restarts, 0U);
+  bench.listen(milliseconds(2));
+  EXPECT_EQ(bench.emulator.board().counters().restarts, 1U);
+  bench.listen(seconds(5));
+  EXPECT_EQ(bench.emulator.board().counters().restarts, 1U);
+}
+
+TEST(Emulator, PortsAreIndependent) {
+  EmulatorOptions options;
+  options.board.start_time = {};
+  Emulator emulator(options, {}, Instant{});
+  std::vector<std::size_t> ports;
+  while (const auto port = emulator.connect(false, Instant{})) ports.push_back(*port);
+  ASSERT_EQ(ports.size(), Board::max_ports);
+  emulator.disconnect(ports[3], Instant{});
+  EXPECT_EQ(emulator.connect(false, Instant{}), ports[3]);
+  const Instant now = Instant{} + seconds(1);
+  emulator.from_host(ports[2], frame_of(BoardInfoRequest{}), now);
+  emulator.advance(now + seconds(1));
+  for (const std::size_t port : ports) {
+    EXPECT_EQ(emulator.to_host(port).empty(), port != ports[2]);
+  }
+}
+
+TEST(Emulator, CallingMoreOftenChangesNothing) {
+  EmulatorOptions options;
+  options.line.board.baud_rate = 57600;
+  options.line.faults = {.bit_errors = 1e-4, .lost = 1e-3, .text_every = milliseconds(300)};
+  options.board.gimbal.frame.kind = Disturbance::Kind::drone;
+  const auto run = [&](std::uint64_t cutting) {
+    Bench bench(options);
+    bench.send(stream_of(20));
+    Bytes result;
+    for (std::uint64_t i = 0; i < 40; ++i) {
+      if (i % 10 == 0) bench.send(frame_of(BoardInfoRequest{}));
+      const Duration step =
+          cutting == 0
+              ? milliseconds(100)
+              : microseconds(static_cast<std::int64_t>(50 + random_bits(cutting, i) % 20000));
+      const Bytes got = bench.listen(milliseconds(100), step);
+      result.insert(result.end(), got.begin(), got.end());
+    }
+    return result;
+  };
+  const Bytes rarely = run(0);
+  EXPECT_GT(rarely.size(), 15'000U);
+  EXPECT_TRUE(run(1) == rarely);
+  EXPECT_TRUE(run(2) == rarely);
+}
+
+}  // namespace
+}  // namespace sbgc::board

@@ -1,0 +1,438 @@
+"""sbgc emulate: where hosts connect, how it ends, what it keeps, what it refuses."""
+
+from __future__ import annotations
+
+import os
+import signal
+import socket
+import subprocess
+import termios
+import time
+from pathlib import Path
+
+import pytest
+
+from emulator import PATIENCE, Connection, Emulator, Terminal, terminal_of
+from sbgc_command import PROGRAM, frame, run
+
+BOARD_INFO = 86
+BOARD_INFO_3 = 20
+READ_EXTERNAL_DATA = 42
+WRITE_EXTERNAL_DATA = 41
+CONFIRM = 67
+DATA_STREAM_INTERVAL = 85
+REALTIME_DATA_4 = 25
+
+
+def stream(milliseconds: int) -> bytes:
+    return bytes([REALTIME_DATA_4]) + milliseconds.to_bytes(2, "little") + bytes(18)
+
+
+def refused(*arguments: str) -> str:
+    """What it says when it can not begin."""
+    result = run("emulate", *arguments)
+    assert result.status == 1, result
+    return result.error
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_pseudo_terminal_is_the_default(number: int) -> None:
+    with Emulator() as emulator:
+        (place,) = emulator.places
+        assert place.startswith("/dev/pts/")
+        terminal = Terminal(place)
+        assert len(terminal.ask(BOARD_INFO)) == 18
+        terminal.close()
+        # Programs come and go.
+        terminal = Terminal(place)
+        assert len(terminal.ask(BOARD_INFO)) == 18
+        assert emulator.end(number) == 0
+        assert emulator.error == ""
+        terminal.close()
+
+
+def test_link(tmp_path: Path) -> None:
+    link = tmp_path / "gimbal"
+    with Emulator("--link", str(link)) as emulator:
+        assert emulator.places[0].endswith(f"(also {link})")
+        assert Path(os.readlink(link)) == terminal_of(emulator.places[0])
+        terminal = Terminal(str(link))
+        assert terminal.ask(BOARD_INFO)
+        terminal.close()
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_link_that_was_left_behind_is_replaced(tmp_path: Path) -> None:
+    link = tmp_path / "gimbal"
+    link.symlink_to("/dev/pts/999999")
+    with Emulator("--link", str(link)) as emulator:
+        assert Path(os.readlink(link)) == terminal_of(emulator.places[0])
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_nothing_else_is_replaced_by_a_link(tmp_path: Path) -> None:
+    taken = tmp_path / "gimbal"
+    taken.write_text("mine")
+    assert str(taken) in refused("--link", str(taken))
+    assert taken.read_text() == "mine"
+
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.symlink_to(taken)
+    assert str(taken) in refused("--link", str(elsewhere))
+    assert Path(os.readlink(elsewhere)) == taken
+
+    folder = tmp_path / "folder"
+    folder.mkdir()
+    refused("--link", str(folder))
+    refused("--link", str(tmp_path / "missing" / "gimbal"))
+
+    used = tmp_path / "used"
+    with Emulator("--link", str(used)) as emulator:
+        assert "in use" in refused("--link", str(used))
+        assert Path(os.readlink(used)) == terminal_of(emulator.places[0])
+        # Somebody else's link by now.
+        used.unlink()
+        used.symlink_to(taken)
+    assert Path(os.readlink(used)) == taken
+
+
+def test_tcp_has_several_hosts() -> None:
+    with Emulator("--tcp", "0") as emulator:
+        (place,) = emulator.places
+        assert place.startswith("tcp:127.0.0.1:")
+        hosts = [Connection(place) for _ in range(8)]
+        for host in hosts:
+            host.send(BOARD_INFO)
+        for host in hosts:
+            assert len(host.body(BOARD_INFO)) == 18
+        # Streams belong to who asked for them.
+        hosts[0].send(DATA_STREAM_INTERVAL, stream(20))
+        hosts[0].body(REALTIME_DATA_4)
+        hosts[1].heard = b""
+        assert not hosts[1].receive(0.2)
+        # There is no ninth, until one of them leaves.
+        ninth = Connection(place)
+        ninth.socket.settimeout(PATIENCE)
+        assert ninth.socket.recv(1) == b""
+        ninth.close()
+        hosts[3].close()
+        end = time.monotonic() + PATIENCE
+        while True:
+            another = Connection(place)
+            another.send(BOARD_INFO)
+            if another.receive(PATIENCE):
+                break
+            another.close()  # the port is kept for a moment
+            assert time.monotonic() < end
+            time.sleep(0.05)
+        another.close()
+        for host in hosts[:3] + hosts[4:]:
+            host.close()
+        emulator.end()
+        assert "refused: all ports" in emulator.error
+
+
+def test_udp_has_several_hosts() -> None:
+    with Emulator("--udp", "0") as emulator:
+        (place,) = emulator.places
+        assert place.startswith("udp:127.0.0.1:")
+        hosts = [Connection(place), Connection(place)]
+        for host in hosts:
+            assert len(host.ask(BOARD_INFO)) == 18
+        hosts[0].send(DATA_STREAM_INTERVAL, stream(20))
+        hosts[0].body(REALTIME_DATA_4)
+        hosts[1].heard = b""
+        assert not hosts[1].receive(0.2)
+        for host in hosts:
+            host.close()
+
+
+def test_standard_input_and_output(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [PROGRAM, "emulate", "--stdio", "--verbose"],
+        input=frame(BOARD_INFO) + frame(BOARD_INFO_3),
+        capture_output=True,
+        timeout=PATIENCE,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert done.stdout[:2] == bytes([0x3E, BOARD_INFO])
+    assert bytes([0x3E, BOARD_INFO_3, 69]) in done.stdout
+    assert b"emulated gimbal 1: standard input and output" in done.stderr
+    assert b"CMD_BOARD_INFO" in done.stderr
+
+    # Regular files are as good.
+    (tmp_path / "in").write_bytes(frame(BOARD_INFO))
+    with open(tmp_path / "in", "rb") as source, open(tmp_path / "out", "wb") as sink:
+        done = subprocess.run(
+            [PROGRAM, "emulate", "--stdio"],
+            stdin=source,
+            stdout=sink,
+            stderr=subprocess.PIPE,
+            timeout=PATIENCE,
+            check=False,
+        )
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "out").read_bytes()[:2] == bytes([0x3E, BOARD_INFO])
+
+
+def test_many_boards(tmp_path: Path) -> None:
+    link = tmp_path / "gimbal"
+    arguments = ["--count", "3", "--tcp", "0", "--link", str(link), "--state", str(tmp_path / "s")]
+    with Emulator(*arguments, boards=3, places=2) as emulator:
+        names = sorted(path.name for path in tmp_path.iterdir())
+        assert names == ["gimbal-1", "gimbal-2", "gimbal-3", "s-1", "s-2", "s-3"]
+        told = set()
+        for place in emulator.places[1::2]:
+            host = Connection(place)
+            told.add(host.ask(BOARD_INFO_3)[:21])
+            host.close()
+        assert len(told) == 3
+        for number, place in enumerate(emulator.places[::2]):
+            assert Path(os.readlink(f"{link}-{number + 1}")) == terminal_of(place)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["s-1", "s-2", "s-3"]
+
+
+def test_ports_in_a_row() -> None:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    port = min(port, 65533)
+    with Emulator("--tcp", str(port), "--count", "2", boards=2) as emulator:
+        assert emulator.places == [f"tcp:127.0.0.1:{port}", f"tcp:127.0.0.1:{port + 1}"]
+        assert "can not listen" in refused("--tcp", str(port))
+
+
+def test_state_survives(tmp_path: Path) -> None:
+    state = tmp_path / "state"
+    data = bytes(range(128))
+    with Emulator("--tcp", "0", "--state", str(state)) as emulator:
+        host = Connection(emulator.places[0])
+        host.send(WRITE_EXTERNAL_DATA, data)
+        host.body(CONFIRM)
+        serial = host.ask(BOARD_INFO_3)[:21]
+        before = state.stat().st_mtime_ns
+        # It is saved by itself, so that even a killed one has it.
+        end = time.monotonic() + PATIENCE
+        while state.stat().st_mtime_ns == before and time.monotonic() < end:
+            time.sleep(0.05)
+        emulator.process.kill()
+        emulator.wait()
+        host.close()
+    with Emulator("--tcp", "0", "--state", str(state)) as emulator:
+        host = Connection(emulator.places[0])
+        assert host.ask(READ_EXTERNAL_DATA) == data
+        assert host.ask(BOARD_INFO_3)[:21] == serial
+        # And what changes in the last moment.
+        host.send(WRITE_EXTERNAL_DATA, data[::-1])
+        host.body(CONFIRM)
+        assert emulator.end() == 0
+        host.close()
+    with Emulator("--tcp", "0", "--state", str(state)) as emulator:
+        host = Connection(emulator.places[0])
+        assert host.ask(READ_EXTERNAL_DATA) == data[::-1]
+        host.close()
+    assert list(tmp_path.iterdir()) == [state]
+    assert "firmware 2.59, not of" in refused("--state", str(state), "--firmware", "2.43b9")
+
+
+def test_a_state_that_can_not_be_used(tmp_path: Path) -> None:
+    damaged = tmp_path / "damaged"
+    damaged.write_text("{}")
+    assert str(damaged) in refused("--state", str(damaged))
+    assert damaged.read_text() == "{}"
+    refused("--state", str(tmp_path))
+    refused("--state", str(tmp_path / "missing" / "state"))
+
+
+def test_board_and_firmware() -> None:
+    with Emulator("--tcp", "0", "--firmware", "2.43b9", "--board", "3.1") as emulator:
+        host = Connection(emulator.places[0])
+        info = host.ask(BOARD_INFO)
+        assert info[0] == 31
+        assert int.from_bytes(info[1:3], "little") == 2439
+        host.close()
+
+
+def test_wrong_baud_rate_is_garbage() -> None:
+    with Emulator("--baud", "115200") as emulator:
+        terminal = Terminal(emulator.places[0], termios.B57600)
+        for _ in range(3):
+            terminal.send(BOARD_INFO)
+            time.sleep(0.1)
+        terminal.receive(0.2)
+        assert bytes([0x3E, BOARD_INFO, 18]) not in terminal.heard
+        terminal.set_rate(termios.B115200)
+        assert len(terminal.ask(BOARD_INFO)) == 18
+        terminal.close()
+
+
+def test_baud_rate_takes_its_time() -> None:
+    with Emulator("--tcp", "0", "--baud", "9600") as emulator:
+        host = Connection(emulator.places[0])
+        begin = time.monotonic()
+        for _ in range(10):
+            host.ask(BOARD_INFO_3)
+        # 5 bytes there, 74 back.
+        assert time.monotonic() - begin > 10 * 79 / 960 * 0.95
+        host.close()
+
+
+def test_faults() -> None:
+    with Emulator("--tcp", "0", "--lose", "100%") as emulator:
+        host = Connection(emulator.places[0])
+        host.send(BOARD_INFO)
+        assert not host.receive(0.3)
+        host.close()
+    with Emulator("--tcp", "0", "--text", "0.05", "--silence", "0:0.2") as emulator:
+        host = Connection(emulator.places[0])
+        end = time.monotonic() + PATIENCE
+        while b"\r\n" not in host.heard and time.monotonic() < end:
+            host.receive(1)
+        assert b"\r\n" in host.heard
+        host.close()
+
+
+def test_a_reset_at_a_given_time() -> None:
+    with Emulator("--tcp", "0", "--reset-at", "0.5", "--verbose") as emulator:
+        host = Connection(emulator.places[0])
+        host.send(DATA_STREAM_INTERVAL, stream(20))
+        host.body(REALTIME_DATA_4)
+        # Streams end with a reset.
+        end = time.monotonic() + PATIENCE
+        while host.receive(0.4):
+            assert time.monotonic() < end
+        host.close()
+
+
+def test_a_host_that_does_not_read() -> None:
+    with Emulator("--tcp", "0") as emulator:
+        host = Connection(emulator.places[0])
+        host.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        for _ in range(20):
+            host.send(DATA_STREAM_INTERVAL, stream(1))
+        other = Connection(emulator.places[0])
+        for _ in range(10):
+            assert other.ask(BOARD_INFO)
+            time.sleep(0.05)
+        other.close()
+        host.close()
+
+
+def test_every_frame_as_a_line() -> None:
+    with Emulator("--tcp", "0", "--verbose") as emulator:
+        host = Connection(emulator.places[0])
+        host.ask(BOARD_INFO)
+        host.send(200)
+        host.ask(BOARD_INFO)
+        host.close()
+        emulator.end()
+        request = emulator.rest.index("> CMD_BOARD_INFO (86), 0 bytes  carried out")
+        assert request < emulator.rest.index("< CMD_BOARD_INFO (86), 18 bytes")
+        assert "> unknown command (200), 0 bytes  unknown here" in emulator.rest
+        assert "is host 0" in emulator.rest
+
+
+def test_ends_by_itself() -> None:
+    begin = time.monotonic()
+    with Emulator("--seconds", "0.3") as emulator:
+        assert emulator.wait() == 0
+    assert time.monotonic() - begin >= 0.3
+
+
+def test_other_machines_only_when_told() -> None:
+    with Emulator("--tcp", "0.0.0.0:0") as emulator:
+        emulator.end()
+        assert "other machines" in emulator.error
+    with Emulator("--tcp", "localhost:0") as emulator:
+        emulator.end()
+        assert emulator.error == ""
+    assert "no address" in refused("--tcp", "gimbal.example:0")
+
+
+def test_a_reader_of_its_output_that_goes_away(tmp_path: Path) -> None:
+    link = tmp_path / "gimbal"
+    with Emulator("--link", str(link), "--verbose") as emulator:
+        assert emulator.process.stdout is not None
+        emulator.process.stdout.close()
+        emulator.process.stdout = None
+        terminal = Terminal(str(link))
+        for _ in range(5):
+            assert terminal.ask(BOARD_INFO)
+        terminal.close()
+        emulator.process.send_signal(signal.SIGTERM)
+        assert emulator.process.wait(PATIENCE) == 1
+        assert emulator.process.stderr is not None
+        emulator.process.stderr.close()
+    assert not link.is_symlink()
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["place"],
+        ["--tcp"],
+        ["--tcp", "65536"],
+        ["--tcp", ":5000"],
+        ["--udp", "x"],
+        ["--tcp", "65535", "--count", "2"],
+        ["--count", "0"],
+        ["--count", "-1"],
+        ["--stdio", "--count", "2"],
+        ["--firmware", "2.5"],
+        ["--board", "three"],
+        ["--baud", "0"],
+        ["--baud", "fast"],
+        ["--parity", "odd"],
+        ["--lose", "1.5"],
+        ["--bit-errors", "101%"],
+        ["--delay", "0.1:x"],
+        ["--text", "-1"],
+        ["--silence", "5"],
+        ["--reset-at", "soon"],
+        ["--input-buffer", "-1"],
+        ["--seed", "-1"],
+        ["--seconds", "nan"],
+        ["--motion", "jump"],
+        ["--link", ""],
+    ],
+)
+def test_wrong_usage(arguments: list[str]) -> None:
+    result = run("emulate", *arguments)
+    assert result.status == 2, result
+    assert result.out == b""
+
+
+def test_motion_files(tmp_path: Path) -> None:
+    motion = tmp_path / "motion.csv"
+    motion.write_text("time,roll,pitch,yaw\n0,0,0,0\n1,10,0,0\n2,0,zero,0\n")
+    result = run("emulate", "--motion", str(motion))
+    assert result.status == 2
+    assert f"{motion}:4: 'zero' is not a number" in result.error
+    motion.write_text("0,0,0,0\n1,10,0,0\n2,0,0,0\n")
+    with Emulator("--motion", str(motion)):
+        pass
+
+
+def test_help() -> None:
+    result = run("emulate", "--help")
+    assert result.status == 0
+    for option in ("--pty", "--tcp", "--udp", "--stdio", "--state", "--silence", "Examples"):
+        assert option in result.text
+
+
+def test_the_tour(tmp_path: Path) -> None:
+    """What ./dev demo does."""
+    tour = os.environ.get("SBGC_TOUR")
+    if not tour:
+        pytest.skip("examples are not built")
+    with Emulator("--baud", "57600", "--motion", "handheld", "--text", "1") as emulator:
+        done = subprocess.run(
+            [tour, emulator.places[0], str(tmp_path / "capture"), str(tmp_path / "backup")],
+            capture_output=True,
+            timeout=60,
+            check=False,
+        )
+    assert done.returncode == 0, done.stderr
+    assert b"57600" in done.stdout
+    assert b"pitch is -30" in done.stdout or b"pitch is -29" in done.stdout

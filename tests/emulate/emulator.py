@@ -1,0 +1,148 @@
+"""Runs sbgc emulate for the tests, and talks to what it plays."""
+
+from __future__ import annotations
+
+import os
+import select
+import signal
+import socket
+import subprocess
+import termios
+import time
+import tty
+from pathlib import Path
+from types import TracebackType
+from typing import Optional, Type
+
+from sbgc_command import CRASH, PROGRAM, frame
+
+PATIENCE = 20.0  # seconds; nothing waits longer than it must
+
+
+class Emulator:
+    """sbgc emulate, until the with block ends. `places` is what it prints about its boards."""
+
+    def __init__(self, *arguments: str, boards: int = 1, places: int = 1) -> None:
+        self.process = subprocess.Popen(
+            [PROGRAM, "emulate", *arguments],
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+        )
+        assert self.process.stdout is not None
+        self.places: list[str] = []
+        self.error = ""
+        for _ in range(boards * places):
+            line = self.process.stdout.readline().decode()
+            if not line:
+                break
+            heading, _, place = line.rstrip("\n").partition(": ")
+            assert heading.startswith("emulated gimbal "), line
+            self.places.append(place)
+
+    def __enter__(self) -> Emulator:
+        if not self.places:
+            self.end()
+            raise AssertionError(self.error)
+        return self
+
+    def __exit__(
+        self,
+        kind: Optional[Type[BaseException]],
+        error: Optional[BaseException],
+        trace: Optional[TracebackType],
+    ) -> None:
+        if self.process.poll() is None:
+            status = self.end()
+            assert kind is not None or status == 0, self.error
+
+    def end(self, number: int = signal.SIGTERM) -> int:
+        """Sends a signal and waits; the exit status."""
+        if self.process.poll() is None:
+            self.process.send_signal(number)
+        return self.wait()
+
+    def wait(self) -> int:
+        out, error = self.process.communicate(timeout=PATIENCE)
+        self.rest = out.decode()
+        self.error = error.decode()
+        assert not CRASH.search(self.error), self.error
+        return self.process.returncode
+
+
+class Line:
+    """A conversation over a file descriptor."""
+
+    def __init__(self, fd: int) -> None:
+        self.fd = fd
+        self.heard = b""
+
+    def send(self, command: int, body: bytes = b"") -> None:
+        os.write(self.fd, frame(command, body))
+
+    def receive(self, seconds: float) -> bool:
+        """Whether something came in that time."""
+        if not select.select([self.fd], [], [], seconds)[0]:
+            return False
+        try:
+            data = os.read(self.fd, 65536)
+        except ConnectionResetError:
+            return False
+        self.heard += data
+        return bool(data)
+
+    def body(self, command: int, seconds: float = PATIENCE) -> bytes:
+        """The body of the next frame of that command; fails if there is none in time."""
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            start = self.heard.find(bytes([0x3E, command]))
+            if start >= 0 and len(self.heard) > start + 4:
+                size = self.heard[start + 2]
+                if len(self.heard) >= start + size + 5:
+                    body = self.heard[start + 4 : start + 4 + size]
+                    self.heard = self.heard[start + size + 5 :]
+                    return body
+            self.receive(max(0.0, end - time.monotonic()))
+        raise AssertionError(f"no frame {command}; heard {self.heard.hex()}")
+
+    def ask(self, command: int, body: bytes = b"", seconds: float = PATIENCE) -> bytes:
+        self.heard = b""
+        self.send(command, body)
+        return self.body(command, seconds)
+
+
+class Terminal(Line):
+    """The other side of a pseudo-terminal, raw, at a rate."""
+
+    def __init__(self, path: str, rate: int = termios.B115200) -> None:
+        super().__init__(os.open(path, os.O_RDWR | os.O_NOCTTY))
+        tty.setraw(self.fd)
+        self.set_rate(rate)
+
+    def set_rate(self, rate: int) -> None:
+        settings = termios.tcgetattr(self.fd)
+        settings[4] = settings[5] = rate
+        termios.tcsetattr(self.fd, termios.TCSANOW, settings)
+        termios.tcflush(self.fd, termios.TCIFLUSH)
+        self.heard = b""
+
+    def close(self) -> None:
+        os.close(self.fd)
+
+
+class Connection(Line):
+    """A socket to a place such as "tcp:127.0.0.1:5000"."""
+
+    def __init__(self, place: str) -> None:
+        protocol, host, port = place.split(":")
+        kind = socket.SOCK_STREAM if protocol == "tcp" else socket.SOCK_DGRAM
+        self.socket = socket.socket(socket.AF_INET, kind)
+        self.socket.connect((host, int(port)))
+        super().__init__(self.socket.fileno())
+
+    def close(self) -> None:
+        self.socket.close()
+
+
+def terminal_of(place: str) -> Path:
+    return Path(place.split(" ")[0])

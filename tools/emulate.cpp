@@ -1,0 +1,299 @@
+// sbgc emulate: gimbals that are not there.
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+#include <asio/io_context.hpp>
+#include <asio/signal_set.hpp>
+#include <asio/steady_timer.hpp>
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <sbgc/io/clock.hpp>
+
+#include "commands.hpp"
+#include "emulate/arguments.hpp"
+#include "emulate/service.hpp"
+
+namespace sbgc::tools {
+
+namespace {
+
+using emulate::Service;
+using emulate::ServiceOptions;
+
+struct Options {
+  ServiceOptions service{};
+  std::uint32_t seed = 1;
+  bool verbose = false;
+  std::optional<Duration> seconds{};
+};
+
+/// Each pseudo-terminal takes two files, and hosts take one each.
+void allow_many_files() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
+  limit.rlim_cur = limit.rlim_max;
+  setrlimit(RLIMIT_NOFILE, &limit);  // if not: what then can not be opened says so
+}
+
+int serve(const Options& options) {
+  // Standard output belongs to the host then.
+  std::FILE* const out = options.service.stdio ? stderr : stdout;
+  const auto say = [out](const std::string& text) {
+    fmt::print(out, "{}\n", text);
+    std::fflush(out);
+  };
+  emulate::ServiceLogs logs;
+  logs.endpoint = say;
+  logs.warning = [](const std::string& text) { fmt::print(stderr, "sbgc: {}\n", text); };
+  if (options.verbose) logs.event = say;
+  logs.traffic = options.verbose;
+
+  allow_many_files();
+  std::signal(SIGPIPE, SIG_IGN);  // a reader of ours that goes away is no reason to end untidily
+  asio::io_context context(1);
+  asio::signal_set signals(context, SIGINT, SIGTERM);
+  signals.async_wait([&](std::error_code error, int) {
+    if (!error) context.stop();
+  });
+  asio::steady_timer timer(context);
+  if (options.seconds) {
+    timer.expires_after(io::to_chrono(*options.seconds));
+    timer.async_wait([&](std::error_code error) {
+      if (!error) context.stop();
+    });
+  }
+  std::error_code problem;
+  Service service(context, options.service, logs, [&](std::error_code error) {
+    problem = error;
+    context.stop();
+  });
+  context.run();
+  if (!service.finish()) throw std::runtime_error("not everything could be saved");
+  if (problem) throw std::runtime_error("standard input and output: " + problem.message());
+  return success;
+}
+
+/// An option whose text is read by `parse`.
+template <class Parse, class Use>
+CLI::Option* add_parsed(CLI::App& command, const std::string& name, Parse parse, Use use,
+                        const std::string& help, const char* type) {
+  const auto read = [name, parse, use](const std::string& text) {
+    try {
+      use(parse(text));
+    } catch (const std::invalid_argument& error) {
+      throw CLI::ValidationError(name, error.what());
+    }
+  };
+  return command.add_option_function<std::string>(name, read, help)->type_name(type);
+}
+
+constexpr std::uint32_t slowest_rate = 300;
+constexpr std::uint32_t fastest_rate = 4'000'000;
+
+/// 0 stands for the rate of the settings.
+std::uint32_t parse_rate(const std::string& text) {
+  if (text == "settings") return 0;
+  std::uint32_t rate = 0;
+  if (!CLI::detail::lexical_cast(text, rate) || rate < slowest_rate || rate > fastest_rate) {
+    throw std::invalid_argument(fmt::format("'{}' is not a baud rate from {} to {}, nor 'settings'",
+                                            text, slowest_rate, fastest_rate));
+  }
+  return rate;
+}
+
+void add_board_options(CLI::App& command, Options& options) {
+  ServiceOptions& service = options.service;
+  board::Options& board = service.emulator.board;
+  add_parsed(
+      command, "--firmware", emulate::parse_firmware,
+      [&](FirmwareVersion version) {
+        board.firmware = version;
+        service.model_is_given = true;
+      },
+      "Firmware version, such as 2.43b9 [2.59]", "VERSION")
+      ->group("The board");
+  add_parsed(
+      command, "--board", emulate::parse_board,
+      [&](BoardVersion version) {
+        board.board = version;
+        service.model_is_given = true;
+      },
+      "Board version [3.0]", "VERSION")
+      ->group("The board");
+  command
+      .add_option("--input-buffer", board.input_buffer,
+                  "Room for requests that wait, in bytes; one that does not fit is lost whole; 0: "
+                  "no limit")
+      ->check(CLI::Range(0, 1 << 20))
+      ->capture_default_str()
+      ->group("The board");
+  add_parsed(
+      command, "--motion", emulate::parse_motion,
+      [&](const board::Disturbance& motion) { board.gimbal.frame = motion; },
+      "How the frame moves: rest, handheld, drone, vehicle, or a CSV file of lines "
+      "time,roll,pitch,yaw in seconds and degrees, which is repeated [rest]",
+      "KIND|FILE")
+      ->group("The board");
+  add_parsed(
+      command, "--reset-at", emulate::parse_seconds,
+      [&](Duration at) { service.emulator.restart_at = at; }, "The board restarts by itself then",
+      "SECONDS")
+      ->group("The board");
+  command
+      .add_option("--state", service.state,
+                  "What the board remembers without power: loaded if the file is there, saved when "
+                  "it changes; with --count FILE-1, FILE-2 ...")
+      ->type_name("FILE")
+      ->group("The board");
+  command.add_option("--count", service.count, "Number of boards")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str()
+      ->group("The board");
+  command.add_option("--seed", options.seed, "Of all that is random: same seed, same noise")
+      ->capture_default_str()
+      ->group("The board");
+}
+
+void add_endpoint_options(CLI::App& command, Options& options) {
+  ServiceOptions& service = options.service;
+  command
+      .add_flag("--pty", service.terminal, "A pseudo-terminal; that is what there is without any")
+      ->group("Where hosts connect");
+  command
+      .add_option("--link", service.link,
+                  "A symbolic link to the pseudo-terminal while it exists; with --count PATH-1, "
+                  "PATH-2 ...")
+      ->type_name("PATH")
+      ->check([](const std::string& path) {
+        return path.empty() ? std::string("the path is empty") : std::string();
+      })
+      ->group("Where hosts connect");
+  const auto add_listen = [&](const char* name, std::optional<emulate::ListenAddress>& address,
+                              const char* help) {
+    add_parsed(
+        command, name, emulate::parse_listen,
+        [&address](const emulate::ListenAddress& parsed) { address = parsed; }, help, "[HOST:]PORT")
+        ->group("Where hosts connect");
+  };
+  add_listen("--tcp", service.tcp,
+             "Listen on this TCP port, 0 for any; of this machine alone unless HOST is another of "
+             "its addresses; with --count on the ports behind it, too");
+  add_listen("--udp", service.udp, "The same for UDP");
+  command.add_flag("--stdio", service.stdio, "Standard input and output; messages go to stderr")
+      ->group("Where hosts connect");
+}
+
+void add_line_options(CLI::App& command, Options& options) {
+  board::EmulatorOptions& emulator = options.service.emulator;
+  board::LineOptions& line = emulator.line;
+  board::Faults& faults = line.faults;
+  const auto add = [&](const char* name, auto parse, auto use, const char* help, const char* type) {
+    return add_parsed(command, name, parse, use, help, type)->group("The line");
+  };
+  add(
+      "--baud", parse_rate,
+      [&](std::uint32_t rate) {
+        emulator.rate_of_settings = rate == 0;
+        line.board.baud_rate = rate;
+      },
+      "Bytes take their time, and a host with another rate on the pseudo-terminal hears and says "
+      "garbage; 'settings': the rate in the board's settings [no limit]",
+      "RATE");
+  command
+      .add_option_function<std::string>(
+          "--parity",
+          [&](const std::string& parity) {
+            line.board.parity = parity == "even" ? Parity::even : Parity::none;
+          },
+          "A byte with parity takes 11 bits [none]")
+      ->check(CLI::IsMember({"none", "even"}))
+      ->group("The line");
+  const auto add_share = [&](const char* name, double& share, const char* help) {
+    add(
+        name, emulate::parse_share, [&share](double parsed) { share = parsed; }, help, "SHARE");
+  };
+  add_share("--bit-errors", faults.bit_errors, "Share of bits that are turned over");
+  add_share("--lose", faults.lost, "Share of bytes that are lost");
+  add_share("--duplicate", faults.duplicated, "Share of bytes that come twice");
+  add(
+      "--delay", emulate::parse_delay,
+      [&](const emulate::DelayFault& delay) {
+        faults.delayed = delay.share;
+        faults.delay = delay.delay;
+      },
+      "Share of bytes that come later, by 20 ms or this time; those behind wait", "SHARE[:MS]");
+  add(
+      "--text", emulate::parse_seconds, [&](Duration every) { faults.text_every = every; },
+      "A line of text between two frames of the board, so often", "SECONDS");
+  add(
+      "--silence", emulate::parse_silence,
+      [&](const board::Silence& silence) { faults.silences.push_back(silence); },
+      "The line carries nothing, from then on for so long, in seconds; may be repeated",
+      "FROM:LENGTH")
+      ->take_all()
+      ->trigger_on_parse();
+}
+
+/// What goes together, and what does not.
+void check(Options& options) {
+  ServiceOptions& service = options.service;
+  if (!service.tcp && !service.udp && !service.stdio) service.terminal = true;
+  if (!service.link.empty()) service.terminal = true;
+  if (service.stdio && service.count > 1) {
+    throw CLI::ValidationError("--stdio", "there is only one, so that --count must be 1");
+  }
+  for (const auto* const address : {&service.tcp, &service.udp}) {
+    if (*address && (*address)->port != 0 &&
+        (*address)->port + service.count - 1 > std::numeric_limits<std::uint16_t>::max()) {
+      throw CLI::ValidationError("--count", fmt::format("there are no {} ports from {} on",
+                                                        service.count, (*address)->port));
+    }
+  }
+  service.emulator.line.seed = options.seed;
+  service.emulator.board.gimbal.seed = options.seed;
+}
+
+}  // namespace
+
+void add_emulate(CLI::App& app, int& status) {
+  auto* const command =
+      app.add_subcommand("emulate", "Play gimbals, for programs that talk to them");
+  auto options = std::make_shared<Options>();
+  add_endpoint_options(*command, *options);
+  add_board_options(*command, *options);
+  add_line_options(*command, *options);
+  command->add_flag("-v,--verbose", options->verbose,
+                    "Print each frame, and hosts that come and go");
+  add_parsed(
+      *command, "--seconds", emulate::parse_seconds,
+      [options](Duration time) { options->seconds = time; },
+      "Stop after this time; else with Ctrl-C", "SECONDS");
+  command->footer(
+      "A SHARE is 0.01 or 1%. A line for each place to connect to is printed first:\n"
+      "  emulated gimbal 1: /dev/pts/7 (also /tmp/gimbal)\n"
+      "\n"
+      "Examples:\n"
+      "  sbgc emulate --link /tmp/gimbal --verbose\n"
+      "  sbgc emulate --tcp 5000 --count 20 --state gimbals/state\n"
+      "  sbgc emulate --baud 115200 --bit-errors 1e-5 --text 2 --silence 30:5\n"
+      "  sbgc emulate --firmware 2.43b9 --board 3.0 --motion handheld\n"
+      "\n"
+      "The exit status is 0 when it was told to end, by Ctrl-C, a signal, --seconds or the end of "
+      "the standard input, 1 when something can not be opened or saved, 2 for wrong usage.");
+  command->callback([options, &status] {
+    check(*options);
+    status = serve(*options);
+  });
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,57 @@
+/// One host at a port of a board.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <system_error>
+#include <vector>
+
+#include <asio/steady_timer.hpp>
+
+#include <sbgc/io/transport.hpp>
+
+#include "live_board.hpp"
+
+namespace sbgc::emulate {
+
+/// Carries bytes between a transport and a port, reads no faster than the board's line and holds a
+/// few KiB for a host that is slow.
+class Host : public std::enable_shared_from_this<Host> {
+ public:
+  /// Connects to the board; null if all its ports are taken.
+  static std::shared_ptr<Host> connect(LiveBoard& board, std::unique_ptr<io::Transport> transport);
+
+  /// Called once, unless it is close() that ends it; no error: the host has left.
+  std::function<void(std::error_code)> on_end{};
+  /// Called before bytes go either way: the moment to look at the settings of the host's line.
+  std::function<void(std::size_t port)> before_bytes{};
+
+  void start();
+  void close();
+
+  std::size_t port() const { return port_; }
+
+ private:
+  Host(LiveBoard& board, std::unique_ptr<io::Transport> transport);
+
+  void poke();
+  void read();
+  void write();
+  void finish_reading(std::error_code error);
+  void end(std::error_code error);
+
+  LiveBoard& board_;
+  std::unique_ptr<io::Transport> transport_;
+  asio::steady_timer linger_;
+  std::size_t port_ = 0;
+  std::array<std::uint8_t, 2048> input_{};
+  std::vector<std::uint8_t> output_{};  // being written
+  bool is_reading_ = false;
+  bool is_writing_ = false;
+  bool has_read_all_ = false;
+  bool is_closed_ = true;
+};
+
+}  // namespace sbgc::emulate

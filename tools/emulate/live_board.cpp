@@ -1,0 +1,93 @@
+#include "live_board.hpp"
+
+#include <utility>
+
+namespace sbgc::emulate {
+
+namespace {
+
+/// The timer fires no sooner after the last one: what happens within it is done at once, each thing
+/// at its own time. As fine as the latency of an ordinary USB serial adapter.
+constexpr Duration granularity = milliseconds(1);
+
+/// The line's beginning is 0, so that silences and texts are counted from there.
+constexpr Instant line_beginning{};
+
+}  // namespace
+
+LiveBoard::LiveBoard(const asio::any_io_executor& executor, const board::EmulatorOptions& options,
+                     board::Memory memory)
+    : beginning_(io::Clock::now()),
+      emulator_(options, std::move(memory), line_beginning - options.board.start_time,
+                line_beginning),
+      timer_(executor),
+      revision_(emulator_.board().memory().revision) {
+  settle();
+}
+
+Instant LiveBoard::now() const {
+  return line_beginning + io::from_chrono(io::Clock::now() - beginning_);
+}
+
+std::optional<std::size_t> LiveBoard::connect(bool is_usb, std::function<void()> poke) {
+  const auto port = emulator_.connect(is_usb, now());
+  if (port) pokes_[*port] = std::move(poke);
+  set_timer();
+  return port;
+}
+
+void LiveBoard::disconnect(std::size_t port) {
+  emulator_.disconnect(port, now());
+  pokes_[port] = nullptr;
+  settle();
+}
+
+void LiveBoard::set_host_line(std::size_t port, const std::optional<LineSettings>& settings) {
+  emulator_.set_host_line(port, settings, now());
+  set_timer();
+}
+
+void LiveBoard::receive(std::size_t port, std::span<const std::uint8_t> bytes) {
+  emulator_.from_host(port, bytes, now());
+  settle();
+}
+
+void LiveBoard::take(std::size_t port, std::size_t size) {
+  emulator_.take(port, size, now());
+  settle();
+}
+
+void LiveBoard::settle() {
+  if (is_settling_) return;  // the loop below takes care
+  is_settling_ = true;
+  for (const auto& poke : pokes_) {
+    if (poke) poke();
+  }
+  is_settling_ = false;
+  if (after_traffic) after_traffic();
+  if (std::exchange(revision_, memory().revision) != memory().revision && on_memory_changed) {
+    on_memory_changed();
+  }
+  set_timer();
+}
+
+void LiveBoard::set_timer() {
+  const Instant next = emulator_.next();
+  if (next == Instant::never) {
+    timer_at_ = next;
+    timer_.cancel();
+    return;
+  }
+  const Instant at = later(next, now() + granularity);
+  if (timer_at_ <= at) return;  // it fires soon enough
+  timer_at_ = at;
+  timer_.expires_at(beginning_ + io::to_chrono(at - line_beginning));
+  timer_.async_wait([this](std::error_code error) {
+    if (error) return;
+    timer_at_ = Instant::never;
+    emulator_.advance(now());
+    settle();
+  });
+}
+
+}  // namespace sbgc::emulate

@@ -1,0 +1,126 @@
+#include "service.hpp"
+
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "traffic.hpp"
+
+namespace sbgc::emulate {
+
+namespace {
+
+/// Adds to a number of many bytes, the last of which counts least.
+void add_to(std::span<std::uint8_t> bytes, unsigned number) {
+  for (std::size_t i = bytes.size(); i-- > 0 && number != 0;) {
+    number += bytes[i];
+    bytes[i] = static_cast<std::uint8_t>(number & 0xFFU);
+    number >>= 8U;
+  }
+}
+
+std::string model(BoardVersion board, FirmwareVersion firmware) {
+  std::string result = fmt::format("a board {}.{} with firmware {}.{:02}", board.major(),
+                                   board.minor(), firmware.major(), firmware.minor());
+  if (firmware.beta() != 0) result += fmt::format("b{}", firmware.beta());
+  return result;
+}
+
+}  // namespace
+
+Service::Service(asio::io_context& context, const ServiceOptions& options, ServiceLogs logs,
+                 std::function<void(std::error_code)> on_end)
+    : context_(context), options_(options), logs_(std::move(logs)), on_end_(std::move(on_end)) {
+  for (Log* const log : {&logs_.endpoint, &logs_.event, &logs_.warning}) {
+    if (!*log) *log = [](const std::string&) {};
+  }
+  boards_.reserve(options.count);
+  for (unsigned number = 0; number < options.count; ++number) add(number);
+}
+
+void Service::add(unsigned number) {
+  board::EmulatorOptions emulator = options_.emulator;
+  emulator.line.seed += number;
+  emulator.board.gimbal.seed += number;
+  add_to(emulator.board.device_id, number);
+  add_to(emulator.board.mcu_id, number);
+  const std::string state = numbered_name(options_.state, number);
+  std::optional<tools::SavedMemory> saved;
+  if (!state.empty()) saved = load_state(state);
+  if (saved) {
+    board::Options& board = emulator.board;
+    const tools::MemoryOwner& owner = saved->owner;
+    const bool is_same = owner.board == board.board && owner.firmware == board.firmware;
+    if (options_.model_is_given && !is_same) {
+      throw std::runtime_error(fmt::format("{} is the state of {}, not of {}", state,
+                                           model(owner.board, owner.firmware),
+                                           model(board.board, board.firmware)));
+    }
+    board.board = owner.board;
+    board.firmware = owner.firmware;
+    board.device_id = owner.device_id;
+    board.mcu_id = owner.mcu_id;
+  }
+  Served& served = boards_.emplace_back();
+  served.board = std::make_unique<LiveBoard>(context_.get_executor(), emulator,
+                                             saved ? std::move(saved->memory) : board::Memory{});
+  if (!state.empty()) {
+    served.state = std::make_unique<StateKeeper>(context_.get_executor(), *served.board, state,
+                                                 numbered(logs_.warning, number));
+    served.board->on_memory_changed = [&keeper = *served.state] { keeper.changed(); };
+  }
+  if (logs_.traffic) {
+    const auto lines = std::make_shared<TrafficLines>();
+    served.board->emulator().board().on_traffic = [lines](const board::Board::Traffic& traffic) {
+      lines->add(traffic);
+    };
+    served.board->after_traffic = [lines, log = numbered(logs_.event, number)] {
+      for (const std::string& line : lines->take()) log(line);
+    };
+  }
+  open_endpoints(served, number);
+}
+
+void Service::open_endpoints(Served& served, unsigned number) {
+  const asio::any_io_executor executor = context_.get_executor();
+  const EndpointLogs logs{numbered(logs_.event, number), numbered(logs_.warning, number)};
+  const auto add = [&](std::unique_ptr<Endpoint> endpoint) {
+    logs_.endpoint(fmt::format("emulated gimbal {}: {}", number + 1, endpoint->address()));
+    served.endpoints.push_back(std::move(endpoint));
+  };
+  const auto at = [&](ListenAddress address) {
+    if (address.port != 0) address.port = static_cast<std::uint16_t>(address.port + number);
+    return address;
+  };
+  const board::EmulatorOptions& emulator = options_.emulator;
+  const bool has_rate = emulator.rate_of_settings || emulator.line.board.baud_rate != 0;
+  if (options_.terminal) {
+    const std::string link = numbered_name(options_.link, number);
+    add(open_terminal(executor, *served.board, link, has_rate));
+  }
+  if (options_.tcp) add(listen_tcp(executor, *served.board, at(*options_.tcp), logs));
+  if (options_.udp) add(listen_udp(executor, *served.board, at(*options_.udp), logs));
+  if (options_.stdio) add(use_stdio(executor, *served.board, on_end_));
+}
+
+Log Service::numbered(const Log& log, unsigned number) const {
+  if (options_.count == 1) return log;
+  return [log, number](const std::string& text) { log(fmt::format("{}: {}", number + 1, text)); };
+}
+
+std::string Service::numbered_name(const std::string& name, unsigned number) const {
+  return name.empty() || options_.count == 1 ? name : fmt::format("{}-{}", name, number + 1);
+}
+
+bool Service::finish() {
+  bool result = true;
+  for (const Served& served : boards_) {
+    if (served.state && !served.state->finish()) result = false;
+  }
+  return result;
+}
+
+}  // namespace sbgc::emulate

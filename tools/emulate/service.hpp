@@ -1,0 +1,74 @@
+/// Emulated boards and where hosts reach them.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <asio/io_context.hpp>
+
+#include "endpoint.hpp"
+#include "live_board.hpp"
+#include "state_keeper.hpp"
+
+namespace sbgc::emulate {
+
+struct ServiceOptions {
+  board::EmulatorOptions emulator{};  ///< of the first board; others have other seeds and numbers
+  bool model_is_given = false;        ///< board and firmware: a state of others is then refused
+  unsigned count = 1;                 ///< boards
+  bool terminal = false;
+  std::string link{};                  ///< to the terminal, "" for none; with a count: link-1 ...
+  std::optional<ListenAddress> tcp{};  ///< with a count: this port and those behind it
+  std::optional<ListenAddress> udp{};
+  bool stdio = false;   ///< precondition: count is 1
+  std::string state{};  ///< file, "" for none; with a count: state-1 ...
+};
+
+struct ServiceLogs {
+  Log endpoint{};  ///< "emulated gimbal 1: /dev/pts/7"
+  Log event{};     ///< hosts come and go; and, if `traffic`, each frame
+  Log warning{};
+  bool traffic = false;
+};
+
+/// Opens everything; throws std::runtime_error if something can not be opened. Runs when the
+/// context does. Must not be destroyed while the context runs.
+class Service {
+ public:
+  /// `on_end`: the standard input has ended.
+  Service(asio::io_context& context, const ServiceOptions& options, ServiceLogs logs,
+          std::function<void(std::error_code)> on_end = {});
+  Service(const Service&) = delete;
+  Service& operator=(const Service&) = delete;
+
+  /// Saves states. False if one can not be saved.
+  bool finish();
+
+  LiveBoard& board(std::size_t number) { return *boards_[number].board; }
+  const std::vector<std::unique_ptr<Endpoint>>& endpoints(std::size_t number) const {
+    return boards_[number].endpoints;
+  }
+
+ private:
+  struct Served {
+    std::unique_ptr<LiveBoard> board{};
+    std::unique_ptr<StateKeeper> state{};
+    std::vector<std::unique_ptr<Endpoint>> endpoints{};  // destroyed before the board
+  };
+
+  void add(unsigned number);
+  void open_endpoints(Served& served, unsigned number);
+  /// With a count, what it says about a board has the board's number in front.
+  Log numbered(const Log& log, unsigned number) const;
+  std::string numbered_name(const std::string& name, unsigned number) const;
+
+  asio::io_context& context_;
+  ServiceOptions options_;
+  ServiceLogs logs_;
+  std::function<void(std::error_code)> on_end_;
+  std::vector<Served> boards_{};
+};
+
+}  // namespace sbgc::emulate

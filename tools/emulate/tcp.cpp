@@ -1,0 +1,99 @@
+// A TCP port as an endpoint.
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+#include <vector>
+
+#include <asio/steady_timer.hpp>
+
+#include "host.hpp"
+#include "listen.hpp"
+#include "stream_transport.hpp"
+
+namespace sbgc::emulate {
+
+namespace {
+
+using asio::ip::tcp;
+
+/// After an accept that failed, for example because there are too many open files.
+constexpr auto wait_after_failure = std::chrono::milliseconds(200);
+
+class Connection final : public io::detail::StreamTransport<tcp::socket> {
+ public:
+  explicit Connection(tcp::socket socket)
+      : StreamTransport(std::move(socket), [](std::error_code error) { return error; }) {}
+
+  std::string description() const override { return "TCP connection"; }
+};
+
+class TcpEndpoint final : public Endpoint {
+ public:
+  TcpEndpoint(const asio::any_io_executor& executor, LiveBoard& board, const ListenAddress& listen,
+              EndpointLogs logs)
+      : board_(board), acceptor_(executor), timer_(executor), logs_(std::move(logs)) {
+    const tcp::endpoint endpoint(address_of(listen), listen.port);
+    bind_to(acceptor_, endpoint, "tcp", logs_);
+    acceptor_.listen();
+    accept();
+  }
+
+  TcpEndpoint(const TcpEndpoint&) = delete;
+  TcpEndpoint& operator=(const TcpEndpoint&) = delete;
+  ~TcpEndpoint() override {
+    for (const auto& host : hosts_) host->close();
+  }
+
+  std::string address() const override { return "tcp:" + place_of(acceptor_.local_endpoint()); }
+
+ private:
+  void accept() {
+    acceptor_.async_accept([this](std::error_code error, tcp::socket socket) {
+      if (error == asio::error::operation_aborted) return;
+      if (!error) {
+        welcome(std::move(socket));
+        return accept();
+      }
+      logs_.warning(address() + ": " + error.message());
+      timer_.expires_after(wait_after_failure);
+      timer_.async_wait([this](std::error_code aborted) {
+        if (!aborted) accept();
+      });
+    });
+  }
+
+  void welcome(tcp::socket socket) {
+    std::error_code error;
+    const tcp::endpoint peer = socket.remote_endpoint(error);
+    if (error) return;  // gone already
+    socket.set_option(tcp::no_delay(true), error);
+    const std::string name = "tcp:" + place_of(peer);
+    const auto host = Host::connect(board_, std::make_unique<Connection>(std::move(socket)));
+    if (host == nullptr) {
+      return logs_.warning(name + " refused: all ports of the board are taken");
+    }
+    host->on_end = [this, name, leaving = host.get()](std::error_code) {
+      std::erase_if(hosts_, [&](const auto& one) { return one.get() == leaving; });
+      logs_.event(name + " has left");
+    };
+    hosts_.push_back(host);
+    logs_.event(fmt::format("{} is host {}", name, host->port()));
+    host->start();
+  }
+
+  LiveBoard& board_;
+  tcp::acceptor acceptor_;
+  asio::steady_timer timer_;
+  EndpointLogs logs_;
+  std::vector<std::shared_ptr<Host>> hosts_{};
+};
+
+}  // namespace
+
+std::unique_ptr<Endpoint> listen_tcp(const asio::any_io_executor& executor, LiveBoard& board,
+                                     const ListenAddress& address, const EndpointLogs& logs) {
+  return std::make_unique<TcpEndpoint>(executor, board, address, logs);
+}
+
+}  // namespace sbgc::emulate

@@ -1,0 +1,89 @@
+// A pseudo-terminal as an endpoint.
+
+#include <chrono>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include <asio/steady_timer.hpp>
+
+#include <sbgc/io/pseudo_terminal.hpp>
+
+#include "endpoint.hpp"
+#include "host.hpp"
+#include "terminal_link.hpp"
+
+namespace sbgc::emulate {
+
+namespace {
+
+/// Nothing tells when a program changes the settings: they are looked at before bytes go either
+/// way, and this often.
+constexpr auto look_every = std::chrono::milliseconds(50);
+
+class Terminal final : public Endpoint {
+ public:
+  Terminal(const asio::any_io_executor& executor, LiveBoard& board, const std::string& link,
+           bool has_rate)
+      : board_(board), timer_(executor) {
+    io::PseudoTerminalResult opened = io::open_pseudo_terminal(executor, {.stays_open = true});
+    if (!opened) throw std::runtime_error(opened.error.message);
+    terminal_ = opened.transport.get();
+    path_ = terminal_->path();
+    if (!link.empty()) link_.emplace(link, path_);
+    host_ = Host::connect(board, std::move(opened.transport));
+    if (host_ == nullptr) throw std::runtime_error("the board has no port left");
+    if (has_rate) {
+      host_->before_bytes = [this](std::size_t) { look(); };
+      keep_looking();
+    }
+    host_->start();
+  }
+
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+  ~Terminal() override {
+    host_->before_bytes = nullptr;
+    host_->close();
+  }
+
+  std::string address() const override {
+    return link_ ? path_ + " (also " + link_->path() + ")" : path_;
+  }
+
+ private:
+  void look() {
+    const std::optional<LineSettings> now = terminal_->other_line();
+    // A pseudo-terminal has no parity: that is taken to be right.
+    const std::uint32_t rate = now ? now->baud_rate : 0;
+    if (rate == rate_) return;
+    rate_ = rate;
+    const Parity parity = board_.emulator().line().parity;
+    board_.set_host_line(host_->port(), LineSettings{rate, parity});
+  }
+
+  void keep_looking() {
+    look();
+    timer_.expires_after(look_every);
+    timer_.async_wait([this](std::error_code error) {
+      if (!error) keep_looking();
+    });
+  }
+
+  LiveBoard& board_;
+  asio::steady_timer timer_;
+  io::PseudoTerminal* terminal_ = nullptr;  // the host's transport
+  std::string path_;
+  std::optional<TerminalLink> link_{};
+  std::shared_ptr<Host> host_;
+  std::uint32_t rate_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Endpoint> open_terminal(const asio::any_io_executor& executor, LiveBoard& board,
+                                        const std::string& link, bool has_rate) {
+  return std::make_unique<Terminal>(executor, board, link, has_rate);
+}
+
+}  // namespace sbgc::emulate
