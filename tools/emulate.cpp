@@ -37,6 +37,12 @@ struct Options {
   std::optional<Duration> seconds{};
 };
 
+/// Whether the terminal that is closed ends it: not with nohup.
+bool heeds_hangup() {
+  struct sigaction action {};
+  return sigaction(SIGHUP, nullptr, &action) == 0 && action.sa_handler != SIG_IGN;
+}
+
 /// Each pseudo-terminal takes two files, and hosts take one each.
 void allow_many_files() {
   rlimit limit{};
@@ -48,13 +54,15 @@ void allow_many_files() {
 int serve(const Options& options) {
   // Standard output belongs to the host then.
   std::FILE* const out = options.service.stdio ? stderr : stdout;
+  // A reader that has gone away, or a full disk, is no reason to leave the hosts alone: that it has
+  // failed shows in the exit status.
   const auto say = [out](const std::string& text) {
-    fmt::print(out, "{}\n", text);
+    std::fputs((text + "\n").c_str(), out);
     std::fflush(out);
   };
   emulate::ServiceLogs logs;
   logs.endpoint = say;
-  logs.warning = [](const std::string& text) { fmt::print(stderr, "sbgc: {}\n", text); };
+  logs.warning = [](const std::string& text) { std::fprintf(stderr, "sbgc: %s\n", text.c_str()); };
   if (options.verbose) logs.event = say;
   logs.traffic = options.verbose;
 
@@ -62,6 +70,7 @@ int serve(const Options& options) {
   std::signal(SIGPIPE, SIG_IGN);  // a reader of ours that goes away is no reason to end untidily
   asio::io_context context(1);
   asio::signal_set signals(context, SIGINT, SIGTERM);
+  if (heeds_hangup()) signals.add(SIGHUP);
   signals.async_wait([&](std::error_code error, int) {
     if (!error) context.stop();
   });
@@ -135,6 +144,7 @@ void add_board_options(CLI::App& command, Options& options) {
                   "Room for requests that wait, in bytes; one that does not fit is lost whole; 0: "
                   "no limit")
       ->check(CLI::Range(0, 1 << 20))
+      ->type_name("BYTES")
       ->capture_default_str()
       ->group("The board");
   add_parsed(
@@ -157,9 +167,11 @@ void add_board_options(CLI::App& command, Options& options) {
       ->group("The board");
   command.add_option("--count", service.count, "Number of boards")
       ->check(CLI::Range(1, 1000))
+      ->type_name("N")
       ->capture_default_str()
       ->group("The board");
   command.add_option("--seed", options.seed, "Of all that is random: same seed, same noise")
+      ->type_name("N")
       ->capture_default_str()
       ->group("The board");
 }
@@ -217,6 +229,7 @@ void add_line_options(CLI::App& command, Options& options) {
           },
           "A byte with parity takes 11 bits [none]")
       ->check(CLI::IsMember({"none", "even"}))
+      ->type_name("PARITY")
       ->group("The line");
   const auto add_share = [&](const char* name, double& share, const char* help) {
     add(

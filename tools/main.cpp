@@ -4,12 +4,29 @@
 #include <exception>
 
 #include <CLI/CLI.hpp>
+#include <fcntl.h>
+#include <unistd.h>
 
 #include "commands.hpp"
+
+namespace {
+
+/// What is opened later must not take the place of standard files that are closed. To read the
+/// input, or to write the others, goes on to fail.
+void hold_standard_files() {
+  for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    const bool is_open = fcntl(fd, F_GETFD) != -1;
+    // The lowest free number is this one.
+    if (!is_open && open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY) == -1) return;
+  }
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   namespace tools = sbgc::tools;
   int status = tools::success;
+  hold_standard_files();
   try {
     CLI::App app("Tools for SimpleBGC gimbals and their serial protocol.", "sbgc");
     app.require_subcommand(1);

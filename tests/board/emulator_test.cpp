@@ -11,6 +11,7 @@
 
 #include <sbgc/board/emulator.hpp>
 #include <sbgc/message.hpp>
+#include <sbgc/messages/parameters.hpp>
 #include <sbgc/messages/realtime.hpp>
 #include <sbgc/messages/system.hpp>
 #include <sbgc/parser.hpp>
@@ -145,6 +146,72 @@ TEST(Emulator, ToldWhenTheHostShouldWait) {
   EXPECT_NEAR(static_cast<double>(bench.emulator.room(bench.port)), 960, 2);
 }
 
+TEST(Emulator, RequestsThatWaitTakeUpRoom) {
+  Bench bench;  // the line is perfect: it is the board that takes its time
+  Bytes requests;
+  while (requests.size() < Emulator::input_limit) {
+    const Bytes one = frame_of(BoardInfoRequest{});
+    requests.insert(requests.end(), one.begin(), one.end());
+  }
+  bench.send(requests);
+  EXPECT_LT(bench.emulator.room(bench.port), 20U);
+  // A host that does not listen keeps them from their turn.
+  bench.now = bench.now + seconds(60);
+  bench.emulator.advance(bench.now);
+  for (int i = 0; i < 20; ++i) bench.send(requests);
+  bench.now = bench.now + seconds(60);
+  bench.emulator.advance(bench.now);
+  EXPECT_EQ(bench.emulator.room(bench.port), 0U);
+  bench.listen(seconds(30));
+  EXPECT_EQ(bench.emulator.room(bench.port), Emulator::input_limit);
+}
+
+TEST(Emulator, TheBoardsInputBufferCanBeFilled) {
+  EmulatorOptions options;
+  options.board.input_buffer = 2 * Emulator::input_limit;
+  Bench bench(options);
+  const Bytes request = frame_of(BoardInfoRequest{});
+  for (std::size_t sent = 0; sent <= options.board.input_buffer; sent += request.size()) {
+    ASSERT_GT(bench.emulator.room(bench.port), 0U);
+    bench.send(request);
+  }
+  EXPECT_GT(bench.emulator.board().counters().lost, 0U);
+}
+
+TEST(Emulator, BytesThatNeverArriveTakeTheirTime) {
+  EmulatorOptions options;
+  options.line.board.baud_rate = 9600;
+  for (const bool is_lost : {true, false}) {
+    options.line.faults.lost = is_lost ? 1 : 0;
+    Bench bench(options);
+    if (!is_lost) bench.emulator.set_host_line(bench.port, LineSettings{9601}, bench.now);
+    bench.send(Bytes(Emulator::input_limit, 0xFF));
+    EXPECT_LE(bench.emulator.room(bench.port), 1U);
+    bench.listen(seconds(1));
+    EXPECT_NEAR(static_cast<double>(bench.emulator.room(bench.port)), 960, 2);
+  }
+}
+
+TEST(Emulator, IsQuietWhenAllThatWasAskedHasBeenTaken) {
+  EmulatorOptions options;
+  options.line.board.baud_rate = 9600;
+  Bench bench(options);
+  EXPECT_TRUE(bench.emulator.is_quiet(bench.port));
+  Bytes got;
+  bench.send(frame_of(BoardInfoRequest{}));
+  while (!bench.emulator.is_quiet(bench.port)) {
+    const Bytes more = bench.listen(microseconds(300), microseconds(300));
+    got.insert(got.end(), more.begin(), more.end());
+    ASSERT_LT(bench.now, Instant{} + seconds(5));
+  }
+  EXPECT_EQ(frames_in(got, CommandId::board_info), 1U);
+  // What has arrived and is not taken is not quiet.
+  bench.send(frame_of(BoardInfoRequest{}));
+  bench.now = bench.now + seconds(1);
+  bench.emulator.advance(bench.now);
+  EXPECT_FALSE(bench.emulator.is_quiet(bench.port));
+}
+
 TEST(Emulator, TheRateOfTheSettings) {
   EmulatorOptions options;
   options.rate_of_settings = true;
@@ -157,6 +224,48 @@ TEST(Emulator, TheRateOfTheSettings) {
   bench.emulator.set_host_line(bench.port, bench.emulator.line(), bench.now);
   bench.send(frame_of(BoardInfoRequest{}));
   EXPECT_EQ(frames_in(bench.listen(seconds(1)), CommandId::board_info), 1U);
+}
+
+TEST(Emulator, ANewRateOfTheSettingsHoldsFromTheNextStartOn) {
+  EmulatorOptions options;
+  options.rate_of_settings = true;
+  Bench bench(options);
+  const std::size_t usb = bench.emulator.connect(true, bench.now).value();
+  bench.send(frame_of(ReadParams3Request{}));
+  ReadParams3 settings;
+  Parser parser;
+  parser.feed(bench.listen(seconds(1)),
+              [&](const Frame& frame) { EXPECT_TRUE(decode(frame.body, settings)); });
+  settings.serial_speed = SerialSpeed::baud_9600;
+  bench.send(frame_of(WriteParams3{settings}));
+  bench.listen(seconds(1));
+  EXPECT_EQ(bench.emulator.line().baud_rate, 115200U);
+  bench.emulator.restart(bench.now);
+  bench.listen(seconds(1));
+  EXPECT_EQ(bench.emulator.line().baud_rate, 9600U);
+
+  // On the port that has a rate an answer takes 29 ms, on USB one cycle.
+  bench.send(frame_of(BoardInfoRequest{}));
+  bench.emulator.from_host(usb, frame_of(BoardInfoRequest{}), bench.now);
+  EXPECT_EQ(frames_in(bench.listen(milliseconds(20)), CommandId::board_info), 0U);
+  const auto over_usb = bench.emulator.to_host(usb);
+  EXPECT_EQ(frames_in({over_usb.begin(), over_usb.end()}, CommandId::board_info), 1U);
+}
+
+TEST(Emulator, ConnectionsHaveFaultsOfTheirOwn) {
+  EmulatorOptions options;
+  options.line.faults.lost = 0.5;
+  Bench bench(options);
+  const std::size_t other = bench.emulator.connect(false, bench.now).value();
+  for (int i = 0; i < 100; ++i) {
+    bench.send(Bytes(100, 0));
+    bench.emulator.from_host(other, Bytes(100, 0), bench.now);
+    const auto lost = [&](std::size_t port) {
+      return bench.emulator.counters(port, Line::Way::to_board).lost;
+    };
+    if (lost(bench.port) != lost(other)) return;
+  }
+  FAIL() << "both lose the same bytes";
 }
 
 TEST(Emulator, UsbHasNoRate) {

@@ -124,6 +124,17 @@ TEST(Line, RoundingNeverAddsUp) {
   EXPECT_EQ(last, start + seconds(600));
 }
 
+TEST(Line, BytesHandedOverInTheLastMomentMakeNoPause) {
+  Line line({.board = {115200}}, Way::to_host, start, start);
+  Instant now = start;
+  for (int i = 0; i < 1000; ++i) {
+    line.send(Bytes{1}, now);
+    now = line.next();
+    received(line, now);
+  }
+  EXPECT_EQ(now, start + microseconds(86'806));
+}
+
 TEST(Line, TheUartTakesFewBytesAtOnce) {
   Line line({.board = {10000}}, Way::to_host, start, start);
   EXPECT_EQ(line.room(start), Line::fifo_size);
@@ -194,6 +205,12 @@ TEST(Faults, ShareOfBitErrors) {
     sum += count;
   }
   EXPECT_EQ(line.counters().bit_errors, sum);
+  // None brings on another one.
+  std::size_t neighbours = 0;
+  for (std::size_t i = 1; i < bytes.size(); ++i) {
+    neighbours += bytes[i - 1] != got[i - 1] && bytes[i] != got[i] ? 1U : 0U;
+  }
+  EXPECT_LT(neighbours, 50U);  // of 1600
 }
 
 TEST(Faults, ParityNoticesOneBadBit) {

@@ -35,7 +35,7 @@ def refused(*arguments: str) -> str:
     return result.error
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_a_pseudo_terminal_is_the_default(number: int) -> None:
     with Emulator() as emulator:
         (place,) = emulator.places
@@ -132,6 +132,28 @@ def test_tcp_has_several_hosts() -> None:
         assert "refused: all ports" in emulator.error
 
 
+def test_tcp_has_one_host_after_the_other() -> None:
+    with Emulator("--tcp", "0") as emulator:
+        for _ in range(40):
+            host = Connection(emulator.places[0])
+            assert host.ask(BOARD_INFO)
+            host.close()
+        emulator.end()
+        assert emulator.error == ""
+
+
+def test_tcp_host_that_sends_its_end_with_its_requests() -> None:
+    with Emulator("--tcp", "0", "--baud", "9600") as emulator:
+        host = Connection(emulator.places[0])
+        for _ in range(20):
+            host.send(BOARD_INFO_3)
+        host.socket.shutdown(socket.SHUT_WR)
+        while host.receive(PATIENCE):
+            pass
+        assert len(host.heard) == 20 * 74
+        host.close()
+
+
 def test_udp_has_several_hosts() -> None:
     with Emulator("--udp", "0") as emulator:
         (place,) = emulator.places
@@ -174,6 +196,47 @@ def test_standard_input_and_output(tmp_path: Path) -> None:
         )
     assert done.returncode == 0, done.stderr
     assert (tmp_path / "out").read_bytes()[:2] == bytes([0x3E, BOARD_INFO])
+
+
+def test_standard_input_that_ends_before_the_answers() -> None:
+    for line, number in ((["--baud", "9600"], 20), ([], 2000)):
+        done = subprocess.run(
+            [PROGRAM, "emulate", "--stdio", *line],
+            input=frame(BOARD_INFO_3) * number,
+            capture_output=True,
+            timeout=PATIENCE,
+            check=False,
+        )
+        assert done.returncode == 0, done.stderr
+        assert len(done.stdout) == 74 * number
+
+
+@pytest.mark.parametrize("closed", ["<&-", ">&-"])
+def test_standard_files_that_are_closed(closed: str) -> None:
+    done = subprocess.run(
+        ["sh", "-c", f'exec "$0" emulate --stdio {closed}', PROGRAM],
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        timeout=PATIENCE,
+        check=False,
+    )
+    assert done.returncode == 1
+    assert b"standard" in done.stderr
+
+
+def test_nohup_is_respected() -> None:
+    command = ["nohup", PROGRAM, "emulate", "--stdio"]
+    with subprocess.Popen(
+        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    ) as process:
+        assert process.stdin and process.stdout and process.stderr
+        while b"emulated gimbal" not in process.stderr.readline():
+            assert process.poll() is None
+        process.send_signal(signal.SIGHUP)
+        process.stdin.write(frame(BOARD_INFO))
+        process.stdin.close()
+        assert len(process.stdout.read()) == 23
+        assert process.wait(PATIENCE) == 0
 
 
 def test_many_boards(tmp_path: Path) -> None:
@@ -365,6 +428,42 @@ def test_a_reader_of_its_output_that_goes_away(tmp_path: Path) -> None:
         assert emulator.process.stderr is not None
         emulator.process.stderr.close()
     assert not link.is_symlink()
+
+
+def test_warnings_that_can_not_be_written() -> None:
+    with open("/dev/full", "w", encoding="utf-8") as full:
+        process = subprocess.Popen(
+            [PROGRAM, "emulate", "--tcp", "0"], stdout=subprocess.PIPE, stderr=full
+        )
+    assert process.stdout is not None
+    place = process.stdout.readline().decode().strip().partition(": ")[2]
+    hosts = [Connection(place) for _ in range(9)]
+    for host in hosts[:8]:
+        assert host.ask(BOARD_INFO)
+    assert hosts[8].socket.recv(1) == b""  # refused, which is worth a warning
+    assert hosts[0].ask(BOARD_INFO)
+    for host in hosts:
+        host.close()
+    process.terminate()
+    assert process.wait(PATIENCE) == 0
+    process.stdout.close()
+
+
+def test_a_host_that_floods() -> None:
+    with Emulator("--tcp", "0") as emulator:
+        host = Connection(emulator.places[0])
+        host.socket.settimeout(0.5)
+        requests = frame(BOARD_INFO) * 10000
+        with pytest.raises(TimeoutError):  # it is held up
+            for _ in range(1000):
+                host.socket.sendall(requests)
+        other = Connection(emulator.places[0])
+        assert other.ask(BOARD_INFO)
+        status = Path(f"/proc/{emulator.process.pid}/status").read_text(encoding="utf-8")
+        (size,) = (int(line.split()[1]) for line in status.splitlines() if line.startswith("VmRSS"))
+        assert size < 500_000  # KiB; sanitizers need some
+        other.close()
+        host.close()
 
 
 @pytest.mark.parametrize(

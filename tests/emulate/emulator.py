@@ -19,6 +19,11 @@ from sbgc_command import CRASH, PROGRAM, frame
 PATIENCE = 20.0  # seconds; nothing waits longer than it must
 
 
+def heed_hangup() -> None:
+    """Also when the tests run under nohup."""
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)
+
+
 class Emulator:
     """sbgc emulate, until the with block ends. `places` is what it prints about its boards."""
 
@@ -28,6 +33,7 @@ class Emulator:
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
+            preexec_fn=heed_hangup,
         )
         assert self.process.stdout is not None
         self.places: list[str] = []

@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t most_per_write = 4096;
 
-/// A host that has sent its last byte may still wait for answers.
+/// A host that has sent its last byte may still wait for answers: while there is something to do
+/// for it, it is kept for so long, and so long again.
 constexpr auto linger_time = std::chrono::milliseconds(500);
 
 }  // namespace
@@ -73,9 +74,14 @@ void Host::write() {
 void Host::finish_reading(std::error_code error) {
   if (error != asio::error::eof && error != io::Errc::end_of_stream) return end(error);
   has_read_all_ = true;
+  end_or_linger();
+}
+
+void Host::end_or_linger() {
+  if (!is_writing_ && board_.is_quiet(port_)) return end({});
   linger_.expires_after(linger_time);
   linger_.async_wait([self = shared_from_this()](std::error_code aborted) {
-    if (!aborted) self->end({});
+    if (!aborted && !self->is_closed_) self->end_or_linger();
   });
 }
 

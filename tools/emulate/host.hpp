@@ -40,6 +40,7 @@ class Host : public std::enable_shared_from_this<Host> {
   void read();
   void write();
   void finish_reading(std::error_code error);
+  void end_or_linger();
   void end(std::error_code error);
 
   LiveBoard& board_;

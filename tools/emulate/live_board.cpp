@@ -39,7 +39,7 @@ void LiveBoard::skip(Duration time) {
 std::optional<std::size_t> LiveBoard::connect(bool is_usb, std::function<void()> poke) {
   const auto port = emulator_.connect(is_usb, now());
   if (port) pokes_[*port] = std::move(poke);
-  set_timer();
+  settle_soon();
   return port;
 }
 
@@ -51,7 +51,7 @@ void LiveBoard::disconnect(std::size_t port) {
 
 void LiveBoard::set_host_line(std::size_t port, const std::optional<LineSettings>& settings) {
   emulator_.set_host_line(port, settings, now());
-  set_timer();
+  settle_soon();
 }
 
 void LiveBoard::receive(std::size_t port, std::span<const std::uint8_t> bytes) {
@@ -65,10 +65,14 @@ void LiveBoard::take(std::size_t port, std::size_t size) {
 }
 
 void LiveBoard::settle() {
+  is_unsettled_ = true;
   if (is_settling_) return;  // the loop below takes care
   is_settling_ = true;
-  for (const auto& poke : pokes_) {
-    if (poke) poke();
+  // What one of them does takes time, and something may come for those that were called before.
+  while (std::exchange(is_unsettled_, false)) {
+    for (const auto& poke : pokes_) {
+      if (poke) poke();
+    }
   }
   is_settling_ = false;
   if (after_traffic) after_traffic();
@@ -78,8 +82,13 @@ void LiveBoard::settle() {
   set_timer();
 }
 
+void LiveBoard::settle_soon() {
+  is_unsettled_ = true;
+  if (!is_settling_) set_timer();
+}
+
 void LiveBoard::set_timer() {
-  const Instant next = emulator_.next();
+  const Instant next = is_unsettled_ ? now() : emulator_.next();
   if (next == Instant::never) {
     timer_at_ = next;
     timer_.cancel();

@@ -32,6 +32,7 @@ class LiveBoard {
   void set_host_line(std::size_t port, const std::optional<LineSettings>& settings);
 
   std::size_t room(std::size_t port) const { return emulator_.room(port); }
+  bool is_quiet(std::size_t port) const { return emulator_.is_quiet(port); }
   void receive(std::size_t port, std::span<const std::uint8_t> bytes);
   std::span<const std::uint8_t> output(std::size_t port) const { return emulator_.to_host(port); }
   void take(std::size_t port, std::size_t size);
@@ -53,6 +54,8 @@ class LiveBoard {
  private:
   /// After everything: who waits for something is told, and the timer set.
   void settle();
+  /// The same by the timer, for callers that must not be called back.
+  void settle_soon();
   void set_timer();
 
   io::Clock::time_point beginning_;
@@ -62,6 +65,7 @@ class LiveBoard {
   Instant timer_at_ = Instant::never;
   std::uint32_t revision_;
   bool is_settling_ = false;
+  bool is_unsettled_ = false;  // something has happened that nobody has been told of
 };
 
 }  // namespace sbgc::emulate

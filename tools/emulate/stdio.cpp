@@ -27,9 +27,11 @@ class Descriptor {
   Descriptor(const asio::any_io_executor& executor, int fd)
       : fd_(fd), flags_(fcntl(fd, F_GETFL)), stream_(executor) {
     struct stat info {};
-    if (flags_ == -1 || fstat(fd, &info) != 0) {
-      throw std::runtime_error(fd == STDIN_FILENO ? "the standard input is closed"
-                                                  : "the standard output is closed");
+    const bool is_input = fd == STDIN_FILENO;
+    if (flags_ == -1 || (flags_ & O_ACCMODE) == (is_input ? O_WRONLY : O_RDONLY) ||
+        fstat(fd, &info) != 0) {
+      throw std::runtime_error(is_input ? "the standard input can not be read"
+                                        : "the standard output can not be written");
     }
     is_file_ = S_ISREG(info.st_mode);
     if (!is_file_) stream_.assign(dup(fd));

@@ -200,6 +200,8 @@ void Board::set_silent(bool is_silent) { core_->set_silent(is_silent); }
 
 const Memory& Board::memory() const { return core_->machine.memory; }
 
+std::size_t Board::waiting(std::size_t port) const { return core_->machine.ports.waiting(port); }
+
 Gimbal& Board::gimbal() { return core_->machine.gimbal; }
 
 const BoardCounters& Board::counters() const { return core_->machine.ports.counters; }

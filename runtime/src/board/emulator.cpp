@@ -53,8 +53,15 @@ void Emulator::set_host_line(std::size_t port, const std::optional<LineSettings>
 }
 
 std::size_t Emulator::room(std::size_t port) const {
-  const std::size_t waiting = at(port).to_board.under_way();
-  return waiting < input_limit ? input_limit - waiting : 0;
+  const std::size_t limit = input_limit + options_.board.input_buffer;
+  const std::size_t waiting = at(port).to_board.under_way() + board_.waiting(port);
+  return waiting < limit ? limit - waiting : 0;
+}
+
+bool Emulator::is_quiet(std::size_t port) const {
+  const Port& one = at(port);
+  return one.to_board.under_way() == 0 && board_.waiting(port) == 0 &&
+         board_.output(port).empty() && one.to_host.under_way() == 0 && one.arrived.empty();
 }
 
 void Emulator::from_host(std::size_t port, std::span<const std::uint8_t> bytes, Instant now) {

@@ -162,16 +162,16 @@ void Line::put_levels(std::uint8_t byte, std::uint8_t flips, bool is_carried, Du
   if (uart_) {
     ++counters_.mismatched;
     byte_delay_ = delay;
+    const std::size_t before = arrivals_.size();
     send_levels(changed, parity, [&](bool level) { hear(level || !is_carried, delay); });
+    if (arrivals_.size() == before) arrive(std::nullopt, time_of(run_bits_));
     return;
   }
   if (sender_.baud_rate != 0) run_bits_ += bits_per_byte(sender_.parity);
-  if (!is_carried) return;
-  if (parity_bit(changed, sender_.parity) != parity) {
-    ++counters_.parity_errors;
-    return;
-  }
-  arrive(changed, time_of(run_bits_) + delay);
+  const bool has_parity_error = is_carried && parity_bit(changed, sender_.parity) != parity;
+  if (has_parity_error) ++counters_.parity_errors;
+  if (is_carried && !has_parity_error) return arrive(changed, time_of(run_bits_) + delay);
+  if (sender_.baud_rate != 0) arrive(std::nullopt, time_of(run_bits_));
 }
 
 void Line::hear(bool level, Duration delay) {
@@ -186,7 +186,7 @@ void Line::hear_idle(Instant until) {
   while (uart_ && !uart_->is_idle() && time_of(run_bits_ + 1) <= until) hear(true, byte_delay_);
 }
 
-void Line::arrive(std::uint8_t byte, Instant at) {
+void Line::arrive(std::optional<std::uint8_t> byte, Instant at) {
   last_arrival_ = later(last_arrival_, at);
   arrivals_.push_back({last_arrival_, byte});
 }
@@ -217,7 +217,7 @@ void Line::receive(Instant now, std::vector<std::uint8_t>& into) {
   // A byte that is handed over in this microsecond may still come before any pause.
   hear_idle(now - microseconds(1));
   while (!arrivals_.empty() && arrivals_.front().at <= now) {
-    into.push_back(arrivals_.front().byte);
+    if (const auto byte = arrivals_.front().byte) into.push_back(*byte);
     arrivals_.pop_front();
   }
 }

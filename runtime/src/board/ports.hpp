@@ -57,6 +57,9 @@ class Ports {
   /// Bytes that fit into the output buffer now; none into that of a closed port.
   std::size_t room(std::size_t port) const;
 
+  /// Bytes of requests that wait for their turn.
+  std::size_t waiting(std::size_t port) const { return ports_[port].requests_size; }
+
   /// Finds the requests in what has come from a host, and keeps them, or only counts them while the
   /// board does not listen.
   void receive(std::size_t port, std::span<const std::uint8_t> bytes, bool is_listening);

@@ -69,6 +69,9 @@ class Board {
   /// The first `size` bytes of it have been sent. Precondition: size <= output(port).size().
   void sent(std::size_t port, std::size_t size, Instant now);
 
+  /// Bytes of requests of that host that wait for their turn.
+  std::size_t waiting(std::size_t port) const;
+
   /// Power off and on.
   void restart(Instant now);
   /// Says nothing any more and hears nothing, or does again.

@@ -31,7 +31,8 @@ class Emulator {
   /// What has arrived at the host and is not taken is limited to so many bytes, give or take what
   /// the line holds: then the board's output waits, and samples of its streams are skipped.
   static constexpr std::size_t output_limit = 65536;
-  /// So many bytes from the host may be on their way to the board: see room().
+  /// So many bytes from the host may be on their way to the board or wait there for their turn,
+  /// beyond its input buffer: see room().
   static constexpr std::size_t input_limit = 4096;
 
   /// Switches the board on. `beginning` is where times in `options` are counted from; as a rule the
@@ -50,6 +51,8 @@ class Emulator {
   /// How many bytes the host should send at most for now; from_host() takes more.
   std::size_t room(std::size_t port) const;
   void from_host(std::size_t port, std::span<const std::uint8_t> bytes, Instant now);
+  /// Nothing that the host has sent waits to be carried out, and no byte for it is under way.
+  bool is_quiet(std::size_t port) const;
   void advance(Instant now);
   Instant next() const;
   /// What has arrived at the host; take() says how much of it is taken.

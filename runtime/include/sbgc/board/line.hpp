@@ -90,7 +90,8 @@ class Line {
   void receive(Instant now, std::vector<std::uint8_t>& into);
   /// When receive() has something to do, Instant::never if only after send().
   Instant next() const;
-  /// Bytes that have been sent and not received.
+  /// Bytes that have been sent and not received; at a limited rate also those that never will be,
+  /// for as long as they take.
   std::size_t under_way() const { return arrivals_.size(); }
 
   const LineCounters& counters() const { return counters_; }
@@ -101,7 +102,7 @@ class Line {
 
   struct Arrival {
     Instant at{};
-    std::uint8_t byte{};
+    std::optional<std::uint8_t> byte{};  // nothing: the time of a byte that does not arrive
   };
 
   void settings_changed();
@@ -115,7 +116,7 @@ class Line {
   void put_levels(std::uint8_t byte, std::uint8_t flips, bool is_carried, Duration delay);
   void hear(bool level, Duration delay);
   void hear_idle(Instant until);
-  void arrive(std::uint8_t byte, Instant at);
+  void arrive(std::optional<std::uint8_t> byte, Instant at);
   /// Text lines that are due.
   void put_text(Instant until);
   void follow_frame(std::uint8_t byte);

@@ -1,5 +1,7 @@
 // Memory of a board as a file: all of it comes back, and nothing damaged does.
 
+#include "memory_file.hpp"
+
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -13,8 +15,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
-
-#include "../../tools/emulate/memory_file.hpp"
 
 namespace {
 
