@@ -16,18 +16,6 @@ double share_of_signal(int counts) {
   return CentredRcSignal(static_cast<std::int16_t>(counts)).fraction();
 }
 
-double bent(const ReadParams3& settings, std::size_t axis, double signal) {
-  if (settings.rc[axis].rc_mode.inverted()) signal = -signal;
-  signal += share_of_signal(settings.rc_trim[axis]);
-  const double deadband = share_of_signal(settings.rc_deadband);
-  const double beyond = std::abs(signal) - deadband;
-  if (beyond <= 0) return 0;
-  const double curve = settings.rc_expo_rate / 100.0;
-  // Ours: the rest of the way covers the whole range, so that the ends can be reached.
-  const double size = std::min(beyond / (1 - deadband), 1.0);
-  return std::copysign((1 - curve) * size + curve * size * size * size, signal);
-}
-
 /// Adds the flight controller's share, if it is mixed into this axis.
 double mixed(double signal, RcMix mix, std::size_t axis, std::optional<double> controller,
              int gain) {
@@ -41,6 +29,18 @@ double mixed(double signal, RcMix mix, std::size_t axis, std::optional<double> c
 }
 
 }  // namespace
+
+double Remote::bent(const ReadParams3& settings, std::size_t axis, double signal) {
+  if (settings.rc[axis].rc_mode.inverted()) signal = -signal;
+  signal += share_of_signal(settings.rc_trim[axis]);
+  const double deadband = share_of_signal(settings.rc_deadband);
+  const double beyond = std::abs(signal) - deadband;
+  if (beyond <= 0) return 0;
+  const double curve = settings.rc_expo_rate / 100.0;
+  // Ours: the rest of the way covers the whole range, so that the ends can be reached.
+  const double size = std::min(beyond / (1 - deadband), 1.0);
+  return std::copysign((1 - curve) * size + curve * size * size * size, signal);
+}
 
 std::optional<double> Remote::signal(RcMap source) const {
   if (source.source() != RcSource::api || source.channel() == 0) return {};
