@@ -87,7 +87,7 @@ void append_number(Bytes& out, std::uint64_t value, std::size_t size) {
 /// Appends `bytes` with their checksum.
 void append_sound(Bytes& out, const Bytes& bytes) {
   out.insert(out.end(), bytes.begin(), bytes.end());
-  append_number(out, io::detail::crc32(bytes), 4);
+  append_number(out, sbgc::detail::crc32(bytes), 4);
 }
 
 Bytes make_file(std::span<const std::uint8_t> steps) {

@@ -108,7 +108,7 @@ class Player {
     table.fill(0xFF);
     const auto entries = std::span(table).first(FileSystem::most_files * 8);
     std::ranges::copy(bytes(std::min<std::size_t>(byte(), entries.size())), table.begin());
-    sbgc::wire::store(table.data() + entries.size(), sbgc::io::detail::crc32(entries));
+    sbgc::wire::store(table.data() + entries.size(), sbgc::detail::crc32(entries));
     eeprom_.write(sbgc::board::layout::files, table);
   }
   void restart() { settings_ = std::make_unique<Settings>(memory_); }

@@ -40,7 +40,7 @@ CPP_TYPES = frozenset(
     Result Rule SendOptions SendResult SendStatus Sensor Session SessionCapacity SessionOptions
     SessionStatistics SettingsOf Special SpeedControl SpeedControlOptions Status StopOptions
     Stored StoredMessages StreamChange StreamUsage Subscription Text TransferOptions
-    TransportFactory Trial Type TypeList ValueInfo VariableInfo VariableValue Verdict Violation
+    TransportFactory Trial Type TypeList UartReceiver ValueInfo VariableInfo VariableValue Verdict Violation
     WriteOptions WriteReport WriteResult Xyz""".split()
 )
 # Members that every generated message has of its own.

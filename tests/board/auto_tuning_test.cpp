@@ -147,6 +147,16 @@ TEST(AutoTuning, NeedsMotors) {
   EXPECT_EQ(host.board.memory().profile, 0) << "nothing happens";
 }
 
+TEST(AutoTuning, EndsWithoutMotors) {
+  Host host;
+  const ReadParams3 before = settings(host, 0);
+  host.ask(tune(pitch_with_progress));
+  host.listen(seconds(2));
+  host.ask(MotorsOff{});
+  EXPECT_THAT(host.listen(seconds(30)), IsEmpty());
+  EXPECT_EQ(settings(host, 0), before);
+}
+
 TEST(AutoTuning, TheMenuTunesAsTheSettingsSay) {
   Host host;
   const ReadParams3 before = settings(host, 0);

@@ -168,6 +168,17 @@ TEST(Board, ReadsTheActiveProfile) {
   EXPECT_EQ(settings.cur_imu, SelectedImu::main);
 }
 
+TEST(Board, SaysInItsAnswerThatAFileCannotBeRead) {
+  Host host;
+  const auto error = [&](std::uint16_t file, std::uint16_t size) {
+    return host
+        .get<ReadFileError>(ReadFileRequest{.file_id = file, .max_data_size = ByteCount(size)})
+        .err_code;
+  };
+  EXPECT_EQ(error(1, 64), FileError::file_not_found);
+  EXPECT_EQ(error(1, 252), FileError::limit_reached) << "more than an answer holds";
+}
+
 TEST(Board, RefusesPagesThatAreNone) {
   Host host;
   const auto is_refused = [&](std::uint32_t address, std::uint16_t size) {
@@ -179,6 +190,9 @@ TEST(Board, RefusesPagesThatAreNone) {
   EXPECT_TRUE(is_refused(64, 10));
   EXPECT_TRUE(is_refused(0xFFFFFFC0, 64));
   EXPECT_TRUE(is_refused(0, 256));
+  const auto error = host.get<ErrorExt>(EepromReadRequest{0xA0B0C040, ByteCount(64)});
+  EXPECT_EQ(error.error_data[0], 0x40) << "the address";
+  EXPECT_EQ(error.error_data[3], 0xA0);
 }
 
 }  // namespace

@@ -129,6 +129,18 @@ TEST(Calibrations, OneAtATime) {
   EXPECT_TRUE(is_confirmed(host, CalibAcc{}));
 }
 
+TEST(Calibrations, WhoHasAskedIsToldOfTheEnd) {
+  Host host;
+  const auto first = host.port;
+  const auto other = host.board.open_port().value();
+  EXPECT_TRUE(is_confirmed(host, CalibGyro{}));
+  host.port = other;
+  EXPECT_EQ(refusal(host, CalibGyro{}), Refusal::not_possible);
+  EXPECT_THAT(host.listen(seconds(5)), IsEmpty());
+  host.port = first;
+  EXPECT_EQ(confirmations<CalibGyro>(host.listen({})), 1);
+}
+
 TEST(Calibrations, AGimbalThatMovesIsWaitedFor) {
   Host host;
   host.board.gimbal().command(2, {.mode = board::AxisMode::speed, .speed = 30}, host.now);
@@ -279,6 +291,27 @@ TEST(Calibrations, BatteryShowsTheVoltageThatWasGiven) {
   const double factor = host.board.memory().battery_factor;
   EXPECT_EQ(refusal(host, CalibBat{Voltage(1)}), Refusal::bad_parameter);
   EXPECT_EQ(host.board.memory().battery_factor, factor);
+}
+
+TEST(Calibrations, TheMotorsObeyTheBatteryAsItShowsAtOnce) {
+  Host host;
+  const auto settings = host.get<ReadParams3>(ReadParams3Request{});
+  const double stop = settings.bat_threshold_motors.volts();
+  host.ask(CalibBat{*Voltage::from_volts(stop - 0.5)});
+  EXPECT_TRUE(host.board.gimbal().stopped_by_battery());
+}
+
+TEST(Calibrations, ErasingTheEepromForgetsThem) {
+  Memory memory;
+  memory.battery_factor = 1.5;
+  memory.imus[1].acc_limits = 0x3F;
+  memory.sensors[1].acc_limits = 0x15;
+  Host host({}, memory);
+  EXPECT_TRUE(is_confirmed(host, UseDefaults{.profile_id = UseDefaults::erase_eeprom}));
+  const Memory& after = host.board.memory();
+  EXPECT_EQ(after.battery_factor, 1);
+  EXPECT_EQ(info(host, SelectedImu::frame).acc_limits_info, CalibratedLimits{});
+  EXPECT_EQ(after.sensors[1].acc_limits, 0x15) << "that is another EEPROM";
 }
 
 TEST(Calibrations, Magnetometer) {

@@ -32,9 +32,19 @@ TEST(Control, ModesAndUnits) {
   host.ask(one_axis(ControlModeKind::speed_angle, -1000, 100));
   EXPECT_EQ(command().mode, AxisMode::speed_angle);
   EXPECT_LT(command().speed, 0);
+  auto settings = host.get<ReadParams3>(ReadParams3Request{});
+  settings.rc_deadband = 0;
+  host.ask(WriteParams3{settings});
   host.ask(one_axis(ControlModeKind::rc, 0, -250));
   EXPECT_EQ(command().mode, AxisMode::signal);
   EXPECT_EQ(command().signal, -0.5);
+  settings.rc.pitch.rc_mode.set_inverted(true);
+  settings.rc_trim.pitch = 50;
+  host.ask(WriteParams3{settings});
+  host.ask(one_axis(ControlModeKind::rc, 0, -250));
+  EXPECT_NEAR(command().signal, 0.6, 1e-9) << "it stands for the RC signal, settings and all";
+  settings.rc.pitch.rc_mode.set_inverted(false);
+  host.ask(WriteParams3{settings});
   host.ask(one_axis(ControlModeKind::rc, 0, 9999));
   EXPECT_EQ(command().signal, 1);
   host.ask(one_axis(ControlModeKind::angle_rel_frame, 0, -16384));
@@ -127,6 +137,63 @@ TEST(Control, VirtualChannelsControlTheCamera) {
   const auto angles = host.get<GetAngles>(GetAnglesRequest{});
   EXPECT_NEAR(angles.axes.pitch.rc_target_angle.degrees(), settings.rc.pitch.rc_max_angle.degrees(),
               1);
+}
+
+TEST(Control, TheDeadBandLeavesTheEndsOfTheStick) {
+  Host host;
+  map_pitch(host, 5);
+  auto settings = host.get<ReadParams3>(ReadParams3Request{});
+  settings.rc_deadband = 100;
+  host.ask(WriteParams3{settings});
+  const auto shown = [&](std::int16_t signal) {
+    host.ask(channels(5, signal));
+    return host.get<RealtimeData3>(RealtimeData3Request{}).rc.pitch.raw();
+  };
+  EXPECT_EQ(shown(100), 1500);
+  EXPECT_NEAR(shown(300), 1750, 1);
+  EXPECT_EQ(shown(500), 2000);
+  EXPECT_EQ(shown(-500), 1000);
+}
+
+TEST(Control, SignalsAreBentAsTheSettingsSay) {
+  Host host;
+  map_pitch(host, 5);
+  const auto plain = host.get<ReadParams3>(ReadParams3Request{});
+  auto signals = channels(5, 250);
+  signals.val_ch[5] = CentredRcSignal(400);
+  const auto shown = [&](auto&& change) {
+    auto settings = plain;
+    change(settings);
+    host.ask(WriteParams3{settings});
+    host.ask(signals);
+    return host.get<RealtimeData3>(RealtimeData3Request{}).rc.pitch.raw();
+  };
+  EXPECT_EQ(shown([](ReadParams3&) {}), 1750);
+  EXPECT_EQ(shown([](ReadParams3& to) { to.rc.pitch.rc_mode.set_inverted(true); }), 1250);
+  EXPECT_EQ(shown([](ReadParams3& to) { to.rc_trim.pitch = -50; }), 1700);
+  EXPECT_NEAR(shown([](ReadParams3& to) { to.rc_expo_rate = 100; }), 1562.5, 0.5);
+  const auto mix = [](std::uint8_t rate) {
+    return [rate](ReadParams3& to) {
+      to.rc_map_fc_roll.set_source(RcSource::api);
+      to.rc_map_fc_roll.set_channel(6);
+      to.rc_mix_fc_roll.set_target(MixTarget::pitch);
+      to.rc_mix_fc_roll.set_rate(rate);
+      to.ext_fc_gain_roll = 127;
+    };
+  };
+  EXPECT_EQ(shown(mix(0)), 1750);
+  EXPECT_NEAR(shown(mix(32)), 1825, 3) << "half and half";
+  EXPECT_EQ(shown(mix(63)), 1900);
+}
+
+TEST(Control, AMotorThatIsNotConnectedHoldsNothing) {
+  Host host;
+  auto settings = host.get<ReadParams3>(ReadParams3Request{});
+  settings.output.pitch = MotorOutput::disabled;
+  host.ask(WriteParams3{settings});
+  const auto power = host.board.gimbal().sample(host.now).power;
+  EXPECT_EQ(power.pitch, 0);
+  EXPECT_GT(power.roll, 0);
 }
 
 TEST(Control, SignalsShowInLiveData) {

@@ -9,9 +9,14 @@
 #include <map>
 #include <optional>
 #include <random>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include <sbgc/wire.hpp>
+
+#include "../common/crc32.hpp"
 
 namespace sbgc {
 
@@ -228,6 +233,20 @@ TEST(Files, ADamagedTableIsNoticedAndClearRepairsIt) {
   EXPECT_EQ(files.clear(), FileError::no_error);
   EXPECT_EQ(files.read(1, 0, 64).error, FileError::file_not_found);
   EXPECT_EQ(write_whole(files, 1, numbered(100)), FileError::no_error);
+}
+
+TEST(Files, ATableThatNoBoardHasWrittenIsDamaged) {
+  Memory memory;
+  FileSystem files(memory);
+  const std::size_t size = capacity() / 2;
+  ASSERT_EQ(write_whole(files, 1, numbered(size)), FileError::no_error);
+  ASSERT_EQ(write_whole(files, 2, numbered(100)), FileError::no_error);
+  // The second file reaches beyond the end, and the checksum holds.
+  const auto table = std::span(memory.eeprom).subspan(sbgc::board::layout::files);
+  constexpr std::size_t entry = 8, entries = FileSystem::most_files * entry;
+  sbgc::wire::store(table.data() + entry + 2, static_cast<std::uint16_t>(size + 2 * page));
+  sbgc::wire::store(table.data() + entries, sbgc::detail::crc32(table.first(entries)));
+  EXPECT_EQ(files.read(1, 0, 64).error, FileError::fat);
 }
 
 TEST(Files, ADamagedFileIsNoticedAndTheOthersAreNot) {

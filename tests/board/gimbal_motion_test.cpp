@@ -195,6 +195,15 @@ TEST(Motion, StartsAtTheStartAngles) {
   EXPECT_EQ(gimbal.sample(ms(12000)).targets.pitch, -15);
 }
 
+TEST(Motion, ARestartForgetsWholeTurnsOfTheJoints) {
+  Gimbal gimbal = ready();
+  gimbal.place({0, 0, 730}, ms(0));
+  EXPECT_NEAR(gimbal.sample(ms(0)).joints.yaw, 730, 0.1);
+  gimbal.restart(ms(100));
+  EXPECT_NEAR(gimbal.sample(ms(100)).joints.yaw, 10, 0.1);
+  EXPECT_NEAR(gimbal.sample(ms(100)).angles.yaw, 10, 0.1);
+}
+
 TEST(Motion, PlacedCamerasStay) {
   Gimbal gimbal = ready();
   gimbal.command(yaw, {AxisMode::speed, 50, 0, 0}, ms(0));

@@ -74,6 +74,53 @@ TEST(GyroCorrection, IsInForceWhenTheBoardIsSwitchedOn) {
             1);
 }
 
+/// What the gyroscope says of a camera at rest: with motors, it would turn so that this is 0.
+double still(Host& host) {
+  host.ask(MotorsOff{}, seconds(2));
+  return host.board.gimbal().sample(host.now).gyro.z;
+}
+
+TEST(GyroCorrection, IsForgottenWithTheCalibrations) {
+  Options options;
+  options.gimbal.noise = 0;
+  Host host(options);
+  GyroCorrection request{.imu_type = ImuIndex::main};
+  request.gyro_zero_corr.z = GyroOffset(4000);
+  host.ask(request);
+  EXPECT_LT(still(host), -0.1);
+  host.ask(CalibGyroExt{.imu_idx = CalibImu::main, .action = CalibAction::reset});
+  host.listen(seconds(3));
+  EXPECT_EQ(host.board.memory().imus[0].gyro_offset, board::Vector{});
+  EXPECT_NEAR(still(host), 0, 0.1);
+}
+
+TEST(GyroCorrection, OfTheSensorIsInForceWhenItIsCopied) {
+  Options options;
+  options.gimbal.noise = 0;
+  board::Memory memory;
+  memory.sensors[0].gyro_offset = {0, 0, 0.5};
+  Host host(options, memory);
+  host.ask(CalibGyroExt{.imu_idx = CalibImu::main, .action = CalibAction::restore_factory});
+  host.listen(seconds(1));
+  EXPECT_LT(still(host), -0.3);
+}
+
+TEST(GyroCorrection, ACalibrationAtTheStartReplacesIt) {
+  Options options;
+  options.gimbal.noise = 0;
+  Host host(options);
+  GyroCorrection request{.imu_type = ImuIndex::main};
+  request.gyro_zero_corr.z = GyroOffset(4000);
+  host.ask(request);
+  auto settings = host.get<ReadParams3>(ReadParams3Request{});
+  settings.skip_gyro_calib = SkipGyroCalibration::do_not_skip;
+  host.ask(WriteParams3{settings});
+  host.ask(ResetRequest{}, seconds(1));
+  EXPECT_EQ(host.board.memory().imus[0].gyro_offset, board::Vector{});
+  host.ask(WriteParams3{settings});
+  EXPECT_NEAR(still(host), 0, 0.1);
+}
+
 TEST(GyroCorrection, NeedsAnImu) {
   Options options;
   options.has_frame_imu = false;

@@ -50,6 +50,22 @@ TEST(LiveData, AnglesBeginAgainAfterTwoTurns) {
       << "joints count on";
 }
 
+TEST(LiveData, EachAxisShowsItsOwnTurning) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    Host host(still());
+    ControlExt turn;
+    turn.control_mode[axis].set_mode(ControlModeKind::speed);
+    turn.axes[axis].speed = ControlSpeed::from_degrees_per_second(20);
+    host.ask(turn);
+    host.listen(milliseconds(400));
+    const auto data = host.get<RealtimeData3>(RealtimeData3Request{}, milliseconds(2));
+    for (std::size_t other = 0; other < 3; ++other) {
+      const double speed = data.axes[other].gyro_data.degrees_per_second();
+      EXPECT_NEAR(speed, other == axis ? 20 : 0, 4) << axis << other;
+    }
+  }
+}
+
 TEST(LiveData, BothFormsAgree) {
   Host host = placed({3, -20, 40});
   const auto three = host.get<RealtimeData3>(RealtimeData3Request{});
@@ -78,6 +94,17 @@ TEST(LiveData, TheBatteryIsWatched) {
   host.ask(WriteParams3{settings});
   host.ask(MotorsOn{});
   EXPECT_EQ(errors(11).raw(), 0) << "negative thresholds are none";
+}
+
+TEST(LiveData, ABoardWithoutAMeterDoesNotWatchTheBattery) {
+  board::Options options;
+  options.features = BoardFeature::three_axis;
+  Host host(options);
+  host.board.gimbal().set_battery(9, host.now);
+  host.listen(seconds(1));
+  EXPECT_TRUE(host.board.gimbal().motors_on());
+  EXPECT_EQ(host.get<RealtimeData3>(RealtimeData3Request{}).system_error.raw(), 0);
+  EXPECT_EQ(host.get<ErrorExt>(CalibBat{*Voltage::from_volts(9)}).cmd_id, CommandId::calib_bat);
 }
 
 TEST(LiveData, CustomBlocksAreThoseOfTheRequest) {
@@ -137,6 +164,26 @@ TEST(LiveData, TheAttitudeAsVectors) {
   EXPECT_NEAR(std::abs(static_cast<double>(tilted.z1_vector.x)), 0.5, 0.01);
 }
 
+TEST(LiveData, TheOrderOfTheAnglesIsThatOfTheSettings) {
+  Host host = placed({30, 40, 50});
+  const auto up = [&](EulerOrder order) {
+    auto settings = host.get<ReadParams3>(ReadParams3Request{});
+    settings.euler_order = order;
+    host.ask(WriteParams3{settings});
+    return host.get<AhrsHelper>(AhrsHelperRequest{}).z1_vector;
+  };
+  const auto near = [](const Xyz<float>& a, const Xyz<float>& b) {
+    return length({a.x - b.x, a.y - b.y, a.z - b.z}) < 0.01;
+  };
+  using enum EulerOrder;
+  EXPECT_FALSE(near(up(pitch_roll_yaw), up(roll_pitch_yaw)));
+  EXPECT_FALSE(near(up(yaw_roll_pitch), up(yaw_pitch_roll)));
+  EXPECT_FALSE(near(up(yaw_roll_pitch), up(roll_pitch_yaw)));
+  // For two axes: yaw is the outermost.
+  EXPECT_TRUE(near(up(local_roll), up(pitch_roll_yaw)));
+  EXPECT_TRUE(near(up(roll_local), up(roll_pitch_yaw)));
+}
+
 TEST(LiveData, AnAttitudeCanBeSet) {
   Host host = placed({0, 0, 0});
   AhrsHelperRequestExt set;
@@ -146,6 +193,26 @@ TEST(LiveData, AnAttitudeCanBeSet) {
   EXPECT_THAT(host.ask(set, milliseconds(3)), SizeIs(0)) << "it comes often";
   const auto angles = host.get<GetAngles>(GetAnglesRequest{}, milliseconds(3));
   EXPECT_NEAR(std::abs(angles.axes.pitch.imu_angle.degrees()), 45, 2);
+}
+
+TEST(LiveData, AFrameTellsTheCamerasAttitudeAndTheOtherWayRound) {
+  for (const bool by_frame : {false, true}) {
+    Host host = placed({0, 0, 0});
+    AhrsHelperRequestExt set;
+    set.mode = AhrsHelperModeBit::set | AhrsHelperModeBit::translate;
+    if (by_frame) set.mode.set(AhrsHelperModeBit::frame_imu);
+    set.z1_vector = {0, -0.5F, 0.8660254F};
+    set.h1_vector = {0, 0.8660254F, 0.5F};
+    host.ask(set, milliseconds(3));
+    // It is only a reference for the other one, which goes there slowly.
+    const auto before = host.board.gimbal().sample(host.now);
+    EXPECT_NEAR(by_frame ? before.angles.pitch : before.frame.pitch, 0, 0.5);
+    for (int i = 0; i < 2000; ++i) host.ask(set, milliseconds(20));
+    const auto after = host.board.gimbal().sample(host.now);
+    const double moved = by_frame ? after.angles.pitch - before.angles.pitch
+                                  : after.frame.pitch - before.frame.pitch;
+    EXPECT_NEAR(moved, -30, 5) << by_frame;
+  }
 }
 
 TEST(LiveData, AnAttitudeThatIsNoneIsRefused) {

@@ -54,6 +54,12 @@ TEST(Ports, ARequestThatDoesNotFitIsLostWhole) {
   EXPECT_THAT(host.listen(seconds(1)), SizeIs(1)) << "there is room again";
 }
 
+TEST(Ports, AFloodOfRequestsHasAnEnd) {
+  Host host;
+  host.send_bytes(times(500'000, who));
+  EXPECT_GT(host.board.counters().lost, 100'000U);
+}
+
 TEST(Ports, AnswersWaitForRoomAndRequestsBehindThem) {
   board::Options options;
   options.output_buffer = answer_size + 5;

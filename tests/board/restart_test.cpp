@@ -69,6 +69,15 @@ TEST(Restart, TheNoticeOfAnImmediateOneArrives) {
   EXPECT_FALSE(answers(host));
 }
 
+TEST(Restart, OfTwoTheEarlierComes) {
+  Host host;
+  host.ask(with_notice<ResetRequestExt>(100), milliseconds(5));
+  host.ask(with_notice<ResetRequestExt>(2000), milliseconds(200));
+  EXPECT_EQ(host.board.counters().restarts, 1U);
+  host.listen(seconds(3));
+  EXPECT_EQ(host.board.counters().restarts, 1U) << "the other one is forgotten";
+}
+
 TEST(Restart, TheBootloaderGivesUp) {
   board::Options options;
   options.bootloader_time = seconds(3);
@@ -96,7 +105,9 @@ TEST(Restart, LosesWhatIsNotSaved) {
   change.params.push_back({VariableId::p_roll, 99});
   host.ask(change);
   host.ask(MotorsOff{});
+  host.ask(SelectImu3{.imu_type = SelectedImu::frame});
   host.ask(ResetRequest{}, seconds(1));
+  EXPECT_EQ(host.get<RealtimeData3>(RealtimeData3Request{}).cur_imu, SelectedImu::main);
   EXPECT_NE(host.get<ReadParams3>(ReadParams3Request{}).axes.roll.p, 99);
   EXPECT_TRUE(host.board.gimbal().motors_on()) << "they are on after each start";
 }

@@ -34,6 +34,15 @@ void store(Host& host, std::uint16_t file, std::string_view text) {
 
 RunScript run(ScriptMode mode, std::uint8_t slot) { return {.mode = mode, .slot = slot}; }
 
+TEST(Scripts, TheirSizesAreBoardInformation) {
+  Host host;
+  store(host, 3, five_commands);
+  const auto sizes = host.get<BoardInfo3>(BoardInfo3Request{}).script_slot_size;
+  for (std::size_t slot = 0; slot < sizes.size(); ++slot) {
+    EXPECT_EQ(sizes[slot].raw(), slot == 3 ? five_commands.size() : 0) << slot;
+  }
+}
+
 TEST(Scripts, DebuggingCountsTheCommands) {
   Host host;
   store(host, 3, five_commands);

@@ -125,6 +125,13 @@ TEST(Streams, OnlySomeCommandsCanStream) {
   EXPECT_THAT(all<AhrsHelper>(host.listen(seconds(1))), SizeIs(10));
 }
 
+TEST(Streams, NeedAnImuThatThereIs) {
+  Host host;
+  auto attitude = stream(CommandId::ahrs_helper, 100);
+  attitude.config.imu_type = ImuIndex{2};
+  EXPECT_TRUE(is_error(host.ask(attitude)));
+}
+
 TEST(Streams, EndWithARestart) {
   Host host;
   host.ask(stream(CommandId::realtime_data_3, 10));

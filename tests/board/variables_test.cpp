@@ -1,5 +1,6 @@
 // Adjustable variables: set and asked for, lost or saved.
 
+#include <cmath>
 #include <initializer_list>
 
 #include <gmock/gmock.h>
@@ -69,6 +70,18 @@ TEST(Variables, AllOrNone) {
   EXPECT_EQ(refusal(host, setting({})), Refusal::bad_parameter);
 }
 
+TEST(Variables, NoneAlsoWhereTheSettingsGoBeyondTheVariable) {
+  Host host;
+  auto settings = host.get<ReadParamsExt>(ReadParamsExtRequest{});
+  settings.lpf_freq.pitch = Frequency::from_hertz(800);
+  host.ask(WriteParamsExt{settings});
+  EXPECT_EQ(refusal(host, setting({{VariableId::lpf_freq_pitch, 100}, {VariableId{200}, 1}})),
+            Refusal::bad_parameter);
+  EXPECT_EQ(host.get<ReadParamsExt>(ReadParamsExtRequest{}).lpf_freq.pitch,
+            settings.lpf_freq.pitch);
+  EXPECT_EQ(value(host, VariableId::lpf_freq_pitch), 800);
+}
+
 TEST(Variables, EveryOneCanBeSetToBothEnds) {
   Host host;
   for (const VariableInfo& one : variables) {
@@ -89,6 +102,18 @@ TEST(Variables, OnlyKnownOnesAreAnswered) {
   request.param_id.push_back(VariableId::p_roll);
   request.param_id.push_back(VariableId{200});
   EXPECT_EQ(refusal(host, request), Refusal::bad_parameter);
+}
+
+TEST(Variables, TheHeadingDriftsAsTheyCorrectIt) {
+  board::Options options;
+  options.gimbal.noise = 0;
+  Host plain(options), corrected(options);
+  plain.ask(setting({{VariableId::gyro_heading_correction, 0}}));
+  corrected.ask(setting({{VariableId::gyro_heading_correction, 4000}}));
+  for (Host* host : {&plain, &corrected}) host->listen(seconds(60));
+  EXPECT_GT(std::abs(plain.board.gimbal().sample(plain.now).joints.yaw -
+                     corrected.board.gimbal().sample(corrected.now).joints.yaw),
+            1);
 }
 
 TEST(Variables, TheGimbalFeelsThem) {

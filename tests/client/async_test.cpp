@@ -56,7 +56,7 @@ class Async : public ::testing::Test {
 
   void connect(AsyncClient& client) {
     const auto connected =
-        client.async_connect_over(over_memory(board), quick(), asio::use_future).get();
+        client.async_connect_over(over_line(board), quick(), asio::use_future).get();
     ASSERT_TRUE(connected) << connected.error().message;
   }
 
@@ -155,7 +155,7 @@ TEST_F(Async, DestroyingTheClientEndsConnecting) {
   ConnectOptions options = quick();
   options.timeout = std::chrono::seconds(60);
   options.retries = 99;
-  auto connected = client->async_connect_over(over_memory(board), options, asio::use_future);
+  auto connected = client->async_connect_over(over_line(board), options, asio::use_future);
   ASSERT_TRUE(board.wait_for<BoardInfoRequest>(1));
   client.reset();
   EXPECT_EQ(connected.get().error().code, ErrorCode::cancelled);
@@ -186,7 +186,7 @@ TEST_F(Async, CancellingWhatIsOverDoesNothing) {
   std::promise<bool> connected;
   asio::post(running.executor(), [&] {
     client.async_connect_over(
-        over_memory(board), quick(),
+        over_line(board), quick(),
         asio::bind_cancellation_slot(signal.slot(), [&](const Result<void>& result) {
           signal.emit(asio::cancellation_type::all);
           connected.set_value(static_cast<bool>(result));

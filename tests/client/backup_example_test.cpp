@@ -39,18 +39,18 @@ class BackupExample : public TaskTest {
   }
 
  private:
-  std::string port_ = serve_pty();
+  std::string port_ = board.serve_terminal();
   TemporaryFolder folder_;
 };
 
 TEST_F(BackupExample, SavesComparesAndRestores) {
-  const ModelBoard original = board;
+  const auto original = board.all_settings<ReadParams3>();
   Finished run = backup("save " + file("a.json"));
   ASSERT_EQ(run.status, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("saved 18 blocks of a board 3.0 with firmware 2.59"));
   EXPECT_NE(backup("save " + file("a.json")).status, 0) << "it would replace the first one";
 
-  with_board([](ModelBoard& changed) { changed.params[2].gyro_trust = 1; });
+  board.edit<ReadParams3>(2, [](ReadParams3& params) { params.gyro_trust = 1; });
   run = backup("diff " + file("a.json"));
   ASSERT_EQ(run.status, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("ReadParams3 of profile 3:\n  gyro_trust: "));
@@ -59,7 +59,7 @@ TEST_F(BackupExample, SavesComparesAndRestores) {
   ASSERT_EQ(run.status, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("ReadParams3 of profile 3: written"));
   EXPECT_TRUE(std::filesystem::exists(file("before.json")));
-  with_board([&](const ModelBoard& restored) { EXPECT_EQ(restored.params, original.params); });
+  EXPECT_EQ(board.all_settings<ReadParams3>(), original);
 
   run = backup("diff " + file("a.json"));
   EXPECT_THAT(run.output, HasSubstr("no differences"));

@@ -57,6 +57,48 @@ class BackupTest : public TaskTest {
     return backup.error();
   }
 
+  /// The bodies of all settings.
+  using Settings = std::vector<std::vector<std::uint8_t>>;
+  Settings settings() {
+    Settings result;
+    const auto add = [&]<class M>(Type<M>) {
+      for (const M& one : board.all_settings<M>()) result.push_back(packet(one).body);
+    };
+    add(Type<ReadParams3>{});
+    add(Type<ReadParamsExt>{});
+    add(Type<ReadParamsExt2>{});
+    add(Type<ReadProfileNames>{});
+    add(Type<ReadAdjVarsCfg>{});
+    add(Type<ReadExternalData>{});
+    return result;
+  }
+  /// Makes all settings different from each other and from those of the factory.
+  void mark() {
+    for (std::uint8_t profile = 0; profile < 5; ++profile) {
+      board.edit<ReadParams3>(profile, [&](ReadParams3& params) {
+        params.gyro_trust = static_cast<std::uint8_t>(10 + profile);
+      });
+      board.edit<ReadParamsExt>(profile,
+                                [&](ReadParamsExt& params) { params.reserved[0] = profile; });
+      board.edit<ReadParamsExt2>(profile, [&](ReadParamsExt2& params) {
+        params.reserved_2[7] = static_cast<std::uint8_t>(200 + profile);
+      });
+    }
+    board.edit<ReadProfileNames>(0, [](auto& names) {
+      ASSERT_TRUE(names.profile_name[1].assign(std::string_view("Marked")));
+    });
+    board.edit<ReadAdjVarsCfg>(0, [](auto& variables) { variables.reserved[0] = 77; });
+    board.edit<ReadExternalData>(0, [](auto& external) {
+      for (std::size_t i = 0; i < external.data.size(); ++i) {
+        external.data[i] = static_cast<std::uint8_t>(i * 3 + 1);
+      }
+    });
+  }
+  /// Makes one setting different.
+  void change() {
+    board.edit<ReadParams3>(0, [](ReadParams3& params) { params.gyro_trust = 1; });
+  }
+
  private:
   TemporaryFolder folder_;
 };
@@ -67,8 +109,8 @@ TEST_F(BackupTest, NothingIsLostOnTheWayThroughAFile) {
   const Result<Backup> again = load_backup(file("a.json"));
   ASSERT_TRUE(again) << again.error().message;
   EXPECT_EQ(again->settings, backup.settings);
-  EXPECT_EQ(again->board.info, board.info);
-  EXPECT_EQ(again->board.details, board.details);
+  EXPECT_EQ(again->board.info, client().board().info);
+  EXPECT_EQ(again->board.details, board.read<BoardInfo3>(BoardInfo3Request{}));
   EXPECT_EQ(again->created, backup.created);
   EXPECT_EQ(again->created.size(), std::string("2024-05-01T12:00:00Z").size());
   EXPECT_EQ(to_json_text(*again), to_json_text(backup));
@@ -80,7 +122,8 @@ TEST_F(BackupTest, AFileTellsWhichBoardItIsOf) {
   EXPECT_EQ(document["board"]["model"], "3.0");
   EXPECT_THAT(document["board"]["firmware"].get<std::string>(), HasSubstr("2.59"));
   EXPECT_EQ(document["board"]["info"]["fields"]["firmware_ver"], 2590);
-  EXPECT_EQ(document["board"]["details"]["fields"]["mcu_id"], detail::to_hex(board.details.mcu_id));
+  EXPECT_EQ(document["board"]["details"]["fields"]["mcu_id"],
+            detail::to_hex(board.options().mcu_id));
   EXPECT_EQ(document["settings"].size(), 18U);
 }
 
@@ -178,72 +221,93 @@ TEST_F(BackupTest, FieldsThatAnotherVersionCallsByAnotherNameAreTaken) {
 }
 
 TEST_F(BackupTest, RestoringBringsEverythingBack) {
-  const ModelBoard original = board;
+  mark();
+  // As later firmware, which sends more than is documented.
+  board.edit<ReadParams3>(3, [](auto& params) { params.tail.push_back(42); });
+  const Settings original = settings();
   const Backup backup = make();
-  for (ReadParams3& params : board.params) {
-    params.gyro_trust = static_cast<std::uint8_t>(params.gyro_trust + 1);
+  for (std::uint8_t profile = 0; profile < 5; ++profile) {
+    board.edit<ReadParams3>(profile, [](auto& params) { ++params.gyro_trust; });
   }
-  board.params_ext2[2].reserved_2[7] = 0;
-  board.external.data[127] = 0;
-  static_cast<void>(board.names.profile_name[1].assign(std::string_view("Other")));
+  board.edit<ReadParamsExt2>(2, [](auto& params) { params.reserved_2[7] = 0; });
+  board.edit<ReadExternalData>(0, [](auto& external) { external.data[127] = 0; });
+  board.edit<ReadProfileNames>(
+      0, [](auto& names) { ASSERT_TRUE(names.profile_name[1].assign(std::string_view("Other"))); });
+  ASSERT_NE(settings(), original);
 
   const Result<Backup> changed = make_backup(client());
   const WriteReport report = restore(client(), backup, {.present = file("present.json")});
   ASSERT_TRUE(report) << to_text(report);
-  EXPECT_EQ(board.params, original.params);
-  EXPECT_EQ(board.params_ext2, original.params_ext2);
-  EXPECT_EQ(board.external, original.external);
-  EXPECT_EQ(board.names, original.names);
+  EXPECT_EQ(settings(), original);
   const Result<Backup> saved = load_backup(file("present.json"));
   ASSERT_TRUE(saved);
   EXPECT_EQ(saved->settings, changed->settings);
 }
 
+TEST_F(BackupTest, AnErasedBoardGetsBackEveryBitOfItsSettings) {
+  mark();
+  const Settings original = settings();
+  const Backup backup = make();
+  board.write(UseDefaults{.profile_id = UseDefaults::erase_eeprom});
+  ASSERT_THAT(board.memory().eeprom, ::testing::Each(0xFF));
+
+  WriteReport report = restore(client(), backup, {.present = file("present.json")});
+  ASSERT_TRUE(report) << to_text(report);
+  EXPECT_EQ(settings(), original);
+  EXPECT_EQ(make().settings, backup.settings);
+  // They are not only in use: another board with the same EEPROM has them, too.
+  connect();
+  disconnect();
+  board.become(board.options());
+  EXPECT_EQ(settings(), original);
+  report = restore(client(), backup, {.present = file("again.json")});
+  ASSERT_TRUE(report);
+  EXPECT_EQ(count<WriteParams3>(), 0U);
+}
+
 TEST_F(BackupTest, AnotherModelOrFirmwareIsRefusedUnlessTold) {
   const Backup backup = make();
-  board.params[0].gyro_trust = 1;
-  board.info.board_ver = BoardVersion(31);
-  connect();
+  change();
+  become(BoardVersion(31));
   WriteReport report = restore(client(), backup, {.present = file("a.json")});
   ASSERT_FALSE(report);
   EXPECT_EQ(report.outcome.error().code, ErrorCode::incompatible);
   EXPECT_THAT(report.outcome.error().message, HasSubstr("3.1"));
   EXPECT_THAT(files(), IsEmpty());
 
-  board.info.firmware_ver = FirmwareVersion(2604);
-  connect();
+  become(FirmwareVersion(2604));
   report = restore(client(), backup, {.present = file("a.json"), .other_model = true});
   ASSERT_FALSE(report);
   EXPECT_THAT(report.outcome.error().message, HasSubstr("2.60b4"));
-  EXPECT_EQ(board.params[0].gyro_trust, 1);
+  EXPECT_EQ(board.settings<ReadParams3>(0).gyro_trust, 1);
   EXPECT_THAT(mismatches(client().board(), backup.board), SizeIs(2));
 
   report = restore(client(), backup,
                    {.present = file("a.json"), .other_model = true, .other_firmware = true});
   EXPECT_TRUE(report) << to_text(report);
-  EXPECT_NE(board.params[0].gyro_trust, 1);
+  EXPECT_NE(board.settings<ReadParams3>(0).gyro_trust, 1);
 }
 
 TEST_F(BackupTest, ADryRunNeedsNoFileAndWritesNothing) {
   const Backup backup = make();
-  board.params[0].gyro_trust = 1;
-  const ModelBoard before = board;
+  change();
+  const Settings before = settings();
   const WriteReport report = restore(client(), backup, {.dry_run = true});
   EXPECT_TRUE(report);
   EXPECT_EQ(report.blocks.front().wanted.size(), 1U);
-  EXPECT_EQ(board.params, before.params);
+  EXPECT_EQ(settings(), before);
   EXPECT_THAT(files(), IsEmpty());
 }
 
 TEST_F(BackupTest, WithoutABackupOfThePresentStateNothingIsRestored) {
   const Backup backup = make();
-  board.params[0].gyro_trust = 1;
+  change();
   EXPECT_EQ(restore(client(), backup, {}).outcome.error().code, ErrorCode::invalid);
   std::ofstream(file("a.json")) << "precious";
   EXPECT_FALSE(restore(client(), backup, {.present = file("a.json")}));
   EXPECT_EQ(content(file("a.json")), "precious");
   EXPECT_EQ(count<WriteParams3>(), 0U);
-  EXPECT_EQ(board.params[0].gyro_trust, 1);
+  EXPECT_EQ(board.settings<ReadParams3>(0).gyro_trust, 1);
 }
 
 }  // namespace

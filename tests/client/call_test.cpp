@@ -28,7 +28,7 @@ using ::testing::StartsWith;
 class Call : public ::testing::Test {
  protected:
   Client connect(const ConnectOptions& options = quick()) {
-    auto client = connect_over(over_memory(board), options);
+    auto client = connect_over(over_line(board), options);
     if (!client) ADD_FAILURE() << client.error().message;
     return *std::move(client);
   }

@@ -77,8 +77,9 @@ TEST_F(Connect, WithTheLineOfTheAddress) {
 }
 
 TEST_F(Connect, OverTcp) {
-  const TcpBoard server(board);
-  auto client = Client::connect(server.address(), quick());
+  const std::string address =
+      accept_once(board.executor(), [this](auto transport) { board.serve(std::move(transport)); });
+  auto client = Client::connect(address, quick());
   ASSERT_TRUE(client) << client.error().message;
   EXPECT_TRUE(works(*client, board));
 }

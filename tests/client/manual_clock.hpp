@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <set>
+#include <utility>
 
 #include <sbgc/client/clock.hpp>
 
@@ -33,6 +35,10 @@ class ManualClock final : public Clock {
     waiters_.erase(waiters_.find(waiter));
   }
 
+  /// Calls `follow` with how far the time moves, before anybody sees it. Before there are threads.
+  void on_move(std::function<void(std::chrono::milliseconds)> follow) {
+    follow_ = std::move(follow);
+  }
   void advance(std::chrono::milliseconds duration) { move_to(now() + duration); }
 
  private:
@@ -40,6 +46,10 @@ class ManualClock final : public Clock {
 
   void move_to(TimePoint time) {
     std::multiset<Waiter> waiters;
+    const TimePoint before = now();
+    if (follow_ && time > before) {
+      follow_(std::chrono::ceil<std::chrono::milliseconds>(time - before));
+    }
     {
       const std::scoped_lock lock(mutex_);
       now_ = std::max(now_, time);
@@ -51,6 +61,7 @@ class ManualClock final : public Clock {
     }
   }
 
+  std::function<void(std::chrono::milliseconds)> follow_{};
   std::mutex mutex_;
   TimePoint now_{std::chrono::hours(1)};
   std::multiset<Waiter> waiters_;

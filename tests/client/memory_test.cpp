@@ -52,18 +52,47 @@ TEST(PageRuns, ReachTheEndOfTheAddressSpace) {
 
 class MemoryTest : public TaskTest {
  protected:
-  std::vector<std::uint8_t> eeprom(std::size_t address, std::size_t size) const {
-    const auto first = board.eeprom.begin() + static_cast<std::ptrdiff_t>(address);
-    return {first, first + static_cast<std::ptrdiff_t>(size)};
+  /// Bytes that are no settings and no files.
+  void fill_eeprom() {
+    board::Memory memory;
+    for (std::size_t i = 0; i < memory.eeprom.size(); ++i) {
+      memory.eeprom[i] = static_cast<std::uint8_t>(i * 7 / 3);
+    }
+    board.become(board.options(), memory);
+  }
+  std::vector<std::uint8_t> file(std::uint16_t id) {
+    std::vector<std::uint8_t> result;
+    ReadFileRequest request{.file_id = id};
+    request.max_data_size = ByteCount(64);
+    while (true) {
+      const Packets answer = board.ask(packet(request));
+      if (answer.empty() || !is<ReadFile>(answer[0])) break;
+      const auto part = message<ReadFile>(answer[0]);
+      if (part.data.empty()) break;
+      result.insert(result.end(), part.data.begin(), part.data.end());
+      request.page_offset =
+          decltype(request.page_offset)(static_cast<std::uint16_t>(request.page_offset.raw() + 1));
+    }
+    return result;
+  }
+  void put_file(std::uint16_t id, const std::vector<std::uint8_t>& content) {
+    WriteFile request{.file_id = id};
+    request.file_size = ByteCount(static_cast<std::uint16_t>(content.size()));
+    for (const std::uint8_t byte : content) request.data.push_back(byte);
+    board.write(request);
   }
 };
 
 TEST_F(MemoryTest, EepromIsReadFromAnywhere) {
+  fill_eeprom();
+  const auto eeprom = board.memory().eeprom;
   for (const auto& [address, size] : std::vector<std::pair<std::uint32_t, std::size_t>>{
            {0, 64}, {64, 192}, {100, 1}, {127, 2}, {1000, 777}, {32767, 1}, {0, 32768}, {5, 0}}) {
     const auto read = read_eeprom(client(), address, size);
     ASSERT_TRUE(read) << read.error().message;
-    EXPECT_EQ(*read, eeprom(address, size)) << address << ' ' << size;
+    const auto first = eeprom.begin() + address;
+    EXPECT_EQ(*read, std::vector<std::uint8_t>(first, first + static_cast<std::ptrdiff_t>(size)))
+        << address << ' ' << size;
   }
 }
 
@@ -71,25 +100,31 @@ TEST_F(MemoryTest, EepromOutsideOfTheChipIsRefusedBeforeAnythingIsSent) {
   EXPECT_EQ(read_eeprom(client(), 32768, 1).error().code, ErrorCode::invalid);
   EXPECT_THAT(read_eeprom(client(), 32700, 100).error().message, HasSubstr("32768"));
   EXPECT_FALSE(write_eeprom(client(), 0xFFFFFFFF, bytes(2)));
-  EXPECT_THAT(board.log, IsEmpty());
+  EXPECT_THAT(board.log(), IsEmpty());
 }
 
 TEST_F(MemoryTest, EepromIsWrittenWithoutTouchingWhatIsAround) {
+  fill_eeprom();
   for (const auto& [address, size] : std::vector<std::pair<std::uint32_t, std::size_t>>{
            {0, 64}, {64, 500}, {100, 1}, {127, 2}, {1001, 776}, {32767, 1}, {5, 0}}) {
-    auto expected = board.eeprom;
+    auto expected = board.memory().eeprom;
     const auto data = bytes(size, address);
     std::copy(data.begin(), data.end(), expected.begin() + address);
     const auto written = write_eeprom(client(), address, data);
     ASSERT_TRUE(written) << written.error().message;
-    EXPECT_EQ(board.eeprom, expected) << address << ' ' << size;
+    EXPECT_EQ(board.memory().eeprom, expected) << address << ' ' << size;
   }
 }
 
 TEST_F(MemoryTest, EepromThatDoesNotKeepWhatIsWrittenIsNoticed) {
-  board.after = [&](const Packet& request) {
-    if (is<EepromWrite>(request)) board.eeprom[0x210] = 0xEE;
-  };
+  board.after([&](const Packet& request) {
+    if (!is<EepromWrite>(request)) return;
+    EepromWrite other{.addr = 0x200};
+    for (const std::uint8_t byte : message<EepromWrite>(request).data) other.data.push_back(byte);
+    other.data.resize(64);
+    other.data[0x10] = 0xEE;
+    board.write(other);
+  });
   auto data = bytes(1000);
   data[0x10] = 0x11;
   const auto written = write_eeprom(client(), 0x200, data);
@@ -100,9 +135,9 @@ TEST_F(MemoryTest, EepromThatDoesNotKeepWhatIsWrittenIsNoticed) {
 }
 
 TEST_F(MemoryTest, AFailureTellsUpToWhereTheDataStand) {
-  board.is_lost = [](const Packet& request) {
+  board.on_lost([](const Packet& request) {
     return is<EepromWrite>(request) && message<EepromWrite>(request).addr >= 384;
-  };
+  });
   const auto written = write_eeprom(client(), 0, bytes(1000));
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().code, ErrorCode::timeout);
@@ -127,24 +162,34 @@ TEST_F(MemoryTest, TransfersTellTheirProgressAndCanBeCancelled) {
 }
 
 TEST_F(MemoryTest, TransfersEndWithTheirTime) {
-  board.after = [&](const Packet&) { clock.advance(std::chrono::seconds(1)); };
+  board.after([&](const Packet&) { clock.advance(std::chrono::seconds(1)); });
   TransferOptions options{.timeout = std::chrono::milliseconds(1500), .clock = clock};
   EXPECT_EQ(read_eeprom(client(), 0, 10'000, options).error().code, ErrorCode::timeout);
 }
 
 TEST_F(MemoryTest, FilesComeBackAsTheyWereWritten) {
-  for (const std::size_t size : std::vector<std::size_t>{1, 63, 64, 192, 193, 1000, 65535}) {
+  for (const std::size_t size : std::vector<std::size_t>{1, 63, 64, 192, 193, 1000, 16000}) {
     const auto data = bytes(size);
     const auto written = write_file(client(), 7, data);
     ASSERT_TRUE(written) << written.error().message;
-    EXPECT_EQ(board.files[7], data) << size;
+    EXPECT_EQ(file(7), data) << size;
     EXPECT_EQ(*read_file(client(), 7), data) << size;
     EXPECT_EQ(*file_size(client(), 7), size);
   }
 }
 
 TEST_F(MemoryTest, AnEmptyFileCanBeRead) {
-  board.files[3] = {};
+  // An emulated board has no such file.
+  put_file(3, bytes(10));
+  board.tamper([](Packets& answers) {
+    for (Packet& one : answers) {
+      if (!is<ReadFile>(one)) continue;
+      ReadFile empty = message<ReadFile>(one);
+      empty.file_size = {};
+      empty.data.clear();
+      one = packet(empty);
+    }
+  });
   const auto read = read_file(client(), 3);
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_THAT(*read, IsEmpty());
@@ -153,7 +198,7 @@ TEST_F(MemoryTest, AnEmptyFileCanBeRead) {
 TEST_F(MemoryTest, FilesThatCannotBeAreRefusedBeforeAnythingIsSent) {
   EXPECT_EQ(write_file(client(), 7, {}).error().code, ErrorCode::invalid);
   EXPECT_EQ(write_file(client(), 7, bytes(65536)).error().code, ErrorCode::invalid);
-  EXPECT_THAT(board.log, IsEmpty());
+  EXPECT_THAT(board.log(), IsEmpty());
 }
 
 TEST_F(MemoryTest, AMissingFileIsNotFound) {
@@ -165,28 +210,28 @@ TEST_F(MemoryTest, AMissingFileIsNotFound) {
 }
 
 TEST_F(MemoryTest, ErrorsOfTheFileSystemAreSentences) {
-  board.tamper = [](Packets& answers) {
-    for (Packet& one : answers) {
-      if (one.body.size() == 2) one.body[1] = static_cast<std::uint8_t>(FileError::no_free_space);
-    }
-  };
-  const auto error = write_file(client(), 9, bytes(10)).error();
+  const auto error = write_file(client(), 9, bytes(20000)).error();
   EXPECT_EQ(error.code, ErrorCode::board_error);
   EXPECT_THAT(error.message, HasSubstr("The memory is full. (ERR_NO_FREE_SPACE)"));
 }
 
 TEST_F(MemoryTest, FilesAreDeleted) {
-  board.files = {{1, bytes(5)}, {2, bytes(5)}, {3, bytes(5)}};
+  for (std::uint16_t id = 1; id <= 3; ++id) put_file(id, bytes(5, id));
   EXPECT_TRUE(delete_file(client(), 2));
-  EXPECT_EQ(board.files.size(), 2U);
+  EXPECT_EQ(file(1), bytes(5, 1));
+  EXPECT_THAT(file(2), IsEmpty());
+  EXPECT_EQ(file(3), bytes(5, 3));
   EXPECT_TRUE(delete_all_files(client()));
-  EXPECT_THAT(board.files, IsEmpty());
+  for (std::uint16_t id = 1; id <= 3; ++id) EXPECT_THAT(file(id), IsEmpty());
 }
 
 TEST_F(MemoryTest, AFileThatIsReadBackDifferentlyIsNoticed) {
-  board.after = [&](const Packet& request) {
-    if (is<WriteFile>(request)) board.files[5][2] = 0xEE;
-  };
+  board.after([&](const Packet& request) {
+    if (!is<WriteFile>(request)) return;
+    auto content = bytes(10);
+    content[2] = 0xEE;
+    put_file(5, content);
+  });
   const auto written = write_file(client(), 5, bytes(10));
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().code, ErrorCode::mismatch);
@@ -194,12 +239,12 @@ TEST_F(MemoryTest, AFileThatIsReadBackDifferentlyIsNoticed) {
 }
 
 TEST_F(MemoryTest, DataOfTheUserAreChangedInPart) {
-  auto expected = board.external.data;
+  auto expected = board.settings<ReadExternalData>().data;
   expected[100] = 1;
   expected[101] = 2;
   const std::vector<std::uint8_t> data{1, 2};
   EXPECT_TRUE(write_external_data(client(), 100, data));
-  EXPECT_EQ(board.external.data, expected);
+  EXPECT_EQ(board.settings<ReadExternalData>().data, expected);
   const auto read = read_external_data(client());
   ASSERT_TRUE(read);
   EXPECT_TRUE(std::equal(read->begin(), read->end(), expected.begin(), expected.end()));

@@ -10,28 +10,41 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-using ProfilesTest = TaskTest;
+class ProfilesTest : public TaskTest {
+ protected:
+  ProfilesTest() {
+    board.store(ReadProfileNames{});
+    set(0, "Handheld");
+  }
+  void set(std::size_t profile, std::string_view name) {
+    board.edit<ReadProfileNames>(
+        0, [&](auto& names) { ASSERT_TRUE(names.profile_name[profile].assign(name)); });
+  }
+  ReadProfileNames names() { return board.settings<ReadProfileNames>(); }
+};
 
 TEST_F(ProfilesTest, NamesAreReadWithoutTheirPadding) {
-  ASSERT_TRUE(board.names.profile_name[2].assign(std::string_view("Höhe ½")));
-  const auto names = read_profile_names(client());
-  ASSERT_TRUE(names);
-  EXPECT_THAT(*names, ElementsAre("Handheld", "", "Höhe ½", "", ""));
+  set(2, "Höhe ½");
+  const auto read = read_profile_names(client());
+  ASSERT_TRUE(read);
+  EXPECT_THAT(*read, ElementsAre("Handheld", "", "Höhe ½", "", ""));
 }
 
 TEST_F(ProfilesTest, ANameIsWrittenAndTheOthersStayToTheLastByte) {
-  board.names.profile_name[1].bytes = {'a', '\0', '\xFF', 'b'};  // no UTF-8, and a NUL inside
-  const auto before = board.names;
+  board.edit<ReadProfileNames>(0, [](auto& names) {  // no UTF-8, and a NUL inside
+    names.profile_name[1].bytes = {'a', '\0', '\xFF', 'b'};
+  });
+  const auto before = names();
   ASSERT_TRUE(write_profile_name(client(), 3, "Follow €"));
   EXPECT_EQ(read_profile_names(client())->at(3), "Follow €");
-  EXPECT_EQ(board.names.profile_name[1], before.profile_name[1]);
-  EXPECT_EQ(board.names.profile_name[0], before.profile_name[0]);
+  EXPECT_EQ(names().profile_name[1], before.profile_name[1]);
+  EXPECT_EQ(names().profile_name[0], before.profile_name[0]);
 }
 
 TEST_F(ProfilesTest, AllNamesAreWritten) {
-  const ProfileNames names{"1", "2", "", "4", std::string(48, 'x')};
-  ASSERT_TRUE(write_profile_names(client(), names));
-  EXPECT_EQ(*read_profile_names(client()), names);
+  const ProfileNames wanted{"1", "2", "", "4", std::string(48, 'x')};
+  ASSERT_TRUE(write_profile_names(client(), wanted));
+  EXPECT_EQ(*read_profile_names(client()), wanted);
 }
 
 TEST_F(ProfilesTest, ANameThatDoesNotFitIsRefusedAndNeverCut) {
@@ -40,14 +53,14 @@ TEST_F(ProfilesTest, ANameThatDoesNotFitIsRefusedAndNeverCut) {
     for (int i = 0; i < 17; ++i) text += "€";  // 3 bytes each: 51
     return text;
   }();
-  const auto before = board.names;
+  const auto before = names();
   const auto error = write_profile_name(client(), 0, euros).error();
   EXPECT_EQ(error.code, ErrorCode::invalid);
   EXPECT_THAT(error.message, HasSubstr("at most 48 bytes, this one has 51"));
   EXPECT_FALSE(write_profile_name(client(), 0, std::string(49, 'x')));
   EXPECT_TRUE(check_profile_name(euros.substr(0, 48)));
-  EXPECT_EQ(board.names, before);
-  EXPECT_EQ(board.log.size(), 0U);
+  EXPECT_EQ(names(), before);
+  EXPECT_EQ(board.log().size(), 0U);
 }
 
 TEST_F(ProfilesTest, ANameThatIsNoUtf8IsRefused) {
@@ -58,7 +71,7 @@ TEST_F(ProfilesTest, ANameThatIsNoUtf8IsRefused) {
   EXPECT_FALSE(write_profile_names(client(), {"", "", "\xFF", "", ""}));
   EXPECT_THAT(write_profile_names(client(), {"", "", "\xFF", "", ""}).error().message,
               HasSubstr("profile 3"));
-  EXPECT_EQ(board.log.size(), 0U);
+  EXPECT_EQ(board.log().size(), 0U);
 }
 
 TEST_F(ProfilesTest, ThereAreFiveProfiles) {
@@ -66,9 +79,9 @@ TEST_F(ProfilesTest, ThereAreFiveProfiles) {
 }
 
 TEST_F(ProfilesTest, NamesThatTheBoardDoesNotKeepAreNoticed) {
-  board.after = [&](const Packet& request) {
-    if (is<WriteProfileNames>(request)) board.names = {};
-  };
+  board.after([&](const Packet& request) {
+    if (is<WriteProfileNames>(request)) board.store(ReadProfileNames{});
+  });
   EXPECT_EQ(write_profile_name(client(), 0, "x").error().code, ErrorCode::mismatch);
 }
 

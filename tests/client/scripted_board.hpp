@@ -11,6 +11,8 @@
 #include <memory>
 #include <mutex>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -22,11 +24,14 @@
 
 #include <sbgc/client/own_transport.hpp>
 #include <sbgc/io/memory.hpp>
+#include <sbgc/io/pseudo_terminal.hpp>
 #include <sbgc/io/transport.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/messages.hpp>
 #include <sbgc/parser.hpp>
 #include <sbgc/visit.hpp>
+
+#include "line_kind.hpp"
 
 namespace sbgc::test {
 
@@ -42,6 +47,7 @@ class ScriptedBoard {
     asio::post(context_, [this] {
       is_stopping_ = true;
       if (transport_) transport_->close();
+      for (const auto& old : old_) old->close();
       timers_.clear();
     });
     work_.reset();
@@ -221,10 +227,27 @@ inline TransportFactory over_memory(ScriptedBoard& board, io::MemoryOptions opti
   };
 }
 
-/// Options for tests: no pause between commands, and failures come soon.
+/// The board at the other end of a line of the chosen kind.
+inline TransportFactory over_line(ScriptedBoard& board) {
+  const auto serve = [&board](std::unique_ptr<io::Transport> transport) {
+    board.serve(std::move(transport));
+  };
+  if (line_kind() == LineKind::memory) return over_memory(board);
+  if (line_kind() == LineKind::tcp) return over(accept_once(board.executor(), serve));
+  auto opened = io::open_pseudo_terminal(board.executor(), {.stays_open = true});
+  if (!opened) throw std::runtime_error(opened.error.message);
+  const std::string path = opened.transport->path();
+  serve(std::move(opened.transport));
+  return over(path);
+}
+
+/// Options for tests: no pause between commands, and failures come soon. The line's settings are
+/// searched for in memory only, where a test may want that: a pseudo-terminal has none.
 inline ConnectOptions quick() {
-  return {
-      .timeout = std::chrono::seconds(10), .pacing = false, .patience = std::chrono::seconds(5)};
+  return {.timeout = std::chrono::seconds(10),
+          .find_line = line_kind() == LineKind::memory,
+          .pacing = false,
+          .patience = std::chrono::seconds(5)};
 }
 
 }  // namespace sbgc::test

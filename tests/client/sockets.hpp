@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -53,25 +53,6 @@ class SocketTransport : public io::Transport {
 
   Socket socket_;
   typename Socket::protocol_type::endpoint peer_;
-};
-
-/// Listens on a port of this machine; whoever connects first gets the board.
-class TcpBoard {
- public:
-  explicit TcpBoard(ScriptedBoard& board)
-      : acceptor_(board.executor(), {asio::ip::address_v4::loopback(), 0}) {
-    port_ = acceptor_.local_endpoint().port();
-    acceptor_.async_accept([&board](std::error_code error, asio::ip::tcp::socket socket) {
-      if (error) return;
-      board.serve(std::make_unique<SocketTransport<asio::ip::tcp::socket>>(std::move(socket)));
-    });
-  }
-
-  std::string address() const { return "tcp:127.0.0.1:" + std::to_string(port_); }
-
- private:
-  asio::ip::tcp::acceptor acceptor_;
-  std::uint16_t port_{};
 };
 
 /// Serves a port of this machine; returns the address.

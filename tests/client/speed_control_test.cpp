@@ -1,4 +1,5 @@
 #include <condition_variable>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -121,26 +122,44 @@ class SpeedControlTest : public TaskTest {
  public:
   SpeedControlTest(const SpeedControlTest&) = delete;
   SpeedControlTest& operator=(const SpeedControlTest&) = delete;
-  ~SpeedControlTest() override { disconnect(); }
+  ~SpeedControlTest() override {
+    board.after({});
+    disconnect();
+  }
 
  protected:
   SpeedControlTest() {
-    board.after = [this](const Packet& request) {
+    board.after([this](const Packet& request) {
       if (!is<Control>(request)) return;
+      const std::scoped_lock lock(mutex_);
       sent_.push_back(message<Control>(request).axes.yaw.speed.raw());
       came_.notify_all();
-    };
+    });
   }
   SpeedControlOptions options() { return {milliseconds(500), milliseconds(100), clock}; }
 
   /// Waits until `n` commands have come; returns their speeds of yaw.
   std::vector<int> commands(std::size_t n) {
-    std::unique_lock lock(board_mutex());
+    std::unique_lock lock(mutex_);
     came_.wait_for(lock, std::chrono::seconds(10), [&] { return sent_.size() >= n; });
     return sent_;
   }
+  /// Waits until the last command has had that speed.
+  bool turns_with(int speed) {
+    std::unique_lock lock(mutex_);
+    return came_.wait_for(lock, std::chrono::seconds(10),
+                          [&] { return !sent_.empty() && sent_.back() == speed; });
+  }
+  /// The camera needs its time to stop; until then it is told to again and again.
+  static std::vector<int> without_repeated_stops(std::vector<int> speeds) {
+    while (speeds.size() > 1 && speeds.back() == 0 && speeds[speeds.size() - 2] == 0) {
+      speeds.pop_back();
+    }
+    return speeds;
+  }
 
  private:
+  std::mutex mutex_;
   std::vector<int> sent_;
   std::condition_variable came_;
 };
@@ -160,12 +179,12 @@ TEST_F(SpeedControlTest, TurnsStopsWhenSilentAndTurnsAgain) {
   clock.advance(milliseconds(1));
   ASSERT_TRUE(control.wait());
   EXPECT_EQ(control.state(), State::silenced);
-  EXPECT_EQ(commands(4), std::vector<int>({100, 100, 100, 0}));
+  EXPECT_EQ(without_repeated_stops(commands(4)), std::vector<int>({100, 100, 100, 0}));
   EXPECT_EQ(control.refresh().error().code, ErrorCode::cancelled);
 
   ASSERT_TRUE(control.set({.yaw = ControlSpeed(-50)}));
   clock.advance(milliseconds(20));  // commands do not follow each other faster
-  EXPECT_EQ(commands(5).back(), -50);
+  EXPECT_TRUE(turns_with(-50));
 }
 
 TEST_F(SpeedControlTest, StopsWhenAsked) {
@@ -174,7 +193,7 @@ TEST_F(SpeedControlTest, StopsWhenAsked) {
   ASSERT_TRUE(control.wait());
   ASSERT_TRUE(control.stop());
   ASSERT_TRUE(control.wait());
-  EXPECT_EQ(commands(2), std::vector<int>({100, 0}));
+  EXPECT_EQ(without_repeated_stops(commands(2)), std::vector<int>({100, 0}));
   EXPECT_EQ(control.state(), State::idle);
 }
 
@@ -184,7 +203,7 @@ TEST_F(SpeedControlTest, StopsWhenItIsDestroyed) {
     ASSERT_TRUE(control.set({.yaw = ControlSpeed(100)}));
     ASSERT_TRUE(control.wait());
   }
-  EXPECT_EQ(commands(2), std::vector<int>({100, 0}));
+  EXPECT_EQ(without_repeated_stops(commands(2)), std::vector<int>({100, 0}));
 }
 
 TEST_F(SpeedControlTest, SendsNothingIfNothingTurned) {
@@ -213,18 +232,12 @@ TEST_F(SpeedControlTest, StopsAsSoonAsTheLineCarriesItAgain) {
   ASSERT_TRUE(control.set({.yaw = ControlSpeed(100)}));
   ASSERT_TRUE(control.wait());
   EXPECT_EQ(commands(1), std::vector<int>({100}));
-  with_board([&](ModelBoard& model) {
-    model.is_lost = [](const Packet& request) { return is<Control>(request); };
-    return 0;
-  });
+  board.on_lost([](const Packet& request) { return is<Control>(request); });
   clock.advance(milliseconds(500));  // the owner is silent
   EXPECT_EQ(control.wait().error().code, ErrorCode::timeout);
-  with_board([&](ModelBoard& model) {
-    model.is_lost = {};
-    return 0;
-  });
+  board.on_lost({});
   clock.advance(milliseconds(100));
-  EXPECT_EQ(commands(2), std::vector<int>({100, 0}));
+  EXPECT_EQ(without_repeated_stops(commands(2)), std::vector<int>({100, 0}));
   EXPECT_EQ(control.state(), State::failed);
 }
 

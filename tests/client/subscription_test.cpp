@@ -71,7 +71,7 @@ class Subscribed : public ::testing::Test {
   void SetUp() override { introduce(board); }
 
   Client connect(const ConnectOptions& options = quick()) {
-    auto client = connect_over(over_memory(board), options);
+    auto client = connect_over(over_line(board), options);
     if (!client) ADD_FAILURE() << client.error().message;
     return *std::move(client);
   }
@@ -185,7 +185,7 @@ TEST_F(Subscribed, MayOutliveTheClient) {
     Client client = connect();
     subscription = client.subscribe<GetAngles>([](const GetAngles&) {});
     notices = client.on_notice([](const Notice&) {});
-    auto started = client.stream<RealtimeData4>(milliseconds(10), [](const RealtimeData4&) {});
+    auto started = client.stream<RealtimeData4>(milliseconds(20), [](const RealtimeData4&) {});
     ASSERT_TRUE(started) << started.error().message;
     stream = *std::move(started);
   }
@@ -264,8 +264,8 @@ TEST_F(Subscribed, ToAStreamEndsItWithTheClient) {
   Subscription survivor;
   {
     Client client = connect();
-    auto first = client.stream<RealtimeData4>(milliseconds(20), [](const RealtimeData4&) {});
-    auto second = client.stream<RealtimeData3>(milliseconds(20), [](const RealtimeData3&) {});
+    auto first = client.stream<RealtimeData4>(milliseconds(50), [](const RealtimeData4&) {});
+    auto second = client.stream<RealtimeData3>(milliseconds(50), [](const RealtimeData3&) {});
     ASSERT_TRUE(first && second);
     survivor = *std::move(second);
     // The other one ends right before the client does.

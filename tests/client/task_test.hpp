@@ -1,8 +1,6 @@
-/// Tests of tasks: a client that is connected to a board in memory.
+/// Tests of tasks: a client that is connected to an emulated board.
 #pragma once
 
-#include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 
@@ -11,8 +9,8 @@
 
 #include <sbgc/client/client.hpp>
 
+#include "emulated_board.hpp"
 #include "manual_clock.hpp"
-#include "model_board.hpp"
 
 namespace sbgc::test {
 
@@ -32,38 +30,24 @@ class TaskTest : public ::testing::Test {
     if (!client_) connect();
     return *client_;
   }
-  /// Connects once more, to what the board is now.
+  /// Connects once more, to what the board is now. The log begins then.
   void connect();
-  /// Looks at the board, or changes it, while it works.
-  template <class Use>
-  auto with_board(Use use) {
-    const std::scoped_lock lock(mutex_);
-    return use(board);
-  }
-  /// How many requests M have come, even if one is under way.
+  void disconnect() { client_.reset(); }
+  /// Makes it a board of this version with this firmware.
+  void become(BoardVersion version, FirmwareVersion firmware);
+  void become(BoardVersion version) { become(version, board.options().firmware); }
+  void become(FirmwareVersion firmware) { become(board.options().board, firmware); }
+  /// How many requests M have come.
   template <class M>
   std::size_t count() {
-    return with_board([](const ModelBoard& model) { return model.count<M>(); });
+    return board.count<M>();
   }
-  /// Ends client, line and the board's thread; for tests with members that the board uses.
-  void disconnect();
-  std::mutex& board_mutex() { return mutex_; }
-  /// Makes the line break.
-  void unplug();
-  /// Lets the board play a serial port; returns its path, "" if there can be none.
-  std::string serve_pty();
-  /// Lets the board say that it restarts.
-  void send_reset();
 
-  /// Not while a call is under way; see with_board().
-  ModelBoard board;
+  EmulatedBoard board;
+  /// While it moves on, so does the board's time, which otherwise is that of this machine.
   ManualClock clock;
 
  private:
-  class Line;
-
-  std::mutex mutex_;
-  std::unique_ptr<Line> line_;
   std::optional<Client> client_;
 };
 

@@ -19,7 +19,7 @@ _COLUMNS = {
     "type": ["Type"],
     "unit": ["Type", "Unit"],
     "range": ["Values", "Range"],
-    "setting": ["Setting"],
+    "setting": ["Meaning"],
     "number": ["Value"],
     "id": ["Id"],
 }

@@ -63,7 +63,7 @@ def test_it_runs_nothing_but_the_commands_of_the_project(path: Path) -> None:
         for line in step.get("run", "").splitlines():
             if line in SET_UP:
                 continue
-            match = re.fullmatch(r"(\.ci/run)|\./dev ([a-z]+)(?: [-a-z0-9 ]+)?", line)
+            match = re.fullmatch(r"(\.ci/run)|\./dev ([a-z]+)(?: [-a-z0-9_ ]+)?", line)
             assert match, line
             if match[1]:
                 assert (ROOT / match[1]).is_file()

@@ -20,6 +20,7 @@ Host::Host(LiveBoard& board, std::unique_ptr<io::Transport> transport)
     : board_(board), transport_(std::move(transport)), linger_(transport_->executor()) {}
 
 std::shared_ptr<Host> Host::connect(LiveBoard& board, std::unique_ptr<io::Transport> transport) {
+  if (board.between) transport = board.between(std::move(transport));
   std::shared_ptr<Host> host(new Host(board, std::move(transport)));
   const auto port = board.connect(false, [weak = std::weak_ptr(host)] {
     if (const auto self = weak.lock()) self->poke();

@@ -29,6 +29,13 @@ Instant LiveBoard::now() const {
   return line_beginning + io::from_chrono(io::Clock::now() - beginning_);
 }
 
+void LiveBoard::skip(Duration time) {
+  beginning_ -= io::to_chrono(time);
+  timer_at_ = Instant::never;  // it would fire too late
+  emulator_.advance(now());
+  settle();
+}
+
 std::optional<std::size_t> LiveBoard::connect(bool is_usb, std::function<void()> poke) {
   const auto port = emulator_.connect(is_usb, now());
   if (port) pokes_[*port] = std::move(poke);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 
@@ -13,6 +14,7 @@
 
 #include <sbgc/board/emulator.hpp>
 #include <sbgc/io/clock.hpp>
+#include <sbgc/io/transport.hpp>
 
 namespace sbgc::emulate {
 
@@ -39,11 +41,15 @@ class LiveBoard {
   board::Emulator& emulator() { return emulator_; }
   /// Since the beginning.
   Instant now() const;
+  /// Lets so much time pass at once, for the board alone. For tests.
+  void skip(Duration time);
 
   /// Called when the board's memory has changed.
   std::function<void()> on_memory_changed{};
   /// Called when what the board had to do has been done, for now.
   std::function<void()> after_traffic{};
+  /// Puts something between the board and hosts that come from now on. For tests.
+  std::function<std::unique_ptr<io::Transport>(std::unique_ptr<io::Transport>)> between{};
 
  private:
   /// After everything: who waits for something is told, and the timer set.

@@ -113,7 +113,7 @@ Json document_of(const SavedMemory& saved) {
 std::string checksum_of(const Json& document) {
   const std::string text = document.dump();
   const std::vector<std::uint8_t> bytes(text.begin(), text.end());
-  return fmt::format("{:08x}", io::detail::crc32(bytes));
+  return fmt::format("{:08x}", sbgc::detail::crc32(bytes));
 }
 
 /// Reads a document and remembers the first thing that is wrong with it.

@@ -3,9 +3,9 @@
 
 #include <bit>
 #include <cstdint>
-#include <optional>
 
 #include <sbgc/line.hpp>
+#include <sbgc/types.hpp>
 
 namespace sbgc {
 
@@ -22,8 +22,8 @@ class UartReceiver {
 
   /// The line has this level for one bit of the sender. The byte that has been received by then, if
   /// any: it takes a start bit and a stop bit, so that there is never more than one.
-  constexpr std::optional<std::uint8_t> hear(bool level) noexcept {
-    std::optional<std::uint8_t> result;
+  constexpr Optional<std::uint8_t> hear(bool level) noexcept {
+    Optional<std::uint8_t> result;
     while (due_ < bit_) {
       const bool waits_for_level =
           (step_ == Step::search && level) || (step_ == Step::wait && !level);
@@ -43,7 +43,7 @@ class UartReceiver {
  private:
   enum class Step : std::uint8_t { search, start, data, parity, stop, wait };
 
-  constexpr std::optional<std::uint8_t> sample(bool level) noexcept {
+  constexpr Optional<std::uint8_t> sample(bool level) noexcept {
     switch (step_) {
       case Step::search:  // a level of 0: half a bit later it should still be there
         go_on(Step::start, 8);
@@ -69,7 +69,7 @@ class UartReceiver {
         break;
       case Step::wait: go_on(Step::search, 1); break;
     }
-    return std::nullopt;
+    return {};
   }
 
   constexpr void go_on(Step step, std::uint64_t ticks) noexcept {
@@ -91,7 +91,7 @@ class UartReceiver {
 /// Calls `level(bool)` for each bit that a UART sends for one byte: a start bit (0), 8 data bits,
 /// `parity` if there is one, and a stop bit (1).
 template <class Level>
-constexpr void send_levels(std::uint8_t byte, std::optional<bool> parity, Level level) {
+constexpr void send_levels(std::uint8_t byte, Optional<bool> parity, Level level) {
   level(false);
   for (unsigned bit = 0; bit < 8; ++bit) level(((byte >> bit) & 1U) != 0);
   if (parity) level(*parity);
@@ -99,8 +99,8 @@ constexpr void send_levels(std::uint8_t byte, std::optional<bool> parity, Level 
 }
 
 /// The parity bit that goes with a byte.
-constexpr std::optional<bool> parity_bit(std::uint8_t byte, Parity parity) noexcept {
-  if (parity == Parity::none) return std::nullopt;
+constexpr Optional<bool> parity_bit(std::uint8_t byte, Parity parity) noexcept {
+  if (parity == Parity::none) return {};
   return std::popcount(byte) % 2 != 0;
 }
 

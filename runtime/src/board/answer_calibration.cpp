@@ -151,6 +151,9 @@ Outcome handle(Turn& turn, const CalibOffset&) {
 }
 
 Outcome handle(Turn& turn, const CalibBat& request) {
+  if (!turn.machine.options.features.has(BoardFeature::bat_monitoring)) {
+    return turn.refuse(Refusal::no_device);
+  }
   const double measured = turn.machine.gimbal.sample(turn.now).battery;
   // Ours: a divider is never off by more than this, so it must be a mistake.
   constexpr double lowest = 0.5;
@@ -159,6 +162,7 @@ Outcome handle(Turn& turn, const CalibBat& request) {
   if (!(factor >= lowest && factor <= highest)) return turn.refuse(Refusal::bad_parameter);
   turn.machine.memory.battery_factor = factor;
   ++turn.machine.memory.revision;
+  turn.machine.apply_settings(turn.now);
   return turn.confirm();
 }
 

@@ -13,10 +13,7 @@ Outcome select(Turn& turn, SelectedImu imu) {
   return turn.confirm();
 }
 
-/// Ours: the unit of the gyroscope is that of its readings.
-double degrees_per_second(GyroOffset offset) {
-  return offset.gyro_units() * GyroRate(1).degrees_per_second();
-}
+double degrees_per_second(GyroOffset offset) { return offset.gyro_units() * Machine::gyro_unit(); }
 
 }  // namespace
 
@@ -33,10 +30,11 @@ Outcome handle(Turn& turn, const GyroCorrection& request) {
   for (std::size_t i = 0; i < 3; ++i) {
     offset[i] = degrees_per_second(request.gyro_zero_corr[i]);
   }
-  machine.gimbal.correct_gyro(of_frame, offset, degrees_per_second(request.gyro_zero_heading_corr),
-                              turn.now);
-  machine.memory.imus[of_frame ? 1 : 0].gyro_offset = offset;
+  const std::size_t imu = of_frame ? 1 : 0;
+  machine.gyro_headings[imu] = degrees_per_second(request.gyro_zero_heading_corr);
+  machine.memory.imus[imu].gyro_offset = offset;
   ++machine.memory.revision;
+  machine.correct_gyros(turn.now);
   return turn.confirm();
 }
 

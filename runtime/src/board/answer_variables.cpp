@@ -1,7 +1,6 @@
 /// Requests about adjustable variables.
-#include <algorithm>
 #include <cstdint>
-#include <vector>
+#include <span>
 
 #include <sbgc/meta/adjustable_variables.hpp>
 #include <sbgc/validate.hpp>
@@ -36,19 +35,9 @@ Outcome handle(Turn& turn, const GetAdjVarsVal& request) {
 Outcome handle(Turn& turn, const SetAdjVarsVal& request) {
   Machine& machine = turn.machine;
   if (!is_valid(request)) return turn.refuse(Refusal::bad_parameter);
-  std::vector<AdjVarValue> before;
-  for (const AdjVarValue& variable : request.params) {
-    const auto value = machine.settings.variable(variable.param_id);
-    if (value && machine.settings.set_variable(variable.param_id, variable.param_value)) {
-      before.push_back({variable.param_id, *value});
-      continue;
-    }
-    std::reverse(before.begin(), before.end());  // one may have been set twice
-    for (const AdjVarValue& old : before) {
-      machine.settings.set_variable(old.param_id, old.param_value);
-    }
-    return turn.refuse(Refusal::bad_parameter, static_cast<std::uint8_t>(variable.param_id));
-  }
+  const auto refused =
+      machine.settings.set_variables(std::span(request.params.data(), request.params.size()));
+  if (refused) return turn.refuse(Refusal::bad_parameter, static_cast<std::uint8_t>(*refused));
   machine.apply_settings(turn.now);
   return turn.confirm();
 }

@@ -92,6 +92,8 @@ Instant AutoTuning::next() const { return run_ ? run_->due : Instant::never; }
 
 void AutoTuning::advance(Machine& machine, Instant now) {
   while (run_ && run_->due <= now) {
+    // Without motors there is nothing to tune.
+    if (!machine.gimbal.motors_on()) return run_.reset();
     ++run_->round;
     run_->due = run_->due + run_->interval;
     for (std::size_t axis = 0; axis < 3; ++axis) {

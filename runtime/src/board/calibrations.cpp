@@ -4,6 +4,10 @@
 #include <cmath>
 #include <cstdlib>
 
+#include <sbgc/meta/calibration.hpp>
+#include <sbgc/meta/parameters.hpp>
+
+#include "../common/meta_limits.hpp"
 #include "machine.hpp"
 #include "noise.hpp"
 #include "quantities.hpp"
@@ -57,7 +61,10 @@ double temperature_of(const Sample& sample, std::size_t imu) {
 double length(const Vector& v) { return std::hypot(v.x, v.y, v.z); }
 
 /// Whole degrees Celsius, as the memory holds them; a sensor shows no more than this.
-int whole_celsius(double value) { return saturated_raw<std::int8_t>(std::max(value, -127.0)); }
+int whole_celsius(double value) {
+  constexpr double lowest = sbgc::detail::field_info<CalibInfo>("imu_temp_cels").range->lowest;
+  return saturated_raw<std::int8_t>(std::max(value, lowest));
+}
 
 /// The direction of the accelerometer that points up now.
 struct Direction {
@@ -80,7 +87,8 @@ Direction up(const Vector& acceleration) {
   return {axis, acceleration[axis] < 0};
 }
 
-constexpr std::uint8_t max_temperature_slots = 3;  ///< as TEMP_CALIB_ACC_SLOT_NUM counts them
+constexpr std::size_t max_temperature_slots =
+    sbgc::detail::highest<CalibInfo>("temp_calib_acc_slot_num");
 
 void copy_gyro(const ImuCalibration& from, ImuCalibration& to) {
   to.gyro_is_calibrated = from.gyro_is_calibrated;
@@ -95,6 +103,14 @@ void copy_acc(const ImuCalibration& from, ImuCalibration& to) {
   to.acc_temperature_min = from.acc_temperature_min;
   to.acc_temperature_max = from.acc_temperature_max;
   to.acc_slots = from.acc_slots;
+}
+
+/// What corrected the gyroscope by hand is of no more use.
+void gyro_calibrated(Machine& machine, std::size_t imu, Instant now) {
+  machine.gimbal.gyro_calibrated(imu == 1, now);
+  machine.memory.imus[imu].gyro_offset = {};
+  machine.gyro_headings[imu] = 0;
+  machine.correct_gyros(now);
 }
 
 /// The settings of the active profile, changed and stored.
@@ -181,8 +197,7 @@ bool Calibrations::store(Machine& machine, const Run& run, Instant now) {
   switch (run.kind) {
     case Kind::gyro:
       imu.gyro_is_calibrated = true;
-      imu.gyro_offset = {};
-      machine.gimbal.gyro_calibrated(run.imu == 1, now);
+      gyro_calibrated(machine, run.imu, now);
       break;
     case Kind::acc: {
       const Direction direction = up(acceleration_of(sample, run.imu));
@@ -191,11 +206,10 @@ bool Calibrations::store(Machine& machine, const Run& run, Instant now) {
     }
     case Kind::gyro_temperature:
       imu.gyro_is_calibrated = true;
-      imu.gyro_offset = {};
       imu.gyro_temperature_enabled = true;
       imu.gyro_temperature_min = minimum;
       imu.gyro_temperature_max = maximum;
-      machine.gimbal.gyro_calibrated(run.imu == 1, now);
+      gyro_calibrated(machine, run.imu, now);
       break;
     case Kind::acc_temperature: {
       const Direction direction = up(acceleration_of(sample, run.imu));
@@ -210,7 +224,10 @@ bool Calibrations::store(Machine& machine, const Run& run, Instant now) {
       imu.acc_temperature_enabled = true;
       break;
     }
-    case Kind::gyro_from_sensor: copy_gyro(sensor, imu); break;
+    case Kind::gyro_from_sensor:
+      copy_gyro(sensor, imu);
+      machine.correct_gyros(now);
+      break;
     case Kind::acc_from_sensor: copy_acc(sensor, imu); break;
     case Kind::gyro_to_sensor: copy_gyro(imu, sensor); break;
     case Kind::acc_to_sensor: copy_acc(imu, sensor); break;
@@ -307,7 +324,10 @@ bool Calibrations::store_follow_offsets(Machine& machine, Instant now) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     // Ours: FOLLOW_OFFSET counts degrees; its unit is not published.
     const auto degrees = SignedDegrees::from_degrees(std::remainder(sample.joints[axis], 360.0));
-    if (!degrees || (*degrees).raw() < -127) return false;
+    constexpr Range range = *sbgc::detail::field_info<ReadParams3>("follow_offset").range;
+    if (!degrees || (*degrees).raw() < range.lowest || (*degrees).raw() > range.highest) {
+      return false;
+    }
     offsets[axis] = (*degrees).raw();
   }
   return change_settings<ReadParams3>(

@@ -1,21 +1,12 @@
-/// Facts about single fields, by name.
+/// What boards of a version know.
 #pragma once
 
-#include <string_view>
+#include <cstdint>
 
 #include <sbgc/availability.hpp>
 #include <sbgc/meta.hpp>
 
 namespace sbgc::board {
-
-/// What the model says of a field of a message. A name that is none does not compile.
-template <class M>
-consteval const FieldInfo& field_of(std::string_view name) {
-  for (const FieldInfo& field : Meta<M>::fields) {
-    if (name == field.name) return field;
-  }
-  throw "no such field";  // NOLINT(hicpp-exception-baseclass): at compile time only
-}
 
 /// Whether boards with these versions know a value of an enum or flag set.
 template <class E>

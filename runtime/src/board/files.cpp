@@ -27,7 +27,7 @@ constexpr std::size_t data_size = (Memory::eeprom_size - data_begin) / page_size
 
 static_assert(data_size < no_file, "no file is as long as the mark of an empty place says");
 
-std::uint32_t checksum(std::span<const std::uint8_t> bytes) { return io::detail::crc32(bytes); }
+std::uint32_t checksum(std::span<const std::uint8_t> bytes) { return sbgc::detail::crc32(bytes); }
 
 }  // namespace
 

@@ -260,14 +260,20 @@ void Gimbal::correct(const Attitude& attitude, Instant now) {
   State& state = *state_;
   state.advance(now);
   Imu& imu = attitude.of_frame ? state.second : state.main;
+  Imu& other = attitude.of_frame ? state.main : state.second;
   const Axes<double> estimate =
       attitude.of_frame ? plus(state.frame.now().angles, state.second.error()) : state.estimate();
   const auto told = attitude_told(attitude, Pose(estimate, state.order).rotation());
   if (!told) return;
   const Axes<double> off = minus(angles_of(*told, state.order, estimate), estimate);
   const Axes<double> error = plus(imu.error(), off);
+  const auto refer = [&](Imu& to) {
+    to.refer(error, attitude.up.has_value(), attitude.north.has_value(), state.step + refer_steps);
+  };
+  // The joints are known as they are: what is told is as far from the truth for both.
+  if (attitude.translates) refer(other);
   if (attitude.reference_only) {
-    imu.refer(error, attitude.up.has_value(), attitude.north.has_value(), state.step + refer_steps);
+    refer(imu);
   } else {
     imu.replace(error, state.step + replace_steps);
     if (!attitude.of_frame) {

@@ -53,6 +53,10 @@ Outcome control(Turn& turn, const Axes<ControlMode>& modes, const Axes<ControlAx
     const auto command = command_of(turn.versions(), modes[axis], targets[axis]);
     if (!command) return turn.refuse(Refusal::bad_parameter, modes[axis].raw());
     commands[axis] = *command;
+    if (command->mode == AxisMode::signal) {
+      commands[axis].signal =
+          Remote::bent(turn.machine.settings.of<ReadParams3>(), axis, command->signal);
+    }
   }
   for (std::size_t axis = 0; axis < commands.size(); ++axis) {
     turn.machine.gimbal.command(axis, commands[axis], turn.now);

@@ -18,6 +18,7 @@ Outcome confirm_result(Turn& turn, FileError error) {
 Outcome handle(Turn& turn, const UseDefaults& request) {
   if (request.profile_id == UseDefaults::erase_eeprom) {
     turn.machine.settings.erase();
+    turn.machine.forget_calibrations();
   } else if (request.profile_id < SettingsOf<ReadParams3>::copies) {
     turn.machine.settings.use_defaults(request.profile_id);
   } else {
@@ -54,13 +55,12 @@ Outcome handle(Turn& turn, const EepromWrite& request) {
 Outcome handle(Turn& turn, const ReadFileRequest& request) {
   ReadFile answer;
   const std::size_t size = request.max_data_size.raw();
-  if (size > answer.data.capacity()) {
-    return turn.refuse(Refusal::bad_parameter, request.max_data_size.raw());
-  }
   const FileSystem::Part part =
       turn.machine.files.read(request.file_id, request.page_offset.raw(), size);
-  if (part.error != FileError::no_error) {
-    static_cast<void>(turn.answer(ReadFileError{part.error}));
+  // Ours: the specification does not say which code it is.
+  const FileError error = size > answer.data.capacity() ? FileError::limit_reached : part.error;
+  if (error != FileError::no_error) {
+    static_cast<void>(turn.answer(ReadFileError{error}));
     return Outcome::refused;
   }
   answer.file_size = ByteCount(part.file_size);

@@ -157,7 +157,7 @@ void Line::put(std::uint8_t byte, Instant now) {
 }
 
 void Line::put_levels(std::uint8_t byte, std::uint8_t flips, bool is_carried, Duration delay) {
-  const std::optional<bool> parity = parity_bit(byte, sender_.parity);
+  const auto parity = parity_bit(byte, sender_.parity);
   const auto changed = static_cast<std::uint8_t>(byte ^ flips);
   if (uart_) {
     ++counters_.mismatched;

@@ -6,7 +6,7 @@
 #include <sbgc/exchanges/realtime.hpp>
 #include <sbgc/meta/realtime.hpp>
 
-#include "fields.hpp"
+#include "../common/meta_limits.hpp"
 #include "machine.hpp"
 #include "quantities.hpp"
 
@@ -22,7 +22,7 @@ constexpr std::size_t sensor_axis(std::size_t axis) {
 
 /// An RC signal as a pulse of the range that the specification gives.
 RcSignal pulse(std::optional<double> signal) {
-  constexpr Range range = *field_of<RealtimeData3>("rc").range;
+  constexpr Range range = *sbgc::detail::field_info<RealtimeData3>("rc").range;
   constexpr double middle = (range.lowest + range.highest) / 2;
   constexpr double half = (range.highest - range.lowest) / 2;
   // An input without a signal reads as its middle: ours.
@@ -54,11 +54,6 @@ Axes<Q> sensor(const From& from) {
 
 Axes<Angle14> angles(const Axes<double>& from) {
   return {wrapped(from.roll), wrapped(from.pitch), wrapped(from.yaw)};
-}
-
-/// Without encoders and a second IMU nothing knows the joints.
-bool knows_joints(const Machine& machine) {
-  return machine.options.features.has(BoardFeature::encoders) || machine.options.has_frame_imu;
 }
 
 bool has(const Machine& machine, BoardFeature feature) {
@@ -111,6 +106,10 @@ bool is_of_frame(const DataStreamInterval& request) {
 }  // namespace
 
 bool knows_frame(const Machine& machine) { return machine.options.has_frame_imu; }
+
+bool knows_joints(const Machine& machine) {
+  return machine.options.features.has(BoardFeature::encoders) || machine.options.has_frame_imu;
+}
 
 void measure(Machine& machine, std::size_t port, Instant now, RealtimeData3& data) {
   measure_common(machine, port, now, machine.gimbal.sample(now), data);
@@ -205,8 +204,10 @@ bool can_stream(const Machine& machine, const DataStreamInterval& request) {
   return use_if<RealtimeData3>(machine, request, yes) ||
          use_if<RealtimeData4>(machine, request, yes) ||
          use_if<RealtimeDataCustom>(machine, request, yes) ||
-         use_if<AhrsHelper>(machine, request,
-                            [&] { return !is_of_frame(request) || knows_frame(machine); });
+         use_if<AhrsHelper>(machine, request, [&] {
+           if (is_of_frame(request)) return knows_frame(machine);
+           return !request.config.imu_type || *request.config.imu_type == ImuIndex::main;
+         });
 }
 
 bool offer_sample(Machine& machine, std::size_t port, const DataStreamInterval& request,

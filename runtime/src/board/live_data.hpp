@@ -23,6 +23,8 @@ void measure(Machine& machine, bool of_frame, Instant now, AhrsHelper& data);
 
 /// Whether the frame's attitude is known.
 bool knows_frame(const Machine& machine);
+/// Without encoders and a second IMU nothing knows the joints.
+bool knows_joints(const Machine& machine);
 
 /// Whether this board can send the stream that a request asks for.
 bool can_stream(const Machine& machine, const DataStreamInterval& request);

@@ -9,21 +9,19 @@
 
 namespace sbgc::board {
 
-Machine::Machine(const Options& of, Memory kept, Instant now)
-    : options(of),
+Machine::Machine(Options of, Memory kept, Instant now)
+    : options(std::move(of)),
       memory(std::move(kept)),
       eeprom(memory),
       settings(memory),
       files(memory),
       gimbal(options.gimbal, now),
       ports(options),
-      restarts(*this, now) {
-  for (const std::size_t imu : {0U, 1U}) {
-    gimbal.correct_gyro(imu == 1, memory.imus[imu].gyro_offset, 0, now);
-  }
-}
+      restarts(*this, now) {}
 
 Availability Machine::versions() const { return {options.firmware.raw(), options.board.raw()}; }
+
+double Machine::gyro_unit() { return GyroRate(1).degrees_per_second(); }
 
 Duration Machine::cycle() { return microseconds(roles::stream_cycle_us); }
 
@@ -37,9 +35,28 @@ void Machine::select_profile(std::uint8_t profile, Instant now) {
 }
 
 void Machine::apply_settings(Instant now) {
-  gimbal.tune(tuning_of(settings, versions(), home, memory.battery_factor), now);
+  const bool has_meter = options.features.has(BoardFeature::bat_monitoring);
+  gimbal.tune(tuning_of(settings, versions(), home, has_meter ? memory.battery_factor : 0), now);
+  correct_gyros(now);
   remote.apply(*this, now);
   slots.apply_settings(*this, now);
+}
+
+void Machine::forget_calibrations() {
+  memory.imus = {};
+  memory.battery_factor = Memory{}.battery_factor;
+  ++memory.revision;
+  gyro_headings = {};
+}
+
+void Machine::correct_gyros(Instant now) {
+  const auto variable = settings.variable(VariableId::gyro_heading_correction);
+  const double more =
+      GyroOffset(static_cast<std::int16_t>(variable.value_or(0))).gyro_units() * gyro_unit();
+  for (const std::size_t imu : {0U, 1U}) {
+    const double heading = gyro_headings[imu] + (imu == 0 ? more : 0);
+    gimbal.correct_gyro(imu == 1, memory.imus[imu].gyro_offset, heading, now);
+  }
 }
 
 void Machine::set_motors(bool on, Instant now) { gimbal.set_motors(on, now); }
@@ -55,6 +72,9 @@ void Machine::calibrate_at_start(Instant now) {
     const bool moves = std::hypot(gyro.x, gyro.y, gyro.z) > still;
     if (moves && skip == SkipGyroCalibration::skip_if_moving) continue;
     gimbal.gyro_calibrated(of_frame, now);
+    Vector& offset = memory.imus[of_frame ? 1 : 0].gyro_offset;
+    if (offset != Vector{}) ++memory.revision;
+    offset = {};
   }
 }
 

@@ -1,6 +1,7 @@
 /// All parts of the board, for handlers and for parts that work with others.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -32,7 +33,7 @@ namespace sbgc::board {
 ///     void restart(Machine& machine, Instant now); // the board has restarted
 /// Parts keep ports by number; Ports::send() to one that has closed does nothing.
 struct Machine {
-  Machine(const Options& of, Memory kept, Instant now);
+  Machine(Options of, Memory kept, Instant now);
 
   Options options;
   Memory memory;
@@ -57,6 +58,10 @@ struct Machine {
   void select_profile(std::uint8_t profile, Instant now);
   /// Hands the settings in use to gimbal and inputs; after each change of them.
   void apply_settings(Instant now);
+  /// Those in the main EEPROM, which has been erased. Settings are to be applied then.
+  void forget_calibrations();
+  /// Hands the corrections of the gyroscopes to the gimbal; after each change of them.
+  void correct_gyros(Instant now);
   void set_motors(bool on, Instant now);
   /// Errors as live data show them.
   Flags<SystemError> errors(Instant now);
@@ -65,6 +70,8 @@ struct Machine {
   Availability versions() const;
   /// Of the controller.
   static Duration cycle();
+  /// In deg/s. Ours: the unit in which offsets of a gyroscope count is that of its readings.
+  static double gyro_unit();
   /// Volts, as the calibrated sensor shows them.
   double measured_battery(const Sample& sample) const;
   /// The gyroscopes find their zero when the board starts, if the settings want that.
@@ -73,6 +80,9 @@ struct Machine {
   std::uint32_t baud_rate{};  ///< that SERIAL_SPEED has set at the last start
 
   SelectedImu cur_imu = SelectedImu::main;  ///< that hosts have chosen
+  /// Corrections of the heading of main and frame IMU, deg/s, besides GYRO_HEADING_CORRECTION.
+  /// Until the board restarts: ours.
+  std::array<double, 2> gyro_headings{};
   /// Angles that the board starts with and comes home to, if MENU_CMD_SET_ANGLE_NO_SAVE has set
   /// others than the settings have.
   std::optional<Axes<Angle14>> home{};

@@ -14,7 +14,8 @@ std::size_t limit(std::size_t size) {
 }  // namespace
 
 Ports::Ports(const Options& options)
-    : input_limit_(limit(options.input_buffer)), output_limit_(limit(options.output_buffer)) {}
+    : input_limit_(std::min(limit(options.input_buffer), max_input)),
+      output_limit_(limit(options.output_buffer)) {}
 
 std::optional<std::size_t> Ports::open(bool is_usb) {
   for (std::size_t port = 0; port < ports_.size(); ++port) {

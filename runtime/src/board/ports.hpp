@@ -88,6 +88,8 @@ class Ports {
   void tell(std::size_t port, const Frame& frame, std::optional<Outcome> outcome) const;
 
  private:
+  /// More than a host has waiting that listens to answers; so one that floods costs no more. Ours.
+  static constexpr std::size_t max_input = 1U << 20U;
   /// Of what nobody has asked for, such as the progress of a calibration, so much waits at most
   /// beyond the output buffer when a host does not read. Ours.
   static constexpr std::size_t max_overflow = 4096;

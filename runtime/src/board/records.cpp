@@ -28,7 +28,7 @@ std::optional<std::vector<std::uint8_t>> read_record(const Eeprom& eeprom, std::
   if (bytes[0] != static_cast<std::uint8_t>(id.command) || bytes[1] != id.copy) return {};
   const std::size_t size = bytes[2];
   const auto sum = wire::load<std::uint32_t>(bytes.data() + header_size + size);
-  if (sum != io::detail::crc32(bytes.first(header_size + size))) return {};
+  if (sum != sbgc::detail::crc32(bytes.first(header_size + size))) return {};
   const auto body = bytes.subspan(header_size, size);
   return std::vector<std::uint8_t>(body.begin(), body.end());
 }
@@ -39,7 +39,7 @@ bool write_record(Eeprom& eeprom, std::size_t address, RecordId id,
   std::vector<std::uint8_t> record{static_cast<std::uint8_t>(id.command), id.copy,
                                    static_cast<std::uint8_t>(body.size())};
   record.insert(record.end(), body.begin(), body.end());
-  const std::uint32_t sum = io::detail::crc32(record);
+  const std::uint32_t sum = sbgc::detail::crc32(record);
   record.resize(record.size() + checksum_size);
   wire::store(record.data() + record.size() - checksum_size, sum);
   eeprom.write(address, record);

@@ -16,22 +16,12 @@ double share_of_signal(int counts) {
   return CentredRcSignal(static_cast<std::int16_t>(counts)).fraction();
 }
 
-double bent(const ReadParams3& settings, std::size_t axis, double signal) {
-  if (settings.rc[axis].rc_mode.inverted()) signal = -signal;
-  signal += share_of_signal(settings.rc_trim[axis]);
-  const double beyond = std::abs(signal) - share_of_signal(settings.rc_deadband);
-  if (beyond <= 0) return 0;
-  const double curve = settings.rc_expo_rate / 100.0;
-  const double size = std::min(beyond, 1.0);
-  return std::copysign((1 - curve) * size + curve * size * size * size, signal);
-}
-
 /// Adds the flight controller's share, if it is mixed into this axis.
 double mixed(double signal, RcMix mix, std::size_t axis, std::optional<double> controller,
              int gain) {
   const auto target = static_cast<std::size_t>(mix.target());
   if (target != axis + 1 || !controller) return signal;
-  constexpr double all = 63;  // of RcMix::rate()
+  constexpr double all = RcMix(std::numeric_limits<RcMix::raw_type>::max()).rate();
   const double share = mix.rate() / all;
   // EXT_FC_GAIN: 127 is the whole signal. Ours.
   const double added = *controller * gain / std::numeric_limits<std::int8_t>::max();
@@ -39,6 +29,18 @@ double mixed(double signal, RcMix mix, std::size_t axis, std::optional<double> c
 }
 
 }  // namespace
+
+double Remote::bent(const ReadParams3& settings, std::size_t axis, double signal) {
+  if (settings.rc[axis].rc_mode.inverted()) signal = -signal;
+  signal += share_of_signal(settings.rc_trim[axis]);
+  const double deadband = share_of_signal(settings.rc_deadband);
+  const double beyond = std::abs(signal) - deadband;
+  if (beyond <= 0) return 0;
+  const double curve = settings.rc_expo_rate / 100.0;
+  // Ours: the rest of the way covers the whole range, so that the ends can be reached.
+  const double size = std::min(beyond / (1 - deadband), 1.0);
+  return std::copysign((1 - curve) * size + curve * size * size * size, signal);
+}
 
 std::optional<double> Remote::signal(RcMap source) const {
   if (source.source() != RcSource::api || source.channel() == 0) return {};

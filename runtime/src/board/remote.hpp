@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include <sbgc/enums.hpp>
+#include <sbgc/messages/parameters.hpp>
 #include <sbgc/messages/peripherals.hpp>
 #include <sbgc/time.hpp>
 
@@ -27,6 +28,9 @@ class Remote {
   std::optional<double> signal(RcMap source) const;
   /// What an axis is controlled with: its signal, trimmed, mixed and bent as the settings say.
   std::optional<double> axis(const Machine& machine, std::size_t axis) const;
+  /// A signal, -1..1, as the settings in use bend that of an axis: direction, trim, dead band,
+  /// curve.
+  static double bent(const ReadParams3& settings, std::size_t axis, double signal);
   /// The menu swaps the signals of two axes, until the board restarts.
   void swap(std::size_t one, std::size_t other);
   /// Hands the signals to the gimbal; after each change of signals or settings.

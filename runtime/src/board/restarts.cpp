@@ -26,6 +26,7 @@ void Restarts::restart_now(Machine& machine, Instant now, bool to_bootloader, bo
   machine.ports.restart(power_off);
   for_each_part(machine, [&](auto& part) { part.restart(machine, now); });
   machine.home.reset();
+  machine.gyro_headings = {};
   machine.cur_imu = SelectedImu::main;
   machine.gimbal.set_motors(false, now);
   machine.gimbal.restart(now);

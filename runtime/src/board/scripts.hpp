@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <tuple>
 
 #include <sbgc/enums.hpp>
+#include <sbgc/messages/system.hpp>
 #include <sbgc/time.hpp>
 
 #include "turn.hpp"
@@ -17,8 +19,8 @@ namespace sbgc::board {
 /// is the file with the slot's number (ours).
 class Scripts {
  public:
-  /// Slots count from 0 (ours), as many as the menu has actions for.
-  static constexpr std::uint8_t slots = 5;
+  /// Slots count from 0 (ours).
+  static constexpr std::uint8_t slots = std::tuple_size_v<decltype(BoardInfo3::script_slot_size)>;
 
   /// Starts it; another one that runs ends. With a port, that gets CMD_SCRIPT_DEBUG with each
   /// command, and once more at the end. Says why it could not start.

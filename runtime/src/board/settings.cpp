@@ -39,11 +39,22 @@ bool Settings::set_variable(VariableId id, std::int32_t value) {
   if (known == nullptr || value < known->range.lowest || value > known->range.highest) {
     return false;
   }
-  const auto before = in_use_;
   if (variable_value(in_use_, id) && !sbgc::set_variable(in_use_, id, value)) return false;
-  if (before.messages != in_use_.messages) ++version_;
   variables_[id] = {value, variable_value(in_use_, id)};
   return true;
+}
+
+std::optional<VariableId> Settings::set_variables(std::span<const AdjVarValue> values) {
+  const auto in_use = in_use_;
+  const auto variables = variables_;
+  for (const AdjVarValue& one : values) {
+    if (set_variable(one.param_id, one.param_value)) continue;
+    // Not by setting the old values: they may lie where no variable can be set to.
+    in_use_ = in_use;
+    variables_ = variables;
+    return one.param_id;
+  }
+  return {};
 }
 
 void Settings::forget_variables() {

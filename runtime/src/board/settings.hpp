@@ -91,6 +91,8 @@ class Settings {
   /// Until restart or save(). False if there is no such variable or its range forbids the value.
   /// variable() is this value then, even where the settings can only come near to it.
   bool set_variable(VariableId id, std::int32_t value);
+  /// Sets all of them, or none if one cannot be set: then it returns that one.
+  std::optional<VariableId> set_variables(std::span<const AdjVarValue> values);
   /// Stores what is in use in the active profile.
   void save();
 
@@ -99,9 +101,6 @@ class Settings {
   /// Erases the whole EEPROM, files and user data with it; factory settings are in use, the first
   /// profile is active.
   void erase();
-
-  /// Counts changes of what is in use.
-  std::uint32_t version() const { return version_; }
 
  private:
   /// A variable that has been set.
@@ -152,19 +151,7 @@ class Settings {
   template <class M>
   void use(const M& message) {
     if (is_of_profile<M>) forget_variables();
-    if (only_settings(of<M>()) != only_settings(message)) ++version_;
     in_use_.template of<M>() = message;
-  }
-  /// The message without what is no setting: the number of its copy, and the state of the board.
-  template <class M>
-  static M only_settings(M message) {
-    Meta<M>::visit(message, [](const FieldInfo& field, auto&& member) {
-      using Member = std::remove_cvref_t<decltype(member)>;
-      if constexpr (!std::is_same_v<Member, Counter>) {
-        if (field.role != FieldRole::setting) member = Member{};
-      }
-    });
-    return message;
   }
   /// Those that stand for settings have the settings' values again.
   void forget_variables();
@@ -173,7 +160,6 @@ class Settings {
   Eeprom eeprom_;
   OneOfEach<StoredMessages> in_use_{};
   std::map<VariableId, Variable> variables_{};  ///< that have been set
-  std::uint32_t version_ = 0;
 };
 
 }  // namespace sbgc::board

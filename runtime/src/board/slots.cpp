@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <sbgc/meta/variables.hpp>
@@ -29,7 +30,7 @@ bool is_used(const AnalogSlot& slot) { return slot.src_ch != RcMap(RcInput::inpu
 /// range into 255 parts, and the signal goes evenly from one to the other. A MIN_VAL above MAX_VAL
 /// turns the direction round.
 std::int32_t value_of(const AnalogSlot& slot, const VariableInfo& variable, double signal) {
-  constexpr double whole = 255;
+  constexpr double whole = std::numeric_limits<decltype(slot.max_val)>::max();
   const double share = (std::clamp(signal, -1.0, 1.0) + 1) / 2;
   const double part = slot.min_val + (slot.max_val - slot.min_val) * share;
   const Range& range = variable.range;

@@ -1,6 +1,6 @@
 #include "tuning.hpp"
 
-#include "fields.hpp"
+#include "../common/meta_limits.hpp"
 
 namespace sbgc::board {
 namespace {
@@ -28,7 +28,7 @@ bool follows(const ReadParams3& settings, std::size_t axis) {
 
 AngularAcceleration acceleration_limit(const Settings& settings, const Availability& versions,
                                        std::size_t axis) {
-  constexpr Availability since = field_of<ReadParamsExt2>("acc_limiter3").since;
+  constexpr Availability since = sbgc::detail::field_info<ReadParamsExt2>("acc_limiter3").since;
   return is_available(since, versions) ? settings.of<ReadParamsExt2>().acc_limiter3[axis]
                                        : settings.of<ReadParams3>().acc_limiter_all;
 }

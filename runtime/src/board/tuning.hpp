@@ -12,7 +12,7 @@
 namespace sbgc::board {
 
 /// `home`: start angles instead of those of the settings. `battery_factor`: what the sensor shows
-/// of one volt.
+/// of one volt; 0: there is no sensor.
 Tuning tuning_of(const Settings& settings, const Availability& versions,
                  const std::optional<Axes<Angle14>>& home, double battery_factor);
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-namespace sbgc::io::detail {
+namespace sbgc::detail {
 
 inline constexpr std::array<std::uint32_t, 256> crc32_table = [] {
   std::array<std::uint32_t, 256> table{};
@@ -23,4 +23,4 @@ constexpr std::uint32_t crc32(std::span<const std::uint8_t> bytes) noexcept {
   return ~value;
 }
 
-}  // namespace sbgc::io::detail
+}  // namespace sbgc::detail

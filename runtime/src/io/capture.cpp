@@ -46,11 +46,11 @@ std::chrono::microseconds load_time(const std::uint8_t* bytes) {
 /// Whether the checksum at the end of these bytes is right.
 bool is_sound(std::span<const std::uint8_t> bytes) {
   const std::size_t size = bytes.size() - checksum_size;
-  return detail::crc32(bytes.first(size)) == wire::load<std::uint32_t>(bytes.data() + size);
+  return sbgc::detail::crc32(bytes.first(size)) == wire::load<std::uint32_t>(bytes.data() + size);
 }
 
 void append_checksum(std::vector<std::uint8_t>& bytes) {
-  const std::uint32_t sum = detail::crc32(bytes);
+  const std::uint32_t sum = sbgc::detail::crc32(bytes);
   bytes.resize(bytes.size() + checksum_size);
   wire::store(bytes.data() + bytes.size() - checksum_size, sum);
 }

@@ -47,7 +47,9 @@ class Board {
 
   /// Switches the board on.
   Board(const Options& options, Memory memory, Instant now);
+  Board(const Board&) = delete;
   Board(Board&& other) noexcept;
+  Board& operator=(const Board&) = delete;
   Board& operator=(Board&& other) noexcept;
   ~Board();
 

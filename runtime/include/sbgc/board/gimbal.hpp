@@ -150,6 +150,8 @@ class Gimbal {
     std::optional<Vector> north{};
     bool of_frame = false;
     bool reference_only = false;
+    /// By the joints it also tells the attitude of the other IMU, which takes it as a reference.
+    bool translates = false;
   };
   void correct(const Attitude& attitude, Instant now);
   /// Offset of a gyroscope's zero, deg/s: heading errors grow or shrink with it. `heading` turns

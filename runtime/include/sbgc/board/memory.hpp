@@ -24,7 +24,7 @@ struct ImuCalibration {
 };
 
 /// All of it. Settings, names, user data and files stand in the EEPROM, as on a real board: whoever
-/// writes to it changes them at the next start.
+/// writes to it changes them, those in use at the next start.
 struct Memory {
   static constexpr std::size_t eeprom_size = 32768;
 

@@ -20,7 +20,8 @@ struct Options {
   Bytes<12> mcu_id{{'e', 'm', 'u', 'l', 'a', 't', 'e', 'd', 0, 0, 0, 1}};
   bool has_frame_imu = true;
   Gimbal::Options gimbal{};
-  /// Room for requests that wait; one that does not fit is lost whole. 0: not limited.
+  /// Room for requests that wait; one that does not fit is lost whole. 0: a megabyte, more than a
+  /// host sends that listens to answers.
   std::size_t input_buffer = 0;
   /// Room for what waits to be sent: answers wait until they fit, samples of streams are left out.
   /// 0: not limited.

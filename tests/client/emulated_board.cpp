@@ -1,0 +1,166 @@
+#include "emulated_board.hpp"
+
+#include <sbgc/io/memory.hpp>
+#include <sbgc/parser.hpp>
+
+namespace sbgc::test {
+
+namespace {
+
+/// The board deals with a request in its next cycle, which is shorter than this.
+constexpr Duration one_cycle = sbgc::milliseconds(1);
+
+}  // namespace
+
+board::EmulatorOptions quick_board() {
+  board::EmulatorOptions options;
+  options.line.board.baud_rate = 0;
+  options.board.gimbal.noise = 0;
+  return options;
+}
+
+EmulatedBoard::EmulatedBoard(board::EmulatorOptions options, board::Memory memory, bool is_tapped)
+    : options_(std::move(options)), is_tapped_(is_tapped) {
+  start(std::move(memory));
+}
+
+EmulatedBoard::~EmulatedBoard() { stop(); }
+
+void EmulatedBoard::stop() {
+  if (!running_) return;
+  // First of all: the thread looks at running_.
+  running_->context.stop();
+  if (running_->thread.joinable()) running_->thread.join();
+  running_.reset();
+}
+
+EmulatedBoard::Running::~Running() {
+  if (host) host->close();
+  host.reset();
+  endpoint.reset();
+}
+
+void EmulatedBoard::start(board::Memory memory) {
+  stop();
+  running_ = std::make_unique<Running>();
+  Running& running = *running_;
+  const asio::any_io_executor executor = running.context.get_executor();
+  running.board = std::make_unique<emulate::LiveBoard>(executor, options_, std::move(memory));
+  running.back_door = running.board->connect(true, [] {}).value();
+  if (is_tapped_) {
+    running.board->between = [this](std::unique_ptr<io::Transport> transport) {
+      return std::make_unique<Tap>(std::move(transport), hooks_);
+    };
+    // Inside the call the board must be left alone.
+    running.board->emulator().board().on_traffic =
+        [this, executor, back_door = running.back_door](const board::Board::Traffic& traffic) {
+          if (!traffic.outcome || traffic.port == back_door) return;
+          asio::post(executor, [this] {
+            if (hooks_.tap != nullptr) hooks_.tap->dealt_with();
+          });
+        };
+  }
+  const bool has_rate = options_.line.board.baud_rate != 0 || options_.rate_of_settings;
+  if (line_kind() == LineKind::terminal) {
+    running.endpoint = emulate::open_terminal(executor, *running.board, "", has_rate);
+  } else if (line_kind() == LineKind::tcp) {
+    const emulate::EndpointLogs silent{[](const std::string&) {}, [](const std::string&) {}};
+    running.endpoint = emulate::listen_tcp(executor, *running.board, {"127.0.0.1", 0}, silent);
+  }
+  running.thread = std::thread([&context = running.context] { context.run(); });
+}
+
+TransportFactory EmulatedBoard::line() {
+  if (running_->endpoint) return over(running_->endpoint->address());
+  return [this](const asio::any_io_executor& executor) {
+    auto pair = io::make_memory_pair(executor, running_->context.get_executor());
+    serve(std::move(pair.second));
+    return std::move(pair.first);
+  };
+}
+
+TransportFactory EmulatedBoard::line_with(const LineSettings& settings) {
+  return [this, settings](const asio::any_io_executor& executor) {
+    auto pair =
+        io::make_memory_pair(executor, running_->context.get_executor(), {.with_line = true});
+    static_cast<void>(pair.second->line()->set(settings));
+    serve(std::move(pair.second));
+    return std::move(pair.first);
+  };
+}
+
+void EmulatedBoard::serve(std::unique_ptr<io::Transport> transport) {
+  on_thread([&] {
+    Running& running = *running_;
+    if (running.host) running.host->close();
+    running.host = emulate::Host::connect(*running.board, std::move(transport));
+    running.host->start();
+  });
+}
+
+std::string EmulatedBoard::serve_terminal() {
+  return on_thread([this] {
+    running_->endpoint =
+        emulate::open_terminal(running_->context.get_executor(), live(), "", false);
+    return running_->endpoint->address();
+  });
+}
+
+void EmulatedBoard::become(const board::Options& options, board::Memory memory) {
+  options_.board = options;
+  start(std::move(memory));
+}
+
+board::Options EmulatedBoard::options() { return options_.board; }
+
+board::Memory EmulatedBoard::memory() {
+  return on_thread([this] { return live().memory(); });
+}
+
+void EmulatedBoard::on_lost(std::function<bool(const Packet&)> is_lost) {
+  on_thread([&] { hooks_.is_lost = std::move(is_lost); });
+}
+void EmulatedBoard::on_answer_lost(std::function<bool(const Packet&)> is_answer_lost) {
+  on_thread([&] { hooks_.is_answer_lost = std::move(is_answer_lost); });
+}
+void EmulatedBoard::tamper(std::function<void(Packets&)> change) {
+  on_thread([&] { hooks_.tamper = std::move(change); });
+}
+void EmulatedBoard::after(std::function<void(const Packet&)> action) {
+  on_thread([&] { hooks_.after = std::move(action); });
+}
+
+Packets EmulatedBoard::log() {
+  return on_thread([this] { return hooks_.log; });
+}
+void EmulatedBoard::clear_log() {
+  on_thread([this] { hooks_.log.clear(); });
+}
+
+void EmulatedBoard::unplug() {
+  on_thread([this] {
+    if (hooks_.tap != nullptr) hooks_.tap->unplug();
+  });
+}
+
+Packets EmulatedBoard::ask(const Packet& request) {
+  return on_thread([&] {
+    const std::size_t port = running_->back_door;
+    Packets result;
+    Parser parser;
+    live().take(port, live().output(port).size());  // what nobody has asked for
+    live().receive(port, to_frame(request));
+    live().skip(one_cycle);
+    parser.feed(live().output(port), [&](const Frame& frame) {
+      result.push_back({frame.id, {frame.body.begin(), frame.body.end()}});
+    });
+    live().take(port, live().output(port).size());
+    return result;
+  });
+}
+
+void EmulatedBoard::skip(std::chrono::milliseconds time) {
+  on_thread([&] { live().skip(milliseconds(time.count())); });
+}
+
+}  // namespace sbgc::test

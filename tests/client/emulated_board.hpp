@@ -1,0 +1,201 @@
+/// The emulated board for tests of clients: on a line of the chosen kind, with a look behind.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <future>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <asio/executor_work_guard.hpp>
+#include <asio/io_context.hpp>
+#include <asio/post.hpp>
+
+#include <sbgc/board/emulator.hpp>
+#include <sbgc/client/own_transport.hpp>
+#include <sbgc/io/memory.hpp>
+#include <sbgc/message.hpp>
+#include <sbgc/messages.hpp>
+#include <sbgc/settings.hpp>
+#include <sbgc/type_list.hpp>
+
+#include "endpoint.hpp"
+#include "host.hpp"
+#include "line_kind.hpp"
+#include "live_board.hpp"
+#include "tap.hpp"
+
+namespace sbgc::test {
+
+template <class List>
+struct FirstOf;
+template <class M, class... More>
+struct FirstOf<TypeList<M, More...>> {
+  using Type = M;
+};
+template <class List>
+using First = typename FirstOf<List>::Type;
+
+/// A board without noise, on a line without a rate.
+board::EmulatorOptions quick_board();
+
+/// The emulated board as `sbgc emulate` serves it, on a thread of its own. There is one host.
+///
+/// All functions may be called from any thread; what they do is done on the board's thread when
+/// they return. Hooks run there, too, and may call them.
+class EmulatedBoard {
+ public:
+  /// `is_tapped`: hooks work; without, bytes are carried as they are.
+  explicit EmulatedBoard(board::EmulatorOptions options = quick_board(), board::Memory memory = {},
+                         bool is_tapped = true);
+  EmulatedBoard(const EmulatedBoard&) = delete;
+  EmulatedBoard& operator=(const EmulatedBoard&) = delete;
+  ~EmulatedBoard();
+
+  /// How a client reaches it.
+  TransportFactory line();
+  /// Over a line in memory that has these settings at the board's end.
+  TransportFactory line_with(const LineSettings& settings);
+  /// Where it serves a serial port from now on, "" if there can be none.
+  std::string serve_terminal();
+
+  /// Makes it another board, with this memory. Hooks stay, hosts are gone.
+  void become(const board::Options& options, board::Memory memory);
+  void become(const board::Options& options) { become(options, memory()); }
+  board::Options options();
+  board::Memory memory();
+
+  // Hooks, see TapHooks
+
+  void on_lost(std::function<bool(const Packet&)> is_lost);
+  void on_answer_lost(std::function<bool(const Packet&)> is_answer_lost);
+  void tamper(std::function<void(Packets&)> change);
+  void after(std::function<void(const Packet&)> action);
+  Packets log();
+  void clear_log();
+  template <class M>
+  std::size_t count() {
+    return on_thread([this] {
+      std::size_t result = 0;
+      for (const Packet& one : hooks_.log) result += is<M>(one) ? 1U : 0U;
+      return result;
+    });
+  }
+  void unplug();
+
+  // The back door: another host, over USB
+
+  /// Sends a request; returns what comes within a millisecond, which passes for the board at once.
+  Packets ask(const Packet& request);
+  /// The board's answer. Throws std::runtime_error if there is none.
+  template <Message Answer, Message Request>
+  Answer read(const Request& request) {
+    std::string others;
+    for (const Packet& one : ask(packet(request))) {
+      if (is<Answer>(one)) return message<Answer>(one);
+      others += " " + std::to_string(one.id);
+    }
+    throw std::runtime_error("command " + std::to_string(packet(request).id) +
+                             " at the back door has no such answer, but these:" + others);
+  }
+  /// Expects a confirmation, and throws std::runtime_error if there is none.
+  template <Message Request>
+  void write(const Request& request) {
+    const Confirm done = read<Confirm>(request);
+    if (done.cmd != Request::command) throw std::runtime_error("another command is confirmed");
+  }
+  /// The settings that it has, of one profile or of all.
+  template <class M>
+  M settings(std::uint8_t copy = 0) {
+    First<typename SettingsOf<M>::Readers> request{};
+    if constexpr (SettingsOf<M>::copies > 1) SettingsOf<M>::copy(request) = copy;
+    return read<M>(request);
+  }
+  template <class M>
+  std::vector<M> all_settings() {
+    std::vector<M> result;
+    for (std::uint8_t copy = 0; copy < SettingsOf<M>::copies; ++copy) {
+      result.push_back(settings<M>(copy));
+    }
+    return result;
+  }
+  template <class M>
+  void store(const M& settings) {
+    First<typename SettingsOf<M>::Writers> request{};
+    static_cast<M&>(request) = settings;
+    write(request);
+  }
+  /// Changes some of the settings by `change(settings)`.
+  template <class M, class Change>
+  void edit(std::uint8_t copy, Change&& change) {
+    M changed = settings<M>(copy);
+    change(changed);
+    store(changed);
+  }
+
+  /// The simulated gimbal, and the board's time, for `use(gimbal, now)`.
+  template <class Use>
+  auto gimbal(Use use) {
+    return on_thread([&] { return use(live().emulator().board().gimbal(), live().now()); });
+  }
+  /// The board's time.
+  Instant now() {
+    return on_thread([this] { return live().now(); });
+  }
+  board::BoardCounters counters() {
+    return on_thread([this] { return live().emulator().board().counters(); });
+  }
+  /// Power off and on.
+  void restart() {
+    on_thread([this] { live().emulator().restart(live().now()); });
+  }
+  /// Lets time pass for the board.
+  void skip(std::chrono::milliseconds time);
+
+  /// Runs `action()` on the board's thread and returns what it does.
+  template <class Action>
+  std::invoke_result_t<Action&> on_thread(Action action) {
+    if (running_->thread.get_id() == std::this_thread::get_id()) return action();
+    std::packaged_task<std::invoke_result_t<Action&>()> task(std::move(action));
+    auto done = task.get_future();
+    asio::post(running_->context, std::move(task));
+    return done.get();
+  }
+
+ private:
+  /// All that ends with the thread.
+  struct Running {
+    asio::io_context context{1};
+    asio::executor_work_guard<asio::io_context::executor_type> work{context.get_executor()};
+    std::unique_ptr<emulate::LiveBoard> board{};
+    std::unique_ptr<emulate::Endpoint> endpoint{};
+    std::shared_ptr<emulate::Host> host{};  // of a line in memory
+    std::size_t back_door{};
+    std::thread thread{};
+
+    Running() = default;
+    Running(const Running&) = delete;
+    Running& operator=(const Running&) = delete;
+    ~Running();
+  };
+
+  void start(board::Memory memory);
+  void stop();
+  /// Puts the transport in place of the one before.
+  void serve(std::unique_ptr<io::Transport> transport);
+  emulate::LiveBoard& live() { return *running_->board; }
+
+  board::EmulatorOptions options_;
+  bool is_tapped_;
+  TapHooks hooks_{};
+  std::unique_ptr<Running> running_{};
+};
+
+}  // namespace sbgc::test

@@ -1,0 +1,104 @@
+// The client and the emulated board over lines that are not as they should be.
+
+#include <chrono>
+#include <cstdint>
+#include <future>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sbgc/client/backup.hpp>
+#include <sbgc/client/client.hpp>
+#include <sbgc/client/memory.hpp>
+#include <sbgc/detector.hpp>
+#include <sbgc/io/line.hpp>
+
+#include "emulated_board.hpp"
+#include "scripted_board.hpp"
+
+namespace sbgc::test {
+namespace {
+
+ConnectOptions patient() {
+  ConnectOptions options = quick();
+  options.retries = 20;
+  return options;
+}
+
+/// A backup is complete and right, although frames have got lost.
+void expect_backup(const board::Faults& faults) {
+  EmulatedBoard original;
+  original.edit<ReadParams3>(3, [](auto& params) { params.gyro_trust = 99; });
+  board::EmulatorOptions options = quick_board();
+  options.line.faults = faults;
+  EmulatedBoard board(options, original.memory(), false);
+  auto client = connect_over(board.line(), patient());
+  ASSERT_TRUE(client) << client.error().message;
+  const auto backup = make_backup(*client);
+  ASSERT_TRUE(backup) << backup.error().message;
+  EXPECT_EQ(backup->settings.blocks().size(), 18U);
+  for (std::uint8_t profile = 0; profile < 5; ++profile) {
+    EXPECT_EQ(*backup->settings.get<ReadParams3>(profile), original.settings<ReadParams3>(profile));
+    EXPECT_EQ(*backup->settings.get<ReadParamsExt2>(profile),
+              original.settings<ReadParamsExt2>(profile));
+  }
+  EXPECT_GT(client->statistics().session.retries, 0U) << "nothing went wrong";
+}
+
+TEST(Faults, ABackupGetsThroughBitErrors) { expect_backup({.bit_errors = 1e-4}); }
+
+TEST(Faults, ABackupGetsThroughLostBytes) { expect_backup({.lost = 1e-3}); }
+
+TEST(Faults, ABackupGetsThroughDuplicatedBytes) { expect_backup({.duplicated = 1e-3}); }
+
+TEST(Faults, ABackupGetsThroughSilence) {
+  // From the beginning, when the client asks who is there.
+  expect_backup({.silences = {{.from = {}, .length = milliseconds(300)}}});
+}
+
+TEST(Faults, ABackupGetsThroughText) {
+  board::EmulatorOptions options = quick_board();
+  options.line.faults.text_every = milliseconds(2);
+  EmulatedBoard board(options, {}, false);
+  auto client = connect_over(board.line(), patient());
+  ASSERT_TRUE(client) << client.error().message;
+  const auto backup = make_backup(*client);
+  ASSERT_TRUE(backup) << backup.error().message;
+  EXPECT_EQ(*backup->settings.get<ReadParams3>(4), board.settings<ReadParams3>(4));
+  EXPECT_EQ(client->statistics().session.retries, 0U);
+}
+
+TEST(Faults, ABoardThatIsSwitchedOffAndOnAnswersAgain) {
+  EmulatedBoard board;
+  auto client = connect_over(board.line(), patient());
+  ASSERT_TRUE(client) << client.error().message;
+  ASSERT_TRUE(client->get_angles());
+  board.restart();
+  EXPECT_FALSE(client->get_angles({}, {.timeout = std::chrono::milliseconds(20), .retries = 0}));
+  board.skip(std::chrono::seconds(1));
+  EXPECT_TRUE(client->get_angles());
+}
+
+TEST(Faults, ABoardIsFoundAtEveryBaudRateAndParity) {
+  // Finding it is mostly waiting.
+  std::vector<std::future<void>> searches;
+  for (const std::uint32_t rate : baud_rates) {
+    for (const Parity parity : {Parity::none, Parity::even}) {
+      searches.push_back(std::async(std::launch::async, [settings = LineSettings{rate, parity}] {
+        EmulatedBoard board;
+        ConnectOptions options = quick();
+        options.timeout = std::chrono::seconds(60);
+        auto client = connect_over(board.line_with(settings), options);
+        ASSERT_TRUE(client) << io::to_string(settings) << ": " << client.error().message;
+        EXPECT_THAT(client->description(), ::testing::HasSubstr(io::to_string(settings)));
+        EXPECT_TRUE(client->get_angles());
+      }));
+    }
+  }
+  EXPECT_EQ(searches.size(), Detector::lines);
+  for (auto& search : searches) search.get();
+}
+
+}  // namespace
+}  // namespace sbgc::test

@@ -1,0 +1,52 @@
+/// Messages without their frames.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <sbgc/frame.hpp>
+#include <sbgc/message.hpp>
+
+namespace sbgc::test {
+
+/// A message without its frame.
+struct Packet {
+  std::uint8_t id{};
+  std::vector<std::uint8_t> body{};
+
+  bool operator==(const Packet&) const = default;
+};
+
+using Packets = std::vector<Packet>;
+
+template <class M>
+Packet packet(const M& message) {
+  Packet result{static_cast<std::uint8_t>(M::command), std::vector<std::uint8_t>(255)};
+  result.body.resize(encode(message, result.body).size);
+  return result;
+}
+
+/// The message in a packet. Precondition: it is one.
+template <class M>
+M message(const Packet& packet) {
+  M result{};
+  static_cast<void>(decode(std::span(packet.body), result));
+  return result;
+}
+
+template <class M>
+bool is(const Packet& packet) {
+  return packet.id == static_cast<std::uint8_t>(M::command);
+}
+
+/// The bytes of its frame.
+inline std::vector<std::uint8_t> to_frame(const Packet& packet) {
+  std::vector<std::uint8_t> result(max_frame_size);
+  std::ranges::copy(packet.body, frame_body(result.data()));
+  result.resize(finish_frame(result.data(), packet.id, packet.body.size()));
+  return result;
+}
+
+}  // namespace sbgc::test

@@ -1,0 +1,101 @@
+// Data streams of an emulated board, over every kind of line.
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sbgc/client/client.hpp>
+#include <sbgc/messages.hpp>
+
+#include "emulated_board.hpp"
+#include "scripted_board.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using std::chrono::milliseconds;
+
+class Streams : public ::testing::Test {
+ protected:
+  Client connect() {
+    auto client = connect_over(board.line(), quick());
+    if (!client) throw std::runtime_error(client.error().message);
+    return *std::move(client);
+  }
+  /// Lets time pass for the board, in steps; `client` has all samples then. Returns how much time,
+  /// in milliseconds, that of this machine included.
+  double let_pass(Client& client, milliseconds time, Instant begin) {
+    // A pseudo-terminal loses what is not read in time, so the client has to keep up.
+    for (milliseconds passed{}; passed < time; passed += milliseconds(100)) {
+      for (int step = 0; step < 10; ++step) board.skip(milliseconds(10));
+      EXPECT_TRUE(client.get_angles());  // behind all samples
+    }
+    const Instant end = board.now();
+    EXPECT_TRUE(client.get_angles());
+    return static_cast<double>((end - begin).us) / 1000;
+  }
+
+  EmulatedBoard board{quick_board(), {}, false};
+};
+
+TEST_F(Streams, KeepTheirRate) {
+  Client client = connect();
+  std::atomic<int> fast{};
+  std::atomic<int> slow{};
+  const Instant begin = board.now();
+  auto first =
+      client.stream<RealtimeData4>(milliseconds(20), [&](const RealtimeData4&) { ++fast; });
+  ASSERT_TRUE(first) << first.error().message;
+  auto second =
+      client.stream<RealtimeData3>(milliseconds(100), [&](const RealtimeData3&) { ++slow; });
+  ASSERT_TRUE(second) << second.error().message;
+  const double passed = let_pass(client, std::chrono::seconds(10), begin);
+  EXPECT_NEAR(fast, passed / 20, 3);
+  EXPECT_NEAR(slow, passed / 100, 3);
+  EXPECT_EQ(board.counters().skipped, 0U);
+}
+
+TEST_F(Streams, EndWhenTheyAreCancelled) {
+  Client client = connect();
+  std::atomic<int> samples{};
+  auto stream =
+      client.stream<RealtimeData4>(milliseconds(20), [&](const RealtimeData4&) { ++samples; });
+  ASSERT_TRUE(stream) << stream.error().message;
+  let_pass(client, milliseconds(200), board.now());
+  EXPECT_GE(samples, 9);
+  stream->cancel();
+  EXPECT_TRUE(client.get_angles());
+  const auto sent = board.counters().sent;
+  const auto requests = board.counters().requests;
+  let_pass(client, std::chrono::seconds(2), board.now());
+  EXPECT_EQ(board.counters().sent - sent, board.counters().requests - requests);
+}
+
+TEST_F(Streams, ShowWhatTheCameraDoes) {
+  Client client = connect();
+  std::vector<double> yaw;  // on the client's thread, and read behind all samples
+  auto stream = client.stream<RealtimeData4>(milliseconds(20), [&](const RealtimeData4& sample) {
+    yaw.push_back(sample.angle.yaw.degrees());
+  });
+  ASSERT_TRUE(stream) << stream.error().message;
+  Control turn;
+  turn.control_mode.set_mode(ControlModeKind::speed);
+  turn.axes.yaw.speed = ControlSpeed::from_degrees_per_second(20.0);
+  ASSERT_TRUE(client.call(turn));
+  ASSERT_TRUE(client.get_angles());  // the command has got there
+  let_pass(client, std::chrono::seconds(2), board.now());
+  stream->cancel();
+  ASSERT_TRUE(client.get_angles());
+  ASSERT_GE(yaw.size(), 90U);
+  EXPECT_TRUE(std::is_sorted(yaw.begin() + 5, yaw.end()));
+  EXPECT_NEAR(yaw.back() - yaw[yaw.size() - 51], 20, 2) << "in the last second";
+}
+
+}  // namespace
+}  // namespace sbgc::test
