@@ -42,6 +42,7 @@ class Service {
           std::function<void(std::error_code)> on_end = {});
   Service(const Service&) = delete;
   Service& operator=(const Service&) = delete;
+  ~Service() = default;
 
   /// Saves states. False if one can not be saved.
   bool finish();
