@@ -49,6 +49,16 @@ std::string describe(const Violation& violation) {
   return path.data();
 }
 
+/// Collects what is wrong. Not a lambda, which would be another type, with a validator of its own,
+/// for each message.
+struct Problems {
+  std::string& text;
+
+  void operator()(const Violation& violation) const {
+    text += (text.empty() ? "" : "; ") + describe(violation);
+  }
+};
+
 /// The frame of a message that is described by `fields`. Throws InputError or JsonError.
 template <class M>
 std::vector<std::uint8_t> encode_fields(const Json& fields, bool check) {
@@ -56,9 +66,7 @@ std::vector<std::uint8_t> encode_fields(const Json& fields, bool check) {
   from_json(fields, message);
   if (check) {
     std::string problems;
-    validate(message, [&](const Violation& violation) {
-      problems += (problems.empty() ? "" : "; ") + describe(violation);
-    });
+    validate(message, Problems{problems});
     if (!problems.empty()) throw InputError(problems);
   }
   std::vector<std::uint8_t> frame(max_frame_size);

@@ -2,6 +2,7 @@
 /// programs without exceptions, and from_json().
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
@@ -35,8 +36,23 @@ class JsonReader {
   template <class T>
   static void members(const Json& json, T& out, const std::string& path) {
     if (!json.is_object()) throw JsonError(path, "an object is needed");
+    Members members{json, path};
+    Meta<T>::visit(out, members);
+    members.refuse_unknown();
+  }
+
+ private:
+  /// Reads the members of some object. One type for all objects, and not inlined: what it does with
+  /// a member is compiled once for each type of members, which saves compilers much work.
+  struct Members {
+    const Json& json;
+    const std::string& path;
+    std::vector<const char*> names{};
     std::size_t known = 0;
-    Meta<T>::visit(out, [&](const FieldInfo& field, auto&& member) {
+
+    template <class Member>
+    [[gnu::noinline]] void operator()(const FieldInfo& field, Member&& member) {
+      names.push_back(field.name);
       const std::string inner = join(path, field.name);
       const auto found = json.find(field.name);
       if (found != json.end()) {
@@ -45,24 +61,19 @@ class JsonReader {
       } else if (!may_be_missing(field, member)) {
         throw JsonError(inner, "it is missing");
       }
-    });
-    if (known != json.size()) throw JsonError(join(path, unknown_key<T>(json, out)), "unknown");
-  }
+    }
 
- private:
+    void refuse_unknown() const {
+      if (known == json.size()) return;
+      for (const auto& item : json.items()) {
+        if (std::find(names.begin(), names.end(), item.key()) != names.end()) continue;
+        throw JsonError(join(path, item.key()), "unknown");
+      }
+    }
+  };
+
   static std::string join(const std::string& path, const std::string& name) {
     return path.empty() ? name : path + "." + name;
-  }
-
-  template <class T>
-  static std::string unknown_key(const Json& json, T& out) {
-    for (const auto& item : json.items()) {
-      bool known = false;
-      Meta<T>::visit(
-          out, [&](const FieldInfo& field, auto&&) { known = known || item.key() == field.name; });
-      if (!known) return item.key();
-    }
-    return {};
   }
 
   // A counter follows from its list, a tail is the exception. Everything else has to be said:
@@ -196,6 +207,20 @@ class JsonReader {
   }
 };
 
+/// Compares the counters that the JSON has with their lists.
+struct CounterCheck {
+  const Json& json;
+
+  template <class Member>
+  void operator()(const FieldInfo&, const Member&) const {}
+  void operator()(const FieldInfo& field, const Counter& counter) const {
+    const auto found = json.find(field.name);
+    if (found == json.end() || *found == counter.count) return;
+    throw JsonError(field.name, found->dump() + " is announced, but there are " +
+                                    std::to_string(counter.count));
+  }
+};
+
 }  // namespace detail
 
 /// Fills `message` with what `json` says; throws JsonError when it does not describe one.
@@ -206,15 +231,7 @@ template <class M>
 void from_json(const Json& json, M& message) {
   M result{};
   detail::JsonReader::members(json, result, {});
-  Meta<M>::visit(std::as_const(result), [&](const FieldInfo& field, const auto& member) {
-    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(member)>, Counter>) {
-      const auto found = json.find(field.name);
-      if (found != json.end() && *found != member.count) {
-        throw JsonError(field.name, found->dump() + " is announced, but there are " +
-                                        std::to_string(member.count));
-      }
-    }
-  });
+  Meta<M>::visit(std::as_const(result), detail::CounterCheck{json});
   message = result;
 }
 

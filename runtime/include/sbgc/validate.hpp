@@ -87,21 +87,29 @@ class Validator {
 
   template <class T>
   constexpr void members(const T& value, const FieldPath* parent) {
-    [[maybe_unused]] const VariableInfo* variable = nullptr;
-    Meta<T>::visit(value, [&](const FieldInfo& field, const auto& member) {
-      const FieldPath path{parent, field.name};
-      using Member = std::remove_cvref_t<decltype(member)>;
-      if constexpr (std::is_same_v<Member, VariableId>) variable = find_variable(member);
-      if constexpr (std::is_integral_v<Member>) {
-        if (field.is_variable_value && variable != nullptr) {
-          return limits(member, variable->range, field, path);
-        }
-      }
-      this->value(member, field, path);
-    });
+    Meta<T>::visit(value, Members{*this, parent});
   }
 
  private:
+  /// Looks at the members of some struct. Not a lambda, which would be another type for each T.
+  struct Members {
+    Validator& validator;
+    const FieldPath* parent;
+    const VariableInfo* variable = nullptr;  ///< that the last member has named
+
+    template <class Member>
+    constexpr void operator()(const FieldInfo& field, const Member& member) {
+      const FieldPath path{parent, field.name};
+      if constexpr (std::is_same_v<Member, VariableId>) variable = find_variable(member);
+      if constexpr (std::is_integral_v<Member>) {
+        if (field.is_variable_value && variable != nullptr) {
+          return validator.limits(member, variable->range, field, path);
+        }
+      }
+      validator.value(member, field, path);
+    }
+  };
+
   template <class T>
   constexpr void value(const T& value, const FieldInfo& field, const FieldPath& path) {
     if constexpr (std::is_enum_v<T>) {
