@@ -63,10 +63,10 @@ void copying(benchmark::State& state) {
   state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(from.size()));
 }
 
-template <std::uint32_t Rate>
+template <std::uint32_t baud_rate>
 void second_of_one_board(benchmark::State& state) {
   sbgc::board::EmulatorOptions options;
-  options.line.board.baud_rate = Rate;
+  options.line.board.baud_rate = baud_rate;
   sbgc::Instant now{};
   sbgc::board::Emulator emulator(options, {}, now);
   const std::size_t port = emulator.connect(false, now).value();
@@ -145,7 +145,7 @@ void many_boards(benchmark::State& state) {
     cpu += cpu_seconds() - before;
   }
   const double wall = 2.0 * static_cast<double>(state.iterations());
-  const double got = static_cast<double>(frames() - frames_before);
+  const auto got = static_cast<double>(frames() - frames_before);
   if (got < 0.95 * boards * rate * wall) state.SkipWithError("samples are missing");
   state.counters["cpu_share"] = cpu / wall;
   state.counters["frames_per_second"] = got / wall;

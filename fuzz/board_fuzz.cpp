@@ -102,8 +102,8 @@ class Player {
         send_form(index, byte());
         break;
       }
-      case 7: advance(sbgc::microseconds(byte() * 100)); break;
-      case 8: advance(sbgc::milliseconds(byte() * 4)); break;
+      case 7: advance(sbgc::microseconds(100) * byte()); break;
+      case 8: advance(sbgc::milliseconds(4) * byte()); break;
       case 9: read(port_, byte() * std::size_t{8}); break;
       case 10: {
         const Instant next = board_.next();

@@ -64,7 +64,7 @@ bool has(const Machine& machine, BoardFeature feature) {
 template <class M>
 void measure_common(Machine& machine, std::size_t port, Instant now, const Sample& sample,
                     M& data) {
-  const ReadParams3& settings = machine.settings.of<ReadParams3>();
+  const auto& settings = machine.settings.of<ReadParams3>();
   for (std::size_t axis = 0; axis < data.axes.size(); ++axis) {
     data.axes[axis].acc_data = saturated<Acceleration>(sample.acceleration[sensor_axis(axis)]);
     data.axes[axis].gyro_data = saturated<GyroRate>(sample.gyro[sensor_axis(axis)]);
@@ -139,7 +139,7 @@ void measure(Machine& machine, RealtimeDataCustomFlags blocks, Instant now,
              RealtimeDataCustom& data) {
   using Flag = RealtimeDataCustomFlag;
   const Sample sample = machine.gimbal.sample(now);
-  const ReadParams3& settings = machine.settings.of<ReadParams3>();
+  const auto& settings = machine.settings.of<ReadParams3>();
   // The clock has 16 bits and begins again every 65.5 s.
   data.timestamp_ms =
       MillisecondClock(static_cast<std::uint16_t>((now - machine.restarts.started()).us / 1000));

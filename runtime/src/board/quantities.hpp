@@ -37,7 +37,8 @@ inline Angle14 wrapped(double degrees) {
   constexpr double counts = 0x1.0p16;
   constexpr double period = counts * Angle14(1).degrees();
   const auto angle = LongAngle14::from_degrees(std::remainder(degrees, period));
-  return Angle14(static_cast<std::int16_t>(angle.value_or(LongAngle14{}).raw()));
+  const Angle14 result(static_cast<std::int16_t>(angle.value_or(LongAngle14{}).raw()));
+  return result;
 }
 
 }  // namespace sbgc::board

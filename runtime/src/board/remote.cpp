@@ -48,7 +48,7 @@ std::optional<double> Remote::signal(RcMap source) const {
 }
 
 std::optional<double> Remote::axis(const Machine& machine, std::size_t axis) const {
-  const ReadParams3& settings = machine.settings.of<ReadParams3>();
+  const auto& settings = machine.settings.of<ReadParams3>();
   const auto own = signal(settings.rc_map[source_of_axis_[axis]]);
   if (!own) return {};
   double result = bent(settings, axis, *own);
@@ -87,7 +87,7 @@ void Remote::set_channels(Machine& machine, const ApiVirtChControl& signals, Ins
 /// signals do: were it looked at after each change of settings, an action that changes the
 /// channel's source could start itself for ever.
 void Remote::follow_command_channel(Machine& machine, Instant now) {
-  const ReadParams3& settings = machine.settings.of<ReadParams3>();
+  const auto& settings = machine.settings.of<ReadParams3>();
   const auto level = signal(settings.rc_map_cmd);
   // Thirds of the range: ours.
   constexpr double third = 1.0 / 3;

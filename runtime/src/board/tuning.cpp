@@ -43,7 +43,7 @@ double deadband_of(std::uint8_t setting) {
 }  // namespace
 
 Axes<double> home_angles(const Settings& settings, const std::optional<Axes<Angle14>>& home) {
-  const ReadParams3& main = settings.of<ReadParams3>();
+  const auto& main = settings.of<ReadParams3>();
   const bool is_neutral = main.profile_flags1.has(ProfileFlag::start_neutral_position);
   Axes<double> angles;
   for (std::size_t axis = 0; axis < angles.size(); ++axis) {
@@ -58,8 +58,8 @@ Axes<double> home_angles(const Settings& settings, const std::optional<Axes<Angl
 
 Tuning tuning_of(const Settings& settings, const Availability& versions,
                  const std::optional<Axes<Angle14>>& home, double battery_factor) {
-  const ReadParams3& main = settings.of<ReadParams3>();
-  const ReadParamsExt2& more = settings.of<ReadParamsExt2>();
+  const auto& main = settings.of<ReadParams3>();
+  const auto& more = settings.of<ReadParamsExt2>();
   const Axes<double> start = home_angles(settings, home);
   Tuning tuning;
   for (std::size_t axis = 0; axis < tuning.axes.size(); ++axis) {
