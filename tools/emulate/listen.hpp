@@ -16,7 +16,7 @@ namespace sbgc::emulate {
 inline asio::ip::address address_of(const ListenAddress& listen) {
   if (listen.host == "localhost") return asio::ip::address_v4::loopback();
   std::error_code error;
-  const asio::ip::address result = asio::ip::make_address(listen.host, error);
+  asio::ip::address result = asio::ip::make_address(listen.host, error);
   if (error) {
     throw std::runtime_error(fmt::format(
         "'{}' is no address to listen on, such as 127.0.0.1, 0.0.0.0 or [::1]", listen.host));
