@@ -250,13 +250,13 @@ bool Calibrations::store(Machine& machine, const Run& run, Instant now) {
       return change_settings<ReadParamsExt>(machine, now, [&](ReadParamsExt& settings) {
         // The present position becomes the zero.
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          settings.encoder_offset[axis] = wrapped(std::remainder(sample.joints[axis], 360.0));
+          settings.encoder_offset[axis] = wire_angle(std::remainder(sample.joints[axis], 360.0));
         }
       });
     case Kind::encoder_field:
       return change_settings<ReadParamsExt>(machine, now, [&](ReadParamsExt& settings) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          settings.encoder_fld_offset[axis] = wrapped(360 * random(2 + axis) - 180);
+          settings.encoder_fld_offset[axis] = wire_angle(360 * random(2 + axis) - 180);
         }
       });
   }

@@ -29,7 +29,7 @@ struct Variable {
 };
 
 /// What stands on the wire.
-double counts(double degrees) { return wrapped(degrees).raw(); }
+double counts(double degrees) { return wire_angle(degrees).raw(); }
 double counts(GyroRate rate) { return rate.raw(); }
 
 using Kind = DebugVarKind;

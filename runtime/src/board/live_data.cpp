@@ -53,7 +53,7 @@ Axes<Q> sensor(const From& from) {
 }
 
 Axes<Angle14> angles(const Axes<double>& from) {
-  return {wrapped(from.roll), wrapped(from.pitch), wrapped(from.yaw)};
+  return {wire_angle(from.roll), wire_angle(from.pitch), wire_angle(from.yaw)};
 }
 
 bool has(const Machine& machine, BoardFeature feature) {
@@ -176,8 +176,8 @@ void measure(Machine& machine, RealtimeDataCustomFlags blocks, Instant now,
 void measure(Machine& machine, Instant now, GetAngles& data) {
   const Sample sample = machine.gimbal.sample(now);
   for (std::size_t axis = 0; axis < data.axes.size(); ++axis) {
-    data.axes[axis].imu_angle = wrapped(sample.angles[axis]);
-    data.axes[axis].rc_target_angle = wrapped(sample.targets[axis]);
+    data.axes[axis].imu_angle = wire_angle(sample.angles[axis]);
+    data.axes[axis].rc_target_angle = wire_angle(sample.targets[axis]);
     data.axes[axis].rc_speed = saturated<ControlSpeed>(sample.target_speeds[axis]);
   }
 }
@@ -185,8 +185,8 @@ void measure(Machine& machine, Instant now, GetAngles& data) {
 void measure(Machine& machine, Instant now, GetAnglesExt& data) {
   const Sample sample = machine.gimbal.sample(now);
   for (std::size_t axis = 0; axis < data.axes.size(); ++axis) {
-    data.axes[axis].imu_angle = wrapped(sample.angles[axis]);
-    data.axes[axis].rc_target_angle = wrapped(sample.targets[axis]);
+    data.axes[axis].imu_angle = wire_angle(sample.angles[axis]);
+    data.axes[axis].rc_target_angle = wire_angle(sample.targets[axis]);
     if (knows_joints(machine)) {
       data.axes[axis].stator_rotor_angle = saturated<LongAngle14>(sample.joints[axis]);
     }

@@ -33,7 +33,8 @@ std::optional<std::uint8_t> script_of(MenuCommand action) {
 /// The present angles of the camera, as the ones to start with.
 Axes<Angle14> present_angles(Machine& machine, Instant now) {
   const Sample sample = machine.gimbal.sample(now);
-  return {wrapped(sample.angles.roll), wrapped(sample.angles.pitch), wrapped(sample.angles.yaw)};
+  return {wire_angle(sample.angles.roll), wire_angle(sample.angles.pitch),
+          wire_angle(sample.angles.yaw)};
 }
 
 void set_angle(Machine& machine, Instant now) {

@@ -33,7 +33,7 @@ Raw saturated_raw(double value) {
 }
 
 /// An angle that starts again when its counts overflow, after two turns in each direction.
-inline Angle14 wrapped(double degrees) {
+inline Angle14 wire_angle(double degrees) {
   constexpr double counts = 0x1.0p16;
   constexpr double period = counts * Angle14(1).degrees();
   const auto angle = LongAngle14::from_degrees(std::remainder(degrees, period));
