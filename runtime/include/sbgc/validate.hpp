@@ -94,7 +94,7 @@ class Validator {
   /// Looks at the members of some struct. Not a lambda, which would be another type for each T.
   struct Members {
     Validator& validator;
-    const FieldPath* parent;
+    const FieldPath* parent = nullptr;       ///< of the struct itself
     const VariableInfo* variable = nullptr;  ///< that the last member has named
 
     template <class Member>
