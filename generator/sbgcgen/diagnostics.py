@@ -19,6 +19,9 @@ class Position:
         return f"{self.file}:{self.line}:{self.column}"
 
 
+NOWHERE = Position("")
+
+
 @dataclass(frozen=True, order=True)
 class Diagnostic:
     """One finding: where, which rule, what, and what to do about it."""

@@ -43,7 +43,7 @@ _EACH: dict[str, Callable[[Layout], Items]] = {
 def inputs() -> list[Path]:
     """Every file of the generator that its output depends on."""
     here = Path(__file__).resolve().parent
-    files = [*here.glob("*.py"), *(here.parent / "schema").glob("*.json")]
+    files = [*here.rglob("*.py"), *(here.parent / "schema").glob("*.json")]
     return files + [path for path in TEMPLATES.rglob("*") if path.is_file()]
 
 

@@ -1,0 +1,79 @@
+"""The Layout model: the protocol fully resolved, frozen, and the only thing that templates see.
+
+Every size, offset, name and reference is decided here, once. Targets print it; none of them
+computes a layout again.
+"""
+
+from sbgcgen.model.values import (
+    Availability,
+    Deprecation,
+    Enum,
+    EnumValue,
+    Packed,
+    Part,
+    Quantity,
+    SCALARS,
+    Scalar,
+)
+from sbgcgen.model.bodies import (
+    Alternative,
+    Announced,
+    Announcement,
+    Blob,
+    Condition,
+    Constant,
+    Context,
+    Field,
+    Leaf,
+    Special,
+    Struct,
+    Type,
+    constants,
+)
+from sbgcgen.model.answers import Answer, AnswerCase, Echo, Growth, Reply, Result, Role
+from sbgcgen.model.messages import Command, Family, Message, Settings, copy_field
+from sbgcgen.model.variables import Variable, VariableSetting
+from sbgcgen.model.protocol import Erratum, Framing, Layout, Line
+
+__all__ = [
+    "Alternative",
+    "Announced",
+    "Announcement",
+    "Answer",
+    "AnswerCase",
+    "Availability",
+    "Blob",
+    "Command",
+    "Condition",
+    "Constant",
+    "Context",
+    "Deprecation",
+    "Echo",
+    "Enum",
+    "EnumValue",
+    "Erratum",
+    "Family",
+    "Field",
+    "Framing",
+    "Growth",
+    "Layout",
+    "Leaf",
+    "Line",
+    "Message",
+    "Packed",
+    "Part",
+    "Quantity",
+    "Reply",
+    "Result",
+    "Role",
+    "SCALARS",
+    "Scalar",
+    "Settings",
+    "Special",
+    "Struct",
+    "Type",
+    "Variable",
+    "VariableSetting",
+    "constants",
+    "copy_field",
+]

@@ -1,0 +1,134 @@
+"""Commands, their messages, and what these store."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from sbgcgen.diagnostics import NOWHERE, Position
+from sbgcgen.model.answers import Answer, Role
+from sbgcgen.model.bodies import Context, Field, Leaf, Struct
+from sbgcgen.model.values import Availability, Deprecation
+from sbgcgen.names import snake_case
+
+
+@dataclass(frozen=True)
+class Message:
+    """One body layout of one command in one direction.
+
+    `keeps_tail`: bytes behind the described ones are kept. `is_open`: any body of at least
+    `min_size` is taken for this message, of several forms the longest.
+    """
+
+    name: str
+    command: str
+    command_identifier: str
+    id: int
+    direction: str
+    form: str | None
+    family: str
+    summary: str
+    description: str
+    source: str
+    errata: tuple[str, ...]
+    since: Availability
+    deprecated: Deprecation | None
+    body: Struct
+    same_as: str
+    in_both_directions: bool
+    keeps_tail: bool
+    is_open: bool
+    tail_capacity: int
+    min_size: int
+    max_size: int
+    contexts: tuple[Context, ...]
+    answer: Answer | None
+    role: Role | None
+    stores: str
+    leaves: tuple[Leaf, ...]
+    at: Position = field(default=NOWHERE, compare=False, repr=False)
+
+    @property
+    def identifier(self) -> str:
+        """The name as a member would have it."""
+        return snake_case(self.name)
+
+    @property
+    def fields(self) -> tuple[Field, ...]:
+        return self.body.fields
+
+    @property
+    def has_fixed_size(self) -> bool:
+        return self.body.size is not None
+
+
+@dataclass(frozen=True)
+class Command:
+    """One command name of the protocol; several may share an id in different directions."""
+
+    name: str
+    identifier: str
+    id: int | None
+    family: str
+    summary: str
+    source: str
+    errata: tuple[str, ...]
+    since: Availability
+    undocumented: bool
+    at: Position = field(default=NOWHERE, compare=False, repr=False)
+
+
+@dataclass(frozen=True)
+class Family:
+    """A group of commands that get one header and one page."""
+
+    name: str
+    summary: str
+    structs: tuple[Struct, ...]
+    messages: tuple[Message, ...]
+
+    @property
+    def uses(self) -> tuple[str, ...]:
+        """Other families whose structs or messages this one needs."""
+        fields = [f for m in self.messages for f in m.fields]
+        fields += [f for s in self.structs for f in s.fields]
+        names = {f.type.family for f in fields if isinstance(f.type, Struct)}
+        names |= {m.body.family for m in self.messages}
+        return tuple(sorted(names - {self.name}))
+
+    @property
+    def definitions(self) -> tuple[Message, ...]:
+        """Messages that define a C++ type of their own (a same_as in both directions does not).
+
+        Those with the body of another message come last, behind what they are made of.
+        """
+        seen: dict[str, Message] = {}
+        for message in self.messages:
+            seen.setdefault(message.name, message)
+
+        def steps(message: Message) -> int:
+            return 1 + steps(seen[message.same_as]) if message.same_as in seen else 0
+
+        return tuple(sorted(seen.values(), key=lambda m: (bool(m.same_as), steps(m))))
+
+
+@dataclass(frozen=True)
+class Settings:
+    """A message whose content a host can read and store, and with which requests.
+
+    Deprecated requests come last. `copies` is how many of these settings the board has, told apart
+    by a field with the role "copy"; 1 without such a field.
+    """
+
+    message: Message
+    readers: tuple[Message, ...]
+    writers: tuple[Message, ...]
+
+    @property
+    def copies(self) -> int:
+        found = copy_field(self.message)
+        return int(found.maximum) + 1 if found and found.maximum is not None else 1
+
+
+def copy_field(message: Message) -> Field | None:
+    """The field that says which of several copies of its settings a message is about."""
+    return next((f for f in message.fields if f.role == "copy"), None)

@@ -1,0 +1,102 @@
+"""The whole protocol."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from sbgcgen.diagnostics import NOWHERE, Position
+from sbgcgen.model.messages import Command, Family, Message, Settings
+from sbgcgen.model.values import Enum, Packed, Quantity
+from sbgcgen.model.variables import Variable
+
+
+@dataclass(frozen=True)
+class Erratum:
+    """A decision on how to read the specification."""
+
+    number: str
+    kind: str
+    lines: tuple[str, ...]
+    problem: str
+    reading: str
+    reason: str
+    at: Position = field(default=NOWHERE, compare=False, repr=False)
+
+
+@dataclass(frozen=True)
+class Framing:
+    """How a body is wrapped on the line."""
+
+    start: int
+    header_size: int
+    trailer_size: int
+    max_body: int
+    source: str
+    errata: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Line:
+    """The serial line. Rates and parities stand with the most likely first.
+
+    `named` of the rates are those that the protocol names.
+    """
+
+    baud_rates: tuple[int, ...]
+    named: int
+    parities: tuple[str, ...]
+    shortest_pause_ms: int
+    longest_pause_ms: int
+    source: str
+    errata: tuple[str, ...]
+    at: Position = field(default=NOWHERE, compare=False, repr=False)
+
+
+@dataclass(frozen=True)
+class Layout:
+    """The whole protocol."""
+
+    protocol: dict[str, str]
+    framing: Framing
+    line: Line
+    families: tuple[Family, ...]
+    quantities: tuple[Quantity, ...]
+    enums: tuple[Enum, ...]
+    packed: tuple[Packed, ...]
+    commands: tuple[Command, ...]
+    variables: tuple[Variable, ...]
+    errata: tuple[Erratum, ...]
+    indices: dict[str, tuple[str, ...]]
+
+    @property
+    def messages(self) -> tuple[Message, ...]:
+        return tuple(m for family in self.families for m in family.messages)
+
+    @property
+    def definitions(self) -> tuple[Message, ...]:
+        """Messages with a type of their own, in the order of families."""
+        return tuple(m for family in self.families for m in family.definitions)
+
+    @property
+    def settings(self) -> tuple[Settings, ...]:
+        """What can be read and stored, in the order of families."""
+        stored = {m.stores for m in self.messages}
+
+        def requests(of: list[Message]) -> tuple[Message, ...]:
+            return tuple(sorted(of, key=lambda m: m.deprecated is not None))
+
+        return tuple(
+            Settings(
+                message,
+                requests(
+                    [m for m in self.messages if m.answer and message.name in m.answer.messages]
+                ),
+                requests([m for m in self.messages if m.stores == message.name]),
+            )
+            for message in self.definitions
+            if message.name in stored
+        )
+
+    def having_role(self, kind: str) -> tuple[Message, ...]:
+        """The messages with a role; several are forms of one command."""
+        return tuple(m for m in self.messages if m.role and m.role.kind == kind)
