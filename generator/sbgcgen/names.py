@@ -103,6 +103,13 @@ def camel_case(name: str) -> str:
     return "".join(word.capitalize() for word in name.split("_"))
 
 
+def singular(plural: str) -> str:
+    """What one of the flags of a set is called: SystemErrors -> SystemError, Switches -> Switch."""
+    if re.search(r"(ch|sh|ss)es\Z", plural):
+        return plural[:-2]
+    return plural[:-1] if plural.endswith("s") else f"{plural}Bit"
+
+
 def slug(name: str) -> str:
     """BoardInfo3Request -> board-info3-request, as it stands in paths."""
     return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "-", name).lower()

@@ -27,6 +27,7 @@ from sbgcgen.names import (
     is_identifier,
     parse_board,
     parse_version,
+    singular,
     snake_case,
 )
 
@@ -210,12 +211,9 @@ class TypeResolver:
         for key, content in node["values"].items():
             values.append(self._enum_value(key, content, node))
         self._check_values(name, kind, scalar, values)
-        member = name
-        if kind == "flags":
-            member = name[:-1] if name.endswith("s") else f"{name}Bit"
         return Enum(
             name=name,
-            member=member,
+            member=singular(name) if kind == "flags" else name,
             scalar=scalar,
             kind=kind,
             summary=self.summary(node, at, name),

@@ -15,10 +15,26 @@ from sbgcgen.names import (
     parse_field_name,
     parse_lines,
     parse_version,
+    singular,
     snake_case,
     type_advice,
 )
 from support import PROJECT
+
+
+@pytest.mark.parametrize(
+    ("plural", "expected"),
+    [
+        ("SystemErrors", "SystemError"),
+        ("Switches", "Switch"),
+        ("Pushes", "Push"),
+        ("Losses", "Loss"),
+        ("Modes", "Mode"),
+        ("Presence", "PresenceBit"),
+    ],
+)
+def test_singular(plural: str, expected: str) -> None:
+    assert singular(plural) == expected
 
 
 @pytest.mark.parametrize(

@@ -103,7 +103,7 @@ def test_enum(tmp_path: Path) -> None:
 def test_flags(tmp_path: Path) -> None:
     layout = layout_of(tmp_path, TYPES)
     switches = next(e for e in layout.enums if e.name == "Switches")
-    assert (switches.kind, switches.member, switches.scalar.size) == ("flags", "Switche", 2)
+    assert (switches.kind, switches.member, switches.scalar.size) == ("flags", "Switch", 2)
     assert [v.value for v in switches.values] == [0x0001, 0x8000]
 
 

@@ -892,7 +892,7 @@ using ResetOptions = Flags<ResetOption>;
 
 /// Filters of an axis that are on; 0 turns all off.
 /// Source: Variables L1084.
-enum class FilterSwitche : std::uint8_t {
+enum class FilterSwitch : std::uint8_t {
   /// EN_NOTCH1: First notch filter.
   notch1 = 0x01,
   /// EN_NOTCH2: Second notch filter.
@@ -903,8 +903,8 @@ enum class FilterSwitche : std::uint8_t {
   lpf = 0x08,
 };
 template <>
-inline constexpr bool is_flag<FilterSwitche> = true;
-using FilterSwitches = Flags<FilterSwitche>;
+inline constexpr bool is_flag<FilterSwitch> = true;
+using FilterSwitches = Flags<FilterSwitch>;
 
 /// Options in the upper half of an encoder type byte.
 /// Source: Variables L1100. Errata: E057.

@@ -587,7 +587,7 @@ struct EnumMeta<ResetOption> {
 };
 
 template <>
-struct EnumMeta<FilterSwitche> {
+struct EnumMeta<FilterSwitch> {
   static constexpr ValueInfo values[] = {
       {"EN_NOTCH1", 1, "First notch filter."},
       {"EN_NOTCH2", 2, "Second notch filter."},
