@@ -1,0 +1,289 @@
+"""Makes lists of fields: of structs, and of messages."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Optional
+
+from spec_parts import INTEGERS, MAX_BODY, MAX_MEMORY, SIZES, UNSIGNED, Kind, Node, Scope
+from type_maker import TypeMaker
+
+
+class FieldMaker(TypeMaker):
+    """Makes lists of fields."""
+
+    # What a field may be made of
+
+    def number_kind(self) -> Kind:
+        """A type with a number on the wire."""
+        scalars = [Kind(n, s, s, number=n) for n, s in SIZES.items()]
+        named = [Kind("CommandId", 1, 1, number="u8"), Kind("VariableId", 1, 1, number="u8")]
+        pools = (scalars, self.quantities, self.enums, self.flag_sets, self.packed, named)
+        return self.random.choice(self.random.choice([pool for pool in pools if pool]))
+
+    def blob_kind(self) -> Kind:
+        """Bytes or text of some size."""
+        size = self.random.choice((1, 2, 3, 7))
+        return Kind(f"{self.random.choice(('bytes', 'text'))}[{size}]", size, size)
+
+    def element_kind(self, scope: Scope) -> Kind:
+        """Any type that has an end."""
+        what = self.random.random()
+        if what < 0.5:
+            return self.number_kind()
+        if what < 0.7:
+            return self.blob_kind()
+        if what < 0.8:
+            return Kind("string", 1, MAX_BODY + 1, fixed=False)
+        structs = [k for k in self.structs if self.can_use(scope, k)]
+        return self.random.choice(structs) if structs else self.number_kind()
+
+    def can_use(self, scope: Scope, kind: Kind) -> bool:
+        """Whether a list of fields may hold a struct: it fits, and no families form a circle."""
+        order = list(self.families)
+        return (
+            order.index(kind.needs_family) <= order.index(scope.family)
+            and kind.least <= scope.budget // 2
+            and kind.memory <= MAX_MEMORY
+            and not kind.takes_rest
+        )
+
+    # Fields
+
+    def make_fields(self, scope: Scope, count: int) -> None:
+        """Fill a scope with up to `count` fields."""
+        makers: list[tuple[float, Callable[[Scope], None]]] = [
+            (6, self.add_number),
+            (2, self.add_element),
+            (2.5, self.add_conditional),
+            (1, self.add_list),
+            (0.6, self.add_reserved),
+            (0.4, self.add_inline_struct),
+            (0.3, self.add_variable_value),
+            (0.8, self.add_condition_source),
+        ]
+        weights = [weight for weight, _ in makers]
+        for _ in range(count):
+            if scope.budget >= 8:
+                self.random.choices(makers, weights)[0][1](scope)
+
+    def dimension(self, scope: Scope, kind: Kind) -> tuple[str, int]:
+        """What follows a field's name, and how often the field then stands."""
+        choices = [("", 1)] * 6 + [("[axis]", 3), ("[xyz]", 3), ("[1]", 1), ("[4]", 4)]
+        choices += [("_{AXIS}", 3 if scope.in_message else 1), ("{1..3}_END", 3), ("{5..5}", 1)]
+        fitting = [
+            (text, count)
+            for text, count in choices
+            if kind.least * count <= scope.budget and kind.memory * count <= MAX_MEMORY
+        ]
+        return self.random.choice(fitting or [("", 1)])
+
+    def decorate(self, node: Node, kind: Kind, scope: Scope) -> Node:
+        """Add limits and remarks to a field."""
+        if kind.number in INTEGERS and self.chance(0.4):
+            low, high = sorted(self.random.randint(*INTEGERS[kind.number]) for _ in range(2))
+            node["range"] = f"{low}..{high}"
+            if self.chance(0.3):
+                node["special"] = {str(low): 'Lowest "of" all.'}
+                node["special_in_range"] = True
+                if low % 2:
+                    named = {"as": self.unique("named_special_"), "summary": "Lowest of all."}
+                    node["special"][str(low)] = named
+        elif kind.number == "f32" and self.chance(0.4):
+            node["range"] = self.random.choice(("-0.5..1.25", "0..1", "-1000000000..0.1"))
+        if kind.number in INTEGERS and "special" not in node and self.chance(0.2):
+            low, high = INTEGERS[kind.number]
+            node["special"] = {str(low): "The lowest.", str(high): "The highest."}
+            node["special_in_range"] = True
+        if kind.number in INTEGERS and self.chance(0.1):
+            node["align"] = self.random.choice((2, 64))
+        if self.chance(0.1):
+            node["since"] = self.since()
+        if self.chance(0.1):
+            node["deprecated"] = self.random.choice((True, {"since": self.since()}))
+        others = [k for k in self.quantities if k.number == kind.number and k != kind]
+        if kind.is_quantity and others and scope.flags and scope.in_message and self.chance(0.4):
+            of, flag = self.random.choice(scope.flags)
+            other = self.random.choice(others).name
+            node["alternative"] = {"type": other, "of": of, "flag": flag}
+        return self.said(node)
+
+    def add_number(self, scope: Scope) -> None:
+        """A number, once or several times."""
+        kind = self.number_kind()
+        name = self.field_name()
+        dim, count = self.dimension(scope, kind)
+        node = self.decorate({"name": name + dim, "type": kind.name}, kind, scope)
+        scope.add(node, kind.least * count, kind.memory * count, True)
+        if kind.values and not dim:
+            self.depend_on(scope, name, kind)
+        if kind.name == "VariableId" and not dim:
+            scope.variables.append(name)
+
+    def depend_on(self, scope: Scope, name: str, kind: Kind) -> None:
+        """Let later fields depend on this one."""
+        scope.known.append((name, kind))
+        if kind.is_flags and scope.in_message:
+            scope.flags += [(name, flag) for flag, mask in kind.values if mask]
+
+    def add_condition_source(self, scope: Scope) -> None:
+        """An enum or flag set that something may depend on."""
+        kind = self.random.choice(self.enums + self.flag_sets)
+        name = self.field_name()
+        scope.add(self.said({"name": name, "type": kind.name}), kind.least, kind.memory, True)
+        self.depend_on(scope, name, kind)
+
+    def add_element(self, scope: Scope) -> None:
+        """Something of any type."""
+        kind = self.element_kind(scope)
+        dim, count = self.dimension(scope, kind)
+        node = self.said({"name": self.field_name() + dim, "type": kind.name})
+        if kind.number:
+            node = self.decorate(node, kind, scope)
+        scope.add(node, kind.least * count, kind.memory * count, kind.fixed)
+
+    def add_reserved(self, scope: Scope) -> None:
+        """Reserved bytes, with or without a name."""
+        if self.chance(0.6):
+            size = self.random.randint(1, 5)
+            scope.add({"reserved": size}, size, size, True)
+        else:
+            kind = self.blob_kind() if self.chance(0.5) else self.number_kind()
+            node = {"name": self.field_name(), "type": kind.name, "reserved": True}
+            scope.add(node, kind.least, kind.memory, True)
+
+    def condition(self, scope: Scope) -> Optional[Node]:
+        """A condition that fields of this scope can have."""
+        sources = [("field", n, k) for n, k in scope.known]
+        sources += [("context", n, k) for n, k in scope.contexts] * 3
+        if not sources:
+            return None
+        key, name, kind = self.random.choice(sources)
+        if kind.is_flags:
+            flags = [flag for flag, mask in kind.values if mask]
+            chosen = self.random.sample(flags, self.random.randint(1, min(2, len(flags))))
+            return {key: name, "has": chosen if len(chosen) > 1 else chosen[0]}
+        names = [value for value, _ in kind.values]
+        chosen = self.random.sample(names, self.random.randint(1, min(3, len(names))))
+        return {key: name, "is": chosen if len(chosen) > 1 else chosen[0]}
+
+    def add_conditional(self, scope: Scope) -> None:
+        """Something that is there only if some other field says so."""
+        when = self.condition(scope)
+        if when is None:
+            return self.add_condition_source(scope)
+        kind = self.element_kind(scope)
+        dim, count = self.dimension(scope, kind)
+        name = self.field_name()
+        node = self.decorate({"name": name + dim, "type": kind.name, "when": when}, kind, scope)
+        if "field" in when and kind.fixed and self.chance(0.3):
+            when["may_be_missing"] = True
+        scope.budget -= kind.least * count
+        scope.add(node, 0, kind.memory * count + 4, False)
+        if kind.values and not dim and self.chance(0.5):
+            scope.known.append((name, kind))
+        return None
+
+    def add_list(self, scope: Scope) -> None:
+        """A list behind the number of its elements."""
+        kind = self.element_kind(scope)
+        if scope.has_region:  # everything behind a counter would lose its fixed place
+            return self.add_number(scope)
+        if MAX_BODY // max(1, kind.least) * kind.memory > MAX_MEMORY:
+            kind = self.number_kind()
+        counter, number = self.field_name(), self.random.choice(UNSIGNED)
+        node = {"name": counter, "type": number}
+        if self.chance(0.5):
+            node["range"] = f"0..{self.random.choice((1, 2, 3))}"
+        scope.add(self.said(node), SIZES[number], 0, True)
+        if self.chance(0.2):
+            self.add_number(scope)
+        node = self.said({"name": f"{self.field_name()}[{counter}]", "type": kind.name})
+        scope.add(node, 0, MAX_BODY // max(1, kind.least) * kind.memory, False)
+        scope.has_lists = True
+        return None
+
+    def add_inline_struct(self, scope: Scope) -> None:
+        """A struct that is defined where it is used, and can be used again later."""
+        if scope.depth >= 2:
+            return self.add_number(scope)
+        name = self.unique("Inline")
+        kind, node = self.make_struct(name, scope.family, scope.budget // 3, scope.depth + 1)
+        dim, count = self.dimension(scope, kind)
+        node.update(name=self.field_name() + dim, struct=name)
+        scope.add(self.said(node), kind.least * count, kind.memory * count, kind.fixed)
+        self.structs.append(kind)
+        return None
+
+    def make_struct(
+        self, name: str, family: str, budget: int, depth: int, rest: bool = False
+    ) -> tuple[Kind, Node]:
+        """A struct and its entry in the spec."""
+        inner = Scope(family, max(8, budget), in_message=False, depth=depth)
+        self.make_fields(inner, self.random.randint(1, 5))
+        if rest:
+            self.add_rest(inner)
+        if not inner.fields:
+            self.add_number(inner)
+        kind = Kind(name, inner.least, inner.memory + 8, inner.fixed, needs_family=family)
+        return replace(kind, takes_rest=inner.takes_rest), {"fields": inner.fields}
+
+    def add_variable_value(self, scope: Scope) -> None:
+        """The value of an adjustable variable."""
+        if not scope.variables:
+            scope.variables.append(self.field_name())
+            node = {"name": scope.variables[-1], "type": "VariableId"}
+            scope.add(self.said(node), 1, 1, True)
+        name, number = self.field_name(), self.random.choice(list(INTEGERS))
+        node = {"name": name, "type": number, "variable": self.random.choice(scope.variables)}
+        scope.add(self.said(node), SIZES[number], SIZES[number], True)
+
+    def add_region(self, scope: Scope) -> None:
+        """Some bytes whose meaning depends on fields before them."""
+        if scope.has_lists or not scope.fixed or scope.budget < 8:
+            return
+        here = {f.get("name") for f in scope.fields if "when" not in f}
+        known = [(name, kind) for name, kind in scope.known if name in here]
+        if not known:
+            self.add_condition_source(scope)
+            known = [scope.known[-1]]
+        size = self.random.choice((4, 8))
+        inner = Scope(scope.family, 99, in_message=False, depth=9, known=known)
+        left = size  # several conditions may hold at once
+        for _ in range(self.random.randint(1, 3)):
+            kind = self.number_kind() if self.chance(0.7) else Kind("bytes[2]", 2, 2)
+            if kind.least > left:
+                continue
+            left -= kind.least
+            name = "REST_OF_IT" if (name := self.field_name()) == "REST" else name
+            node: Node = {"name": name, "type": kind.name, "when": self.condition(inner)}
+            inner.fields.append(self.decorate(node, kind, inner))
+        node = {"name": self.field_name(), "struct": self.unique("Region"), "size": size}
+        scope.add(self.said({**node, "fields": inner.fields}), size, 50, True)
+        scope.has_region = True
+
+    def add_rest(self, scope: Scope) -> None:
+        """What takes the rest of the body."""
+        node: Node = {"name": self.field_name(), "type": "bytes[]"}
+        structs = [k for k in self.structs if k.fixed and k.least and self.can_use(scope, k)]
+        what = self.random.random()
+        least = 1
+        if what < 0.3:
+            node["align"] = self.random.choice((1, 2))
+        elif what < 0.45 and scope.depth < 2:
+            name = self.unique("Tail")
+            kind, inner = self.make_struct(name, scope.family, 20, scope.depth + 1, rest=True)
+            node = {"name": node["name"], "struct": name, **inner}
+            scope.add(self.said(node), kind.least, kind.memory, False)
+            scope.takes_rest = True
+            return
+        else:
+            kind = self.number_kind() if self.chance(0.6) else self.blob_kind()
+            kind = self.random.choice(structs) if structs and self.chance(0.3) else kind
+            node = {"name": node["name"] + "[]", "type": kind.name}
+            least = kind.least
+        if self.chance(0.5) and scope.budget >= 3 * least:
+            node["max_count"] = self.random.choice((1, 2, 3))
+        scope.add(self.said(node), 0, MAX_BODY, False)
+        scope.takes_rest = True

@@ -1,0 +1,333 @@
+"""Makes commands and their messages."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any, Optional
+
+from field_maker import FieldMaker
+from spec_parts import MAX_BODY, MAX_MEMORY, SIZES, UNSIGNED, Body, Node, Scope
+from type_maker import TEXTS
+
+
+class MessageMaker(FieldMaker):
+    """Makes commands with their messages."""
+
+    def make_messages(self) -> None:
+        """Commands of all kinds; those that others depend on come first."""
+        for _ in range(2):
+            self.add_flag_source()
+        for _ in range(self.random.randint(1, 2)):
+            self.add_announcement()
+        makers = [self.add_forms, self.add_both_ways, self.add_same, self.add_including]
+        makers += [self.add_dependent, self.add_gaps]
+        for maker in makers:
+            maker()
+        makers += [self.add_command] * 5 + [self.add_undocumented]
+        for _ in range(self.size):
+            self.random.choice(makers)()
+
+    def scope(self, family: str, budget: int = 150) -> Scope:
+        """A new list of fields of a message."""
+        return Scope(family, budget, in_message=True)
+
+    def random_scope(self, family: str, rest: bool = True, budget: int = 150) -> Scope:
+        """A list of fields of a message, perhaps with what takes the rest of the body."""
+        scope = self.scope(family, budget)
+        self.make_fields(scope, self.random.choice((0, 1, 2, 4, 8, 12)))
+        if self.chance(0.3):
+            self.add_region(scope)
+            self.make_fields(scope, self.random.choice((0, 3)))
+        if rest and self.chance(0.35):
+            self.add_rest(scope)
+        return scope
+
+    def new_command(self, *directions: str, family: str = "") -> tuple[str, str, Node]:
+        """A command: its name, its family, which is `family` or one behind it, and its entry."""
+        shared = set(self.ids["from_board"]) & set(self.ids["to_board"])
+        pool = sorted(shared) if len(directions) > 1 else self.ids[directions[0]]
+        identity = self.random.choice(pool)
+        for direction in directions:
+            self.ids[direction].remove(identity)
+        order = list(self.families)
+        name = f"CMD_C{self.unique('')}"
+        family = self.random.choice(order[order.index(family) if family else 0 :])
+        node = self.said({"id": identity})
+        if self.chance(0.2):
+            node["since"] = self.since()
+        if self.chance(0.2):
+            node["deprecated"] = self.random.choice((True, {"since": self.since()}))
+        self.section(family, "commands")[name] = node
+        return name, family, node
+
+    def side(self, direction: str, name: str, content: Node, scope: Optional[Scope] = None) -> Node:
+        """One direction of a command, whose message is called `name` and has the fields of `scope`."""
+        node = self.sourced({**content, "as": name})
+        if self.chance(0.2):
+            node["description"] = self.random.choice(TEXTS)
+        if direction == "to_board":
+            node["answer"] = self.answer(scope)
+        elif not self.has_reset and self.chance(0.2):
+            self.has_reset = True
+            node["role"] = {"is": "reset", "delay_ms": 20}
+        return node
+
+    def answer(self, scope: Optional[Scope] = None) -> Any:
+        """What answers a request, perhaps under a condition about the fields of `scope`."""
+        plain = self.plain_answer()
+        if scope is None or not scope.known or self.chance(0.3):
+            return plain
+        when = self.condition(replace(scope, contexts=[]))
+        if when is None:
+            return plain
+        when.pop("may_be_missing", None)
+        other = self.plain_answer()
+        first = {"confirm": "possible"} if other == "none" else other
+        return [{"when": when, **first}, plain]
+
+    def plain_answer(self) -> Any:
+        """What answers a request."""
+        from_board = [b.name for b in self.bodies if b.direction == "from_board"]
+        if from_board and self.chance(0.5):
+            return {"message": self.random.choice(from_board), "retry": "safe"}
+        if self.chance(0.5):
+            return {"confirm": "always", "confirmations": 2, "timeout_ms": 70}
+        return "none"
+
+    def add_body(self, name: str, scope: Scope, direction: str, has_contexts: bool = False) -> None:
+        """Remember a message."""
+        self.bodies.append(Body(name, scope.family, scope, direction, has_contexts))
+
+    def either(self) -> str:
+        """A direction."""
+        return self.random.choice(("from_board", "to_board"))
+
+    def add_command(self) -> None:
+        """A command in one direction, or with different bodies in both."""
+        both = self.chance(0.3)
+        directions = ("from_board", "to_board") if both else (self.either(),)
+        command, family, node = self.new_command(*directions)
+        for direction in directions:
+            scope = self.random_scope(family)
+            name = self.unique("Message")
+            content: Node = {"fields": scope.fields} if scope.fields else {}
+            if self.chance(0.3):
+                content["tail"] = self.random.choice(("keep", "refuse"))
+            if not scope.fixed and self.chance(0.2):
+                content["max_size"] = MAX_BODY
+            node[direction] = self.side(direction, name, content, scope)
+            if self.chance(0.5):  # by the name of the command
+                del node[direction]["as"]
+                name = command.removeprefix("CMD_")
+                name += "Request" if both and direction == "to_board" else ""
+            self.add_body(name, scope, direction)
+
+    def add_forms(self) -> None:
+        """A command with several forms, told apart by size."""
+        direction = self.either()
+        _, family, node = self.new_command(direction)
+        count = self.random.randint(2, 4)
+        names = self.random.sample(("simple", "extended", "success", "error"), count)
+        forms: Node = {}
+        size = -1  # what the forms so far have at most
+        for position, form in enumerate(names):
+            last = position == count - 1
+            scope = self.scope(family, 60)
+            wanted = size + 1
+            if wanted:  # more than any before
+                longer = self.said({"name": self.field_name(), "type": f"bytes[{wanted}]"})
+                scope.add(longer, wanted, wanted, True)
+            self.make_fields(scope, self.random.randint(0, 6 if last else 2))
+            if last and self.chance(0.4):
+                self.add_rest(scope)
+            name = self.unique("Form")
+            content = self.said({"fields": scope.fields} if scope.fields else {})
+            size = scope.least
+            if not scope.fixed and not last:
+                size = content["max_size"] = max(1, scope.least + self.random.randint(0, 3))
+            if direction == "to_board":
+                content["answer"] = self.answer(scope)
+            forms[form] = {**content, "as": name}
+            self.add_body(name, scope, direction)
+        order = sorted(forms)
+        self.random.shuffle(order)
+        node[direction] = self.sourced({"forms": {form: forms[form] for form in order}})
+
+    def add_both_ways(self) -> None:
+        """A command with the same body in both directions."""
+        _, family, node = self.new_command("from_board", "to_board")
+        scope = self.random_scope(family)
+        name = self.unique("Both")
+        first, second = self.random.sample(("from_board", "to_board"), 2)
+        content: Node = {"fields": scope.fields} if scope.fields else {}
+        node[first] = self.side(first, name, content)
+        node[second] = self.side(second, name, {"same_as": name})
+        self.add_body(name, scope, "from_board")
+
+    def add_same(self) -> None:
+        """A command with the body of another."""
+        body, direction = self.random.choice(self.bodies), self.either()
+        _, family, node = self.new_command(direction, family=body.family)
+        name = self.unique("Same")
+        node[direction] = self.side(direction, name, {"same_as": body.name})
+        self.bodies.append(replace(body, name=name, family=family, direction=direction))
+
+    def add_gaps(self) -> None:
+        """A message with values that may be missing in front of bytes that may be taken for them."""
+        direction = self.either()
+        _, family, node = self.new_command(direction)
+        scope = self.scope(family)
+        self.add_condition_source(scope)
+        for _ in range(self.random.randint(1, 3)):
+            when = {**(self.condition(scope) or {}), "may_be_missing": True}
+            kind = self.number_kind() if self.chance(0.7) else self.blob_kind()
+            gap = self.said({"name": self.field_name(), "type": kind.name, "when": when})
+            scope.add(gap, 0, kind.memory + 4, False)
+        scope.add(self.said({"name": self.field_name(), "type": "bytes[]"}), 0, MAX_BODY, False)
+        scope.takes_rest = True
+        name = self.unique("Gaps")
+        node[direction] = self.side(direction, name, {"fields": scope.fields})
+        self.add_body(name, scope, direction)
+
+    def add_including(self) -> None:
+        """A message that includes another."""
+        direction = self.either()
+        _, family, node = self.new_command(direction)
+        order = list(self.families)
+        fitting = [
+            body
+            for body in self.bodies
+            if not body.scope.takes_rest
+            and not body.has_contexts
+            and body.scope.fields
+            and body.scope.least < 120
+            and order.index(body.family) <= order.index(family)
+        ]
+        scope = self.scope(family, 100)
+        content: Node = {"fields": scope.fields}
+        name = self.unique("Including")
+        if fitting:
+            body = self.random.choice(fitting)
+            scope.has_region = body.scope.has_region
+            if self.chance(0.5) and not scope.has_region:
+                self.make_fields(scope, 2)
+            scope.add({"include": body.name}, body.scope.least, body.scope.memory, body.scope.fixed)
+            scope.has_lists = scope.has_lists or body.scope.has_lists
+            self.make_fields(scope, 3)
+        else:
+            self.add_number(scope)
+        node[direction] = self.side(direction, name, content)
+        included = replace(scope, takes_rest=True)  # no second include of the same names
+        self.bodies.append(Body(name, family, included, direction, False))
+
+    def add_flag_source(self) -> None:
+        """A message that tells the flags that others depend on."""
+        direction = self.either()
+        _, family, node = self.new_command(direction)
+        kind = self.random.choice(
+            self.flag_sets if self.chance(0.7) else self.enums or self.flag_sets
+        )
+        scope = self.scope(family, 40)
+        self.make_fields(scope, self.random.randint(0, 2))
+        told, name = self.field_name(), self.unique("Source")
+        flags = self.said({"name": told, "type": kind.name})
+        path = f"{name}.{told}"
+        if self.chance(0.4):
+            group = self.field_name()
+            inner = {"name": group, "struct": self.unique("Group"), "fields": [flags]}
+            scope.add(self.said(inner), kind.least, kind.memory, True)
+            path = f"{name}.{group}.{told}"
+        else:
+            scope.add(flags, kind.least, kind.memory, True)
+        if self.chance(0.5):
+            self.make_fields(scope, 2)
+        node[direction] = self.side(direction, name, {"fields": scope.fields})
+        self.add_body(name, scope, direction)
+        self.sources.append((path, kind))
+
+    def add_announcement(self) -> None:
+        """A message that announces the types of numbers in others."""
+        direction = self.either()
+        _, family, node = self.new_command(direction)
+        name, enum_name, list_name = (
+            self.unique("Announcing"),
+            self.unique("Wire"),
+            self.field_name(),
+        )
+        wires = self.random.sample(sorted(SIZES), self.random.choice((3, 7)))
+        values: Node = {
+            self.unique("WIRE_"): self.said({"value": number, "wire": wire})
+            for number, wire in enumerate(wires)
+        }
+        if self.chance(0.5):
+            values[self.unique("WIRE_")] = self.said({"value": 7})
+        section = self.section(family, "enums")
+        section[enum_name] = self.sourced({"type": "u8", "values": values})
+        kind, kind_name = enum_name, self.field_name()
+        path = kind_name
+        if self.chance(0.5):
+            part, shift = self.unique("part_"), self.random.choice((0, 3, 5))
+            parts = [
+                self.said({"name": part, "bits": f"{shift}..{shift + 2}", "type": enum_name}, False)
+            ]
+            kind = self.add_packed("u8", {"type": "u8", "parts": parts}).name
+            path = f"{kind_name}.{part}"
+        count = self.field_name()
+        fields = [
+            self.said({"name": kind_name, "type": kind}),
+            self.said({"name": count, "type": self.random.choice(UNSIGNED)}),
+            self.said({"name": self.field_name(), "type": self.random.choice(("string", "i16"))}),
+        ]
+        self.random.shuffle(fields)
+        scope = self.scope(family, 40)
+        counter = self.field_name()
+        scope.add(self.said({"name": counter, "type": "u8"}), 1, 1, True)
+        entry = {"name": f"{list_name}[{counter}]", "struct": self.unique("Element")}
+        scope.add(self.said({**entry, "fields": fields}), 0, MAX_MEMORY, False)
+        scope.has_lists = True
+        node[direction] = self.side(direction, name, {"fields": scope.fields})
+        self.add_body(name, scope, direction)
+        context = {"announced_by": f"{name}.{list_name}", "kind": path, "count": count}
+        self.announced.append(context)
+
+    def add_dependent(self) -> None:
+        """A message that can be read only with what earlier ones have told."""
+        direction = self.either()
+        _, family, node = self.new_command(direction)
+        scope = self.scope(family)
+        contexts = []
+        if self.chance(0.7):
+            path, kind = self.random.choice(self.sources)
+            same = [other for other, its in self.sources if its == kind and other != path]
+            context: Node = {
+                "name": self.unique("CONTEXT_"),
+                "type": kind.name,
+                "from": [path, *same],
+            }
+            contexts.append(self.said(context, False))
+            scope.contexts.append((context["name"], kind))
+        self.make_fields(scope, 3)
+        if scope.contexts:
+            name = self.field_name()
+            node_ = {"name": name, "type": "u16", "when": self.condition(replace(scope, known=[]))}
+            scope.add(self.said(node_), 0, 4, False)
+        for _ in range(self.random.randint(0, 4)):
+            self.add_conditional(scope)
+        if self.announced and (not contexts or self.chance(0.5)):
+            context = {"name": self.unique("TYPES_"), **self.random.choice(self.announced)}
+            contexts.append(self.said(context, False))
+            node_ = {"name": f"{self.field_name()}[]", "type": f"announced({context['name']})"}
+            scope.add(self.said(node_), 0, 8 * MAX_BODY, False)
+            scope.takes_rest = True
+        elif self.chance(0.3):
+            self.add_rest(scope)
+        name = self.unique("Dependent")
+        content = {"context": contexts, "fields": scope.fields}
+        node[direction] = self.side(direction, name, content)
+        self.add_body(name, scope, direction, has_contexts=True)
+
+    def add_undocumented(self) -> None:
+        """A command of which nothing is known, or not even an id."""
+        name = self.unique("CMD_UNKNOWN_")
+        node: Node = self.sourced({"id": None, "undocumented": True})
+        self.section(self.any_family(), "commands")[name] = node

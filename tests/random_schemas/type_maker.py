@@ -1,0 +1,232 @@
+"""Makes the types and variables of a random spec."""
+
+from __future__ import annotations
+
+import random
+from typing import Optional
+
+from spec_parts import INTEGERS, SIZES, UNSIGNED, Body, Kind, Node
+
+# What a name must not break: locals and parameters of the generated code, and words of the runtime.
+AWKWARD = """OUT IN READER WRITER BODY VALUE DATA SIZE STATUS RAW TO FROM REST N M T CONTEXT VISITOR
+FIELDS INFO NAME DECODE ENCODE GET PUT READ WRITE VISIT ANSWERS STD DETAIL mixedCase B2B""".split()
+TEXTS = (
+    "An ordinary summary.",
+    'With "quotes", a \\ backslash, 100 % and {braces}.',
+    "Ends with a backslash \\",
+    "Grüße, 温度 µ°; // no comment /* none */ either?",
+    "A summary that is much too long for one line of a comment, so that it has to be wrapped " * 3,
+)
+
+
+class TypeMaker:
+    """Makes types; `size` is about how many commands the spec is to have."""
+
+    def __init__(self, seed: int, size: int) -> None:
+        self.random = random.Random(seed)
+        self.size = size
+        self.number = 0
+        self.awkward = list(AWKWARD)
+        self.random.shuffle(self.awkward)
+        self.families: dict[str, Node] = {}
+        self.quantities: list[Kind] = []
+        self.enums: list[Kind] = []
+        self.flag_sets: list[Kind] = []
+        self.packed: list[Kind] = []
+        self.structs: list[Kind] = []
+        self.has_reset = False
+        self.bodies: list[Body] = []
+        self.sources: list[tuple[str, Kind]] = []
+        self.announced: list[Node] = []
+        self.ids: dict[str, list[int]] = {}
+        for direction in ("from_board", "to_board"):
+            ids = self.random.sample(range(1, 256), 200)
+            self.ids[direction] = ids
+
+    # Small things
+
+    def chance(self, share: float) -> bool:
+        """True so often."""
+        return self.random.random() < share
+
+    def unique(self, word: str) -> str:
+        """A name that nothing else has."""
+        self.number += 1
+        return f"{word}{self.number}"
+
+    def field_name(self) -> str:
+        """The name of a field."""
+        if self.awkward and self.chance(0.3):
+            return self.awkward.pop()
+        shape = self.random.choice(("F{}", "FIELD_{}", "f{}_lower", "LONG_NAME_OF_A_FIELD_{}"))
+        return shape.format(self.unique(""))
+
+    def said(self, node: Node, decided: bool = True) -> Node:
+        """The node with what every entry must say, and perhaps what an erratum has decided."""
+        node["summary"] = self.random.choice(TEXTS)
+        if decided and self.chance(0.1):
+            node["errata"] = ["E001"]
+        return node
+
+    def since(self) -> Node:
+        """Some version."""
+        versions = {"firmware": self.random.choice(("2.55b5", "2.59")), "board": "3.0"}
+        return dict(self.random.sample(sorted(versions.items()), self.random.randint(1, 2)))
+
+    def sourced(self, node: Node) -> Node:
+        """As said(), and where it comes from."""
+        node["source"] = f"Somewhere L{self.random.randint(1, 99)}"
+        return self.said(node)
+
+    def section(self, family: str, name: str) -> Node:
+        """A section of a family file."""
+        sections: Node = self.families[family].setdefault(name, {})
+        return sections
+
+    def any_family(self) -> str:
+        """Some family."""
+        return self.random.choice(list(self.families))
+
+    # Types
+
+    def make_types(self) -> None:
+        """Types of every kind, some over each integer."""
+        for number in SIZES:
+            for _ in range(self.random.choice((0, 1, 2, 2))):
+                self.quantities.append(self.make_quantity(number))
+        for number in INTEGERS:
+            if self.chance(0.7):
+                self.enums.append(self.make_enum(number))
+        for number in UNSIGNED:
+            self.flag_sets.append(self.make_flags(number))
+            self.packed += [self.make_packed(number)] if self.chance(0.7) else []
+        self.packed.append(self.make_digits())
+
+    def make_quantity(self, number: str) -> Kind:
+        """A physical quantity."""
+        name = self.unique("Quantity")
+        scales = (1, 5, "1/3", "360/16384", "0.02", "0.000000001", "123456789012/7")
+        offsets = (0, "-1/2", "0.1", "-12345", "1/3")
+        node = {
+            "type": number,
+            "unit": self.random.choice((None, "deg", "°C", "a/b")),
+            "accessor": self.random.choice(("degrees", "value", "in_words")),
+            "scale": self.random.choice(scales),
+            "offset": self.random.choice(offsets),
+        }
+        self.section(self.any_family(), "quantities")[name] = self.said(node)
+        return Kind(name, SIZES[number], SIZES[number], number=number, is_quantity=True)
+
+    def make_enum(self, number: str, highest: Optional[int] = None) -> Kind:
+        """An enum, with the extremes of its type; no value over `highest`."""
+        low, high = INTEGERS[number] if highest is None else (0, highest)
+        values = {low, high, 0, *(self.random.randint(low, high) for _ in range(2))}
+        name = self.unique("Enum")
+        chosen = sorted(values)
+        self.random.shuffle(chosen)
+        named = self.make_values(name, number, "enums", chosen)
+        return Kind(name, SIZES[number], SIZES[number], number=number, values=named)
+
+    def make_flags(self, number: str, bits: Optional[int] = None) -> Kind:
+        """A set of flags, some of several bits, perhaps one of none, in the lowest `bits`."""
+        bits = bits or 8 * SIZES[number]
+        masks = [0] if self.chance(0.3) else []
+        bit = 0
+        while bit < bits and len(masks) < 6:
+            width = self.random.choice((1, 1, 1, 2))
+            if bit + width <= bits and self.chance(0.6):
+                masks.append(((1 << width) - 1) << bit)
+            bit += width
+        masks = masks if any(masks) else [1 << (bits - 1)]
+        name = self.unique(self.random.choice(("Flag{}s", "Flags{}")).format(self.unique("")))
+        named = self.make_values(name, number, "flags", masks)
+        return Kind(name, SIZES[number], SIZES[number], True, number, named, True)
+
+    def make_values(
+        self, name: str, number: str, section: str, values: list[int]
+    ) -> tuple[tuple[str, int], ...]:
+        """The entry of an enum or flag set, and its named values."""
+        prefix = f"P{name.upper()}_"
+        content: Node = {}
+        for value in values:
+            key = self.unique(self.random.choice((prefix, "OTHER-" if self.chance(0.1) else "V")))
+            content[key] = self.said({"value": value})
+            if "-" in key:
+                content[key]["as"] = self.unique("other_name_")
+            if self.chance(0.2):
+                content[key]["ours"] = True
+            if self.chance(0.2):
+                content[key]["since"] = self.since()
+        node = {"type": number, "values": content}
+        if self.chance(0.5):
+            node["prefix"] = prefix
+            for key in content:
+                content[key].setdefault("as", self.unique("named_"))
+        self.section(self.any_family(), section)[name] = self.sourced(node)
+        return tuple((key, entry["value"]) for key, entry in content.items())
+
+    def make_packed(self, number: str) -> Kind:
+        """Several values in one integer: shifted bits, masks in place, enums and flags in them."""
+        bits, parts, bit = 8 * SIZES[number], [], 0
+        while bit < bits:
+            width = min(self.random.choice((1, 1, 2, 3, 7, 16)), bits - bit)
+            if self.chance(0.8):
+                parts.append(self.make_part(number, bit, width))
+            bit += width
+        parts = parts or [self.make_part(number, 0, bits)]
+        self.random.shuffle(parts)
+        node: Node = {"type": number, "parts": parts}
+        if self.chance(0.3):
+            node["names"] = self.make_enum(number).name
+        return self.add_packed(number, node)
+
+    def make_part(self, number: str, bit: int, width: int) -> Node:
+        """A part of an integer, `width` bits from `bit` on."""
+        part: Node = {"name": self.unique("part_")}
+        in_place = self.chance(0.4)
+        if in_place:
+            part["mask"] = ((1 << width) - 1) << bit
+        else:
+            part["bits"] = bit if width == 1 else f"{bit}..{bit + width - 1}"
+        what = self.random.random()
+        if not in_place and what < 0.3:
+            part["type"] = self.make_enum(number, (1 << width) - 1).name
+        elif not in_place and what < 0.5:
+            part["type"] = self.make_flags(number, width).name
+        elif what < 0.5:
+            part["type"] = self.make_flags_in_place(number, bit, width).name
+        return self.said(part, False)
+
+    def make_flags_in_place(self, number: str, bit: int, width: int) -> Kind:
+        """Flags at some bits of an integer."""
+        name = self.unique("Upper")
+        masks = [1 << (bit + self.random.randrange(width))]
+        named = self.make_values(name, number, "flags", masks)
+        return Kind(name, SIZES[number], SIZES[number], True, number, named, True)
+
+    def make_digits(self) -> Kind:
+        """Decimal digits in one integer."""
+        number = self.random.choice(UNSIGNED)
+        parts = [
+            self.said({"name": self.unique("high_"), "divide": 10}, False),
+            self.said({"name": self.unique("middle_"), "divide": 10, "modulo": 10}, False),
+            self.said({"name": self.unique("low_"), "modulo": 10}, False),
+        ]
+        display = "{%s}.{%s:02}" % (parts[0]["name"], parts[2]["name"])
+        return self.add_packed(number, {"type": number, "display": display, "parts": parts})
+
+    def add_packed(self, number: str, node: Node) -> Kind:
+        """Add the entry of a packed integer."""
+        name = self.unique("Packed")
+        self.section(self.any_family(), "packed")[name] = self.sourced(node)
+        return Kind(name, SIZES[number], SIZES[number], number=number)
+
+    def make_variables(self) -> None:
+        """Adjustable variables, or none at all."""
+        for identity in self.random.sample(range(256), self.random.choice((0, 1, 3))):
+            integers = [k for k in self.quantities if k.number in INTEGERS]
+            kinds = [Kind(n, SIZES[n], SIZES[n], number=n) for n in INTEGERS] + integers
+            kind = self.random.choice(kinds)
+            low, high = sorted(self.random.randint(*INTEGERS[kind.number]) for _ in range(2))
+            node = {"id": identity, "type": kind.name, "range": f"{low}..{high}"}
+            self.section(self.any_family(), "variables")[self.unique("VARIABLE_")] = self.said(node)
