@@ -356,6 +356,24 @@ TEST(Variables, AreForgottenUnlessSaved) {
   EXPECT_EQ(Settings(memory).variable(VariableId::p_pitch), 201);
 }
 
+TEST(Variables, AChangeOfSettingsSavesNone) {
+  Memory memory;
+  Settings settings(memory);
+  const auto change = [](ReadParams3& main) { main.gyro_trust = 12; };
+  const auto original = settings.variable(VariableId::p_pitch);
+  ASSERT_TRUE(settings.set_variable(VariableId::p_pitch, 201));
+  ASSERT_TRUE(settings.set_variable(VariableId::gyro_trust, 250));
+  ASSERT_TRUE(settings.change<ReadParams3>(0, change));
+  ASSERT_TRUE(settings.change<ReadParams3>(3, change));
+  EXPECT_EQ(settings.variable(VariableId::p_pitch), 201);
+  EXPECT_EQ(settings.variable(VariableId::gyro_trust), 12);
+  EXPECT_EQ(settings.read<ReadParams3>(3).gyro_trust, 12);
+  const Settings restarted(memory);
+  EXPECT_EQ(restarted.variable(VariableId::p_pitch), original);
+  EXPECT_EQ(restarted.variable(VariableId::gyro_trust), 12);
+  EXPECT_EQ(restarted.read<ReadParams3>(3).gyro_trust, 12);
+}
+
 TEST(Variables, AreSavedInTheActiveProfileAlone) {
   Memory memory;
   Settings settings(memory);

@@ -58,6 +58,24 @@ TEST(Variables, AreLostUnlessSaved) {
   EXPECT_EQ(p_of_pitch(host), 77);
 }
 
+TEST(Variables, AreNotSavedByWhatStoresOtherSettings) {
+  const auto lost_after = [](const auto& request) {
+    Host host;
+    const int before = p_of_pitch(host);
+    host.ask(setting({{VariableId::p_pitch, 77}}));
+    host.ask(request, seconds(30));
+    EXPECT_EQ(p_of_pitch(host), 77);
+    host.board.restart(host.now);
+    host.listen(seconds(1));
+    EXPECT_EQ(p_of_pitch(host), before);
+  };
+  lost_after(ExecuteMenu{MenuCommand::set_angle});
+  lost_after(CalibPoles{});
+  lost_after(CalibExtGain{});
+  lost_after(CalibOffset{});
+  lost_after(AutoPidRequest{.cfg_flags = AutoPidFlag::roll, .gain_vs_stability = 127});
+}
+
 TEST(Variables, AllOrNone) {
   Host host;
   const int p = value(host, VariableId::p_pitch);

@@ -142,21 +142,29 @@ void AutoTuning::report(Machine& machine, const Run& run) const {
 
 /// Into the profile that was tuned, or into all; only what was tuned.
 void AutoTuning::store(Machine& machine, const Run& run, Instant now) const {
-  for (std::uint8_t profile = 0; profile < SettingsOf<ReadParams3>::copies; ++profile) {
-    if (profile != run.profile && !run.config.has(AutoPidFlag::all_profiles)) continue;
-    auto settings = machine.settings.read<ReadParams3>(profile);
-    auto filters = machine.settings.read<ReadParamsExt>(profile);
+  const auto set_gains = [&](ReadParams3& settings) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!run.config.has(axis_flags[axis])) continue;
       const Gains found = gains(run, axis);
       settings.axes[axis].p = byte(found.p);
       settings.axes[axis].i = Hundredths(byte(found.i));
       settings.axes[axis].d = byte(found.d);
-      filters.lpf_freq[axis] = Frequency(static_cast<std::uint16_t>(std::lround(found.lpf)));
     }
-    // They were read from where they are written to, so there is room for them.
-    machine.settings.write(profile, settings);
-    if (run.config.has(AutoPidFlag::tune_lpf_freq)) machine.settings.write(profile, filters);
+  };
+  const auto set_filters = [&](ReadParamsExt& settings) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!run.config.has(axis_flags[axis])) continue;
+      const double frequency = gains(run, axis).lpf;
+      settings.lpf_freq[axis] = Frequency(static_cast<std::uint16_t>(std::lround(frequency)));
+    }
+  };
+  for (std::uint8_t profile = 0; profile < SettingsOf<ReadParams3>::copies; ++profile) {
+    if (profile != run.profile && !run.config.has(AutoPidFlag::all_profiles)) continue;
+    // As long as before, so there is room for them.
+    static_cast<void>(machine.settings.change<ReadParams3>(profile, set_gains));
+    if (run.config.has(AutoPidFlag::tune_lpf_freq)) {
+      static_cast<void>(machine.settings.change<ReadParamsExt>(profile, set_filters));
+    }
   }
   machine.apply_settings(now);
 }

@@ -113,15 +113,13 @@ void gyro_calibrated(Machine& machine, std::size_t imu, Instant now) {
   machine.correct_gyros(now);
 }
 
-/// The settings of the active profile, changed and stored.
-template <class M, class Change>
-bool change_settings(Machine& machine, Instant now, const Change& change) {
-  const std::uint8_t profile = machine.settings.profile();
-  auto settings = machine.settings.read<M>(profile);
-  change(settings);
-  const bool stored = machine.settings.write(profile, settings);
-  if (stored) machine.apply_settings(now);
-  return stored;
+/// Changes settings of the active profile and stores them.
+template <class M, class Edit>
+bool change_settings(Machine& machine, Instant now, const Edit& edit) {
+  Settings& settings = machine.settings;
+  const bool changed = settings.change<M>(settings.profile(), edit);
+  if (changed) machine.apply_settings(now);
+  return changed;
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ ReadParamsExt factory_settings(std::uint8_t copy) {
   out.profile_id = copy;
   for (std::size_t axis = 0; axis < axes; ++axis) {
     out.lpf_freq[axis] = Frequency::from_hertz(120);
-    out.filters_en[axis] = FilterSwitche::lpf;
+    out.filters_en[axis] = FilterSwitch::lpf;
     out.motor_mag_link[axis] = 100;
     out.motor_gearing[axis] = FixedPoint8::from_value(1);
     out.encoder_gear_ratio[axis] = Thousandths::from_value(1);

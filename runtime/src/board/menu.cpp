@@ -38,12 +38,11 @@ Axes<Angle14> present_angles(Machine& machine, Instant now) {
 }
 
 void set_angle(Machine& machine, Instant now) {
-  // Ours: what else is in use and not saved is stored with them.
   Settings& settings = machine.settings;
-  ReadParams3 changed = settings.of<ReadParams3>();
-  changed.rc_memory = present_angles(machine, now);
+  const Axes<Angle14> angles = present_angles(machine, now);
   // As long as before, so there is room for it.
-  static_cast<void>(settings.write(settings.profile(), changed));
+  static_cast<void>(settings.change<ReadParams3>(
+      settings.profile(), [&](ReadParams3& changed) { changed.rc_memory = angles; }));
   machine.home.reset();
 }
 

@@ -85,6 +85,16 @@ class Settings {
     if (copy == copy_in_use<M>()) use(numbered);
     return true;
   }
+  /// Changes some of the settings, in the EEPROM and in use: `edit(M&)` is called for both. What
+  /// else is in use and not saved stays as it is. Otherwise as write().
+  template <class M, class Edit>
+  bool change(std::uint8_t copy, const Edit& edit) {
+    auto settings = stored<M>(copy);
+    edit(settings);
+    if (!store(copy, settings)) return false;
+    if (copy == copy_in_use<M>()) edit(in_use_.template of<M>());
+    return true;
+  }
 
   /// The variable's value; nothing if it is none of this board's.
   std::optional<std::int32_t> variable(VariableId id) const;
