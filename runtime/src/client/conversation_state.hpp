@@ -119,8 +119,7 @@ class Conversation::State : public std::enable_shared_from_this<Conversation::St
   // Any thread
   Begun begin(Request request, const CallOptions& options, ReplyHandler handler);
   void wake();
-  template <class Function>
-  void post(Function function);
+  void post(std::function<void()> function);
   CallPointer take(Ticket ticket);
   void complete(const Call& call, Result<Reply> result);
   void leave_stream(const StreamKey& key);
