@@ -143,6 +143,19 @@ TEST_F(BackupTest, OrReplacedAsAWhole) {
   EXPECT_THAT(files(), ElementsAre("a.json"));
 }
 
+TEST_F(BackupTest, ASymbolicLinkStaysOne) {
+  fs::create_directory(file("folder"));
+  fs::create_symlink("folder/b.json", file("a.json"));
+  ASSERT_TRUE(save_backup(make(), file("a.json"))) << "there is no file yet";
+  EXPECT_TRUE(load_backup(file("folder/b.json")));
+  EXPECT_FALSE(save_backup(make(), file("a.json")));
+  std::ofstream(file("folder/b.json")) << "old";
+  ASSERT_TRUE(save_backup(make(), file("a.json"), Existing::replace));
+  EXPECT_TRUE(load_backup(file("folder/b.json")));
+  EXPECT_TRUE(fs::is_symlink(file("a.json")));
+  EXPECT_THAT(files(), ElementsAre("a.json", "folder"));
+}
+
 TEST_F(BackupTest, WhatCannotBeWrittenLeavesNothingBehind) {
   const Result<void> saved = save_backup(make(), file("missing/a.json"));
   ASSERT_FALSE(saved);

@@ -110,8 +110,20 @@ Result<void> sync_folder(const std::filesystem::path& folder) {
 
 }  // namespace
 
-Result<void> write_file_atomically(const std::filesystem::path& file, std::string_view content,
+std::filesystem::path target_of(std::filesystem::path file) {
+  constexpr int most_links = 40;  // as Linux follows
+  for (int i = 0; i < most_links; ++i) {
+    std::error_code no_link;
+    const std::filesystem::path target = std::filesystem::read_symlink(file, no_link);
+    if (no_link) break;
+    file = file.parent_path() / target;
+  }
+  return file;
+}
+
+Result<void> write_file_atomically(const std::filesystem::path& name, std::string_view content,
                                    Existing existing) {
+  const std::filesystem::path file = target_of(name);
   std::filesystem::path path;
   Descriptor opened(open_beside(file, path));
   if (!opened.is_open()) return io_error("cannot write", path, errno);

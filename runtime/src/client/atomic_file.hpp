@@ -10,8 +10,12 @@
 
 namespace sbgc::detail {
 
-/// Writes a file beside its place, brings it to the disk and moves it there in one step.
-Result<void> write_file_atomically(const std::filesystem::path& file, std::string_view content,
+/// What a symbolic link leads to, also if nothing is there; other names as they are.
+std::filesystem::path target_of(std::filesystem::path file);
+
+/// Writes a file beside its place, brings it to the disk and moves it there in one step. What is
+/// replaced is the target of a symbolic link, not the link.
+Result<void> write_file_atomically(const std::filesystem::path& name, std::string_view content,
                                    Existing existing);
 
 /// The content of a file of at most `most` bytes.
