@@ -169,6 +169,20 @@ def test_udp_has_several_hosts() -> None:
             host.close()
 
 
+def test_udp_tells_once_of_a_host_that_is_refused() -> None:
+    with Emulator("--udp", "0") as emulator:
+        hosts = [Connection(emulator.places[0]) for _ in range(9)]
+        for host in hosts[:8]:
+            assert len(host.ask(BOARD_INFO)) == 18
+        for _ in range(100):
+            hosts[8].send(BOARD_INFO)
+        assert not hosts[8].receive(0.2)
+        assert emulator.end() == 0
+        assert emulator.error.count("refused") == 1
+        for host in hosts:
+            host.close()
+
+
 def test_udp_carries_whole_answers_and_no_more_than_fits() -> None:
     with Emulator("--udp", "0") as emulator:
         host = Connection(emulator.places[0])
@@ -257,7 +271,7 @@ def test_many_boards(tmp_path: Path) -> None:
     link = tmp_path / "gimbal"
     arguments = ["--count", "3", "--tcp", "0", "--link", str(link), "--state", str(tmp_path / "s")]
     with Emulator(*arguments, boards=3, places=2) as emulator:
-        names = sorted(path.name for path in tmp_path.iterdir())
+        names = sorted(path.name for path in tmp_path.iterdir() if path.suffix != ".lock")
         assert names == ["gimbal-1", "gimbal-2", "gimbal-3", "s-1", "s-2", "s-3"]
         told = set()
         for place in emulator.places[1::2]:
@@ -312,6 +326,19 @@ def test_state_survives(tmp_path: Path) -> None:
         host.close()
     assert list(tmp_path.iterdir()) == [state]
     assert "firmware 2.59, not of" in refused("--state", str(state), "--firmware", "2.43b9")
+
+
+def test_a_state_is_of_one_emulator_at_a_time(tmp_path: Path) -> None:
+    state = tmp_path / "state"
+    link = tmp_path / "link"
+    link.symlink_to("state")
+    with Emulator("--tcp", "0", "--state", str(link)):
+        assert link.is_symlink() and state.is_file()
+        for name in (state, link):
+            assert f"{name} is the state of an emulator that runs" in refused("--state", str(name))
+    with Emulator("--tcp", "0", "--state", str(state)):
+        pass
+    assert sorted(tmp_path.iterdir()) == [link, state]
 
 
 def test_a_state_that_can_not_be_used(tmp_path: Path) -> None:

@@ -48,8 +48,12 @@ void Service::add(unsigned number) {
   add_to(emulator.board.device_id, number);
   add_to(emulator.board.mcu_id, number);
   const std::string state = numbered_name(options_.state, number);
+  std::unique_ptr<StateFile> file;
   std::optional<tools::SavedMemory> saved;
-  if (!state.empty()) saved = load_state(state);
+  if (!state.empty()) {
+    file = std::make_unique<StateFile>(state);
+    saved = file->load();
+  }
   if (saved) {
     board::Options& board = emulator.board;
     const tools::MemoryOwner& owner = saved->owner;
@@ -67,9 +71,9 @@ void Service::add(unsigned number) {
   Served& served = boards_.emplace_back();
   served.board = std::make_unique<LiveBoard>(context_.get_executor(), emulator,
                                              saved ? std::move(saved->memory) : board::Memory{});
-  if (!state.empty()) {
-    served.state = std::make_unique<StateKeeper>(context_.get_executor(), *served.board, state,
-                                                 numbered(logs_.warning, number));
+  if (file) {
+    served.state = std::make_unique<StateKeeper>(context_.get_executor(), *served.board,
+                                                 std::move(file), numbered(logs_.warning, number));
     served.board->on_memory_changed = [&keeper = *served.state] { keeper.changed(); };
   }
   if (logs_.traffic) {

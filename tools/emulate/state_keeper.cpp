@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace sbgc::emulate {
@@ -12,15 +13,8 @@ constexpr auto wait_before_saving = std::chrono::milliseconds(500);
 
 }  // namespace
 
-std::optional<tools::SavedMemory> load_state(const std::string& file) {
-  Result<tools::SavedMemory> loaded = tools::load_memory(file);
-  if (loaded) return std::move(*loaded);
-  if (loaded.error().code == ErrorCode::not_found) return std::nullopt;
-  throw std::runtime_error(loaded.error().message);
-}
-
-StateKeeper::StateKeeper(const asio::any_io_executor& executor, LiveBoard& board, std::string file,
-                         Log warn)
+StateKeeper::StateKeeper(const asio::any_io_executor& executor, LiveBoard& board,
+                         std::unique_ptr<StateFile> file, Log warn)
     : board_(board), file_(std::move(file)), timer_(executor) {
   std::string problem;
   warn_ = [&](const std::string& message) { problem = message; };
@@ -43,7 +37,7 @@ bool StateKeeper::finish() { return !is_unsaved_ || save(); }
 
 bool StateKeeper::save() {
   const tools::MemoryOwner owner = tools::owner_of(board_.emulator().board().options());
-  const Result<void> saved = tools::save_memory(file_, {owner, board_.memory()});
+  const Result<void> saved = file_->save({owner, board_.memory()});
   is_unsaved_ = !saved;
   if (!saved) warn_(saved.error().message);
   return static_cast<bool>(saved);

@@ -1,27 +1,23 @@
-/// Keeps the memory of a board in a file.
+/// Keeps the memory of a board in its file.
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <string>
+#include <memory>
 
 #include <asio/any_io_executor.hpp>
 #include <asio/steady_timer.hpp>
 
 #include "endpoint.hpp"
 #include "live_board.hpp"
-#include "memory_file.hpp"
+#include "state_file.hpp"
 
 namespace sbgc::emulate {
-
-/// What the file has; nothing if there is none. Throws std::runtime_error if it can not be used.
-std::optional<tools::SavedMemory> load_state(const std::string& file);
 
 class StateKeeper {
  public:
   /// Writes the file, so that it is known to work: throws std::runtime_error if it does not.
   /// `warn` is told when it does not any more.
-  StateKeeper(const asio::any_io_executor& executor, LiveBoard& board, std::string file, Log warn);
+  StateKeeper(const asio::any_io_executor& executor, LiveBoard& board,
+              std::unique_ptr<StateFile> file, Log warn);
 
   /// The memory has changed: it is saved some moments later, with what changes meanwhile.
   void changed();
@@ -32,7 +28,7 @@ class StateKeeper {
   bool save();
 
   LiveBoard& board_;
-  std::string file_;
+  std::unique_ptr<StateFile> file_;
   Log warn_;
   asio::steady_timer timer_;
   bool is_waiting_ = false;

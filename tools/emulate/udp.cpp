@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -61,12 +62,18 @@ class UdpEndpoint final : public Endpoint {
 
   void take(std::span<const std::uint8_t> bytes) {
     Peer* const peer = peer_of(from_);
-    if (peer == nullptr) {
-      return logs_.warning(name_of(from_) + " refused: all ports of the board are taken");
-    }
+    if (peer == nullptr) return refuse();
     peer->heard = board_.now();
     // Datagrams that come faster than the board's line are lost.
     if (bytes.size() <= board_.room(peer->port)) board_.receive(peer->port, bytes);
+  }
+
+  /// One line is enough for all datagrams of some time.
+  void refuse() {
+    const Instant now = board_.now();
+    if (refused_ && now - *refused_ < quiet_time) return;
+    refused_ = now;
+    logs_.warning(name_of(from_) + " refused: all ports of the board are taken");
   }
 
   Peer* peer_of(const udp::endpoint& endpoint) {
@@ -134,6 +141,7 @@ class UdpEndpoint final : public Endpoint {
   std::vector<Peer> peers_{};
   std::array<std::uint8_t, 65536> input_{};
   udp::endpoint from_{};
+  std::optional<Instant> refused_{};  ///< when a host was last told of as refused
 };
 
 }  // namespace

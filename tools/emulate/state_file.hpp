@@ -1,0 +1,33 @@
+/// The file that keeps the memory of one emulated board.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "memory_file.hpp"
+
+namespace sbgc::emulate {
+
+/// A file that no other emulator uses at the same time: FILE.lock beside it says so, and is removed
+/// at the end. What it is a symbolic link to is what is read and replaced.
+class StateFile {
+ public:
+  /// Throws std::runtime_error if another emulator uses the file, or the lock can not be made.
+  explicit StateFile(const std::string& name);
+  StateFile(const StateFile&) = delete;
+  StateFile& operator=(const StateFile&) = delete;
+  ~StateFile();
+
+  /// What the file has; nothing if there is none. Throws std::runtime_error if it can not be used.
+  std::optional<tools::SavedMemory> load() const;
+  /// Replaces the file in one step.
+  Result<void> save(const tools::SavedMemory& saved) const;
+
+ private:
+  std::filesystem::path path_;
+  std::filesystem::path lock_path_;
+  int lock_ = -1;
+};
+
+}  // namespace sbgc::emulate
