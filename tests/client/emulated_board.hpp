@@ -72,7 +72,7 @@ class EmulatedBoard {
   board::Options options();
   board::Memory memory();
 
-  // Hooks, see TapHooks
+  // Hooks, see TapHooks; they must not refer to what the board outlives
 
   void on_lost(std::function<bool(const Packet&)> is_lost);
   void on_answer_lost(std::function<bool(const Packet&)> is_answer_lost);

@@ -274,9 +274,9 @@ TEST_F(ParametersTest, WhatCannotBeReadBackIsUnknown) {
   ReadParams3 wanted = get(set, 1);
   wanted.gyro_trust = 5;
   ASSERT_TRUE(set.set(wanted));
-  bool is_dead = false;
-  board.on_lost(
-      [&](const Packet& request) { return is_dead || (is_dead = is<WriteParams3>(request)); });
+  board.on_lost([is_dead = false](const Packet& request) mutable {
+    return is_dead || (is_dead = is<WriteParams3>(request));
+  });
   const WriteReport report = write_parameters(client(), set);
   ASSERT_FALSE(report);
   EXPECT_EQ(state(report, {"ReadParams3", 1}), BlockState::unknown);

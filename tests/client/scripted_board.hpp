@@ -70,7 +70,7 @@ class ScriptedBoard {
         });
   }
 
-  /// Calls `action(const M&)` for each M from now on.
+  /// Calls `action(const M&)` for each M from now on; it must not refer to what the board outlives.
   template <Message M, class Action>
   void on(Action action) {
     const std::lock_guard lock(mutex_);

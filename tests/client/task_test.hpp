@@ -43,9 +43,9 @@ class TaskTest : public ::testing::Test {
     return board.count<M>();
   }
 
-  EmulatedBoard board;
   /// While it moves on, so does the board's time, which otherwise is that of this machine.
   ManualClock clock;
+  EmulatedBoard board;  // behind the clock, which its hooks may use
 
  private:
   std::optional<Client> client_;
