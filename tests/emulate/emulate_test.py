@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import random
 import signal
 import socket
 import subprocess
@@ -284,11 +285,21 @@ def test_many_boards(tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.iterdir()) == ["s-1", "s-2", "s-3"]
 
 
+def two_free_ports() -> int:
+    """The first one. Below those that the system gives to other tests."""
+    while True:
+        port = random.randrange(10000, 30000)
+        try:
+            with socket.socket() as first, socket.socket() as second:
+                first.bind(("127.0.0.1", port))
+                second.bind(("127.0.0.1", port + 1))
+                return port
+        except OSError:
+            pass
+
+
 def test_ports_in_a_row() -> None:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port = probe.getsockname()[1]
-    port = min(port, 65533)
+    port = two_free_ports()
     with Emulator("--tcp", str(port), "--count", "2", boards=2) as emulator:
         assert emulator.places == [f"tcp:127.0.0.1:{port}", f"tcp:127.0.0.1:{port + 1}"]
         assert "can not listen" in refused("--tcp", str(port))
