@@ -26,7 +26,7 @@ namespace sbgc::tools {
 
 namespace {
 
-struct Options {
+struct DecodeOptions {
   std::string file = "-";
   std::string from = "auto";
   std::string format = "text";
@@ -70,7 +70,7 @@ std::uint64_t end_of(const Frame& frame) {
 /// A stream of bytes of which nothing else is known.
 class RawDecoder {
  public:
-  explicit RawDecoder(const Options& options)
+  explicit RawDecoder(const DecodeOptions& options)
       : jsonl_(options.format == "jsonl"), direction_(direction(options.from)) {}
 
   void feed(std::span<const std::uint8_t> bytes) {
@@ -107,7 +107,7 @@ class RawDecoder {
 /// A capture file, which knows who sent what and when.
 class CaptureDecoder final : private CaptureListener {
  public:
-  explicit CaptureDecoder(const Options& options)
+  explicit CaptureDecoder(const DecodeOptions& options)
       : jsonl_(options.format == "jsonl"), only_(direction(options.from)), frames_(*this) {}
 
   void feed(std::span<const std::uint8_t> bytes) { frames_.feed(bytes); }
@@ -225,7 +225,7 @@ void decode_hex(Input& input, RawDecoder decoder) {
   flush_output();
 }
 
-int decode_file(const Options& options) {
+int decode_file(const DecodeOptions& options) {
   Input input(options.file);
   if (options.hex) {
     decode_hex(input, RawDecoder(options));
@@ -244,7 +244,7 @@ int decode_file(const Options& options) {
 
 void add_decode(CLI::App& app, int& status) {
   auto* const command = app.add_subcommand("decode", "Show the frames of a capture");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DecodeOptions>();
   command->add_option("file", options->file, "Capture to read; - is the standard input")
       ->capture_default_str();
   command

@@ -19,7 +19,7 @@ namespace sbgc::tools {
 
 namespace {
 
-struct Options {
+struct EncodeOptions {
   std::string file = "-";
   bool hex = false;
   bool no_validate = false;
@@ -106,7 +106,7 @@ void check_rest(const Json& line, const MessageInfo& info) {
   }
 }
 
-std::vector<std::uint8_t> encode_line(const std::string& text, const Options& options) {
+std::vector<std::uint8_t> encode_line(const std::string& text, const EncodeOptions& options) {
   const Json line = Json::parse(text);
   if (!line.is_object()) throw InputError("a line must be a JSON object");
   const std::string name = text_of(line, "message");
@@ -132,7 +132,7 @@ void write(const std::vector<std::uint8_t>& frame, bool hex) {
   }
 }
 
-int encode_file(const Options& options) {
+int encode_file(const EncodeOptions& options) {
   Input input(options.file);
   int status = success;
   std::string line;
@@ -158,7 +158,7 @@ int encode_file(const Options& options) {
 
 void add_encode(CLI::App& app, int& status) {
   auto* const command = app.add_subcommand("encode", "Turn JSON lines into frames");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<EncodeOptions>();
   command
       ->add_option("file", options->file,
                    "JSON lines as `sbgc decode --format jsonl` prints them; - is the standard "

@@ -18,7 +18,7 @@ namespace sbgc::tools {
 
 namespace {
 
-struct Options {
+struct PortsOptions {
   std::string format = "text";
 };
 
@@ -51,7 +51,7 @@ void print_text(const io::PortInfo& port) {
   fmt::print("\n");
 }
 
-int print_ports(const Options& options) {
+int print_ports(const PortsOptions& options) {
   const io::PortList list = io::list_ports();
   if (list.error) throw std::runtime_error(list.error.message);
   if (options.format == "json") {
@@ -69,7 +69,7 @@ int print_ports(const Options& options) {
 
 void add_ports(CLI::App& app, int& status) {
   auto* const command = app.add_subcommand("ports", "List the serial ports of this machine");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PortsOptions>();
   command->add_option("--format", options->format, "How to print")
       ->check(CLI::IsMember({"text", "json"}))
       ->capture_default_str();

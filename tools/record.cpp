@@ -24,7 +24,7 @@ namespace sbgc::tools {
 
 namespace {
 
-struct Options {
+struct RecordOptions {
   std::string address;
   std::string file;
   std::optional<double> seconds;
@@ -62,7 +62,7 @@ class Listener {
   std::string problem_;
 };
 
-int record_line(const Options& options) {
+int record_line(const RecordOptions& options) {
   asio::io_context context;
   io::CaptureWriter writer;
   io::OpenResult opened = io::open(context.get_executor(), options.address);
@@ -109,7 +109,7 @@ int record_line(const Options& options) {
 void add_record(CLI::App& app, int& status) {
   auto* const command =
       app.add_subcommand("record", "Listen to a line and write what the board says into a capture");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RecordOptions>();
   command
       ->add_option("address", options->address,
                    "/dev/ttyUSB0, serial:PATH?baud=NUMBER&parity=none|even, tcp:HOST:PORT, "
