@@ -58,6 +58,9 @@ const Vector& acceleration_of(const Sample& sample, std::size_t imu) {
 double temperature_of(const Sample& sample, std::size_t imu) {
   return imu == 0 ? sample.temperature : sample.frame_temperature;
 }
+double heading_error_of(const Sample& sample, std::size_t imu) {
+  return imu == 0 ? sample.heading_error : sample.frame_heading_error;
+}
 double length(const Vector& v) { return std::hypot(v.x, v.y, v.z); }
 
 /// Whole degrees Celsius, as the memory holds them; a sensor shows no more than this.
@@ -312,7 +315,7 @@ CalibInfo Calibrations::info(Machine& machine, std::size_t imu, Instant now) con
   // Two unit vectors with this angle between them.
   constexpr double half_degree = 3.14159265358979323846 / 360;
   info.h1_err_length =
-      saturated<Hundredths>(2 * std::abs(std::sin(sample.heading_error * half_degree)));
+      saturated<Hundredths>(2 * std::abs(std::sin(heading_error_of(sample, imu) * half_degree)));
   return info;
 }
 

@@ -21,6 +21,11 @@ Machine::Machine(Options of, Memory kept, Instant now)
 
 Availability Machine::versions() const { return {options.firmware.raw(), options.board.raw()}; }
 
+bool Machine::has_frame_imu() const {
+  return options.has_frame_imu &&
+         settings.of<ReadParams3>().frame_imu_pos != FrameImuPosition::disabled;
+}
+
 double Machine::gyro_unit() { return GyroRate(1).degrees_per_second(); }
 
 Duration Machine::cycle() { return microseconds(roles::stream_cycle_us); }
@@ -36,6 +41,7 @@ void Machine::select_profile(std::uint8_t profile, Instant now) {
 
 void Machine::apply_settings(Instant now) {
   const bool has_meter = options.features.has(BoardFeature::bat_monitoring);
+  if (!has_frame_imu()) cur_imu = SelectedImu::main;
   gimbal.tune(tuning_of(settings, versions(), home, has_meter ? memory.battery_factor : 0), now);
   correct_gyros(now);
   remote.apply(*this, now);

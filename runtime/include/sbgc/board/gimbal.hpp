@@ -86,8 +86,10 @@ struct Sample {
   double current{};          ///< amperes
   double temperature{};      ///< of the main IMU, Celsius
   double frame_temperature{};
-  double gravity_error{};  ///< degrees between the estimated and the reference vector
+  double gravity_error{};  ///< degrees between the estimated and the reference vector, main IMU
   double heading_error{};
+  double frame_gravity_error{};
+  double frame_heading_error{};
 };
 
 /// The simulation. It moves in fixed steps of 4 ms, so that its state depends on time and commands
@@ -154,6 +156,8 @@ class Gimbal {
     bool translates = false;
   };
   void correct(const Attitude& attitude, Instant now);
+  /// Whether the frame's attitude is replaced so now.
+  bool is_frame_told(Instant now);
   /// Offset of a gyroscope's zero, deg/s: heading errors grow or shrink with it. `heading` turns
   /// about the vertical. Both replace what was given before.
   void correct_gyro(bool of_frame, const Vector& offset, double heading, Instant now);
