@@ -46,6 +46,13 @@ class Turn {
     if (is_supported<M>(versions())) send(message);
     return Outcome::carried_out;
   }
+  /// The same if this board has the request, even if it does not have the message otherwise: the
+  /// answers of old requests are those of newer ones (E020, E120).
+  template <Message M>
+  Outcome answer_anyway(const M& message) {
+    send(message);
+    return Outcome::carried_out;
+  }
   /// CMD_CONFIRM that names the request, with these data. Of commands that hosts send in quick
   /// succession there is none, see confirms().
   Outcome confirm(std::span<const std::uint8_t> data = {});
