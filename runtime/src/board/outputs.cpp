@@ -97,13 +97,18 @@ std::uint16_t Outputs::high_pins() const {
 }
 
 bool Outputs::set_servos(const Machine& machine, const ServoOut& request) {
-  if (!is_valid(request)) return false;
-  const double rate = machine.settings.of<ReadParams3>().servo_rate.hertz();
-  constexpr double second = 1e6;  // in the unit of pulses
-  for (const ServoPulse pulse : request.servo_time) {
-    if (pulse.raw() * rate >= second) return false;
+  ServoOut wanted = request;
+  // All that is negative says so.
+  for (ServoPulse& pulse : wanted.servo_time) {
+    if (pulse < ServoPulse(ServoOut::low)) pulse = floating;
   }
-  servos_ = request.servo_time;
+  if (!is_valid(wanted)) return false;
+  const double rate = machine.settings.of<ReadParams3>().servo_rate.hertz();
+  constexpr auto second = static_cast<double>(seconds(1).us);
+  for (const ServoPulse pulse : wanted.servo_time) {
+    if (pulse.microseconds() * rate >= second) return false;
+  }
+  servos_ = wanted.servo_time;
   for (std::size_t i = 0; i < servo_pin.size(); ++i) {
     if (servos_[i] != floating) pins_[*index_of(servo_pin[i])].reset();
   }
