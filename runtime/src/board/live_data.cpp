@@ -68,7 +68,7 @@ void measure_common(Machine& machine, std::size_t port, Instant now, const Sampl
   for (std::size_t axis = 0; axis < data.axes.size(); ++axis) {
     data.axes[axis].acc_data = saturated<Acceleration>(sample.acceleration[sensor_axis(axis)]);
     data.axes[axis].gyro_data = saturated<GyroRate>(sample.gyro[sensor_axis(axis)]);
-    data.rc[axis] = pulse(machine.remote.axis(machine, axis));
+    data.rc[axis] = pulse(machine.remote.own(machine, axis));
     data.motor_power[axis] =
         saturated_raw<std::uint8_t>(sample.power[axis] * std::numeric_limits<std::uint8_t>::max());
   }
@@ -163,7 +163,7 @@ void measure(Machine& machine, RealtimeDataCustomFlags blocks, Instant now,
   if (blocks.has(Flag::rc_data)) {
     auto& signals = data.rc_data.emplace();
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      signals[axis] = fine(machine.remote.axis(machine, axis));
+      signals[axis] = fine(machine.remote.own(machine, axis));
     }
     signals[3] = fine(machine.remote.signal(settings.rc_map_cmd));
     signals[4] = fine(machine.remote.signal(settings.rc_map_fc_roll));
