@@ -200,6 +200,44 @@ TEST(Control, SignalsAreBentAsTheSettingsSay) {
   EXPECT_EQ(bent(mix(0)), 0);
 }
 
+TEST(Control, NoMotorIsFasterThanTheGyroscopeCanTell) {
+  Host host;
+  host.ask(one_axis(ControlModeKind::speed, 32767, 0), seconds(8));
+  const auto data = host.get<GetAngles>(GetAnglesRequest{});
+  EXPECT_NEAR(data.axes.pitch.rc_speed.degrees_per_second(), 2000, 0.1) << "and says so";
+}
+
+/// What a handheld gimbal does in 5 s, while a host sends the message 50 times a second.
+template <class Data>
+board::Sample helped(const std::optional<Data>& data) {
+  board::Options options;
+  options.gimbal.frame.kind = board::Disturbance::Kind::handheld;
+  options.gimbal.noise = 0;
+  Host host(options);
+  for (int i = 0; i < 250; ++i) {
+    if (data) {
+      host.send(*data);
+    }
+    EXPECT_THAT(host.listen(milliseconds(20)), IsEmpty()) << "it comes often";
+  }
+  return host.board.gimbal().sample(host.now);
+}
+
+TEST(Control, HelpIsWhatTellsSomething) {
+  const auto alone = helped<HelperData>({}).angles;
+  EXPECT_EQ(helped(std::optional(HelperData{})).angles, alone) << "zeros are not used";
+  EXPECT_EQ(helped(std::optional(HelperDataExt{})).angles, alone);
+  HelperData tilt;
+  tilt.frame_angle_pitch = Angle14(100);
+  EXPECT_NE(helped(std::optional(tilt)).angles, alone);
+  HelperDataExt speed{.coord_sys = CoordinateSystem::ground_yaw_rotated};
+  speed.frame_speed.z = GyroRate(100);
+  const auto with_speed = helped(std::optional(speed)).angles;
+  EXPECT_NE(with_speed, alone);
+  speed.coord_sys = CoordinateSystem{7};
+  EXPECT_EQ(helped(std::optional(speed)).angles, with_speed) << "as the usual coordinates";
+}
+
 TEST(Control, AMotorThatIsNotConnectedHoldsNothing) {
   Host host;
   auto settings = host.get<ReadParams3>(ReadParams3Request{});

@@ -251,7 +251,7 @@ void Gimbal::set_remote(std::size_t axis, std::optional<double> signal, Instant 
   state.obey(axis, false);
 }
 
-void Gimbal::help(const Vector& /*acceleration*/, Instant now) {
+void Gimbal::help(Instant now) {
   state_->advance(now);
   state_->helped_until = state_->step + help_steps;
 }

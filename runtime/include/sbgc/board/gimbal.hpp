@@ -141,9 +141,9 @@ class Gimbal {
   /// The RC signal of an axis, -1..1; none: no signal, the axis holds its target.
   void set_remote(std::size_t axis, std::optional<double> signal, Instant now);
 
-  /// What an outer system knows of the frame; improves the stabilization for a second. Ours: how
-  /// much it says does not matter, that it says it does.
-  void help(const Vector& acceleration, Instant now);
+  /// An outer system tells what it knows of the frame; that improves the stabilization for a
+  /// second. Ours: what it tells does not matter, the simulation knows the frame.
+  void help(Instant now);
   /// Replaces what an IMU knows of its attitude for a second, or as a reference corrects it slowly
   /// for two. Vectors of any length; what is not given stays. Nothing happens if they are parallel,
   /// shorter than 0.001, not finite, or `up` alone is opposite to what it was.
