@@ -176,6 +176,16 @@ TEST(LiveData, TheBatteryIsWatched) {
   EXPECT_EQ(errors(11).raw(), 0) << "negative thresholds are none";
 }
 
+TEST(LiveData, AnEmptyBatteryShowsWithoutMotorsToo) {
+  Host host;
+  host.ask(MotorsOff{});
+  host.board.gimbal().set_battery(9, host.now);
+  EXPECT_EQ(host.get<RealtimeData3>(RealtimeData3Request{}).system_error,
+            SystemError::low_bat1 | SystemError::low_bat2);
+  host.board.gimbal().set_battery(16, host.now);
+  EXPECT_EQ(host.get<RealtimeData3>(RealtimeData3Request{}).system_error, SystemErrors{});
+}
+
 TEST(LiveData, ABoardWithoutAMeterDoesNotWatchTheBattery) {
   board::Options options;
   options.features = BoardFeature::three_axis;

@@ -86,11 +86,14 @@ void Machine::calibrate_at_start(Instant now) {
 
 Flags<SystemError> Machine::errors(Instant now) {
   Flags<SystemError> errors = calibrations.errors();
-  const double alarm = settings.of<ReadParams3>().bat_threshold_alarm.volts();
-  if (options.features.has(BoardFeature::bat_monitoring) && alarm >= 0 &&
-      measured_battery(gimbal.sample(now)) < alarm) {
-    errors.set(SystemError::low_bat1);
+  if (options.features.has(BoardFeature::bat_monitoring)) {
+    const auto& thresholds = settings.of<ReadParams3>();
+    const double volts = measured_battery(gimbal.sample(now));
+    // A negative threshold is none, and no voltage is below it.
+    if (volts < thresholds.bat_threshold_alarm.volts()) errors.set(SystemError::low_bat1);
+    if (volts < thresholds.bat_threshold_motors.volts()) errors.set(SystemError::low_bat2);
   }
+  // Without the motors' current the voltage may be higher again.
   if (gimbal.stopped_by_battery()) errors.set(SystemError::low_bat2);
   return errors;
 }
