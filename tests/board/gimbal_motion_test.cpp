@@ -129,10 +129,20 @@ TEST(Motion, SpeedAngleFollowsAnglesThatComeInSteps) {
     if (t > 1000) worst = std::max(worst, std::abs(gimbal.sample(ms(t)).targets.pitch - angle));
   }
   EXPECT_LT(worst, 0.5);
-  // Without further commands it does not run away.
+  // Without further commands it holds the angle.
   const Sample sample = gimbal.sample(ms(20000));
-  EXPECT_NEAR(sample.targets.pitch, 0.02 * 4980, 2.5);
+  EXPECT_NEAR(sample.targets.pitch, 0.02 * 4980, 1e-9);
   EXPECT_EQ(sample.target_speeds.pitch, 0);
+}
+
+TEST(Motion, TheSpeedOfSpeedAngleLeadsForAWhile) {
+  Gimbal gimbal = ready();
+  gimbal.command(yaw, {AxisMode::speed_angle, 20, 10, 0}, ms(0));
+  EXPECT_GT(gimbal.sample(ms(480)).targets.yaw, 11) << "it is ahead of the angle";
+  EXPECT_EQ(gimbal.sample(ms(3000)).targets.yaw, 10);
+  gimbal.command(yaw, {AxisMode::speed_angle, -20, 10, 0}, ms(3000));
+  EXPECT_LT(gimbal.sample(ms(3480)).targets.yaw, 9);
+  EXPECT_EQ(gimbal.sample(ms(6000)).targets.yaw, 10);
 }
 
 TEST(Motion, SpeedAngleWithoutSpeedGoesToTheAngle) {

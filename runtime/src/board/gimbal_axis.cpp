@@ -10,6 +10,9 @@ namespace sbgc::board {
 
 namespace {
 
+/// Ours: so long the speed of a command leads in `speed_angle`, unless the next one comes.
+constexpr double lead_time = 0.5;
+
 bool is_remote(AxisMode mode) { return mode == AxisMode::remote || mode == AxisMode::signal; }
 
 /// The signal that controls the axis, if one does.
@@ -58,6 +61,8 @@ void AxisState::obey(const AxisOrders& orders, bool has_power, bool is_new,
     follow = {};
   }
   follows = follows_now;
+
+  if (is_new) lead = lead_time;
 
   const AxisTuning& tuning = orders.tuning;
   if (is_remote(mode)) {
@@ -109,7 +114,12 @@ void AxisState::move_own(const AxisOrders& orders, double acceleration, double s
     case AxisMode::angle:
     case AxisMode::relative_angle: go(own, goal, speed, acceleration, seconds); return;
     case AxisMode::speed_angle:
-      pull(own, goal, command.speed, usual_speed, acceleration, seconds);
+      if (lead > 0) {
+        pull(own, goal, command.speed, usual_speed, acceleration, seconds);
+      } else {
+        go(own, goal, usual_speed + std::abs(command.speed), acceleration, seconds);
+      }
+      lead -= seconds;
       return;
   }
 }
@@ -151,11 +161,10 @@ void AxisState::skip(const AxisOrders& orders, const AxisSurroundings& around, d
   if (is_held) {
     const AxisMode mode = orders.command.mode;
     const bool has_goal = mode == AxisMode::angle || mode == AxisMode::relative_angle ||
+                          mode == AxisMode::speed_angle ||
                           (is_remote(mode) && (is_starting || !orders.tuning.remote_is_speed));
     const double way = own.speed * seconds;
-    if (mode == AxisMode::speed_angle) {
-      own.speed = 0;  // it hangs at its balance, or soon will
-    } else if (has_goal && std::abs(goal - own.position) <= std::abs(way)) {
+    if (has_goal && std::abs(goal - own.position) <= std::abs(way)) {
       own = {goal, 0};
     } else {
       own.position += way;

@@ -26,7 +26,8 @@ enum class AxisMode : std::uint8_t {
   remote,          ///< no control: the RC signal of the axis
   speed,           ///< turn with `speed`
   angle,           ///< go to `angle` with `speed`, 0: the speed of the settings
-  speed_angle,     ///< turn with `speed` and be pulled to `angle`; halts where both balance
+  speed_angle,     ///< turn with `speed` and be pulled to `angle`; half a second after the command
+                   ///< (ours) the angle alone counts
   signal,          ///< `signal` stands for the RC signal
   relative_angle,  ///< go to `angle`, counted from the frame, over all turns; speed as for `angle`
 };
