@@ -247,6 +247,23 @@ TEST(Follow, TurnsWithTheFrameBehindItsDeadband) {
   EXPECT_EQ(sample.target_speeds.yaw, 0);
 }
 
+TEST(Follow, TheNeutralPositionCanBeBesideTheFrame) {
+  Tuning tuning;
+  tuning.axes.yaw.follows = true;
+  tuning.axes.yaw.follow_offset = 25;
+  tuning.axes.yaw.start_angle = 5;
+  Gimbal gimbal = ready(turning_frame(), tuning);
+  EXPECT_NEAR(gimbal.sample(ms(15000)).joints.yaw, 30, 0.1) << "at the start";
+  gimbal.set_remote(yaw, 0.0, ms(15000));
+  EXPECT_NEAR(gimbal.sample(ms(25000)).joints.yaw, 25, 0.1);
+  tuning.axes.yaw.follow_offset = -10;
+  gimbal.tune(tuning, ms(25000));
+  EXPECT_NEAR(gimbal.sample(ms(35000)).joints.yaw, -10, 0.1);
+  tuning.axes.yaw.follows = false;
+  gimbal.tune(tuning, ms(35000));
+  EXPECT_NEAR(gimbal.sample(ms(45000)).targets.yaw, 0, 0.1) << "angles of the world have none";
+}
+
 TEST(Follow, AnglesOfTheWorldDoNot) {
   Tuning tuning;
   tuning.axes.yaw.follows = true;

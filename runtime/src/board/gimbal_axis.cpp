@@ -69,12 +69,13 @@ void AxisState::obey(const AxisOrders& orders, bool has_power, bool is_new,
     const std::optional<double> signal = signal_of(orders);
     const bool decides = signal && (!tuning.remote_is_speed || *signal != 0);
     if (mode == AxisMode::signal || decides) is_starting = false;
+    const double neutral = follows ? within(tuning.follow_offset, -top_angle, top_angle) : 0;
     if (is_starting) {
-      goal = within(tuning.start_angle, -top_angle, top_angle);
+      goal = neutral + within(tuning.start_angle, -top_angle, top_angle);
     } else if (signal && !tuning.remote_is_speed) {
       const double low = within(tuning.remote_min, -top_angle, top_angle);
       const double high = within(tuning.remote_max, -top_angle, top_angle);
-      goal = low + (high - low) * (*signal + 1) / 2;
+      goal = neutral + low + (high - low) * (*signal + 1) / 2;
       if (!follows) goal = nearest(goal, own.position);
     }
     return;

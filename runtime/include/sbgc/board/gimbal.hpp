@@ -21,7 +21,8 @@ using Vector = Xyz<double>;
 ///
 /// Angles of `angle`, `speed_angle` and RC signals mean the same angle modulo 4 turns, where the
 /// protocol's 16 bits wrap: the nearest one to the present target. An axis that follows the frame
-/// does so in `remote`, `signal` and `speed`, and counts the angles of RC signals from the frame.
+/// does so in `remote`, `signal` and `speed`, and counts the angles of RC signals from its neutral
+/// position, that is the frame plus `follow_offset`.
 enum class AxisMode : std::uint8_t {
   remote,          ///< no control: the RC signal of the axis
   speed,           ///< turn with `speed`
@@ -48,6 +49,7 @@ struct AxisTuning {
                                              ///< such a move does not begin
   double follow_speed = 50;                  ///< deg/s at most
   double follow_deadband = 0;                ///< degrees
+  double follow_offset = 0;                  ///< of the neutral position from the frame, degrees
   bool follows = false;                      ///< the target turns with the frame
   bool remote_is_speed = false;              ///< the RC signal is a speed, not an angle
   double remote_min = -90, remote_max = 90;  ///< angles of the lowest and the highest signal
