@@ -5,6 +5,7 @@
 
 #include "attitude.hpp"
 #include "physics_limits.hpp"
+#include "quantities.hpp"
 
 namespace sbgc::board {
 
@@ -24,9 +25,8 @@ std::optional<double> signal_of(const AxisOrders& orders) {
 /// Ours: who follows the frame does so unless he is told an angle of the world.
 bool can_follow(AxisMode mode) { return is_remote(mode) || mode == AxisMode::speed; }
 
-/// Of the angles that are the same to the protocol the one that is nearest. 16 bits of 14-bit
-/// angles wrap after 4 turns.
-double nearest(double angle, double to) { return to + std::remainder(angle - to, 1440); }
+/// Of the angles that are the same to the protocol the one that is nearest.
+double nearest(double angle, double to) { return to + std::remainder(angle - to, angle_period); }
 
 double estimated_frame(const AxisSurroundings& around) { return around.frame + around.error; }
 

@@ -63,6 +63,18 @@ constexpr std::array<OutputPin, Outputs::servo_pins> servo_pin{
 
 constexpr ServoPulse floating{ServoOut::floating};
 
+/// The sound of an event that the settings choose from; they are two sets (E111).
+std::optional<BeepMode> sound_of(BeeperMode event) {
+  switch (event) {
+    case BeeperMode::calibrate: return BeepMode::calibrate;
+    case BeeperMode::confirm: return BeepMode::confirm;
+    case BeeperMode::error: return BeepMode::error;
+    case BeeperMode::alarm:
+    case BeeperMode::by_motors: break;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::array<ServoPulse, Outputs::servos> Outputs::free_servos() {
@@ -131,8 +143,7 @@ bool Outputs::play(const BeepSound& sound, Instant now) {
 
 void Outputs::signal(const Machine& machine, BeeperMode event, Instant now) {
   if (!machine.settings.of<ReadParams3>().beeper_modes.has(event)) return;
-  // The sounds have the numbers of the events that the settings choose from.
-  sound_ = Sound{BeepModes(static_cast<std::uint16_t>(event)), now + standard_sound};
+  if (const auto sound = sound_of(event)) sound_ = Sound{*sound, now + standard_sound};
 }
 
 Instant Outputs::next() const { return sound_ ? sound_->end : Instant::never; }
