@@ -58,6 +58,15 @@ TEST(Availability, BeforeBoard3ThereAreNoErrors) {
   EXPECT_EQ(host.board.counters().refused, 1U);
 }
 
+TEST(Availability, OldRequestsHaveTheAnswersOfNewerOnes) {
+  Host host(versions(10, 2200));
+  host.board.gimbal().set_battery(12.3, host.now);
+  EXPECT_NEAR(host.get<RealtimeData3>(RealtimeData{}).bat_level.volts(), 12.3, 0.01);
+  EXPECT_THAT(host.ask(RealtimeData3Request{}), IsEmpty());
+  EXPECT_EQ(host.get<ReadParams3>(ReadParams{.profile_id = 1}).profile_id, 1);
+  EXPECT_THAT(host.ask(ReadParams3Request{}), IsEmpty());
+}
+
 TEST(Availability, AccelerationLimitsAreThoseThatTheFirmwareHas) {
   // The camera is as fast as the limit in force allows.
   const auto moved = [](std::uint16_t firmware) {

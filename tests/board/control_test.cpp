@@ -1,5 +1,8 @@
 // What control commands make of the axes.
 
+#include <optional>
+#include <span>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -139,39 +142,45 @@ TEST(Control, VirtualChannelsControlTheCamera) {
               1);
 }
 
+/// What the signals make of pitch, as a share of RC_SPEED. Precondition: they are speeds.
+double control(Host& host, const ApiVirtChControl& signals) {
+  host.ask(signals, seconds(1));
+  const double full = host.get<ReadParams3>(ReadParams3Request{}).rc.pitch.rc_speed;
+  return host.board.gimbal().sample(host.now).target_speeds.pitch / full;
+}
+
 TEST(Control, TheDeadBandLeavesTheEndsOfTheStick) {
   Host host;
-  map_pitch(host, 5);
+  map_pitch(host, 5, RcModeKind::speed);
   auto settings = host.get<ReadParams3>(ReadParams3Request{});
   settings.rc_deadband = 100;
   host.ask(WriteParams3{settings});
-  const auto shown = [&](std::int16_t signal) {
-    host.ask(channels(5, signal));
-    return host.get<RealtimeData3>(RealtimeData3Request{}).rc.pitch.raw();
-  };
-  EXPECT_EQ(shown(100), 1500);
-  EXPECT_NEAR(shown(300), 1750, 1);
-  EXPECT_EQ(shown(500), 2000);
-  EXPECT_EQ(shown(-500), 1000);
+  EXPECT_EQ(control(host, channels(5, 100)), 0);
+  EXPECT_NEAR(control(host, channels(5, 300)), 0.5, 1e-9);
+  EXPECT_EQ(control(host, channels(5, 500)), 1);
+  EXPECT_EQ(control(host, channels(5, -500)), -1);
 }
 
 TEST(Control, SignalsAreBentAsTheSettingsSay) {
   Host host;
-  map_pitch(host, 5);
+  map_pitch(host, 5, RcModeKind::speed);
   const auto plain = host.get<ReadParams3>(ReadParams3Request{});
   auto signals = channels(5, 250);
   signals.val_ch[5] = CentredRcSignal(400);
-  const auto shown = [&](auto&& change) {
+  const auto bent = [&](auto&& change) {
     auto settings = plain;
     change(settings);
     host.ask(WriteParams3{settings});
-    host.ask(signals);
-    return host.get<RealtimeData3>(RealtimeData3Request{}).rc.pitch.raw();
+    const double result = control(host, signals);
+    const auto shown = host.get<RealtimeData3>(RealtimeData3Request{}).rc.pitch;
+    EXPECT_EQ(shown, signals.val_ch[4].raw() == 250 ? RcSignal(1750) : RcSignal(1500))
+        << "live data have it as it comes";
+    return result;
   };
-  EXPECT_EQ(shown([](ReadParams3&) {}), 1750);
-  EXPECT_EQ(shown([](ReadParams3& to) { to.rc.pitch.rc_mode.set_inverted(true); }), 1250);
-  EXPECT_EQ(shown([](ReadParams3& to) { to.rc_trim.pitch = -50; }), 1700);
-  EXPECT_NEAR(shown([](ReadParams3& to) { to.rc_expo_rate = 100; }), 1562.5, 0.5);
+  EXPECT_NEAR(bent([](ReadParams3&) {}), 0.5, 1e-9);
+  EXPECT_NEAR(bent([](ReadParams3& to) { to.rc.pitch.rc_mode.set_inverted(true); }), -0.5, 1e-9);
+  EXPECT_NEAR(bent([](ReadParams3& to) { to.rc_trim.pitch = -50; }), 0.4, 1e-9);
+  EXPECT_NEAR(bent([](ReadParams3& to) { to.rc_expo_rate = 100; }), 0.125, 1e-9);
   const auto mix = [](std::uint8_t rate) {
     return [rate](ReadParams3& to) {
       to.rc_map_fc_roll.set_source(RcSource::api);
@@ -181,9 +190,52 @@ TEST(Control, SignalsAreBentAsTheSettingsSay) {
       to.ext_fc_gain_roll = 127;
     };
   };
-  EXPECT_EQ(shown(mix(0)), 1750);
-  EXPECT_NEAR(shown(mix(32)), 1825, 3) << "half and half";
-  EXPECT_EQ(shown(mix(63)), 1900);
+  EXPECT_NEAR(bent(mix(0)), 0.5, 1e-9);
+  EXPECT_NEAR(bent(mix(32)), 0.65, 0.01) << "half and half";
+  EXPECT_NEAR(bent(mix(63)), 0.8, 1e-9);
+  // A flight controller controls an axis that has no signal of its own.
+  signals.val_ch[4] = CentredRcSignal(ApiVirtChControl::undefined);
+  EXPECT_NEAR(bent(mix(63)), 0.8, 1e-9);
+  EXPECT_NEAR(bent(mix(32)), 0.4, 0.01) << "as if that were in the middle";
+  EXPECT_EQ(bent(mix(0)), 0);
+}
+
+TEST(Control, NoMotorIsFasterThanTheGyroscopeCanTell) {
+  Host host;
+  host.ask(one_axis(ControlModeKind::speed, 32767, 0), seconds(8));
+  const auto data = host.get<GetAngles>(GetAnglesRequest{});
+  EXPECT_NEAR(data.axes.pitch.rc_speed.degrees_per_second(), 2000, 0.1) << "and says so";
+}
+
+/// What a handheld gimbal does in 5 s, while a host sends the message 50 times a second.
+template <class Data>
+board::Sample helped(const std::optional<Data>& data) {
+  board::Options options;
+  options.gimbal.frame.kind = board::Disturbance::Kind::handheld;
+  options.gimbal.noise = 0;
+  Host host(options);
+  for (int i = 0; i < 250; ++i) {
+    if (data) {
+      host.send(*data);
+    }
+    EXPECT_THAT(host.listen(milliseconds(20)), IsEmpty()) << "it comes often";
+  }
+  return host.board.gimbal().sample(host.now);
+}
+
+TEST(Control, HelpIsWhatTellsSomething) {
+  const auto alone = helped<HelperData>({}).angles;
+  EXPECT_EQ(helped(std::optional(HelperData{})).angles, alone) << "zeros are not used";
+  EXPECT_EQ(helped(std::optional(HelperDataExt{})).angles, alone);
+  HelperData tilt;
+  tilt.frame_angle_pitch = Angle14(100);
+  EXPECT_NE(helped(std::optional(tilt)).angles, alone);
+  HelperDataExt speed{.coord_sys = CoordinateSystem::ground_yaw_rotated};
+  speed.frame_speed.z = GyroRate(100);
+  const auto with_speed = helped(std::optional(speed)).angles;
+  EXPECT_NE(with_speed, alone);
+  speed.coord_sys = CoordinateSystem{7};
+  EXPECT_EQ(helped(std::optional(speed)).angles, with_speed) << "as the usual coordinates";
 }
 
 TEST(Control, AMotorThatIsNotConnectedHoldsNothing) {
@@ -201,6 +253,18 @@ TEST(Control, SignalsShowInLiveData) {
   map_pitch(host, 31);
   host.ask(channels(31, 250));
   EXPECT_EQ(host.get<RealtimeData3>(RealtimeData3Request{}).rc.pitch.raw(), 1750);
+  // Settings that bend it do not change it.
+  auto settings = host.get<ReadParams3>(ReadParams3Request{});
+  settings.rc_trim.pitch = 100;
+  settings.rc.pitch.rc_mode.set_inverted(true);
+  host.ask(WriteParams3{settings});
+  EXPECT_EQ(host.get<RealtimeData3>(RealtimeData3Request{}).rc.pitch.raw(), 1750);
+  const RealtimeDataCustomFlags blocks = RealtimeDataCustomFlag::rc_data;
+  const auto packets = host.ask(RealtimeDataCustomRequest{.flags = blocks});
+  ASSERT_THAT(packets, SizeIs(1));
+  RealtimeDataCustom data;
+  ASSERT_TRUE(decode(std::span(packets[0].body), data, {.flags = blocks}));
+  EXPECT_EQ((*data.rc_data)[1].raw(), 8192) << "half of 16384";
   host.ask(channels(31, 9999));
   EXPECT_EQ(host.get<RealtimeData3>(RealtimeData3Request{}).rc.pitch.raw(), 2000) << "clipped";
   host.ask(channels(30, 250));

@@ -50,6 +50,13 @@ TEST(DebugVariables, ValuesAreLive) {
   EXPECT_NE(after.at("GYRO"), before.at("GYRO")) << "it has noise";
 }
 
+TEST(DebugVariables, AgreeWithTheLiveData) {
+  Host host;
+  ASSERT_TRUE(is_confirmed(host, CalibBat{*Voltage::from_volts(20)}));
+  const auto data = host.get<RealtimeData3>(RealtimeData3Request{});
+  EXPECT_NEAR(debug_values(host).at("BATTERY")[0], data.bat_level.volts(), 0.05);
+}
+
 TEST(DebugVariables, FollowTheProfile) {
   Host host;
   EXPECT_EQ(debug_values(host).at("PROFILE")[0], 0);

@@ -69,7 +69,7 @@ TEST(Hold, HelpFromOutsideMakesItBetter) {
   double with = 0;
   double without = 0;
   for (std::int64_t t = 0; t < 30000; t += 5) {
-    if (t % 100 == 0) helped.help({}, ms(t));
+    if (t % 100 == 0) helped.help(ms(t));
     if (t < 5000) continue;  // they have just begun to hold
     with = std::max(with, worst_error(helped, t, t + 1));
     without = std::max(without, worst_error(alone, t, t + 1));

@@ -129,10 +129,20 @@ TEST(Motion, SpeedAngleFollowsAnglesThatComeInSteps) {
     if (t > 1000) worst = std::max(worst, std::abs(gimbal.sample(ms(t)).targets.pitch - angle));
   }
   EXPECT_LT(worst, 0.5);
-  // Without further commands it does not run away.
+  // Without further commands it holds the angle.
   const Sample sample = gimbal.sample(ms(20000));
-  EXPECT_NEAR(sample.targets.pitch, 0.02 * 4980, 2.5);
+  EXPECT_NEAR(sample.targets.pitch, 0.02 * 4980, 1e-9);
   EXPECT_EQ(sample.target_speeds.pitch, 0);
+}
+
+TEST(Motion, TheSpeedOfSpeedAngleLeadsForAWhile) {
+  Gimbal gimbal = ready();
+  gimbal.command(yaw, {AxisMode::speed_angle, 20, 10, 0}, ms(0));
+  EXPECT_GT(gimbal.sample(ms(480)).targets.yaw, 11) << "it is ahead of the angle";
+  EXPECT_EQ(gimbal.sample(ms(3000)).targets.yaw, 10);
+  gimbal.command(yaw, {AxisMode::speed_angle, -20, 10, 0}, ms(3000));
+  EXPECT_LT(gimbal.sample(ms(3480)).targets.yaw, 9);
+  EXPECT_EQ(gimbal.sample(ms(6000)).targets.yaw, 10);
 }
 
 TEST(Motion, SpeedAngleWithoutSpeedGoesToTheAngle) {
@@ -235,6 +245,23 @@ TEST(Follow, TurnsWithTheFrameBehindItsDeadband) {
   const Sample sample = gimbal.sample(ms(15000));
   EXPECT_NEAR(sample.targets.yaw, 55, 0.1);
   EXPECT_EQ(sample.target_speeds.yaw, 0);
+}
+
+TEST(Follow, TheNeutralPositionCanBeBesideTheFrame) {
+  Tuning tuning;
+  tuning.axes.yaw.follows = true;
+  tuning.axes.yaw.follow_offset = 25;
+  tuning.axes.yaw.start_angle = 5;
+  Gimbal gimbal = ready(turning_frame(), tuning);
+  EXPECT_NEAR(gimbal.sample(ms(15000)).joints.yaw, 30, 0.1) << "at the start";
+  gimbal.set_remote(yaw, 0.0, ms(15000));
+  EXPECT_NEAR(gimbal.sample(ms(25000)).joints.yaw, 25, 0.1);
+  tuning.axes.yaw.follow_offset = -10;
+  gimbal.tune(tuning, ms(25000));
+  EXPECT_NEAR(gimbal.sample(ms(35000)).joints.yaw, -10, 0.1);
+  tuning.axes.yaw.follows = false;
+  gimbal.tune(tuning, ms(35000));
+  EXPECT_NEAR(gimbal.sample(ms(45000)).targets.yaw, 0, 0.1) << "angles of the world have none";
 }
 
 TEST(Follow, AnglesOfTheWorldDoNot) {

@@ -83,6 +83,17 @@ TEST(I2c, RegistersKeepWhatIsWritten) {
   EXPECT_EQ(read(host, imu, 0x75, 1), std::vector<std::uint8_t>{0x68}) << "but keeps its name";
 }
 
+TEST(I2c, RegistersAreLostWithThePower) {
+  Host host;
+  const I2cDevice imu = device(I2cBus::main_imu);
+  host.ask(writing(imu, 0x19, {7}));
+  host.ask(ResetRequest{}, seconds(1));
+  EXPECT_EQ(read(host, imu, 0x19, 1), std::vector<std::uint8_t>{7}) << "a reset leaves it on";
+  host.board.restart(host.now);
+  host.listen(seconds(1));
+  EXPECT_EQ(read(host, imu, 0x19, 1), std::vector<std::uint8_t>{0});
+}
+
 TEST(I2c, AddressesBeginAgain) {
   Host host;
   const auto all = read(host, device(I2cBus::magnetometer), 10, 255);

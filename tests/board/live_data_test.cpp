@@ -75,6 +75,86 @@ TEST(LiveData, BothFormsAgree) {
   EXPECT_EQ(host.get<RealtimeData3>(RealtimeData{}).angle, four.angle) << "the older request";
 }
 
+/// An attitude of the frame, told by a host: so many degrees about z and x.
+AhrsHelperRequestExt frame_attitude(double yaw, double pitch) {
+  const double z = yaw * M_PI / 180, x = pitch * M_PI / 180;
+  AhrsHelperRequestExt set;
+  set.mode = AhrsHelperModeBit::set | AhrsHelperModeBit::frame_imu;
+  set.z1_vector = {0, static_cast<float>(-std::sin(x)), static_cast<float>(std::cos(x))};
+  set.h1_vector = {static_cast<float>(std::sin(z)), static_cast<float>(std::cos(x) * std::cos(z)),
+                   static_cast<float>(std::sin(x) * std::cos(z))};
+  return set;
+}
+
+TEST(LiveData, ErrorsAreThoseOfTheActiveImu) {
+  for (const bool of_heading : {false, true}) {
+    Host host = placed({0, 0, 0});
+    auto reference = of_heading ? frame_attitude(10, 0) : frame_attitude(0, 10);
+    reference.mode.set(AhrsHelperModeBit::reference_only);
+    host.ask(reference, milliseconds(5));
+    const auto gravity = [&] {
+      return host.get<RealtimeData4>(RealtimeData4Request{}).imu_g_err.degrees();
+    };
+    const auto heading = [&] {
+      return host.get<RealtimeData4>(RealtimeData4Request{}).imu_h_err.degrees();
+    };
+    EXPECT_NEAR(gravity(), 0, 0.5);
+    EXPECT_NEAR(heading(), 0, 0.5);
+    host.ask(SelectImu3{.imu_type = SelectedImu::frame});
+    EXPECT_NEAR(gravity(), of_heading ? 0 : 10, 0.5);
+    EXPECT_NEAR(heading(), of_heading ? 10 : 0, 0.5);
+    const auto length = [&](SelectedImu imu) {
+      return host.get<CalibInfo>(CalibInfoRequest{.imu_type = imu}).h1_err_length.value();
+    };
+    EXPECT_NEAR(length(SelectedImu::frame), of_heading ? 0.17 : 0, 0.02);
+    EXPECT_NEAR(length(SelectedImu::main), 0, 0.02) << "it is the one that is asked for";
+  }
+}
+
+/// Sets FRAME_IMU_POS.
+void put_frame_imu(Host& host, FrameImuPosition position) {
+  auto settings = host.get<ReadParams3>(ReadParams3Request{});
+  settings.frame_imu_pos = position;
+  host.ask(WriteParams3{settings});
+}
+
+TEST(LiveData, AFrameImuThatIsDisabledIsNone) {
+  board::Options options = still();
+  options.gimbal.frame.kind = board::Disturbance::Kind::recorded;
+  options.gimbal.frame.recording = {{Instant{}, {5, -8, 20}}};
+  Host host(options);
+  const auto frame = [&] {
+    return host.get<RealtimeData4>(RealtimeData4Request{}).frame_imu_angle.pitch.degrees();
+  };
+  EXPECT_NEAR(frame(), -8, 0.5);
+  host.ask(SelectImu3{.imu_type = SelectedImu::frame});
+  put_frame_imu(host, FrameImuPosition::disabled);
+  EXPECT_EQ(frame(), 0);
+  EXPECT_EQ(host.get<RealtimeData3>(RealtimeData3Request{}).cur_imu, SelectedImu::main);
+  EXPECT_THAT(host.ask(SelectImu3{.imu_type = SelectedImu::frame}), SizeIs(0));
+  EXPECT_THAT(host.ask(CalibGyroExt{.imu_idx = CalibImu::frame, .action = CalibAction::regular}),
+              SizeIs(0));
+  const CalibInfoRequest info{.imu_type = SelectedImu::frame};
+  EXPECT_EQ(host.get<ErrorExt>(info).cmd_id, CommandId::calib_info);
+  put_frame_imu(host, FrameImuPosition::above_yaw);
+  EXPECT_NEAR(frame(), -8, 0.5);
+  EXPECT_THAT(host.ask(SelectImu3{.imu_type = SelectedImu::frame}), SizeIs(1));
+}
+
+TEST(LiveData, AFramesAttitudeThatIsToldIsKnownWithoutItsImu) {
+  Host host(still());
+  put_frame_imu(host, FrameImuPosition::disabled);
+  const AhrsHelperRequest get{.mode = AhrsHelperModeBit::frame_imu};
+  EXPECT_EQ(host.get<ErrorExt>(get).cmd_id, CommandId::ahrs_helper);
+  const auto told = frame_attitude(0, 30);
+  host.ask(told, milliseconds(5));
+  const auto known = host.get<AhrsHelper>(get);
+  EXPECT_NEAR(static_cast<double>(known.z1_vector.y), -0.5, 0.01);
+  EXPECT_NEAR(static_cast<double>(known.z1_vector.z), 0.866, 0.01);
+  host.listen(seconds(2));
+  EXPECT_EQ(host.get<ErrorExt>(get).cmd_id, CommandId::ahrs_helper) << "that is long ago";
+}
+
 TEST(LiveData, TheBatteryIsWatched) {
   Host host;
   const auto errors = [&](double volts) {
@@ -94,6 +174,16 @@ TEST(LiveData, TheBatteryIsWatched) {
   host.ask(WriteParams3{settings});
   host.ask(MotorsOn{});
   EXPECT_EQ(errors(11).raw(), 0) << "negative thresholds are none";
+}
+
+TEST(LiveData, AnEmptyBatteryShowsWithoutMotorsToo) {
+  Host host;
+  host.ask(MotorsOff{});
+  host.board.gimbal().set_battery(9, host.now);
+  EXPECT_EQ(host.get<RealtimeData3>(RealtimeData3Request{}).system_error,
+            SystemError::low_bat1 | SystemError::low_bat2);
+  host.board.gimbal().set_battery(16, host.now);
+  EXPECT_EQ(host.get<RealtimeData3>(RealtimeData3Request{}).system_error, SystemErrors{});
 }
 
 TEST(LiveData, ABoardWithoutAMeterDoesNotWatchTheBattery) {

@@ -127,7 +127,11 @@ TEST(Servos, SpecialValues) {
   Host host;
   EXPECT_TRUE(is_confirmed(host, servos(ServoOut::low, ServoOut::low)));
   EXPECT_TRUE(is_confirmed(host, servos(ServoOut::floating)));
-  EXPECT_EQ(refusal(host, servos(-2)), Refusal::bad_parameter);
+  EXPECT_EQ(refusal(host, servos(-2, 20001)), Refusal::bad_parameter);
+  EXPECT_TRUE(is_confirmed(host, servos(1500)));
+  EXPECT_THAT(host.ask(pin(OutputPin::ext_fc_input_roll)), IsEmpty());
+  EXPECT_TRUE(is_confirmed(host, servos(-2, -32768))) << "all that is negative frees the pin";
+  EXPECT_TRUE(is_confirmed(host, pin(OutputPin::ext_fc_input_roll)));
 }
 
 TEST(Sounds, AStandardSoundIsShort) {

@@ -74,6 +74,16 @@ TEST(Scripts, NothingIsReportedWithoutDebugging) {
   EXPECT_THAT(host.listen(seconds(2)), IsEmpty());
 }
 
+TEST(Scripts, NotEveryBoardRunsThem) {
+  board::Options options;
+  options.features = BoardFeature::three_axis;
+  Host host(options);
+  store(host, 0, five_commands);
+  for (const auto mode : {ScriptMode::start, ScriptMode::start_debug, ScriptMode::stop}) {
+    EXPECT_EQ(refusal(host, run(mode, 0)), Refusal::no_device);
+  }
+}
+
 TEST(Scripts, AnEmptySlotIsRefused) {
   Host host;
   EXPECT_EQ(refusal(host, run(ScriptMode::start, 1)), Refusal::no_script);

@@ -27,6 +27,16 @@ TEST(Tuning, TheGainFactorIsForAllGains) {
   EXPECT_EQ(after.power, before.power);
 }
 
+TEST(Tuning, TheOffsetOfTheFollowModeIsOfEachAxis) {
+  Memory memory;
+  Settings settings(memory);
+  auto main = settings.of<ReadParams3>();
+  main.follow_offset = {1, -20, 127};
+  ASSERT_TRUE(settings.write(0, main));
+  EXPECT_EQ(tuning(settings).axes.pitch.follow_offset, -20);
+  EXPECT_EQ(tuning(settings).axes.yaw.follow_offset, 127);
+}
+
 TEST(Tuning, OldFirmwareHasOneLimitForAllAxes) {
   Memory memory;
   Settings settings(memory);

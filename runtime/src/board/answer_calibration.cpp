@@ -23,7 +23,7 @@ std::optional<std::size_t> index_of(const Machine& machine, CalibImu imu) {
     case CalibImu::frame: break;
     default: return {};
   }
-  return machine.options.has_frame_imu ? std::optional<std::size_t>(1) : std::nullopt;
+  return machine.has_frame_imu() ? std::optional<std::size_t>(1) : std::nullopt;
 }
 
 /// A calibration that is confirmed on reception, and once more at its end if `confirms_end`.
@@ -181,7 +181,7 @@ Outcome handle(Turn& turn, const CalibInfoRequest& request) {
   if (!is_frame && request.imu_type != SelectedImu::main) {
     return turn.refuse(Refusal::bad_parameter);
   }
-  if (is_frame && !machine.options.has_frame_imu) return turn.refuse(Refusal::no_device);
+  if (is_frame && !machine.has_frame_imu()) return turn.refuse(Refusal::no_device);
   return turn.answer(machine.calibrations.info(machine, is_frame ? 1 : 0, turn.now));
 }
 

@@ -7,7 +7,7 @@ namespace {
 
 Outcome select(Turn& turn, SelectedImu imu) {
   const bool exists =
-      imu == SelectedImu::main || (imu == SelectedImu::frame && turn.machine.options.has_frame_imu);
+      imu == SelectedImu::main || (imu == SelectedImu::frame && turn.machine.has_frame_imu());
   if (!exists) return Turn::ignore();
   turn.machine.cur_imu = imu;
   return turn.confirm();
@@ -25,7 +25,7 @@ Outcome handle(Turn& turn, const GyroCorrection& request) {
   Machine& machine = turn.machine;
   const bool of_frame = request.imu_type == ImuIndex::frame;
   if (!of_frame && request.imu_type != ImuIndex::main) return turn.refuse(Refusal::bad_parameter);
-  if (of_frame && !machine.options.has_frame_imu) return turn.refuse(Refusal::no_device);
+  if (of_frame && !machine.has_frame_imu()) return turn.refuse(Refusal::no_device);
   Vector offset;
   for (std::size_t i = 0; i < 3; ++i) {
     offset[i] = degrees_per_second(request.gyro_zero_corr[i]);

@@ -6,6 +6,7 @@ namespace sbgc::board {
 
 Outcome handle(Turn& turn, const RunScript& request) {
   Machine& machine = turn.machine;
+  if (!Scripts::are_known(machine)) return turn.refuse(Refusal::no_device);
   std::optional<std::size_t> debug_port;
   switch (request.mode) {
     case ScriptMode::stop:

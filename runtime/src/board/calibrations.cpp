@@ -58,6 +58,9 @@ const Vector& acceleration_of(const Sample& sample, std::size_t imu) {
 double temperature_of(const Sample& sample, std::size_t imu) {
   return imu == 0 ? sample.temperature : sample.frame_temperature;
 }
+double heading_error_of(const Sample& sample, std::size_t imu) {
+  return imu == 0 ? sample.heading_error : sample.frame_heading_error;
+}
 double length(const Vector& v) { return std::hypot(v.x, v.y, v.z); }
 
 /// Whole degrees Celsius, as the memory holds them; a sensor shows no more than this.
@@ -71,9 +74,10 @@ struct Direction {
   std::size_t axis{};
   bool negative{};
 
-  /// Bit in CalibratedLimits: +X, -X, +Y, -Y, +Z, -Z.
-  std::uint8_t limit() const {
-    return static_cast<std::uint8_t>(1U << (2 * axis + (negative ? 1 : 0)));
+  CalibratedLimit limit() const {
+    using enum CalibratedLimit;
+    constexpr CalibratedLimit limits[3][2]{{plus_x, minus_x}, {plus_y, minus_y}, {plus_z, minus_z}};
+    return limits[axis][negative ? 1 : 0];
   }
   /// Index of TEMP_CALIB_ACC_SLOT_NUM: +X, +Y, +Z, -X, -Y, -Z.
   std::size_t slot() const { return axis + (negative ? 3 : 0); }
@@ -199,7 +203,7 @@ bool Calibrations::store(Machine& machine, const Run& run, Instant now) {
       break;
     case Kind::acc: {
       const Direction direction = up(acceleration_of(sample, run.imu));
-      imu.acc_limits = static_cast<std::uint8_t>(imu.acc_limits | direction.limit());
+      imu.acc_limits = CalibratedLimits(imu.acc_limits).set(direction.limit()).raw();
       break;
     }
     case Kind::gyro_temperature:
@@ -215,7 +219,7 @@ bool Calibrations::store(Machine& machine, const Run& run, Instant now) {
           std::all_of(imu.acc_slots.begin(), imu.acc_slots.end(), [](auto n) { return n == 0; });
       imu.acc_temperature_min = is_first ? minimum : std::min(imu.acc_temperature_min, minimum);
       imu.acc_temperature_max = is_first ? maximum : std::max(imu.acc_temperature_max, maximum);
-      imu.acc_limits = static_cast<std::uint8_t>(imu.acc_limits | direction.limit());
+      imu.acc_limits = CalibratedLimits(imu.acc_limits).set(direction.limit()).raw();
       // Ours: when all slots are taken, the new temperature replaces one of them.
       std::uint8_t& slots = imu.acc_slots[direction.slot()];
       if (slots < max_temperature_slots) ++slots;
@@ -312,7 +316,7 @@ CalibInfo Calibrations::info(Machine& machine, std::size_t imu, Instant now) con
   // Two unit vectors with this angle between them.
   constexpr double half_degree = 3.14159265358979323846 / 360;
   info.h1_err_length =
-      saturated<Hundredths>(2 * std::abs(std::sin(sample.heading_error * half_degree)));
+      saturated<Hundredths>(2 * std::abs(std::sin(heading_error_of(sample, imu) * half_degree)));
   return info;
 }
 

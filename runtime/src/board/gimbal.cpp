@@ -251,7 +251,7 @@ void Gimbal::set_remote(std::size_t axis, std::optional<double> signal, Instant 
   state.obey(axis, false);
 }
 
-void Gimbal::help(const Vector& /*acceleration*/, Instant now) {
+void Gimbal::help(Instant now) {
   state_->advance(now);
   state_->helped_until = state_->step + help_steps;
 }
@@ -284,6 +284,11 @@ void Gimbal::correct(const Attitude& attitude, Instant now) {
     }
   }
   state.slow(0);
+}
+
+bool Gimbal::is_frame_told(Instant now) {
+  state_->advance(now);
+  return state_->second.is_replaced(state_->step);
 }
 
 void Gimbal::correct_gyro(bool of_frame, const Vector& offset, double heading, Instant now) {
@@ -384,6 +389,8 @@ Sample Gimbal::sample(Instant now) {
   sample.frame_temperature = state.second.temperature();
   sample.gravity_error = state.main.gravity_error(state.step);
   sample.heading_error = state.main.heading_error(state.step);
+  sample.frame_gravity_error = state.second.gravity_error(state.step);
+  sample.frame_heading_error = state.second.heading_error(state.step);
   return sample;
 }
 

@@ -5,10 +5,14 @@
 
 #include "attitude.hpp"
 #include "physics_limits.hpp"
+#include "quantities.hpp"
 
 namespace sbgc::board {
 
 namespace {
+
+/// Ours: so long the speed of a command leads in `speed_angle`, unless the next one comes.
+constexpr double lead_time = 0.5;
 
 bool is_remote(AxisMode mode) { return mode == AxisMode::remote || mode == AxisMode::signal; }
 
@@ -21,9 +25,8 @@ std::optional<double> signal_of(const AxisOrders& orders) {
 /// Ours: who follows the frame does so unless he is told an angle of the world.
 bool can_follow(AxisMode mode) { return is_remote(mode) || mode == AxisMode::speed; }
 
-/// Of the angles that are the same to the protocol the one that is nearest. 16 bits of 14-bit
-/// angles wrap after 4 turns.
-double nearest(double angle, double to) { return to + std::remainder(angle - to, 1440); }
+/// Of the angles that are the same to the protocol the one that is nearest.
+double nearest(double angle, double to) { return to + std::remainder(angle - to, angle_period); }
 
 double estimated_frame(const AxisSurroundings& around) { return around.frame + around.error; }
 
@@ -59,17 +62,20 @@ void AxisState::obey(const AxisOrders& orders, bool has_power, bool is_new,
   }
   follows = follows_now;
 
+  if (is_new) lead = lead_time;
+
   const AxisTuning& tuning = orders.tuning;
   if (is_remote(mode)) {
     const std::optional<double> signal = signal_of(orders);
     const bool decides = signal && (!tuning.remote_is_speed || *signal != 0);
     if (mode == AxisMode::signal || decides) is_starting = false;
+    const double neutral = follows ? within(tuning.follow_offset, -top_angle, top_angle) : 0;
     if (is_starting) {
-      goal = within(tuning.start_angle, -top_angle, top_angle);
+      goal = neutral + within(tuning.start_angle, -top_angle, top_angle);
     } else if (signal && !tuning.remote_is_speed) {
       const double low = within(tuning.remote_min, -top_angle, top_angle);
       const double high = within(tuning.remote_max, -top_angle, top_angle);
-      goal = low + (high - low) * (*signal + 1) / 2;
+      goal = neutral + low + (high - low) * (*signal + 1) / 2;
       if (!follows) goal = nearest(goal, own.position);
     }
     return;
@@ -109,7 +115,12 @@ void AxisState::move_own(const AxisOrders& orders, double acceleration, double s
     case AxisMode::angle:
     case AxisMode::relative_angle: go(own, goal, speed, acceleration, seconds); return;
     case AxisMode::speed_angle:
-      pull(own, goal, command.speed, usual_speed, acceleration, seconds);
+      if (lead > 0) {
+        pull(own, goal, command.speed, usual_speed, acceleration, seconds);
+      } else {
+        go(own, goal, usual_speed + std::abs(command.speed), acceleration, seconds);
+      }
+      lead -= seconds;
       return;
   }
 }
@@ -151,11 +162,10 @@ void AxisState::skip(const AxisOrders& orders, const AxisSurroundings& around, d
   if (is_held) {
     const AxisMode mode = orders.command.mode;
     const bool has_goal = mode == AxisMode::angle || mode == AxisMode::relative_angle ||
+                          mode == AxisMode::speed_angle ||
                           (is_remote(mode) && (is_starting || !orders.tuning.remote_is_speed));
     const double way = own.speed * seconds;
-    if (mode == AxisMode::speed_angle) {
-      own.speed = 0;  // it hangs at its balance, or soon will
-    } else if (has_goal && std::abs(goal - own.position) <= std::abs(way)) {
+    if (has_goal && std::abs(goal - own.position) <= std::abs(way)) {
       own = {goal, 0};
     } else {
       own.position += way;

@@ -24,6 +24,7 @@ struct AxisOrders {
 struct AxisState {
   Path own{}, follow{};
   double goal{};  ///< of `own`, where the mode has one
+  double lead{};  ///< so many seconds more the speed of `speed_angle` leads
   AxisMotion motion{};
   bool is_held = false;  ///< by its motor
   bool follows = false;

@@ -23,7 +23,7 @@ std::optional<Vector> direction(const Xyz<float>& from) {
 
 Outcome tell(Turn& turn, AhrsHelperMode mode) {
   const bool of_frame = mode.has(AhrsHelperModeBit::frame_imu);
-  if (of_frame && !knows_frame(turn.machine)) return turn.refuse(Refusal::no_device);
+  if (of_frame && !knows_frame(turn.machine, turn.now)) return turn.refuse(Refusal::no_device);
   AhrsHelper answer;
   measure(turn.machine, of_frame, turn.now, answer);
   return turn.answer(answer);

@@ -76,10 +76,22 @@ Outcome execute(Turn& turn, MenuCommand action) {
   return turn.refuse(Refusal::bad_parameter, static_cast<std::uint32_t>(action));
 }
 
-/// Only the acceleration matters to the simulation: it knows the frame's attitude and speed.
-Outcome help(Turn& turn, const Xyz<Acceleration>& acceleration) {
-  turn.machine.gimbal.help({acceleration.x.real(), acceleration.y.real(), acceleration.z.real()},
-                           turn.now);
+/// Zeros are not used, so that a message of zeros is no help. Nothing else of what it tells matters
+/// to the simulation, which knows the frame.
+template <class Data>
+bool is_help(const Data& data) {
+  bool tells = data.frame_acc != Xyz<Acceleration>{} || data.frame_angle_roll != Angle14{} ||
+               data.frame_angle_pitch != Angle14{};
+  if constexpr (requires { data.frame_speed; }) {
+    tells = tells || data.frame_speed != Xyz<GyroRate>{};
+  }
+  return tells;
+}
+
+/// Ours: an unknown COORD_SYS counts as the usual one.
+template <class Data>
+Outcome help(Turn& turn, const Data& data) {
+  if (is_help(data)) turn.machine.gimbal.help(turn.now);
   return turn.confirm();
 }
 
@@ -105,14 +117,9 @@ Outcome handle(Turn& turn, const ExecuteMenu& request) { return execute(turn, re
 
 Outcome handle(Turn& turn, const ExecuteMenuExt& request) { return execute(turn, request.cmd_id); }
 
-Outcome handle(Turn& turn, const HelperData& request) { return help(turn, request.frame_acc); }
+Outcome handle(Turn& turn, const HelperData& request) { return help(turn, request); }
 
-Outcome handle(Turn& turn, const HelperDataExt& request) {
-  if (request.coord_sys != CoordinateSystem::ground_yaw_rotated) {
-    return turn.refuse(Refusal::bad_parameter, static_cast<std::uint32_t>(request.coord_sys));
-  }
-  return help(turn, request.frame_acc);
-}
+Outcome handle(Turn& turn, const HelperDataExt& request) { return help(turn, request); }
 
 Outcome handle(Turn& turn, const ApiVirtChControl& request) {
   turn.machine.remote.set_channels(turn.machine, request, turn.now);

@@ -7,17 +7,21 @@
 namespace sbgc::board {
 namespace {
 
-Outcome tell_data_3(Turn& turn) {
+RealtimeData3 data_3(Turn& turn) {
   RealtimeData3 data;
   measure(turn.machine, turn.port, turn.now, data);
-  return turn.answer(data);
+  return data;
 }
 
 }  // namespace
 
-Outcome handle(Turn& turn, const RealtimeData& /*request*/) { return tell_data_3(turn); }
+Outcome handle(Turn& turn, const RealtimeData& /*request*/) {
+  return turn.answer_anyway(data_3(turn));
+}
 
-Outcome handle(Turn& turn, const RealtimeData3Request& /*request*/) { return tell_data_3(turn); }
+Outcome handle(Turn& turn, const RealtimeData3Request& /*request*/) {
+  return turn.answer(data_3(turn));
+}
 
 Outcome handle(Turn& turn, const RealtimeData4Request& /*request*/) {
   RealtimeData4 data;

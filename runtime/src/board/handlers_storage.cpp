@@ -1,7 +1,5 @@
 // The EEPROM: settings as a whole, pages, files.
 
-#include <array>
-
 #include "handlers.hpp"
 #include "machine.hpp"
 
@@ -9,7 +7,7 @@ namespace sbgc::board {
 namespace {
 
 Outcome confirm_result(Turn& turn, FileError error) {
-  static_cast<void>(turn.confirm(std::array{static_cast<std::uint8_t>(error)}));
+  static_cast<void>(turn.confirm({.err_code = error}));
   return error == FileError::no_error ? Outcome::carried_out : Outcome::refused;
 }
 
@@ -44,12 +42,7 @@ Outcome handle(Turn& turn, const EepromWrite& request) {
   if (!turn.machine.eeprom.write_pages(request.addr, data)) {
     return turn.refuse(Refusal::bad_address, request.addr);
   }
-  // The specification has the address in the confirmation.
-  std::array<std::uint8_t, sizeof request.addr> address{};
-  for (std::size_t i = 0; i < address.size(); ++i) {
-    address[i] = static_cast<std::uint8_t>(request.addr >> (8 * i));
-  }
-  return turn.confirm(address);
+  return turn.confirm({.addr = request.addr});
 }
 
 Outcome handle(Turn& turn, const ReadFileRequest& request) {

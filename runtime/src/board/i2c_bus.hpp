@@ -37,6 +37,8 @@ class I2cBus {
   static void advance(Machine&, Instant) {}
   /// The devices keep their power, and so their registers.
   static void restart(Machine&, Instant) {}
+  /// They lose what hosts have written.
+  void power_off() { written_.clear(); }
 
  private:
   /// What hosts have written into registers, by address of device and register.

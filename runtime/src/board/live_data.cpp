@@ -68,7 +68,7 @@ void measure_common(Machine& machine, std::size_t port, Instant now, const Sampl
   for (std::size_t axis = 0; axis < data.axes.size(); ++axis) {
     data.axes[axis].acc_data = saturated<Acceleration>(sample.acceleration[sensor_axis(axis)]);
     data.axes[axis].gyro_data = saturated<GyroRate>(sample.gyro[sensor_axis(axis)]);
-    data.rc[axis] = pulse(machine.remote.axis(machine, axis));
+    data.rc[axis] = pulse(machine.remote.own(machine, axis));
     data.motor_power[axis] =
         saturated_raw<std::uint8_t>(sample.power[axis] * std::numeric_limits<std::uint8_t>::max());
   }
@@ -81,7 +81,7 @@ void measure_common(Machine& machine, std::size_t port, Instant now, const Sampl
   data.ext_fc_pitch = controller_pulse(machine, settings.rc_map_fc_pitch);
   data.angle = angles(sample.angles);
   data.rc_angle = angles(sample.targets);
-  if (knows_frame(machine)) data.frame_imu_angle = angles(sample.frame);
+  if (machine.has_frame_imu()) data.frame_imu_angle = angles(sample.frame);
   data.cycle_time = saturated<Microseconds>(static_cast<double>(machine.cycle().us));
   if (has(machine, BoardFeature::bat_monitoring)) {
     data.bat_level = saturated<Voltage>(machine.measured_battery(sample));
@@ -105,10 +105,12 @@ bool is_of_frame(const DataStreamInterval& request) {
 
 }  // namespace
 
-bool knows_frame(const Machine& machine) { return machine.options.has_frame_imu; }
+bool knows_frame(Machine& machine, Instant now) {
+  return machine.has_frame_imu() || machine.gimbal.is_frame_told(now);
+}
 
 bool knows_joints(const Machine& machine) {
-  return machine.options.features.has(BoardFeature::encoders) || machine.options.has_frame_imu;
+  return has(machine, BoardFeature::encoders) || machine.has_frame_imu();
 }
 
 void measure(Machine& machine, std::size_t port, Instant now, RealtimeData3& data) {
@@ -128,11 +130,14 @@ void measure(Machine& machine, std::size_t port, Instant now, RealtimeData4& dat
     data.current = saturated<Current>(1000 * sample.current);
   }
   data.imu_temperature = saturated<Temperature>(sample.temperature);
-  if (knows_frame(machine)) {
+  if (machine.has_frame_imu()) {
     data.frame_imu_temperature = saturated<Temperature>(sample.frame_temperature);
   }
-  data.imu_g_err = saturated<AngleError>(sample.gravity_error);
-  data.imu_h_err = saturated<AngleError>(sample.heading_error);
+  const bool is_frame = machine.cur_imu == SelectedImu::frame;
+  data.imu_g_err =
+      saturated<AngleError>(is_frame ? sample.frame_gravity_error : sample.gravity_error);
+  data.imu_h_err =
+      saturated<AngleError>(is_frame ? sample.frame_heading_error : sample.heading_error);
 }
 
 void measure(Machine& machine, RealtimeDataCustomFlags blocks, Instant now,
@@ -158,7 +163,7 @@ void measure(Machine& machine, RealtimeDataCustomFlags blocks, Instant now,
   if (blocks.has(Flag::rc_data)) {
     auto& signals = data.rc_data.emplace();
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      signals[axis] = fine(machine.remote.axis(machine, axis));
+      signals[axis] = fine(machine.remote.own(machine, axis));
     }
     signals[3] = fine(machine.remote.signal(settings.rc_map_cmd));
     signals[4] = fine(machine.remote.signal(settings.rc_map_fc_roll));
@@ -199,13 +204,13 @@ void measure(Machine& machine, bool of_frame, Instant now, AhrsHelper& data) {
   data.h1_vector = vector(of_frame ? sample.frame_north : sample.north);
 }
 
-bool can_stream(const Machine& machine, const DataStreamInterval& request) {
+bool can_stream(Machine& machine, const DataStreamInterval& request, Instant now) {
   const auto yes = [] { return true; };
   return use_if<RealtimeData3>(machine, request, yes) ||
          use_if<RealtimeData4>(machine, request, yes) ||
          use_if<RealtimeDataCustom>(machine, request, yes) ||
          use_if<AhrsHelper>(machine, request, [&] {
-           if (is_of_frame(request)) return knows_frame(machine);
+           if (is_of_frame(request)) return knows_frame(machine, now);
            return !request.config.imu_type || *request.config.imu_type == ImuIndex::main;
          });
 }

@@ -21,13 +21,14 @@ void measure(Machine& machine, Instant now, GetAngles& data);
 void measure(Machine& machine, Instant now, GetAnglesExt& data);
 void measure(Machine& machine, bool of_frame, Instant now, AhrsHelper& data);
 
-/// Whether the frame's attitude is known.
-bool knows_frame(const Machine& machine);
+/// Whether the frame's attitude is known: its IMU measures it, or a host tells it.
+bool knows_frame(Machine& machine, Instant now);
 /// Without encoders and a second IMU nothing knows the joints.
 bool knows_joints(const Machine& machine);
 
-/// Whether this board can send the stream that a request asks for.
-bool can_stream(const Machine& machine, const DataStreamInterval& request);
+/// Whether this board can send the stream that a request asks for. That of the frame's attitude
+/// goes on when no host tells it any more: ours.
+bool can_stream(Machine& machine, const DataStreamInterval& request, Instant now);
 /// Sends a sample of it, if there is room. Precondition: can_stream().
 bool offer_sample(Machine& machine, std::size_t port, const DataStreamInterval& request,
                   Instant now);

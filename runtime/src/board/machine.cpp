@@ -21,6 +21,11 @@ Machine::Machine(Options of, Memory kept, Instant now)
 
 Availability Machine::versions() const { return {options.firmware.raw(), options.board.raw()}; }
 
+bool Machine::has_frame_imu() const {
+  return options.has_frame_imu &&
+         settings.of<ReadParams3>().frame_imu_pos != FrameImuPosition::disabled;
+}
+
 double Machine::gyro_unit() { return GyroRate(1).degrees_per_second(); }
 
 Duration Machine::cycle() { return microseconds(roles::stream_cycle_us); }
@@ -36,6 +41,7 @@ void Machine::select_profile(std::uint8_t profile, Instant now) {
 
 void Machine::apply_settings(Instant now) {
   const bool has_meter = options.features.has(BoardFeature::bat_monitoring);
+  if (!has_frame_imu()) cur_imu = SelectedImu::main;
   gimbal.tune(tuning_of(settings, versions(), home, has_meter ? memory.battery_factor : 0), now);
   correct_gyros(now);
   remote.apply(*this, now);
@@ -80,11 +86,14 @@ void Machine::calibrate_at_start(Instant now) {
 
 Flags<SystemError> Machine::errors(Instant now) {
   Flags<SystemError> errors = calibrations.errors();
-  const double alarm = settings.of<ReadParams3>().bat_threshold_alarm.volts();
-  if (options.features.has(BoardFeature::bat_monitoring) && alarm >= 0 &&
-      measured_battery(gimbal.sample(now)) < alarm) {
-    errors.set(SystemError::low_bat1);
+  if (options.features.has(BoardFeature::bat_monitoring)) {
+    const auto& thresholds = settings.of<ReadParams3>();
+    const double volts = measured_battery(gimbal.sample(now));
+    // A negative threshold is none, and no voltage is below it.
+    if (volts < thresholds.bat_threshold_alarm.volts()) errors.set(SystemError::low_bat1);
+    if (volts < thresholds.bat_threshold_motors.volts()) errors.set(SystemError::low_bat2);
   }
+  // Without the motors' current the voltage may be higher again.
   if (gimbal.stopped_by_battery()) errors.set(SystemError::low_bat2);
   return errors;
 }

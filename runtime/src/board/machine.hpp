@@ -68,6 +68,8 @@ struct Machine {
 
   /// What the board is.
   Availability versions() const;
+  /// Whether there is an IMU on the frame, and the settings use it.
+  bool has_frame_imu() const;
   /// Of the controller.
   static Duration cycle();
   /// In deg/s. Ours: the unit in which offsets of a gyroscope count is that of its readings.
@@ -79,7 +81,7 @@ struct Machine {
 
   std::uint32_t baud_rate{};  ///< that SERIAL_SPEED has set at the last start
 
-  SelectedImu cur_imu = SelectedImu::main;  ///< that hosts have chosen
+  SelectedImu cur_imu = SelectedImu::main;  ///< that hosts have chosen, of those that are used
   /// Corrections of the heading of main and frame IMU, deg/s, besides GYRO_HEADING_CORRECTION.
   /// Until the board restarts: ours.
   std::array<double, 2> gyro_headings{};

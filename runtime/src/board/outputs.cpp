@@ -63,6 +63,18 @@ constexpr std::array<OutputPin, Outputs::servo_pins> servo_pin{
 
 constexpr ServoPulse floating{ServoOut::floating};
 
+/// The sound of an event that the settings choose from; they are two sets (E111).
+std::optional<BeepMode> sound_of(BeeperMode event) {
+  switch (event) {
+    case BeeperMode::calibrate: return BeepMode::calibrate;
+    case BeeperMode::confirm: return BeepMode::confirm;
+    case BeeperMode::error: return BeepMode::error;
+    case BeeperMode::alarm:
+    case BeeperMode::by_motors: break;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::array<ServoPulse, Outputs::servos> Outputs::free_servos() {
@@ -97,13 +109,18 @@ std::uint16_t Outputs::high_pins() const {
 }
 
 bool Outputs::set_servos(const Machine& machine, const ServoOut& request) {
-  if (!is_valid(request)) return false;
-  const double rate = machine.settings.of<ReadParams3>().servo_rate.hertz();
-  constexpr double second = 1e6;  // in the unit of pulses
-  for (const ServoPulse pulse : request.servo_time) {
-    if (pulse.raw() * rate >= second) return false;
+  ServoOut wanted = request;
+  // All that is negative says so.
+  for (ServoPulse& pulse : wanted.servo_time) {
+    if (pulse < ServoPulse(ServoOut::low)) pulse = floating;
   }
-  servos_ = request.servo_time;
+  if (!is_valid(wanted)) return false;
+  const double rate = machine.settings.of<ReadParams3>().servo_rate.hertz();
+  constexpr auto second = static_cast<double>(seconds(1).us);
+  for (const ServoPulse pulse : wanted.servo_time) {
+    if (pulse.microseconds() * rate >= second) return false;
+  }
+  servos_ = wanted.servo_time;
   for (std::size_t i = 0; i < servo_pin.size(); ++i) {
     if (servos_[i] != floating) pins_[*index_of(servo_pin[i])].reset();
   }
@@ -126,8 +143,7 @@ bool Outputs::play(const BeepSound& sound, Instant now) {
 
 void Outputs::signal(const Machine& machine, BeeperMode event, Instant now) {
   if (!machine.settings.of<ReadParams3>().beeper_modes.has(event)) return;
-  // The sounds have the numbers of the events that the settings choose from.
-  sound_ = Sound{BeepModes(static_cast<std::uint16_t>(event)), now + standard_sound};
+  if (const auto sound = sound_of(event)) sound_ = Sound{*sound, now + standard_sound};
 }
 
 Instant Outputs::next() const { return sound_ ? sound_->end : Instant::never; }

@@ -44,7 +44,7 @@ class Outputs {
   /// Plays a melody or a standard sound, instead of what it plays. False, and nothing happens, if
   /// the message does not describe one.
   bool play(const BeepSound& sound, Instant now);
-  /// Plays the standard sound of an event, if the settings want it.
+  /// Plays the standard sound of an event, if it has one and the settings want it.
   void signal(const Machine& machine, BeeperMode event, Instant now);
   std::optional<Sound> sound() const { return sound_; }
 

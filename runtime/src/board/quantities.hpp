@@ -32,11 +32,16 @@ Raw saturated_raw(double value) {
   return static_cast<Raw>(std::lround(value));
 }
 
+/// Angles that are so many degrees apart are the same on the wire: four turns.
+inline constexpr double angle_period = [] {
+  using Counts = std::numeric_limits<Angle14::raw_type>;
+  return Angle14(Counts::max()).degrees() - Angle14(Counts::lowest()).degrees() +
+         Angle14(1).degrees();
+}();
+
 /// An angle that starts again when its counts overflow, after two turns in each direction.
 inline Angle14 wire_angle(double degrees) {
-  constexpr double counts = 0x1.0p16;
-  constexpr double period = counts * Angle14(1).degrees();
-  const auto angle = LongAngle14::from_degrees(std::remainder(degrees, period));
+  const auto angle = LongAngle14::from_degrees(std::remainder(degrees, angle_period));
   const Angle14 result(static_cast<std::int16_t>(angle.value_or(LongAngle14{}).raw()));
   return result;
 }

@@ -1,10 +1,14 @@
 #include "remote.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include <sbgc/meta/parameters.hpp>
+
+#include "../common/meta_limits.hpp"
 #include "machine.hpp"
 
 namespace sbgc::board {
@@ -16,16 +20,17 @@ double share_of_signal(int counts) {
   return CentredRcSignal(static_cast<std::int16_t>(counts)).fraction();
 }
 
-/// Adds the flight controller's share, if it is mixed into this axis.
-double mixed(double signal, RcMix mix, std::size_t axis, std::optional<double> controller,
-             int gain) {
-  const auto target = static_cast<std::size_t>(mix.target());
-  if (target != axis + 1 || !controller) return signal;
+/// Adds the flight controller's share, if it is mixed into this axis. Ours: an axis without a
+/// signal of its own has that share alone, as if its own signal were in the middle.
+void mix_in(std::optional<double>& signal, RcMix mix, std::size_t axis,
+            std::optional<double> controller, int gain) {
+  constexpr std::array targets{MixTarget::roll, MixTarget::pitch, MixTarget::yaw};
+  if (mix.target() != targets[axis] || mix.rate() == 0 || !controller) return;
   constexpr double all = RcMix(std::numeric_limits<RcMix::raw_type>::max()).rate();
   const double share = mix.rate() / all;
   // EXT_FC_GAIN: 127 is the whole signal. Ours.
   const double added = *controller * gain / std::numeric_limits<std::int8_t>::max();
-  return signal * (1 - share) + added * share;
+  signal = signal.value_or(0) * (1 - share) + added * share;
 }
 
 }  // namespace
@@ -36,7 +41,8 @@ double Remote::bent(const ReadParams3& settings, std::size_t axis, double signal
   const double deadband = share_of_signal(settings.rc_deadband);
   const double beyond = std::abs(signal) - deadband;
   if (beyond <= 0) return 0;
-  const double curve = settings.rc_expo_rate / 100.0;
+  constexpr double whole = sbgc::detail::field_info<ReadParams3>("rc_expo_rate").range->highest;
+  const double curve = settings.rc_expo_rate / whole;
   // Ours: the rest of the way covers the whole range, so that the ends can be reached.
   const double size = std::min(beyond / (1 - deadband), 1.0);
   return std::copysign((1 - curve) * size + curve * size * size * size, signal);
@@ -47,16 +53,20 @@ std::optional<double> Remote::signal(RcMap source) const {
   return signals_[source.channel() - 1U];
 }
 
+std::optional<double> Remote::own(const Machine& machine, std::size_t axis) const {
+  return signal(machine.settings.of<ReadParams3>().rc_map[source_of_axis_[axis]]);
+}
+
 std::optional<double> Remote::axis(const Machine& machine, std::size_t axis) const {
   const auto& settings = machine.settings.of<ReadParams3>();
-  const auto own = signal(settings.rc_map[source_of_axis_[axis]]);
-  if (!own) return {};
-  double result = bent(settings, axis, *own);
-  result = mixed(result, settings.rc_mix_fc_roll, axis, signal(settings.rc_map_fc_roll),
-                 settings.ext_fc_gain_roll);
-  result = mixed(result, settings.rc_mix_fc_pitch, axis, signal(settings.rc_map_fc_pitch),
-                 settings.ext_fc_gain_pitch);
-  return std::clamp(result, -1.0, 1.0);
+  std::optional<double> result = own(machine, axis);
+  if (result) result = bent(settings, axis, *result);
+  mix_in(result, settings.rc_mix_fc_roll, axis, signal(settings.rc_map_fc_roll),
+         settings.ext_fc_gain_roll);
+  mix_in(result, settings.rc_mix_fc_pitch, axis, signal(settings.rc_map_fc_pitch),
+         settings.ext_fc_gain_pitch);
+  if (result) result = std::clamp(*result, -1.0, 1.0);
+  return result;
 }
 
 void Remote::swap(std::size_t one, std::size_t other) {

@@ -26,6 +26,8 @@ class Remote {
   void set_channels(Machine& machine, const ApiVirtChControl& signals, Instant now);
   /// The signal of a source as RC_MAP_* and SRC_CH name it, -1..1; nothing if there is none.
   std::optional<double> signal(RcMap source) const;
+  /// The signal of the source that is mapped to an axis, as it comes.
+  std::optional<double> own(const Machine& machine, std::size_t axis) const;
   /// What an axis is controlled with: its signal, trimmed, mixed and bent as the settings say.
   std::optional<double> axis(const Machine& machine, std::size_t axis) const;
   /// A signal, -1..1, as the settings in use bend that of an axis: direction, trim, dead band,

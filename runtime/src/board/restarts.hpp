@@ -22,7 +22,8 @@ class Restarts {
   void schedule(Instant at, bool to_bootloader);
   /// The board restarts by itself: it tells all hosts, and gives them time.
   void announce(Machine& machine, Instant now);
-  /// At once. `power_off`: what waits to be sent is lost too.
+  /// At once. `power_off`: what waits to be sent is lost too, and what is in the devices on the
+  /// bus.
   void restart_now(Machine& machine, Instant now, bool to_bootloader, bool power_off);
 
   State state() const { return state_; }

@@ -31,8 +31,13 @@ std::uint16_t count_commands(std::string_view text) {
 
 }  // namespace
 
+bool Scripts::are_known(const Machine& machine) {
+  return machine.options.features.has(BoardFeature::scripting);
+}
+
 std::optional<Refusal> Scripts::start(Machine& machine, std::uint8_t slot,
                                       std::optional<std::size_t> port, Instant now) {
+  if (!are_known(machine)) return Refusal::no_device;
   if (slot >= slots) return Refusal::bad_parameter;
   const std::uint16_t size = machine.files.size(slot);
   if (size == 0) return Refusal::no_script;

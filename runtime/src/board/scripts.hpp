@@ -22,6 +22,8 @@ class Scripts {
   /// Slots count from 0 (ours).
   static constexpr std::uint8_t slots = std::tuple_size_v<decltype(BoardInfo3::script_slot_size)>;
 
+  /// Whether this board runs scripts at all.
+  static bool are_known(const Machine& machine);
   /// Starts it; another one that runs ends. With a port, that gets CMD_SCRIPT_DEBUG with each
   /// command, and once more at the end. Says why it could not start.
   std::optional<Refusal> start(Machine& machine, std::uint8_t slot, std::optional<std::size_t> port,

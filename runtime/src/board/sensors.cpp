@@ -64,7 +64,7 @@ Axes<double> Imu::rates(const Pose& pose) const {
 
 void Imu::slow(const Pose& pose, double gyro_trust, std::int64_t step, double seconds) {
   temperature_ += (ambient_ + warming_ - temperature_) * -std::expm1(-seconds / warming_seconds);
-  if (step < replaced_until_) {
+  if (is_replaced(step)) {
     error_speed_ = {};
     return;
   }

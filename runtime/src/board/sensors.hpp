@@ -34,6 +34,7 @@ class Imu {
 
   /// The estimate is too large by this from now on, and is kept so until that step.
   void replace(const Axes<double>& error, std::int64_t until);
+  bool is_replaced(std::int64_t step) const { return step < replaced_until_; }
   /// Until that step something other than gravity says what the error is. `has_up`, `has_heading`:
   /// of roll and pitch, of yaw.
   void refer(const Axes<double>& error, bool has_up, bool has_heading, std::int64_t until);

@@ -1,9 +1,8 @@
 /// Reading and writing of settings, for all messages that hold some.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <span>
+#include <optional>
 #include <type_traits>
 
 #include <sbgc/settings.hpp>
@@ -73,12 +72,7 @@ Outcome access_settings(Turn& turn, const Request& request) {
       } else if constexpr (detail::reads<Request, S>) {
         S answer = machine.settings.read<S>(*copy);
         detail::fill_state(machine, answer);
-        // Whether or not this board knows the newer request, whose answer has the same id (E120).
-        std::array<std::uint8_t, max_body_size> body{};
-        const WriteResult written = encode(answer, body);
-        turn.answer_body(static_cast<std::uint8_t>(S::command),
-                         std::span(body).first(written.size));
-        outcome = Outcome::carried_out;
+        outcome = turn.answer_anyway(answer);
       } else if (machine.settings.write<S>(*copy, request)) {
         machine.apply_settings(turn.now);
         outcome = turn.confirm();

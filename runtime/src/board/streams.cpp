@@ -17,7 +17,7 @@ Instant Streams::Stream::due() const {
 Streams::Change Streams::change(Machine& machine, std::size_t port,
                                 const DataStreamInterval& request, Instant now) {
   const StreamChange change = stream_change(request);
-  if (!can_stream(machine, request)) return Change::bad_command;
+  if (!can_stream(machine, request, now)) return Change::bad_command;
   auto stream = std::find_if(streams_.begin(), streams_.end(), [&](const Stream& other) {
     return other.port == port && other.request.cmd_id == request.cmd_id &&
            other.config == change.config;

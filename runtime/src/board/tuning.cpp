@@ -33,8 +33,8 @@ AngularAcceleration acceleration_limit(const Settings& settings, const Availabil
                                        : settings.of<ReadParams3>().acc_limiter_all;
 }
 
-/// Ours: the specification gives no unit for these speeds and for the dead band; deg/s and tenths
-/// of a degree make sense over their ranges.
+/// Ours: the specification gives no unit for these speeds, for the dead band and for FOLLOW_OFFSET;
+/// deg/s, tenths of a degree and degrees make sense over their ranges.
 double speed_of(std::uint8_t setting) { return setting; }
 double deadband_of(std::uint8_t setting) {
   return TenthDegrees(static_cast<std::int16_t>(setting)).degrees();
@@ -75,6 +75,7 @@ Tuning tuning_of(const Settings& settings, const Availability& versions,
     out.speed = out.remote_speed = speed_of(rc.rc_speed);
     out.follow_speed = speed_of(main.follow_speed[axis]);
     out.follow_deadband = deadband_of(main.follow_deadband);
+    out.follow_offset = SignedDegrees(main.follow_offset[axis]).degrees();
     out.follows = follows(main, axis);
     out.remote_is_speed = rc.rc_mode.mode() == RcModeKind::speed;
     out.remote_min = rc.rc_min_angle.degrees();

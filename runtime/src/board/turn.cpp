@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include <sbgc/roles.hpp>
-
 #include "machine.hpp"
 
 namespace sbgc::board {
@@ -30,6 +28,12 @@ Outcome Turn::confirm(std::span<const std::uint8_t> data) {
   }
   answer_body(static_cast<std::uint8_t>(roles::Confirmation::command), std::span(body).first(size));
   return Outcome::carried_out;
+}
+
+Outcome Turn::confirm(roles::Confirmation confirmation) {
+  if (!confirms(command)) return Outcome::carried_out;
+  confirmation.cmd = static_cast<CommandId>(command);
+  return answer(confirmation);
 }
 
 Outcome Turn::refuse(Refusal reason, std::uint32_t detail) {

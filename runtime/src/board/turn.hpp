@@ -10,6 +10,7 @@
 #include <sbgc/board/board.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/messages.hpp>
+#include <sbgc/roles.hpp>
 #include <sbgc/time.hpp>
 
 namespace sbgc::board {
@@ -46,9 +47,18 @@ class Turn {
     if (is_supported<M>(versions())) send(message);
     return Outcome::carried_out;
   }
+  /// The same if this board has the request, even if it does not have the message otherwise: the
+  /// answers of old requests are those of newer ones (E020, E120).
+  template <Message M>
+  Outcome answer_anyway(const M& message) {
+    send(message);
+    return Outcome::carried_out;
+  }
   /// CMD_CONFIRM that names the request, with these data. Of commands that hosts send in quick
   /// succession there is none, see confirms().
   Outcome confirm(std::span<const std::uint8_t> data = {});
+  /// The same with the fields that such a confirmation has.
+  Outcome confirm(roles::Confirmation confirmation);
   /// CMD_ERROR that names the request.
   Outcome refuse(Refusal reason, std::uint32_t detail = 0);
   /// Says nothing, where the specification wants that.

@@ -21,12 +21,14 @@ using Vector = Xyz<double>;
 ///
 /// Angles of `angle`, `speed_angle` and RC signals mean the same angle modulo 4 turns, where the
 /// protocol's 16 bits wrap: the nearest one to the present target. An axis that follows the frame
-/// does so in `remote`, `signal` and `speed`, and counts the angles of RC signals from the frame.
+/// does so in `remote`, `signal` and `speed`, and counts the angles of RC signals from its neutral
+/// position, that is the frame plus `follow_offset`.
 enum class AxisMode : std::uint8_t {
   remote,          ///< no control: the RC signal of the axis
   speed,           ///< turn with `speed`
   angle,           ///< go to `angle` with `speed`, 0: the speed of the settings
-  speed_angle,     ///< turn with `speed` and be pulled to `angle`; halts where both balance
+  speed_angle,     ///< turn with `speed` and be pulled to `angle`; half a second after the command
+                   ///< (ours) the angle alone counts
   signal,          ///< `signal` stands for the RC signal
   relative_angle,  ///< go to `angle`, counted from the frame, over all turns; speed as for `angle`
 };
@@ -47,6 +49,7 @@ struct AxisTuning {
                                              ///< such a move does not begin
   double follow_speed = 50;                  ///< deg/s at most
   double follow_deadband = 0;                ///< degrees
+  double follow_offset = 0;                  ///< of the neutral position from the frame, degrees
   bool follows = false;                      ///< the target turns with the frame
   bool remote_is_speed = false;              ///< the RC signal is a speed, not an angle
   double remote_min = -90, remote_max = 90;  ///< angles of the lowest and the highest signal
@@ -86,8 +89,10 @@ struct Sample {
   double current{};          ///< amperes
   double temperature{};      ///< of the main IMU, Celsius
   double frame_temperature{};
-  double gravity_error{};  ///< degrees between the estimated and the reference vector
+  double gravity_error{};  ///< degrees between the estimated and the reference vector, main IMU
   double heading_error{};
+  double frame_gravity_error{};
+  double frame_heading_error{};
 };
 
 /// The simulation. It moves in fixed steps of 4 ms, so that its state depends on time and commands
@@ -139,9 +144,9 @@ class Gimbal {
   /// The RC signal of an axis, -1..1; none: no signal, the axis holds its target.
   void set_remote(std::size_t axis, std::optional<double> signal, Instant now);
 
-  /// What an outer system knows of the frame; improves the stabilization for a second. Ours: how
-  /// much it says does not matter, that it says it does.
-  void help(const Vector& acceleration, Instant now);
+  /// An outer system tells what it knows of the frame; that improves the stabilization for a
+  /// second. Ours: what it tells does not matter, the simulation knows the frame.
+  void help(Instant now);
   /// Replaces what an IMU knows of its attitude for a second, or as a reference corrects it slowly
   /// for two. Vectors of any length; what is not given stays. Nothing happens if they are parallel,
   /// shorter than 0.001, not finite, or `up` alone is opposite to what it was.
@@ -154,6 +159,8 @@ class Gimbal {
     bool translates = false;
   };
   void correct(const Attitude& attitude, Instant now);
+  /// Whether the frame's attitude is replaced so now.
+  bool is_frame_told(Instant now);
   /// Offset of a gyroscope's zero, deg/s: heading errors grow or shrink with it. `heading` turns
   /// about the vertical. Both replace what was given before.
   void correct_gyro(bool of_frame, const Vector& offset, double heading, Instant now);
