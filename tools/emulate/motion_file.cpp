@@ -15,7 +15,7 @@ namespace sbgc::emulate {
 
 namespace {
 
-constexpr double most_seconds = 1e6;
+constexpr double latest_second = 1e6;
 constexpr double most_degrees = 1e5;
 
 std::string_view trimmed(std::string_view text) {
@@ -58,7 +58,7 @@ std::vector<board::FrameAngles> read_motion(std::istream& text, const std::strin
       const std::string_view word = rest.substr(0, comma);
       const std::optional<double> value = number(word);
       if (!value) fail(fmt::format("'{}' is not a number", trimmed(word)));
-      if (std::abs(*value) > (i == 0 ? most_seconds : most_degrees)) {
+      if (std::abs(*value) > (i == 0 ? latest_second : most_degrees)) {
         fail(fmt::format("{} is too large", *value));
       }
       values[i] = *value;

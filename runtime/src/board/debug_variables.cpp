@@ -32,42 +32,43 @@ struct Variable {
 double counts(double degrees) { return wire_angle(degrees).raw(); }
 double counts(GyroRate rate) { return rate.raw(); }
 
-using Kind = DebugVarKind;
 using Axis = DebugVarAxis;
 using Index = std::size_t;
 
 constexpr std::array<Variable, 14> variables{{
-    {"UPTIME_MS", Kind::uint32, 0,
+    {"UPTIME_MS", DebugVarKind::uint32, 0,
      [](const View& v, Index) {
        return std::floor(static_cast<double>((v.now - v.machine.restarts.started()).us) / 1000);
      }},
-    {"ROLL", Kind::int16, 0, [](const View& v, Index) { return counts(v.sample.angles.roll); },
-     Axis::roll, true},
-    {"PITCH", Kind::int16, 0, [](const View& v, Index) { return counts(v.sample.angles.pitch); },
-     Axis::pitch, true},
-    {"YAW", Kind::int16, 0, [](const View& v, Index) { return counts(v.sample.angles.yaw); },
-     Axis::yaw, true},
-    {"YAW_JOINT", Kind::int32, 0,
+    {"ROLL", DebugVarKind::int16, 0,
+     [](const View& v, Index) { return counts(v.sample.angles.roll); }, Axis::roll, true},
+    {"PITCH", DebugVarKind::int16, 0,
+     [](const View& v, Index) { return counts(v.sample.angles.pitch); }, Axis::pitch, true},
+    {"YAW", DebugVarKind::int16, 0,
+     [](const View& v, Index) { return counts(v.sample.angles.yaw); }, Axis::yaw, true},
+    {"YAW_JOINT", DebugVarKind::int32, 0,
      [](const View& v, Index) { return v.sample.joints.yaw / LongAngle14(1).degrees(); }, Axis::yaw,
      true},
-    {"GYRO", Kind::int16, 3,
+    {"GYRO", DebugVarKind::int16, 3,
      [](const View& v, Index i) { return counts(saturated<GyroRate>(v.sample.gyro[i])); }},
-    {"POWER", Kind::uint8, 3, [](const View& v, Index i) { return v.sample.power[i] * 255; }},
-    {"BATTERY", Kind::float32, 0,
+    {"POWER", DebugVarKind::uint8, 3,
+     [](const View& v, Index i) { return v.sample.power[i] * 255; }},
+    {"BATTERY", DebugVarKind::float32, 0,
      [](const View& v, Index) { return v.machine.measured_battery(v.sample); }},
-    {"TEMPERATURE", Kind::int8, 0, [](const View& v, Index) { return v.sample.temperature; }},
-    {"ERRORS", Kind::uint16, 0,
+    {"TEMPERATURE", DebugVarKind::int8, 0,
+     [](const View& v, Index) { return v.sample.temperature; }},
+    {"ERRORS", DebugVarKind::uint16, 0,
      [](const View& v, Index) -> double { return v.machine.errors(v.now).raw(); }},
-    {"PROFILE", Kind::uint8, 0,
+    {"PROFILE", DebugVarKind::uint8, 0,
      [](const View& v, Index) -> double { return v.machine.settings.profile(); }},
-    {"SCRIPT_CMD", Kind::uint16, 0,
+    {"SCRIPT_CMD", DebugVarKind::uint16, 0,
      [](const View& v, Index) -> double { return v.machine.scripts.command(); }},
-    {"SOUND", Kind::uint16, 0,
+    {"SOUND", DebugVarKind::uint16, 0,
      [](const View& v, Index) -> double {
        const auto sound = v.machine.outputs.sound();
        return sound ? sound->mode.raw() : 0;
      }},
-    {"HIGH_PINS", Kind::uint16, 0,
+    {"HIGH_PINS", DebugVarKind::uint16, 0,
      [](const View& v, Index) -> double { return v.machine.outputs.high_pins(); }},
 }};
 

@@ -9,11 +9,11 @@
 namespace sbgc::board {
 namespace {
 
-constexpr std::size_t page = detail::field_info<EepromWrite>("addr").align;
+constexpr std::size_t page = sbgc::detail::field_info<EepromWrite>("addr").align;
 constexpr std::uint8_t erased = 0xFF;
 
-static_assert(detail::field_info<EepromRead>("addr").align == page);
-static_assert(detail::field_info<EepromReadRequest>("addr").align == page);
+static_assert(sbgc::detail::field_info<EepromRead>("addr").align == page);
+static_assert(sbgc::detail::field_info<EepromReadRequest>("addr").align == page);
 static_assert(Memory::eeprom_size % page == 0 && layout::files % page == 0);
 
 }  // namespace

@@ -23,7 +23,7 @@ void turn(Path& path, double speed, double acceleration, double seconds) {
   move(path, std::clamp(speed, path.speed - change, path.speed + change), seconds);
 }
 
-void go(Path& path, double goal, double top_speed, double acceleration, double seconds) {
+void go(Path& path, double goal, double fastest, double acceleration, double seconds) {
   const double change = acceleration * seconds;
   // Everything as if the goal lay in the positive direction.
   const double sign = goal < path.position ? -1 : 1;
@@ -43,7 +43,7 @@ void go(Path& path, double goal, double top_speed, double acceleration, double s
            (std::sqrt(seconds * seconds / 4 + 2 * (distance - way_to_stop) / acceleration) -
             seconds / 2);
   }
-  next = std::clamp(std::min(next, top_speed), speed - change, speed + change);
+  next = std::clamp(std::min(next, fastest), speed - change, speed + change);
   move(path, next * sign, seconds);
 }
 

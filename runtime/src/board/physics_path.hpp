@@ -14,7 +14,7 @@ void turn(Path& path, double speed, double acceleration, double seconds);
 
 /// Goes to `goal` and brakes so that it stops exactly there, without passing it if the present
 /// speed allows that. Then the speed is exactly 0.
-void go(Path& path, double goal, double top_speed, double acceleration, double seconds);
+void go(Path& path, double goal, double fastest, double acceleration, double seconds);
 
 /// Turns with `speed` while it is pulled to `angle`: it stops `speed` / 10 s^-1 behind it, where
 /// both balance. `top_pull` limits the speed of the pull.
