@@ -372,6 +372,13 @@ TEST(Variables, AChangeOfSettingsSavesNone) {
   EXPECT_EQ(restarted.variable(VariableId::p_pitch), original);
   EXPECT_EQ(restarted.variable(VariableId::gyro_trust), 12);
   EXPECT_EQ(restarted.read<ReadParams3>(3).gyro_trust, 12);
+TEST(Variables, ASmallLimitDoesNotSwitchTheLimiterOff) {
+  Memory memory;
+  Settings settings(memory);
+  ASSERT_TRUE(settings.set_variable(VariableId::acc_limiter_roll, 2));
+  EXPECT_EQ(settings.of<ReadParamsExt2>().acc_limiter3.roll.raw(), 1);
+}
+
 }
 
 TEST(Variables, AreSavedInTheActiveProfileAlone) {

@@ -842,6 +842,8 @@ struct ReadParamsExt2 {
 
   /// For profile_id: the active profile.
   static constexpr std::uint8_t active_profile = 255;
+  /// For acc_limiter3: disabled.
+  static constexpr std::uint8_t acc_limiter3_disabled = 0;
 
   /// Profile that the settings belong to. Range: 0 to 4. active_profile (255): the active profile.
   /// Errata: E001, E062.
@@ -851,8 +853,8 @@ struct ReadParamsExt2 {
   /// Magnetic linkage of the motor. Unit: no unit, one count is 1/100. Range: 0 to 65535. Errata:
   /// E047.
   Axes<LongHundredths> motor_mag_link_fine{};
-  /// Limit of the acceleration of each axis. Unit: deg/s^2, one count is 5. Range: 0 to 200. Since
-  /// firmware 2.59. Errata: E035, E066, E108.
+  /// Limit of the acceleration of each axis. Unit: deg/s^2, one count is 5. Range: 0 to 200.
+  /// acc_limiter3_disabled (0): disabled. Since firmware 2.59. Errata: E035, E066, E108.
   Axes<AngularAcceleration> acc_limiter3{};
   /// Factor on P, I and D of each axis. Unit: no unit, one count is 1/50, counted from 1/10. Range:
   /// 0 to 255. Errata: E108.

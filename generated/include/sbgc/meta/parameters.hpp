@@ -772,6 +772,9 @@ struct Meta<ReadParamsExt2> {
   };
   static constexpr Range motor_mag_link_fine_range{0, 65535};
   static constexpr Range acc_limiter3_range{0, 200};
+  static constexpr Special acc_limiter3_special[] = {
+      {0, "disabled"},
+  };
   static constexpr Range pid_gain_range{0, 255};
   static constexpr Range frame_imu_lpf_freq_range{0, 255};
   static constexpr Range auto_pid_gain_range{0, 255};
@@ -794,6 +797,7 @@ struct Meta<ReadParamsExt2> {
        .spec_name = "ACC_LIMITER3",
        .summary = "Limit of the acceleration of each axis.",
        .range = &acc_limiter3_range,
+       .special = acc_limiter3_special,
        .since = {2590, 0}},
       {.name = "pid_gain",
        .spec_name = "PID_GAIN",
