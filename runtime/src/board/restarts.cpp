@@ -25,7 +25,6 @@ void Restarts::restart_now(Machine& machine, Instant now, bool to_bootloader, bo
   scheduled_.reset();
   machine.ports.restart(power_off);
   for_each_part(machine, [&](auto& part) { part.restart(machine, now); });
-  machine.home.reset();
   machine.gyro_headings = {};
   machine.cur_imu = SelectedImu::main;
   machine.gimbal.set_motors(false, now);

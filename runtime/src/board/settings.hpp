@@ -45,7 +45,8 @@ struct OneOfEach<TypeList<Messages...>> {
 };
 
 /// Settings are bodies of StoredMessages. Those of the active profile are in use: they can differ
-/// from the EEPROM by adjustable variables, until save() or a restart.
+/// from the EEPROM by what has been changed in use only, as by adjustable variables, until save()
+/// or a restart.
 ///
 /// Fields that are the state of the board (FieldRole::state) are kept as they were sent; who
 /// answers a request fills them in. PROFILE_ID is always the number of the copy.
@@ -108,6 +109,12 @@ class Settings {
 
   /// Factory settings for one profile, in the EEPROM and in use. Precondition: there is one.
   void use_defaults(std::uint8_t profile);
+  /// Changes some of those in use, until restart, another profile or save().
+  template <class M, class Edit>
+  void change_in_use(const Edit& edit) {
+    edit(in_use_.template of<M>());
+  }
+
   /// Erases the whole EEPROM, files and user data with it; factory settings are in use, the first
   /// profile is active.
   void erase();
