@@ -158,6 +158,7 @@ def _check_roles(layout: Layout, found: Diagnostics) -> None:
             hint = "name it as the answer of a request"
             found.add(settings.message.at, "SBGC037", text, hint)
         _check_copies(settings, found)
+        _check_marked(settings, found)
     stored = {s.message.name for s in layout.settings}
     readers = {id(m) for s in layout.settings for m in s.readers}
     for struct in (s for family in layout.families for s in family.structs):
@@ -194,3 +195,19 @@ def _check_copies(settings: Settings, found: Diagnostics) -> None:
         elif own is not None and own.maximum not in (None, field.maximum):
             text = f"'{field.name}' and '{own.name}' of {settings.message.name} have other ranges"
             found.add(field.at, "SBGC037", text, "both count the same copies")
+
+
+def _check_marked(settings: Settings, found: Diagnostics) -> None:
+    """What is state or general is marked for code that knows bytes, but not what they mean."""
+    for field in settings.message.fields:
+        if field.role not in ("general", "state"):
+            continue
+        scalar = getattr(field.type, "scalar", field.type)
+        is_number = isinstance(scalar, Scalar) and not scalar.is_float
+        if not is_number or field.dim != "one" or field.when is not None:
+            text = f"'{field.name}' is no integer that always stands there"
+            found.add(field.at, "SBGC037", text, f"only one integer has the role '{field.role}'")
+        elif field.role == "general" and settings.copies == 1:
+            text = f"there is only one copy of {settings.message.name}"
+            hint = "without a field with 'role: copy' all settings are those of the whole board"
+            found.add(field.at, "SBGC037", text, hint)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -97,7 +98,7 @@ class VariableResolver:
         problem = "is no integer that always stands there" if scalar is None else ""
         if name not in self.stored:
             problem = "is no setting: no message stores it"
-        elif leaf.field.role or leaf.field.reserved or leaf.field.is_counter:
+        elif leaf.field.role in ("copy", "state") or leaf.field.reserved or leaf.field.is_counter:
             problem = "is no setting"
         elif not _always_there(leaf, message):
             problem = "does not always stand there"
@@ -122,7 +123,13 @@ class VariableResolver:
             scale=scales[0] / scales[1],
             offset=(offsets[0] - offsets[1]) / scales[1],
         )
-        if not all(_fits(scalar, setting.count(value)) for value in limits):
+        if setting.denominator != 1:
+            special = tuple(sorted(s.value for s in leaf.field.special))
+            setting = replace(setting, special=special)
+        if any(value + 1 in setting.special for value in setting.special):
+            text = f"a value between two special ones of '{text}' has no step of its own"
+            self.found.add(at, "SBGC044", text, "give the variable the type of the setting")
+        elif not all(_fits(scalar, setting.count(value)) for value in limits):
             text = f"'{text}' can not hold every value of the range"
             self.found.add(at, "SBGC044", text, f"it is of type {scalar.name}")
         elif not _is_told(setting):

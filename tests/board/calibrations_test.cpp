@@ -269,6 +269,19 @@ TEST(Calibrations, GainsOfAFlightController) {
   EXPECT_NE(settings.ext_fc_gain_pitch, 0);
 }
 
+TEST(Calibrations, ChangeTheProfileThatWasActiveWhenTheyBegan) {
+  Host host;
+  EXPECT_THAT(host.ask(CalibExtGain{}), IsEmpty());
+  host.ask(ExecuteMenu{.cmd_id = MenuCommand::profile2});
+  EXPECT_EQ(confirmations<CalibExtGain>(host.listen(seconds(6))), 1);
+  const auto gain = [&](std::uint8_t profile) {
+    const ReadParams3Request request{.profile_id = profile};
+    return host.get<ReadParams3>(request).ext_fc_gain_roll;
+  };
+  EXPECT_NE(gain(0), 0);
+  EXPECT_EQ(gain(1), 0);
+}
+
 TEST(Calibrations, OffsetsOfTheFollowMode) {
   Host host;
   host.board.gimbal().place({0, -20, 35}, host.now);

@@ -114,6 +114,38 @@ TEST(Menu, TheStartAngleIsSavedOrNot) {
   }
 }
 
+TEST(Menu, AStartAngleThatIsNotSavedIsOfTheActiveProfileAlone) {
+  Host host;
+  const auto start_angle = [&](std::uint8_t profile) {
+    const ReadParams3Request request{.profile_id = profile};
+    return host.get<ReadParams3>(request).rc_memory.pitch.degrees();
+  };
+  go_to(host, {0, -25, 0});
+  execute(host, MenuCommand::set_angle_no_save);
+  EXPECT_NEAR(start_angle(0), -25, 0.5);
+  EXPECT_NEAR(start_angle(1), 0, 0.5);
+  execute(host, MenuCommand::profile2);
+  execute(host, MenuCommand::home_position, seconds(8));
+  EXPECT_NEAR(angles(host).pitch, 0, 0.5);
+  execute(host, MenuCommand::profile1);
+  EXPECT_NEAR(start_angle(0), 0, 0.5) << "it was not saved";
+}
+
+TEST(Menu, AStartAngleThatIsNotSavedCanBeSavedOrOverwritten) {
+  Host host;
+  go_to(host, {0, -25, 0});
+  const auto stored = host.get<ReadParams3>(ReadParams3Request{});
+  execute(host, MenuCommand::set_angle_no_save);
+  host.ask(WriteParams3{stored});
+  execute(host, MenuCommand::home_position, seconds(8));
+  EXPECT_NEAR(angles(host).pitch, 0, 0.5);
+  go_to(host, {0, -25, 0});
+  execute(host, MenuCommand::set_angle_no_save);
+  host.ask(SaveParams3{});
+  host.ask(ResetRequest{}, seconds(8));
+  EXPECT_NEAR(angles(host).pitch, -25, 0.5);
+}
+
 TEST(Menu, SignalsAreSwapped) {
   Host host;
   auto settings = host.get<ReadParams3>(ReadParams3Request{});

@@ -121,10 +121,11 @@ TEST(Restart, PowerOffLosesWhatWaitsToBeSent) {
   EXPECT_FALSE(answers(host));
 }
 
-std::uint8_t profile_after_restart(bool is_remembered) {
+/// The wish stands in the settings of all profiles, whichever it is written with.
+std::uint8_t profile_after_restart(bool is_remembered, std::uint8_t written) {
   Host host;
   host.ask(ExecuteMenu{.cmd_id = MenuCommand::profile3});
-  auto settings = host.get<ReadParams3>(ReadParams3Request{.profile_id = 2});
+  auto settings = host.get<ReadParams3>(ReadParams3Request{.profile_id = written});
   settings.general_flags1.set(GeneralFlag::remember_last_used_profile, is_remembered);
   host.ask(WriteParams3{settings});
   host.ask(ResetRequest{}, seconds(1));
@@ -132,8 +133,10 @@ std::uint8_t profile_after_restart(bool is_remembered) {
 }
 
 TEST(Restart, TheLastProfileIsRememberedIfTheSettingsWantThat) {
-  EXPECT_EQ(profile_after_restart(true), 2);
-  EXPECT_EQ(profile_after_restart(false), 0);
+  for (const std::uint8_t written : {std::uint8_t{0}, std::uint8_t{2}, std::uint8_t{4}}) {
+    EXPECT_EQ(profile_after_restart(true, written), 2);
+    EXPECT_EQ(profile_after_restart(false, written), 0);
+  }
 }
 
 TEST(Restart, ANewBaudRateIsThatOfTheNextStart) {
@@ -145,6 +148,15 @@ TEST(Restart, ANewBaudRateIsThatOfTheNextStart) {
   EXPECT_EQ(host.board.baud_rate(), 115200U);
   host.board.restart(host.now);
   EXPECT_EQ(host.board.baud_rate(), 9600U);
+}
+
+TEST(Restart, TheBaudRateIsThatOfTheBoardWhicheverProfileIsActive) {
+  Host host;
+  auto settings = host.get<ReadParams3>(ReadParams3Request{.profile_id = 3});
+  settings.serial_speed = SerialSpeed::baud_57600;
+  host.ask(WriteParams3{settings});
+  host.board.restart(host.now);
+  EXPECT_EQ(host.board.baud_rate(), 57600U);
 }
 
 TEST(Restart, WhatIsWrittenIntoTheEepromHoldsFromTheNextStartOn) {

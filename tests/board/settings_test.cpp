@@ -57,13 +57,22 @@ M random_message(std::mt19937& random, std::uint8_t copy) {
   return message;
 }
 
-/// Writes random bodies everywhere and hands them out again, in the same order.
+/// The message with the general settings of another.
+template <class M>
+M with_general_of(const M& from, M message) {
+  if constexpr (SettingsOf<M>::copies > 1) SettingsOf<M>::share(from, message);
+  return message;
+}
+
+/// Hands out random bodies for everything, always in the same order.
 template <class Use>
 void for_each_random(unsigned seed, Use&& use) {
   std::mt19937 random(seed);
   StoredMessages::for_each([&]<class M>(Type<M>) {
-    for (std::uint8_t copy = 0; copy < SettingsOf<M>::copies; ++copy) {
-      use(copy, random_message<M>(random, copy));
+    const M first = random_message<M>(random, 0);
+    use(std::uint8_t{0}, first);
+    for (std::uint8_t copy = 1; copy < SettingsOf<M>::copies; ++copy) {
+      use(copy, with_general_of(first, random_message<M>(random, copy)));
     }
   });
 }
@@ -138,6 +147,52 @@ TEST(Settings, OneProfileLeavesTheOthersAlone) {
   }
 }
 
+void expect_speed(const Settings& settings, sbgc::SerialSpeed speed) {
+  EXPECT_EQ(settings.of<ReadParams3>().serial_speed, speed);
+  for (std::uint8_t profile = 0; profile < profiles; ++profile) {
+    EXPECT_EQ(settings.read<ReadParams3>(profile).serial_speed, speed) << int{profile};
+  }
+}
+
+TEST(Settings, GeneralOnesAreThoseOfAllProfiles) {
+  Memory memory;
+  Settings settings(memory);
+  settings.select_profile(1);
+  const auto gain = settings.of<ReadParams3>().axes.roll.p;
+  ASSERT_TRUE(settings.set_variable(VariableId::p_roll, 99));
+  auto sent = with_gain<ReadParams3>(7);
+  sent.serial_speed = sbgc::SerialSpeed::baud_9600;
+  ASSERT_TRUE(settings.write(3, sent));
+  expect_speed(settings, sbgc::SerialSpeed::baud_9600);
+  EXPECT_EQ(settings.variable(VariableId::p_roll), 99) << "it is not of the profile written";
+  Settings restarted(memory);
+  expect_speed(restarted, sbgc::SerialSpeed::baud_9600);
+  for (std::uint8_t profile = 0; profile < profiles; ++profile) {
+    EXPECT_EQ(restarted.read<ReadParams3>(profile).axes.roll.p, profile == 3 ? 7 : gain);
+    restarted.select_profile(profile);
+    expect_speed(restarted, sbgc::SerialSpeed::baud_9600);
+  }
+}
+
+TEST(Settings, GeneralOnesAreChangedInAllProfiles) {
+  Memory memory;
+  Settings settings(memory);
+  const auto change = [](sbgc::SerialSpeed speed) {
+    return [speed](ReadParams3& main) { main.serial_speed = speed; };
+  };
+  for (const std::uint8_t profile : {std::uint8_t{0}, std::uint8_t{2}}) {
+    const auto speed = profile == 0 ? sbgc::SerialSpeed::baud_9600 : sbgc::SerialSpeed::baud_19200;
+    ASSERT_TRUE(settings.change<ReadParams3>(profile, change(speed)));
+    expect_speed(settings, speed);
+    expect_speed(Settings(memory), speed);
+  }
+  settings.select_profile(4);
+  settings.change_in_use<ReadParams3>(change(sbgc::SerialSpeed::baud_57600));
+  settings.save();
+  expect_speed(settings, sbgc::SerialSpeed::baud_57600);
+  expect_speed(Settings(memory), sbgc::SerialSpeed::baud_57600);
+}
+
 TEST(Settings, WritingTheActiveProfileTakesEffectAtOnce) {
   Memory memory;
   Settings settings(memory);
@@ -172,7 +227,9 @@ TEST(Settings, ADamagedRecordIsTheFactorySettings) {
   for_each_random(3, [&]<class M>(std::uint8_t copy, const M& message) {
     const bool is_damaged = std::is_same_v<M, ReadParams3> && copy == 0;
     if (is_damaged) return;
-    EXPECT_EQ(settings.read<M>(copy), message);
+    // The general ones were in that record.
+    const M expected = copy == 0 ? message : with_general_of(settings.read<M>(0), message);
+    EXPECT_EQ(settings.read<M>(copy), expected);
   });
 }
 
@@ -208,8 +265,9 @@ TEST(Settings, DefaultsAreOfOneProfile) {
   settings.use_defaults(4);
   EXPECT_EQ(settings.profile(), 2);
   for_each_random(4, [&]<class M>(std::uint8_t copy, const M& message) {
+    const M factory = sbgc::board::factory_settings<M>(copy);
     const bool is_new = SettingsOf<M>::copies > 1 && (copy == 2 || copy == 4);
-    EXPECT_EQ(settings.read<M>(copy), is_new ? sbgc::board::factory_settings<M>(copy) : message);
+    EXPECT_EQ(settings.read<M>(copy), is_new ? factory : with_general_of(factory, message));
   });
 }
 
@@ -312,6 +370,13 @@ TEST(Variables, ChangeTheSettingsInUse) {
   ASSERT_TRUE(settings.set_variable(VariableId::p_roll, 99));
   EXPECT_EQ(settings.of<ReadParams3>().axes.roll.p, 99);
   EXPECT_EQ(settings.read<ReadParams3>(0).axes.roll.p, 99);
+}
+
+TEST(Variables, ASmallLimitDoesNotSwitchTheLimiterOff) {
+  Memory memory;
+  Settings settings(memory);
+  ASSERT_TRUE(settings.set_variable(VariableId::acc_limiter_roll, 2));
+  EXPECT_EQ(settings.of<ReadParamsExt2>().acc_limiter3.roll.raw(), 1);
 }
 
 TEST(Variables, ACoarserSettingHasTheNearestStep) {

@@ -1,3 +1,5 @@
+#include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -300,16 +302,17 @@ TEST_F(ParametersTest, WhatIsReadBackDifferentlyIsAMismatch) {
 
 TEST_F(ParametersTest, WritingOneProfileThatChangesAnotherIsNoticed) {
   fill();
-  board.after([&](const Packet& request) {  // a setting of the whole board
+  // A board that knows more general settings than the specification tells.
+  board.after([&](const Packet& request) {
     if (!is<WriteParams3>(request)) return;
     for (std::uint8_t profile = 0; profile < 5; ++profile) {
-      board.edit<ReadParams3>(
-          profile, [](auto& params) { params.general_flags1 = GeneralFlag::blink_profile; });
+      board.edit<ReadParams3>(profile,
+                              [](auto& params) { params.gyro_deadband = GyroDeadband(9); });
     }
   });
   ParameterSet set = read();
   ReadParams3 wanted = get(set, 4);
-  wanted.general_flags1 = GeneralFlag::blink_profile;
+  wanted.gyro_deadband = GyroDeadband(9);
   ASSERT_TRUE(set.set(wanted));
   const WriteReport report = write_parameters(client(), set);
   ASSERT_FALSE(report);
@@ -317,6 +320,80 @@ TEST_F(ParametersTest, WritingOneProfileThatChangesAnotherIsNoticed) {
   EXPECT_THAT(report.outcome.error().message, HasSubstr("ReadParams3 of profile 1"));
   EXPECT_EQ(state(report, {"ReadParams3", 0}), BlockState::different);
   EXPECT_EQ(state(report, {"ReadParams3", 4}), BlockState::written);
+}
+
+TEST_F(ParametersTest, AGeneralSettingIsChangedInAllProfiles) {
+  fill();
+  ParameterSet set = read();
+  for (std::uint8_t profile = 0; profile < 5; ++profile) {
+    ReadParams3 wanted = get(set, profile);
+    wanted.general_flags1 = GeneralFlag::blink_profile;
+    ASSERT_TRUE(set.set(wanted));
+  }
+  const WriteReport report = write_parameters(client(), set);
+  EXPECT_TRUE(report) << to_text(report);
+  EXPECT_EQ(board.settings<ReadParams3>(3).general_flags1, GeneralFlag::blink_profile);
+}
+
+TEST_F(ParametersTest, ProfilesThatWantDifferentGeneralSettingsAreRefused) {
+  fill();
+  ParameterSet set = read();
+  ReadParams3 wanted = get(set, 4);
+  wanted.general_flags1 = GeneralFlag::blink_profile;
+  wanted.gyro_trust = 1;
+  ASSERT_TRUE(set.set(wanted));
+  WriteReport report = write_parameters(client(), set);
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.outcome.error().code, ErrorCode::invalid);
+  EXPECT_EQ(report.outcome.error().message,
+            "ReadParams3 of profile 5, general_flags1: 8 is wanted, but 0 in ReadParams3 of "
+            "profile 1; it is one for the whole board");
+  EXPECT_EQ(writes(), 0U);
+
+  // Who does not want that check learns what came of it.
+  report = write_parameters(client(), set, {.validate = false});
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.outcome.error().code, ErrorCode::mismatch);
+  EXPECT_EQ(state(report, {"ReadParams3", 0}), BlockState::different);
+  EXPECT_EQ(state(report, {"ReadParams3", 4}), BlockState::written);
+}
+
+TEST_F(ParametersTest, OneProfileAloneMayChangeAGeneralSetting) {
+  fill();
+  ParameterSet set;
+  ReadParams3 wanted = get(read(), 4);
+  wanted.general_flags1 = GeneralFlag::blink_profile;
+  ASSERT_TRUE(set.set(wanted));
+  const WriteReport report = write_parameters(client(), set);
+  EXPECT_TRUE(report) << to_text(report);
+  EXPECT_EQ(board.settings<ReadParams3>(0).general_flags1, GeneralFlag::blink_profile);
+}
+
+TEST_F(ParametersTest, ABoardThatKeepsAGeneralSettingInEachProfileCanBeWritten) {
+  const auto kept = std::make_shared<std::array<GeneralFlags, 5>>();
+  kept->at(2) = GeneralFlag::emergency_stop;
+  board.after([kept](const Packet& request) {
+    if (!is<WriteParams3>(request)) return;
+    const auto written = message<WriteParams3>(request);
+    kept->at(written.profile_id) = written.general_flags1;
+  });
+  board.tamper([kept](Packets& answers) {
+    for (Packet& one : answers) {
+      if (!is<ReadParams3>(one)) continue;
+      auto changed = message<ReadParams3>(one);
+      changed.general_flags1 = kept->at(changed.profile_id);
+      one = packet(changed);
+    }
+  });
+  ParameterSet set = read();
+  ASSERT_EQ(get(set, 2).general_flags1, GeneralFlag::emergency_stop);
+  ReadParams3 wanted = get(set, 4);
+  wanted.general_flags1 = GeneralFlag::blink_profile;
+  ASSERT_TRUE(set.set(wanted));
+  const WriteReport report = write_parameters(client(), set);
+  EXPECT_TRUE(report) << to_text(report);
+  EXPECT_EQ(get(read(), 1).general_flags1, GeneralFlags{});
+  EXPECT_EQ(get(read(), 4).general_flags1, GeneralFlag::blink_profile);
 }
 
 TEST_F(ParametersTest, SettingsThatTheBoardDoesNotHaveAreRefused) {

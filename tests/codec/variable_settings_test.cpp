@@ -139,6 +139,27 @@ TEST(VariableSettings, LimitOfTheAccelerationCountsInOtherSteps) {
   EXPECT_EQ(*variable_value(settings, VariableId::acc_limiter_yaw), 505);
 }
 
+TEST(VariableSettings, ASmallLimitOfTheAccelerationIsNotNone) {
+  for (const std::int32_t value : {0, 1, 2, 3, 7}) {
+    Settings settings;
+    ASSERT_TRUE(set_variable(settings, VariableId::acc_limiter, value));
+    const std::uint8_t steps = value == 0 ? ReadParams3::acc_limiter_disabled : 1;
+    EXPECT_EQ(settings.of<ReadParams3>().acc_limiter_all.raw(), steps) << value;
+    EXPECT_EQ(settings.of<ReadParamsExt2>().acc_limiter3.pitch.raw(), steps) << value;
+  }
+}
+
+TEST(VariableSettings, OnlyAnExactValueIsASpecialOne) {
+  constexpr auto count = [](std::int32_t value) {
+    std::int16_t setting = 0;
+    sbgc::detail::set_variable({1, 0, 10}, setting, value, {0, 100});
+    return setting;
+  };
+  static_assert(count(0) == 0 && count(1) == 1 && count(4) == 1 && count(-1) == -1);
+  static_assert(count(15) == 2 && count(-15) == -2 && count(14) == 1);
+  static_assert(count(1000) == 100 && count(999) == 99 && count(996) == 99 && count(1001) == 101);
+}
+
 TEST(VariableSettings, SwitchKeepsWhatIsOn) {
   Settings settings;
   auto& follow = settings.of<ReadParams3>().rc.yaw.rc_follow;

@@ -77,6 +77,40 @@ commands:
         - {name: VERSION,  type: Version,  summary: Digits.}
 """
 
+SETTINGS = """\
+family: probe
+summary: A setting that variables stand for.
+variables:
+  LIMIT: {id: 3, type: FineSpeed, range: -1000..10000, sets: Settings.limit, summary: In finer steps.}
+  SAME: {id: 4, type: Speed, range: -10..100, sets: Settings.limit, summary: In the same steps.}
+commands:
+  CMD_SETTINGS:
+    id: 9
+    summary: Settings.
+    from_board:
+      source: L1
+      as: Settings
+      fields:
+        - name: LIMIT
+          type: Speed
+          range: -100..100
+          special: {0: no limit, 100: the highest there is}
+          special_in_range: true
+          summary: A limit.
+    to_board:
+      source: L1
+      summary: Ask for it.
+      answer: {message: Settings}
+  CMD_STORE_SETTINGS:
+    id: 12
+    summary: Store them.
+    to_board:
+      source: L1
+      answer: {confirm: always}
+      same_as: Settings
+      stores: Settings
+"""
+
 
 def test_quantities_are_exact(tmp_path: Path) -> None:
     by_name = {q.name: q for q in layout_of(tmp_path, TYPES).quantities}
@@ -143,6 +177,22 @@ def test_variable(tmp_path: Path) -> None:
     assert (variable.name, variable.identifier, variable.id) == ("GAIN", "gain", 3)
     assert (variable.scalar.name, variable.minimum, variable.maximum) == ("u16", 0, 65535)
     assert variable.quantity is not None and variable.quantity.name == "Power"
+
+
+def test_value_of_a_variable_is_no_special_one_by_rounding(tmp_path: Path) -> None:
+    variable = next(v for v in layout_of(tmp_path, SETTINGS).variables if v.name == "LIMIT")
+    (setting,) = variable.settings
+    values = [-150, -60, -50, -10, -1, 0, 1, 10, 49, 50, 60, 150]
+    assert [setting.count(v) for v in values] == [-2, -1, -1, -1, -1, 0, 1, 1, 1, 1, 1, 2]
+    assert setting.count(9951) == setting.count(9999) == 99, "as near as it may"
+    assert setting.count(10000) == 100, "exactly the special one"
+
+
+def test_value_of_a_variable_in_steps_of_the_setting_is_always_exact(tmp_path: Path) -> None:
+    variable = next(v for v in layout_of(tmp_path, SETTINGS).variables if v.name == "SAME")
+    (setting,) = variable.settings
+    assert setting.special == ()
+    assert [setting.count(v) for v in (-1, 0, 1, 100)] == [-1, 0, 1, 100]
 
 
 @pytest.mark.parametrize(

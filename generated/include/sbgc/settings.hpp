@@ -12,7 +12,8 @@ namespace sbgc {
 
 /// How the settings that message M holds are read and stored: `Readers` and `Writers`, both with
 /// deprecated messages last; `name` of M; `copies`, how many of these settings the board has; `copy(message)`,
-/// the number of the copy that one of these messages is about, counted from 0.
+/// the number of the copy that one of these messages is about, counted from 0; `share(from, to)`, which
+/// gives one copy the general settings of another.
 template <class M>
 struct SettingsOf;
 
@@ -38,6 +39,17 @@ struct SettingsOf<ReadParams3> {
   static constexpr const auto& copy(const ReadParams& message) noexcept {
     return message.profile_id;
   }
+
+  static constexpr void share(const ReadParams3& from, ReadParams3& to) noexcept {
+    to.serial_speed = from.serial_speed;
+    to.axis_top = from.axis_top;
+    to.axis_right = from.axis_right;
+    to.frame_axis_top = from.frame_axis_top;
+    to.frame_axis_right = from.frame_axis_right;
+    to.frame_imu_pos = from.frame_imu_pos;
+    to.general_flags1 = from.general_flags1;
+    to.order_of_axes = from.order_of_axes;
+  }
 };
 
 /// Further settings of one profile: filters, encoders, magnetometer.
@@ -57,6 +69,8 @@ struct SettingsOf<ReadParamsExt> {
   static constexpr const auto& copy(const ReadParamsExtRequest& message) noexcept {
     return message.profile_id;
   }
+
+  static constexpr void share(const ReadParamsExt&, ReadParamsExt&) noexcept {}
 };
 
 /// Still further settings of one profile.
@@ -76,6 +90,8 @@ struct SettingsOf<ReadParamsExt2> {
   static constexpr const auto& copy(const ReadParamsExt2Request& message) noexcept {
     return message.profile_id;
   }
+
+  static constexpr void share(const ReadParamsExt2&, ReadParamsExt2&) noexcept {}
 };
 
 /// Names of the profiles.

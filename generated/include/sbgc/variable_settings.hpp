@@ -69,8 +69,9 @@ constexpr Optional<std::int32_t> variable_value([[maybe_unused]] const Settings&
   }
 }
 
-/// Puts a value into all settings that the variable stands for, to the nearest step of each. False,
-/// and nothing is changed, if it stands for none or the value is out of its range.
+/// Puts a value into all settings that the variable stands for, to the nearest step of each that
+/// does not mean something special which the value does not. False, and nothing is changed, if it
+/// stands for none or the value is out of its range.
 template <class Settings>
 constexpr bool set_variable([[maybe_unused]] Settings& settings, VariableId id,
                             [[maybe_unused]] std::int32_t value) noexcept {
@@ -125,10 +126,10 @@ constexpr bool set_variable([[maybe_unused]] Settings& settings, VariableId id,
       return true;
     case VariableId::acc_limiter:
       if (value < 0 || value > 1275) return false;
-      detail::set_variable({1, 0, 5}, settings.template of<ReadParams3>().acc_limiter_all, value);
-      detail::set_variable({1, 0, 5}, settings.template of<ReadParamsExt2>().acc_limiter3.roll, value);
-      detail::set_variable({1, 0, 5}, settings.template of<ReadParamsExt2>().acc_limiter3.pitch, value);
-      detail::set_variable({1, 0, 5}, settings.template of<ReadParamsExt2>().acc_limiter3.yaw, value);
+      detail::set_variable({1, 0, 5}, settings.template of<ReadParams3>().acc_limiter_all, value, {0});
+      detail::set_variable({1, 0, 5}, settings.template of<ReadParamsExt2>().acc_limiter3.roll, value, {0});
+      detail::set_variable({1, 0, 5}, settings.template of<ReadParamsExt2>().acc_limiter3.pitch, value, {0});
+      detail::set_variable({1, 0, 5}, settings.template of<ReadParamsExt2>().acc_limiter3.yaw, value, {0});
       return true;
     case VariableId::follow_speed_roll:
       if (value < 0 || value > 255) return false;
@@ -228,15 +229,15 @@ constexpr bool set_variable([[maybe_unused]] Settings& settings, VariableId id,
       return true;
     case VariableId::acc_limiter_roll:
       if (value < 0 || value > 1275) return false;
-      detail::set_variable({1, 0, 5}, settings.template of<ReadParamsExt2>().acc_limiter3.roll, value);
+      detail::set_variable({1, 0, 5}, settings.template of<ReadParamsExt2>().acc_limiter3.roll, value, {0});
       return true;
     case VariableId::acc_limiter_pitch:
       if (value < 0 || value > 1275) return false;
-      detail::set_variable({1, 0, 5}, settings.template of<ReadParamsExt2>().acc_limiter3.pitch, value);
+      detail::set_variable({1, 0, 5}, settings.template of<ReadParamsExt2>().acc_limiter3.pitch, value, {0});
       return true;
     case VariableId::acc_limiter_yaw:
       if (value < 0 || value > 1275) return false;
-      detail::set_variable({1, 0, 5}, settings.template of<ReadParamsExt2>().acc_limiter3.yaw, value);
+      detail::set_variable({1, 0, 5}, settings.template of<ReadParamsExt2>().acc_limiter3.yaw, value, {0});
       return true;
     case VariableId::pid_gain_roll:
       if (value < 0 || value > 255) return false;

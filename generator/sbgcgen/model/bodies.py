@@ -137,7 +137,8 @@ class Field:
     `dim` says how often the type stands: "one", "axis", "xyz", "fixed" (`count` times),
     "counted" (as the field `counter` says) or "rest" (to the end of the body). `offset` is from
     the start of the struct, None behind a variable part. `role` is what the field is among
-    settings: "copy" (which of several copies they are), "state" (no setting), or "".
+    settings: "copy" (which of several copies they are), "general" (the same in all copies),
+    "state" (no setting), or "".
     """
 
     name: str

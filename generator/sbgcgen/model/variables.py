@@ -12,13 +12,17 @@ from sbgcgen.model.values import Quantity, Scalar
 
 @dataclass(frozen=True)
 class VariableSetting:
-    """A setting that a variable stands for: its count is the variable's * `scale` + `offset`."""
+    """A setting that a variable stands for: its count is the variable's * `scale` + `offset`.
+
+    `special` are the counts with a meaning of their own that no other value may be rounded to.
+    """
 
     message: str
     path: str
     scalar: Scalar
     scale: Fraction
     offset: Fraction
+    special: tuple[int, ...] = ()
 
     @property
     def denominator(self) -> int:
@@ -34,8 +38,15 @@ class VariableSetting:
         return int(self.offset * self.denominator)
 
     def count(self, value: int) -> int:
-        """The count of the setting that is nearest to a value of the variable."""
-        return _nearest(value * self.scale + self.offset)
+        """The count of the setting that is nearest to a value of the variable.
+
+        A special count is only that of a value that is it exactly: others get the step beside it.
+        """
+        exact = value * self.scale + self.offset
+        count = _nearest(exact)
+        if count in self.special and count != exact:
+            return count + (1 if exact > count else -1)
+        return count
 
     def value(self, count: int) -> int:
         """The value of the variable that is nearest to a count of the setting."""

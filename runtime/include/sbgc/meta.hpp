@@ -82,6 +82,7 @@ struct VariableInfo {
 /// What a field is among the settings that a message holds.
 enum class FieldRole : std::uint8_t {
   setting,  ///< one of them, or no field of settings at all
+  general,  ///< one of the whole board, the same in all copies of the settings
   copy,     ///< says which of several copies of the settings these are, from 0 on
   state,    ///< the state of the board, no setting: written back as it was read
 };

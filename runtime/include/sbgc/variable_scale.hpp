@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 
 #include <sbgc/codec.hpp>
 
@@ -47,9 +48,20 @@ constexpr std::int32_t variable_value(const VariableScale& scale, const T& setti
       nearest(count_of(setting) * scale.denominator - scale.addend, scale.numerator));
 }
 
+/// Counts in `special` have a meaning of their own, such as "disabled". One is only that of a value
+/// that is it exactly: others get the step beside it.
 template <class T>
-constexpr void set_variable(const VariableScale& scale, T& setting, std::int32_t value) noexcept {
-  set_count(setting, nearest(value * scale.numerator + scale.addend, scale.denominator));
+constexpr void set_variable(const VariableScale& scale, T& setting, std::int32_t value,
+                            std::initializer_list<std::int64_t> special = {}) noexcept {
+  const std::int64_t numerator = value * scale.numerator + scale.addend;
+  std::int64_t count = nearest(numerator, scale.denominator);
+  const std::int64_t rest = numerator - count * scale.denominator;
+  for (const std::int64_t one : special) {
+    if (count != one || rest == 0) continue;
+    count += rest > 0 ? 1 : -1;
+    break;
+  }
+  set_count(setting, count);
 }
 
 /// A switch is on if its setting is not 0.

@@ -117,11 +117,10 @@ void gyro_calibrated(Machine& machine, std::size_t imu, Instant now) {
   machine.correct_gyros(now);
 }
 
-/// Changes settings of the active profile and stores them.
+/// Changes settings of a profile and stores them.
 template <class M, class Edit>
-bool change_settings(Machine& machine, Instant now, const Edit& edit) {
-  Settings& settings = machine.settings;
-  const bool changed = settings.change<M>(settings.profile(), edit);
+bool change_settings(Machine& machine, std::uint8_t profile, Instant now, const Edit& edit) {
+  const bool changed = machine.settings.change<M>(profile, edit);
   if (changed) machine.apply_settings(now);
   return changed;
 }
@@ -136,7 +135,7 @@ Duration Calibrations::scaled(const Options& options, Duration length) {
 bool Calibrations::start(Machine& machine, Kind kind, std::size_t imu, std::optional<Asker> asker,
                          Instant now) {
   if (run_ || machine.auto_tuning.is_running()) return false;
-  Run run{.kind = kind, .imu = imu, .asker = asker};
+  Run run{.kind = kind, .imu = imu, .profile = machine.settings.profile(), .asker = asker};
   const Duration length = scaled(machine.options, length_of(kind));
   const Duration cycle = Machine::cycle();
   run.steps_needed = length <= cycle ? 1 : steps;
@@ -236,27 +235,27 @@ bool Calibrations::store(Machine& machine, const Run& run, Instant now) {
     case Kind::mag: break;  // the emulated magnetometer needs no correction
     case Kind::ext_gain:
       // Ours: gains of a flight controller that differs a little from board to board.
-      return change_settings<ReadParams3>(machine, now, [&](ReadParams3& settings) {
+      return change_settings<ReadParams3>(machine, run.profile, now, [&](auto& settings) {
         settings.ext_fc_gain_roll = static_cast<std::int8_t>(40 + std::lround(20 * random(0)));
         settings.ext_fc_gain_pitch = static_cast<std::int8_t>(40 + std::lround(20 * random(1)));
       });
     case Kind::poles:
       // Ours: motors of 14 poles that turn the right way round, common in gimbals.
-      return change_settings<ReadParams3>(machine, now, [](ReadParams3& settings) {
+      return change_settings<ReadParams3>(machine, run.profile, now, [](auto& settings) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
           settings.axes[axis].poles = 14;
           settings.axes[axis].invert = 0;
         }
       });
     case Kind::encoder_offset:
-      return change_settings<ReadParamsExt>(machine, now, [&](ReadParamsExt& settings) {
+      return change_settings<ReadParamsExt>(machine, run.profile, now, [&](auto& settings) {
         // The present position becomes the zero.
         for (std::size_t axis = 0; axis < 3; ++axis) {
           settings.encoder_offset[axis] = wire_angle(std::remainder(sample.joints[axis], 360.0));
         }
       });
     case Kind::encoder_field:
-      return change_settings<ReadParamsExt>(machine, now, [&](ReadParamsExt& settings) {
+      return change_settings<ReadParamsExt>(machine, run.profile, now, [&](auto& settings) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
           settings.encoder_fld_offset[axis] = wire_angle(360 * random(2 + axis) - 180);
         }
@@ -333,7 +332,8 @@ bool Calibrations::store_follow_offsets(Machine& machine, Instant now) {
     offsets[axis] = (*degrees).raw();
   }
   return change_settings<ReadParams3>(
-      machine, now, [&](ReadParams3& settings) { settings.follow_offset = offsets; });
+      machine, machine.settings.profile(), now,
+      [&](ReadParams3& settings) { settings.follow_offset = offsets; });
 }
 
 }  // namespace sbgc::board

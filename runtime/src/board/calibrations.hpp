@@ -68,6 +68,7 @@ class Calibrations {
   struct Run {
     Kind kind{};
     std::size_t imu{};
+    std::uint8_t profile{};  ///< whose settings it changes
     std::optional<Asker> asker{};
     Duration step{};          ///< between two looks at the sensors
     unsigned steps_needed{};  ///< at rest, one behind the other

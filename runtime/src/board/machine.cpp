@@ -42,7 +42,7 @@ void Machine::select_profile(std::uint8_t profile, Instant now) {
 void Machine::apply_settings(Instant now) {
   const bool has_meter = options.features.has(BoardFeature::bat_monitoring);
   if (!has_frame_imu()) cur_imu = SelectedImu::main;
-  gimbal.tune(tuning_of(settings, versions(), home, has_meter ? memory.battery_factor : 0), now);
+  gimbal.tune(tuning_of(settings, versions(), has_meter ? memory.battery_factor : 0), now);
   correct_gyros(now);
   remote.apply(*this, now);
   slots.apply_settings(*this, now);

@@ -4,11 +4,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 #include <sbgc/availability.hpp>
 #include <sbgc/board/board.hpp>
-#include <sbgc/units.hpp>
 
 #include "auto_tuning.hpp"
 #include "calibrations.hpp"
@@ -85,9 +83,6 @@ struct Machine {
   /// Corrections of the heading of main and frame IMU, deg/s, besides GYRO_HEADING_CORRECTION.
   /// Until the board restarts: ours.
   std::array<double, 2> gyro_headings{};
-  /// Angles that the board starts with and comes home to, if MENU_CMD_SET_ANGLE_NO_SAVE has set
-  /// others than the settings have.
-  std::optional<Axes<Angle14>> home{};
   Restarts restarts;  ///< reset, boot mode, start; last, it starts all the others
 };
 

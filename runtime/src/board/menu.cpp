@@ -37,13 +37,17 @@ Axes<Angle14> present_angles(Machine& machine, Instant now) {
           wire_angle(sample.angles.yaw)};
 }
 
-void set_angle(Machine& machine, Instant now) {
+void set_angle(Machine& machine, bool is_saved, Instant now) {
   Settings& settings = machine.settings;
   const Axes<Angle14> angles = present_angles(machine, now);
-  // As long as before, so there is room for it.
-  static_cast<void>(settings.change<ReadParams3>(
-      settings.profile(), [&](ReadParams3& changed) { changed.rc_memory = angles; }));
-  machine.home.reset();
+  const auto edit = [&](ReadParams3& changed) { changed.rc_memory = angles; };
+  if (is_saved) {
+    // As long as before, so there is room for it.
+    static_cast<void>(settings.change<ReadParams3>(settings.profile(), edit));
+  } else {
+    settings.change_in_use<ReadParams3>(edit);
+  }
+  machine.apply_settings(now);
 }
 
 void go_to(Machine& machine, std::size_t axis, double angle, Instant now) {
@@ -51,7 +55,7 @@ void go_to(Machine& machine, std::size_t axis, double angle, Instant now) {
 }
 
 void go_home(Machine& machine, Instant now) {
-  const Axes<double> angles = home_angles(machine.settings, machine.home);
+  const Axes<double> angles = home_angles(machine.settings);
   for (std::size_t axis = 0; axis < angles.size(); ++axis) go_to(machine, axis, angles[axis], now);
 }
 
@@ -97,14 +101,8 @@ bool Machine::execute(MenuCommand action, Instant now) {
     case MenuCommand::calib_gyro_temp: calibrate(*this, Kind::gyro_temperature, now); break;
     case MenuCommand::calib_mag: calibrate(*this, Kind::mag, now); break;
     case MenuCommand::reset: restarts.announce(*this, now); break;
-    case MenuCommand::set_angle:
-      set_angle(*this, now);
-      apply_settings(now);
-      break;
-    case MenuCommand::set_angle_no_save:
-      home = present_angles(*this, now);
-      apply_settings(now);
-      break;
+    case MenuCommand::set_angle: set_angle(*this, true, now); break;
+    case MenuCommand::set_angle_no_save: set_angle(*this, false, now); break;
     case MenuCommand::motor_toggle: set_motors(!gimbal.motors_on(), now); break;
     case MenuCommand::motor_on: set_motors(true, now); break;
     case MenuCommand::motor_off: set_motors(false, now); break;

@@ -26,7 +26,6 @@ void Restarts::restart_now(Machine& machine, Instant now, bool to_bootloader, bo
   machine.ports.restart(power_off);
   for_each_part(machine, [&](auto& part) { part.restart(machine, now); });
   if (power_off) machine.i2c.power_off();
-  machine.home.reset();
   machine.gyro_headings = {};
   machine.cur_imu = SelectedImu::main;
   machine.gimbal.set_motors(false, now);

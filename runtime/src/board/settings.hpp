@@ -45,10 +45,14 @@ struct OneOfEach<TypeList<Messages...>> {
 };
 
 /// Settings are bodies of StoredMessages. Those of the active profile are in use: they can differ
-/// from the EEPROM by adjustable variables, until save() or a restart.
+/// from the EEPROM by what has been changed in use only, as by adjustable variables, until save()
+/// or a restart.
 ///
 /// Fields that are the state of the board (FieldRole::state) are kept as they were sent; who
 /// answers a request fills them in. PROFILE_ID is always the number of the copy.
+///
+/// General ones (FieldRole::general) count in the record of the first copy: whichever copy is
+/// written, they are stored there and in use at once.
 class Settings {
  public:
   /// Loads what the EEPROM has; what is missing or damaged there becomes the factory settings, in
@@ -82,7 +86,11 @@ class Settings {
     M numbered = settings;
     set_copy(numbered, copy);
     if (!store(copy, numbered)) return false;
-    if (copy == copy_in_use<M>()) use(numbered);
+    if (copy == copy_in_use<M>()) {
+      use(numbered);
+    } else {
+      share(numbered, in_use_.template of<M>());
+    }
     return true;
   }
   /// Changes some of the settings, in the EEPROM and in use: `edit(M&)` is called for both. What
@@ -92,8 +100,19 @@ class Settings {
     auto settings = stored<M>(copy);
     edit(settings);
     if (!store(copy, settings)) return false;
-    if (copy == copy_in_use<M>()) edit(in_use_.template of<M>());
+    auto& in_use = in_use_.template of<M>();
+    if (copy == copy_in_use<M>()) {
+      edit(in_use);
+    } else {
+      share(settings, in_use);
+    }
     return true;
+  }
+
+  /// Changes some of those in use, until restart, another profile or save().
+  template <class M, class Edit>
+  void change_in_use(const Edit& edit) {
+    edit(in_use_.template of<M>());
   }
 
   /// The variable's value; nothing if it is none of this board's.
@@ -106,7 +125,9 @@ class Settings {
   /// Stores what is in use in the active profile.
   void save();
 
-  /// Factory settings for one profile, in the EEPROM and in use. Precondition: there is one.
+  /// Factory settings for one profile, in the EEPROM and in use; for the board as well what is
+  /// general, because all settings that are read for this profile are then those of a new board.
+  /// Precondition: there is one.
   void use_defaults(std::uint8_t profile);
   /// Erases the whole EEPROM, files and user data with it; factory settings are in use, the first
   /// profile is active.
@@ -131,6 +152,10 @@ class Settings {
   static void set_copy(M& message, std::uint8_t copy) {
     if constexpr (is_of_profile<M>) SettingsOf<M>::copy(message) = copy;
   }
+  template <class M>
+  static void share([[maybe_unused]] const M& from, [[maybe_unused]] M& to) {
+    if constexpr (is_of_profile<M>) SettingsOf<M>::share(from, to);
+  }
   /// Where the record of a copy begins.
   template <class M>
   static std::size_t place(std::uint8_t copy) {
@@ -142,9 +167,15 @@ class Settings {
     });
     return layout::settings + (before + copy) * record_size();
   }
-  /// What the EEPROM has, or else the factory settings.
   template <class M>
   M stored(std::uint8_t copy) const {
+    M message = record<M>(copy);
+    if (copy != 0) share(record<M>(0), message);
+    return message;
+  }
+  /// What the EEPROM has for one copy, or else the factory settings.
+  template <class M>
+  M record(std::uint8_t copy) const {
     M message{};
     const auto body = read_record(eeprom_, place<M>(copy), {M::command, copy});
     if (!body || !decode(std::span(*body), message)) message = factory_settings<M>(copy);
@@ -153,6 +184,15 @@ class Settings {
   }
   template <class M>
   bool store(std::uint8_t copy, const M& message) {
+    if (!store_record(copy, message)) return false;
+    if (copy == 0) return true;
+    const M before = record<M>(0);
+    M first = before;
+    share(message, first);
+    return first == before || store_record(0, first);  // as long as before, so there is room
+  }
+  template <class M>
+  bool store_record(std::uint8_t copy, const M& message) {
     std::array<std::uint8_t, max_body_size> body{};
     const WriteResult written = encode(message, body);
     return written && write_record(eeprom_, place<M>(copy), {M::command, copy},

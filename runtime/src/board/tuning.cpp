@@ -42,25 +42,17 @@ double deadband_of(std::uint8_t setting) {
 
 }  // namespace
 
-Axes<double> home_angles(const Settings& settings, const std::optional<Axes<Angle14>>& home) {
+Axes<double> home_angles(const Settings& settings) {
   const auto& main = settings.of<ReadParams3>();
-  const bool is_neutral = main.profile_flags1.has(ProfileFlag::start_neutral_position);
-  Axes<double> angles;
-  for (std::size_t axis = 0; axis < angles.size(); ++axis) {
-    if (home) {
-      angles[axis] = (*home)[axis].degrees();
-    } else if (!is_neutral) {
-      angles[axis] = main.rc_memory[axis].degrees();
-    }
-  }
-  return angles;
+  if (main.profile_flags1.has(ProfileFlag::start_neutral_position)) return {};
+  const auto& angles = main.rc_memory;
+  return {angles.roll.degrees(), angles.pitch.degrees(), angles.yaw.degrees()};
 }
 
-Tuning tuning_of(const Settings& settings, const Availability& versions,
-                 const std::optional<Axes<Angle14>>& home, double battery_factor) {
+Tuning tuning_of(const Settings& settings, const Availability& versions, double battery_factor) {
   const auto& main = settings.of<ReadParams3>();
   const auto& more = settings.of<ReadParamsExt2>();
-  const Axes<double> start = home_angles(settings, home);
+  const Axes<double> start = home_angles(settings);
   Tuning tuning;
   for (std::size_t axis = 0; axis < tuning.axes.size(); ++axis) {
     AxisTuning& out = tuning.axes[axis];

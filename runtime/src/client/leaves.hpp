@@ -32,7 +32,7 @@ class LeafCollector {
   template <class T>
   void members(const T& value, const std::string& path) {
     Meta<T>::visit(value, [&](const FieldInfo& field, const auto& member) {
-      if (field.role != FieldRole::setting) return;
+      if (field.role == FieldRole::copy || field.role == FieldRole::state) return;
       this->value(member, field, path.empty() ? field.name : path + "." + field.name);
     });
   }

@@ -226,9 +226,36 @@ class Writing {
             problems += fmt::format("{}{}, {}: {}", problems.empty() ? "" : "\n", to_text(block.id),
                                     path, reason);
           });
+      problems += contradiction(i, problems.empty() ? "" : "\n");
     }
     if (problems.empty()) return {};
     return ClientError{ErrorCode::invalid, problems};
+  }
+
+  /// What general settings a block wants otherwise than the first block of its kind, each behind
+  /// `separator`.
+  std::string contradiction(std::size_t index, std::string_view separator) const {
+    const Step& step = steps_[index];
+    const auto first = std::ranges::find(steps_, step.kind, &Step::kind);
+    const BlockId& other = report_.blocks[static_cast<std::size_t>(first - steps_.begin())].id;
+    std::string result;
+    for (const auto& field : detail::general_changes(*step.kind, first->wanted, step.wanted)) {
+      if (is_kept_apart(*first, field.path)) continue;
+      result += fmt::format("{}{}, {}: {} is wanted, but {} in {}; it is one for the whole board",
+                            separator, to_text(report_.blocks[index].id), field.path, field.after,
+                            field.before, to_text(other));
+      separator = "\n";
+    }
+    return result;
+  }
+
+  /// Whether the board has several values of a general setting: then it is not general there.
+  bool is_kept_apart(const Step& first, std::string_view path) const {
+    return std::ranges::any_of(steps_, [&](const Step& step) {
+      if (step.kind != first.kind) return false;
+      const auto fields = detail::general_changes(*step.kind, first.before, step.before);
+      return std::ranges::find(fields, path, &FieldChange::path) != fields.end();
+    });
   }
 
   Result<void> write_all() {

@@ -36,20 +36,21 @@ void set_all_bits(T& value) {
   } else if constexpr (std::is_integral_v<T>) {
     value = static_cast<T>(~0U);
   } else {
-    static_assert(RawValue<T>, "state of the board is a number");
+    static_assert(RawValue<T>, "a field with a role is a number");
     value = T(static_cast<typename T::raw_type>(~0U));
   }
 }
 
+/// 1 bits where a body of M holds fields of that role.
 template <class M>
-std::vector<std::uint8_t> state_mask() {
+std::vector<std::uint8_t> mask_of(FieldRole role) {
   M marked{};
-  Meta<M>::visit(marked, [](const FieldInfo& field, auto&& member) {
+  Meta<M>::visit(marked, [role](const FieldInfo& field, auto&& member) {
     using Member = std::remove_cvref_t<decltype(member)>;
     constexpr bool is_number =
         std::is_enum_v<Member> || std::is_integral_v<Member> || RawValue<Member>;
     if constexpr (is_number) {
-      if (field.role == FieldRole::state) set_all_bits(member);
+      if (field.role == role) set_all_bits(member);
     }
   });
   return bytes_of(marked);
@@ -125,7 +126,8 @@ SettingsKind kind_of() {
       .name = Meta<M>::info.name,
       .summary = Meta<M>::info.summary,
       .copies = SettingsOf<M>::copies,
-      .state_mask = state_mask<M>(),
+      .state_mask = mask_of<M>(FieldRole::state),
+      .general_mask = mask_of<M>(FieldRole::general),
       .is_readable =
           [](const Availability& versions) {
             return with_supported(typename SettingsOf<M>::Readers{}, versions, [](auto) {});
@@ -146,6 +148,11 @@ SettingsKind kind_of() {
 /// The byte of a mask, 0 behind its end.
 std::uint8_t at(const std::vector<std::uint8_t>& mask, std::size_t index) {
   return index < mask.size() ? mask[index] : std::uint8_t{0};
+}
+
+/// The bits of `other` where the mask has 1 bits, those of `byte` elsewhere.
+std::uint8_t mixed(std::uint8_t byte, std::uint8_t other, std::uint8_t mask) {
+  return static_cast<std::uint8_t>((byte & ~mask) | (other & mask));
 }
 
 }  // namespace
@@ -170,8 +177,7 @@ std::optional<std::vector<std::uint8_t>> merged(const SettingsKind& kind, Body w
   if (wanted.size() > present.size()) return std::nullopt;
   std::vector<std::uint8_t> result(present.begin(), present.end());
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    const std::uint8_t state = at(kind.state_mask, i);
-    result[i] = static_cast<std::uint8_t>((wanted[i] & ~state) | (present[i] & state));
+    result[i] = mixed(wanted[i], present[i], at(kind.state_mask, i));
   }
   return result;
 }
@@ -207,6 +213,14 @@ std::vector<FieldChange> field_changes(const SettingsKind& kind, Body before, Bo
     }
   }
   return changes;
+}
+
+std::vector<FieldChange> general_changes(const SettingsKind& kind, Body before, Body after) {
+  std::vector<std::uint8_t> changed(before.begin(), before.end());
+  for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i) {
+    changed[i] = mixed(before[i], after[i], at(kind.general_mask, i));
+  }
+  return field_changes(kind, before, changed);
 }
 
 }  // namespace sbgc::detail

@@ -29,6 +29,8 @@ struct SettingsKind {
   std::uint8_t copies;
   /// 1 bits where a body holds state of the board.
   std::vector<std::uint8_t> state_mask;
+  /// 1 bits where it holds general settings.
+  std::vector<std::uint8_t> general_mask;
 
   bool (*is_readable)(const Availability& versions);
   bool (*is_writable)(const Availability& versions);
@@ -57,5 +59,7 @@ std::optional<std::vector<std::uint8_t>> merged(const SettingsKind& kind, Body w
 bool are_equal(const SettingsKind& kind, Body a, Body b);
 /// The settings in which they differ.
 std::vector<FieldChange> field_changes(const SettingsKind& kind, Body before, Body after);
+/// The general ones among those.
+std::vector<FieldChange> general_changes(const SettingsKind& kind, Body before, Body after);
 
 }  // namespace sbgc::detail

@@ -185,7 +185,7 @@ struct ReadParams3 {
   std::uint8_t use_model{};
   /// PWM frequency of the motors.
   PwmFrequency pwm_freq{};
-  /// Baud rate of the serial port.
+  /// Baud rate of the serial port. General: the same in all copies. Errata: E087.
   SerialSpeed serial_speed{};
   /// Trim of the RC signals. Range: -127 to 127.
   Axes<std::int8_t> rc_trim{};
@@ -215,15 +215,15 @@ struct ReadParams3 {
   std::uint8_t follow_expo_rate{};
   /// Offset of the follow mode. Range: -127 to 127.
   Axes<std::int8_t> follow_offset{};
-  /// Axis of the main IMU that points up.
+  /// Axis of the main IMU that points up. General: the same in all copies. Errata: E087.
   SensorAxis axis_top{};
-  /// Axis of the main IMU that points right.
+  /// Axis of the main IMU that points right. General: the same in all copies. Errata: E087.
   SensorAxis axis_right{};
-  /// Axis of the frame IMU that points up.
+  /// Axis of the frame IMU that points up. General: the same in all copies. Errata: E087.
   SensorAxis frame_axis_top{};
-  /// Axis of the frame IMU that points right.
+  /// Axis of the frame IMU that points right. General: the same in all copies. Errata: E087.
   SensorAxis frame_axis_right{};
-  /// Where the frame IMU is mounted.
+  /// Where the frame IMU is mounted. General: the same in all copies. Errata: E087.
   FrameImuPosition frame_imu_pos{};
   /// Dead band of the gyroscope. Unit: gyro unit, one count is 1/10. Range: 0 to 255.
   GyroDeadband gyro_deadband{};
@@ -283,13 +283,13 @@ struct ReadParams3 {
   std::uint8_t adaptive_pid_recovery_factor{};
   /// Low-pass filter of the follow mode. Range: 0 to 16.
   Axes<std::uint8_t> follow_lpf{};
-  /// Settings of the whole board.
+  /// Settings of the whole board. General: the same in all copies. Errata: E087.
   GeneralFlags general_flags1{};
   /// Settings of the profile.
   ProfileFlags profile_flags1{};
   /// Protocol of a Spektrum satellite.
   SpektrumMode spektrum_mode{};
-  /// Order of the motors. Errata: E005.
+  /// Order of the motors. General: the same in all copies. Errata: E005, E087.
   AxisOrder order_of_axes{};
   /// Order of the Euler angles. Errata: E005.
   EulerOrder euler_order{};
@@ -842,6 +842,8 @@ struct ReadParamsExt2 {
 
   /// For profile_id: the active profile.
   static constexpr std::uint8_t active_profile = 255;
+  /// For acc_limiter3: disabled.
+  static constexpr std::uint8_t acc_limiter3_disabled = 0;
 
   /// Profile that the settings belong to. Range: 0 to 4. active_profile (255): the active profile.
   /// Errata: E001, E062.
@@ -851,8 +853,8 @@ struct ReadParamsExt2 {
   /// Magnetic linkage of the motor. Unit: no unit, one count is 1/100. Range: 0 to 65535. Errata:
   /// E047.
   Axes<LongHundredths> motor_mag_link_fine{};
-  /// Limit of the acceleration of each axis. Unit: deg/s^2, one count is 5. Range: 0 to 200. Since
-  /// firmware 2.59. Errata: E035, E066, E108.
+  /// Limit of the acceleration of each axis. Unit: deg/s^2, one count is 5. Range: 0 to 200.
+  /// acc_limiter3_disabled (0): disabled. Since firmware 2.59. Errata: E035, E066, E108.
   Axes<AngularAcceleration> acc_limiter3{};
   /// Factor on P, I and D of each axis. Unit: no unit, one count is 1/50, counted from 1/10. Range:
   /// 0 to 255. Errata: E108.

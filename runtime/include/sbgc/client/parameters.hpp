@@ -10,9 +10,11 @@
 /// profile (see <sbgc/client/variables.hpp>); until then the settings read for the active profile
 /// may hold values that the next start forgets.
 ///
-/// The settings of the board as a whole stand in the copy of each profile, among those of the
-/// profile; the protocol does not say which they are. Writing one profile may thus change what is
-/// read for the others, which is why write_parameters() looks at all of them again in the end.
+/// General settings, of the board as a whole, stand in the copy of each profile, among those of the
+/// profile (FieldRole::general). Writing one profile changes what is read of them for the others:
+/// to change one, change it in all profiles. The protocol hardly says which they are, so a board
+/// may know others, or keep some of them in each profile, which is why write_parameters() looks at
+/// all of them again in the end.
 #pragma once
 
 #include <chrono>
@@ -141,7 +143,8 @@ struct WriteOptions {
   std::chrono::milliseconds timeout{120'000};
   /// Only tells what would be written.
   bool dry_run = false;
-  /// Refuse what the protocol does not allow on this board in the fields that change.
+  /// Refuse what the protocol does not allow on this board in the fields that change, and general
+  /// settings that differ between the wanted blocks but do not on the board.
   bool validate = true;
   ProgressHandler progress{};
   Clock& clock = Clock::system();
