@@ -38,9 +38,8 @@ bool is_at(int descriptor, const std::filesystem::path& path) {
 
 }  // namespace
 
-StateFile::StateFile(const std::string& name) : path_(sbgc::detail::target_of(name)) {
-  lock_path_ = path_;
-  lock_path_ += ".sbgc-lock";
+StateFile::StateFile(const std::string& name)
+    : path_(sbgc::detail::target_of(name)), lock_path_(path_.string() + ".sbgc-lock") {
   while (true) {
     constexpr mode_t mode = 0644;
     const int opened = ::open(lock_path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, mode);
