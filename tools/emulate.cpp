@@ -16,12 +16,14 @@
 #include <asio/steady_timer.hpp>
 #include <fmt/format.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <sbgc/io/clock.hpp>
 
 #include "commands.hpp"
 #include "emulate/arguments.hpp"
 #include "emulate/service.hpp"
+#include "emulate/told_lines.hpp"
 
 namespace sbgc::tools {
 
@@ -53,17 +55,22 @@ void allow_many_files() {
 
 int serve(const Options& options) {
   // Standard output belongs to the host then.
-  std::FILE* const out = options.service.stdio ? stderr : stdout;
-  // A reader that has gone away, or a full disk, is no reason to leave the hosts alone: that it has
-  // failed shows in the exit status.
-  const auto say = [out](const std::string& text) {
+  const bool tells_on_stderr = options.service.stdio;
+  // Hosts do not wait for readers of what is told, nor is one that has gone away, or a full disk, a
+  // reason to leave them alone.
+  emulate::ToldLines problems(STDERR_FILENO);
+  std::optional<emulate::ToldLines> events;
+  if (!tells_on_stderr) events.emplace(STDOUT_FILENO);
+  emulate::ServiceLogs logs;
+  // A reader needs each of these. That it has failed shows in the exit status.
+  logs.endpoint = [out = tells_on_stderr ? stderr : stdout](const std::string& text) {
     std::fputs((text + "\n").c_str(), out);
     std::fflush(out);
   };
-  emulate::ServiceLogs logs;
-  logs.endpoint = say;
-  logs.warning = [](const std::string& text) { std::fprintf(stderr, "sbgc: %s\n", text.c_str()); };
-  if (options.verbose) logs.event = say;
+  logs.warning = [&](const std::string& text) { problems.tell("sbgc: " + text); };
+  if (options.verbose) {
+    logs.event = [&](const std::string& text) { (events ? *events : problems).tell(text); };
+  }
   logs.traffic = options.verbose;
 
   allow_many_files();
@@ -87,9 +94,10 @@ int serve(const Options& options) {
     context.stop();
   });
   context.run();
-  if (!service.finish()) throw std::runtime_error("not everything could be saved");
-  if (problem) throw std::runtime_error("standard input and output: " + problem.message());
-  return success;
+  const bool is_saved = service.finish();
+  if (!is_saved) logs.warning("not everything could be saved");
+  if (problem) logs.warning("standard input and output: " + problem.message());
+  return is_saved && !problem ? success : failure;
 }
 
 /// An option whose text is read by `parse`.
@@ -120,6 +128,10 @@ std::uint32_t parse_rate(const std::string& text) {
   return rate;
 }
 
+std::string problem_of_path(const std::string& path) {
+  return path.empty() ? "the path is empty" : "";
+}
+
 void add_board_options(CLI::App& command, Options& options) {
   ServiceOptions& service = options.service;
   board::Options& board = service.emulator.board;
@@ -127,7 +139,7 @@ void add_board_options(CLI::App& command, Options& options) {
       command, "--firmware", emulate::parse_firmware,
       [&](FirmwareVersion version) {
         board.firmware = version;
-        service.model_is_given = true;
+        service.firmware_is_given = true;
       },
       "Firmware version, such as 2.43b9 [2.59]", "VERSION")
       ->group("The board");
@@ -135,7 +147,7 @@ void add_board_options(CLI::App& command, Options& options) {
       command, "--board", emulate::parse_board,
       [&](BoardVersion version) {
         board.board = version;
-        service.model_is_given = true;
+        service.board_is_given = true;
       },
       "Board version [3.0]", "VERSION")
       ->group("The board");
@@ -164,6 +176,7 @@ void add_board_options(CLI::App& command, Options& options) {
                   "What the board remembers without power: loaded if the file is there, saved when "
                   "it changes; with --count FILE-1, FILE-2 ...")
       ->type_name("FILE")
+      ->check(problem_of_path)
       ->group("The board");
   command.add_option("--count", service.count, "Number of boards")
       ->check(CLI::Range(1, 1000))
@@ -186,9 +199,7 @@ void add_endpoint_options(CLI::App& command, Options& options) {
                   "A symbolic link to the pseudo-terminal while it exists; with --count PATH-1, "
                   "PATH-2 ...")
       ->type_name("PATH")
-      ->check([](const std::string& path) {
-        return path.empty() ? std::string("the path is empty") : std::string();
-      })
+      ->check(problem_of_path)
       ->group("Where hosts connect");
   const auto add_listen = [&](const char* name, std::optional<emulate::ListenAddress>& address,
                               const char* help) {
@@ -246,7 +257,7 @@ void add_line_options(CLI::App& command, Options& options) {
       },
       "Share of bytes that come later, by 20 ms or this time; those behind wait", "SHARE[:MS]");
   add(
-      "--text", emulate::parse_seconds, [&](Duration every) { faults.text_every = every; },
+      "--text", emulate::parse_interval, [&](Duration every) { faults.text_every = every; },
       "A line of text between two frames of the board, so often", "SECONDS");
   add(
       "--silence", emulate::parse_silence,
@@ -302,7 +313,8 @@ void add_emulate(CLI::App& app, int& status) {
       "  sbgc emulate --firmware 2.43b9 --board 3.0 --motion handheld\n"
       "\n"
       "The exit status is 0 when it was told to end, by Ctrl-C, a signal, --seconds or the end of "
-      "the standard input, 1 when something can not be opened or saved, 2 for wrong usage.");
+      "the standard input, 1 when something can not be opened or saved, 2 for wrong usage, which "
+      "includes a file of motion that can not be read.");
   command->callback([options, &status] {
     check(*options);
     status = serve(*options);

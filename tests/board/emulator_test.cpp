@@ -135,6 +135,20 @@ TEST(Emulator, AHostThatDoesNotListenHoldsTheBoardUp) {
   EXPECT_EQ(parser.counters().skipped_bytes, 0U);
 }
 
+TEST(Emulator, AHostThatDoesNotListenMissesTextLines) {
+  EmulatorOptions options;
+  options.line.faults.text_every = milliseconds(1);
+  for (const bool has_stream : {false, true}) {
+    Bench bench(options);
+    if (has_stream) bench.send(stream_of(20));
+    bench.now = bench.now + seconds(60);
+    bench.emulator.advance(bench.now);
+    EXPECT_LE(bench.emulator.to_host(bench.port).size(), Emulator::output_limit + 1000);
+    EXPECT_GT(bench.listen(milliseconds(10)).size(), Emulator::output_limit - 1000);
+    EXPECT_GT(bench.listen(seconds(1)).size(), 10'000U) << "they come again";
+  }
+}
+
 TEST(Emulator, ToldWhenTheHostShouldWait) {
   EmulatorOptions options;
   options.line.board.baud_rate = 9600;
@@ -210,6 +224,60 @@ TEST(Emulator, IsQuietWhenAllThatWasAskedHasBeenTaken) {
   bench.now = bench.now + seconds(1);
   bench.emulator.advance(bench.now);
   EXPECT_FALSE(bench.emulator.is_quiet(bench.port));
+}
+
+TEST(Emulator, StreamsAndTextEndWithTheInput) {
+  EmulatorOptions options;
+  options.line.board.baud_rate = 9600;
+  options.line.faults.text_every = milliseconds(10);
+  Bench bench(options);
+  bench.send(stream_of(1));
+  bench.listen(seconds(1));
+  bench.send(stream_of(2));
+  bench.send(frame_of(BoardInfoRequest{}));
+  EXPECT_FALSE(bench.emulator.is_quiet(bench.port));
+  bench.emulator.end_input(bench.port, bench.now);
+  Bytes got;
+  while (!bench.emulator.is_quiet(bench.port)) {
+    const Bytes more = bench.listen(milliseconds(10));
+    got.insert(got.end(), more.begin(), more.end());
+    ASSERT_LT(bench.now, Instant{} + seconds(10));
+  }
+  EXPECT_EQ(frames_in(got, CommandId::board_info), 1U);
+  EXPECT_EQ(frames_in(got, CommandId::confirm), 1U);
+  EXPECT_TRUE(bench.listen(seconds(10)).empty());
+}
+
+TEST(Emulator, IsNotQuietWhileAFrameHasBegun) {
+  Bench bench;
+  Bytes bytes = frame_of(BoardInfoRequest{});
+  bytes[2] = 200;  // more bytes than will come
+  bytes[3] = static_cast<std::uint8_t>(bytes[1] + bytes[2]);
+  bench.send(bytes);
+  bench.send(frame_of(BoardInfoRequest{}));
+  bench.listen(milliseconds(50));
+  EXPECT_FALSE(bench.emulator.is_quiet(bench.port));
+  EXPECT_EQ(frames_in(bench.listen(milliseconds(100)), CommandId::board_info), 1U);
+  EXPECT_TRUE(bench.emulator.is_quiet(bench.port));
+}
+
+TEST(Emulator, ARestartInTheMiddleOfAFrameEndsItForTheLine) {
+  EmulatorOptions options;
+  options.line.board.baud_rate = 1200;
+  options.line.faults.text_every = seconds(1);
+  Bench bench(options);
+  bench.listen(milliseconds(200));
+  bench.send(frame_of(BoardInfo3Request{}));
+  bench.listen(milliseconds(200));  // some of the answer's 74 bytes, which take 0.6 s
+  bench.emulator.restart(bench.now);
+  const auto texts = [&] {
+    return bench.emulator.counters(bench.port, Line::Way::to_host).text_lines;
+  };
+  const auto before = texts();
+  bench.listen(seconds(3));
+  EXPECT_GE(texts(), before + 2) << "it goes on";
+  bench.send(frame_of(BoardInfo3Request{}));
+  EXPECT_EQ(frames_in(bench.listen(seconds(3)), CommandId::board_info_3), 1U) << "and in no frame";
 }
 
 TEST(Emulator, TheRateOfTheSettings) {

@@ -307,6 +307,31 @@ TEST(Faults, TextComesByItself) {
   EXPECT_GT(received(line, start + milliseconds(5200)).size(), frame.size() - 10);
 }
 
+TEST(Faults, TextThatIsLeftOut) {
+  Line line({.faults = {.text_every = seconds(1)}}, Way::to_host, start, start);
+  line.leave_out_text(start + milliseconds(2500));
+  EXPECT_THAT(received(line, start + milliseconds(2500)), IsEmpty());
+  EXPECT_EQ(line.next(), start + seconds(3));
+  // What has to wait for the end of a frame is not.
+  const Bytes frame = frames(1);
+  line.send(std::span(frame).first(10), start + milliseconds(2900));
+  line.leave_out_text(start + milliseconds(3500));
+  line.send(std::span(frame).subspan(10), start + milliseconds(3600));
+  EXPECT_GT(received(line, start + milliseconds(3600)).size(), frame.size());
+  line.end_text();
+  EXPECT_EQ(line.next(), Instant::never);
+}
+
+TEST(Faults, TextBehindAFrameThatIsBrokenOff) {
+  Line line({.faults = {.text_every = seconds(1)}}, Way::to_host, start, start);
+  const Bytes frame = frames(1);
+  line.send(std::span(frame).first(10), start);
+  EXPECT_EQ(received(line, start + seconds(2)).size(), 10U);
+  line.break_off_frame();
+  EXPECT_GT(received(line, start + seconds(2)).size(), 0U);
+  EXPECT_EQ(line.next(), start + seconds(3));
+}
+
 TEST(Faults, MoreTextThanTheLineCarries) {
   Line line({.board = {1200}, .faults = {.text_every = milliseconds(1)}}, Way::to_host, start,
             start);

@@ -143,6 +143,16 @@ TEST_F(BackupTest, OrReplacedAsAWhole) {
   EXPECT_THAT(files(), ElementsAre("a.json"));
 }
 
+TEST_F(BackupTest, WhatReplacesAFileHasItsMode) {
+  for (const auto mode : {fs::perms::owner_read, fs::perms::owner_all | fs::perms::group_write}) {
+    std::ofstream(file("a.json")) << "old";
+    fs::permissions(file("a.json"), mode);
+    ASSERT_TRUE(save_backup(make(), file("a.json"), Existing::replace));
+    EXPECT_EQ(fs::status(file("a.json")).permissions(), mode);
+    fs::remove(file("a.json"));
+  }
+}
+
 TEST_F(BackupTest, ASymbolicLinkStaysOne) {
   fs::create_directory(file("folder"));
   fs::create_symlink("folder/b.json", file("a.json"));

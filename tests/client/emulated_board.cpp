@@ -10,6 +10,10 @@ namespace {
 /// The board deals with a request in its next cycle, which is shorter than this.
 constexpr Duration one_cycle = sbgc::milliseconds(1);
 
+emulate::EndpointLogs silent() {
+  return {[](const std::string&) {}, [](const std::string&) {}};
+}
+
 }  // namespace
 
 board::EmulatorOptions quick_board() {
@@ -62,10 +66,9 @@ void EmulatedBoard::start(board::Memory memory) {
   }
   const bool has_rate = options_.line.board.baud_rate != 0 || options_.rate_of_settings;
   if (line_kind() == LineKind::terminal) {
-    running.endpoint = emulate::open_terminal(executor, *running.board, "", has_rate);
+    running.endpoint = emulate::open_terminal(executor, *running.board, "", has_rate, silent());
   } else if (line_kind() == LineKind::tcp) {
-    const emulate::EndpointLogs silent{[](const std::string&) {}, [](const std::string&) {}};
-    running.endpoint = emulate::listen_tcp(executor, *running.board, {"127.0.0.1", 0}, silent);
+    running.endpoint = emulate::listen_tcp(executor, *running.board, {"127.0.0.1", 0}, silent());
   }
   running.thread = std::thread([&context = running.context] { context.run(); });
 }
@@ -101,7 +104,7 @@ void EmulatedBoard::serve(std::unique_ptr<io::Transport> transport) {
 std::string EmulatedBoard::serve_terminal() {
   return on_thread([this] {
     running_->endpoint =
-        emulate::open_terminal(running_->context.get_executor(), live(), "", false);
+        emulate::open_terminal(running_->context.get_executor(), live(), "", false, silent());
     return running_->endpoint->address();
   });
 }

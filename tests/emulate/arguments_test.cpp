@@ -24,7 +24,8 @@ TEST(Arguments, Listen) {
   EXPECT_EQ(parse_listen("0").port, 0);
   EXPECT_EQ(parse_listen("0.0.0.0:65535").host, "0.0.0.0");
   EXPECT_EQ(parse_listen("[::1]:1").host, "::1");
-  for (const char* text : {"", "65536", "-1", "x", "::1:5", ":5", "[]:5", "a:", "1.5", " 5"}) {
+  for (const char* text : {"", "65536", "-1", "x", "::1:5", ":5", "[]:5", "a:", "1.5", " 5",
+                           "gimbal.example:5", "[127.0.0.1.1]:5"}) {
     EXPECT_THROW(parse_listen(text), std::invalid_argument) << text;
   }
 }
@@ -56,6 +57,10 @@ TEST(Arguments, Times) {
   for (const char* text : {"", "-1", "1e7", "nan", "1s"}) {
     EXPECT_THROW(parse_seconds(text), std::invalid_argument) << text;
     EXPECT_THROW(parse_silence(text), std::invalid_argument) << text;
+  }
+  EXPECT_EQ(parse_interval("0.001"), milliseconds(1));
+  for (const char* text : {"", "-1", "0", "0.0009", "1e-7", "1e7", "nan"}) {
+    EXPECT_THROW(parse_interval(text), std::invalid_argument) << text;
   }
   EXPECT_THROW(parse_silence("1"), std::invalid_argument);
   EXPECT_THROW(parse_silence("1:2:3"), std::invalid_argument);

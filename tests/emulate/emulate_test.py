@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import fcntl
 import os
+import pty
 import random
+import shutil
 import signal
 import socket
 import subprocess
@@ -14,7 +17,7 @@ from pathlib import Path
 import pytest
 
 from emulator import PATIENCE, Connection, Emulator, Terminal, terminal_of
-from sbgc_command import PROGRAM, frame, run
+from sbgc_command import PROGRAM, ROOT, frame, run
 
 BOARD_INFO = 86
 BOARD_INFO_3 = 20
@@ -133,6 +136,22 @@ def test_tcp_has_several_hosts() -> None:
         assert "refused: all ports" in emulator.error
 
 
+def test_tcp_hosts_that_vanish_are_noticed() -> None:
+    with Emulator("--tcp", "0") as emulator:
+        host = Connection(emulator.places[0])
+        assert host.ask(BOARD_INFO)
+        port = f":{int(emulator.places[0].rpartition(':')[2]):04X}"
+        timers = []
+        for line in Path("/proc/net/tcp").read_text(encoding="utf-8").splitlines()[1:]:
+            _, here, _, state, _, timer, *_ = line.split()
+            if here.endswith(port) and state == "01":
+                timers.append(timer.split(":"))
+        ((kind, ticks),) = timers
+        assert kind == "02"  # it is asked for a sign of life
+        assert int(ticks, 16) <= 10 * 100
+        host.close()
+
+
 def test_tcp_has_one_host_after_the_other() -> None:
     with Emulator("--tcp", "0") as emulator:
         for _ in range(40):
@@ -198,6 +217,21 @@ def test_udp_carries_whole_answers_and_no_more_than_fits() -> None:
         host.close()
 
 
+def test_udp_takes_a_large_datagram_when_nothing_waits() -> None:
+    with Emulator("--udp", "0", "--verbose") as emulator:
+        host = Connection(emulator.places[0])
+        host.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 20)
+        host.socket.send(frame(BOARD_INFO) * 2000)
+        for _ in range(20):  # there is no room for any of these
+            host.socket.send(frame(BOARD_INFO_3) * 2000)
+        while len(host.heard) < 2000 * 23:
+            assert host.receive(PATIENCE)
+        assert not host.receive(0.2)
+        host.close()
+        emulator.end()
+        assert emulator.rest.count("is lost") == 1
+
+
 def test_standard_input_and_output(tmp_path: Path) -> None:
     done = subprocess.run(
         [PROGRAM, "emulate", "--stdio", "--verbose"],
@@ -240,6 +274,52 @@ def test_standard_input_that_ends_before_the_answers() -> None:
         assert len(done.stdout) == 74 * number
 
 
+@pytest.mark.parametrize("line", [["--baud", "9600"], ["--text", "0.001"], []])
+def test_standard_input_that_asks_for_streams(line: list[str]) -> None:
+    begin = time.monotonic()
+    done = subprocess.run(
+        [PROGRAM, "emulate", "--stdio", *line],
+        input=frame(DATA_STREAM_INTERVAL, stream(1)) + frame(BOARD_INFO) * 20,
+        capture_output=True,
+        timeout=PATIENCE,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.count(bytes([0x3E, CONFIRM])) == 1
+    assert done.stdout.count(bytes([0x3E, BOARD_INFO, 18])) == 20
+    assert time.monotonic() - begin < PATIENCE / 2
+
+
+def test_answers_that_nobody_takes() -> None:
+    reader, out = os.pipe()
+    fcntl.fcntl(reader, fcntl.F_SETPIPE_SZ, 4096)
+    done = subprocess.run(
+        [PROGRAM, "emulate", "--stdio"],
+        input=frame(BOARD_INFO_3) * 1000,
+        stdout=out,
+        stderr=subprocess.PIPE,
+        timeout=PATIENCE,
+        check=False,
+    )
+    assert done.returncode == 1
+    assert b"standard input and output: " in done.stderr
+    os.close(reader)
+    os.close(out)
+
+
+def test_a_request_behind_what_only_looked_like_the_beginning_of_one() -> None:
+    begun = b">" + bytes([BOARD_INFO, 200, (BOARD_INFO + 200) % 256])
+    done = subprocess.run(
+        [PROGRAM, "emulate", "--stdio"],
+        input=begun + frame(BOARD_INFO),
+        capture_output=True,
+        timeout=PATIENCE,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert done.stdout[:2] == bytes([0x3E, BOARD_INFO])
+
+
 @pytest.mark.parametrize("closed", ["<&-", ">&-"])
 def test_standard_files_that_are_closed(closed: str) -> None:
     done = subprocess.run(
@@ -272,7 +352,7 @@ def test_many_boards(tmp_path: Path) -> None:
     link = tmp_path / "gimbal"
     arguments = ["--count", "3", "--tcp", "0", "--link", str(link), "--state", str(tmp_path / "s")]
     with Emulator(*arguments, boards=3, places=2) as emulator:
-        names = sorted(path.name for path in tmp_path.iterdir() if path.suffix != ".lock")
+        names = sorted(path.name for path in tmp_path.iterdir() if path.suffix != ".sbgc-lock")
         assert names == ["gimbal-1", "gimbal-2", "gimbal-3", "s-1", "s-2", "s-3"]
         told = set()
         for place in emulator.places[1::2]:
@@ -352,6 +432,34 @@ def test_a_state_is_of_one_emulator_at_a_time(tmp_path: Path) -> None:
     assert sorted(tmp_path.iterdir()) == [link, state]
 
 
+def test_a_file_that_has_the_name_of_the_lock_is_left_alone(tmp_path: Path) -> None:
+    state = tmp_path / "state"
+    lock = tmp_path / "state.sbgc-lock"
+    lock.write_text("mine")
+    assert f"{lock} is somebody's file" in refused("--state", str(state))
+    assert lock.read_text() == "mine"
+    lock.unlink()
+    lock.symlink_to("elsewhere")
+    assert str(lock) in refused("--state", str(state))
+    assert list(tmp_path.iterdir()) == [lock]
+    lock.unlink()
+    lock.touch()  # left behind by an emulator that was killed
+    with Emulator("--tcp", "0", "--state", str(state)):
+        lock.unlink()
+        lock.write_text("mine")  # by now
+    assert lock.read_text() == "mine"
+
+
+def test_a_state_keeps_its_mode(tmp_path: Path) -> None:
+    state = tmp_path / "state"
+    for mode in (0o644, 0o600, 0o660):
+        with Emulator("--tcp", "0", "--state", str(state)):
+            state.chmod(mode)
+        with Emulator("--tcp", "0", "--state", str(state)):  # which is written at once
+            pass
+        assert state.stat().st_mode & 0o7777 == mode
+
+
 def test_a_state_that_can_not_be_used(tmp_path: Path) -> None:
     damaged = tmp_path / "damaged"
     damaged.write_text("{}")
@@ -387,6 +495,16 @@ def test_board_and_firmware(tmp_path: Path) -> None:
             assert info[0] == 31
             assert int.from_bytes(info[1:3], "little") == 2439
             host.close()
+    # What is given must be right, and nothing else.
+    for model in (["--firmware", "2.43b9"], ["--board", "3.1"]):
+        with Emulator("--tcp", "0", *state, *model):
+            pass
+    for model in (
+        ["--firmware", "2.59"],
+        ["--board", "3.0"],
+        ["--firmware", "2.59", "--board", "3.1"],
+    ):
+        assert "firmware 2.43b9, not of" in refused(*state, *model)
 
 
 def test_wrong_baud_rate_is_garbage() -> None:
@@ -482,7 +600,6 @@ def test_other_machines_only_when_told() -> None:
     with Emulator("--tcp", "localhost:0") as emulator:
         emulator.end()
         assert emulator.error == ""
-    assert "no address" in refused("--tcp", "gimbal.example:0")
 
 
 def test_a_reader_of_its_output_that_goes_away(tmp_path: Path) -> None:
@@ -496,10 +613,70 @@ def test_a_reader_of_its_output_that_goes_away(tmp_path: Path) -> None:
             assert terminal.ask(BOARD_INFO)
         terminal.close()
         emulator.process.send_signal(signal.SIGTERM)
-        assert emulator.process.wait(PATIENCE) == 1
+        assert emulator.process.wait(PATIENCE) == 0
         assert emulator.process.stderr is not None
         emulator.process.stderr.close()
     assert not link.is_symlink()
+
+
+def ask_often(host: Connection, times: int) -> None:
+    """More frames than a reader's pipe or terminal holds as lines, all of them answered."""
+    host.heard = b""
+    os.write(host.fd, frame(BOARD_INFO) * times)
+    while len(host.heard) < 23 * times:
+        assert host.receive(PATIENCE)
+
+
+@pytest.mark.parametrize("kind", ["pipe", "terminal"])
+def test_a_reader_of_its_output_that_stalls(kind: str) -> None:
+    reader, out = os.pipe() if kind == "pipe" else pty.openpty()
+    process = subprocess.Popen(
+        [PROGRAM, "emulate", "--tcp", "0", "--verbose"], stdout=out, stderr=subprocess.PIPE
+    )
+    try:
+        place = os.read(reader, 4096).decode().strip().partition(": ")[2]
+        host = Connection(place)
+        ask_often(host, 1000)
+        ask_often(host, 1000)
+        # What could not be told is told of when there is room again.
+        lines = os.read(reader, 65536)
+        end = time.monotonic() + PATIENCE
+        while b"lines were left out" not in lines:
+            assert time.monotonic() < end
+            host.ask(BOARD_INFO)
+            lines += os.read(reader, 65536)
+        for line in lines.splitlines()[:-1]:
+            assert b" CMD_BOARD_INFO (86), " in line or b"left out" in line or b"is host" in line
+        # And nobody has to read for it to end.
+        ask_often(host, 1000)
+        process.terminate()
+        assert process.wait(PATIENCE) == 0
+        assert process.stderr is not None and process.stderr.read() == b""
+        host.close()
+    finally:
+        process.kill()
+        process.communicate()
+        os.close(reader)
+        os.close(out)
+
+
+def test_a_reader_of_its_warnings_that_stalls() -> None:
+    with Emulator("--tcp", "0") as emulator:
+        assert emulator.process.stderr is not None
+        fcntl.fcntl(emulator.process.stderr, fcntl.F_SETPIPE_SZ, 4096)
+        hosts = [Connection(emulator.places[0]) for _ in range(8)]
+        for host in hosts:
+            assert host.ask(BOARD_INFO)
+        for _ in range(100):
+            refusal = Connection(emulator.places[0])
+            refusal.socket.settimeout(PATIENCE)
+            assert refusal.socket.recv(1) == b""
+            refusal.close()
+        assert hosts[0].ask(BOARD_INFO)
+        emulator.process.terminate()
+        assert emulator.process.wait(PATIENCE) == 0
+        for host in hosts:
+            host.close()
 
 
 def test_warnings_that_can_not_be_written() -> None:
@@ -545,6 +722,7 @@ def test_a_host_that_floods() -> None:
         ["--tcp"],
         ["--tcp", "65536"],
         ["--tcp", ":5000"],
+        ["--tcp", "gimbal.example:5000"],
         ["--udp", "x"],
         ["--tcp", "65535", "--count", "2"],
         ["--count", "0"],
@@ -559,6 +737,8 @@ def test_a_host_that_floods() -> None:
         ["--bit-errors", "101%"],
         ["--delay", "0.1:x"],
         ["--text", "-1"],
+        ["--text", "0"],
+        ["--text", "0.0009"],
         ["--silence", "5"],
         ["--reset-at", "soon"],
         ["--input-buffer", "-1"],
@@ -566,6 +746,7 @@ def test_a_host_that_floods() -> None:
         ["--seconds", "nan"],
         ["--motion", "jump"],
         ["--link", ""],
+        ["--state", ""],
     ],
 )
 def test_wrong_usage(arguments: list[str]) -> None:
@@ -590,6 +771,18 @@ def test_help() -> None:
     assert result.status == 0
     for option in ("--pty", "--tcp", "--udp", "--stdio", "--state", "--silence", "Examples"):
         assert option in result.text
+
+
+def test_one_demo_at_a_time(tmp_path: Path) -> None:
+    shutil.copy(ROOT / "dev", tmp_path)
+    (tmp_path / "build").mkdir()
+    with open(tmp_path / "build" / "demo.lock", "w", encoding="utf-8") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        done = subprocess.run(
+            [tmp_path / "dev", "demo"], capture_output=True, timeout=PATIENCE, check=False
+        )
+    assert done.returncode == 1
+    assert b"another one is running" in done.stderr
 
 
 def test_the_tour(tmp_path: Path) -> None:

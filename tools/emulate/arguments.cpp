@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "listen.hpp"
 #include "motion_file.hpp"
 
 namespace sbgc::emulate {
@@ -77,6 +78,11 @@ ListenAddress parse_listen(const std::string& text) {
     result.host = host;
   }
   if (!read(port, std::numeric_limits<std::uint16_t>::max(), result.port)) refuse(text, wanted);
+  try {
+    address_of(result);
+  } catch (const std::runtime_error& error) {
+    throw std::invalid_argument(error.what());
+  }
   return result;
 }
 
@@ -108,6 +114,14 @@ board::Silence parse_silence(const std::string& text) {
 Duration parse_seconds(const std::string& text) {
   Duration result;
   if (!read_duration(text, 1e6, result)) refuse(text, "a time in seconds, up to 1000000");
+  return result;
+}
+
+Duration parse_interval(const std::string& text) {
+  Duration result;
+  if (!read_duration(text, 1e6, result) || result < milliseconds(1)) {
+    refuse(text, "a time in seconds from 0.001 to 1000000");
+  }
   return result;
 }
 

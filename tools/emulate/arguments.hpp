@@ -12,7 +12,7 @@
 
 namespace sbgc::emulate {
 
-/// "5000", "0.0.0.0:5000", "[::1]:5000", "localhost:0".
+/// "5000", "0.0.0.0:5000", "[::1]:5000", "localhost:0"; no other names.
 ListenAddress parse_listen(const std::string& text);
 
 /// "0.01" or "1%".
@@ -30,6 +30,8 @@ board::Silence parse_silence(const std::string& text);
 
 /// "12.5", in seconds.
 Duration parse_seconds(const std::string& text);
+/// "0.5", in seconds: how often something happens, a thousand times a second at most.
+Duration parse_interval(const std::string& text);
 
 /// "2.43b9".
 FirmwareVersion parse_firmware(const std::string& text);

@@ -43,7 +43,8 @@ struct ListenAddress {
 /// A pseudo-terminal; with `link`, a symbolic link to it while it exists. `has_rate`: bytes are
 /// garbled while the host has set another baud rate than the board.
 std::unique_ptr<Endpoint> open_terminal(const asio::any_io_executor& executor, LiveBoard& board,
-                                        const std::string& link, bool has_rate);
+                                        const std::string& link, bool has_rate,
+                                        const EndpointLogs& logs);
 
 /// Listens for any number of hosts; those for whom the board has no port are refused.
 std::unique_ptr<Endpoint> listen_tcp(const asio::any_io_executor& executor, LiveBoard& board,

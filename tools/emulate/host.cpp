@@ -4,15 +4,19 @@
 #include <chrono>
 #include <utility>
 
+#include <asio/error.hpp>
+
 namespace sbgc::emulate {
 
 namespace {
 
 constexpr std::size_t most_per_write = 4096;
 
-/// A host that has sent its last byte may still wait for answers: while there is something to do
-/// for it, it is kept for so long, and so long again.
-constexpr auto linger_time = std::chrono::milliseconds(500);
+/// A host that has sent its last byte may still wait for answers: so often it is looked whether it
+/// has them all.
+constexpr auto look_every = std::chrono::milliseconds(100);
+/// It is given up when it has taken nothing for so long.
+constexpr auto patience = std::chrono::seconds(5);
 
 }  // namespace
 
@@ -65,6 +69,7 @@ void Host::write() {
   if (before_bytes) before_bytes(port_);
   transport_->async_write(output_, [self = shared_from_this()](std::error_code error, std::size_t) {
     self->is_writing_ = false;
+    self->written_at_ = io::Clock::now();
     if (self->is_closed_) return;
     if (error) return self->end(error);
     self->poke();
@@ -74,12 +79,17 @@ void Host::write() {
 void Host::finish_reading(std::error_code error) {
   if (error != asio::error::eof && error != io::Errc::end_of_stream) return end(error);
   has_read_all_ = true;
+  written_at_ = io::Clock::now();
+  board_.end_input(port_);
   end_or_linger();
 }
 
 void Host::end_or_linger() {
   if (!is_writing_ && board_.is_quiet(port_)) return end({});
-  linger_.expires_after(linger_time);
+  if (is_writing_ && io::Clock::now() - written_at_ > patience) {
+    return end(asio::error::timed_out);
+  }
+  linger_.expires_after(look_every);
   linger_.async_wait([self = shared_from_this()](std::error_code aborted) {
     if (!aborted && !self->is_closed_) self->end_or_linger();
   });

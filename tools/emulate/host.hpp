@@ -10,6 +10,7 @@
 
 #include <asio/steady_timer.hpp>
 
+#include <sbgc/io/clock.hpp>
 #include <sbgc/io/transport.hpp>
 
 #include "live_board.hpp"
@@ -17,7 +18,8 @@
 namespace sbgc::emulate {
 
 /// Carries bytes between a transport and a port, reads no faster than the board's line and holds a
-/// few KiB for a host that is slow.
+/// few KiB for a host that is slow. When the host has sent its end, it still gets the answers to
+/// its requests, unless it does not take them for some seconds.
 class Host : public std::enable_shared_from_this<Host> {
  public:
   /// Connects to the board; null if all its ports are taken.
@@ -46,6 +48,7 @@ class Host : public std::enable_shared_from_this<Host> {
   LiveBoard& board_;
   std::unique_ptr<io::Transport> transport_;
   asio::steady_timer linger_;
+  io::Clock::time_point written_at_{};  // when the last write ended, or the input
   std::size_t port_ = 0;
   std::array<std::uint8_t, 2048> input_{};
   std::vector<std::uint8_t> output_{};  // being written

@@ -49,6 +49,11 @@ void LiveBoard::disconnect(std::size_t port) {
   settle();
 }
 
+void LiveBoard::end_input(std::size_t port) {
+  emulator_.end_input(port, now());
+  settle_soon();
+}
+
 void LiveBoard::set_host_line(std::size_t port, const std::optional<LineSettings>& settings) {
   emulator_.set_host_line(port, settings, now());
   settle_soon();

@@ -29,8 +29,10 @@ class LiveBoard {
   /// `poke` is called, never from inside connect(), when there may be output or room.
   std::optional<std::size_t> connect(bool is_usb, std::function<void()> poke);
   void disconnect(std::size_t port);
+  void end_input(std::size_t port);
   void set_host_line(std::size_t port, const std::optional<LineSettings>& settings);
 
+  std::size_t waiting(std::size_t port) const { return emulator_.waiting(port); }
   std::size_t room(std::size_t port) const { return emulator_.room(port); }
   bool is_quiet(std::size_t port) const { return emulator_.is_quiet(port); }
   void receive(std::size_t port, std::span<const std::uint8_t> bytes);

@@ -57,14 +57,13 @@ void Service::add(unsigned number) {
   if (saved) {
     board::Options& board = emulator.board;
     const tools::MemoryOwner& owner = saved->owner;
-    const bool is_same = owner.board == board.board && owner.firmware == board.firmware;
-    if (options_.model_is_given && !is_same) {
+    if (!options_.board_is_given) board.board = owner.board;
+    if (!options_.firmware_is_given) board.firmware = owner.firmware;
+    if (owner.board != board.board || owner.firmware != board.firmware) {
       throw std::runtime_error(fmt::format("{} is the state of {}, not of {}", state,
                                            model(owner.board, owner.firmware),
                                            model(board.board, board.firmware)));
     }
-    board.board = owner.board;
-    board.firmware = owner.firmware;
     board.device_id = owner.device_id;
     board.mcu_id = owner.mcu_id;
   }
@@ -103,7 +102,7 @@ void Service::open_endpoints(Served& served, unsigned number) {
   const bool has_rate = emulator.rate_of_settings || emulator.line.board.baud_rate != 0;
   if (options_.terminal) {
     const std::string link = numbered_name(options_.link, number);
-    add(open_terminal(executor, *served.board, link, has_rate));
+    add(open_terminal(executor, *served.board, link, has_rate, logs));
   }
   if (options_.tcp) add(listen_tcp(executor, *served.board, at(*options_.tcp), logs));
   if (options_.udp) add(listen_udp(executor, *served.board, at(*options_.udp), logs));

@@ -16,8 +16,10 @@ namespace sbgc::emulate {
 
 struct ServiceOptions {
   board::EmulatorOptions emulator{};  ///< of the first board; others have other seeds and numbers
-  bool model_is_given = false;        ///< board and firmware: a state of others is then refused
-  unsigned count = 1;                 ///< boards
+  // Those of `emulator` that are given: a state of others is refused.
+  bool board_is_given = false;
+  bool firmware_is_given = false;
+  unsigned count = 1;  ///< boards
   bool terminal = false;
   std::string link{};                  ///< to the terminal, "" for none; with a count: link-1 ...
   std::optional<ListenAddress> tcp{};  ///< with a count: this port and those behind it

@@ -22,23 +22,33 @@ namespace {
       fmt::format("{} {}: {}", problem, path.string(), std::generic_category().message(number)));
 }
 
+/// Whether it may be a lock, or has been one: those are empty.
+bool is_empty_file(int descriptor) {
+  struct stat about {};
+  return ::fstat(descriptor, &about) == 0 && S_ISREG(about.st_mode) && about.st_size == 0;
+}
+
 /// Whether the open file is the one that has the name now.
 bool is_at(int descriptor, const std::filesystem::path& path) {
   struct stat opened {};
   struct stat named {};
-  return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
+  return ::fstat(descriptor, &opened) == 0 && ::lstat(path.c_str(), &named) == 0 &&
          opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
 }
 
 }  // namespace
 
-StateFile::StateFile(const std::string& name) : path_(sbgc::detail::target_of(name)) {
-  lock_path_ = path_;
-  lock_path_ += ".lock";
+StateFile::StateFile(const std::string& name)
+    : path_(sbgc::detail::target_of(name)), lock_path_(path_.string() + ".sbgc-lock") {
   while (true) {
     constexpr mode_t mode = 0644;
-    const int opened = ::open(lock_path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, mode);
+    const int opened = ::open(lock_path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, mode);
     if (opened < 0) fail("cannot write", lock_path_, errno);
+    if (!is_empty_file(opened)) {
+      ::close(opened);
+      throw std::runtime_error(
+          fmt::format("cannot lock {}: {} is somebody's file", name, lock_path_.string()));
+    }
     if (::flock(opened, LOCK_EX | LOCK_NB) != 0) {
       const int number = errno;
       ::close(opened);
@@ -54,7 +64,7 @@ StateFile::StateFile(const std::string& name) : path_(sbgc::detail::target_of(na
 }
 
 StateFile::~StateFile() {
-  ::unlink(lock_path_.c_str());
+  if (is_at(lock_, lock_path_)) ::unlink(lock_path_.c_str());
   ::close(lock_);
 }
 

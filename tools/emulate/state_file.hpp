@@ -9,11 +9,12 @@
 
 namespace sbgc::emulate {
 
-/// A file that no other emulator uses at the same time: FILE.lock beside it says so, and is removed
-/// at the end. What it is a symbolic link to is what is read and replaced.
+/// A file that no other emulator uses at the same time: FILE.sbgc-lock beside it says so, and is
+/// removed at the end. What it is a symbolic link to is what is read and replaced.
 class StateFile {
  public:
-  /// Throws std::runtime_error if another emulator uses the file, or the lock can not be made.
+  /// Throws std::runtime_error if another emulator uses the file, or the lock can not be made:
+  /// for example, because its name belongs to a file that is no lock.
   explicit StateFile(const std::string& name);
   StateFile(const StateFile&) = delete;
   StateFile& operator=(const StateFile&) = delete;

@@ -6,6 +6,9 @@
 #include <vector>
 
 #include <asio/steady_timer.hpp>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
 
 #include "host.hpp"
 #include "listen.hpp"
@@ -19,6 +22,23 @@ using asio::ip::tcp;
 
 /// After an accept that failed, for example because there are too many open files.
 constexpr auto wait_after_failure = std::chrono::milliseconds(200);
+
+/// So a host whose machine or network has gone away does not keep its port: it is asked for a sign
+/// of life when it has been quiet. That fails where it can not be set, and is no reason to refuse
+/// it.
+void ask_for_life(tcp::socket& socket) {
+  constexpr int quiet_seconds = 10;
+  constexpr int seconds_between = 5;
+  constexpr int times = 4;
+  std::error_code ignored;
+  socket.set_option(tcp::socket::keep_alive(true), ignored);
+  const auto set = [&](int option, int value) {
+    ::setsockopt(socket.native_handle(), IPPROTO_TCP, option, &value, sizeof value);
+  };
+  set(TCP_KEEPIDLE, quiet_seconds);
+  set(TCP_KEEPINTVL, seconds_between);
+  set(TCP_KEEPCNT, times);
+}
 
 class Connection final : public io::detail::StreamTransport<tcp::socket> {
  public:
@@ -68,6 +88,7 @@ class TcpEndpoint final : public Endpoint {
     const tcp::endpoint peer = socket.remote_endpoint(error);
     if (error) return;  // gone already
     socket.set_option(tcp::no_delay(true), error);
+    ask_for_life(socket);
     const std::string name = "tcp:" + place_of(peer);
     const auto host = Host::connect(board_, std::make_unique<Connection>(std::move(socket)));
     if (host == nullptr) {

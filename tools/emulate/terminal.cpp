@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <asio/steady_timer.hpp>
+#include <fmt/format.h>
 
 #include <sbgc/io/pseudo_terminal.hpp>
 
@@ -24,8 +25,8 @@ constexpr auto look_every = std::chrono::milliseconds(50);
 class Terminal final : public Endpoint {
  public:
   Terminal(const asio::any_io_executor& executor, LiveBoard& board, const std::string& link,
-           bool has_rate)
-      : board_(board), timer_(executor) {
+           bool has_rate, Log warn)
+      : board_(board), timer_(executor), warn_(std::move(warn)) {
     io::PseudoTerminalResult opened = io::open_pseudo_terminal(executor, {.stays_open = true});
     if (!opened) throw std::runtime_error(opened.error.message);
     terminal_ = opened.transport.get();
@@ -37,6 +38,12 @@ class Terminal final : public Endpoint {
       host_->before_bytes = [this](std::size_t) { look(); };
       keep_looking();
     }
+    // Programs come and go: that is no end.
+    host_->on_end = [this](std::error_code error) {
+      has_ended_ = true;
+      timer_.cancel();
+      warn_(fmt::format("{} does not work any more: {}", path_, error.message()));
+    };
     host_->start();
   }
 
@@ -63,6 +70,7 @@ class Terminal final : public Endpoint {
   }
 
   void keep_looking() {
+    if (has_ended_) return;  // another host may have the port
     look();
     timer_.expires_after(look_every);
     timer_.async_wait([this](std::error_code error) {
@@ -72,18 +80,21 @@ class Terminal final : public Endpoint {
 
   LiveBoard& board_;
   asio::steady_timer timer_;
+  Log warn_;
   io::PseudoTerminal* terminal_ = nullptr;  // the host's transport
   std::string path_;
   std::optional<TerminalLink> link_{};
   std::shared_ptr<Host> host_;
   std::uint32_t rate_ = 0;
+  bool has_ended_ = false;
 };
 
 }  // namespace
 
 std::unique_ptr<Endpoint> open_terminal(const asio::any_io_executor& executor, LiveBoard& board,
-                                        const std::string& link, bool has_rate) {
-  return std::make_unique<Terminal>(executor, board, link, has_rate);
+                                        const std::string& link, bool has_rate,
+                                        const EndpointLogs& logs) {
+  return std::make_unique<Terminal>(executor, board, link, has_rate, logs.warning);
 }
 
 }  // namespace sbgc::emulate

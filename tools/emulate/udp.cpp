@@ -64,16 +64,28 @@ class UdpEndpoint final : public Endpoint {
     Peer* const peer = peer_of(from_);
     if (peer == nullptr) return refuse();
     peer->heard = board_.now();
-    // Datagrams that come faster than the board's line are lost.
-    if (bytes.size() <= board_.room(peer->port)) board_.receive(peer->port, bytes);
+    // Datagrams that come faster than the board's line are lost; one alone has room whatever its
+    // size.
+    if (bytes.size() <= board_.room(peer->port) || board_.waiting(peer->port) == 0) {
+      return board_.receive(peer->port, bytes);
+    }
+    if (is_time_to_tell(lost_)) {
+      logs_.event(fmt::format("{}: a datagram of {} bytes is lost, as earlier ones still wait",
+                              name_of(from_), bytes.size()));
+    }
   }
 
-  /// One line is enough for all datagrams of some time.
   void refuse() {
-    const Instant now = board_.now();
-    if (refused_ && now - *refused_ < quiet_time) return;
-    refused_ = now;
+    if (!is_time_to_tell(refused_)) return;
     logs_.warning(name_of(from_) + " refused: all ports of the board are taken");
+  }
+
+  /// One line is enough for all datagrams of some time. `told`: when there was one.
+  bool is_time_to_tell(std::optional<Instant>& told) const {
+    const Instant now = board_.now();
+    if (told && now - *told < quiet_time) return false;
+    told = now;
+    return true;
   }
 
   Peer* peer_of(const udp::endpoint& endpoint) {
@@ -142,6 +154,7 @@ class UdpEndpoint final : public Endpoint {
   std::array<std::uint8_t, 65536> input_{};
   udp::endpoint from_{};
   std::optional<Instant> refused_{};  ///< when a host was last told of as refused
+  std::optional<Instant> lost_{};     ///< when a datagram was last told of as lost
 };
 
 }  // namespace

@@ -82,6 +82,11 @@ class Board::Core {
     turns_[port] = idle_[port] = Instant::never;
   }
 
+  void end_input(std::size_t port) {
+    machine.streams.forget(machine, port, clock_);
+    machine.ports.end_input(port);
+  }
+
   void restart(Instant now) {
     run_until(now);
     machine.restarts.restart_now(machine, clock_, false, true);
@@ -178,6 +183,8 @@ std::optional<std::size_t> Board::open_port(bool is_usb) {
 
 void Board::close_port(std::size_t port) { core_->close(port); }
 
+void Board::end_input(std::size_t port) { core_->end_input(port); }
+
 void Board::receive(std::size_t port, std::span<const std::uint8_t> bytes, Instant now) {
   entered().receive(port, bytes, now);
 }
@@ -201,6 +208,11 @@ void Board::set_silent(bool is_silent) { core_->set_silent(is_silent); }
 const Memory& Board::memory() const { return core_->machine.memory; }
 
 std::size_t Board::waiting(std::size_t port) const { return core_->machine.ports.waiting(port); }
+
+bool Board::is_quiet(std::size_t port) const {
+  const Ports& ports = core_->machine.ports;
+  return !ports.is_in_frame(port) && ports.waiting(port) == 0 && ports.output(port).empty();
+}
 
 Gimbal& Board::gimbal() { return core_->machine.gimbal; }
 

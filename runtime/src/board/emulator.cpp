@@ -52,16 +52,26 @@ void Emulator::set_host_line(std::size_t port, const std::optional<LineSettings>
   at(port).to_host.set_host(settings);
 }
 
+void Emulator::end_input(std::size_t port, Instant now) {
+  advance(now);
+  board_.end_input(port);
+  at(port).to_host.end_text();
+}
+
+std::size_t Emulator::waiting(std::size_t port) const {
+  return at(port).to_board.under_way() + board_.waiting(port);
+}
+
 std::size_t Emulator::room(std::size_t port) const {
   const std::size_t limit = input_limit + options_.board.input_buffer;
-  const std::size_t waiting = at(port).to_board.under_way() + board_.waiting(port);
-  return waiting < limit ? limit - waiting : 0;
+  const std::size_t used = waiting(port);
+  return used < limit ? limit - used : 0;
 }
 
 bool Emulator::is_quiet(std::size_t port) const {
   const Port& one = at(port);
-  return one.to_board.under_way() == 0 && board_.waiting(port) == 0 &&
-         board_.output(port).empty() && one.to_host.under_way() == 0 && one.arrived.empty();
+  return one.to_board.under_way() == 0 && board_.is_quiet(port) && one.to_host.under_way() == 0 &&
+         one.arrived.empty();
 }
 
 void Emulator::from_host(std::size_t port, std::span<const std::uint8_t> bytes, Instant now) {
@@ -102,12 +112,14 @@ void Emulator::step(Instant now) {
   }
   board_.advance(now);
   follow_rate();
+  follow_restarts();
   for (std::size_t number = 0; number < ports_.size(); ++number) {
     if (ports_[number]) pump(number, *ports_[number], now);
   }
 }
 
 void Emulator::pump(std::size_t number, Port& port, Instant now) {
+  if (!port.has_room()) port.to_host.leave_out_text(now);
   port.to_host.receive(now, port.arrived);
   while (port.has_room()) {
     const std::span<const std::uint8_t> waiting = board_.output(number);
@@ -127,6 +139,15 @@ void Emulator::follow_rate() {
     if (!port || port->is_usb) continue;
     port->to_board.set_board(options_.line.board);
     port->to_host.set_board(options_.line.board);
+  }
+}
+
+void Emulator::follow_restarts() {
+  // The rest of a frame that the line was carrying may be among what the board has lost.
+  const std::uint64_t lost = board_.counters().outputs_lost;
+  if (std::exchange(outputs_lost_, lost) == lost) return;
+  for (std::optional<Port>& port : ports_) {
+    if (port) port->to_host.break_off_frame();
   }
 }
 

@@ -18,8 +18,9 @@ constexpr std::int64_t steps_per_second = 250;
 /// So often what changes slowly is looked at: a little more than a second.
 constexpr std::int64_t slow_steps = 256;
 constexpr double slow_seconds = slow_steps * step_seconds;
-/// A longer gap is not simulated in full.
-constexpr std::int64_t longest_gap = 3600 * steps_per_second;
+/// A longer gap is not simulated in full, so that who asks after it does not wait. Some ms of the
+/// processor.
+constexpr std::int64_t longest_gap = 60 * steps_per_second;
 /// What is simulated before and behind what is left out.
 constexpr std::int64_t settling_steps = 10 * steps_per_second;
 

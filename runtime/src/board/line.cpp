@@ -41,11 +41,7 @@ Line::Line(const LineOptions& options, Way way, Instant beginning, Instant now)
       run_(now),
       handed_over_(now),
       last_arrival_(now) {
-  const Duration every = options.faults.text_every;
-  if (way == Way::to_host && every > Duration{}) {
-    const std::int64_t passed = (now - beginning).us / every.us;
-    text_due_ = beginning + Duration{every.us * (passed + 1)};
-  }
+  if (way == Way::to_host && options.faults.text_every > Duration{}) plan_text(now);
   settings_changed();
 }
 
@@ -191,17 +187,27 @@ void Line::arrive(std::optional<std::uint8_t> byte, Instant at) {
   arrivals_.push_back({last_arrival_, byte});
 }
 
+bool Line::is_text_due(Instant now) const {
+  return text_due_ && frame_bytes_ == 0 && *text_due_ <= now;
+}
+
+void Line::plan_text(Instant after) {
+  const Duration every = options_.faults.text_every;
+  text_due_ = beginning_ + Duration{((after - beginning_).us / every.us + 1) * every.us};
+}
+
+void Line::leave_out_text(Instant now) {
+  if (is_text_due(now)) plan_text(now);
+}
+
 void Line::put_text(Instant until) {
-  while (text_due_ && frame_bytes_ == 0 && *text_due_ <= until) {
+  while (is_text_due(until)) {
     const Instant at = later(*text_due_, handed_over_);
     const std::uint64_t choice = random_bits(seed(Fault::text), counters_.text_lines++);
     for (const char letter : text_lines[choice % text_lines.size()]) {
       put_with_faults(static_cast<std::uint8_t>(letter), at);
     }
-    // Those that were due meanwhile are left out.
-    const Instant end = later(at, time_of(run_bits_));
-    const Duration every = options_.faults.text_every;
-    text_due_ = beginning_ + Duration{((end - beginning_).us / every.us + 1) * every.us};
+    plan_text(later(at, time_of(run_bits_)));
   }
 }
 

@@ -34,6 +34,8 @@ bool Ports::is_open(std::size_t port) const { return port < ports_.size() && por
 
 bool Ports::is_usb(std::size_t port) const { return is_open(port) && ports_[port].is_usb; }
 
+void Ports::end_input(std::size_t port) { ports_[port].has_ended = true; }
+
 std::uint64_t Ports::parser_errors(const Parser& parser) {
   const ParserCounters counters = parser.counters();
   return counters.header_errors + counters.body_errors + counters.incomplete;
@@ -65,7 +67,7 @@ void Ports::send_frame(std::size_t port, std::span<const std::uint8_t> frame) {
 }
 
 std::size_t Ports::room(std::size_t port) const {
-  if (!is_open(port) || is_silent_) return 0;
+  if (!is_open(port) || is_silent_ || ports_[port].has_ended) return 0;
   const std::size_t size = ports_[port].output_size();
   return size < output_limit_ ? output_limit_ - size : 0;
 }
@@ -110,6 +112,7 @@ Waiting Ports::take(std::size_t port) {
 }
 
 void Ports::restart(bool output_too) {
+  if (output_too) ++counters.outputs_lost;
   for (Port& port : ports_) {
     forget_input(port);
     if (output_too) {

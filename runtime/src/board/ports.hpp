@@ -34,6 +34,8 @@ class Ports {
   void close(std::size_t port);
   bool is_open(std::size_t port) const;
   bool is_usb(std::size_t port) const;
+  /// Its host sends nothing any more: there is no room for samples of streams from now on.
+  void end_input(std::size_t port);
   /// Of the line, since the board has started.
   std::uint64_t errors(std::size_t port) const;
 
@@ -54,7 +56,7 @@ class Ports {
     return true;
   }
   void send_frame(std::size_t port, std::span<const std::uint8_t> frame);
-  /// Bytes that fit into the output buffer now; none into that of a closed port.
+  /// Bytes of samples that fit into the output buffer now; none into that of a closed port.
   std::size_t room(std::size_t port) const;
 
   /// Bytes of requests that wait for their turn.
@@ -95,7 +97,7 @@ class Ports {
   static constexpr std::size_t max_overflow = 4096;
 
   struct Port {
-    bool is_open{}, is_usb{};
+    bool is_open{}, is_usb{}, has_ended{};
     Parser parser{};
     std::deque<Waiting> requests{};
     std::size_t requests_size{};

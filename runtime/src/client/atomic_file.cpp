@@ -81,6 +81,21 @@ int open_beside(const std::filesystem::path& file, std::filesystem::path& path) 
   return -1;
 }
 
+/// Gives a new file the mode of the one that it will replace and, if that is allowed, its owner and
+/// group. What can not be kept gives nobody more rights than before.
+void keep_rights(int descriptor, const std::filesystem::path& replaced) {
+  struct stat old {};
+  if (::stat(replaced.c_str(), &old) != 0 || !S_ISREG(old.st_mode)) return;
+  mode_t mode = old.st_mode & (S_IRWXU | S_IRWXG | S_IRWXO);
+  constexpr uid_t same_owner = ~uid_t{0};
+  if (::fchown(descriptor, old.st_uid, old.st_gid) != 0 &&
+      ::fchown(descriptor, same_owner, old.st_gid) != 0) {
+    // Its group may be anybody, and so has the rights of anybody.
+    mode &= ~static_cast<mode_t>(S_IRWXG) | ((mode & S_IRWXO) << 3U);
+  }
+  ::fchmod(descriptor, mode);
+}
+
 bool write_all(int descriptor, std::string_view content) {
   while (!content.empty()) {
     const ssize_t written = ::write(descriptor, content.data(), content.size());
@@ -128,6 +143,7 @@ Result<void> write_file_atomically(const std::filesystem::path& name, std::strin
   Descriptor opened(open_beside(file, path));
   if (!opened.is_open()) return io_error("cannot write", path, errno);
   const TemporaryFile temporary(path);
+  if (existing == Existing::replace) keep_rights(opened.number(), file);
   const bool is_there = write_all(opened.number(), content) && ::fsync(opened.number()) == 0;
   if (!is_there || !opened.close()) return io_error("cannot write", path, errno);
   const bool replaces = existing == Existing::replace;

@@ -14,7 +14,8 @@ namespace sbgc::detail {
 std::filesystem::path target_of(std::filesystem::path file);
 
 /// Writes a file beside its place, brings it to the disk and moves it there in one step. What is
-/// replaced is the target of a symbolic link, not the link.
+/// replaced is the target of a symbolic link, not the link; the new file has the mode of the old
+/// one and, if that is allowed, its owner and group.
 Result<void> write_file_atomically(const std::filesystem::path& name, std::string_view content,
                                    Existing existing);
 

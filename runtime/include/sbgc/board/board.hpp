@@ -33,6 +33,7 @@ struct BoardCounters {
   std::uint64_t sent{};     ///< frames to hosts
   std::uint64_t skipped{};  ///< samples of streams for which there was no room
   std::uint64_t restarts{};
+  std::uint64_t outputs_lost{};  ///< restarts that lost what waited to be sent
 };
 
 /// The board. It answers every command of the protocol, with a simulated gimbal behind it.
@@ -58,6 +59,8 @@ class Board {
   /// It leaves; its data streams and what waits for it are forgotten. Precondition for all with a
   /// port: it is open.
   void close_port(std::size_t port);
+  /// It sends nothing any more, but takes what it has asked for: only its data streams end.
+  void end_input(std::size_t port);
 
   void receive(std::size_t port, std::span<const std::uint8_t> bytes, Instant now);
   void advance(Instant now);
@@ -71,6 +74,9 @@ class Board {
 
   /// Bytes of requests of that host that wait for their turn.
   std::size_t waiting(std::size_t port) const;
+  /// Nothing that the host has sent waits to be carried out, not even a frame that has only begun,
+  /// and nothing waits to be sent to it.
+  bool is_quiet(std::size_t port) const;
 
   /// Power off and on.
   void restart(Instant now);

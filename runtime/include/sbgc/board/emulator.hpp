@@ -29,7 +29,8 @@ struct EmulatorOptions {
 class Emulator {
  public:
   /// What has arrived at the host and is not taken is limited to so many bytes, give or take what
-  /// the line holds: then the board's output waits, and samples of its streams are skipped.
+  /// the line holds: then the board's output waits, samples of its streams are skipped, and
+  /// text lines left out.
   static constexpr std::size_t output_limit = 65536;
   /// So many bytes from the host may be on their way to the board or wait there for their turn,
   /// beyond its input buffer: see room().
@@ -48,10 +49,16 @@ class Emulator {
   /// What the host's serial port is set to; none: whatever is right.
   void set_host_line(std::size_t port, const std::optional<LineSettings>& settings, Instant now);
 
+  /// The host sends nothing any more: its streams and text lines end, so that is_quiet() tells when
+  /// it has all that it has asked for.
+  void end_input(std::size_t port, Instant now);
+
+  /// Bytes from the host that are on their way, or wait to be carried out.
+  std::size_t waiting(std::size_t port) const;
   /// How many bytes the host should send at most for now; from_host() takes more.
   std::size_t room(std::size_t port) const;
   void from_host(std::size_t port, std::span<const std::uint8_t> bytes, Instant now);
-  /// Nothing that the host has sent waits to be carried out, and no byte for it is under way.
+  /// Nothing that the host has sent waits to be carried out, and all that is for it has been taken.
   bool is_quiet(std::size_t port) const;
   void advance(Instant now);
   Instant next() const;
@@ -86,6 +93,7 @@ class Emulator {
   /// From the board's output onto the line, as far as there is room.
   void pump(std::size_t number, Port& port, Instant now);
   void follow_rate();
+  void follow_restarts();
 
   EmulatorOptions options_;
   Instant beginning_;
@@ -93,6 +101,7 @@ class Emulator {
   Board board_;
   std::array<std::optional<Port>, Board::max_ports> ports_{};
   std::uint32_t connections_ = 0;
+  std::uint64_t outputs_lost_ = 0;
   std::vector<std::uint8_t> received_{};  // scratch
 };
 

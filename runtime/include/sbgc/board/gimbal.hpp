@@ -100,9 +100,9 @@ struct Sample {
 /// up to then. Commands act from the step on that has begun. Same seed, same commands at the same
 /// times: same samples.
 ///
-/// If nobody asks for more than an hour, 10 s are simulated at the beginning and at the end of that
-/// time; between them moves that have speed go on or arrive, the camera is held without error, and
-/// battery, temperatures and drift go where they would.
+/// If nobody asks for more than a minute, 10 s are simulated at the beginning and at the end of
+/// that time; between them moves that have speed go on or arrive, the camera is held without error,
+/// and battery, temperatures and drift go where they would.
 ///
 /// What is handed in may be any number: angles are held within 10^6 degrees, speeds within
 /// 2000 deg/s (which the gyroscope can measure), signals within -1..1; no number counts as 0. The

@@ -88,6 +88,13 @@ class Line {
 
   /// Appends the bytes that have arrived up to now to `into`.
   void receive(Instant now, std::vector<std::uint8_t>& into);
+  /// Text lines that would be put on the line by now are left out instead: there is no room for
+  /// them.
+  void leave_out_text(Instant now);
+  /// No more text lines.
+  void end_text() { text_due_.reset(); }
+  /// The sender has lost the rest of the frame that it was sending.
+  void break_off_frame() { frame_bytes_ = 0; }
   /// When receive() has something to do, Instant::never if only after send().
   Instant next() const;
   /// Bytes that have been sent and not received; at a limited rate also those that never will be,
@@ -117,6 +124,9 @@ class Line {
   void hear(bool level, Duration delay);
   void hear_idle(Instant until);
   void arrive(std::optional<std::uint8_t> byte, Instant at);
+  bool is_text_due(Instant now) const;
+  /// The next one; those that are due before are left out.
+  void plan_text(Instant after);
   /// Text lines that are due.
   void put_text(Instant until);
   void follow_frame(std::uint8_t byte);
