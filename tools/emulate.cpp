@@ -32,7 +32,7 @@ namespace {
 using emulate::Service;
 using emulate::ServiceOptions;
 
-struct Options {
+struct EmulateOptions {
   ServiceOptions service{};
   std::uint32_t seed = 1;
   bool verbose = false;
@@ -53,7 +53,7 @@ void allow_many_files() {
   setrlimit(RLIMIT_NOFILE, &limit);  // if not: what then can not be opened says so
 }
 
-int serve(const Options& options) {
+int serve(const EmulateOptions& options) {
   // Standard output belongs to the host then.
   const bool tells_on_stderr = options.service.stdio;
   // Hosts do not wait for readers of what is told, nor is one that has gone away, or a full disk, a
@@ -132,7 +132,7 @@ std::string problem_of_path(const std::string& path) {
   return path.empty() ? "the path is empty" : "";
 }
 
-void add_board_options(CLI::App& command, Options& options) {
+void add_board_options(CLI::App& command, EmulateOptions& options) {
   ServiceOptions& service = options.service;
   board::Options& board = service.emulator.board;
   add_parsed(
@@ -189,7 +189,7 @@ void add_board_options(CLI::App& command, Options& options) {
       ->group("The board");
 }
 
-void add_endpoint_options(CLI::App& command, Options& options) {
+void add_endpoint_options(CLI::App& command, EmulateOptions& options) {
   ServiceOptions& service = options.service;
   command
       .add_flag("--pty", service.terminal, "A pseudo-terminal; that is what there is without any")
@@ -216,7 +216,7 @@ void add_endpoint_options(CLI::App& command, Options& options) {
       ->group("Where hosts connect");
 }
 
-void add_line_options(CLI::App& command, Options& options) {
+void add_line_options(CLI::App& command, EmulateOptions& options) {
   board::EmulatorOptions& emulator = options.service.emulator;
   board::LineOptions& line = emulator.line;
   board::Faults& faults = line.faults;
@@ -269,7 +269,7 @@ void add_line_options(CLI::App& command, Options& options) {
 }
 
 /// What goes together, and what does not.
-void check(Options& options) {
+void check(EmulateOptions& options) {
   ServiceOptions& service = options.service;
   if (!service.tcp && !service.udp && !service.stdio) service.terminal = true;
   if (!service.link.empty()) service.terminal = true;
@@ -292,7 +292,7 @@ void check(Options& options) {
 void add_emulate(CLI::App& app, int& status) {
   auto* const command =
       app.add_subcommand("emulate", "Play gimbals, for programs that talk to them");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<EmulateOptions>();
   add_endpoint_options(*command, *options);
   add_board_options(*command, *options);
   add_line_options(*command, *options);
