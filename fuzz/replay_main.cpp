@@ -1,5 +1,6 @@
 // Stands in for libFuzzer's main where there is no libFuzzer: runs the fuzz target once on nothing,
-// then once on every file named on the command line or found in a folder named there.
+// then once on every file named on the command line or found in a folder named there. There has to
+// be one, or nothing has been tested.
 
 #include <cstddef>
 #include <cstdint>
@@ -39,5 +40,5 @@ int main(int argc, char** argv) {
     }
   }
   std::printf("%d inputs replayed\n", count);
-  return 0;
+  return count > 0 ? 0 : 1;
 }

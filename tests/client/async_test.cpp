@@ -22,6 +22,7 @@
 #include <sbgc/client/async_client.hpp>
 #include <sbgc/messages.hpp>
 
+#include "collector.hpp"
 #include "scripted_board.hpp"
 
 namespace sbgc::test {
@@ -59,6 +60,7 @@ class Async : public ::testing::Test {
     ASSERT_TRUE(connected) << connected.error().message;
   }
 
+  Collector<DataStreamInterval> registrations;
   ScriptedBoard board;
   Running running;
 };
@@ -174,7 +176,9 @@ TEST_F(Async, DestroyingTheClientOnItsExecutorEndsTheSearchForTheLine) {
     client.reset();
     destroyed.set_value();
   });
-  EXPECT_EQ(destroyed.get_future().wait_for(std::chrono::seconds(3)), std::future_status::ready);
+  const auto is_destroyed = destroyed.get_future();
+  EXPECT_EQ(is_destroyed.wait_for(std::chrono::seconds(10)), std::future_status::ready);
+  is_destroyed.wait();  // what is posted refers to this function
   EXPECT_EQ(connected.get().error().code, ErrorCode::cancelled);
 }
 
@@ -232,8 +236,9 @@ TEST_F(Async, DestroyingTheClientEndsTheCallsOfATask) {
 
 TEST_F(Async, StreamsOnTheExecutor) {
   board.on<DataStreamInterval>([&](const DataStreamInterval& request) {
+    registrations.add(request);
     board.confirm(request);
-    if (request.interval_ms.raw() != 0) board.send(RealtimeData4{});
+    if (board.count<DataStreamInterval>() == 0) board.send(RealtimeData4{});
   });
   AsyncClient client(running.executor());
   connect(client);
@@ -247,7 +252,9 @@ TEST_F(Async, StreamsOnTheExecutor) {
   ASSERT_TRUE(stream) << stream.error().message;
   EXPECT_EQ(where.get_future().get(), running.thread());
   stream->cancel();
-  EXPECT_TRUE(board.wait_for<DataStreamInterval>(2));
+  EXPECT_TRUE(registrations.wait_until([](const auto& requests) {
+    return !requests.empty() && requests.back().interval_ms == Milliseconds{};
+  }));
 }
 
 TEST_F(Async, StreamWithAnImpossibleIntervalCompletesWithAnError) {
@@ -265,10 +272,12 @@ TEST_F(Async, StreamWithAnImpossibleIntervalCompletesWithAnError) {
                                           std::to_string(interval.count()) +
                                           " ms: from 1 to 65535 ms is possible");
   }
-  const auto possible = client
-                            .async_stream<RealtimeData4>(
-                                milliseconds(20), [](const RealtimeData4&) {}, {}, asio::use_future)
-                            .get();
+  const auto possible =
+      client
+          .async_stream<RealtimeData4>(
+              milliseconds(20), [](const RealtimeData4&) {},
+              {.timeout = std::chrono::seconds(10), .retries = 0}, asio::use_future)
+          .get();
   EXPECT_TRUE(possible);
   EXPECT_TRUE(board.wait_for<DataStreamInterval>(1));
   EXPECT_EQ(board.count<DataStreamInterval>(), 1U) << "nothing was sent for the others";

@@ -11,6 +11,7 @@
 #include <sbgc/io/pseudo_terminal.hpp>
 #include <sbgc/messages.hpp>
 
+#include "collector.hpp"
 #include "scripted_board.hpp"
 
 namespace sbgc::test {
@@ -46,6 +47,7 @@ class Examples : public ::testing::Test {
     board.on<ControlExt>([this](const ControlExt& request) { turn(request.axes.pitch.angle); });
     board.answer<GetAnglesRequest>(angles_);
     board.on<DataStreamInterval>([this](const DataStreamInterval& request) {
+      registrations.add(request);
       board.confirm(request);
       if (request.interval_ms.raw() == 0) return;
       for (int i = 0; i < 60; ++i) board.send(sample_);
@@ -55,9 +57,6 @@ class Examples : public ::testing::Test {
     port = opened.transport->path();
     board.serve(std::move(opened.transport));
   }
-
-  ScriptedBoard board;
-  std::string port;
 
  private:
   void turn(Angle14 pitch) {
@@ -69,6 +68,11 @@ class Examples : public ::testing::Test {
 
   GetAngles angles_;
   RealtimeData4 sample_;
+
+ protected:
+  Collector<DataStreamInterval> registrations;
+  ScriptedBoard board;  // behind what its hooks use
+  std::string port;
 };
 
 TEST_F(Examples, Quickstart) {
@@ -76,7 +80,9 @@ TEST_F(Examples, Quickstart) {
   EXPECT_EQ(result.status, 0);
   EXPECT_THAT(result.output, AllOf(HasSubstr("board 3.0, firmware 2.59, on serial port " + port),
                                    HasSubstr("roll    0.0  pitch  -30.0  yaw   12.5 degrees\n")));
-  EXPECT_TRUE(board.wait_for<DataStreamInterval>(2)) << "it does not end its stream";
+  EXPECT_TRUE(registrations.wait_until([](const auto& requests) {
+    return !requests.empty() && requests.back().interval_ms == Milliseconds{};
+  })) << "it does not end its stream";
 }
 
 TEST_F(Examples, AsyncStream) {

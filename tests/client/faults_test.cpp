@@ -54,7 +54,7 @@ TEST(Faults, ABackupGetsThroughDuplicatedBytes) { expect_backup({.duplicated = 1
 
 TEST(Faults, ABackupGetsThroughSilence) {
   // From the beginning, when the client asks who is there.
-  expect_backup({.silences = {{.from = {}, .length = milliseconds(300)}}});
+  expect_backup({.silences = {{.from = {}, .length = milliseconds(2000)}}});
 }
 
 TEST(Faults, ABackupGetsThroughText) {
@@ -66,17 +66,19 @@ TEST(Faults, ABackupGetsThroughText) {
   const auto backup = make_backup(*client);
   ASSERT_TRUE(backup) << backup.error().message;
   EXPECT_EQ(*backup->settings.get<ReadParams3>(4), board.settings<ReadParams3>(4));
-  EXPECT_EQ(client->statistics().session.retries, 0U);
+  EXPECT_GT(client->statistics().session.parser.skipped_bytes, 0U) << "there was no text";
 }
 
 TEST(Faults, ABoardThatIsSwitchedOffAndOnAnswersAgain) {
-  EmulatedBoard board;
+  board::EmulatorOptions options = quick_board();
+  options.board.start_time = seconds(60);  // longer than this machine may be busy
+  EmulatedBoard board(options);
   auto client = connect_over(board.line(), patient());
   ASSERT_TRUE(client) << client.error().message;
   ASSERT_TRUE(client->get_angles());
   board.restart();
   EXPECT_FALSE(client->get_angles({}, {.timeout = std::chrono::milliseconds(20), .retries = 0}));
-  board.skip(std::chrono::seconds(1));
+  board.skip(std::chrono::seconds(61));
   EXPECT_TRUE(client->get_angles());
 }
 

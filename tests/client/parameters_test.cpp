@@ -10,6 +10,8 @@
 namespace sbgc::test {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -108,6 +110,7 @@ TEST_F(ParametersTest, ReadingEndsWithItsTime) {
 }
 
 TEST_F(ParametersTest, AnAnswerAboutAnotherProfileIsNotTaken) {
+  connect(0);
   board.tamper([](Packets& answers) {
     for (Packet& one : answers) {
       if (is<ReadParams3>(one) && one.body[0] == 1) one.body[0] = 3;
@@ -131,7 +134,7 @@ TEST_F(ParametersTest, WritingWhatIsThereWritesNothing) {
   const WriteReport report = write_parameters(client(), set);
   EXPECT_TRUE(report) << to_text(report);
   EXPECT_EQ(writes(), 0U);
-  for (const BlockState state : states(report)) EXPECT_EQ(state, BlockState::equal);
+  EXPECT_THAT(states(report), AllOf(SizeIs(18), Each(BlockState::equal)));
 }
 
 TEST_F(ParametersTest, OnlyBlocksThatDifferAreWrittenAndNothingElseChanges) {
@@ -250,6 +253,7 @@ TEST_F(ParametersTest, AWriteThatIsLostIsReportedAsUnwritten) {
     wanted.gyro_trust = 5;
     ASSERT_TRUE(set.set(wanted));
   }
+  connect(0);
   board.on_lost(
       [](const Packet& request) { return is<WriteParams3>(request) && request.body[0] == 3; });
   const WriteReport report = write_parameters(client(), set);
@@ -265,6 +269,7 @@ TEST_F(ParametersTest, AWriteWhoseConfirmationIsLostIsReportedAsWrittenAndStillA
   ReadParams3 wanted = get(set, 1);
   wanted.gyro_trust = 5;
   ASSERT_TRUE(set.set(wanted));
+  connect(0);
   board.on_answer_lost([](const Packet& request) { return is<WriteParams3>(request); });
   const WriteReport report = write_parameters(client(), set);
   ASSERT_FALSE(report);
@@ -276,6 +281,7 @@ TEST_F(ParametersTest, WhatCannotBeReadBackIsUnknown) {
   ReadParams3 wanted = get(set, 1);
   wanted.gyro_trust = 5;
   ASSERT_TRUE(set.set(wanted));
+  connect(0);
   board.on_lost([is_dead = false](const Packet& request) mutable {
     return is_dead || (is_dead = is<WriteParams3>(request));
   });

@@ -4,10 +4,8 @@
 #include <array>
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <future>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,6 +19,7 @@
 #include <sbgc/client/client.hpp>
 #include <sbgc/messages.hpp>
 
+#include "collector.hpp"
 #include "scripted_board.hpp"
 
 namespace sbgc::test {
@@ -28,37 +27,6 @@ namespace {
 
 using std::chrono::milliseconds;
 using ::testing::HasSubstr;
-
-/// Collects what handlers are called with.
-template <class T>
-class Collector {
- public:
-  void add(const T& item) {
-    const std::lock_guard lock(mutex_);
-    items_.push_back(item);
-    added_.notify_all();
-  }
-
-  /// What has come once there are `count`; less only after a failure.
-  std::vector<T> wait_for(std::size_t count) {
-    std::unique_lock lock(mutex_);
-    EXPECT_TRUE(
-        added_.wait_for(lock, std::chrono::seconds(10), [&] { return items_.size() >= count; }));
-    return items_;
-  }
-
-  /// Waits until `done(items)`.
-  template <class Done>
-  bool wait_until(Done done) {
-    std::unique_lock lock(mutex_);
-    return added_.wait_for(lock, std::chrono::seconds(10), [&] { return done(items_); });
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable added_;
-  std::vector<T> items_;
-};
 
 GetAngles angles(std::int16_t raw) {
   GetAngles message;
@@ -90,6 +58,8 @@ class Subscribed : public ::testing::Test {
     EXPECT_TRUE(client.calib_info());
   }
 
+  /// For calls that are counted.
+  const CallOptions once{.timeout = std::chrono::seconds(10), .retries = 0};
   Collector<DataStreamInterval> registrations;
   ScriptedBoard board;
 };
@@ -111,7 +81,7 @@ TEST_F(Subscribed, GetsAnswersOfCallsToo) {
   Collector<GetAngles> got;
   const auto subscription =
       client.subscribe<GetAngles>([&](const GetAngles& message) { got.add(message); });
-  EXPECT_TRUE(client.get_angles());
+  EXPECT_TRUE(client.get_angles({}, once));
   EXPECT_THAT(got.wait_for(1), ::testing::ElementsAre(angles(3)));
 }
 
@@ -170,7 +140,10 @@ TEST_F(Subscribed, EndingWaitsForTheHandler) {
   });
   board.send(angles(1));
   entered.get_future().wait();
-  std::thread release([&] { leave.set_value(); });
+  std::thread release([&] {
+    std::this_thread::sleep_for(milliseconds(50));  // the other thread waits by then
+    leave.set_value();
+  });
   subscription.reset();
   EXPECT_FALSE(is_running);
   release.join();
@@ -221,7 +194,7 @@ TEST_F(Subscribed, ToAStreamRegistersItAndEndsIt) {
   Client client = connect();
   Collector<RealtimeData4> samples;
   auto stream = client.stream<RealtimeData4>(
-      milliseconds(20), [&](const RealtimeData4& sample) { samples.add(sample); });
+      milliseconds(20), [&](const RealtimeData4& sample) { samples.add(sample); }, once);
   ASSERT_TRUE(stream) << stream.error().message;
   DataStreamInterval expected;
   expected.cmd_id = CommandId::realtime_data_4;
@@ -240,7 +213,8 @@ TEST_F(Subscribed, ToAStreamWithAnIntervalThatTheRequestCannotTellFails) {
   serve_streams();
   Client client = connect();
   const auto ask = [&](milliseconds interval) {
-    return client.stream<RealtimeData4>(interval, [](const RealtimeData4&) {});
+    return client.stream<RealtimeData4>(
+        interval, [](const RealtimeData4&) {}, once);
   };
   for (const milliseconds interval :
        {milliseconds(0), milliseconds(-20), milliseconds(0x10000), milliseconds(70000),
@@ -285,8 +259,10 @@ TEST_F(Subscribed, ToAStreamEndsItWithTheClient) {
 TEST_F(Subscribed, ToTheSameStreamTwiceEndsItOnce) {
   serve_streams();
   Client client = connect();
-  auto first = client.stream<RealtimeData4>(milliseconds(20), [](const RealtimeData4&) {});
-  auto second = client.stream<RealtimeData4>(milliseconds(20), [](const RealtimeData4&) {});
+  auto first = client.stream<RealtimeData4>(
+      milliseconds(20), [](const RealtimeData4&) {}, once);
+  auto second = client.stream<RealtimeData4>(
+      milliseconds(20), [](const RealtimeData4&) {}, once);
   ASSERT_TRUE(first && second);
   first->cancel();
   settle(client);
@@ -361,7 +337,8 @@ TEST_F(Subscribed, ToAStreamThatTheBoardRefusesFails) {
     board.send(error);
   });
   Client client = connect();
-  const auto stream = client.stream<RealtimeData4>(milliseconds(20), [](const RealtimeData4&) {});
+  const auto stream = client.stream<RealtimeData4>(
+      milliseconds(20), [](const RealtimeData4&) {}, once);
   ASSERT_FALSE(stream);
   EXPECT_EQ(stream.error().code, ErrorCode::board_error);
   settle(client);
@@ -370,7 +347,7 @@ TEST_F(Subscribed, ToAStreamThatTheBoardRefusesFails) {
 
 TEST_F(Subscribed, ToAStreamEndsItWhenItIsCancelledBehindTheClient) {
   // The line must be closed behind the end of the stream, whoever comes first.
-  board.on<DataStreamInterval>([this](const DataStreamInterval& m) { board.confirm(m); });
+  serve_streams();
   Client client = connect();
   auto stream = client.stream<RealtimeData4>(milliseconds(20), [](const RealtimeData4&) {});
   ASSERT_TRUE(stream) << stream.error().message;
@@ -386,7 +363,9 @@ TEST_F(Subscribed, ToAStreamEndsItWhenItIsCancelledBehindTheClient) {
   client.close();
   stream->cancel();
   may_go_on.set_value();
-  EXPECT_TRUE(board.wait_for<DataStreamInterval>(2));
+  EXPECT_TRUE(registrations.wait_until([](const auto& requests) {
+    return !requests.empty() && requests.back().interval_ms == Milliseconds{};
+  }));
 }
 
 TEST_F(Subscribed, ToAStreamThatMayHaveBegunUnheardEndsIt) {
@@ -396,7 +375,7 @@ TEST_F(Subscribed, ToAStreamThatMayHaveBegunUnheardEndsIt) {
   });
   Client client = connect();
   const auto stream = client.stream<RealtimeData4>(milliseconds(20), [](const RealtimeData4&) {},
-                                                   {.timeout = milliseconds(30), .retries = 0});
+                                                   {.timeout = milliseconds(1000), .retries = 0});
   ASSERT_FALSE(stream);
   EXPECT_EQ(stream.error().code, ErrorCode::timeout);
   const auto asked = registrations.wait_for(2);

@@ -13,10 +13,10 @@ TaskTest::TaskTest() {
 
 TaskTest::~TaskTest() = default;
 
-void TaskTest::connect() {
+void TaskTest::connect(unsigned retries) {
   client_.reset();
   ConnectOptions options = quick();
-  options.retries = 0;
+  options.retries = retries;
   Result<Client> connected = connect_over(board.line(), options);
   if (!connected) throw std::runtime_error(connected.error().message);
   client_.emplace(*std::move(connected));

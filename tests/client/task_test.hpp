@@ -30,8 +30,9 @@ class TaskTest : public ::testing::Test {
     if (!client_) connect();
     return *client_;
   }
-  /// Connects once more, to what the board is now. The log begins then.
-  void connect();
+  /// Connects once more, to what the board is now. The log begins then. Without retries, what gets
+  /// lost is soon known.
+  void connect(unsigned retries = 3);
   void disconnect() { client_.reset(); }
   /// Makes it a board of this version with this firmware.
   void become(BoardVersion version, FirmwareVersion firmware);

@@ -105,12 +105,14 @@ TEST_F(Tcp, CloseDuringReadAndWrite) {
 }
 
 TEST_F(Tcp, RefusedIsSaid) {
-  const std::uint16_t free = acceptor.local_endpoint().port();
-  acceptor.close();
-  const OpenResult result = open_tcp(context.get_executor(), "127.0.0.1", free);
+  // Nobody else may get the port, but nobody listens there.
+  board.open(tcp::v4());
+  board.bind({here, 0});
+  const std::uint16_t taken = board.local_endpoint().port();
+  const OpenResult result = open_tcp(context.get_executor(), "127.0.0.1", taken);
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error.code, Errc::refused);
-  EXPECT_THAT(result.error.message, HasSubstr("127.0.0.1:" + std::to_string(free) + " refused"));
+  EXPECT_THAT(result.error.message, HasSubstr("127.0.0.1:" + std::to_string(taken) + " refused"));
 }
 
 TEST_F(Tcp, SilentHostIsGivenUpInTime) {
@@ -211,7 +213,7 @@ TEST_F(Udp, StrangersAreNotHeard) {
 
 TEST_F(Udp, NobodyThereIsSaid) {
   connect();
-  board.close();
+  board.connect(board.local_endpoint());  // keeps the port, but hears only itself
   Operation reading;
   Bytes into(8);
   port->async_read(into, reading.handler());

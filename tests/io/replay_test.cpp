@@ -1,6 +1,8 @@
 // Replay of captures: what comes, in which pieces, and when.
 
+#include <algorithm>
 #include <chrono>
+#include <span>
 #include <string>
 
 #include <asio/error.hpp>
@@ -8,7 +10,9 @@
 #include <gmock/gmock.h>
 
 #include <sbgc/io/replay.hpp>
+#include <sbgc/wire.hpp>
 
+#include "../common/crc32.hpp"
 #include "capture_support.hpp"
 
 namespace sbgc::io::test {
@@ -85,6 +89,11 @@ TEST_F(Replay, OriginalTiming) {
 
 TEST_F(Replay, NoPauseBetweenSessions) {
   session({{0s, "a"}, {30ms, "b"}});
+  // As if that had been in 1970: the header has its start at 12, and its checksum at 20.
+  Bytes bytes = file.content();
+  std::fill_n(bytes.begin() + 12, 8, std::uint8_t{0});
+  wire::store(bytes.data() + 20, sbgc::detail::crc32(std::span(bytes).first(20)));
+  file.write(bytes);
   session({{10ms, "c"}});
   open(ReplayTiming::original);
   const auto start = SteadyClock::now();

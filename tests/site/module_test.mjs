@@ -131,10 +131,13 @@ test("every vector gives the line that the command prints", () => {
 
 test("captures give the lines that the command prints", () => {
   const folder = path.join(root, "examples/captures");
+  let compared = 0;
   for (const name of fs.readdirSync(folder)) {
     const capture = fs.readFileSync(path.join(folder, name));
-    if (name.endsWith(".bin") || name.endsWith(".hex")) agree(capture, "auto", name.endsWith(".hex"));
+    if (!name.endsWith(".bin") && !name.endsWith(".hex")) continue;
+    compared += agree(capture, "auto", name.endsWith(".hex"));
   }
+  assert.ok(compared > 0);
 });
 
 test("pieces of any size give the same", () => {

@@ -340,4 +340,6 @@ def test_ports_are_listed() -> None:
     for port in ports:
         assert port["name"] in text.text
         assert set(port) == {"name", "description", "usb"}
-    assert bool(ports) or text.text == "There is no serial port.\n"
+    if not ports:
+        assert text.text == "There is no serial port.\n"
+        pytest.skip("there is none here")

@@ -104,7 +104,7 @@ class Connector {
     auto detection = waiter->wait_until(io::to_chrono(deadline_));
     if (!detection) {
       state_->stop_detecting();
-      detection = waiter->wait_until(io::to_chrono(deadline_ + milliseconds(200)));
+      detection = waiter->wait_until(io::to_chrono(io::now() + milliseconds(200)));
     }
     if (detection && detection->found) return {};
     const std::string description = state_->description();

@@ -1,11 +1,12 @@
 #include <algorithm>
 #include <memory>
 #include <span>
-#include <tuple>
 
 #include <libserialport.h>
 
 #include <sbgc/io/ports.hpp>
+
+#include "port_order.hpp"
 
 namespace sbgc::io {
 
@@ -29,15 +30,6 @@ PortInfo describe(const sp_port* port) {
   return result;
 }
 
-/// ttyUSB2 before ttyUSB10: the shorter of two numbers is the smaller.
-bool before(const PortInfo& a, const PortInfo& b) {
-  const auto key = [](const std::string& name) {
-    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
-    return std::tuple(name.substr(0, digits), name.size(), name);
-  };
-  return key(a.name) < key(b.name);
-}
-
 }  // namespace
 
 PortList list_ports() {
@@ -50,7 +42,7 @@ PortList list_ports() {
   const std::unique_ptr<sp_port*, void (*)(sp_port**)> owner(list, sp_free_port_list);
   PortList result;
   for (sp_port** port = list; *port != nullptr; ++port) result.ports.push_back(describe(*port));
-  std::sort(result.ports.begin(), result.ports.end(), before);
+  std::ranges::sort(result.ports, detail::comes_before, &PortInfo::name);
   return result;
 }
 

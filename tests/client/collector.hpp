@@ -1,0 +1,45 @@
+/// Collects what another thread delivers.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <mutex>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace sbgc::test {
+
+/// Collects what handlers are called with.
+template <class T>
+class Collector {
+ public:
+  void add(const T& item) {
+    const std::lock_guard lock(mutex_);
+    items_.push_back(item);
+    added_.notify_all();
+  }
+
+  /// What has come once there are `count`; less only after a failure.
+  std::vector<T> wait_for(std::size_t count) {
+    std::unique_lock lock(mutex_);
+    EXPECT_TRUE(
+        added_.wait_for(lock, std::chrono::seconds(10), [&] { return items_.size() >= count; }));
+    return items_;
+  }
+
+  /// Waits until `done(items)`.
+  template <class Done>
+  bool wait_until(Done done) {
+    std::unique_lock lock(mutex_);
+    return added_.wait_for(lock, std::chrono::seconds(10), [&] { return done(items_); });
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable added_;
+  std::vector<T> items_;
+};
+
+}  // namespace sbgc::test
