@@ -57,6 +57,11 @@ TEST(DebugVariables, AgreeWithTheLiveData) {
   EXPECT_NEAR(debug_values(host).at("BATTERY")[0], data.bat_level.volts(), 0.05);
 }
 
+TEST(DebugVariables, TellNoVoltageThatIsNotMeasured) {
+  Host host({.features = BoardFeature::three_axis});
+  EXPECT_EQ(debug_values(host).at("BATTERY")[0], 0);
+}
+
 TEST(DebugVariables, FollowTheProfile) {
   Host host;
   EXPECT_EQ(debug_values(host).at("PROFILE")[0], 0);

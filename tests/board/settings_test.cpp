@@ -261,13 +261,13 @@ TEST(Settings, DefaultsAreOfOneProfile) {
   settings.select_profile(2);
   settings.use_defaults(2);
   EXPECT_EQ(settings.of<ReadParamsExt>(), sbgc::board::factory_settings<ReadParamsExt>(2));
-  EXPECT_EQ(Settings(memory).of<ReadParams3>(), sbgc::board::factory_settings<ReadParams3>(2));
+  EXPECT_EQ(Settings(memory).of<ReadParams3>(), settings.of<ReadParams3>());
   settings.use_defaults(4);
   EXPECT_EQ(settings.profile(), 2);
   for_each_random(4, [&]<class M>(std::uint8_t copy, const M& message) {
-    const M factory = sbgc::board::factory_settings<M>(copy);
     const bool is_new = SettingsOf<M>::copies > 1 && (copy == 2 || copy == 4);
-    EXPECT_EQ(settings.read<M>(copy), is_new ? factory : with_general_of(factory, message));
+    const M factory = with_general_of(message, sbgc::board::factory_settings<M>(copy));
+    EXPECT_EQ(settings.read<M>(copy), is_new ? factory : message);
   });
 }
 

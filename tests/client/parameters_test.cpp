@@ -341,6 +341,26 @@ TEST_F(ParametersTest, AGeneralSettingIsChangedInAllProfiles) {
   EXPECT_EQ(board.settings<ReadParams3>(3).general_flags1, GeneralFlag::blink_profile);
 }
 
+TEST_F(ParametersTest, AFailureTellsWhatWritingHasChangedInOtherProfiles) {
+  fill();
+  ParameterSet set = read();
+  for (std::uint8_t profile = 0; profile < 5; ++profile) {
+    ReadParams3 wanted = get(set, profile);
+    wanted.general_flags1 = GeneralFlag::blink_profile;
+    wanted.gyro_trust = 99;
+    ASSERT_TRUE(set.set(wanted));
+  }
+  connect(0);
+  board.on_lost(
+      [](const Packet& request) { return is<WriteParams3>(request) && request.body[0] == 1; });
+  const WriteReport report = write_parameters(client(), set);
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.outcome.error().code, ErrorCode::timeout);
+  EXPECT_EQ(state(report, {"ReadParams3", 0}), BlockState::written);
+  EXPECT_EQ(state(report, {"ReadParams3", 4}), BlockState::different);
+  EXPECT_EQ(state(report, {"ReadParamsExt", 4}), BlockState::equal);
+}
+
 TEST_F(ParametersTest, ProfilesThatWantDifferentGeneralSettingsAreRefused) {
   fill();
   ParameterSet set = read();

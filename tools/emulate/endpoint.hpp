@@ -30,7 +30,7 @@ class Endpoint {
 using Log = std::function<void(const std::string&)>;
 
 struct EndpointLogs {
-  Log event{};    ///< hosts come and go
+  Log event{};    ///< hosts come and go, datagrams are lost
   Log warning{};  ///< what is not as it should be
 };
 

@@ -65,6 +65,7 @@ void Host::write() {
   const std::size_t size = std::min(waiting.size(), most_per_write);
   output_.assign(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(size));
   is_writing_ = true;
+  written_at_ = io::Clock::now();
   board_.take(port_, size);
   if (before_bytes) before_bytes(port_);
   transport_->async_write(output_, [self = shared_from_this()](std::error_code error, std::size_t) {

@@ -23,9 +23,9 @@ using asio::ip::tcp;
 /// After an accept that failed, for example because there are too many open files.
 constexpr auto wait_after_failure = std::chrono::milliseconds(200);
 
-/// So a host whose machine or network has gone away does not keep its port: it is asked for a sign
-/// of life when it has been quiet. That fails where it can not be set, and is no reason to refuse
-/// it.
+/// So a quiet host whose machine or network has gone away does not keep its port: it is asked for a
+/// sign of life. One to which data are under way the system gives up later, when it has tried long
+/// enough. That this can not be set is no reason to refuse a host.
 void ask_for_life(tcp::socket& socket) {
   constexpr int quiet_seconds = 10;
   constexpr int seconds_between = 5;

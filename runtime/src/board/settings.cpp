@@ -71,7 +71,11 @@ void Settings::save() {
 
 void Settings::use_defaults(std::uint8_t profile) {
   StoredMessages::for_each([&]<class M>(Type<M>) {
-    if constexpr (is_of_profile<M>) static_cast<void>(write(profile, factory_settings<M>(profile)));
+    if constexpr (is_of_profile<M>) {
+      M defaults = factory_settings<M>(profile);
+      share(record<M>(0), defaults);
+      static_cast<void>(write(profile, defaults));
+    }
   });
 }
 

@@ -125,8 +125,7 @@ class Settings {
   /// Stores what is in use in the active profile.
   void save();
 
-  /// Factory settings for one profile, in the EEPROM and in use; for the board as well what is
-  /// general, because all settings that are read for this profile are then those of a new board.
+  /// Factory settings for one profile, in the EEPROM and in use; general ones stay as they are.
   /// Precondition: there is one.
   void use_defaults(std::uint8_t profile);
   /// Erases the whole EEPROM, files and user data with it; factory settings are in use, the first

@@ -261,10 +261,28 @@ class Writing {
   Result<void> write_all() {
     for (std::size_t i = 0; i < steps_.size(); ++i) {
       if (report_.blocks[i].state == BlockState::equal) continue;
-      if (auto going = tell(steps_.size() + i, to_text(report_.blocks[i].id)); !going) return going;
-      if (auto done = write(i); !done) return done;
+      auto going = tell(steps_.size() + i, to_text(report_.blocks[i].id));
+      if (!going) return stop(i, std::move(going));
+      if (auto done = write(i); !done) return stop(i + 1, std::move(done));
     }
     return check_all();
+  }
+
+  /// Ends it early, with blocks in front of `end` sent: their general settings are the same in
+  /// other blocks, so what these say now has to be read.
+  Result<void> stop(std::size_t end, Result<void> why) {
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+      const auto changes_it = [&](const Step& sent) {
+        return sent.kind == steps_[i].kind && &sent != &steps_[i] &&
+               !detail::general_changes(*sent.kind, sent.before, sent.wanted).empty();
+      };
+      if (!std::any_of(steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(end),
+                       changes_it)) {
+        continue;
+      }
+      if (!look(i)) report_.blocks[i].state = BlockState::unknown;
+    }
+    return why;
   }
 
   Result<void> write(std::size_t index) {
@@ -311,7 +329,7 @@ class Writing {
     std::string wrong;
     for (std::size_t i = 0; any && i < steps_.size(); ++i) {
       auto going = tell(2 * steps_.size() + i, to_text(report_.blocks[i].id));
-      if (!going) return going;
+      if (!going) return stop(steps_.size(), std::move(going));
       if (auto seen = look(i); !seen) {
         // What is still to be looked at may have been changed by what was written since.
         for (std::size_t rest = i; rest < steps_.size(); ++rest) {

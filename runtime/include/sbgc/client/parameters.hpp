@@ -155,7 +155,7 @@ enum class BlockState : std::uint8_t {
   equal,      ///< what was wanted stood there already
   written,    ///< it has been written and read back
   unwritten,  ///< what stood there before still does
-  different,  ///< read back after writing: neither what was wanted nor what stood there before
+  different,  ///< read back since: neither what was wanted nor what stood there before
   unknown,    ///< it has been sent, and could not be read back since
 };
 
