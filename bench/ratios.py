@@ -3,8 +3,8 @@
 usage: ratios.py FILE...    (written with --benchmark_format=json; - is standard input)
 
 A benchmark is named group/case. Within each group the case "memcpy" is the measure: the last column
-is speed as a share of its speed. Repetitions count by their median. Benchmarks that report no bytes
-are compared by time.
+is speed as a share of its speed, behind which stand counters of a benchmark's own. Repetitions count by
+their median. Benchmarks that report no bytes are compared by time.
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ class Figure:
     name: str
     nanoseconds: float
     bytes_per_second: Optional[float]
+    counters: dict[str, float]
 
     def speed_against(self, baseline: Figure) -> float:
         if self.bytes_per_second and baseline.bytes_per_second:
@@ -36,6 +37,11 @@ NANOSECONDS = {"ns": 1.0, "us": 1e3, "ms": 1e6, "s": 1e9}
 
 # What Google Benchmark adds to a name to tell how the benchmark ran.
 RUN_SUFFIXES = ("repeats:", "min_time:", "min_warmup_time:", "iterations:", "real_time")
+
+
+# What Google Benchmark says of every run; other numbers are counters.
+FACTS = """family_index per_family_instance_index repetitions repetition_index threads iterations
+real_time cpu_time bytes_per_second items_per_second""".split()
 
 
 def bare_name(run_name: str) -> str:
@@ -53,7 +59,9 @@ def read_figures(document: dict[str, Any]) -> list[Figure]:
     for name, repetitions in runs.items():
         speeds = [r["bytes_per_second"] for r in repetitions if "bytes_per_second" in r]
         time = median(r["cpu_time"] * NANOSECONDS[r["time_unit"]] for r in repetitions)
-        figures.append(Figure(name, time, median(speeds) if speeds else None))
+        names = [k for k, v in repetitions[0].items() if k not in FACTS and not isinstance(v, str)]
+        counters = {k: median(r[k] for r in repetitions) for k in names}
+        figures.append(Figure(name, time, median(speeds) if speeds else None, counters))
     return figures
 
 
@@ -68,7 +76,9 @@ def print_table(figures: list[Figure]) -> None:
         for f in members:
             speed = f"{f.bytes_per_second / 1e6:10.0f}" if f.bytes_per_second else f"{'':>10}"
             ratio = f"{f.speed_against(baseline):10.3f}" if baseline else f"{'':>10}"
-            print(f"  {f.name.partition('/')[2]:<{width}} {f.nanoseconds:12.1f} {speed} {ratio}")
+            counters = "".join(f"  {name} {value:.4g}" for name, value in f.counters.items())
+            name = f.name.partition("/")[2]
+            print(f"  {name:<{width}} {f.nanoseconds:12.1f} {speed} {ratio}{counters}")
 
 
 def main(paths: list[str]) -> int:
