@@ -14,9 +14,28 @@ from pathlib import Path
 from types import TracebackType
 from typing import Optional, Type
 
-from sbgc_command import CRASH, PROGRAM, frame
+from sbgc_command import CRASH, PROGRAM, frame, run
+
+BOARD_INFO = 86
+BOARD_INFO_3 = 20
+READ_EXTERNAL_DATA = 42
+WRITE_EXTERNAL_DATA = 41
+CONFIRM = 67
+DATA_STREAM_INTERVAL = 85
+REALTIME_DATA_4 = 25
 
 PATIENCE = 20.0  # seconds; nothing waits longer than it must
+
+
+def stream(milliseconds: int) -> bytes:
+    return bytes([REALTIME_DATA_4]) + milliseconds.to_bytes(2, "little") + bytes(18)
+
+
+def refused(*arguments: str) -> str:
+    """What it says when it can not begin."""
+    result = run("emulate", *arguments)
+    assert result.status == 1, result
+    return result.error
 
 
 def heed_hangup() -> None:

@@ -1,0 +1,216 @@
+"""Hosts that come over TCP and UDP."""
+
+from __future__ import annotations
+
+import random
+import socket
+import time
+from pathlib import Path
+
+import pytest
+
+from emulator import (
+    BOARD_INFO,
+    BOARD_INFO_3,
+    DATA_STREAM_INTERVAL,
+    PATIENCE,
+    REALTIME_DATA_4,
+    Connection,
+    Emulator,
+    refused,
+    stream,
+)
+from sbgc_command import frame
+
+
+def test_tcp_has_several_hosts() -> None:
+    with Emulator("--tcp", "0") as emulator:
+        (place,) = emulator.places
+        assert place.startswith("tcp:127.0.0.1:")
+        hosts = [Connection(place) for _ in range(8)]
+        for host in hosts:
+            host.send(BOARD_INFO)
+        for host in hosts:
+            assert len(host.body(BOARD_INFO)) == 18
+        # Streams belong to who asked for them.
+        hosts[0].send(DATA_STREAM_INTERVAL, stream(20))
+        hosts[0].body(REALTIME_DATA_4)
+        hosts[1].heard = b""
+        assert not hosts[1].receive(0.2)
+        # There is no ninth, until one of them leaves.
+        ninth = Connection(place)
+        ninth.socket.settimeout(PATIENCE)
+        assert ninth.socket.recv(1) == b""
+        ninth.close()
+        hosts[3].close()
+        end = time.monotonic() + PATIENCE
+        while True:
+            another = Connection(place)
+            another.send(BOARD_INFO)
+            if another.receive(PATIENCE):
+                break
+            another.close()  # the port is kept for a moment
+            assert time.monotonic() < end
+            time.sleep(0.05)
+        another.close()
+        for host in hosts[:3] + hosts[4:]:
+            host.close()
+        emulator.end()
+        assert "refused: all ports" in emulator.error
+
+
+def test_tcp_hosts_that_vanish_are_noticed() -> None:
+    with Emulator("--tcp", "0") as emulator:
+        host = Connection(emulator.places[0])
+        assert host.ask(BOARD_INFO)
+        port = f":{int(emulator.places[0].rpartition(':')[2]):04X}"
+        timers = []
+        for line in Path("/proc/net/tcp").read_text(encoding="utf-8").splitlines()[1:]:
+            _, here, _, state, _, timer, *_ = line.split()
+            if here.endswith(port) and state == "01":
+                timers.append(timer.split(":"))
+        ((kind, ticks),) = timers
+        assert kind == "02"  # it is asked for a sign of life
+        assert int(ticks, 16) <= 10 * 100
+        host.close()
+
+
+def test_tcp_has_one_host_after_the_other() -> None:
+    with Emulator("--tcp", "0") as emulator:
+        for _ in range(40):
+            host = Connection(emulator.places[0])
+            assert host.ask(BOARD_INFO)
+            host.close()
+        emulator.end()
+        assert emulator.error == ""
+
+
+def test_tcp_host_that_sends_its_end_with_its_requests() -> None:
+    with Emulator("--tcp", "0", "--baud", "9600") as emulator:
+        host = Connection(emulator.places[0])
+        for _ in range(20):
+            host.send(BOARD_INFO_3)
+        host.socket.shutdown(socket.SHUT_WR)
+        while host.receive(PATIENCE):
+            pass
+        assert len(host.heard) == 20 * 74
+        host.close()
+
+
+def test_udp_has_several_hosts() -> None:
+    with Emulator("--udp", "0") as emulator:
+        (place,) = emulator.places
+        assert place.startswith("udp:127.0.0.1:")
+        hosts = [Connection(place), Connection(place)]
+        for host in hosts:
+            assert len(host.ask(BOARD_INFO)) == 18
+        hosts[0].send(DATA_STREAM_INTERVAL, stream(20))
+        hosts[0].body(REALTIME_DATA_4)
+        hosts[1].heard = b""
+        assert not hosts[1].receive(0.2)
+        for host in hosts:
+            host.close()
+
+
+def test_udp_tells_once_of_a_host_that_is_refused() -> None:
+    with Emulator("--udp", "0") as emulator:
+        hosts = [Connection(emulator.places[0]) for _ in range(9)]
+        for host in hosts[:8]:
+            assert len(host.ask(BOARD_INFO)) == 18
+        for _ in range(100):
+            hosts[8].send(BOARD_INFO)
+        assert hosts[0].ask(BOARD_INFO)  # behind all of them
+        assert not hosts[8].receive(0)
+        assert emulator.end() == 0
+        assert emulator.error.count("refused") == 1
+        for host in hosts:
+            host.close()
+
+
+def test_udp_carries_whole_answers_and_no_more_than_fits() -> None:
+    with Emulator("--udp", "0") as emulator:
+        host = Connection(emulator.places[0])
+        host.send(BOARD_INFO_3)
+        assert len(host.socket.recv(65536)) == 74
+        for _ in range(10):  # there is not room for all
+            host.socket.send(frame(BOARD_INFO) * 800)
+        end = time.monotonic() + PATIENCE
+        while bytes([0x3E, BOARD_INFO_3, 69]) not in host.heard and time.monotonic() < end:
+            host.send(BOARD_INFO_3)  # its answer comes behind them
+            host.receive(1)
+        answers, rest = divmod(host.heard.count(bytes([0x3E, BOARD_INFO, 18])), 800)
+        assert 1 <= answers < 10 and rest == 0
+        host.close()
+
+
+def test_udp_takes_a_large_datagram_when_nothing_waits() -> None:
+    with Emulator("--udp", "0", "--baud", "57600", "--verbose") as emulator:
+        host = Connection(emulator.places[0])
+        host.socket.send(frame(BOARD_INFO) * 900)
+        host.socket.send(frame(BOARD_INFO_3) * 900)  # there is no room while the first one waits
+        while len(host.heard) < 900 * 23:
+            assert host.receive(PATIENCE)
+        assert not host.receive(0.2)
+        host.close()
+        emulator.end()
+        assert emulator.rest.count("is lost") == 1
+
+
+def two_free_ports() -> int:
+    """The first one. Below those that the system gives to other tests."""
+    while True:
+        port = random.randrange(10000, 30000)
+        try:
+            with socket.socket() as first, socket.socket() as second:
+                first.bind(("127.0.0.1", port))
+                second.bind(("127.0.0.1", port + 1))
+                return port
+        except OSError:
+            pass
+
+
+def test_ports_in_a_row() -> None:
+    port = two_free_ports()
+    with Emulator("--tcp", str(port), "--count", "2", boards=2) as emulator:
+        assert emulator.places == [f"tcp:127.0.0.1:{port}", f"tcp:127.0.0.1:{port + 1}"]
+        assert "can not listen" in refused("--tcp", str(port))
+
+
+def test_a_host_that_does_not_read() -> None:
+    with Emulator("--tcp", "0") as emulator:
+        host = Connection(emulator.places[0])
+        host.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        for _ in range(20):
+            host.send(DATA_STREAM_INTERVAL, stream(1))
+        other = Connection(emulator.places[0])
+        for _ in range(10):
+            assert other.ask(BOARD_INFO)
+            time.sleep(0.05)
+        other.close()
+        host.close()
+
+
+def test_other_machines_only_when_told() -> None:
+    with Emulator("--tcp", "0.0.0.0:0") as emulator:
+        emulator.end()
+        assert "other machines" in emulator.error
+    with Emulator("--tcp", "localhost:0") as emulator:
+        emulator.end()
+        assert emulator.error == ""
+
+
+def test_a_host_that_floods() -> None:
+    with Emulator("--tcp", "0") as emulator:
+        host = Connection(emulator.places[0])
+        host.socket.settimeout(0.5)
+        requests = frame(BOARD_INFO) * 10000
+        with pytest.raises(TimeoutError):  # it is held up
+            for _ in range(1000):
+                host.socket.sendall(requests)
+        other = Connection(emulator.places[0])
+        assert other.ask(BOARD_INFO)
+        status = Path(f"/proc/{emulator.process.pid}/status").read_text(encoding="utf-8")
+        (size,) = (int(line.split()[1]) for line in status.splitlines() if line.startswith("VmRSS"))
+        assert size < 500_000  # KiB; sanitizers need some
+        other.close()
+        host.close()

@@ -1,0 +1,141 @@
+"""What a board remembers, in a file."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+from emulator import (
+    BOARD_INFO,
+    BOARD_INFO_3,
+    CONFIRM,
+    PATIENCE,
+    READ_EXTERNAL_DATA,
+    WRITE_EXTERNAL_DATA,
+    Connection,
+    Emulator,
+    refused,
+)
+
+
+def test_state_survives(tmp_path: Path) -> None:
+    state = tmp_path / "state"
+    data = bytes(range(128))
+    with Emulator("--tcp", "0", "--state", str(state)) as emulator:
+        host = Connection(emulator.places[0])
+        serial = host.ask(BOARD_INFO_3)[:21]
+        # It is saved by itself, each time, so that even a killed one has it.
+        for new in (data[1:] + data[:1], data):
+            before = state.stat().st_mtime_ns
+            host.send(WRITE_EXTERNAL_DATA, new)
+            host.body(CONFIRM)
+            end = time.monotonic() + PATIENCE
+            while state.stat().st_mtime_ns == before and time.monotonic() < end:
+                time.sleep(0.05)
+        emulator.process.kill()
+        emulator.wait()
+        host.close()
+    with Emulator("--tcp", "0", "--state", str(state)) as emulator:
+        host = Connection(emulator.places[0])
+        assert host.ask(READ_EXTERNAL_DATA) == data
+        assert host.ask(BOARD_INFO_3)[:21] == serial
+        # And what changes in the last moment.
+        host.send(WRITE_EXTERNAL_DATA, data[::-1])
+        host.body(CONFIRM)
+        assert emulator.end() == 0
+        host.close()
+    with Emulator("--tcp", "0", "--state", str(state)) as emulator:
+        host = Connection(emulator.places[0])
+        assert host.ask(READ_EXTERNAL_DATA) == data[::-1]
+        host.close()
+    assert list(tmp_path.iterdir()) == [state]
+    assert "firmware 2.59, not of" in refused("--state", str(state), "--firmware", "2.43b9")
+
+
+def test_a_state_is_of_one_emulator_at_a_time(tmp_path: Path) -> None:
+    state = tmp_path / "state"
+    link = tmp_path / "link"
+    link.symlink_to("state")
+    with Emulator("--tcp", "0", "--state", str(link)):
+        assert link.is_symlink() and state.is_file()
+        for name in (state, link):
+            assert f"{name} is the state of an emulator that runs" in refused("--state", str(name))
+    with Emulator("--tcp", "0", "--state", str(state)):
+        pass
+    assert sorted(tmp_path.iterdir()) == [link, state]
+
+
+def test_a_file_that_has_the_name_of_the_lock_is_left_alone(tmp_path: Path) -> None:
+    state = tmp_path / "state"
+    lock = tmp_path / "state.sbgc-lock"
+    lock.write_text("mine")
+    assert f"{lock} is somebody's file" in refused("--state", str(state))
+    assert lock.read_text() == "mine"
+    lock.unlink()
+    lock.symlink_to("elsewhere")
+    assert str(lock) in refused("--state", str(state))
+    assert list(tmp_path.iterdir()) == [lock]
+    lock.unlink()
+    lock.touch()  # left behind by an emulator that was killed
+    with Emulator("--tcp", "0", "--state", str(state)):
+        lock.unlink()
+        lock.write_text("mine")  # by now
+    assert lock.read_text() == "mine"
+
+
+def test_a_state_keeps_its_mode(tmp_path: Path) -> None:
+    state = tmp_path / "state"
+    for mode in (0o644, 0o600, 0o660):
+        with Emulator("--tcp", "0", "--state", str(state)):
+            state.chmod(mode)
+        with Emulator("--tcp", "0", "--state", str(state)):  # which is written at once
+            pass
+        assert state.stat().st_mode & 0o7777 == mode
+
+
+def test_a_state_that_can_not_be_used(tmp_path: Path) -> None:
+    damaged = tmp_path / "damaged"
+    damaged.write_text("{}")
+    assert str(damaged) in refused("--state", str(damaged))
+    assert damaged.read_text() == "{}"
+    refused("--state", str(tmp_path))
+    refused("--state", str(tmp_path / "missing" / "state"))
+
+
+def test_a_state_that_can_not_be_saved_any_more(tmp_path: Path) -> None:
+    folder = tmp_path / "folder"
+    folder.mkdir()
+    with Emulator("--tcp", "0", "--state", str(folder / "state")) as emulator:
+        folder.rename(tmp_path / "elsewhere")
+        host = Connection(emulator.places[0])
+        host.send(WRITE_EXTERNAL_DATA, bytes(range(128)))
+        host.body(CONFIRM)
+        assert emulator.process.stderr is not None
+        assert b"cannot write" in emulator.process.stderr.readline()
+        assert host.ask(BOARD_INFO)
+        host.close()
+        assert emulator.end() == 1
+        assert emulator.error.count("cannot write") == 1  # it is tried again at the end
+        assert "not everything could be saved" in emulator.error
+
+
+def test_board_and_firmware(tmp_path: Path) -> None:
+    state = ["--state", str(tmp_path / "state")]
+    # The state knows which board it is of.
+    for model in (["--firmware", "2.43b9", "--board", "3.1"], []):
+        with Emulator("--tcp", "0", *state, *model) as emulator:
+            host = Connection(emulator.places[0])
+            info = host.ask(BOARD_INFO)
+            assert info[0] == 31
+            assert int.from_bytes(info[1:3], "little") == 2439
+            host.close()
+    # What is given must be right, and nothing else.
+    for model in (["--firmware", "2.43b9"], ["--board", "3.1"]):
+        with Emulator("--tcp", "0", *state, *model):
+            pass
+    for model in (
+        ["--firmware", "2.59"],
+        ["--board", "3.0"],
+        ["--firmware", "2.59", "--board", "3.1"],
+    ):
+        assert "firmware 2.43b9, not of" in refused(*state, *model)
