@@ -48,7 +48,7 @@ class Host : public std::enable_shared_from_this<Host> {
   LiveBoard& board_;
   std::unique_ptr<io::Transport> transport_;
   asio::steady_timer linger_;
-  io::Clock::time_point written_at_{};  // when the last write ended, or the input
+  io::Clock::time_point written_at_{};  // when a write last began or ended, or the input ended
   std::size_t port_ = 0;
   std::array<std::uint8_t, 2048> input_{};
   std::vector<std::uint8_t> output_{};  // being written
