@@ -18,7 +18,6 @@ after(() => browser.close());
 /** Opens the decoder, and fails at the end if anything went wrong on the page. */
 async function withDecoder(work, { hash = "", ...options } = {}) {
   const context = await browser.newContext({ reducedMotion: "reduce", ...options });
-  context.setDefaultTimeout(10_000);
   const page = await context.newPage();
   const problems = [];
   page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
@@ -161,13 +160,14 @@ test("a broken frame is explained", async () => {
 test("what the specification does not allow is pointed out", async () => {
   await withDecoder(async (page) => {
     await page.locator("#hex").fill(frame(43, [0xff, 0xff, 0xff]).toString("hex"));
+    await expectSummary(page, /1 frame/);
     await page.getByLabel("only what is not in order").check();
     await type(page, frame(82, [99]).toString("hex"));
     await expectSummary(page, /1 value that the specification does not allow/);
     assert.match((await inside(page, 0)).text, /maximum is 4/);
     await type(page, frame(82, [1]).toString("hex"));
     await expectSummary(page, /1 frame\.$/);
-    assert.ok(await page.locator("#nothing").isVisible());
+    await page.locator("#nothing").waitFor();
   });
 });
 
@@ -195,13 +195,13 @@ test("a capture can be opened as a file, raw or hex", async () => {
     await page.locator("#file").setInputFiles(file("noisy_stream.bin"));
     await expectSummary(page, /frames; .* in no frame/);
     assert.match(await page.locator("#held-about").textContent(), /read as raw bytes/);
-    assert.ok(await page.locator("#hex").isHidden());
+    await page.locator("#hex").waitFor({ state: "hidden" });
     await page.locator("#file").setInputFiles(file("board_info.hex"));
     await page.getByText("read as hex text").waitFor();
     await expectSummary(page, /^28 bytes: 2 frames\.$/);
     await page.getByRole("button", { name: "Remove" }).click();
-    assert.ok(await page.locator("#hex").isVisible());
-    assert.ok(await page.locator("#result").isHidden());
+    await page.locator("#hex").waitFor();
+    await page.locator("#result").waitFor({ state: "hidden" });
   });
 });
 

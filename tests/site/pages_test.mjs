@@ -143,9 +143,9 @@ test("search finds a message, a command and a field, and leads there", async () 
     await page.keyboard.press("/");
     await page.locator("#search").fill(query);
     await page.locator(`#search-results a[href*="${target}"]`).first().click();
-    await page.waitForURL(/messages|families/);
+    await page.waitForURL(/\/(messages|families)\/[^/]*$/);
     assert.ok((await page.locator("main").textContent()).includes(message.command), page.url());
-    if (target === field) assert.ok(await page.locator(":target").isVisible());
+    if (target === field) await page.locator(":target").waitFor();
   }
   await page.locator("#search").fill("qqqqzzzz");
   await page.locator("#search-results", { hasText: "Nothing found" }).waitFor();
@@ -171,16 +171,14 @@ test("without JavaScript there is the content and a menu", async () => {
     const page = await context.newPage();
     await page.setViewportSize({ width, height: 800 });
     await page.goto(addressOf("index.html"));
-    assert.ok(await page.locator("h1").isVisible());
+    await page.locator("h1").waitFor();
     if (width < 960) await page.locator(".menu-button").click();
-    const link = page.locator("#menu a[href$='decoder.html']");
-    assert.ok(await link.isVisible());
-    await link.click();
-    assert.match(page.url(), /decoder\.html$/);
+    await page.locator("#menu a[href$='decoder.html']").click();
+    await page.waitForURL(addressOf("decoder.html"));
     const hint = page.locator("noscript");
-    assert.ok(await hint.isVisible());
+    await hint.waitFor();
     assert.match(await hint.textContent(), /sbgc decode --hex/);
-    assert.ok(!(await page.locator("#search").isVisible()));
+    assert.ok(await page.locator("#search").isHidden());
     await page.close();
   }
   await context.close();
