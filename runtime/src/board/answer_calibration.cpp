@@ -151,9 +151,7 @@ Outcome handle(Turn& turn, const CalibOffset&) {
 }
 
 Outcome handle(Turn& turn, const CalibBat& request) {
-  if (!turn.machine.options.features.has(BoardFeature::bat_monitoring)) {
-    return turn.refuse(Refusal::no_device);
-  }
+  if (!turn.machine.has_battery_meter()) return turn.refuse(Refusal::no_device);
   const double measured = turn.machine.gimbal.sample(turn.now).battery;
   // Ours: a divider is never off by more than this, so it must be a mistake.
   constexpr double lowest = 0.5;

@@ -54,10 +54,7 @@ constexpr std::array<Variable, 14> variables{{
     {"POWER", DebugVarKind::uint8, 3,
      [](const View& v, Index i) { return v.sample.power[i] * 255; }},
     {"BATTERY", DebugVarKind::float32, 0,
-     [](const View& v, Index) {
-       const bool has_meter = v.machine.options.features.has(BoardFeature::bat_monitoring);
-       return has_meter ? v.machine.measured_battery(v.sample) : 0.0;
-     }},
+     [](const View& v, Index) { return v.machine.measured_battery(v.sample); }},
     {"TEMPERATURE", DebugVarKind::int8, 0,
      [](const View& v, Index) { return v.sample.temperature; }},
     {"ERRORS", DebugVarKind::uint16, 0,

@@ -83,9 +83,7 @@ void measure_common(Machine& machine, std::size_t port, Instant now, const Sampl
   data.rc_angle = angles(sample.targets);
   if (machine.has_frame_imu()) data.frame_imu_angle = angles(sample.frame);
   data.cycle_time = saturated<Microseconds>(static_cast<double>(machine.cycle().us));
-  if (has(machine, BoardFeature::bat_monitoring)) {
-    data.bat_level = saturated<Voltage>(machine.measured_battery(sample));
-  }
+  data.bat_level = saturated<Voltage>(machine.measured_battery(sample));
   if (machine.gimbal.motors_on()) data.other_flags.set(OtherFlag::motors_on);
   data.cur_imu = machine.cur_imu;
   data.cur_profile = machine.settings.profile();

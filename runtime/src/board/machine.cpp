@@ -30,8 +30,14 @@ double Machine::gyro_unit() { return GyroRate(1).degrees_per_second(); }
 
 Duration Machine::cycle() { return microseconds(roles::stream_cycle_us); }
 
+bool Machine::has_battery_meter() const {
+  return options.features.has(BoardFeature::bat_monitoring);
+}
+
+double Machine::battery_factor() const { return has_battery_meter() ? memory.battery_factor : 0; }
+
 double Machine::measured_battery(const Sample& sample) const {
-  return sample.battery * memory.battery_factor;
+  return sample.battery * battery_factor();
 }
 
 void Machine::select_profile(std::uint8_t profile, Instant now) {
@@ -40,9 +46,8 @@ void Machine::select_profile(std::uint8_t profile, Instant now) {
 }
 
 void Machine::apply_settings(Instant now) {
-  const bool has_meter = options.features.has(BoardFeature::bat_monitoring);
   if (!has_frame_imu()) cur_imu = SelectedImu::main;
-  gimbal.tune(tuning_of(settings, versions(), has_meter ? memory.battery_factor : 0), now);
+  gimbal.tune(tuning_of(settings, versions(), battery_factor()), now);
   correct_gyros(now);
   remote.apply(*this, now);
   slots.apply_settings(*this, now);
@@ -86,7 +91,7 @@ void Machine::calibrate_at_start(Instant now) {
 
 Flags<SystemError> Machine::errors(Instant now) {
   Flags<SystemError> errors = calibrations.errors();
-  if (options.features.has(BoardFeature::bat_monitoring)) {
+  if (has_battery_meter()) {
     const auto& thresholds = settings.of<ReadParams3>();
     const double volts = measured_battery(gimbal.sample(now));
     // A negative threshold is none, and no voltage is below it.

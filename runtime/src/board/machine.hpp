@@ -72,7 +72,11 @@ struct Machine {
   static Duration cycle();
   /// In deg/s. Ours: the unit in which offsets of a gyroscope count is that of its readings.
   static double gyro_unit();
-  /// Volts, as the calibrated sensor shows them.
+  /// Whether there is a sensor for the battery's voltage.
+  bool has_battery_meter() const;
+  /// What that sensor shows of one volt; 0 without it.
+  double battery_factor() const;
+  /// Volts, as the calibrated sensor shows them; 0 without it.
   double measured_battery(const Sample& sample) const;
   /// The gyroscopes find their zero when the board starts, if the settings want that.
   void calibrate_at_start(Instant now);
