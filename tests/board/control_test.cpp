@@ -102,6 +102,40 @@ TEST(Control, TheCameraMoves) {
   EXPECT_EQ(angles.axes.pitch.rc_speed.raw(), 0);
 }
 
+/// Settings by which the joint of yaw turns from -30 to 60 degrees.
+void limit_yaw(Host& host) {
+  auto settings = host.get<ReadParamsExt>(ReadParamsExtRequest{});
+  settings.encoder_limit_min.yaw = EncoderLimit(-10);
+  settings.encoder_limit_max.yaw = EncoderLimit(20);
+  host.ask(WriteParamsExt{settings});
+}
+
+/// Where the joint of yaw ends if the camera is told to turn to that angle.
+double joint_after(Host& host, double angle) {
+  ControlExt request;
+  request.control_mode.yaw.set_mode(ControlModeKind::angle);
+  request.axes.yaw.angle = *Angle14::from_degrees(angle);
+  host.ask(request, seconds(8));
+  return host.get<GetAnglesExt>(GetAnglesExtRequest{}).axes.yaw.stator_rotor_angle.degrees();
+}
+
+TEST(Control, TheJointsTurnAsFarAsTheSettingsLetThem) {
+  Host host;
+  EXPECT_NEAR(joint_after(host, 150), 150, 0.5) << "factory settings have no limits";
+  limit_yaw(host);
+  EXPECT_NEAR(joint_after(host, 150), 60, 0.5) << "it comes back";
+  EXPECT_NEAR(joint_after(host, -150), -30, 0.5);
+  EXPECT_NEAR(joint_after(host, 45), 45, 0.5);
+}
+
+TEST(Control, WithoutEncodersJointsHaveNoLimits) {
+  board::Options options;
+  options.features = BoardFeature::three_axis;
+  Host host(options);
+  limit_yaw(host);
+  EXPECT_NEAR(joint_after(host, 150), 150, 0.5);
+}
+
 TEST(Control, AnEmptyBatteryKeepsTheMotorsOff) {
   Host host;
   host.board.gimbal().set_battery(9, host.now);
@@ -198,6 +232,92 @@ TEST(Control, SignalsAreBentAsTheSettingsSay) {
   EXPECT_NEAR(bent(mix(63)), 0.8, 1e-9);
   EXPECT_NEAR(bent(mix(32)), 0.4, 0.01) << "as if that were in the middle";
   EXPECT_EQ(bent(mix(0)), 0);
+}
+
+/// Settings by which the flight controller's signals are those of API channels 6 and 7, and roll
+/// and pitch follow it.
+void follow_controller(Host& host, int roll_percent, int pitch_percent) {
+  auto settings = host.get<ReadParams3>(ReadParams3Request{});
+  settings.follow_mode = FollowMode::fc;
+  settings.follow_deadband = 0;
+  settings.rc_map_fc_roll.set_source(RcSource::api);
+  settings.rc_map_fc_roll.set_channel(6);
+  settings.rc_map_fc_pitch.set_source(RcSource::api);
+  settings.rc_map_fc_pitch.set_channel(7);
+  settings.ext_fc_gain_roll = 127;
+  settings.ext_fc_gain_pitch = -127;
+  settings.rc.roll.rc_follow = static_cast<std::int8_t>(roll_percent);
+  settings.rc.pitch.rc_follow = static_cast<std::int8_t>(pitch_percent);
+  settings.rc.yaw.rc_follow = 100;
+  host.ask(WriteParams3{settings});
+}
+
+ApiVirtChControl controller_signals(std::int16_t roll, std::int16_t pitch) {
+  ApiVirtChControl request = channels(6, roll);
+  request.val_ch[6] = CentredRcSignal(pitch);
+  return request;
+}
+
+Axes<double> targets_after(Host& host, Duration duration) {
+  host.listen(duration);
+  const auto angles = host.get<GetAngles>(GetAnglesRequest{});
+  Axes<double> result;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    result[axis] = angles.axes[axis].rc_target_angle.degrees();
+  }
+  return result;
+}
+
+TEST(Control, AFlightControllerTiltsTheCameraThatFollowsIt) {
+  Host host;
+  follow_controller(host, 50, 100);
+  host.ask(controller_signals(250, 100));
+  const Axes<double> tilted = targets_after(host, seconds(5));
+  EXPECT_NEAR(tilted.roll, 22.5, 0.1) << "half of what its signal says";
+  EXPECT_NEAR(tilted.pitch, -18, 0.1) << "its gain turns it round";
+  EXPECT_NEAR(tilted.yaw, 0, 0.1) << "yaw follows the frame";
+  // Speeds of RC control come on top of it.
+  auto turn = one_axis(ControlModeKind::speed, 0, 0);
+  turn.axes.pitch.speed = ControlSpeed::from_degrees_per_second(10);
+  host.ask(turn, seconds(1));
+  host.ask(one_axis(ControlModeKind::no_control, 0, 0));
+  EXPECT_NEAR(targets_after(host, seconds(1)).pitch, -8, 1);
+  // Who is no longer heard is level.
+  host.ask(channels(1, 0));
+  EXPECT_NEAR(targets_after(host, seconds(5)).roll, 0, 0.1);
+  EXPECT_NEAR(targets_after(host, seconds(1)).pitch, 10, 1);
+}
+
+TEST(Control, AFlightControllerIsFollowedInItsModeOnly) {
+  Host host;
+  follow_controller(host, 0, 100);
+  host.ask(controller_signals(500, 500));
+  const Axes<double> followed = targets_after(host, seconds(5));
+  EXPECT_NEAR(followed.roll, 0, 0.1) << "RC_FOLLOW 0";
+  EXPECT_NEAR(followed.pitch, -90, 0.1);
+  host.ask(one_axis(ControlModeKind::angle, 0, 0));
+  EXPECT_NEAR(targets_after(host, seconds(5)).pitch, 0, 0.1) << "angles are those of the world";
+  for (const FollowMode mode : {FollowMode::disabled, FollowMode::pitch}) {
+    auto settings = host.get<ReadParams3>(ReadParams3Request{});
+    settings.follow_mode = mode;
+    host.ask(WriteParams3{settings});
+    host.ask(one_axis(ControlModeKind::no_control, 0, 0));
+    host.ask(controller_signals(0, mode == FollowMode::disabled ? 0 : 250));
+    EXPECT_NEAR(targets_after(host, seconds(5)).pitch, 0, 0.1);
+  }
+}
+
+TEST(Control, RcAnglesCountFromWhatTheFlightControllerSays) {
+  Host host;
+  map_pitch(host, 5);
+  follow_controller(host, 0, 100);
+  auto signals = controller_signals(0, 100);
+  signals.val_ch[4] = CentredRcSignal(0);
+  host.ask(signals);
+  const auto settings = host.get<ReadParams3>(ReadParams3Request{});
+  const double middle =
+      (settings.rc.pitch.rc_min_angle.degrees() + settings.rc.pitch.rc_max_angle.degrees()) / 2;
+  EXPECT_NEAR(targets_after(host, seconds(5)).pitch, middle - 18, 0.1);
 }
 
 TEST(Control, NoMotorIsFasterThanTheGyroscopeCanTell) {

@@ -223,6 +223,53 @@ TEST(Motion, PlacedCamerasStay) {
   EXPECT_EQ(gimbal.sample(ms(5000)).targets, (Axes<double>{1, 2, 3}));
 }
 
+/// A yaw whose joint has limits.
+Tuning limited(double low, double high) {
+  Tuning tuning;
+  tuning.axes.yaw.joint_min = low;
+  tuning.axes.yaw.joint_max = high;
+  tuning.axes.yaw.acceleration = 100;
+  return tuning;
+}
+
+TEST(JointLimits, HoldInAllModesAndTheTargetBrakesBefore) {
+  for (const AxisCommand& command :
+       {AxisCommand{AxisMode::angle, 40, 300}, AxisCommand{AxisMode::speed, 40},
+        AxisCommand{AxisMode::speed_angle, 40, 300}, AxisCommand{AxisMode::signal, 0, 0, 1},
+        AxisCommand{AxisMode::relative_angle, 40, 300}}) {
+    for (const double sign : {1.0, -1.0}) {
+      Gimbal gimbal = ready(quiet(), limited(-60, 60));
+      gimbal.command(
+          yaw, {command.mode, command.speed * sign, command.angle * sign, command.signal * sign},
+          ms(0));
+      double before = 0;
+      double fastest = 0;
+      for (std::int64_t t = 1; t < 5000; ++t) {
+        const Sample sample = gimbal.sample(ms(t));
+        const double speed = sample.target_speeds.yaw * sign;
+        ASSERT_LE(std::abs(speed - before), 0.1 + 1e-9) << t;
+        ASSERT_LE(sample.targets.yaw * sign, 60 + 1e-9) << t;
+        fastest = std::max(fastest, speed);
+        before = speed;
+      }
+      EXPECT_GT(fastest, 39);
+      EXPECT_EQ(gimbal.sample(ms(5000)).targets.yaw, 60 * sign);
+      EXPECT_EQ(gimbal.sample(ms(5000)).target_speeds.yaw, 0);
+      // It leaves the limit at once when it is told to.
+      gimbal.command(yaw, {AxisMode::speed, -40 * sign, 0, 0}, ms(5000));
+      EXPECT_LT(gimbal.sample(ms(6000)).targets.yaw * sign, 32);
+    }
+  }
+}
+
+TEST(JointLimits, ThereAreNoneIfTheyAreEqualOrTheWrongWayRound) {
+  for (const double limit : {0.0, 10.0}) {
+    Gimbal gimbal = ready(quiet(), limited(limit, -limit));
+    gimbal.command(yaw, {AxisMode::angle, 90, 120, 0}, ms(0));
+    EXPECT_EQ(gimbal.sample(ms(5000)).targets.yaw, 120);
+  }
+}
+
 /// A frame that turns about the vertical from 1 s to 3 s by 60 degrees.
 Gimbal::Options turning_frame() {
   Gimbal::Options options = quiet();
@@ -230,6 +277,26 @@ Gimbal::Options turning_frame() {
   options.frame.recording = {
       {ms(0), {}}, {ms(1000), {}}, {ms(3000), {0, 0, 60}}, {ms(60000), {0, 0, 60}}};
   return options;
+}
+
+TEST(JointLimits, AFrameThatTurnsTakesTheCameraWithIt) {
+  Gimbal gimbal = ready(turning_frame(), limited(-20, 45));
+  EXPECT_EQ(gimbal.sample(ms(1000)).targets.yaw, 0);
+  for (std::int64_t t = 1000; t < 8000; t += 20) {
+    // The target cannot speed up as the frame does.
+    ASSERT_GT(gimbal.sample(ms(t)).joints.yaw, -20 - 10) << t;
+  }
+  EXPECT_NEAR(gimbal.sample(ms(8000)).joints.yaw, -20, 0.1);
+  EXPECT_NEAR(gimbal.sample(ms(8000)).targets.yaw, 40, 0.1);
+}
+
+TEST(JointLimits, HoldAfterALongPauseToo) {
+  Gimbal gimbal = ready(quiet(), limited(-20, 45));
+  gimbal.command(yaw, {AxisMode::speed, 0.001, 0, 0}, ms(0));
+  EXPECT_NEAR(gimbal.sample(ms(3'600'000)).targets.yaw, 3.6, 0.01);
+  constexpr std::int64_t three_years = 100'000'000'000;
+  EXPECT_EQ(gimbal.sample(ms(three_years)).targets.yaw, 45);
+  EXPECT_EQ(gimbal.sample(ms(three_years)).target_speeds.yaw, 0);
 }
 
 TEST(Follow, TurnsWithTheFrameBehindItsDeadband) {
@@ -273,6 +340,24 @@ TEST(Follow, AnglesOfTheWorldDoNot) {
   // Nor does it jump to the frame when control ends.
   gimbal.command(yaw, {}, ms(15000));
   EXPECT_EQ(gimbal.sample(ms(25000)).targets.yaw, 10);
+}
+
+TEST(Follow, AnAngleThatIsToldReplacesTheFrame) {
+  Tuning tuning;
+  tuning.axes.yaw.follows = true;
+  tuning.axes.yaw.follow_speed = 15;
+  Gimbal gimbal = ready(turning_frame(), tuning);
+  gimbal.set_followed(yaw, 0, ms(0));
+  EXPECT_EQ(gimbal.sample(ms(5000)).targets.yaw, 0) << "the frame has turned";
+  gimbal.set_followed(yaw, -20, ms(5000));
+  EXPECT_NEAR(gimbal.sample(ms(6000)).target_speeds.yaw, -15, 0.1);
+  EXPECT_NEAR(gimbal.sample(ms(9000)).targets.yaw, -20, 0.1);
+  gimbal.set_followed(yaw, {}, ms(9000));
+  EXPECT_NEAR(gimbal.sample(ms(15000)).targets.yaw, -20, 0.1) << "from there with the frame";
+  gimbal.set_followed(yaw, 5, ms(15000));
+  gimbal.restart(ms(16000));
+  gimbal.set_motors(true, ms(16000));
+  EXPECT_NEAR(gimbal.sample(ms(20000)).joints.yaw, 0, 0.1) << "it has forgotten that";
 }
 
 TEST(Follow, WithoutItTheCameraStays) {

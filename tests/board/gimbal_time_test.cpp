@@ -263,6 +263,8 @@ TEST(Numbers, StayFiniteWhateverIsAskedFor) {
                                  &axis.follow_speed,
                                  &axis.remote_min,
                                  &axis.remote_max,
+                                 &axis.joint_min,
+                                 &axis.joint_max,
                                  &axis.start_angle,
                                  &axis.acceleration,
                                  &axis.follow_deadband,
@@ -278,6 +280,7 @@ TEST(Numbers, StayFiniteWhateverIsAskedFor) {
       gimbal.command((n / 6) % 3, {mode, n % 2 == 0 ? value : 10, n % 4 < 2 ? value : 10, value},
                      ms(t));
       if (n % 3 == 0) gimbal.set_remote(n % 3, value, ms(t));
+      if (n % 5 == 0) gimbal.set_followed(n % 3, value, ms(t));
       if (n % 40 == 0) gimbal.push(n % 3, value, ms(t));
       if (n % 90 == 0) gimbal.place({value, 0, value}, ms(t));
       if (n % 30 == 0) gimbal.correct_gyro(n % 2 == 0, {value, 0, value}, value, ms(t));

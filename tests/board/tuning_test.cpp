@@ -10,7 +10,7 @@ namespace sbgc::board {
 namespace {
 
 Tuning tuning(const Settings& settings, double battery_factor = 1) {
-  return tuning_of(settings, newest, battery_factor);
+  return tuning_of(settings, newest, true, battery_factor);
 }
 
 TEST(Tuning, TheGainFactorIsForAllGains) {
@@ -49,7 +49,7 @@ TEST(Tuning, OldFirmwareHasOneLimitForAllAxes) {
   EXPECT_EQ(tuning(settings).axes.yaw.acceleration, 200);
   EXPECT_EQ(tuning(settings).axes.roll.acceleration, 0) << "no limit";
   const Availability old{2430, 30};
-  EXPECT_EQ(tuning_of(settings, old, 1).axes.yaw.acceleration, 50);
+  EXPECT_EQ(tuning_of(settings, old, true, 1).axes.yaw.acceleration, 50);
 }
 
 TEST(Tuning, TheMotorsStopAtWhatTheSensorShows) {

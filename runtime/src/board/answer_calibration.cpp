@@ -120,10 +120,6 @@ Outcome carry_out(Turn& turn, const Sensor& sensor, CalibImu which, CalibAction 
   return Turn::ignore();
 }
 
-bool has_encoders(const Machine& machine) {
-  return machine.options.features.has(BoardFeature::encoders);
-}
-
 }  // namespace
 
 Outcome handle(Turn& turn, const CalibAcc&) {
@@ -165,11 +161,11 @@ Outcome handle(Turn& turn, const CalibBat& request) {
 }
 
 Outcome handle(Turn& turn, const EncodersCalibOffset4&) {
-  if (!has_encoders(turn.machine)) return turn.refuse(Refusal::no_device);
+  if (!turn.machine.has_encoders()) return turn.refuse(Refusal::no_device);
   return begin(turn, Kind::encoder_offset, 0, false);
 }
 Outcome handle(Turn& turn, const EncodersCalibFldOffset4&) {
-  if (!has_encoders(turn.machine)) return turn.refuse(Refusal::no_device);
+  if (!turn.machine.has_encoders()) return turn.refuse(Refusal::no_device);
   return begin(turn, Kind::encoder_field, 0, false);
 }
 

@@ -202,6 +202,7 @@ void Gimbal::restart(Instant now) {
   for (std::size_t i = 0; i < 3; ++i) {
     state.orders[i].command = {};
     state.orders[i].remote.reset();
+    state.orders[i].followed.reset();
     state.axes[i].restart(state.around(i));
   }
   state.slow(0);
@@ -249,6 +250,14 @@ void Gimbal::set_remote(std::size_t axis, std::optional<double> signal, Instant 
   state.advance(now);
   if (signal) signal = within(*signal, -1, 1);
   state.orders[axis].remote = signal;
+  state.obey(axis, false);
+}
+
+void Gimbal::set_followed(std::size_t axis, std::optional<double> angle, Instant now) {
+  State& state = *state_;
+  state.advance(now);
+  if (angle) angle = within(*angle, -top_angle, top_angle);
+  state.orders[axis].followed = angle;
   state.obey(axis, false);
 }
 

@@ -22,20 +22,35 @@ std::optional<double> signal_of(const AxisOrders& orders) {
   return orders.remote;
 }
 
-/// Ours: who follows the frame does so unless he is told an angle of the world.
-bool can_follow(AxisMode mode) { return is_remote(mode) || mode == AxisMode::speed; }
+/// Ours: an axis that follows something does not while its command is an angle.
+Followed followed_by(const AxisOrders& orders) {
+  const AxisMode mode = orders.command.mode;
+  if (!is_remote(mode) && mode != AxisMode::speed) return Followed::nothing;
+  if (orders.followed) return Followed::told;
+  return orders.tuning.follows ? Followed::frame : Followed::nothing;
+}
 
 /// Of the angles that are the same to the protocol the one that is nearest.
 double nearest(double angle, double to) { return to + std::remainder(angle - to, angle_period); }
 
 double estimated_frame(const AxisSurroundings& around) { return around.frame + around.error; }
 
+/// The angle of what is followed; 0 if nothing is.
+double angle_of(Followed followed, const AxisOrders& orders, const AxisSurroundings& around) {
+  switch (followed) {
+    case Followed::nothing: break;
+    case Followed::frame: return estimated_frame(around);
+    case Followed::told: return orders.followed.value_or(0);
+  }
+  return 0;
+}
+
 }  // namespace
 
 void AxisState::stay() {
   own = {motion.angle, 0};
   follow = {};
-  follows = false;
+  follows = Followed::nothing;
 }
 
 void AxisState::obey(const AxisOrders& orders, bool has_power, bool is_new,
@@ -52,15 +67,12 @@ void AxisState::obey(const AxisOrders& orders, bool has_power, bool is_new,
     motion.integral = 0;
     is_new = true;
   }
-  const bool follows_now = orders.tuning.follows && can_follow(mode);
-  if (follows_now && !follows) {
-    follow = {estimated_frame(around), 0};
-    own.position -= follow.position;
-  } else if (!follows_now && follows) {
-    own = {target(), target_speed()};
-    follow = {};
+  if (const Followed follows_now = followed_by(orders); follows_now != follows) {
+    const double from = angle_of(follows_now, orders, around);
+    own = {target() - from, target_speed()};
+    follow = {from, 0};
+    follows = follows_now;
   }
-  follows = follows_now;
 
   if (is_new) lead = lead_time;
 
@@ -69,14 +81,15 @@ void AxisState::obey(const AxisOrders& orders, bool has_power, bool is_new,
     const std::optional<double> signal = signal_of(orders);
     const bool decides = signal && (!tuning.remote_is_speed || *signal != 0);
     if (mode == AxisMode::signal || decides) is_starting = false;
-    const double neutral = follows ? within(tuning.follow_offset, -top_angle, top_angle) : 0;
+    const bool is_free = follows == Followed::nothing;
+    const double neutral = is_free ? 0 : within(tuning.follow_offset, -top_angle, top_angle);
     if (is_starting) {
       goal = neutral + within(tuning.start_angle, -top_angle, top_angle);
     } else if (signal && !tuning.remote_is_speed) {
       const double low = within(tuning.remote_min, -top_angle, top_angle);
       const double high = within(tuning.remote_max, -top_angle, top_angle);
       goal = neutral + low + (high - low) * (*signal + 1) / 2;
-      if (!follows) goal = nearest(goal, own.position);
+      if (is_free) goal = nearest(goal, own.position);
     }
     return;
   }
@@ -125,10 +138,10 @@ void AxisState::move_own(const AxisOrders& orders, double acceleration, double s
   }
 }
 
-void AxisState::move_follow(const AxisOrders& orders, double frame, double acceleration,
+void AxisState::move_follow(const AxisOrders& orders, double to, double acceleration,
                             double seconds) {
   constexpr double eagerness = 4;  // 1/s
-  const double off = frame - follow.position;
+  const double off = to - follow.position;
   const double excess = std::abs(off) - within(orders.tuning.follow_deadband, 0, top_angle);
   double speed = 0;
   if (excess > 0) {
@@ -139,6 +152,34 @@ void AxisState::move_follow(const AxisOrders& orders, double frame, double accel
   turn(follow, std::copysign(speed, off), acceleration, seconds);
 }
 
+std::optional<AxisState::Room> AxisState::room(const AxisTuning& tuning,
+                                               const AxisSurroundings& around) const {
+  if (!(tuning.joint_min < tuning.joint_max)) return {};
+  const double middle = estimated_frame(around) - follow.position;
+  return Room{middle + within(tuning.joint_min, -top_angle, top_angle),
+              middle + within(tuning.joint_max, -top_angle, top_angle)};
+}
+
+void AxisState::move(const AxisOrders& orders, const AxisSurroundings& around, double seconds) {
+  const Path before = own;
+  double acceleration = orders.gains.acceleration;
+  // Both ways together must not exceed the limit.
+  if (follows != Followed::nothing) acceleration /= 2;
+  move_own(orders, acceleration, seconds);
+  if (follows != Followed::nothing) {
+    move_follow(orders, angle_of(follows, orders, around), acceleration, seconds);
+  }
+  if (const auto room = this->room(orders.tuning, around)) {
+    // No farther than if it went to its limits as fast as it can still stop there.
+    Path lowest = before;
+    Path highest = before;
+    go(lowest, room->lowest, top_speed, acceleration, seconds);
+    go(highest, room->highest, top_speed, acceleration, seconds);
+    if (own.position < lowest.position) own = lowest;
+    if (own.position > highest.position) own = highest;
+  }
+}
+
 void AxisState::step(const AxisOrders& orders, const AxisSurroundings& around, double seconds) {
   if (!is_held) {
     motion.coast(around, seconds);
@@ -146,14 +187,7 @@ void AxisState::step(const AxisOrders& orders, const AxisSurroundings& around, d
     return;
   }
   const double before = target_speed();
-  if (follows) {
-    // Both together must not exceed the limit.
-    const double half = orders.gains.acceleration / 2;
-    move_own(orders, half, seconds);
-    move_follow(orders, estimated_frame(around), half, seconds);
-  } else {
-    move_own(orders, orders.gains.acceleration, seconds);
-  }
+  move(orders, around, seconds);
   const Path path{target(), target_speed()};
   motion.hold(orders.gains, path, (path.speed - before) / seconds, around, seconds);
 }
@@ -170,10 +204,14 @@ void AxisState::skip(const AxisOrders& orders, const AxisSurroundings& around, d
     } else {
       own.position += way;
     }
-    if (follows) {
+    if (follows != Followed::nothing) {
       const double deadband = within(orders.tuning.follow_deadband, 0, top_angle);
-      const double frame = estimated_frame(around);
-      follow = {std::clamp(follow.position, frame - deadband, frame + deadband), 0};
+      const double to = angle_of(follows, orders, around);
+      follow = {std::clamp(follow.position, to - deadband, to + deadband), 0};
+    }
+    if (const auto room = this->room(orders.tuning, around)) {
+      const double limited = std::clamp(own.position, room->lowest, room->highest);
+      if (limited != own.position) own = {limited, 0};
     }
     if (!motion.is_jammed) {
       motion.angle = target();

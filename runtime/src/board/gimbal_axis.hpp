@@ -17,17 +17,21 @@ struct AxisOrders {
   AxisGains gains = gains_of({});
   AxisCommand command{};
   std::optional<double> remote{};
+  std::optional<double> followed{};  ///< an angle that somebody tells, instead of the frame
 };
 
+/// What an axis follows.
+enum class Followed : std::uint8_t { nothing, frame, told };
+
 /// What changes in each step. The target is the sum of the axis's own way and of that on which it
-/// follows the frame; the latter is 0 unless it follows.
+/// follows something; the latter is 0 unless it does.
 struct AxisState {
   Path own{}, follow{};
   double goal{};  ///< of `own`, where the mode has one
   double lead{};  ///< so many seconds more the speed of `speed_angle` leads
   AxisMotion motion{};
   bool is_held = false;  ///< by its motor
-  bool follows = false;
+  Followed follows = Followed::nothing;
   bool is_starting = true;  ///< has yet to go to the start angle
 
   double target() const { return own.position + follow.position; }
@@ -49,8 +53,15 @@ struct AxisState {
  private:
   /// The target is where the camera is.
   void stay();
+  /// Moves the target by one step.
+  void move(const AxisOrders& orders, const AxisSurroundings& around, double seconds);
   void move_own(const AxisOrders& orders, double acceleration, double seconds);
-  void move_follow(const AxisOrders& orders, double frame, double acceleration, double seconds);
+  void move_follow(const AxisOrders& orders, double to, double acceleration, double seconds);
+  /// Where `own` may be, so that the joint keeps its limits; nothing if it has none.
+  struct Room {
+    double lowest{}, highest{};
+  };
+  std::optional<Room> room(const AxisTuning& tuning, const AxisSurroundings& around) const;
 };
 
 }  // namespace sbgc::board

@@ -56,10 +56,6 @@ Axes<Angle14> angles(const Axes<double>& from) {
   return {wire_angle(from.roll), wire_angle(from.pitch), wire_angle(from.yaw)};
 }
 
-bool has(const Machine& machine, BoardFeature feature) {
-  return machine.options.features.has(feature);
-}
-
 /// What both long messages begin with.
 template <class M>
 void measure_common(Machine& machine, std::size_t port, Instant now, const Sample& sample,
@@ -108,7 +104,7 @@ bool knows_frame(Machine& machine, Instant now) {
 }
 
 bool knows_joints(const Machine& machine) {
-  return has(machine, BoardFeature::encoders) || machine.has_frame_imu();
+  return machine.has_encoders() || machine.has_frame_imu();
 }
 
 void measure(Machine& machine, std::size_t port, Instant now, RealtimeData3& data) {
@@ -124,7 +120,7 @@ void measure(Machine& machine, std::size_t port, Instant now, RealtimeData4& dat
     // Ours: the scale of the raw data depends on the sensor.
     data.mag_data[axis] = saturated_raw<std::int16_t>(1000 * sample.magnetic[sensor_axis(axis)]);
   }
-  if (has(machine, BoardFeature::current_sensor)) {
+  if (machine.options.features.has(BoardFeature::current_sensor)) {
     data.current = saturated<Current>(1000 * sample.current);
   }
   data.imu_temperature = saturated<Temperature>(sample.temperature);

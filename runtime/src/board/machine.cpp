@@ -30,6 +30,8 @@ double Machine::gyro_unit() { return GyroRate(1).degrees_per_second(); }
 
 Duration Machine::cycle() { return microseconds(roles::stream_cycle_us); }
 
+bool Machine::has_encoders() const { return options.features.has(BoardFeature::encoders); }
+
 bool Machine::has_battery_meter() const {
   return options.features.has(BoardFeature::bat_monitoring);
 }
@@ -47,7 +49,7 @@ void Machine::select_profile(std::uint8_t profile, Instant now) {
 
 void Machine::apply_settings(Instant now) {
   if (!has_frame_imu()) cur_imu = SelectedImu::main;
-  gimbal.tune(tuning_of(settings, versions(), battery_factor()), now);
+  gimbal.tune(tuning_of(settings, versions(), has_encoders(), battery_factor()), now);
   correct_gyros(now);
   remote.apply(*this, now);
   slots.apply_settings(*this, now);

@@ -72,6 +72,8 @@ struct Machine {
   static Duration cycle();
   /// In deg/s. Ours: the unit in which offsets of a gyroscope count is that of its readings.
   static double gyro_unit();
+  /// Whether there are encoders, which measure the angles of the joints.
+  bool has_encoders() const;
   /// Whether there is a sensor for the battery's voltage.
   bool has_battery_meter() const;
   /// What that sensor shows of one volt; 0 without it.

@@ -20,6 +20,11 @@ double share_of_signal(int counts) {
   return CentredRcSignal(static_cast<std::int16_t>(counts)).fraction();
 }
 
+/// A flight controller's signal with EXT_FC_GAIN; 127 is the whole signal: ours.
+double amplified(double signal, int gain) {
+  return signal * gain / std::numeric_limits<std::int8_t>::max();
+}
+
 /// Adds the flight controller's share, if it is mixed into this axis. Ours: an axis without a
 /// signal of its own has that share alone, as if its own signal were in the middle.
 void mix_in(std::optional<double>& signal, RcMix mix, std::size_t axis,
@@ -28,9 +33,7 @@ void mix_in(std::optional<double>& signal, RcMix mix, std::size_t axis,
   if (mix.target() != targets[axis] || mix.rate() == 0 || !controller) return;
   constexpr double all = RcMix(std::numeric_limits<RcMix::raw_type>::max()).rate();
   const double share = mix.rate() / all;
-  // EXT_FC_GAIN: 127 is the whole signal. Ours.
-  const double added = *controller * gain / std::numeric_limits<std::int8_t>::max();
-  signal = signal.value_or(0) * (1 - share) + added * share;
+  signal = signal.value_or(0) * (1 - share) + amplified(*controller, gain) * share;
 }
 
 }  // namespace
@@ -69,6 +72,17 @@ std::optional<double> Remote::axis(const Machine& machine, std::size_t axis) con
   return result;
 }
 
+std::optional<double> Remote::followed(const Machine& machine, std::size_t axis) const {
+  constexpr std::size_t roll = 0, pitch = 1;
+  const auto& settings = machine.settings.of<ReadParams3>();
+  if (settings.follow_mode != FollowMode::fc || (axis != roll && axis != pitch)) return {};
+  const RcMap source = axis == roll ? settings.rc_map_fc_roll : settings.rc_map_fc_pitch;
+  const int gain = axis == roll ? settings.ext_fc_gain_roll : settings.ext_fc_gain_pitch;
+  // Ours: the whole signal says that the frame leans by 90 degrees, RC_FOLLOW counts percents, and
+  // who is no longer heard is level.
+  return 90 * amplified(signal(source).value_or(0), gain) * settings.rc[axis].rc_follow / 100;
+}
+
 void Remote::swap(std::size_t one, std::size_t other) {
   std::swap(source_of_axis_[one], source_of_axis_[other]);
 }
@@ -76,6 +90,7 @@ void Remote::swap(std::size_t one, std::size_t other) {
 void Remote::apply(Machine& machine, Instant now) const {
   for (std::size_t index = 0; index < source_of_axis_.size(); ++index) {
     machine.gimbal.set_remote(index, axis(machine, index), now);
+    machine.gimbal.set_followed(index, followed(machine, index), now);
   }
 }
 

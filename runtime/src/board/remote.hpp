@@ -30,12 +30,15 @@ class Remote {
   std::optional<double> own(const Machine& machine, std::size_t axis) const;
   /// What an axis is controlled with: its signal, trimmed, mixed and bent as the settings say.
   std::optional<double> axis(const Machine& machine, std::size_t axis) const;
+  /// In FOLLOW_MODE_FC the angle that the flight controller has an axis follow; nothing if it does
+  /// not concern that axis.
+  std::optional<double> followed(const Machine& machine, std::size_t axis) const;
   /// A signal, -1..1, as the settings in use bend that of an axis: direction, trim, dead band,
   /// curve.
   static double bent(const ReadParams3& settings, std::size_t axis, double signal);
   /// The menu swaps the signals of two axes, until the board restarts.
   void swap(std::size_t one, std::size_t other);
-  /// Hands the signals to the gimbal; after each change of signals or settings.
+  /// Hands signals and followed angles to the gimbal; after each change of signals or settings.
   void apply(Machine& machine, Instant now) const;
 
   static Instant next() { return Instant::never; }

@@ -49,8 +49,10 @@ Axes<double> home_angles(const Settings& settings) {
   return {angles.roll.degrees(), angles.pitch.degrees(), angles.yaw.degrees()};
 }
 
-Tuning tuning_of(const Settings& settings, const Availability& versions, double battery_factor) {
+Tuning tuning_of(const Settings& settings, const Availability& versions, bool has_encoders,
+                 double battery_factor) {
   const auto& main = settings.of<ReadParams3>();
+  const auto& joints = settings.of<ReadParamsExt>();
   const auto& more = settings.of<ReadParamsExt2>();
   const Axes<double> start = home_angles(settings);
   Tuning tuning;
@@ -73,6 +75,11 @@ Tuning tuning_of(const Settings& settings, const Availability& versions, double 
     out.remote_min = rc.rc_min_angle.degrees();
     out.remote_max = rc.rc_max_angle.degrees();
     out.start_angle = start[axis];
+    if (has_encoders) {
+      // Ours: where both limits are equal, as in factory settings, there are none.
+      out.joint_min = joints.encoder_limit_min[axis].degrees();
+      out.joint_max = joints.encoder_limit_max[axis].degrees();
+    }
   }
   tuning.rotation_order = rotation_order(main.euler_order);
   tuning.gyro_trust = main.gyro_trust;

@@ -9,8 +9,10 @@
 
 namespace sbgc::board {
 
-/// `battery_factor`: what the sensor shows of one volt; 0: there is no sensor.
-Tuning tuning_of(const Settings& settings, const Availability& versions, double battery_factor);
+/// Without encoders the limits of the joints are not kept. `battery_factor`: what the sensor shows
+/// of one volt; 0: there is no sensor.
+Tuning tuning_of(const Settings& settings, const Availability& versions, bool has_encoders,
+                 double battery_factor);
 
 /// The angles that the camera starts with and comes home to.
 Axes<double> home_angles(const Settings& settings);

@@ -21,8 +21,8 @@ using Vector = Xyz<double>;
 ///
 /// Angles of `angle`, `speed_angle` and RC signals mean the same angle modulo 4 turns, where the
 /// protocol's 16 bits wrap: the nearest one to the present target. An axis that follows the frame
-/// does so in `remote`, `signal` and `speed`, and counts the angles of RC signals from its neutral
-/// position, that is the frame plus `follow_offset`.
+/// (or what set_followed() tells) does so in `remote`, `signal` and `speed`, and counts the angles
+/// of RC signals from its neutral position, that is what it follows plus `follow_offset`.
 enum class AxisMode : std::uint8_t {
   remote,          ///< no control: the RC signal of the axis
   speed,           ///< turn with `speed`
@@ -49,11 +49,13 @@ struct AxisTuning {
                                              ///< such a move does not begin
   double follow_speed = 50;                  ///< deg/s at most
   double follow_deadband = 0;                ///< degrees
-  double follow_offset = 0;                  ///< of the neutral position from the frame, degrees
+  double follow_offset = 0;                  ///< of the neutral position, degrees
   bool follows = false;                      ///< the target turns with the frame
   bool remote_is_speed = false;              ///< the RC signal is a speed, not an angle
   double remote_min = -90, remote_max = 90;  ///< angles of the lowest and the highest signal
   double remote_speed = 50;                  ///< speed of the full signal, deg/s
+  double joint_min = 0, joint_max = 0;       ///< limits, degrees; none if `joint_min` is not
+                                             ///< the smaller one
   double start_angle = 0;                    ///< where the axis points when the board starts
 };
 
@@ -143,6 +145,8 @@ class Gimbal {
   const AxisCommand& command(std::size_t axis) const;
   /// The RC signal of an axis, -1..1; none: no signal, the axis holds its target.
   void set_remote(std::size_t axis, std::optional<double> signal, Instant now);
+  /// The axis follows that angle, in degrees, and not the frame; none: as its tuning says.
+  void set_followed(std::size_t axis, std::optional<double> angle, Instant now);
 
   /// An outer system tells what it knows of the frame; that improves the stabilization for a
   /// second. Ours: what it tells does not matter, the simulation knows the frame.
