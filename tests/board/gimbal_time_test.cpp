@@ -1,7 +1,6 @@
 // Time: the same seed and commands give the same samples, however often somebody looks.
 
 #include <cstdio>
-#include <ctime>
 #include <iterator>
 #include <limits>
 #include <string>
@@ -139,24 +138,6 @@ TEST(Time, NothingJumpsFromStepToStep) {
     ASSERT_NEAR(sample.frame.yaw, before.frame.yaw, 0.004) << us;
     before = sample;
   }
-}
-
-double processor_seconds(Gimbal& gimbal, std::int64_t from_ms, std::int64_t step_ms,
-                         std::int64_t until_ms) {
-  const std::clock_t start = std::clock();
-  for (std::int64_t at = from_ms; at <= until_ms; at += step_ms) gimbal.sample(ms(at));
-  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-}
-
-#ifdef NDEBUG
-constexpr double slowness = 1;
-#else
-constexpr double slowness = 20;
-#endif
-
-TEST(Time, AnHourOfMotionTakesAMomentOfTheProcessor) {
-  Gimbal gimbal = ready(lively());
-  EXPECT_LT(processor_seconds(gimbal, 0, 30'000, 3'600'000), 1.5 * slowness);
 }
 
 /// Where a camera looks that nobody has asked for so long, while its frame has turned aside and
