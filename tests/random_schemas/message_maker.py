@@ -82,7 +82,7 @@ class MessageMaker(FieldMaker):
             return plain
         when.pop("may_be_missing", None)
         other = self.plain_answer()
-        first = {"confirm": "possible"} if other == "none" else other
+        first = {"confirm": self.uncertain()} if other == "none" else other
         return [{"when": when, **first}, plain]
 
     def plain_answer(self) -> Any:
@@ -92,7 +92,11 @@ class MessageMaker(FieldMaker):
             return {"message": self.random.choice(from_board), "retry": "safe"}
         if self.chance(0.5):
             return {"confirm": "always", "confirmations": 2, "timeout_ms": 70}
-        return "none"
+        return {"confirm": self.uncertain()} if self.chance(0.2) else "none"
+
+    def uncertain(self) -> str:
+        """Of a confirmation that need not come."""
+        return self.random.choice(("unlikely", "possible"))
 
     def add_body(self, name: str, scope: Scope, direction: str, has_contexts: bool = False) -> None:
         """Remember a message."""

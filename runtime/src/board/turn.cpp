@@ -20,7 +20,7 @@ void Turn::answer_body(std::uint8_t id, std::span<const std::uint8_t> body) {
 }
 
 Outcome Turn::confirm(std::span<const std::uint8_t> data) {
-  if (!confirms(command)) return Outcome::carried_out;
+  if (!confirms()) return Outcome::carried_out;
   std::array<std::uint8_t, max_body_size> body{command};
   std::size_t size = 1;
   for (const std::uint8_t byte : data.first(std::min(data.size(), body.size() - 1))) {
@@ -31,7 +31,7 @@ Outcome Turn::confirm(std::span<const std::uint8_t> data) {
 }
 
 Outcome Turn::confirm(roles::Confirmation confirmation) {
-  if (!confirms(command)) return Outcome::carried_out;
+  if (!confirms()) return Outcome::carried_out;
   confirmation.cmd = static_cast<CommandId>(command);
   return answer(confirmation);
 }
