@@ -37,7 +37,7 @@ Outcome Turn::confirm(roles::Confirmation confirmation) {
 }
 
 Outcome Turn::refuse(Refusal reason, std::uint32_t detail) {
-  ErrorExt error;
+  ErrorExt error;  // the form that real boards send: with the command that failed (E086)
   error.cmd_id = static_cast<CommandId>(command);
   error.error_code = static_cast<std::uint8_t>(reason);
   for (std::size_t i = 0; i < error.error_data.size(); ++i) {
