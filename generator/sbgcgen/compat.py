@@ -228,8 +228,7 @@ def _compare_answers(
     level = Level.MEANING if lost or was_silent else Level.COMPATIBLE
     changes.compare(level, f"{what}: answered by", sorted(names), sorted(now.messages), new.at)
     confirm = (before.confirm, now.confirm)
-    level = Level.COMPATIBLE if confirm == ("never", "possible") else Level.MEANING
-    changes.compare(level, f"{what}: confirmed", confirm[0], confirm[1], new.at)
+    changes.compare(_level_of(confirm), f"{what}: confirmed", confirm[0], confirm[1], new.at)
     if confirm[0] == confirm[1]:
         counts = (before.confirmations, now.confirmations)
         changes.compare(Level.MEANING, f"{what}: confirmations", counts[0], counts[1], new.at)
@@ -251,13 +250,20 @@ def _compare_answers(
                 Level.MEANING, f"{case}: answered by", kept, sorted(second.messages), new.at
             )
             pair = (first.confirm, second.confirm)
-            changes.compare(Level.MEANING, f"{case}: confirmed", pair[0], pair[1], new.at)
+            changes.compare(_level_of(pair), f"{case}: confirmed", pair[0], pair[1], new.at)
         echoes = [sorted(c.echoes) for c in (first, second)]
         changes.compare(Level.MEANING, f"{case}: repeats", echoes[0], echoes[1], new.at)
         ends_it = (first.restarts, second.restarts)
         changes.compare(Level.MEANING, f"{case}: restarts the board", *ends_it, new.at)
         results = [c.result.field.spec_name if c.result else "" for c in (first, second)]
         changes.compare(Level.MEANING, f"{case}: result", results[0], results[1], new.at)
+
+
+def _level_of(confirm: tuple[str, str]) -> Level:
+    """Nobody waits for a confirmation that may or may not come, so how likely it is breaks nothing."""
+    before, now = confirm
+    is_kept = before != "always" and now in ("unlikely", "possible")
+    return Level.COMPATIBLE if is_kept else Level.MEANING
 
 
 def _condition_words(case: AnswerCase) -> str:

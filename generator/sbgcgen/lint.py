@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from sbgcgen.compose import conditions
 from sbgcgen.diagnostics import Diagnostics, Position, did_you_mean
 from sbgcgen.load import Spec
 from sbgcgen.model import (
@@ -22,6 +23,8 @@ from sbgcgen.model import (
 from sbgcgen.names import CPP_TYPES, MESSAGE_WORDS, STRUCT_WORDS
 from sbgcgen.resolve_fields import scalar_of
 
+# What the runtime counts in a byte.
+MAX_COPIES = 255
 # Findings that leave a body without some of its fields, so that its size is not known.
 _UNSIZED = ("SBGC010", "SBGC021", "SBGC025", "SBGC029", "SBGC031")
 
@@ -189,9 +192,11 @@ def _check_copies(settings: Settings, found: Diagnostics) -> None:
         if field is None:
             continue
         is_number = isinstance(field.type, Scalar) and field.dim == "one" and field.when is None
-        if not is_number or field.minimum != 0 or field.maximum is None:
+        is_limited = field.maximum is not None and field.maximum < MAX_COPIES
+        if not is_number or field.is_counter or field.minimum != 0 or not is_limited:
             text = f"'{field.name}' can not count the copies of the settings"
-            found.add(field.at, "SBGC037", text, "it is one integer with a range that begins at 0")
+            hint = f"it is one integer with a range within 0..{MAX_COPIES - 1} that begins at 0"
+            found.add(field.at, "SBGC037", text, hint)
         elif own is not None and own.maximum not in (None, field.maximum):
             text = f"'{field.name}' and '{own.name}' of {settings.message.name} have other ranges"
             found.add(field.at, "SBGC037", text, "both count the same copies")
@@ -199,6 +204,7 @@ def _check_copies(settings: Settings, found: Diagnostics) -> None:
 
 def _check_marked(settings: Settings, found: Diagnostics) -> None:
     """What is state or general is marked for code that knows bytes, but not what they mean."""
+    shaping = {when.source for when in conditions(settings.message) if not when.from_context}
     for field in settings.message.fields:
         if field.role not in ("general", "state"):
             continue
@@ -207,6 +213,12 @@ def _check_marked(settings: Settings, found: Diagnostics) -> None:
         if not is_number or field.dim != "one" or field.when is not None:
             text = f"'{field.name}' is no integer that always stands there"
             found.add(field.at, "SBGC037", text, f"only one integer has the role '{field.role}'")
+        elif field.is_counter or field.name in shaping:
+            text = f"'{field.name}' says what else there is in {settings.message.name}"
+            found.add(field.at, "SBGC037", text, f"nothing hangs on a field of role '{field.role}'")
+        elif field.offset is None:
+            text = f"'{field.name}' has no fixed place"
+            found.add(field.at, "SBGC037", text, "put it in front of what varies")
         elif field.role == "general" and settings.copies == 1:
             text = f"there is only one copy of {settings.message.name}"
             hint = "without a field with 'role: copy' all settings are those of the whole board"

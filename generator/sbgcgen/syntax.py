@@ -72,7 +72,7 @@ def _check_answer(name: str, answer: Map, found: Diagnostics) -> None:
         found.add(answer.position, "SBGC032", f"{name} does not say what answers it", hint)
     if "confirmations" in answer and never == (answer["confirmations"] > 0):
         message = f"'confirmations' of {name} does not go with 'confirm'"
-        hint = "'never' has 0 of them, 'possible' and 'always' have some"
+        hint = "'never' has 0 of them, all else has some"
         found.add(answer.at("confirmations"), "SBGC041", message, hint)
     if "finish_ms" in answer and answer.get("confirmations", 1) < 2:
         hint = "for a single one, say 'timeout_ms'"

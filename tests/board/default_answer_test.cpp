@@ -25,11 +25,10 @@ void expect_answer_of_model(const Request& request) {
   SCOPED_TRACE(Meta<Request>::info.name);
   Machine machine({}, {}, {});
   const auto port = machine.ports.open(false).value();
-  constexpr auto id = static_cast<std::uint8_t>(Request::command);
-  Turn turn(machine, port, id, {});
+  const Exchange exchange = exchange_of(request);
+  Turn turn(machine, port, exchange.replies.command, exchange.replies.confirmed, {});
   EXPECT_EQ(default_answer(turn, request), Outcome::carried_out);
 
-  const Exchange exchange = exchange_of(request);
   unsigned answers = 0, confirmations = 0;
   Parser parser;
   parser.feed(machine.ports.output(port), [&](const Frame& frame) {
@@ -53,7 +52,7 @@ void expect_answer_of_model(const Request& request) {
   }
   EXPECT_EQ(answers, exchange.answer_required ? 1U : 0U);
   const bool confirms = exchange.replies.confirmed == Confirmed::always ||
-                        (exchange.replies.confirmed == Confirmed::possible && board::confirms(id));
+                        exchange.replies.confirmed == Confirmed::possible;
   EXPECT_EQ(confirmations, confirms ? exchange.confirmations : 0U);
 }
 
@@ -81,6 +80,8 @@ TEST(DefaultAnswer, DependsOnTheRequest) {
   expect_answer_of_model(request);
   request.confirm = ResetOption::notify;
   expect_answer_of_model(request);
+  // One that is unlikely confirmed is not.
+  expect_answer_of_model(AhrsHelperRequestExt{.mode = AhrsHelperModeBit::set});
 }
 
 }  // namespace

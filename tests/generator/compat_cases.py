@@ -291,6 +291,11 @@ CASES: dict[str, Case] = {
         MEANING,
         "message Move: confirmed: always → possible",
     ),
+    "confirmation in a case": (
+        [("confirm: possible, retry: safe", "confirm: always, retry: safe")],
+        MEANING,
+        "message Aim: case 1: confirmed: possible → always",
+    ),
     "retry": (
         [("answer: {confirm: always, retry: safe}", "answer: {confirm: always}")],
         MEANING,
@@ -483,6 +488,21 @@ CASES: dict[str, Case] = {
         [("answer: {message: List}", "answer: {message: List, confirm: possible}")],
         OK,
         "message ListRequest: confirmed: never → possible",
+    ),
+    "confirmation unlikely": (
+        [("answer: {message: List}", "answer: {message: List, confirm: unlikely}")],
+        OK,
+        "message ListRequest: confirmed: never → unlikely",
+    ),
+    "confirmation less likely": (
+        [("answer: {confirm: possible}", "answer: {confirm: unlikely}")],
+        OK,
+        "message StoreExt: confirmed: possible → unlikely",
+    ),
+    "confirmation less likely in a case": (
+        [("confirm: possible, retry: safe", "confirm: unlikely, retry: safe")],
+        OK,
+        "message Aim: case 1: confirmed: possible → unlikely",
     ),
     "since earlier": (
         [("since: {firmware: 2.59}", "since: {firmware: 2.58}")],

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from sbgcgen.build import load_layout
 from sbgcgen.model import Answer, Layout
 from support import HERE, layout_of, message_of, write_spec
@@ -110,6 +112,25 @@ def test_cases(tmp_path: Path) -> None:
     assert (last.when, last.messages, last.confirm) == (None, (), "never")
     assert answer.messages == ("Get", "GetError")
     assert (answer.confirm, answer.is_certain, answer.retry_safe) == ("possible", False, False)
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "both"),
+    [
+        ("unlikely", "unlikely", "unlikely"),
+        ("unlikely", "never", "unlikely"),
+        ("unlikely", "possible", "possible"),
+        ("unlikely", "always", "possible"),
+        ("never", "always", "possible"),
+    ],
+)
+def test_how_sure_a_confirmation_is_in_all_cases(
+    first: str, second: str, both: str, tmp_path: Path
+) -> None:
+    text = TEXT.replace("message: [Get, GetError], echoes: [PLACE]", f"confirm: {first}")
+    text = text.replace("confirm: possible, then: restart", f"confirm: {first}")
+    text = text.replace("        - none\n", f"        - {{confirm: {second}}}\n")
+    assert answer_of(layout_of(tmp_path, text), "GetRequest").confirm == both
 
 
 def test_echoes_stand_where_the_answer_has_them(tmp_path: Path) -> None:

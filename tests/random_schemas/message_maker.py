@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any, Optional
 
 from field_maker import FieldMaker
-from spec_parts import MAX_BODY, MAX_MEMORY, SIZES, UNSIGNED, Body, Node, Scope
+from spec_parts import INTEGERS, MAX_BODY, MAX_MEMORY, SIZES, UNSIGNED, Body, Node, Scope
 from type_maker import TEXTS
 
 
@@ -20,7 +20,7 @@ class MessageMaker(FieldMaker):
         for _ in range(self.random.randint(1, 2)):
             self.add_announcement()
         makers = [self.add_forms, self.add_both_ways, self.add_same, self.add_including]
-        makers += [self.add_dependent, self.add_gaps]
+        makers += [self.add_dependent, self.add_gaps, self.add_settings]
         for maker in makers:
             maker()
         makers += [self.add_command] * 5 + [self.add_undocumented]
@@ -82,7 +82,7 @@ class MessageMaker(FieldMaker):
             return plain
         when.pop("may_be_missing", None)
         other = self.plain_answer()
-        first = {"confirm": "possible"} if other == "none" else other
+        first = {"confirm": self.uncertain()} if other == "none" else other
         return [{"when": when, **first}, plain]
 
     def plain_answer(self) -> Any:
@@ -92,7 +92,11 @@ class MessageMaker(FieldMaker):
             return {"message": self.random.choice(from_board), "retry": "safe"}
         if self.chance(0.5):
             return {"confirm": "always", "confirmations": 2, "timeout_ms": 70}
-        return "none"
+        return {"confirm": self.uncertain()} if self.chance(0.2) else "none"
+
+    def uncertain(self) -> str:
+        """Of a confirmation that need not come."""
+        return self.random.choice(("unlikely", "possible"))
 
     def add_body(self, name: str, scope: Scope, direction: str, has_contexts: bool = False) -> None:
         """Remember a message."""
@@ -325,6 +329,46 @@ class MessageMaker(FieldMaker):
         content = {"context": contexts, "fields": scope.fields}
         node[direction] = self.side(direction, name, content)
         self.add_body(name, scope, direction, has_contexts=True)
+
+    def add_settings(self) -> None:
+        """Settings that can be read and stored: of the whole board, or several copies of them."""
+        _, family, node = self.new_command("from_board", "to_board")
+        roles = ["state"] * 4
+        copy: Node = {}
+        if self.chance(0.8):
+            roles[:2] = ["general"] * 2
+            copy = {"type": self.random.choice(list(INTEGERS)), "role": "copy"}
+            copy["range"] = f"0..{self.random.choice((1, 4, 126))}"
+        self.random.shuffle(roles)
+        scope = self.scope(family)
+        copied_at = self.random.randint(0, 3)
+        for step, role in enumerate(roles):
+            self.add_marked(scope, role)
+            if copy and step == copied_at:
+                field_ = self.said({"name": self.field_name(), **copy})
+                scope.add(field_, SIZES[copy["type"]], SIZES[copy["type"]], True)
+            self.make_fields(scope, self.random.randint(0, 2))
+        if self.chance(0.3):
+            self.add_rest(scope)
+        name = self.unique("Settings")
+        node["from_board"] = self.side("from_board", name, {"fields": scope.fields})
+        if self.chance(0.3):
+            node["from_board"]["tail"] = "keep"
+        asked = [self.said({"name": self.field_name(), **copy})] if copy else []
+        content: Node = {"fields": asked} if asked else {}
+        node["to_board"] = self.side("to_board", self.unique("AskingFor"), content)
+        node["to_board"]["answer"] = {"message": name, "retry": "safe"}
+        for _ in range(self.random.randint(1, 2)):
+            _, _, storing = self.new_command("to_board", family=family)
+            content = {"same_as": name, "stores": name}
+            storing["to_board"] = self.side("to_board", self.unique("Storing"), content)
+
+    def add_marked(self, scope: Scope, role: str) -> None:
+        """An integer of that role, unless its place would vary."""
+        kind = self.number_kind()
+        if scope.fixed and kind.number in INTEGERS:
+            node = {"name": self.field_name(), "type": kind.name, "role": role}
+            scope.add(self.decorate(node, kind, scope), kind.least, kind.memory, True)
 
     def add_undocumented(self) -> None:
         """A command of which nothing is known, or not even an id."""

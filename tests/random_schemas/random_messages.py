@@ -36,7 +36,7 @@ def lines_of(layout: Layout, seed: int, count: int) -> Iterator[str]:
     chosen = random.Random(seed)
     forms = forms_of(layout)
     for message in layout.messages:
-        maker = _Messages(message, chosen)
+        maker = RandomMessages(message, chosen)
         for _ in range(count):
             vector = maker.vector()
             if vector is not None:
@@ -52,7 +52,7 @@ def lines_of(layout: Layout, seed: int, count: int) -> Iterator[str]:
             yield json.dumps({**fields, "why": "no message"}) + "\n"
 
 
-class _Messages:
+class RandomMessages:
     """Makes random vectors of one message."""
 
     def __init__(self, message: Message, chosen: random.Random) -> None:

@@ -1,8 +1,9 @@
 """Random specs through the generator, a compiler, and random messages both ways.
 
 For each seed: a random spec (spec_maker.py), generated; the program of tests/codec/vectors_test.cpp,
-compiled with the generated headers; and vectors of random messages by the reference codec
-(random_messages.py), on which the C++ codec must agree to the byte, also in what it refuses.
+compiled with the generated headers; vectors of random messages by the reference codec
+(random_messages.py), on which the C++ codec must agree to the byte, also in what it refuses; and
+random settings (random_settings.py) for settings_test.cpp.
 
 What fails stays in its folder; `--seed N` makes it again.
 """
@@ -20,7 +21,8 @@ import time
 import traceback
 from pathlib import Path
 
-from random_messages import lines_of
+import random_messages
+import random_settings
 from spec_maker import write_spec
 
 from sbgcgen.build import load_protocol
@@ -32,6 +34,7 @@ SOURCES = [
     ROOT / "tests/codec/any_message.cpp",
     ROOT / "tests/codec/vectors_test.cpp",
     ROOT / "tests/random_schemas/conversation.cpp",
+    ROOT / "tests/random_schemas/settings_test.cpp",
 ]
 WARNINGS = """-Wall -Wextra -Wpedantic -Wcast-align -Wcast-qual -Wconversion -Wdouble-promotion
     -Wextra-semi -Wformat=2 -Wimplicit-fallthrough -Wold-style-cast -Wshadow -Wsign-conversion -Wundef
@@ -65,16 +68,19 @@ class Trial:
         return f"{messages} messages, {lines} random lines, {Path(compiler).name}"
 
     def generate(self) -> tuple[int, int]:
-        """Run the generator, and add vectors of random messages to its own."""
+        """Run the generator, and add vectors of random messages to its own, and random settings."""
         try:
             layout = load_protocol(self.spec).layout
             Output(self.folder / "generated", outputs(layout)).write()
-            lines = list(lines_of(layout, self.seed, self.options.messages))
+            lines = list(random_messages.lines_of(layout, self.seed, self.options.messages))
+            settings = list(random_settings.lines_of(layout, self.seed, self.options.messages))
         except SpecError as error:
             raise Failure(f"the spec has findings:\n{error}") from error
         except Exception as error:
             raise Failure(f"the generator failed:\n{traceback.format_exc()}") from error
         (self.vectors / "random.jsonl").write_text("".join(lines), encoding="utf-8")
+        told = "".join(settings)
+        (self.folder / "generated" / "settings.jsonl").write_text(told, encoding="utf-8")
         return len(layout.messages), len(lines)
 
     def compile(self, compiler: str) -> None:
@@ -113,7 +119,7 @@ class Trial:
 
     def compare(self) -> None:
         """Run the vectors; of what fails, the shortest is told."""
-        output = self.run_vectors(self.folder / "generated")
+        output = self.run_program(self.folder / "generated")
         if not output:
             return
         failing = []
@@ -126,12 +132,12 @@ class Trial:
         shortest.mkdir(parents=True)
         line = min(failing, key=len)
         (shortest / "failure.jsonl").write_text(line + "\n", encoding="utf-8")
-        told = self.run_vectors(shortest.parent)
+        told = self.run_program(shortest.parent, "--gtest_filter=*Vectors*")
         raise Failure(f"{len(failing)} vectors fail; the shortest:\n{line[:1500]}\n{told[:3000]}")
 
-    def run_vectors(self, folder: Path) -> str:
-        """Run the program on the vectors in a folder; its output if something fails."""
-        command = [str(self.folder.resolve() / "program"), "--gtest_brief=1"]
+    def run_program(self, folder: Path, *options: str) -> str:
+        """Run the program on what is in a folder; its output if something fails."""
+        command = [str(self.folder.resolve() / "program"), "--gtest_brief=1", *options]
         done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
         return (done.stdout + done.stderr) if done.returncode else ""
 

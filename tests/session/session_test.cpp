@@ -88,19 +88,28 @@ TEST(Session, WaitsForACertainConfirmation) {
   EXPECT_EQ(confirmations[0].event.command, motors_on);
 }
 
-TEST(Session, WaitsForAPossibleConfirmationOnlyIfTold) {
+template <class Request>
+void expect_to_wait_only_if_told(const Request& request) {
   for (const bool comes : {true, false}) {
     Simulation line;
     line.board = [&](const Written& frame) {
       if (comes) line.confirm(frame.id);
     };
-    const Handle first = line.send(sbgc::ExecuteMenu{});
-    const Handle second = line.send(sbgc::ExecuteMenu{}, {.expect_confirmation = true});
+    const Handle first = line.send(request);
+    const Handle second = line.send(request, {.expect_confirmation = true});
     line.run();
     EXPECT_EQ(line.outcome(first), Outcome::sent);
     EXPECT_EQ(line.outcome(second), comes ? Outcome::confirmed : Outcome::unconfirmed);
     EXPECT_THAT(line.written, SizeIs(2)) << "that a confirmation is missing is no reason to repeat";
   }
+}
+
+TEST(Session, WaitsForAPossibleConfirmationOnlyIfTold) {
+  expect_to_wait_only_if_told(sbgc::ExecuteMenu{});
+}
+
+TEST(Session, WaitsForAnUnlikelyConfirmationOnlyIfTold) {
+  expect_to_wait_only_if_told(sbgc::ApiVirtChControl{});
 }
 
 TEST(Session, DoesNotTakeTheConfirmationOfAnEarlierRequestForThatOfALaterOne) {

@@ -95,8 +95,10 @@ class Answer:
 
     @property
     def confirm(self) -> str:
-        """What holds of all cases: "always", "never", or else "possible"."""
+        """What holds of all cases: "always", "never", "unlikely" at most, or else "possible"."""
         said = {case.confirm for case in self.cases}
+        if said == {"never", "unlikely"}:
+            return "unlikely"
         return said.pop() if len(said) == 1 else "possible"
 
     @property

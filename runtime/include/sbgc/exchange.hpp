@@ -83,8 +83,9 @@ struct AnswerForm {
   }
 };
 
-/// Whether the board confirms a request.
-enum class Confirmed : std::uint8_t { never, possible, always };
+/// Whether the board confirms a request, from the least likely up. Nobody may rely on what is
+/// between never and always.
+enum class Confirmed : std::uint8_t { never, unlikely, possible, always };
 
 /// The frames that may come back for a request.
 struct Replies {

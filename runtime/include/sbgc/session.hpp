@@ -208,12 +208,12 @@ class BasicSession {
       if (status != SendStatus::ok) return refuse(status);
       streams_.ask(stream);
     }
-    const Confirmed confirmed = exchange.replies.confirmed;
-    const bool certain = exchange.answer_required || confirmed == Confirmed::always;
+    const bool certain = is_certain(exchange);
     const std::uint8_t attempts = options.attempts != 0 ? options.attempts : options_.attempts;
     slot.handle = {++last_handle_};
     slot.exchange = exchange;
-    slot.waits = certain || (options.expect_confirmation && confirmed == Confirmed::possible);
+    const bool may_be_confirmed = exchange.replies.confirmed != Confirmed::never;
+    slot.waits = certain || (options.expect_confirmation && may_be_confirmed);
     slot.is_in_flight = slot.is_due = false;
     // That a possible confirmation does not come is no reason to send again.
     slot.attempts = certain && exchange.retry_is_safe && attempts != 0 ? attempts : 1;
@@ -260,6 +260,11 @@ class BasicSession {
     }
     if (request.waits && ghosts_.can_be_confused_with(replies)) return false;
     return !has_replies(replies) || ghosts_.has_room(replies, in_flight);
+  }
+
+  /// Whether something comes back unless it is lost or the request fails.
+  static bool is_certain(const Exchange& exchange) noexcept {
+    return exchange.answer_required || exchange.replies.confirmed == Confirmed::always;
   }
 
   static bool has_replies(const Replies& replies) noexcept {
@@ -331,10 +336,8 @@ class BasicSession {
       request.is_due = true;
       return;
     }
-    const Exchange& exchange = request.exchange;
-    const bool hoped =
-        !exchange.answer_required && exchange.replies.confirmed == Confirmed::possible;
-    complete(request, hoped ? Outcome::unconfirmed : Outcome::timeout, {}, sink);
+    complete(request, is_certain(request.exchange) ? Outcome::timeout : Outcome::unconfirmed, {},
+             sink);
   }
 
   /// When poll() has something to do next.

@@ -153,7 +153,8 @@ class Board::Core {
               outcome = Outcome::malformed;
               return;
             }
-            Turn turn(machine, port, request.id, now);
+            const Confirmed confirmed = exchange_of(message).replies.confirmed;
+            Turn turn(machine, port, request.id, confirmed, now);
             outcome = carry_out(turn, message);
           }
         });

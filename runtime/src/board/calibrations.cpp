@@ -275,7 +275,7 @@ void Calibrations::finish(Machine& machine, bool is_success, Instant now) {
   if (run.kind == Kind::poles) errors_.set(SystemError::calib_poles, !is_success);
   machine.outputs.signal(machine, is_success ? BeeperMode::confirm : BeeperMode::error, now);
   if (!run.asker) return;
-  Turn turn(machine, run.asker->port, run.asker->command, now);
+  Turn turn(machine, run.asker->port, run.asker->command, Confirmed::always, now);
   if (is_success) {
     turn.confirm();
   } else {

@@ -20,7 +20,7 @@ void Turn::answer_body(std::uint8_t id, std::span<const std::uint8_t> body) {
 }
 
 Outcome Turn::confirm(std::span<const std::uint8_t> data) {
-  if (!confirms(command)) return Outcome::carried_out;
+  if (!confirms()) return Outcome::carried_out;
   std::array<std::uint8_t, max_body_size> body{command};
   std::size_t size = 1;
   for (const std::uint8_t byte : data.first(std::min(data.size(), body.size() - 1))) {
@@ -31,13 +31,13 @@ Outcome Turn::confirm(std::span<const std::uint8_t> data) {
 }
 
 Outcome Turn::confirm(roles::Confirmation confirmation) {
-  if (!confirms(command)) return Outcome::carried_out;
+  if (!confirms()) return Outcome::carried_out;
   confirmation.cmd = static_cast<CommandId>(command);
   return answer(confirmation);
 }
 
 Outcome Turn::refuse(Refusal reason, std::uint32_t detail) {
-  ErrorExt error;
+  ErrorExt error;  // the form that real boards send: with the command that failed (E086)
   error.cmd_id = static_cast<CommandId>(command);
   error.error_code = static_cast<std::uint8_t>(reason);
   for (std::size_t i = 0; i < error.error_data.size(); ++i) {

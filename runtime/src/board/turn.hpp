@@ -8,6 +8,7 @@
 
 #include <sbgc/availability.hpp>
 #include <sbgc/board/board.hpp>
+#include <sbgc/exchange.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/messages.hpp>
 #include <sbgc/roles.hpp>
@@ -33,8 +34,8 @@ enum class Refusal : std::uint8_t {
 /// message without a handler is answered as the model says (default_answer.hpp).
 class Turn {
  public:
-  Turn(Machine& of, std::size_t from, std::uint8_t id, Instant at)
-      : machine(of), port(from), command(id), now(at) {}
+  Turn(Machine& of, std::size_t from, std::uint8_t id, Confirmed confirmed, Instant at)
+      : machine(of), port(from), command(id), now(at), confirmed_(confirmed) {}
 
   Machine& machine;
   const std::size_t port;
@@ -54,8 +55,8 @@ class Turn {
     send(message);
     return Outcome::carried_out;
   }
-  /// CMD_CONFIRM that names the request, with these data. Of commands that hosts send in quick
-  /// succession there is none, see confirms().
+  /// CMD_CONFIRM that names the request, with these data. Ours: there is none if the model calls it
+  /// unlikely.
   Outcome confirm(std::span<const std::uint8_t> data = {});
   /// The same with the fields that such a confirmation has.
   Outcome confirm(roles::Confirmation confirmation);
@@ -78,18 +79,10 @@ class Turn {
       send_frame(std::span(frame).first(written.size));
     }
   }
-};
 
-/// Whether the board confirms a command of which the specification does not say. Real boards
-/// confirm most of them, CMD_CONTROL too (E085). Ours: those that carry a steady flow of data come
-/// so often that confirmations would take the line from the live data; nobody waits for them.
-constexpr bool confirms(std::uint8_t command) noexcept {
-  switch (static_cast<CommandId>(command)) {
-    case CommandId::helper_data:
-    case CommandId::api_virt_ch_control:
-    case CommandId::ahrs_helper: return false;
-    default: return true;
-  }
-}
+  bool confirms() const noexcept { return confirmed_ >= Confirmed::possible; }
+
+  Confirmed confirmed_;
+};
 
 }  // namespace sbgc::board

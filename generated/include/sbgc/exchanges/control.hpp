@@ -141,7 +141,7 @@ struct ExchangeTraits<HelperData> {
 };
 constexpr Exchange exchange_of(const HelperData&) noexcept {
   return {.replies = {.command = 72,
-              .confirmed = Confirmed::possible},
+              .confirmed = Confirmed::unlikely},
       .confirmations = 1,
       .timeout_ms = 500};
 }
@@ -153,7 +153,7 @@ struct ExchangeTraits<HelperDataExt> {
 };
 constexpr Exchange exchange_of(const HelperDataExt&) noexcept {
   return {.replies = {.command = 72,
-              .confirmed = Confirmed::possible},
+              .confirmed = Confirmed::unlikely},
       .confirmations = 1,
       .timeout_ms = 500};
 }

@@ -63,7 +63,7 @@ struct ExchangeTraits<AhrsHelperRequestExt> {
 constexpr Exchange exchange_of(const AhrsHelperRequestExt& request) noexcept {
   if (request.mode.has(AhrsHelperModeBit::set)) {
     return {.replies = {.command = 56,
-              .confirmed = Confirmed::possible},
+              .confirmed = Confirmed::unlikely},
       .confirmations = 1,
       .retry_is_safe = true,
       .timeout_ms = 500};

@@ -85,7 +85,7 @@ struct ExchangeTraits<ApiVirtChControl> {
 };
 constexpr Exchange exchange_of(const ApiVirtChControl&) noexcept {
   return {.replies = {.command = 45,
-              .confirmed = Confirmed::possible},
+              .confirmed = Confirmed::unlikely},
       .confirmations = 1,
       .retry_is_safe = true,
       .timeout_ms = 500};

@@ -83,7 +83,7 @@ struct SendResult {
 
 /// How one request is to be treated.
 struct SendOptions {
-  /// Wait for a confirmation that is only possible: `confirmed` or `unconfirmed` instead of `sent`.
+  /// Wait for a confirmation that need not come: `confirmed` or `unconfirmed` instead of `sent`.
   bool expect_confirmation = false;
   bool ignore_budget = false;         ///< start a data stream whatever it takes of the line
   std::uint8_t attempts = 0;          ///< most transmissions, if a retry is safe; 0: as the session

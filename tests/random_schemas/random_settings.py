@@ -1,0 +1,53 @@
+"""Random settings of a protocol, as lines with what the generated code must make of them.
+
+A line has the message that holds the settings ("settings"), of how many copies ("copies"), which
+messages read and store them, the fields of two such messages ("from", "to"), which copy the second
+is about ("copy", null if there is one only), and its fields and body with the general settings of
+the first ("shared", "hex").
+"""
+
+from __future__ import annotations
+
+import json
+import random
+from collections.abc import Iterator
+from typing import Any
+
+from random_messages import RandomMessages
+
+from sbgcgen.model import Layout, Settings, copy_field
+from sbgcgen.reference_codec import Fields, encode
+
+
+def lines_of(layout: Layout, seed: int, count: int) -> Iterator[str]:
+    """`count` lines for each kind of settings."""
+    chosen = random.Random(seed)
+    for settings in layout.settings:
+        maker = RandomMessages(settings.message, chosen)
+        for _ in range(count):
+            yield json.dumps(_line(settings, _fields(maker), _fields(maker))) + "\n"
+
+
+def _fields(maker: RandomMessages) -> Fields:
+    """Fields as they come out of some body."""
+    while True:
+        vector = maker.vector()
+        if vector is not None and vector.body is not None and vector.fields is not None:
+            return vector.fields
+
+
+def _line(settings: Settings, source: Fields, target: Fields) -> dict[str, Any]:
+    message, copy = settings.message, copy_field(settings.message)
+    general = {f.name: source[f.name] for f in message.fields if f.role == "general"}
+    shared = {**target, **general}
+    return {
+        "settings": message.name,
+        "copies": settings.copies,
+        "readers": [m.name for m in settings.readers],
+        "writers": [m.name for m in settings.writers],
+        "from": source,
+        "to": target,
+        "copy": target[copy.name] if copy else None,
+        "shared": shared,
+        "hex": encode(message, shared).hex(),
+    }

@@ -1,0 +1,62 @@
+// What the generated code says of settings, and what share() does to them, against
+// random_settings.py, which knows the model but none of the templates.
+
+#include <fstream>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/json.hpp>
+#include <sbgc/meta/all.hpp>
+#include <sbgc/settings.hpp>
+
+#include "support.hpp"
+
+namespace sbgc::test {
+namespace {
+
+template <class... Messages>
+Json names(TypeList<Messages...>) {
+  return Json::array({Meta<Messages>::info.name...});
+}
+
+template <class M>
+void check(const Json& line) {
+  using Settings = SettingsOf<M>;
+  EXPECT_EQ(Settings::copies, line["copies"]);
+  EXPECT_EQ(names(typename Settings::Readers{}), line["readers"]);
+  EXPECT_EQ(names(typename Settings::Writers{}), line["writers"]);
+  M from{}, to{};
+  from_json(line["from"], from);
+  from_json(line["to"], to);
+  if constexpr (Settings::copies > 1) {
+    EXPECT_EQ(Settings::copy(to), line["copy"]);
+    Settings::share(from, to);
+  }
+  EXPECT_EQ(to_json(to), line["shared"])
+      << "differences: " << Json::diff(line["shared"], to_json(to));
+  EXPECT_EQ(detail::to_hex(body_of(to)), line["hex"].get<std::string>());
+}
+
+TEST(Settings, AreSharedAsTheModelSays) {
+  std::ifstream file(SBGC_GENERATED "/settings.jsonl");
+  std::set<std::string> seen;
+  std::string text;
+  int number = 0;
+  while (std::getline(file, text)) {
+    SCOPED_TRACE("line " + std::to_string(++number) + " of settings.jsonl");
+    const Json line = Json::parse(text);
+    seen.insert(line["settings"].get<std::string>());
+    StoredMessages::for_each([&]<class M>(Type<M>) {
+      if (line["settings"] != SettingsOf<M>::name) return;
+      ASSERT_NO_THROW(check<M>(line));
+    });
+  }
+  StoredMessages::for_each([&]<class M>(Type<M>) {
+    EXPECT_TRUE(seen.contains(SettingsOf<M>::name)) << SettingsOf<M>::name;
+  });
+}
+
+}  // namespace
+}  // namespace sbgc::test
