@@ -82,7 +82,7 @@ def test_direct_includes() -> None:
     for name in headers():
         path = next(folder / name for folder in INCLUDES if (folder / name).exists())
         for include in re.findall(
-            r'^\s*#\s*include\s*[<"]([^>"]+)', path.read_text(), re.MULTILINE
+            r'^\s*#\s*include\s*[<"]([^>"]+)', path.read_text(encoding="utf-8"), re.MULTILINE
         ):
             if include not in ALLOWED and not (
                 include.startswith("sbgc/") and not HOSTED.match(include)
