@@ -66,7 +66,8 @@ def compile_text(compiler: str, source: str, *options: str) -> str:
 def read_files(compiler: str, source: str) -> set[str]:
     """The files that compiling `source` reads."""
     rule = compile_text(compiler, source, "-M").replace("\\\n", " ")
-    return {str(Path(name).resolve()) for name in rule.split()[1:] if name != "-"}
+    names = [name.replace("\\ ", " ") for name in re.findall(r"(?:\\.|\S)+", rule)]
+    return {str(Path(name).resolve()) for name in names[1:] if name != "-"}
 
 
 def is_own(path: str) -> bool:
