@@ -41,8 +41,9 @@ int main(int argc, char** argv) {
     return 2;
   }
 
-  // The baud rate and the parity are found by trying; what is said from here on is recorded.
-  auto client = sbgc::Client::connect(argv[1], {.capture = argv[2]});
+  // The baud rate and the parity are found by trying; what is said from here on is recorded. A
+  // machine that stands still for a second or two is no reason to end.
+  auto client = sbgc::Client::connect(argv[1], {.retries = 9, .capture = argv[2]});
   if (!client) return fail(client.error());
   std::printf("board %s, firmware %s, on %s\n", client->board().board().c_str(),
               client->board().firmware().c_str(), client->description().c_str());

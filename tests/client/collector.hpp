@@ -25,7 +25,7 @@ class Collector {
   std::vector<T> wait_for(std::size_t count) {
     std::unique_lock lock(mutex_);
     EXPECT_TRUE(
-        added_.wait_for(lock, std::chrono::seconds(10), [&] { return items_.size() >= count; }));
+        added_.wait_for(lock, std::chrono::seconds(60), [&] { return items_.size() >= count; }));
     return items_;
   }
 
@@ -33,7 +33,7 @@ class Collector {
   template <class Done>
   bool wait_until(Done done) {
     std::unique_lock lock(mutex_);
-    return added_.wait_for(lock, std::chrono::seconds(10), [&] { return done(items_); });
+    return added_.wait_for(lock, std::chrono::seconds(60), [&] { return done(items_); });
   }
 
  private:

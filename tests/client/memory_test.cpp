@@ -135,7 +135,7 @@ TEST_F(MemoryTest, EepromThatDoesNotKeepWhatIsWrittenIsNoticed) {
 }
 
 TEST_F(MemoryTest, AFailureTellsUpToWhereTheDataStand) {
-  connect(0);
+  connect(few_retries);
   board.on_lost([](const Packet& request) {
     return is<EepromWrite>(request) && message<EepromWrite>(request).addr >= 384;
   });

@@ -106,11 +106,11 @@ TEST_F(ParametersTest, ReadingEndsWithItsTime) {
   const Result<ParameterSet> set = read_parameters(client(), options);
   ASSERT_FALSE(set);
   EXPECT_EQ(set.error().code, ErrorCode::timeout);
-  EXPECT_EQ(count<ReadParams3Request>(), 3U);
+  EXPECT_LE(message<ReadParams3Request>(board.log().back()).profile_id, 2);
 }
 
 TEST_F(ParametersTest, AnAnswerAboutAnotherProfileIsNotTaken) {
-  connect(0);
+  connect(few_retries);
   board.tamper([](Packets& answers) {
     for (Packet& one : answers) {
       if (is<ReadParams3>(one) && one.body[0] == 1) one.body[0] = 3;
@@ -253,7 +253,7 @@ TEST_F(ParametersTest, AWriteThatIsLostIsReportedAsUnwritten) {
     wanted.gyro_trust = 5;
     ASSERT_TRUE(set.set(wanted));
   }
-  connect(0);
+  connect(few_retries);
   board.on_lost(
       [](const Packet& request) { return is<WriteParams3>(request) && request.body[0] == 3; });
   const WriteReport report = write_parameters(client(), set);
@@ -269,7 +269,7 @@ TEST_F(ParametersTest, AWriteWhoseConfirmationIsLostIsReportedAsWrittenAndStillA
   ReadParams3 wanted = get(set, 1);
   wanted.gyro_trust = 5;
   ASSERT_TRUE(set.set(wanted));
-  connect(0);
+  connect(few_retries);
   board.on_answer_lost([](const Packet& request) { return is<WriteParams3>(request); });
   const WriteReport report = write_parameters(client(), set);
   ASSERT_FALSE(report);
@@ -281,7 +281,7 @@ TEST_F(ParametersTest, WhatCannotBeReadBackIsUnknown) {
   ReadParams3 wanted = get(set, 1);
   wanted.gyro_trust = 5;
   ASSERT_TRUE(set.set(wanted));
-  connect(0);
+  connect(few_retries);
   board.on_lost([is_dead = false](const Packet& request) mutable {
     return is_dead || (is_dead = is<WriteParams3>(request));
   });
@@ -350,7 +350,7 @@ TEST_F(ParametersTest, AFailureTellsWhatWritingHasChangedInOtherProfiles) {
     wanted.gyro_trust = 99;
     ASSERT_TRUE(set.set(wanted));
   }
-  connect(0);
+  connect(few_retries);
   board.on_lost(
       [](const Packet& request) { return is<WriteParams3>(request) && request.body[0] == 1; });
   const WriteReport report = write_parameters(client(), set);

@@ -131,11 +131,11 @@ class ScriptedBoard {
     const std::lock_guard lock(mutex_);
     return counts_[key<M>()];
   }
-  /// Waits until `n` requests M have come; false if they have not within 10 s.
+  /// Waits until `n` requests M have come; false if they have not within a minute.
   template <Message M>
   bool wait_for(std::size_t n) {
     std::unique_lock lock(mutex_);
-    return came_.wait_for(lock, std::chrono::seconds(10), [&] { return counts_[key<M>()] >= n; });
+    return came_.wait_for(lock, std::chrono::seconds(60), [&] { return counts_[key<M>()] >= n; });
   }
 
  private:
@@ -241,13 +241,15 @@ inline TransportFactory over_line(ScriptedBoard& board) {
   return over(path);
 }
 
-/// Options for tests: no pause between commands, and failures come soon. The line's settings are
-/// searched for in memory only, where a test may want that: a pseudo-terminal has none.
+/// Options for tests: no pause between commands, and so many attempts that a stall of some seconds
+/// is no failure. The line's settings are searched for in memory only, where a test may want that:
+/// a pseudo-terminal has none.
 inline ConnectOptions quick() {
-  return {.timeout = std::chrono::seconds(10),
+  return {.timeout = std::chrono::seconds(60),
           .find_line = line_kind() == LineKind::memory,
+          .retries = 9,
           .pacing = false,
-          .patience = std::chrono::seconds(5)};
+          .patience = std::chrono::seconds(60)};
 }
 
 }  // namespace sbgc::test

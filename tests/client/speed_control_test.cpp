@@ -141,13 +141,13 @@ class SpeedControlTest : public TaskTest {
   /// Waits until `n` commands have come; returns their speeds of yaw.
   std::vector<int> commands(std::size_t n) {
     std::unique_lock lock(mutex_);
-    came_.wait_for(lock, std::chrono::seconds(10), [&] { return sent_.size() >= n; });
+    came_.wait_for(lock, std::chrono::seconds(60), [&] { return sent_.size() >= n; });
     return sent_;
   }
   /// Waits until the last command has had that speed.
   bool turns_with(int speed) {
     std::unique_lock lock(mutex_);
-    return came_.wait_for(lock, std::chrono::seconds(10),
+    return came_.wait_for(lock, std::chrono::seconds(60),
                           [&] { return !sent_.empty() && sent_.back() == speed; });
   }
   /// The camera needs its time to stop; until then it is told to again and again.

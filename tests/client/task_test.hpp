@@ -30,9 +30,10 @@ class TaskTest : public ::testing::Test {
     if (!client_) connect();
     return *client_;
   }
-  /// Connects once more, to what the board is now. The log begins then. Without retries, what gets
-  /// lost is soon known.
-  void connect(unsigned retries = 3);
+  /// Connects once more, to what the board is now. The log begins then.
+  void connect(unsigned retries = 9);
+  /// For tests in which much gets lost: it is known sooner, and still not before a stall is over.
+  static constexpr unsigned few_retries = 3;
   void disconnect() { client_.reset(); }
   /// Makes it a board of this version with this firmware.
   void become(BoardVersion version, FirmwareVersion firmware);

@@ -101,7 +101,7 @@ TEST_F(VariablesTest, ManyAreMovedInMessagesOfForty) {
   ASSERT_TRUE(read);
   for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(read->at(i), values[i].value);
 
-  connect(0);
+  connect(few_retries);
   board.on_lost(
       [](const Packet& request) { return is<SetAdjVarsVal>(request) && request.body[0] != 40; });
   EXPECT_THAT(set_variables(client(), values).error().message, HasSubstr("after 40 of"));

@@ -66,7 +66,8 @@ def compile_text(compiler: str, source: str, *options: str) -> str:
 def read_files(compiler: str, source: str) -> set[str]:
     """The files that compiling `source` reads."""
     rule = compile_text(compiler, source, "-M").replace("\\\n", " ")
-    return {str(Path(name).resolve()) for name in rule.split()[1:] if name != "-"}
+    names = [name.replace("\\ ", " ") for name in re.findall(r"(?:\\.|\S)+", rule)]
+    return {str(Path(name).resolve()) for name in names[1:] if name != "-"}
 
 
 def is_own(path: str) -> bool:
@@ -82,7 +83,7 @@ def test_direct_includes() -> None:
     for name in headers():
         path = next(folder / name for folder in INCLUDES if (folder / name).exists())
         for include in re.findall(
-            r'^\s*#\s*include\s*[<"]([^>"]+)', path.read_text(), re.MULTILINE
+            r'^\s*#\s*include\s*[<"]([^>"]+)', path.read_text(encoding="utf-8"), re.MULTILINE
         ):
             if include not in ALLOWED and not (
                 include.startswith("sbgc/") and not HOSTED.match(include)

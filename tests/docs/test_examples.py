@@ -60,7 +60,7 @@ def test_frame_is_whole_and_is_the_first_vector(
 ) -> None:
     vectors: dict[tuple[str, str], Any] = {}
     for path in sorted((PROJECT / "generated" / "vectors").glob("*.jsonl")):
-        for text in path.read_text().splitlines():
+        for text in path.read_text(encoding="utf-8").splitlines():
             vector = json.loads(text)
             key = (vector.get("message"), vector["direction"])
             vectors.setdefault(key, vector)
@@ -108,7 +108,8 @@ def run(command: str, folder: Path) -> str:
         capture_output=True,
         text=True,
         timeout=60,
-        env={**os.environ, "PATH": f"{folder}:{os.environ['PATH']}"},
+        # bash complains about a locale that is not there
+        env={**os.environ, "PATH": f"{folder}:{os.environ['PATH']}", "LC_ALL": "C.UTF-8"},
     )
     assert (done.returncode, done.stderr) == (0, ""), command
     return done.stdout
@@ -208,7 +209,7 @@ def test_cpp_examples(pages: Pages, layout: Layout, tmp_path: Path) -> None:
     building = {}
     for group, snippets in groups.items():
         source = tmp_path / f"{group}.cpp"
-        source.write_text(program_of(snippets))
+        source.write_text(program_of(snippets), encoding="utf-8")
         includes = [f"-I{PROJECT / name}" for name in ("runtime/include", "generated/include")]
         command = [*COMPILER, "-std=c++20", *WARNINGS.split(), *includes, str(source)]
         building[group] = subprocess.Popen([*command, "-o", str(source.with_suffix(""))])

@@ -24,7 +24,7 @@ CONFIRM = 67
 DATA_STREAM_INTERVAL = 85
 REALTIME_DATA_4 = 25
 
-PATIENCE = 20.0  # seconds; nothing waits longer than it must
+PATIENCE = 60.0  # seconds; nothing waits longer than it must
 
 
 def stream(milliseconds: int) -> bytes:

@@ -58,7 +58,7 @@ TEST(Terminal, ThatFailsLeavesItsPortAlone) {
   const EndpointLogs logs{[](const std::string&) {},
                           [&](const std::string& text) { warnings.push_back(text); }};
   const auto terminal = open_terminal(context.get_executor(), board, "", true, logs);
-  run(context, 20);
+  context.poll();
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_NE(warnings[0].find(terminal->address()), std::string::npos);
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
 from pathlib import Path
@@ -92,6 +93,16 @@ def test_a_spec_that_does_not_load(tmp_path: Path, capsys: pytest.CaptureFixture
 
 
 # Revisions
+
+
+@pytest.fixture(autouse=True)
+def git_as_it_comes(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without the settings of whoever runs the tests, and not in the repository of a hook."""
+    for name in list(os.environ):
+        if name.startswith("GIT_"):
+            monkeypatch.delenv(name)
+    monkeypatch.setenv("GIT_CONFIG_GLOBAL", os.devnull)
+    monkeypatch.setenv("GIT_CONFIG_SYSTEM", os.devnull)
 
 
 def git(folder: Path, *arguments: str) -> None:

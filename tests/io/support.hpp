@@ -20,7 +20,7 @@ namespace sbgc::io::test {
 using Bytes = std::vector<std::uint8_t>;
 
 /// No test takes this long: it is how a hang becomes a failure.
-inline constexpr std::chrono::seconds patience{20};
+inline constexpr std::chrono::seconds patience{60};
 
 /// Every value of a byte, `times` over.
 inline Bytes every_byte(std::size_t times = 1) {

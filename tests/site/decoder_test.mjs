@@ -197,7 +197,7 @@ test("a capture can be opened as a file, raw or hex", async () => {
     assert.match(await page.locator("#held-about").textContent(), /read as raw bytes/);
     await page.locator("#hex").waitFor({ state: "hidden" });
     await page.locator("#file").setInputFiles(file("board_info.hex"));
-    await page.getByText("read as hex text").waitFor();
+    await page.locator("#held-about", { hasText: "read as hex text" }).waitFor();
     await expectSummary(page, /^28 bytes: 2 frames\.$/);
     await page.getByRole("button", { name: "Remove" }).click();
     await page.locator("#hex").waitFor();
@@ -228,39 +228,55 @@ function megabyte() {
   return text.slice(0, 1 << 20);
 }
 
-/** Pastes a text; tells how long it took until the summary stood there, and the longest task. */
-function paste(text) {
-  let longest = 0;
-  new PerformanceObserver((list) => {
-    for (const { duration } of list.getEntries()) longest = Math.max(longest, duration);
-  }).observe({ type: "longtask" });
-  const data = new DataTransfer();
-  data.setData("text", text);
-  const init = { clipboardData: data, bubbles: true, cancelable: true };
-  const event = new ClipboardEvent("paste", init);
-  const summary = document.getElementById("summary");
-  return new Promise((resolve) => {
-    // In a task of its own: preparing the event is not the page's work.
-    setTimeout(() => {
-      longest = 0;
-      const start = performance.now();
-      new MutationObserver(() => {
-        if (summary.textContent === "") return;
-        const time = performance.now() - start;
-        setTimeout(() => resolve({ time, longest }), 100);
-      }).observe(summary, { childList: true });
-      document.getElementById("hex").dispatchEvent(event);
-    }, 200);
-  });
+/**
+ * Pastes a text and waits for its summary. Tells how long the longest task of the page was meanwhile,
+ * in ms of processor time: what else the machine does is not the page's doing.
+ */
+async function paste(page, text) {
+  const categories = ["disabled-by-default-devtools.timeline", "blink.user_timing"];
+  await browser.startTracing(page, { categories });
+  await page.evaluate((pasted) => {
+    const data = new DataTransfer();
+    data.setData("text", pasted);
+    const init = { clipboardData: data, bubbles: true, cancelable: true };
+    const event = new ClipboardEvent("paste", init);
+    const summary = document.getElementById("summary");
+    return new Promise((resolve) => {
+      // In tasks of their own: preparing the event is not the page's work, and what it does ends.
+      setTimeout(() => {
+        performance.mark("pasted");
+        new MutationObserver(() => {
+          if (summary.textContent === "") return;
+          performance.mark("told");
+          setTimeout(resolve);
+        }).observe(summary, { childList: true });
+        document.getElementById("hex").dispatchEvent(event);
+      });
+    });
+  }, text);
+  const { traceEvents } = JSON.parse((await browser.stopTracing()).toString());
+  const [pasted, told] = ["pasted", "told"].map((name) => traceEvents.find((e) => e.name === name));
+  const tasks = traceEvents.filter(
+    (e) =>
+      e.name === "RunTask" &&
+      e.pid === pasted.pid &&
+      e.tid === pasted.tid &&
+      e.ts + e.dur >= pasted.ts &&
+      e.ts <= told.ts,
+  );
+  assert.ok(tasks.length > 1);
+  return Math.max(...tasks.map((task) => task.tdur)) / 1000;
 }
+
+const longestTask = 100; // ms; it takes about a quarter of that
 
 test("a paste of 1 MB leaves the page responsive", async () => {
   const text = megabyte();
   const attempts = [];
-  // What the page does itself shows every time; what a busy machine does to it does not.
-  while (attempts.length < 5 && !attempts.some(({ longest }) => longest < 100)) {
+  // What the page does itself shows every time; a machine that stands still may count, too.
+  while (attempts.length < 5 && !attempts.some((longest) => longest < longestTask)) {
     await withDecoder(async (page) => {
-      attempts.push(await page.evaluate(paste, text));
+      attempts.push(await paste(page, text));
       assert.match(await summary(page).textContent(), /^[0-9,]+ bytes: [0-9,]+ frames/);
       // Another input goes on from there.
       await page.getByRole("button", { name: "Remove" }).click();
@@ -268,22 +284,22 @@ test("a paste of 1 MB leaves the page responsive", async () => {
       await expectSummary(page, /^5 bytes: 1 frame\.$/);
     });
   }
-  const said = attempts.map((a) => `${Math.round(a.time)} ms, longest task ${a.longest} ms`);
-  console.log(`# 1 MB: ${said.join("; ")}`);
-  assert.ok(attempts.some(({ longest }) => longest < 100), said.join("; "));
-  assert.ok(attempts.some(({ time }) => time < 10_000), said.join("; "));
+  console.log(`# 1 MB: longest task ${attempts.join(", ")} ms`);
+  assert.ok(attempts.some((longest) => longest < longestTask), `${attempts} ms`);
 });
 
 test("a busy page would have been noticed", async () => {
   await withDecoder(async (page) => {
     await page.evaluate(() => {
-      document.getElementById("hex").addEventListener("paste", () => {
-        const end = performance.now() + 150;
-        while (performance.now() < end);
+      const area = document.getElementById("hex");
+      area.addEventListener("paste", () => {
+        let work = 1;
+        for (let i = 0; i < 500_000_000; ++i) work = (work * 1103515245 + 12345) | 0;
+        area.dataset.work = work;
       });
     });
-    const { longest } = await page.evaluate(paste, "3e 56 00 56 00 ".repeat(5000));
-    assert.ok(longest >= 150, `${longest} ms`);
+    const longest = await paste(page, "3e 56 00 56 00 ".repeat(5000));
+    assert.ok(longest >= longestTask, `${longest} ms`);
   });
 });
 
@@ -293,9 +309,10 @@ test("long lists are shown page by page", async () => {
     await expectSummary(page, /250 frames/);
     assert.equal(await page.locator("#frames > li").count(), 100);
     await page.getByRole("button", { name: "Later" }).click();
+    await page.locator("#page-of").getByText("101 to 200 of 250", { exact: true }).waitFor();
     await page.getByRole("button", { name: "Later" }).click();
+    await page.locator("#page-of").getByText("201 to 250 of 250", { exact: true }).waitFor();
     assert.equal(await page.locator("#frames > li").count(), 50);
-    assert.equal(await page.locator("#page-of").textContent(), "201 to 250 of 250");
     assert.ok(await page.getByRole("button", { name: "Later" }).isDisabled());
     assert.equal(await page.evaluate(() => document.activeElement.id), "item-200");
   });
@@ -341,10 +358,10 @@ test("axe-core has nothing to say about results", async () => {
     await withDecoder(
       async (page) => {
         await expectSummary(page, /2 frames/);
-        for (const i of [0, 1, 2]) await inside(page, i);
         await page.locator("#hex").evaluate((area) => (area.value += " zz"));
         await page.locator("#hex").dispatchEvent("input");
         await page.locator("#problem").waitFor();
+        for (const i of [0, 1, 2]) await inside(page, i);
         await page.addScriptTag({ path: axe });
         const { violations } = await page.evaluate(() => globalThis.axe.run({ preload: false }));
         assert.deepEqual(violations.map((v) => [v.id, v.nodes.map((n) => n.html)]), []);

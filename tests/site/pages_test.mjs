@@ -54,8 +54,11 @@ function samples() {
   return [...kinds.values()].map((names) => names[names.length >> 1]);
 }
 
-/** What sticks out to the right of the window. Boxes that scroll by themselves may hold more. */
-function overflowing() {
+/** What sticks out to the right of a window so wide. Boxes that scroll by themselves may hold more. */
+async function overflowing(width) {
+  while (innerWidth !== width) {
+    await new Promise((resolve) => addEventListener("resize", resolve, { once: true }));
+  }
   if (document.documentElement.scrollWidth <= innerWidth) return [];
   const scrolls = (element) =>
     element !== null &&
@@ -74,7 +77,7 @@ test("every page loads without an error, asks only for files, fits into 320 and 
     const { problems: found } = await visit(page, name);
     for (const width of [320, 1280]) {
       await page.setViewportSize({ width, height: 600 });
-      const wide = await page.evaluate(overflowing);
+      const wide = await page.evaluate(overflowing, width);
       found.push(...wide.map((what) => `too wide for ${width} pixels: ${what}`));
     }
     problems.push(...found.map((problem) => `${name}: ${problem}`));
@@ -91,7 +94,7 @@ test("a page that fails is noticed", async () => {
   fs.unlinkSync(name);
   assert.match(problems.join("\n"), /failed: .*missing\.png/);
   assert.match(problems.join("\n"), /exception: .*nonsense/);
-  assert.match((await page.evaluate(overflowing)).join("\n"), /width: 400px/);
+  assert.match((await page.evaluate(overflowing, 320)).join("\n"), /width: 400px/);
   await page.close();
 });
 

@@ -227,5 +227,5 @@ def test_text() -> None:
     folder = ROOT / "tests" / "tools"
     result = run("decode", "--format", "text", "--hex", str(folder / "capture.hex"))
     assert result.status == 0
-    assert result.text == (folder / "capture.txt").read_text()
+    assert result.text == (folder / "capture.txt").read_text(encoding="utf-8")
     assert run("decode", "--hex", str(folder / "capture.hex")) == result, "text is the default"

@@ -12,8 +12,8 @@ from typing import Any, Optional
 
 PROGRAM = os.environ.get("SBGC", "sbgc")
 ROOT = Path(__file__).resolve().parents[2]
-MODEL = json.loads((ROOT / "generated" / "simplebgc.json").read_text())
-VECTORS = json.loads((ROOT / "tests" / "data" / "vectors.json").read_text())
+MODEL = json.loads((ROOT / "generated" / "simplebgc.json").read_text(encoding="utf-8"))
+VECTORS = json.loads((ROOT / "tests" / "data" / "vectors.json").read_text(encoding="utf-8"))
 
 CRASH = re.compile(r"terminate called|what\(\)|Assertion|core dumped|Sanitizer|runtime error", re.I)
 
