@@ -50,6 +50,14 @@ struct Written {
   sbgc::Instant at;
 };
 
+/// The ids of frames.
+inline std::vector<std::uint8_t> ids(const std::vector<Written>& written) {
+  std::vector<std::uint8_t> result;
+  result.reserve(written.size());
+  for (const Written& frame : written) result.push_back(frame.id);
+  return result;
+}
+
 /// Runs a session until nothing more happens. What it writes goes to `board`, which answers with
 /// say(). Time passes only inside run() and run_for().
 template <class Session = sbgc::Session>

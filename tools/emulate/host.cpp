@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::size_t most_per_write = 4096;
 
-/// A host that has sent its last byte may still wait for answers: so often it is looked whether it
-/// has them all.
-constexpr auto look_every = std::chrono::milliseconds(100);
+/// A host that has sent its last byte may still wait for answers: so long until it is looked again
+/// whether it has them all.
+constexpr auto linger_for = std::chrono::milliseconds(100);
 /// It is given up when it has taken nothing for so long.
 constexpr auto patience = std::chrono::seconds(5);
 
@@ -90,7 +90,7 @@ void Host::end_or_linger() {
   if (is_writing_ && io::Clock::now() - written_at_ > patience) {
     return end(asio::error::timed_out);
   }
-  linger_.expires_after(look_every);
+  linger_.expires_after(linger_for);
   linger_.async_wait([self = shared_from_this()](std::error_code aborted) {
     if (!aborted && !self->is_closed_) self->end_or_linger();
   });

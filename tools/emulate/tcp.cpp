@@ -61,6 +61,7 @@ class TcpEndpoint final : public Endpoint {
 
   TcpEndpoint(const TcpEndpoint&) = delete;
   TcpEndpoint& operator=(const TcpEndpoint&) = delete;
+  // NOLINTNEXTLINE(bugprone-exception-escape): only if there is no memory left
   ~TcpEndpoint() override {
     for (const auto& host : hosts_) host->close();
   }

@@ -44,6 +44,7 @@ class UdpEndpoint final : public Endpoint {
 
   UdpEndpoint(const UdpEndpoint&) = delete;
   UdpEndpoint& operator=(const UdpEndpoint&) = delete;
+  // NOLINTNEXTLINE(bugprone-exception-escape): only if there is no memory left
   ~UdpEndpoint() override {
     for (const Peer& peer : peers_) board_.disconnect(peer.port);
   }

@@ -10,7 +10,6 @@ namespace sbgc::board {
 namespace {
 
 constexpr std::size_t page = sbgc::detail::field_info<EepromWrite>("addr").align;
-constexpr std::uint8_t erased = 0xFF;
 
 static_assert(sbgc::detail::field_info<EepromRead>("addr").align == page);
 static_assert(sbgc::detail::field_info<EepromReadRequest>("addr").align == page);

@@ -17,6 +17,9 @@ inline constexpr std::size_t settings = 0x0000;  ///< records of Settings
 inline constexpr std::size_t files = 0x4000;     ///< FileSystem, up to the end
 }  // namespace layout
 
+/// What erased bytes are.
+inline constexpr std::uint8_t erased = 0xFF;
+
 /// A view of Memory::eeprom that counts changes in Memory::revision.
 class Eeprom {
  public:
@@ -37,7 +40,7 @@ class Eeprom {
   std::span<const std::uint8_t> bytes(std::size_t address, std::size_t size) const;
   /// Bytes that are there already are no change.
   void write(std::size_t address, std::span<const std::uint8_t> bytes);
-  /// All bytes become 0xFF.
+  /// All bytes become erased ones.
   void erase();
 
  private:

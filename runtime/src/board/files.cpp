@@ -17,7 +17,6 @@ constexpr auto page_size = static_cast<std::size_t>(Pages(1).bytes());
 constexpr std::size_t entry_size = 8;
 constexpr std::size_t entries_size = FileSystem::most_files * entry_size;
 constexpr std::size_t table_size = entries_size + sizeof(std::uint32_t);
-constexpr std::uint8_t erased = 0xFF;
 constexpr std::uint16_t no_file = 0xFFFF;
 
 constexpr std::size_t pages(std::size_t bytes) { return (bytes + page_size - 1) / page_size; }

@@ -21,7 +21,7 @@ constexpr double warming_seconds = 400;
 constexpr double field_north = 0.4;
 constexpr double field_down = 0.916515138991168;
 
-constexpr std::size_t yaw = 2;
+constexpr std::size_t yaw_axis = 2;
 
 Vector sum(const Vector& a, const Vector& b, double factor) {
   return {a.x + b.x * factor, a.y + b.y * factor, a.z + b.z * factor};
@@ -49,8 +49,9 @@ Vector Imu::drift() const {
 }
 
 double Imu::reference(std::size_t axis, std::int64_t step) const {
-  const bool is_outside = step < refers_until_ && (axis == yaw ? refers_heading_ : refers_up_);
-  if (!is_outside && axis == yaw) return error_[yaw];  // nothing in the IMU tells the heading
+  const bool is_outside = step < refers_until_ && (axis == yaw_axis ? refers_heading_ : refers_up_);
+  if (!is_outside && axis == yaw_axis)
+    return error_[yaw_axis];  // nothing in the IMU tells the heading
   // Whole turns are no error.
   return error_[axis] + wrapped((is_outside ? reference_[axis] : 0) - error_[axis]);
 }
@@ -78,10 +79,10 @@ void Imu::slow(const Pose& pose, double gyro_trust, std::int64_t step, double se
 void Imu::skip(const Pose& pose, double gyro_trust, std::int64_t step, double seconds) {
   slow(pose, gyro_trust, step, seconds);
   const Axes<double> rates = this->rates(pose);
-  for (std::size_t axis = 0; axis < yaw; ++axis) {
+  for (std::size_t axis = 0; axis < yaw_axis; ++axis) {
     error_[axis] = reference(axis, step) + rates[axis] / correction(gyro_trust);
   }
-  error_[yaw] += rates[yaw] * seconds;
+  error_[yaw_axis] += rates[yaw_axis] * seconds;
   slow(pose, gyro_trust, step, 0);
 }
 
@@ -122,7 +123,7 @@ double Imu::gravity_error(std::int64_t step) const {
 }
 
 double Imu::heading_error(std::int64_t step) const {
-  return std::abs(wrapped(reference(yaw, step) - error_[yaw]));
+  return std::abs(wrapped(reference(yaw_axis, step) - error_[yaw_axis]));
 }
 
 Imu::Readings Imu::readings(const Pose& pose, const Vector& rates, std::int64_t us) const {

@@ -1,0 +1,280 @@
+// What belongs to which request: answers, confirmations, errors and resets.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sbgc/exchanges/all.hpp>
+#include <sbgc/session.hpp>
+
+#include "commands.hpp"
+#include "simulation.hpp"
+
+namespace {
+
+using commands::board_info;
+using commands::confirm;
+using commands::control;
+using commands::eeprom_write;
+using commands::error;
+using commands::motors_on;
+using commands::read_file;
+using commands::read_params_3;
+using commands::realtime_data_4;
+using commands::reset;
+using commands::write_file;
+using commands::write_params_3;
+using sbgc::EventKind;
+using sbgc::Handle;
+using sbgc::milliseconds;
+using sbgc::Outcome;
+using simulation::body_of;
+using simulation::ids;
+using simulation::Record;
+using simulation::Simulation;
+using simulation::Written;
+using ::testing::ElementsAre;
+using ::testing::SizeIs;
+
+sbgc::ReadParams3Request read_profile(std::uint8_t profile) {
+  sbgc::ReadParams3Request request;
+  request.profile_id = profile;
+  return request;
+}
+
+TEST(Session, RequestsThatAnswersTellApartAreInFlightTogether) {
+  Simulation line;
+  line.board = [&](const Written& frame) {  // answers in reverse order
+    const int delay = 300 - 50 * frame.body[0];
+    line.say(read_params_3, body_of(134, {frame.body[0]}), milliseconds(delay));
+  };
+  std::vector<Handle> handles;
+  for (std::uint8_t profile = 0; profile < 5; ++profile) {
+    handles.push_back(line.send(read_profile(profile)));
+  }
+  line.run_for(milliseconds(90));
+  EXPECT_THAT(line.written, SizeIs(5)) << "before the first answer";
+  line.run();
+  for (std::uint8_t profile = 0; profile < 5; ++profile) {
+    ASSERT_EQ(line.outcome(handles[profile]), Outcome::answered);
+    EXPECT_EQ(line.completion(handles[profile])->body[0], profile);
+  }
+}
+
+TEST(Session, ASpecialValueIsNotRepeatedByTheAnswer) {
+  Simulation line;
+  line.board = [&](const Written&) { line.say(read_params_3, body_of(134, {2})); };
+  const Handle handle = line.send(read_profile(255));  // the active profile, which is 2
+  line.run();
+  EXPECT_EQ(line.outcome(handle), Outcome::answered);
+}
+
+TEST(Session, AWrongAnswerIsNone) {
+  Simulation line;
+  line.board = [&](const Written&) {
+    line.say(read_params_3, body_of(134, {4}), milliseconds(3));    // another profile
+    line.say(read_params_3, body_of(133, {1}), milliseconds(5));    // too short
+    line.say(realtime_data_4, body_of(124, {1}), milliseconds(7));  // another message
+    line.say(read_params_3, body_of(140, {1}), milliseconds(9));    // right, from later firmware
+  };
+  const Handle handle = line.send(read_profile(1));
+  line.run();
+  ASSERT_EQ(line.outcome(handle), Outcome::answered);
+  EXPECT_EQ(line.completion(handle)->body, body_of(140, {1}));
+  EXPECT_THAT(line.of(EventKind::unsolicited), SizeIs(3));
+  EXPECT_EQ(line.session.statistics().unsolicited, 3U);
+}
+
+TEST(Session, RequestsThatCouldBeConfusedWaitAndOthersOvertake) {
+  Simulation line;
+  line.board = [&](const Written& frame) { line.confirm(frame.id, milliseconds(100)); };
+  line.send(sbgc::WriteParams3{});
+  const Handle second = line.send(sbgc::WriteParams3{});
+  line.send(sbgc::MotorsOn{});
+  line.run();
+  EXPECT_THAT(ids(line.written), ElementsAre(write_params_3, motors_on, write_params_3));
+  EXPECT_GE(line.written[2].at - line.written[0].at, milliseconds(100));
+  EXPECT_EQ(line.outcome(second), Outcome::confirmed);
+}
+
+TEST(Session, ReadsOfFilesFollowEachOtherBecauseOfTheirErrors) {
+  Simulation line;
+  line.board = [&](const Written& frame) {
+    const bool is_good = frame.body[2] == 0;
+    line.say(read_file, is_good ? body_of(20, {9, 0, 0, 0}) : body_of(1, {2}));
+  };
+  sbgc::ReadFileRequest request;
+  const Handle good = line.send(request);
+  request.page_offset = sbgc::Pages(1);
+  const Handle bad = line.send(request);
+  line.run();
+  EXPECT_EQ(line.outcome(good), Outcome::answered);
+  EXPECT_EQ(line.outcome(bad), Outcome::failed) << "the answer has the form of an error";
+  EXPECT_EQ(line.completion(bad)->body, body_of(1, {2}));
+}
+
+TEST(Session, AConfirmationWithTheAddressOfAnotherBlockIsNotMeant) {
+  Simulation line;
+  line.board = [&](const Written&) {
+    line.say(confirm, {eeprom_write, 64, 0, 0, 0}, milliseconds(3));
+    line.say(confirm, {eeprom_write, 128, 0, 0, 0}, milliseconds(50));
+  };
+  sbgc::EepromWrite request;
+  request.addr = 128;
+  const Handle handle = line.send(request);
+  line.run_for(milliseconds(10));
+  EXPECT_EQ(line.outcome(handle), Outcome::none);
+  line.run();
+  EXPECT_EQ(line.outcome(handle), Outcome::confirmed);
+  // Boards may leave the address out.
+  line.board = [&](const Written& frame) { line.confirm(frame.id); };
+  const Handle bare = line.send(request);
+  line.run();
+  EXPECT_EQ(line.outcome(bare), Outcome::confirmed);
+}
+
+TEST(Session, AConfirmationCanTellOfAFailure) {
+  for (const int result : {0, 4}) {
+    Simulation line;
+    line.board = [&](const Written& frame) {
+      line.say(confirm, {frame.id, static_cast<std::uint8_t>(result)});
+    };
+    const Handle handle = line.send(sbgc::WriteFile{});
+    line.run();
+    EXPECT_EQ(line.outcome(handle), result == 0 ? Outcome::confirmed : Outcome::failed);
+    EXPECT_EQ(line.completion(handle)->event.command, write_file);
+  }
+}
+
+TEST(Session, WhatIsAskedForDependsOnTheRequest) {
+  Simulation line;
+  line.board = [&](const Written& frame) {
+    if ((frame.body[0] & 1) == 0) line.say(56, body_of(24));
+  };
+  sbgc::AhrsHelperRequestExt request;
+  const Handle get = line.send(request);
+  request.mode.set(sbgc::AhrsHelperModeBit::set);
+  const Handle set = line.send(request);
+  line.run();
+  EXPECT_EQ(line.outcome(get), Outcome::answered);
+  EXPECT_EQ(line.outcome(set), Outcome::sent);
+}
+
+// Errors
+
+TEST(Session, AnErrorThatNamesItsCommandEndsTheRequest) {
+  Simulation line;
+  line.board = [&](const Written& frame) {
+    if (frame.id == motors_on) {
+      line.say(error, {motors_on, 7, 0, 0, 0, 0});
+    } else {
+      line.say(board_info, body_of(18), milliseconds(100));
+    }
+  };
+  const Handle motors = line.send(sbgc::MotorsOn{});
+  const Handle info = line.send(sbgc::BoardInfoRequest{});
+  line.run();
+  ASSERT_EQ(line.outcome(motors), Outcome::board_error);
+  EXPECT_EQ(line.completion(motors)->body[1], 7);
+  EXPECT_EQ(line.outcome(info), Outcome::answered);
+  EXPECT_THAT(line.of(EventKind::board_error), SizeIs(0));
+}
+
+TEST(Session, AnErrorWithoutCommandBelongsToTheOnlyRequest) {
+  Simulation line;
+  line.board = [&](const Written&) { line.say(error, {7, 0, 0, 0, 0}, milliseconds(50)); };
+  const Handle only = line.send(sbgc::MotorsOn{});
+  line.run();
+  EXPECT_EQ(line.outcome(only), Outcome::board_error);
+
+  line.board = [&](const Written& frame) {
+    if (frame.id == motors_on) line.say(error, {7, 0, 0, 0, 0}, milliseconds(50));
+  };
+  const Handle first = line.send(sbgc::MotorsOn{}, {.attempts = 1});
+  const Handle second = line.send(sbgc::BoardInfoRequest{}, {.attempts = 1});
+  line.run();
+  EXPECT_EQ(line.outcome(first), Outcome::timeout) << "either could be meant";
+  EXPECT_EQ(line.outcome(second), Outcome::timeout);
+  EXPECT_THAT(line.of(EventKind::board_error), SizeIs(1));
+}
+
+TEST(Session, AnErrorForWhatIsOverIsLate) {
+  Simulation line;
+  line.board = [&](const Written& frame) {
+    if (frame.id == control) line.say(error, {control, 1, 0, 0, 0, 0});
+  };
+  line.send(sbgc::Control{});
+  line.run();
+  ASSERT_THAT(line.of(EventKind::board_error), SizeIs(1));
+  EXPECT_TRUE(line.of(EventKind::board_error)[0].event.is_late);
+  EXPECT_EQ(line.of(EventKind::board_error)[0].event.command, control);
+}
+
+// Resets
+
+TEST(Session, AResetEndsWhateverIsOpen) {
+  Simulation line;
+  line.board = [&](const Written& frame) {
+    if (frame.id == motors_on) line.say(reset, {});
+  };
+  const Handle info = line.send(sbgc::BoardInfoRequest{});
+  const Handle motors = line.send(sbgc::MotorsOn{});
+  const Handle waiting = line.send(sbgc::BoardInfoRequest{});
+  line.run();
+  EXPECT_THAT(line.of(EventKind::reset), SizeIs(1));
+  for (const Handle handle : {info, motors, waiting}) {
+    EXPECT_EQ(line.outcome(handle), Outcome::reset);
+  }
+  EXPECT_EQ(line.session.statistics().resets, 1U);
+  EXPECT_EQ(line.session.open_requests(), 0U);
+}
+
+TEST(Session, AResetThatWasAskedForAnswers) {
+  Simulation line;
+  line.board = [&](const Written& frame) {
+    if (frame.body.size() == 3 && frame.body[0] == 1) line.say(reset, {});
+  };
+  sbgc::ResetRequestExt request;
+  request.confirm.set(sbgc::ResetOption::notify);
+  const Handle noticed = line.send(request);
+  line.run();
+  EXPECT_EQ(line.outcome(noticed), Outcome::answered);
+  EXPECT_THAT(line.of(EventKind::reset), SizeIs(1));
+  request.confirm = {};
+  const Handle silent = line.send(request);
+  line.run();
+  EXPECT_EQ(line.outcome(silent), Outcome::sent);
+}
+
+TEST(Session, WhatIsSentWhileTheResetIsReportedIsAnotherRequest) {
+  Simulation line;
+  Handle next;
+  line.on_event = [&](const Record& record) {
+    if (record.event.kind == EventKind::reset) next = line.send(sbgc::BoardInfoRequest{});
+  };
+  const Handle first = line.send(sbgc::MotorsOn{});
+  line.run_for(milliseconds(1));
+  line.say(reset, {});
+  line.run_for(milliseconds(4));
+  EXPECT_EQ(line.outcome(first), Outcome::reset);
+  EXPECT_EQ(line.outcome(next), Outcome::none);
+  line.say(board_info, body_of(18), milliseconds(20));
+  line.run();
+  EXPECT_EQ(line.outcome(next), Outcome::answered);
+}
+
+TEST(Session, AnAbandonedLinkEndsEverything) {
+  Simulation line;
+  const Handle sent = line.send(sbgc::MotorsOn{});
+  line.run_for(milliseconds(1));
+  const Handle waiting = line.send(sbgc::MotorsOn{});
+  line.session.abandon(line.sink());
+  EXPECT_EQ(line.outcome(sent), Outcome::link_lost);
+  EXPECT_EQ(line.outcome(waiting), Outcome::link_lost);
+  // On the next link nothing of the old one is left.
+  line.board = [&](const Written& frame) { line.confirm(frame.id); };
+  const Handle next = line.send(sbgc::MotorsOn{});
+  line.run_for(milliseconds(4));
+  EXPECT_EQ(line.outcome(next), Outcome::confirmed) << "it need not wait for ghosts";
+}
+
+}  // namespace
