@@ -14,9 +14,11 @@ class FieldCollector {
  public:
   template <class T>
   void members(const T& value) {
-    Meta<T>::visit(value, [&](const FieldInfo& field, const auto& member) {
-      this->value(member, field.spec_name);
-    });
+    Meta<T>::visit(value, *this);
+  }
+  template <class Member>
+  void operator()(const FieldInfo& field, const Member& member) {
+    value(member, field.spec_name);
   }
   FieldValues take() { return std::move(values_); }
 

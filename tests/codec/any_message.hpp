@@ -29,15 +29,23 @@ struct ViolationCopy {
   bool operator==(const ViolationCopy&) const = default;
 };
 
+/// Collects violations. Not a lambda, which would be another type, with a validator of its own, for
+/// each message.
+struct ViolationCopies {
+  std::vector<ViolationCopy>& copies;
+
+  void operator()(const Violation& violation) const {
+    char path[128] = {};
+    violation.path.write(path, sizeof path);
+    copies.push_back({path, violation.value, violation.limit, violation.rule});
+  }
+};
+
 /// The violations of a message.
 template <class M>
 std::vector<ViolationCopy> violations_of(const M& message) {
   std::vector<ViolationCopy> result;
-  validate(message, [&](const Violation& violation) {
-    char path[128] = {};
-    violation.path.write(path, sizeof path);
-    result.push_back({path, violation.value, violation.limit, violation.rule});
-  });
+  validate(message, ViolationCopies{result});
   return result;
 }
 

@@ -52,15 +52,20 @@ class JsonReader {
 
     template <class Member>
     [[gnu::noinline]] void operator()(const FieldInfo& field, Member&& member) {
+      const Json* const found = find(field, may_be_missing(field, member));
+      if (found != nullptr) value(*found, member, join(path, field.name));
+    }
+
+    /// What the object says of a field; null if it says nothing.
+    const Json* find(const FieldInfo& field, bool may_be_missing) {
       names.push_back(field.name);
-      const std::string inner = join(path, field.name);
       const auto found = json.find(field.name);
       if (found != json.end()) {
         ++known;
-        value(*found, member, inner);
-      } else if (!may_be_missing(field, member)) {
-        throw JsonError(inner, "it is missing");
+        return &*found;
       }
+      if (!may_be_missing) throw JsonError(join(path, field.name), "it is missing");
+      return nullptr;
     }
 
     void refuse_unknown() const {
@@ -74,6 +79,10 @@ class JsonReader {
 
   static std::string join(const std::string& path, const std::string& name) {
     return path.empty() ? name : path + "." + name;
+  }
+
+  static std::string element(const std::string& path, std::size_t index) {
+    return path + "[" + std::to_string(index) + "]";
   }
 
   // A counter follows from its list, a tail is the exception. Everything else has to be said:
@@ -170,23 +179,26 @@ class JsonReader {
   template <class List>
   static void elements(const Json& json, List& out, const std::string& path) {
     for (std::size_t i = 0; i < json.size(); ++i) {
-      value(json[i], out[i], path + "[" + std::to_string(i) + "]");
+      value(json[i], out[i], element(path, i));
     }
   }
 
   template <class T>
   static T integer(const Json& json, const std::string& path) {
+    using Limits = std::numeric_limits<T>;
+    return static_cast<T>(integer(json, Limits::min(), Limits::max(), path));
+  }
+  static std::int64_t integer(const Json& json, std::int64_t lowest, std::int64_t highest,
+                              const std::string& path) {
     if (!json.is_number_integer()) throw JsonError(path, "an integer is needed");
     const bool huge = json.is_number_unsigned() &&
                       json.get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max();
     const std::int64_t number = huge ? 0 : json.get<std::int64_t>();
-    constexpr std::int64_t lowest = std::numeric_limits<T>::min();
-    constexpr std::int64_t highest = std::numeric_limits<T>::max();
     if (huge || number < lowest || number > highest) {
       throw JsonError(path, json.dump() + " does not fit: " + std::to_string(lowest) + " to " +
                                 std::to_string(highest));
     }
-    return static_cast<T>(number);
+    return number;
   }
 
   static std::vector<std::uint8_t> hex(const Json& json, const std::string& path) {
