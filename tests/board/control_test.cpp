@@ -302,7 +302,7 @@ TEST(Control, AFlightControllerIsFollowedInItsModeOnly) {
     settings.follow_mode = mode;
     host.ask(WriteParams3{settings});
     host.ask(one_axis(ControlModeKind::no_control, 0, 0));
-    host.ask(controller_signals(0, mode == FollowMode::disabled ? 0 : 250));
+    host.ask(controller_signals(0, 250));
     EXPECT_NEAR(targets_after(host, seconds(5)).pitch, 0, 0.1);
   }
 }
