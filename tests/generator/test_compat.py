@@ -114,8 +114,6 @@ def git(folder: Path, *arguments: str) -> None:
 @pytest.fixture
 def repository(tmp_path: Path) -> Path:
     """A repository with two revisions of the spec, and one before them without any."""
-    if shutil.which("git") is None:
-        pytest.skip("no git")
     root = tmp_path / "project"
     root.mkdir()
     git(root, "init", "--quiet")
@@ -152,8 +150,6 @@ def test_a_revision_and_the_working_tree(
 
 
 def test_the_project_lies_in_a_folder_of_the_repository(tmp_path: Path) -> None:
-    if shutil.which("git") is None:
-        pytest.skip("no git")
     project = tmp_path / "some" / "project"
     project.mkdir(parents=True)
     git(tmp_path, "init", "--quiet")

@@ -10,14 +10,10 @@ from pathlib import Path
 
 import pytest
 
-from sbgcgen import emit
+from sbgcgen import emit, site
 from sbgcgen.cli import main
 from sbgcgen.emit import expand, outputs, render
 from support import GENERATOR, layout_of, write_spec
-
-pytest.importorskip("markdown")
-
-from sbgcgen import site  # noqa: E402
 
 MESSAGE = """\
 family: probe

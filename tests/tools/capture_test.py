@@ -1,4 +1,4 @@
-"""Captures in the sbgc command: decode, record, ports. The files are made here, from the description of the
+"""Captures in the sbgc command: decode and record. The files are made here, from the description of the
 format, not by the library."""
 
 from __future__ import annotations
@@ -330,16 +330,3 @@ def test_record_says_that_there_is_no_room(tmp_path: Path) -> None:
     )
     assert done.returncode == 1
     assert b"c can not be written: File too large" in done.stderr
-
-
-def test_ports_are_listed() -> None:
-    text = run("ports")
-    assert text.status == 0 and text.text
-    ports = json.loads(run("ports", "--format", "json").text)
-    assert isinstance(ports, list)
-    for port in ports:
-        assert port["name"] in text.text
-        assert set(port) == {"name", "description", "usb"}
-    if not ports:
-        assert text.text == "There is no serial port.\n"
-        pytest.skip("there is none here")

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cerrno>
 #include <memory>
 #include <span>
 
@@ -35,9 +36,9 @@ PortInfo describe(const sp_port* port) {
 PortList list_ports() {
   sp_port** list = nullptr;
   if (sp_list_ports(&list) != SP_OK) {
-    return {
-        {},
-        {std::make_error_code(std::errc::io_error), "The system does not tell its serial ports."}};
+    // A container or a chroot may have no /sys, and then it has no serial ports either.
+    if (sp_last_error_code() == ENOENT) return {};
+    return {{}, {std::make_error_code(std::errc::io_error), "The system cannot list its ports."}};
   }
   const std::unique_ptr<sp_port*, void (*)(sp_port**)> owner(list, sp_free_port_list);
   PortList result;
