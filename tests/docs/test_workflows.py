@@ -40,7 +40,7 @@ def steps(workflow: dict[str, Any]) -> Iterator[dict[str, Any]]:
 
 
 def test_there_are_workflows() -> None:
-    assert [path.stem for path in WORKFLOWS] == ["ci", "docs", "fuzz"]
+    assert [path.stem for path in WORKFLOWS] == ["ci", "docs", "nightly"]
 
 
 @pytest.mark.parametrize("path", WORKFLOWS, ids=name_of)
@@ -80,9 +80,18 @@ def test_it_uses_only_actions_of_the_code_host(path: Path) -> None:
 
 def test_crashes_and_corpus_are_where_the_fuzzers_leave_them() -> None:
     dev = (ROOT / "dev").read_text(encoding="utf-8")
-    for path in ("ci", "fuzz"):
+    for path in ("ci", "nightly"):
         workflow = load(ROOT / f".github/workflows/{path}.yml")
         named = [step["with"]["path"] for step in steps(workflow) if "path" in step.get("with", {})]
         assert named, path
         for folder in named:
             assert folder in dev, folder
+
+
+def test_every_night_the_commands_of_readme_run_on_a_fresh_machine() -> None:
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    commands = re.findall(r"^(\./dev [a-z]+) +#", readme, re.MULTILINE)
+    assert commands == ["./dev demo", "./dev test"]
+    job = load(ROOT / ".github/workflows/nightly.yml")["jobs"]["readme"]
+    assert job["container"] == "debian:12"
+    assert [step["run"] for step in job["steps"] if "run" in step][1:] == commands
