@@ -12,7 +12,9 @@ import xml.etree.ElementTree as ET
 from pathlib import Path
 
 # A skipped case in the output of GoogleTest, and of pytest with -rs.
-SKIPPED_CASE = re.compile(r"^(?:\[  SKIPPED \] (\w+\.\w+) \(\d+ ms\)|SKIPPED \[\d+\] (.+))$", re.MULTILINE)
+SKIPPED_CASE = re.compile(
+    r"^(?:\[  SKIPPED \] (\w+\.\w+) \(\d+ ms\)|SKIPPED \[\d+\] (.+))$", re.MULTILINE
+)
 
 
 def skipped_cases(output: str) -> list[str]:
