@@ -75,6 +75,13 @@ void print_counters(const char* whose, const ParserCounters& counters) {
              counters.header_errors, counters.body_errors);
 }
 
+/// Whether bytes without a frame were probably meant to be some: in noise, most start bytes have no
+/// good header behind them.
+bool seems_meant(const ParserCounters& counters) {
+  const std::uint64_t with_header = counters.body_errors + counters.incomplete;
+  return with_header != 0 && with_header >= counters.header_errors;
+}
+
 std::uint64_t end_of(const Frame& frame) {
   return frame.offset + Framing::frame_size(frame.body.size());
 }
@@ -117,9 +124,10 @@ class RawDecoder {
     const std::vector<NearMiss> misses = stop();
     if (parser_.counters().frames != 0 || size_ == 0) return success;
     std::string guess = guess_input(begin_, is_hex_);
-    const bool is_meant = !misses.empty() && misses.front().has_header;
+    const bool is_meant = seems_meant(parser_.counters());
     if (guess.empty() && !is_meant) guess = line_may_be_wrong;
-    return no_frame(size_, guess, jsonl_ ? std::span(misses) : std::span<const NearMiss>());
+    const bool tells = jsonl_ && is_meant;
+    return no_frame(size_, guess, tells ? std::span(misses) : std::span<const NearMiss>());
   }
 
  private:
@@ -177,9 +185,11 @@ class CaptureDecoder final : private CaptureListener {
     flush_output();
     if (!problems_.empty()) throw InputError(problems_);
     if (found_ != 0 || skipped_ == 0) return success;
-    return no_frame(skipped_,
-                    misses_.empty() || !misses_.front().has_header ? line_may_be_wrong : "",
-                    jsonl_ ? std::span<const NearMiss>(misses_) : std::span<const NearMiss>());
+    const bool is_meant = seems_meant(frames_.counters(Direction::to_board)) ||
+                          seems_meant(frames_.counters(Direction::from_board));
+    const bool tells = jsonl_ && is_meant;
+    return no_frame(skipped_, is_meant ? "" : line_may_be_wrong,
+                    tells ? std::span<const NearMiss>(misses_) : std::span<const NearMiss>());
   }
 
  private:

@@ -317,8 +317,10 @@ def test_a_reader_that_does_not_read_can_be_left() -> None:
                 assert process.poll() is None
             while process.poll() is None:  # it may not have been waiting yet
                 process.send_signal(signal.SIGINT)
-            assert process.returncode in (0, 1)
-            assert "Interrupted" in process.stderr.read().decode() or process.returncode == 0
+            # The last of the signals may have come when it was about to end anyway.
+            assert process.returncode in (0, 1, -signal.SIGINT)
+            error = process.stderr.read()
+            assert b"Interrupted" in error or process.returncode != 1
             sender.join()
             connection.close()
 

@@ -250,6 +250,14 @@ def test_input_without_a_frame(data: bytes, options: list[str], guess: str) -> N
         assert form == "text" or result.out == b""
 
 
+def test_noise_is_not_explained_as_frames() -> None:
+    """Among many start bytes, chance puts something like a header behind some of them."""
+    noise = bytes(random.Random(5).choices(range(256), k=200_000))
+    result = run("decode", "--format", "jsonl", stdin=noise)
+    assert result.status == 1
+    assert "parity was perhaps another" in result.error and "looks like" not in result.error
+
+
 def test_raw_bytes_are_no_hex_text() -> None:
     assert "raw bytes are read without --hex" in run("decode", "--hex", stdin=GET_ANGLES).error
     assert "without --hex" not in run("decode", "--hex", stdin="3e 49 zz").error
