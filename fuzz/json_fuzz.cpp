@@ -1,5 +1,6 @@
 // JSON from outside. The input is a line as `sbgc encode` reads it. Whatever it says, it is a
-// message or a JsonError; a message becomes the same JSON and the same bytes again.
+// problem with its place, or what nlohmann_json reads, too; then it is a message or a JsonError,
+// and a message becomes the same JSON and the same bytes again.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include <sbgc/json.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/meta/all.hpp>
+#include <sbgc/parse_json.hpp>
 
 namespace {
 
@@ -43,7 +45,15 @@ void check(const sbgc::Json& fields) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const sbgc::Json line = sbgc::Json::parse(data, data + size, nullptr, false);
+  const std::string text(data, data + size);
+  const sbgc::ParsedJson parsed = sbgc::parse_json(text);
+  if (parsed.problem) {
+    require(parsed.problem->line > 0 && parsed.problem->column > 0);
+    require(parsed.problem->column <= size + 1 && !parsed.problem->reason.empty());
+    return 0;
+  }
+  const sbgc::Json& line = parsed.value;
+  require(line.dump() == sbgc::Json::parse(text).dump());
   if (!line.is_object() || !line.contains("message") || !line.contains("fields")) return 0;
   sbgc::AllMessages::for_each([&]<class M>(sbgc::Type<M>) {
     if (line["message"] == sbgc::Meta<M>::info.name) check<M>(line["fields"]);

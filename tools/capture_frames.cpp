@@ -2,6 +2,7 @@
 
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace sbgc::tools {
 
@@ -40,8 +41,10 @@ void CaptureFrames::take(const io::CaptureRecord& record) {
   Side& side = sides_[record.kind == io::CaptureKind::from_board ? 1 : 0];
   side.size += record.bytes.size();
   side.marks.push_back({side.size, record.time});
+  side.explainer.add(record.bytes);
   side.parser.feed(record.bytes, [&](const Frame& frame) { take_frame(side, frame); });
   const std::uint64_t decided = side.size - side.parser.waiting_bytes();
+  side.explainer.advance(decided);
   while (!side.marks.empty() && side.marks.front().end <= decided) side.marks.pop_front();
 }
 
@@ -49,19 +52,21 @@ void CaptureFrames::take_frame(Side& side, const Frame& frame) {
   const std::uint64_t end = frame.offset + Framing::frame_size(frame.body.size());
   while (side.marks.front().end < end) side.marks.pop_front();
   const io::CaptureTime time = side.marks.front().time;
-  tell_skipped(side, frame.offset, time);
+  tell_skipped(side, frame.offset, end, time);
   listener_.on_frame(side.direction, time, frame);
   side.told = end;
 }
 
-void CaptureFrames::tell_skipped(Side& side, std::uint64_t until, io::CaptureTime time) {
-  if (until > side.told) listener_.on_skipped(side.direction, time, until - side.told);
+void CaptureFrames::tell_skipped(Side& side, std::uint64_t until, std::uint64_t next,
+                                 io::CaptureTime time) {
+  const std::vector<NearMiss> misses = side.explainer.end_gap(until, next);
+  if (until > side.told) listener_.on_skipped(side.direction, time, until - side.told, misses);
 }
 
 void CaptureFrames::end_session() {
   for (Side& side : sides_) {
     side.parser.flush([&](const Frame& frame) { take_frame(side, frame); });
-    tell_skipped(side, side.size, last_);
+    tell_skipped(side, side.size, side.size, last_);
     const ParserCounters now = side.parser.counters();
     side = Side{.direction = side.direction,
                 .total = {.frames = side.total.frames + now.frames,

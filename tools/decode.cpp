@@ -1,5 +1,6 @@
 // sbgc decode: a capture as JSON lines or as text for people.
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <ctime>
@@ -19,6 +20,8 @@
 #include "decoded_frame.hpp"
 #include "hex_text.hpp"
 #include "input.hpp"
+#include "near_misses.hpp"
+#include "no_frames.hpp"
 #include "rows.hpp"
 #include "text.hpp"
 
@@ -39,10 +42,6 @@ std::optional<Direction> direction(const std::string& from) {
   return std::nullopt;
 }
 
-void check(const std::optional<HexError>& error) {
-  if (error) throw InputError(to_text(*error));
-}
-
 /// What has been printed goes out now: a reader may be waiting for it.
 void flush_output() {
   if (std::fflush(stdout) != 0) throw std::runtime_error("can not write to the standard output");
@@ -52,15 +51,35 @@ void print_line(const Json& line) {
   fmt::print("{}\n", line.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-/// "no frame: 5 bytes", if there are bytes between two places of a stream.
-void print_gap(const std::string& place, std::uint64_t begin, std::uint64_t end) {
-  if (end > begin) fmt::print("{}  no frame: {}\n", place, counted(end - begin, "byte"));
+void print_misses(std::FILE* out, std::span<const NearMiss> misses) {
+  for (const NearMiss& miss : misses) fmt::print(out, "    @{}: {}\n", miss.offset, miss.text);
 }
+
+/// Says what input may be that has bytes but no frame.
+[[nodiscard]] int no_frame(std::uint64_t size, const std::string& guess,
+                           std::span<const NearMiss> misses) {
+  fmt::print(stderr, "sbgc: there is no frame in {}{}{}\n", counted(size, "byte"),
+             guess.empty() ? "" : "; ", guess);
+  for (const NearMiss& miss : misses) {
+    if (miss.has_header) print_misses(stderr, {&miss, 1});
+  }
+  return failure;
+}
+
+constexpr const char* line_may_be_wrong =
+    "if they come from a line, its baud rate or parity was perhaps another";
 
 void print_counters(const char* whose, const ParserCounters& counters) {
   fmt::print("{}{}, {} skipped (bad headers: {}, bad bodies: {})\n", whose,
              counted(counters.frames, "frame"), counted(counters.skipped_bytes, "byte"),
              counters.header_errors, counters.body_errors);
+}
+
+/// Whether bytes without a frame were probably meant to be some: in noise, most start bytes have no
+/// good header behind them.
+bool seems_meant(const ParserCounters& counters) {
+  const std::uint64_t with_header = counters.body_errors + counters.incomplete;
+  return with_header != 0 && with_header >= counters.header_errors;
 }
 
 std::uint64_t end_of(const Frame& frame) {
@@ -71,35 +90,75 @@ std::uint64_t end_of(const Frame& frame) {
 class RawDecoder {
  public:
   explicit RawDecoder(const DecodeOptions& options)
-      : jsonl_(options.format == "jsonl"), direction_(direction(options.from)) {}
+      : jsonl_(options.format == "jsonl"),
+        is_hex_(options.hex),
+        direction_(direction(options.from)),
+        explainer_(direction_) {}
 
   void feed(std::span<const std::uint8_t> bytes) {
     size_ += bytes.size();
+    begin_.insert(begin_.end(), bytes.begin(),
+                  bytes.begin() + static_cast<std::ptrdiff_t>(
+                                      std::min(bytes.size(), guess_size - begin_.size())));
+    const bool explains = tells_gaps();
+    if (explains) explainer_.add(bytes);
     parser_.feed(bytes, [this](const Frame& frame) { print(frame); });
+    if (explains) explainer_.advance(size_ - parser_.waiting_bytes());
   }
 
-  void finish() {
+  /// Prints what is left. Returns the near misses behind the last frame.
+  std::vector<NearMiss> stop() {
     parser_.flush([this](const Frame& frame) { print(frame); });
-    if (jsonl_) return;
-    print_gap(place(end_), end_, size_);
-    print_counters("", parser_.counters());
+    std::vector<NearMiss> misses;
+    if (tells_gaps()) misses = explainer_.end_gap(size_, size_);
+    if (!jsonl_) {
+      print_gap(size_, misses);
+      print_counters("", parser_.counters());
+    }
+    flush_output();
+    return misses;
+  }
+
+  /// As stop(), and complains if there was no frame. Returns the exit status.
+  int finish() {
+    const std::vector<NearMiss> misses = stop();
+    if (parser_.counters().frames != 0 || size_ == 0) return success;
+    std::string guess = guess_input(begin_, is_hex_);
+    const bool is_meant = seems_meant(parser_.counters());
+    if (guess.empty() && !is_meant) guess = line_may_be_wrong;
+    const bool tells = jsonl_ && is_meant;
+    return no_frame(size_, guess, tells ? std::span(misses) : std::span<const NearMiss>());
   }
 
  private:
   static std::string place(std::uint64_t offset) { return fmt::format("@{}", offset); }
 
+  /// JSON lines are frames only; there, gaps are of interest as long as no frame has been found.
+  bool tells_gaps() const { return !jsonl_ || parser_.counters().frames == 0; }
+
   void print(const Frame& frame) {
     const DecodedFrame decoded = decoder_.decode(frame, direction_);
     if (jsonl_) return print_line(decoded.to_json());
-    print_gap(place(end_), end_, frame.offset);
+    const std::uint64_t end = end_of(frame);
+    print_gap(frame.offset, explainer_.end_gap(frame.offset, end));
     fmt::print("{}", to_text(decoded, place(frame.offset)));
-    end_ = end_of(frame);
+    end_ = end;
+  }
+
+  /// "no frame: 5 bytes", and why, if there are bytes since the last frame.
+  void print_gap(std::uint64_t end, std::span<const NearMiss> misses) const {
+    if (end == end_) return;
+    fmt::print("{}  no frame: {}\n", place(end_), counted(end - end_, "byte"));
+    print_misses(stdout, misses);
   }
 
   bool jsonl_;
+  bool is_hex_;
   std::optional<Direction> direction_;
   Parser parser_;
   FrameDecoder decoder_;
+  GapExplainer explainer_;
+  std::vector<std::uint8_t> begin_;
   std::uint64_t size_ = 0;
   std::uint64_t end_ = 0;  // of what has been printed
 };
@@ -112,8 +171,8 @@ class CaptureDecoder final : private CaptureListener {
 
   void feed(std::span<const std::uint8_t> bytes) { frames_.feed(bytes); }
 
-  /// Throws InputError if parts of the capture could not be read.
-  void finish() {
+  /// Returns the exit status. Throws InputError if parts of the capture could not be read.
+  int finish() {
     frames_.finish();
     if (!jsonl_) {
       for (const Direction side : {Direction::to_board, Direction::from_board}) {
@@ -125,6 +184,12 @@ class CaptureDecoder final : private CaptureListener {
     }
     flush_output();
     if (!problems_.empty()) throw InputError(problems_);
+    if (found_ != 0 || skipped_ == 0) return success;
+    const bool is_meant = seems_meant(frames_.counters(Direction::to_board)) ||
+                          seems_meant(frames_.counters(Direction::from_board));
+    const bool tells = jsonl_ && is_meant;
+    return no_frame(skipped_, is_meant ? "" : line_may_be_wrong,
+                    tells ? std::span<const NearMiss>(misses_) : std::span<const NearMiss>());
   }
 
  private:
@@ -145,6 +210,7 @@ class CaptureDecoder final : private CaptureListener {
   }
 
   void on_frame(Direction side, io::CaptureTime time, const Frame& frame) override {
+    ++found_;
     if (!wanted(side)) return;
     const DecodedFrame decoded = decoder_.decode(frame, side);
     if (!jsonl_) {
@@ -157,10 +223,14 @@ class CaptureDecoder final : private CaptureListener {
     print_line(line);
   }
 
-  void on_skipped(Direction side, io::CaptureTime time, std::uint64_t size) override {
+  void on_skipped(Direction side, io::CaptureTime time, std::uint64_t size,
+                  std::span<const NearMiss> misses) override {
+    skipped_ += size;
+    if (misses_.empty()) misses_.assign(misses.begin(), misses.end());
     if (!jsonl_ && wanted(side)) {
       fmt::print("{}  no frame: {} {} the board\n", place(time), counted(size, "byte"),
                  side == Direction::from_board ? "from" : "to");
+      print_misses(stdout, misses);
     }
   }
 
@@ -177,6 +247,9 @@ class CaptureDecoder final : private CaptureListener {
   CaptureFrames frames_;
   FrameDecoder decoder_;
   int session_ = -1;
+  std::uint64_t found_ = 0;  // frames
+  std::uint64_t skipped_ = 0;
+  std::vector<NearMiss> misses_;  // of the first gap that has any
   std::string problems_;
 };
 
@@ -191,53 +264,45 @@ std::vector<std::uint8_t> read_begin(Input& input) {
   return begin;
 }
 
+/// What stands before a mistake in hex text is good; the mistake is told in the end.
+[[noreturn]] void fail_at(const HexError& error, RawDecoder& decoder, bool is_text) {
+  decoder.stop();
+  throw InputError(to_text(error) + (is_text ? "" : "; raw bytes are read without --hex"));
+}
+
 template <class Decoder>
-void decode_bytes(Input& input, std::span<const std::uint8_t> begin, Decoder decoder) {
+int decode_bytes(Input& input, std::span<const std::uint8_t> begin, Decoder decoder) {
   for (auto block = begin; !block.empty(); block = input.read()) {
     decoder.feed(block);
     flush_output();
   }
-  decoder.finish();
+  const int status = decoder.finish();
   flush_output();
+  return status;
 }
 
-void decode_hex(Input& input, RawDecoder decoder) {
+int decode_hex(Input& input, RawDecoder decoder) {
   HexDecoder hex;
   std::vector<std::uint8_t> bytes;
-  const auto feed = [&] {
+  bool is_text = true;
+  for (auto block = input.read(); !block.empty(); block = input.read()) {
+    is_text = is_text && !is_binary(block);
+    std::optional<HexError> error = hex.feed(block, bytes);
     decoder.feed(bytes);
     bytes.clear();
     flush_output();
-  };
-  try {
-    for (auto block = input.read(); !block.empty(); block = input.read()) {
-      check(hex.feed(block, bytes));
-      feed();
-    }
-    check(hex.finish());
-  } catch (const InputError&) {
-    feed();  // what stands before the mistake is good
-    decoder.finish();
-    flush_output();
-    throw;
+    if (error) fail_at(*error, decoder, is_text);
   }
-  decoder.finish();
-  flush_output();
+  if (const auto error = hex.finish()) fail_at(*error, decoder, is_text);
+  return decoder.finish();
 }
 
 int decode_file(const DecodeOptions& options) {
   Input input(options.file);
-  if (options.hex) {
-    decode_hex(input, RawDecoder(options));
-    return success;
-  }
+  if (options.hex) return decode_hex(input, RawDecoder(options));
   const std::vector<std::uint8_t> begin = read_begin(input);
-  if (io::is_capture(begin)) {
-    decode_bytes(input, begin, CaptureDecoder(options));
-  } else {
-    decode_bytes(input, begin, RawDecoder(options));
-  }
-  return success;
+  if (io::is_capture(begin)) return decode_bytes(input, begin, CaptureDecoder(options));
+  return decode_bytes(input, begin, RawDecoder(options));
 }
 
 }  // namespace
@@ -266,8 +331,10 @@ void add_decode(CLI::App& app, int& status) {
       "JSON "
       "lines have more keys: 'time' in seconds since the session began, and 'session', a number "
       "from 0; offsets count the bytes of one direction and session.\n"
-      "The exit status is 0 when all input was read, 1 when it could not be read, 2 for wrong "
-      "usage.");
+      "In text, the gaps between frames are explained, where something looks like a frame.\n"
+      "The exit status is 0 when all input was read and held a frame, or was empty; 1 when it "
+      "could "
+      "not be read or held none; 2 for wrong usage.");
   command->callback([options, &status] { status = decode_file(*options); });
 }
 

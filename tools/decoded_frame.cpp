@@ -8,38 +8,17 @@ namespace sbgc::tools {
 
 namespace {
 
-/// How well a body of this size fits what a command says in this direction; 0 is not at all.
-int fit(Direction direction, const Frame& frame) {
-  int result = 0;
-  const std::size_t size = frame.body.size();
-  select(direction, frame.id, size, [&]<class M>(Type<M>) {
-    const bool documented = size >= M::min_size && size <= M::max_size;
-    if (documented && M::min_size == M::max_size) {
-      result = 4;  // the only size there is
-    } else if (documented && M::max_size < max_body_size) {
-      result = 3;
-    } else if (size > M::max_size && requires(const M& message) { message.tail; }) {
-      result = 2;  // grown by later firmware
-    } else if (documented) {
-      result = 1;  // almost any size would do
-    }
-  });
-  return result;
-}
-
 bool travels(const MessageInfo& info, Direction direction) {
   return info.direction == direction || info.direction == Direction::both;
 }
 
 Direction guess(const Frame& frame) {
-  const int host = fit(Direction::to_board, frame);
-  const int board = fit(Direction::from_board, frame);
+  const int host = fit(Direction::to_board, frame.id, frame.body.size());
+  const int board = fit(Direction::from_board, frame.id, frame.body.size());
   if (host != board) return host > board ? Direction::to_board : Direction::from_board;
   // Neither fits: whoever has such a command at all, and the board if both or none has.
-  const auto knows = [&](Direction direction) {
-    return select(direction, frame.id, frame.body.size(), [](auto) {}) != Code::unknown_command;
-  };
-  const bool host_only = knows(Direction::to_board) && !knows(Direction::from_board);
+  const bool host_only =
+      has_command(Direction::to_board, frame.id) && !has_command(Direction::from_board, frame.id);
   return host_only ? Direction::to_board : Direction::from_board;
 }
 
@@ -70,6 +49,27 @@ std::string field_at(std::size_t offset) {
 }
 
 }  // namespace
+
+int fit(Direction direction, std::uint8_t id, std::size_t size) {
+  int result = 0;
+  select(direction, id, size, [&]<class M>(Type<M>) {
+    const bool documented = size >= M::min_size && size <= M::max_size;
+    if (documented && M::min_size == M::max_size) {
+      result = 4;  // the only size there is
+    } else if (documented && M::max_size < max_body_size) {
+      result = 3;
+    } else if (size > M::max_size && requires(const M& message) { message.tail; }) {
+      result = 2;  // grown by later firmware
+    } else if (documented) {
+      result = 1;  // almost any size would do
+    }
+  });
+  return result;
+}
+
+bool has_command(Direction direction, std::uint8_t id) {
+  return select(direction, id, 0, [](auto) {}) != Code::unknown_command;
+}
 
 std::string command_name(std::uint8_t id, Direction direction) {
   std::string result;

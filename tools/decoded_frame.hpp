@@ -15,6 +15,12 @@ namespace sbgc::tools {
 /// direction decides.
 std::string command_name(std::uint8_t id, Direction direction);
 
+/// How well a body of this size fits what the command says in this direction; 0 is not at all.
+int fit(Direction direction, std::uint8_t id, std::size_t size);
+
+/// Whether there is a command with this id in this direction.
+bool has_command(Direction direction, std::uint8_t id);
+
 /// One value of a message, as people read it.
 struct Row {
   std::string path;

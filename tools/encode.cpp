@@ -10,10 +10,12 @@
 #include <sbgc/json.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/meta/all.hpp>
+#include <sbgc/parse_json.hpp>
 #include <sbgc/validate.hpp>
 
 #include "commands.hpp"
 #include "input.hpp"
+#include "text.hpp"
 
 namespace sbgc::tools {
 
@@ -107,7 +109,12 @@ void check_rest(const Json& line, const MessageInfo& info) {
 }
 
 std::vector<std::uint8_t> encode_line(const std::string& text, const EncodeOptions& options) {
-  const Json line = Json::parse(text);
+  const ParsedJson parsed = parse_json(text);
+  if (!parsed) {
+    throw InputError(
+        fmt::format("{}, at column {}", parsed.problem->reason, parsed.problem->column));
+  }
+  const Json& line = parsed.value;
   if (!line.is_object()) throw InputError("a line must be a JSON object");
   const std::string name = text_of(line, "message");
   const auto fields = line.find("fields");
@@ -136,18 +143,13 @@ int encode_file(const EncodeOptions& options) {
   Input input(options.file);
   int status = success;
   std::string line;
-  for (std::size_t number = 1; input.read_line(line); ++number) {
-    if (line.find_first_not_of(" \t") == std::string::npos) continue;
+  constexpr std::size_t longest = JsonLimits{}.size;
+  for (std::size_t number = 1; input.read_line(line, longest); ++number) {
+    if (line.size() <= longest && line.find_first_not_of(" \t") == std::string::npos) continue;
     try {
       write(encode_line(line, options), options.hex);
-    } catch (const Json::parse_error& error) {
-      fmt::print(stderr, "sbgc: line {}: not valid JSON, at column {}\n", number, error.byte);
-      status = failure;
-    } catch (const Json::exception& error) {  // such as a number beyond every double
-      fmt::print(stderr, "sbgc: line {}: not usable JSON: {}\n", number, error.what());
-      status = failure;
     } catch (const std::runtime_error& error) {
-      fmt::print(stderr, "sbgc: line {}: {}\n", number, error.what());
+      fmt::print(stderr, "sbgc: line {}: {}\n", number, clipped(error.what()));
       status = failure;
     }
   }
@@ -168,8 +170,9 @@ void add_encode(CLI::App& app, int& status) {
   command->add_flag("--no-validate", options->no_validate,
                     "Encode values that the specification does not allow, too");
   command->footer(
-      "A line that does not encode or validate is reported and left out; the exit status is then "
-      "1. It is 2 for wrong usage.");
+      "A line may have 16 MiB, nest 64 levels deep, and have no key twice in an object. One that "
+      "does not encode or validate is reported and left out; the exit status is then 1. It is 2 for "
+      "wrong usage.");
   command->callback([options, &status] { status = encode_file(*options); });
 }
 

@@ -37,14 +37,21 @@ std::span<const std::uint8_t> Input::read() {
   return {block_.data(), static_cast<std::size_t>(size)};
 }
 
-bool Input::read_line(std::string& line) {
+bool Input::read_line(std::string& line, std::size_t limit) {
   line.clear();
   int c = 0;
-  while ((c = std::getc(file_.get())) != EOF && c != '\n') line += static_cast<char>(c);
+  bool is_whole = true;
+  while ((c = std::getc(file_.get())) != EOF && c != '\n') {
+    if (line.size() <= limit) {
+      line += static_cast<char>(c);
+    } else {
+      is_whole = false;
+    }
+  }
   if (std::ferror(file_.get()) != 0) {
     throw InputError(fmt::format("can not read '{}': {}", name_, std::strerror(errno)));
   }
-  if (!line.empty() && line.back() == '\r') line.pop_back();
+  if (is_whole && !line.empty() && line.back() == '\r') line.pop_back();
   return c != EOF || !line.empty();
 }
 

@@ -26,8 +26,9 @@ class Input {
   /// The next bytes, empty at the end. The view is valid until the next call. Throws InputError.
   std::span<const std::uint8_t> read();
 
-  /// The next line without its end, false at the end. Throws InputError.
-  bool read_line(std::string& line);
+  /// The next line without its end, false at the end. Of a line longer than `limit` bytes it keeps
+  /// the first `limit + 1`. Throws InputError.
+  bool read_line(std::string& line, std::size_t limit);
 
   const std::string& name() const noexcept { return name_; }
 

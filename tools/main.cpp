@@ -2,12 +2,22 @@
 
 #include <cstdio>
 #include <exception>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include "commands.hpp"
+#include "help_text.hpp"
+#include "suggestions.hpp"
+#include "text.hpp"
+
+namespace sbgc::tools {
 
 namespace {
 
@@ -21,32 +31,100 @@ void hold_standard_files() {
   }
 }
 
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> result;
+  for (const CLI::App* const command : app.get_subcommands({})) {
+    result.push_back(command->get_name());
+  }
+  return result;
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> result;
+  for (const CLI::Option* const option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) result.push_back("--" + name);
+  }
+  return result;
+}
+
+std::string did_you_mean(const std::vector<std::string>& words) {
+  return words.empty() ? "" : "; did you mean " + alternatives(words, true) + "?";
+}
+
+/// What is wrong with a word that nothing on the command line takes. `command` is the subcommand
+/// that it was given to, or `app`.
+std::string unknown_word(const CLI::App& app, const CLI::App& command, const std::string& word) {
+  const std::string shown = clipped(word);
+  if (word.starts_with('-')) {
+    const std::string name = word.substr(0, word.find('='));
+    return fmt::format("unknown option '{}'{}", shown,
+                       did_you_mean(nearest(name, option_names(command))));
+  }
+  if (&command != &app) return fmt::format("'{}' is one argument too many", shown);
+  std::vector<std::string> known = command_names(app);
+  for (const std::string& option : option_names(app)) known.push_back(option);
+  const std::vector<std::string> near = nearest(word, known);
+  return fmt::format(
+      "unknown command '{}'{}", shown,
+      near.empty() ? "; use " + alternatives(command_names(app), false) : did_you_mean(near));
+}
+
+int complain(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  const CLI::App& command = chosen.empty() ? app : *chosen.back();
+  const std::vector<std::string> unknown = command.remaining();
+  std::string problem;
+  if (!unknown.empty()) {
+    problem = unknown_word(app, command, unknown.front());
+  } else if (chosen.empty()) {
+    problem = "a command is needed: " + alternatives(command_names(app), false);
+  } else {
+    problem = clipped(error.what());
+  }
+  fmt::print(stderr, "sbgc: {}\nRun '{}{} --help' for help.\n", problem,
+             chosen.empty() ? "" : "sbgc ", command.get_name());
+  return wrong_usage;
+}
+
+int run(int argc, char** argv) {
+  int status = success;
+  CLI::App app("Tools for SimpleBGC gimbals and their serial protocol.", "sbgc");
+  app.formatter(std::make_shared<HelpFormatter>(line_width()));
+  app.require_subcommand(1);
+  app.set_help_all_flag("--help-all", "Print the help of all commands");
+  app.set_version_flag("--version", "sbgc " SBGC_VERSION, "Print the version");
+  add_decode(app, status);
+  add_emulate(app, status);
+  add_encode(app, status);
+  add_ports(app, status);
+  add_record(app, status);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked_for) {  // help or version
+    if (!app.remaining().empty()) return complain(app, asked_for);
+    std::ostringstream text;
+    app.exit(asked_for, text, text);
+    fmt::print("{}", text.str());
+  } catch (const CLI::ParseError& error) {
+    return complain(app, error);
+  }
+  return status;
+}
+
 }  // namespace
+}  // namespace sbgc::tools
 
 int main(int argc, char** argv) {
   namespace tools = sbgc::tools;
-  int status = tools::success;
-  hold_standard_files();
+  tools::hold_standard_files();
   try {
-    CLI::App app("Tools for SimpleBGC gimbals and their serial protocol.", "sbgc");
-    app.require_subcommand(1);
-    app.set_help_all_flag("--help-all", "Print the help of all subcommands");
-    tools::add_decode(app, status);
-    tools::add_emulate(app, status);
-    tools::add_encode(app, status);
-    tools::add_ports(app, status);
-    tools::add_record(app, status);
-    try {
-      app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-      return app.exit(error) == 0 ? tools::success : tools::wrong_usage;
-    }
+    const int status = tools::run(argc, argv);
     // An earlier write that failed has left its mark, though nothing is left to be flushed.
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-      throw std::runtime_error("can not write to the standard output");
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+    std::fputs("sbgc: can not write to the standard output\n", stderr);
+    return status == tools::success ? tools::failure : status;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "sbgc: %s\n", error.what());
     return tools::failure;
   }
-  return status;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,18 +12,54 @@ namespace sbgc::tools {
 
 namespace {
 
-std::string claimed(std::uint8_t id) {
-  std::string name = command_name(id, Direction::from_board);
-  if (name.empty()) name = command_name(id, Direction::to_board);
-  return name.empty() ? fmt::format("the unknown id {}", id) : fmt::format("{} ({})", name, id);
+const char* sender(Direction direction) {
+  return direction == Direction::from_board ? "the board" : "the host";
+}
+
+/// "CMD_CONTROL (67) from the host": the command whose body may have this size. If both directions
+/// have one, both are named.
+std::string claimed(std::uint8_t id, std::size_t size, std::optional<Direction> sent) {
+  std::vector<Direction> best;
+  int best_fit = 0;
+  for (const Direction direction : {Direction::to_board, Direction::from_board}) {
+    if (sent && *sent != direction) continue;
+    if (!has_command(direction, id)) continue;
+    const int fits = fit(direction, id, size);
+    if (fits < best_fit) continue;
+    if (fits > best_fit) best.clear();
+    best_fit = fits;
+    best.push_back(direction);
+  }
+  if (best.empty()) {
+    const std::string name = command_name(
+        id, sent && *sent == Direction::to_board ? Direction::to_board : Direction::from_board);
+    return name.empty() ? fmt::format("the unknown id {}", id) : fmt::format("{} ({})", name, id);
+  }
+  std::string result;
+  std::string last_name;
+  for (const Direction direction : best) {
+    const std::string name = command_name(id, direction);
+    if (!result.empty()) result += " or ";
+    if (name != last_name) result += fmt::format("{} ({}) from ", name, id);
+    result += sender(direction);
+    last_name = name;
+  }
+  return result;
 }
 
 std::string checksum(const char* of, std::uint8_t found, std::uint8_t right) {
   return fmt::format("the checksum of its {} is 0x{:02x}, not 0x{:02x}", of, found, right);
 }
 
+/// Whether a frame seems to begin here.
+bool is_next_frame(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() < frame_header_size || bytes[0] != frame_start) return false;
+  return Framing::inspect(bytes.data(), bytes.size()).verdict != Verdict::bad_header;
+}
+
 /// Says why what begins with the start byte `bytes[0]` is no frame.
-std::string reason(Candidate candidate, std::span<const std::uint8_t> bytes) {
+std::string reason(Candidate candidate, std::span<const std::uint8_t> bytes,
+                   std::optional<Direction> sent) {
   if (bytes.size() < frame_header_size) return "a start byte, but the bytes end within the header";
   const std::uint8_t id = bytes[1];
   const std::uint8_t size = bytes[2];
@@ -35,34 +72,75 @@ std::string reason(Candidate candidate, std::span<const std::uint8_t> bytes) {
     constexpr std::size_t place = frame_header_size - 1;
     return "a start byte, but " + checksum("header", bytes[place], right[place]);
   }
-  std::string result = fmt::format("looks like {} with a body of {} byte{}, but ", claimed(id),
-                                   size, size == 1 ? "" : "s");
-  if (candidate.verdict == Verdict::incomplete) {
-    const std::size_t missing = candidate.size - bytes.size();
-    result += fmt::format("the last {} of its {} bytes {} missing", missing, candidate.size,
-                          missing == 1 ? "is" : "are");
-  } else {
-    const std::size_t place = candidate.size - 1;
-    result += checksum("body", bytes[place], right[place]);
+  std::string result = fmt::format("looks like {} with a body of {} byte{}, but ",
+                                   claimed(id, size, sent), size, size == 1 ? "" : "s");
+  const std::size_t place = candidate.size - 1;
+  const std::string own_checksum =
+      fmt::format("the checksum of its {}body, 0x{:02x},", size == 0 ? "empty " : "", right[place]);
+  if (candidate.verdict == Verdict::bad_body) {
+    if (!is_next_frame(bytes.subspan(place))) {
+      return result + checksum("body", bytes[place], right[place]);
+    }
+    return result + own_checksum + " is missing: the next frame begins in its place";
   }
-  return result;
+  const std::size_t missing = candidate.size - bytes.size();
+  if (missing == 1) return result + own_checksum + " is missing at the end";
+  return result + fmt::format("the last {} of its {} bytes are missing", missing, candidate.size);
 }
 
 }  // namespace
 
-std::vector<NearMiss> near_misses(std::span<const std::uint8_t> bytes,
-                                  std::span<const std::uint8_t> rest, std::size_t limit) {
-  std::vector<std::uint8_t> all(bytes.begin(), bytes.end());
-  all.insert(all.end(), rest.begin(), rest.end());
+std::vector<NearMiss> near_misses(std::span<const std::uint8_t> bytes, std::size_t gap,
+                                  std::size_t limit, std::optional<Direction> direction) {
   std::vector<NearMiss> result;
-  for (std::size_t at = 0; at < bytes.size() && result.size() < limit; ++at) {
-    if (all[at] != frame_start) continue;
-    const auto from = std::span<const std::uint8_t>(all).subspan(at);
+  for (std::size_t at = 0; at < gap && result.size() < limit; ++at) {
+    if (bytes[at] != frame_start) continue;
+    const auto from = bytes.subspan(at);
     const Candidate candidate = Framing::inspect(from.data(), from.size());
     if (candidate.verdict == Verdict::frame) continue;  // some other candidate has claimed it
-    result.push_back({at, candidate.verdict, reason(candidate, from)});
+    const bool has_header =
+        candidate.verdict != Verdict::bad_header && from.size() >= frame_header_size;
+    result.push_back({at, candidate.verdict, has_header, reason(candidate, from, direction)});
   }
   return result;
+}
+
+void GapExplainer::add(std::span<const std::uint8_t> bytes) {
+  bytes_.erase(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(used_));
+  used_ = 0;
+  bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+}
+
+void GapExplainer::advance(std::uint64_t offset) {
+  const std::uint64_t end = scanned_ + (bytes_.size() - used_);
+  scan(std::min(offset, end - std::min<std::uint64_t>(near_miss_reach, end)));
+}
+
+std::vector<NearMiss> GapExplainer::end_gap(std::uint64_t end, std::uint64_t next) {
+  scan(end);
+  used_ += static_cast<std::size_t>(next - scanned_);
+  scanned_ = next;
+  return std::exchange(found_, {});
+}
+
+void GapExplainer::scan(std::uint64_t end) {
+  if (end <= scanned_) return;
+  const auto gap = static_cast<std::size_t>(end - scanned_);
+  auto bytes = std::span<const std::uint8_t>(bytes_).subspan(used_);
+  bytes = bytes.first(std::min(bytes.size(), gap + near_miss_reach));
+  // A start byte alone stands in any noise: of those without a good header, the first is told if
+  // there is nothing better.
+  constexpr std::size_t most = 3;
+  for (NearMiss& miss : near_misses(bytes, gap, gap, direction_)) {
+    miss.offset += scanned_;
+    const bool is_only_noise_yet = found_.size() == 1 && !found_[0].has_header;
+    if (miss.has_header && is_only_noise_yet) found_.clear();
+    if (found_.empty() || (miss.has_header && found_.size() < most)) {
+      found_.push_back(std::move(miss));
+    }
+  }
+  used_ += gap;
+  scanned_ = end;
 }
 
 }  // namespace sbgc::tools

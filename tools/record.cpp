@@ -13,6 +13,7 @@
 #include <asio/signal_set.hpp>
 #include <asio/steady_timer.hpp>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <sbgc/io/open.hpp>
 #include <sbgc/io/recorder.hpp>
@@ -67,12 +68,16 @@ int record_line(const RecordOptions& options) {
   io::CaptureWriter writer;
   io::OpenResult opened = io::open(context.get_executor(), options.address);
   if (!opened) throw std::runtime_error(opened.error.message);
-  if (const io::Error error = writer.open(options.file)) throw std::runtime_error(error.message);
+  // Then nothing but the capture goes there.
+  const bool to_stdout = options.file == "-";
+  const io::Error error =
+      to_stdout ? writer.open(STDOUT_FILENO, "standard output") : writer.open(options.file);
+  if (error) throw std::runtime_error(error.message);
 
   std::string file_problem;
   std::function<void()> stop;
-  const auto on_error = [&](const io::Error& error) {
-    file_problem = error.message;
+  const auto on_error = [&](const io::Error& reason) {
+    file_problem = reason.message;
     if (stop) stop();  // else it failed before there was anything to stop
   };
   const std::unique_ptr<io::Transport> transport =
@@ -85,20 +90,22 @@ int record_line(const RecordOptions& options) {
     timer.cancel();
   });
   stop = [&] { listener.stop(); };
-  const auto stop_unless_cancelled = [&](std::error_code error) {
-    if (!error) stop();
+  const auto stop_unless_cancelled = [&](std::error_code cancelled) {
+    if (!cancelled) stop();
   };
-  signals.async_wait([&](std::error_code error, int) { stop_unless_cancelled(error); });
+  signals.async_wait([&](std::error_code cancelled, int) { stop_unless_cancelled(cancelled); });
   if (options.seconds) {
     timer.expires_after(std::chrono::duration_cast<std::chrono::steady_clock::duration>(
         std::chrono::duration<double>(*options.seconds)));
     timer.async_wait(stop_unless_cancelled);
   }
-  fmt::print("{}\n", transport->description());
+  if (!to_stdout) fmt::print("{}\n", transport->description());
   std::fflush(stdout);
   listener.read();
   context.run();
-  fmt::print("{} recorded in {}\n", counted(listener.total(), "byte"), options.file);
+  if (!to_stdout) {
+    fmt::print("{} recorded in {}\n", counted(listener.total(), "byte"), options.file);
+  }
   if (!file_problem.empty()) throw std::runtime_error(file_problem);
   if (!listener.problem().empty()) throw std::runtime_error(listener.problem());
   return success;
@@ -115,14 +122,16 @@ void add_record(CLI::App& app, int& status) {
                    "/dev/ttyUSB0, serial:PATH?baud=NUMBER&parity=none|even, tcp:HOST:PORT, "
                    "udp:HOST:PORT, pty: or capture:FILE")
       ->required();
-  command->add_option("file", options->file, "The capture; one that exists gets another session")
+  command
+      ->add_option("file", options->file,
+                   "The capture; one that exists gets another session. - is the standard output")
       ->required();
   command->add_option("--seconds", options->seconds, "Stop after this time; else with Ctrl-C")
       ->check(CLI::Range(0.0, 1e9));
   command->footer(
-      "Nothing is sent. `sbgc decode` shows the capture, and capture:FILE plays it. The exit "
-      "status "
-      "is 0 when everything was recorded, 1 when it was not, 2 for wrong usage.");
+      "Nothing is sent. `sbgc decode` shows the capture, and capture:FILE plays it; `sbgc record "
+      "ADDRESS - | sbgc decode` shows what comes, as it comes. The exit status is 0 when "
+      "everything was recorded, 1 when it was not, 2 for wrong usage.");
   command->callback([options, &status] { status = record_line(*options); });
 }
 

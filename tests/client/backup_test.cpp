@@ -207,6 +207,18 @@ TEST_F(BackupTest, EveryBeginningOfAFileIsRefused) {
   }
 }
 
+TEST_F(BackupTest, AFileThatIsMadeToDoHarmIsRefused) {
+  const std::string deep(200'000, '[');
+  std::ofstream(file("deep")) << R"({"format":"sbgc-backup","version":)" << deep
+                              << std::string(deep.size(), ']') << "}";
+  const auto error = load_backup(file("deep")).error();
+  EXPECT_EQ(error.code, ErrorCode::bad_file);
+  EXPECT_THAT(error.message, HasSubstr("nested deeper than 64 levels (line 1, column "));
+  std::string text = to_json_text(make());
+  text.insert(1, R"("created":"",)");
+  EXPECT_THAT(parse_backup(text).error().message, HasSubstr("the key 'created' is there twice"));
+}
+
 TEST_F(BackupTest, EverythingInAFileIsChecked) {
   EXPECT_EQ(wrong([](Json& json) { json["version"] = 2; }).code, ErrorCode::incompatible);
   EXPECT_THAT(wrong([](Json& json) { json["version"] = "1"; }).message, HasSubstr("version"));

@@ -273,12 +273,28 @@ test("the engine lists frames and gaps without holes and tells everything about 
   const misses = async (i) => (await engine.details(1, i, items[i])).misses;
   assert.deepEqual(await misses(0), []);
   assert.deepEqual(await misses(2), [
-    [0, "looks like CMD_CONFIRM (67) with a body of 1 byte, but the checksum of its body is 0x4c, not 0x4d"],
+    [0, "looks like CMD_CONFIRM (67) from the board with a body of 1 byte, but the checksum of its body is 0x4c, not 0x4d"],
     [6, "a start byte, but the checksum of its header is 0x00, not 0x5f"],
   ]);
   assert.deepEqual(await misses(4), [
-    [0, "looks like CMD_CONFIRM (67) with a body of 3 bytes, but the last 2 of its 8 bytes are missing"],
+    [0, "looks like CMD_CONFIRM (67) from the board with a body of 3 bytes, but the last 2 of its 8 bytes are missing"],
   ]);
+});
+
+test("who sent the bytes decides what they nearly are", async () => {
+  const engine = new Engine();
+  await engine.load();
+  const broken = frame(67, Array(15).fill(0));
+  broken[19] = 1;
+  const said = async (job, options) => {
+    const [item] = await engine.decode(job, broken.toString("hex"), options);
+    return (await engine.details(job, 0, item)).misses[0][1];
+  };
+  assert.match(await said(1, {}), /^looks like CMD_CONTROL \(67\) from the host with a body of 15 bytes, but/);
+  assert.match(await said(2, { from: "board" }), /^looks like CMD_CONFIRM \(67\) from the board/);
+  const [item] = await engine.decode(3, broken.subarray(0, 19).toString("hex"));
+  const { misses } = await engine.details(3, 0, item);
+  assert.match(misses[0][1], /but the checksum of its body, 0x00, is missing at the end$/);
 });
 
 test("a new input cancels the one before", async () => {

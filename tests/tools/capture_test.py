@@ -3,6 +3,7 @@ format, not by the library."""
 
 from __future__ import annotations
 
+import fcntl
 import json
 import os
 import pty
@@ -11,6 +12,9 @@ import signal
 import socket
 import struct
 import subprocess
+import sys
+import termios
+import threading
 import tty
 import zlib
 from pathlib import Path
@@ -98,6 +102,29 @@ def test_text_shows_direction_time_and_notes() -> None:
         "to the board: 2 frames, 0 bytes skipped (bad headers: 0, bad bodies: 0)",
         "from the board: 2 frames, 2 bytes skipped (bad headers: 0, bad bodies: 0)",
     ]
+
+
+def test_near_misses_of_a_capture_are_explained() -> None:
+    bad = ANGLES[:-1] + bytes([ANGLES[-1] ^ 1])
+    begin = session() + record(FROM_BOARD, 1, ANGLES + bad[:7]) + record(FROM_BOARD, 2, bad[7:])
+    reason = (
+        f"@{len(ANGLES)}: looks like CMD_GET_ANGLES (73) from the board with a body of 18 bytes, "
+    )
+    text = run("decode", stdin=begin + record(FROM_BOARD, 3, ANGLES))
+    assert text.status == 0
+    assert f"3.000000 s  no frame: {len(bad)} bytes from the board\n    {reason}" in text.text
+
+
+def test_a_capture_without_a_frame() -> None:
+    assert run("decode", stdin=session() + record(NOTE, 0, b"nothing came")).status == 0
+    # The frames of the other direction are frames, too.
+    assert run("decode", "--from", "board", stdin=session() + record(TO_BOARD, 0, ANGLES_REQUEST))
+    noise = run("decode", "--format", "jsonl", stdin=session() + record(FROM_BOARD, 1, b"?" * 9))
+    assert noise.status == 1 and noise.out == b""
+    assert "there is no frame in 9 bytes; if they come from a line, its baud rate" in noise.error
+    cut = run("decode", "--format", "jsonl", stdin=session() + record(FROM_BOARD, 1, ANGLES[:-1]))
+    assert cut.status == 1 and cut.out == b""
+    assert "the checksum of its body, 0x24, is missing at the end" in cut.error
 
 
 def test_a_frame_has_the_time_of_its_last_byte() -> None:
@@ -229,6 +256,73 @@ def test_record_replays_and_decodes(tmp_path: Path) -> None:
     assert kept[0] == (NOTE, f"capture {tmp_path / 'in'}".encode())
     lines = decode((tmp_path / "out").read_bytes())
     assert keys(lines, "message") == [("GetAngles",), ("GetAngles",)]
+
+
+def test_record_to_the_standard_output(tmp_path: Path) -> None:
+    """Nothing but the capture goes there, and it can be read while it grows."""
+    (tmp_path / "in").write_bytes(CAPTURE)
+    result = run("record", f"capture:{tmp_path / 'in'}?timing=fast", "-")
+    assert result.status == 0
+    assert [data for kind, data in records(result.out) if kind == FROM_BOARD] == [
+        b"??" + ANGLES[:10],
+        ANGLES[10:] + ANGLES,
+    ]
+    assert not (tmp_path / "-").exists()
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        port = server.getsockname()[1]
+        with subprocess.Popen(
+            [PROGRAM, "record", f"tcp:127.0.0.1:{port}", "-"], stdout=subprocess.PIPE
+        ) as recorder, subprocess.Popen(
+            [PROGRAM, "decode", "--format", "jsonl"], stdin=recorder.stdout, stdout=subprocess.PIPE
+        ) as decoder:
+            assert recorder.stdout and decoder.stdout
+            recorder.stdout.close()
+            connection, _ = server.accept()
+            connection.sendall(ANGLES)
+            assert json.loads(decoder.stdout.readline())["message"] == "GetAngles"
+            recorder.send_signal(signal.SIGINT)
+            assert recorder.wait(60) == 0
+            assert decoder.wait(60) == 0
+            connection.close()
+
+
+def send_until_closed(connection: socket.socket) -> None:
+    try:
+        while True:
+            connection.sendall(bytes(65536))
+    except OSError:
+        pass
+
+
+def waiting_bytes(pipe: int) -> int:
+    buffer = bytearray(4)
+    fcntl.ioctl(pipe, termios.FIONREAD, buffer)
+    return int.from_bytes(buffer, sys.byteorder)
+
+
+def test_a_reader_that_does_not_read_can_be_left() -> None:
+    """The recorder waits for its reader, but not when it is told to stop."""
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        port = server.getsockname()[1]
+        with subprocess.Popen(
+            [PROGRAM, "record", f"tcp:127.0.0.1:{port}", "-"],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+        ) as process:
+            assert process.stdout and process.stderr
+            connection, _ = server.accept()
+            sender = threading.Thread(target=send_until_closed, args=(connection,))
+            sender.start()
+            while waiting_bytes(process.stdout.fileno()) < 32768:
+                assert process.poll() is None
+            while process.poll() is None:  # it may not have been waiting yet
+                process.send_signal(signal.SIGINT)
+            # The last of the signals may have come when it was about to end anyway.
+            assert process.returncode in (0, 1, -signal.SIGINT)
+            error = process.stderr.read()
+            assert b"Interrupted" in error or process.returncode != 1
+            sender.join()
+            connection.close()
 
 
 def test_record_from_a_serial_port_until_it_is_unplugged(tmp_path: Path) -> None:

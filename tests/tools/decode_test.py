@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import gzip
 import json
 import random
+import re
 import struct
+import subprocess
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
 
-from sbgc_command import MODEL, ROOT, decode, decode_one, frame, run, valid_frames
+from sbgc_command import MODEL, PROGRAM, ROOT, decode, decode_one, frame, run, valid_frames
 
 BOARD_INFO = bytes.fromhex("3e5612681f8709000200010000000000000000000000b2")
 GET_ANGLES = frame(73)
@@ -105,8 +109,163 @@ def test_a_cut_off_frame_hides_none() -> None:
     assert [(line["offset"], line["id"]) for line in lines] == [(10, 73)]
 
 
+CONTROL = frame(67, bytes([0, 0, 2]) + struct.pack("<6h", 0, 0, 0, 0, 0, 2048))
+BAD_SUM = GET_ANGLES[:-1] + b"\x01"
+
+
+@pytest.mark.parametrize(
+    "data, sender, reason",
+    [
+        # The message whose direction and size fit; 67 is CMD_CONFIRM as well.
+        (
+            CONTROL[:-1] + b"\x0b",
+            "auto",
+            "looks like CMD_CONTROL (67) from the host with a body of 15 bytes, "
+            "but the checksum of its body is 0x0b, not 0x0a",
+        ),
+        (
+            frame(67, b"\x4d")[:-1] + b"\x00",
+            "auto",
+            "looks like CMD_CONFIRM (67) from the board with a body of 1 byte, "
+            "but the checksum of its body is 0x00, not 0x4d",
+        ),
+        (
+            CONTROL[:-1] + b"\x0b",
+            "board",
+            "looks like CMD_CONFIRM (67) from the board with a body of 15",
+        ),
+        # Two fit.
+        (
+            frame(114)[:-1] + b"\x01",
+            "auto",
+            "looks like CMD_RESET (114) from the host or the board with",
+        ),
+        (frame(114)[:-1] + b"\x01", "host", "looks like CMD_RESET (114) from the host with"),
+        (
+            frame(252)[:-1] + b"\x01",
+            "auto",
+            "looks like the unknown id 252 with a body of 0 bytes, but",
+        ),
+        # The checksum of the body is missing, at the end and before another frame.
+        (CONTROL[:-1], "auto", "but the checksum of its body, 0x0a, is missing at the end"),
+        (
+            CONTROL[:-1] + GET_ANGLES[:-1],
+            "auto",
+            "but the checksum of its body, 0x0a, is missing: the next frame begins in its place",
+        ),
+        (
+            GET_ANGLES[:-1],
+            "auto",
+            "but the checksum of its empty body, 0x00, is missing at the end",
+        ),
+        (
+            GET_ANGLES[:-1] * 2,
+            "auto",
+            "but the checksum of its empty body, 0x00, is missing: the next frame begins in its place",
+        ),
+        (
+            CONTROL[:-3],
+            "auto",
+            "with a body of 15 bytes, but the last 3 of its 20 bytes are missing",
+        ),
+    ],
+)
+def test_what_is_nearly_a_frame_is_explained(data: bytes, sender: str, reason: str) -> None:
+    for noise in (b"", b"\x00\x3e\x01\x00"):
+        text = run("decode", "--from", sender, stdin=noise + data)
+        assert text.status == 1
+        (line, *_) = [line for line in text.text.splitlines() if line.startswith("    @")]
+        assert line.startswith(f"    @{len(noise)}: looks like") and reason in line
+        # JSON lines are frames only.
+        lines = run("decode", "--format", "jsonl", "--from", sender, stdin=noise + data)
+        assert lines.status == 1 and lines.out == b""
+        assert line in lines.error
+
+
+def test_explanations_stand_where_the_gap_is() -> None:
+    text = run("decode", stdin=GET_ANGLES + CONTROL[:-1] + GET_ANGLES + BAD_SUM * 5 + GET_ANGLES)
+    assert text.status == 0
+    shown = [re.sub(r" with a body.* but", ",", line) for line in text.text.splitlines()]
+    heading = "CMD_GET_ANGLES (73)  host to board, 0 bytes  GetAnglesRequest"
+    bad = "looks like CMD_GET_ANGLES (73) from the host, the checksum of its body is 0x01, not 0x00"
+    missing = "the checksum of its body, 0x0a, is missing: the next frame begins in its place"
+    assert shown == [
+        f"@0  {heading}",
+        "@5  no frame: 19 bytes",
+        f"    @5: looks like CMD_CONTROL (67) from the host, {missing}",
+        f"@24  {heading}",
+        "@29  no frame: 25 bytes",
+        f"    @29: {bad}",
+        f"    @34: {bad}",
+        f"    @39: {bad}",
+        f"@54  {heading}",
+        "3 frames, 44 bytes skipped (bad headers: 0, bad bodies: 6)",
+    ]
+
+
+def test_explanations_do_not_depend_on_how_the_bytes_arrive(tmp_path: Path) -> None:
+    generator = random.Random(4)
+    parts = [GET_ANGLES, CONTROL, CONTROL[:-1], BAD_SUM, b"\x3e\x3e", bytes(700), BOARD_INFO[:9]]
+    data = b"".join(generator.choices(parts, k=300))
+    whole = run("decode", stdin=data)
+    with subprocess.Popen(
+        [PROGRAM, "decode"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0
+    ) as process:
+        assert process.stdin and process.stdout
+        with ThreadPoolExecutor(1) as pool:
+            shown = pool.submit(process.stdout.read)
+            while data:
+                size = generator.randrange(1, 100)
+                process.stdin.write(data[:size])
+                data = data[size:]
+            process.stdin.close()
+            assert shown.result() == whole.out
+
+
+@pytest.mark.parametrize(
+    "data, options, guess",
+    [
+        (b"3e 49 00 49 00\n", [], "this looks like hex text: use --hex"),
+        (b"# a capture\n0x3e,0x49", [], "this looks like hex text: use --hex"),
+        (b"Hello, world", [], "this is text, and not in hex"),
+        (b'{"message":"MotorsOn","fields":{}}\n', [], "sbgc encode makes frames of it"),
+        (gzip.compress(GET_ANGLES), [], "this is compressed: unpack it first"),
+        (b"\xd4\xc3\xb2\xa1" + bytes(20), [], "this is a capture of network packets"),
+        (
+            bytes.fromhex("245602580000e613 24140014d002"),
+            [],
+            "it has 2 frames with the start byte '$'",
+        ),
+        (b"245602580000e613", ["--hex"], "it has 1 frame with the start byte '$'"),
+        (bytes.fromhex("3e95847d46211b0000"), [], "its baud rate or parity was perhaps another"),
+    ],
+)
+def test_input_without_a_frame(data: bytes, options: list[str], guess: str) -> None:
+    for form in ("text", "jsonl"):
+        result = run("decode", "--format", form, *options, stdin=data)
+        assert result.status == 1
+        size = len(bytes.fromhex(data.decode())) if options else len(data)
+        assert result.error.startswith(f"sbgc: there is no frame in {size} bytes; ")
+        assert guess in result.error
+        assert form == "text" or result.out == b""
+
+
+def test_noise_is_not_explained_as_frames() -> None:
+    """Among many start bytes, chance puts something like a header behind some of them."""
+    noise = bytes(random.Random(5).choices(range(256), k=200_000))
+    result = run("decode", "--format", "jsonl", stdin=noise)
+    assert result.status == 1
+    assert "parity was perhaps another" in result.error and "looks like" not in result.error
+
+
+def test_raw_bytes_are_no_hex_text() -> None:
+    assert "raw bytes are read without --hex" in run("decode", "--hex", stdin=GET_ANGLES).error
+    assert "without --hex" not in run("decode", "--hex", stdin="3e 49 zz").error
+
+
 def test_empty_input() -> None:
     assert decode(b"") == []
+    assert decode(b"# only a comment\n", "--hex") == []
     assert run("decode", "--format", "text").status == 0
 
 
@@ -180,10 +339,6 @@ def test_file_and_dash(tmp_path: Path) -> None:
 
 def test_live_input_comes_out_at_once() -> None:
     """A frame is printed when it is complete, not when the input ends."""
-    import subprocess
-
-    from sbgc_command import PROGRAM
-
     with subprocess.Popen(
         [PROGRAM, "decode", "--format", "jsonl"], stdin=subprocess.PIPE, stdout=subprocess.PIPE
     ) as process:

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import json
+import os
 import random
+import subprocess
+from pathlib import Path
 
 import pytest
 
-from sbgc_command import MODEL, decode, frame, run, valid_frames
+from sbgc_command import MODEL, PROGRAM, decode, frame, run, valid_frames
 
 GET_ANGLES = '{"message":"GetAnglesRequest","fields":{}}\n'
 CONTROL = {
@@ -188,10 +191,66 @@ def test_lines_that_make_no_sense(text: str, words: list[str]) -> None:
 
 
 def test_deep_nesting() -> None:
-    depth = 50_000
-    refusal("[" * depth)
-    refusal("[" * depth + "]" * depth)
-    refusal('{"a":' * depth + "1" + "}" * depth)
+    depth = 100_000
+    deep = "[" * depth + "]" * depth
+    for text in (
+        "[" * depth,
+        deep,
+        '{"a":' * depth + "1" + "}" * depth,
+        f'{{"message":{deep},"fields":{{}}}}',
+        f'{{"message":"Control","fields":{deep}}}',
+    ):
+        assert "nested deeper than 64 levels, at column " in refusal(text)
+
+
+def test_members_that_grow_on_many_levels() -> None:
+    """At each level, what is inside would be copied when a second member comes."""
+    depth = 8_000
+    refusal('{"a":' * depth + "{}" + ',"b":1}' * depth)
+    fields = '{"a":' * 60 + f'"{"x" * 10_000_000}"' + ',"b":1}' * 60
+    assert "unknown" in refusal(f'{{"message":"GetAnglesRequest","fields":{fields}}}')
+
+
+@pytest.mark.parametrize(
+    "text, key, column",
+    [
+        ('{"message":"Control","message":"MotorsOn","fields":{}}', "message", 22),
+        ('{"message":"MotorsOff","fields":{"mode":1, "mode":1}}', "mode", 44),
+    ],
+)
+def test_a_key_that_is_there_twice(text: str, key: str, column: int) -> None:
+    assert f"the key '{key}' is there twice, at column {column}" in refusal(text)
+
+
+def test_long_lines(tmp_path: Path) -> None:
+    limit = 16 * 1024 * 1024
+    start = GET_ANGLES.rstrip()
+    fits = start + " " * (limit - len(start))
+    assert run("encode", stdin=fits + "\r\n" + fits).out == frame(73) * 2
+    for text in (fits + " ", " " * (limit + 1) + start):
+        assert f"longer than {limit} bytes" in refusal(text)
+    # Nothing of it is kept, so that the next line can be read.
+    huge = tmp_path / "huge"
+    with huge.open("wb") as file:
+        file.write(b"[" * 1000)
+        file.truncate(100_000_000)  # zeros, which take no place on the disk
+        file.seek(0, os.SEEK_END)
+        file.write(b"\n" + GET_ANGLES.encode())
+    with subprocess.Popen(
+        [PROGRAM, "encode", str(huge)], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    ) as process:
+        assert process.stdout and process.stderr
+        assert process.stdout.read() == frame(73)
+        assert b"line 1: longer than" in process.stderr.read()
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+    assert process.returncode == 1
+    assert usage.ru_maxrss < 400_000  # kB, and a sanitizer has its part in it
+
+
+def test_messages_that_quote_the_input_are_harmless() -> None:
+    error = refusal(f'{{"message":"\\u001b[2J{"x" * 1_000_000}","fields":{{}}}}')
+    assert "\x1b" not in error and len(error) < 2000
 
 
 def test_bytes_that_are_not_utf8() -> None:

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import fcntl
 import os
+import pty
+import re
+import struct
+import subprocess
+import termios
 from pathlib import Path
 
 import pytest
 
-from sbgc_command import frame, run
+from sbgc_command import PROGRAM, ROOT, frame, run
 
 GET_ANGLES = frame(73)
 LINE = '{"message":"GetAnglesRequest","fields":{}}\n'
@@ -39,14 +45,86 @@ def test_wrong_usage(arguments: list[str]) -> None:
 
 
 @pytest.mark.parametrize(
-    "arguments",
-    [["--help"], ["--help-all"]]
-    + [[command, "--help"] for command in ("decode", "emulate", "encode", "ports", "record")],
+    "arguments, words",
+    [
+        ([], "a command is needed: decode, emulate, encode, ports or record"),
+        (["info"], "unknown command 'info'; use decode, emulate, encode, ports or record"),
+        (["decod"], "unknown command 'decod'; did you mean 'decode'?"),
+        (["encdoe", "--hex", "file"], "unknown command 'encdoe'; did you mean 'encode'?"),
+        (["emulator", "--help"], "unknown command 'emulator'; did you mean 'emulate'?"),
+        (["rec"], "unknown command 'rec'; did you mean 'record'?"),
+        (["help"], "unknown command 'help'; did you mean '--help'?"),
+        (["--verson"], "unknown option '--verson'; did you mean '--version'?"),
+        (["decode", "--hx"], "unknown option '--hx'; did you mean '--hex'?"),
+        (["decode", "--fomat=jsonl"], "unknown option '--fomat=jsonl'; did you mean '--format'?"),
+        (["emulate", "--tpc", "5000"], "unknown option '--tpc'; did you mean '--tcp'?"),
+        (["decode", "--qqqqqq"], "unknown option '--qqqqqq'\n"),
+        (["decode", "one", "two"], "'two' is one argument too many"),
+        (["x\x1b[2J"], "unknown command 'x?[2J'"),
+    ],
 )
+def test_wrong_usage_says_what_may_have_been_meant(arguments: list[str], words: str) -> None:
+    result = run(*arguments)
+    assert result.status == 2
+    assert result.error.startswith(f"sbgc: {words}")
+    assert re.search(r"^Run 'sbgc.* --help' for help\.$", result.error, re.MULTILINE)
+
+
+def test_version() -> None:
+    """It stands in one place."""
+    project = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
+    version = re.search(r"^ *VERSION ([0-9.]+)$", project, re.MULTILINE)
+    assert version
+    assert run("--version").text == f"sbgc {version[1]}\n"
+
+
+COMMANDS = ("decode", "emulate", "encode", "ports", "record")
+HELP = [["--help"], ["--help-all"]] + [[command, "--help"] for command in COMMANDS]
+
+
+@pytest.mark.parametrize("arguments", HELP)
 def test_help(arguments: list[str]) -> None:
     result = run(*arguments)
     assert result.status == 0
     assert "Usage" in result.text
+
+
+def lines_of_help(arguments: list[str], **environment: str) -> list[str]:
+    """Of the help where the standard output is no terminal."""
+    plain = {key: value for key, value in os.environ.items() if key != "COLUMNS"}
+    done = subprocess.run(
+        [PROGRAM, *arguments], env={**plain, **environment}, capture_output=True, check=True
+    )
+    return done.stdout.decode().splitlines()
+
+
+@pytest.mark.parametrize("arguments", HELP)
+def test_help_breaks_lines_between_words(arguments: list[str]) -> None:
+    words = " ".join(lines_of_help(arguments, COLUMNS="2000")).split()
+    for columns in ("", "40", "60", "80", "132", "nonsense"):
+        lines = lines_of_help(arguments, COLUMNS=columns)
+        assert " ".join(lines).split() == words, "nothing is lost, no word is broken"
+        width = int(columns) if columns.isdigit() else 80
+        # Examples stay whole, and the names of options.
+        whole = re.compile(" +((sbgc|emulated gimbal|-)|[^ ]+$)")
+        assert not [line for line in lines if len(line) > width and not whole.match(line)]
+        if width >= 80:
+            assert max(map(len, lines)) <= width
+
+
+def test_help_is_as_wide_as_the_terminal() -> None:
+    plain = {key: value for key, value in os.environ.items() if key != "COLUMNS"}
+    master, slave = pty.openpty()
+    fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("<4H", 24, 61, 0, 0))
+    with subprocess.Popen([PROGRAM, "ports", "--help"], stdout=slave, env=plain) as process:
+        os.close(slave)
+        text = b""
+        while b"How to print" not in text:
+            text += os.read(master, 4096)
+        assert process.wait(60) == 0
+    os.close(master)
+    shown = text.decode().replace("\r\n", "\n").splitlines()
+    assert shown == lines_of_help(["ports", "--help"], COLUMNS="61")[: len(shown)]
 
 
 @pytest.mark.parametrize("command", ["decode", "encode"])
@@ -88,12 +166,31 @@ def test_what_stands_before_a_bad_digit_is_decoded_once() -> None:
         assert [line["offset"] for line in result.objects] == [0, 5]
 
 
-@pytest.mark.parametrize("command, stdin", [("decode", GET_ANGLES), ("encode", LINE.encode())])
-def test_output_that_can_not_be_written(command: str, stdin: bytes) -> None:
+@pytest.mark.parametrize(
+    "arguments, stdin",
+    [(arguments, b"") for arguments in HELP]
+    + [
+        (["--version"], b""),
+        (["decode"], GET_ANGLES),
+        (["decode"], GET_ANGLES * 2000),
+        (["decode"], b""),
+        (["decode", "--format", "jsonl"], GET_ANGLES),
+        (["decode", "--format", "jsonl"], GET_ANGLES * 2000),
+        (["decode", "--hex"], GET_ANGLES.hex().encode()),
+        (["encode"], LINE.encode()),
+        (["encode"], LINE.encode() * 2000),
+        (["encode", "--hex"], LINE.encode()),
+        (["ports"], b""),
+        (["ports", "--format", "json"], b""),
+        (["record", "pty:", "/dev/null", "--seconds", "0"], b""),
+        (["record", "pty:", "-", "--seconds", "0"], b""),
+        (["emulate", "--seconds", "0"], b""),
+    ],
+)
+def test_output_that_can_not_be_written(arguments: list[str], stdin: bytes) -> None:
     if not Path("/dev/full").exists():
         pytest.skip("no /dev/full")
     with open("/dev/full", "wb") as full:
-        for amount in (1, 2000):
-            result = run(command, stdin=stdin * amount, stdout=full.fileno())
-            assert result.status == 1
-            assert "output" in result.error or "write" in result.error
+        result = run(*arguments, stdin=stdin, stdout=full.fileno())
+    assert result.status == 1
+    assert "output" in result.error or "write" in result.error

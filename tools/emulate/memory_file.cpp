@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <sbgc/json_text.hpp>
+#include <sbgc/parse_json.hpp>
 #include <sbgc/settings.hpp>
 #include <sbgc/to_json.hpp>
 
@@ -275,11 +276,9 @@ std::string to_json_text(const SavedMemory& saved) {
 }
 
 Result<SavedMemory> parse_memory(std::string_view text) {
-  const Json document = Json::parse(text, nullptr, false);
-  if (document.is_discarded()) {
-    return ClientError{ErrorCode::bad_file, "this is no JSON, or only the beginning of it"};
-  }
-  return Reader().read(document);
+  const ParsedJson document = parse_json(text);
+  if (!document) return ClientError{ErrorCode::bad_file, to_string(*document.problem)};
+  return Reader().read(document.value);
 }
 
 Result<void> save_memory(const std::string& file, const SavedMemory& saved) {

@@ -31,7 +31,8 @@ struct SavedMemory {
 /// The content of a file. It has a checksum over all values, so that none can change unnoticed.
 std::string to_json_text(const SavedMemory& saved);
 /// Memory from the content of a file. ErrorCode::bad_file with the place if anything in it is
-/// missing, unknown, out of range or damaged, ErrorCode::incompatible if the format is a newer one.
+/// missing, unknown, there twice, out of range or damaged, ErrorCode::incompatible if the format is
+/// a newer one.
 Result<SavedMemory> parse_memory(std::string_view text);
 
 /// Replaces a file in one step: at any moment it is the old one or the whole new one, on the disk

@@ -79,6 +79,8 @@ class Decoding {
     add_line(out, line);
   }
 
+  std::optional<Direction> direction() const { return direction_; }
+
   /// The bytes of the last block.
   std::span<const std::uint8_t> bytes() const { return bytes_; }
 
@@ -171,7 +173,8 @@ SBGC_EXPORT(finish) void sbgc_finish() {
 SBGC_EXPORT(near_misses) void sbgc_near_misses(std::size_t gap, std::size_t limit) {
   const std::span<const std::uint8_t> input(state().input);
   sbgc::Json list = sbgc::Json::array();
-  for (const auto& miss : sbgc::tools::near_misses(input.first(gap), input.subspan(gap), limit)) {
+  for (const auto& miss :
+       sbgc::tools::near_misses(input, gap, limit, state().decoding.direction())) {
     list.push_back({miss.offset, miss.text});
   }
   state().output = list.dump();

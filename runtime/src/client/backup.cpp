@@ -8,6 +8,7 @@
 #include <sbgc/client/client.hpp>
 #include <sbgc/json.hpp>
 #include <sbgc/meta/system.hpp>
+#include <sbgc/parse_json.hpp>
 
 #include "atomic_file.hpp"
 #include "settings_kind.hpp"
@@ -18,8 +19,7 @@ namespace {
 
 constexpr const char* format_name = "sbgc-backup";
 constexpr int format_version = 1;
-/// More than any backup has.
-constexpr std::size_t largest_file = std::size_t{16} << 20U;
+constexpr std::size_t largest_file = JsonLimits{}.size;
 
 using ByteVector = std::vector<std::uint8_t>;
 
@@ -203,11 +203,9 @@ std::string to_json_text(const Backup& backup) {
 }
 
 Result<Backup> parse_backup(std::string_view text) {
-  const Json document = Json::parse(text, nullptr, false);
-  if (document.is_discarded()) {
-    return ClientError{ErrorCode::bad_file, "this is no JSON, or only the beginning of it"};
-  }
-  return Reader().read(document);
+  const ParsedJson document = parse_json(text);
+  if (!document) return ClientError{ErrorCode::bad_file, to_string(*document.problem)};
+  return Reader().read(document.value);
 }
 
 Result<void> save_backup(const Backup& backup, const std::filesystem::path& file,

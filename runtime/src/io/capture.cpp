@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <climits>
 #include <utility>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -188,6 +190,7 @@ CaptureWriter::CaptureWriter(CaptureWriter&& other) noexcept { *this = std::move
 
 CaptureWriter& CaptureWriter::operator=(CaptureWriter&& other) noexcept {
   std::swap(fd_, other.fd_);
+  std::swap(may_wait_, other.may_wait_);
   std::swap(path_, other.path_);
   std::swap(start_, other.start_);
   std::swap(buffer_, other.buffer_);
@@ -216,6 +219,22 @@ Error CaptureWriter::open(const std::string& path, Clock::time_point now) {
       (pread(fd_, begin.data(), begin.size(), 0) < 0 || !is_capture(begin))) {
     return error_ = {Errc::not_a_capture, path + " exists and is no capture; it stays as it is."};
   }
+  begin_session();
+  return error_;
+}
+
+Error CaptureWriter::open(int descriptor, const std::string& name, Clock::time_point now) {
+  *this = CaptureWriter();
+  path_ = name;
+  start_ = now;
+  may_wait_ = true;
+  fd_ = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
+  if (fd_ < 0) return fail(errno);
+  begin_session();
+  return error_;
+}
+
+void CaptureWriter::begin_session() {
   buffer_.assign(magic.begin(), magic.end());
   buffer_.resize(header_size - checksum_size);
   wire::store(buffer_.data() + 8, version);
@@ -223,7 +242,6 @@ Error CaptureWriter::open(const std::string& path, Clock::time_point now) {
   store64(buffer_.data() + 12, static_cast<std::uint64_t>(wall.time_since_epoch().count()));
   append_checksum(buffer_);
   put(buffer_);
-  return error_;
 }
 
 const Error& CaptureWriter::write(CaptureKind kind, std::span<const std::uint8_t> bytes,
@@ -252,7 +270,10 @@ bool CaptureWriter::put(std::span<const std::uint8_t> bytes) {
   if (!error_ && fd_ < 0) fail(EBADF);
   if (error_) return false;
   while (!bytes.empty()) {
-    const ssize_t size = ::write(fd_, bytes.data(), bytes.size());
+    if (may_wait_ && !wait_for_reader()) return false;
+    // What a pipe has room for does not wait, so that all waiting is above.
+    const std::size_t most = may_wait_ ? PIPE_BUF : bytes.size();
+    const ssize_t size = ::write(fd_, bytes.data(), std::min(bytes.size(), most));
     if (size < 0 && errno == EINTR) continue;
     if (size < 0) {
       fail(errno);
@@ -262,6 +283,14 @@ bool CaptureWriter::put(std::span<const std::uint8_t> bytes) {
     bytes = bytes.subspan(static_cast<std::size_t>(size));
   }
   return true;
+}
+
+bool CaptureWriter::wait_for_reader() {
+  pollfd waiting{fd_, POLLOUT, 0};
+  constexpr int forever = -1;
+  if (::poll(&waiting, 1, forever) >= 0) return true;  // an error of the other side: write() tells
+  fail(errno);
+  return false;
 }
 
 Error CaptureWriter::fail(int reason) {

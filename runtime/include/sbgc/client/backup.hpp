@@ -39,7 +39,8 @@ Result<Backup> make_backup(Client& client, const ReadOptions& options = {});
 std::string to_json_text(const Backup& backup);
 
 /// A backup from the content of a file. ErrorCode::bad_file with the place if anything in it is
-/// missing, unknown or contradictory, ErrorCode::incompatible if the format is a newer one.
+/// missing, unknown, contradictory or there twice, ErrorCode::incompatible if the format is a newer
+/// one. The text is read within the JsonLimits of <sbgc/parse_json.hpp>: 16 MiB, 64 levels.
 Result<Backup> parse_backup(std::string_view text);
 
 /// What to do with a file that is there already.

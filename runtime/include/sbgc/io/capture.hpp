@@ -139,6 +139,11 @@ class CaptureWriter {
   /// error of the system.
   Error open(const std::string& path, Clock::time_point now = Clock::now());
 
+  /// Begins a session on a descriptor that is open for writing, such as the standard output; the
+  /// caller keeps it. `name` is what errors call it. A write that waits for a reader fails when a
+  /// signal interrupts it.
+  Error open(int descriptor, const std::string& name, Clock::time_point now = Clock::now());
+
   /// Adds what was read or written at `now`; what is longer than 65535 bytes becomes several
   /// records. After the first failure nothing is written any more, and its error is returned.
   const Error& write(CaptureKind kind, std::span<const std::uint8_t> bytes, Clock::time_point now);
@@ -148,10 +153,13 @@ class CaptureWriter {
   const Error& error() const noexcept { return error_; }
 
  private:
+  void begin_session();
   bool put(std::span<const std::uint8_t> bytes);
+  bool wait_for_reader();
   Error fail(int reason);
 
   int fd_ = -1;
+  bool may_wait_ = false;  // for a reader
   std::string path_;
   Clock::time_point start_{};
   std::vector<std::uint8_t> buffer_;

@@ -1,0 +1,249 @@
+/// JSON text from outside, read within limits.
+///
+/// Json::parse() of nlohmann_json copies the members of an object when it grows, keeps the first of
+/// two equal keys, stops at a zero byte, and builds values so deep that to copy one overflows the
+/// stack. Text that anybody may have written is read with parse_json() instead: in linear time, and
+/// as a value that is safe to copy, compare and print.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <sbgc/to_json.hpp>
+
+namespace sbgc {
+
+/// What JSON text may have at most.
+struct JsonLimits {
+  std::size_t size = std::size_t{16} << 20U;  ///< bytes: 16 MiB
+  std::size_t depth = 64;                     ///< objects and lists inside each other
+};
+
+/// Why text is not accepted.
+struct JsonProblem {
+  std::size_t line{};    ///< from 1
+  std::size_t column{};  ///< in bytes, from 1
+  std::string reason{};  ///< such as "the key 'id' is there twice"
+};
+
+/// "the key 'id' is there twice (line 3, column 7)".
+inline std::string to_string(const JsonProblem& problem) {
+  return problem.reason + " (line " + std::to_string(problem.line) + ", column " +
+         std::to_string(problem.column) + ")";
+}
+
+/// A value, or the problem because of which there is none.
+struct ParsedJson {
+  Json value{};
+  std::optional<JsonProblem> problem{};
+
+  explicit operator bool() const noexcept { return !problem; }
+};
+
+namespace detail {
+
+/// Reads text and tells `place` how far it has got.
+class WatchedCharacter {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  WatchedCharacter(const char* at, const char** place) : at_(at), place_(place) {}
+
+  reference operator*() const { return *at_; }
+  WatchedCharacter& operator++() {
+    *place_ = ++at_;
+    return *this;
+  }
+  WatchedCharacter operator++(int) {
+    WatchedCharacter before = *this;
+    ++*this;
+    return before;
+  }
+  bool operator==(const WatchedCharacter& other) const { return at_ == other.at_; }
+
+ private:
+  const char* at_;
+  const char** place_;
+};
+
+/// Builds a value out of the events of nlohmann_json's parser, from the leaves up: each value is
+/// moved to its place when it is complete. The parser itself does not recurse.
+class JsonBuilder {
+ public:
+  JsonBuilder(std::string_view text, const JsonLimits& limits)
+      : text_(text), limits_(limits), read_(text.data()) {}
+
+  ParsedJson run() {
+    if (text_.size() > limits_.size) {
+      return {{}, {{1, 1, "longer than " + std::to_string(limits_.size) + " bytes"}}};
+    }
+    const char* const end = text_.data() + text_.size();
+    const bool complete =
+        Json::sax_parse(WatchedCharacter(read_, &read_), WatchedCharacter(end, &read_), this);
+    // The parser takes a zero byte for the end.
+    const std::size_t zero = text_.find('\0');
+    if (complete && zero != std::string_view::npos) fail(zero, not_json);
+    if (problem_) return {{}, std::move(problem_)};
+    return {std::move(result_), {}};
+  }
+
+  // The events. Each says whether to go on.
+
+  bool null() { return add(Json()); }
+  bool boolean(bool value) { return add(Json(value)); }
+  bool number_integer(Json::number_integer_t value) { return add(Json(value)); }
+  bool number_unsigned(Json::number_unsigned_t value) { return add(Json(value)); }
+  bool number_float(Json::number_float_t value, const std::string&) { return add(Json(value)); }
+  bool string(std::string& value) { return add(Json(std::move(value))); }
+  bool binary(Json::binary_t&) { return false; }  // not in text
+
+  bool start_object(std::size_t) { return open(true); }
+  bool start_array(std::size_t) { return open(false); }
+  bool key(std::string& key) {
+    levels_.back().members.push_back({std::move(key), {}, offset()});
+    return true;
+  }
+  bool end_array() {
+    Json::array_t elements = std::move(levels_.back().elements);
+    levels_.pop_back();
+    return add(Json(std::move(elements)));
+  }
+  bool end_object() {
+    std::vector<Member> members = std::move(levels_.back().members);
+    levels_.pop_back();
+    if (const Member* const twice = repeated(members); twice != nullptr) {
+      return fail(key_start(twice->key_end),
+                  "the key '" + shortened(twice->key) + "' is there twice");
+    }
+    // Not through the object's own functions, which compare each new key with all before.
+    Json::object_t object;
+    object.reserve(members.size());
+    for (Member& member : members) {
+      object.emplace_back(std::move(member.key), std::move(member.value));
+    }
+    return add(Json(std::move(object)));
+  }
+
+  template <class Exception>
+  bool parse_error(std::size_t position, const std::string&, const Exception& error) {
+    constexpr int out_of_range = 400;  // and the codes behind it
+    const std::size_t at = std::max<std::size_t>(position, 1) - 1;
+    if (error.id > out_of_range) return fail(at, "a number that is too large for JSON");
+    if (position > text_.size())
+      return fail(text_.size(), "this is no JSON, or only its beginning");
+    return fail(at, not_json);
+  }
+
+ private:
+  static constexpr const char* not_json = "this is no JSON";
+
+  struct Member {
+    std::string key;
+    Json value;
+    std::size_t key_end;  ///< the offset behind its closing quote
+  };
+
+  /// An object or a list that is not complete yet; of the last member, the value may be missing.
+  struct Level {
+    bool is_object;
+    std::vector<Member> members{};
+    Json::array_t elements{};
+  };
+
+  /// How many bytes have been read.
+  std::size_t offset() const { return static_cast<std::size_t>(read_ - text_.data()); }
+
+  bool open(bool is_object) {
+    if (levels_.size() == limits_.depth) {
+      return fail(offset() - 1, "nested deeper than " + std::to_string(limits_.depth) + " levels");
+    }
+    levels_.push_back({is_object});
+    return true;
+  }
+
+  bool add(Json&& value) {
+    if (levels_.empty()) {
+      result_ = std::move(value);
+    } else if (levels_.back().is_object) {
+      levels_.back().members.back().value = std::move(value);
+    } else {
+      levels_.back().elements.push_back(std::move(value));
+    }
+    return true;
+  }
+
+  /// The first member whose key is that of an earlier one; null if there is none.
+  static const Member* repeated(const std::vector<Member>& members) {
+    std::vector<const Member*> sorted(members.size());
+    std::transform(members.begin(), members.end(), sorted.begin(),
+                   [](const Member& member) { return &member; });
+    std::sort(sorted.begin(), sorted.end(), [](const Member* a, const Member* b) {
+      const int order = a->key.compare(b->key);
+      return order != 0 ? order < 0 : a < b;
+    });
+    const Member* first = nullptr;
+    for (std::size_t i = 1; i < sorted.size(); ++i) {
+      if (sorted[i]->key != sorted[i - 1]->key) continue;
+      if (first == nullptr || sorted[i] < first) first = sorted[i];
+    }
+    return first;
+  }
+
+  /// Where the key begins that ends before `end`: at the next quote that no backslash escapes.
+  std::size_t key_start(std::size_t end) const {
+    for (std::size_t at = end - 2;; --at) {
+      if (text_[at] != '"') continue;
+      const std::size_t last_other = text_.find_last_not_of('\\', at - 1);
+      if ((at - 1 - last_other) % 2 == 0) return at;
+    }
+  }
+
+  /// What a message can show of a key: one line, not too long.
+  static std::string shortened(const std::string& key) {
+    constexpr std::size_t longest = 40;
+    std::size_t size = std::min(key.size(), longest);
+    const auto inside_character = [&] {
+      return size < key.size() && (static_cast<unsigned char>(key[size]) & 0xC0U) == 0x80U;
+    };
+    while (inside_character()) --size;
+    std::string result = key.substr(0, size) + (size < key.size() ? "..." : "");
+    const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; };
+    std::replace_if(result.begin(), result.end(), is_control, '?');
+    return result;
+  }
+
+  bool fail(std::size_t at, std::string reason) {
+    const std::string_view before = text_.substr(0, at);
+    const auto lines = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+    const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
+    problem_ = {lines + 1, at - line_start + 1, std::move(reason)};
+    return false;
+  }
+
+  std::string_view text_;
+  JsonLimits limits_;
+  const char* read_;  // up to here
+  std::vector<Level> levels_{};
+  Json result_{};
+  std::optional<JsonProblem> problem_{};
+};
+
+}  // namespace detail
+
+/// Reads one JSON value, which has to be all of `text`. An object that has a key twice is a
+/// problem, as is text beyond the limits.
+inline ParsedJson parse_json(std::string_view text, const JsonLimits& limits = {}) {
+  return detail::JsonBuilder(text, limits).run();
+}
+
+}  // namespace sbgc
