@@ -12,6 +12,7 @@ from sbgcgen.model import (
     Availability,
     Condition,
     Context,
+    Effect,
     Enum,
     Field,
     Layout,
@@ -185,6 +186,14 @@ def _role(role: Role | None) -> dict[str, Any] | None:
     return result
 
 
+def _effect(effect: Effect | None) -> dict[str, Any] | None:
+    """All that a request may do, then case by case."""
+    if effect is None:
+        return None
+    cases = [{"when": _condition(case.when), "does": list(case.words)} for case in effect.cases]
+    return {"does": list(effect.words), "cases": cases}
+
+
 def _context(context: Context) -> dict[str, Any]:
     if context.announced is None:
         sources = [f"{message}.{field}" for message, field in context.sources]
@@ -216,6 +225,7 @@ def _message(message: Message) -> dict[str, Any]:
         "keeps_tail": message.keeps_tail,
         "same_as": message.same_as or None,
         "stores": message.stores or None,
+        "effect": _effect(message.effect),
         "role": _role(message.role),
         "context": [_context(context) for context in message.contexts],
         "response": _answer(message.answer),
@@ -290,6 +300,17 @@ def export(layout: Layout) -> dict[str, Any]:
             "source": layout.line.source,
             "errata": list(layout.line.errata),
         },
+        "revisions": [
+            {
+                "number": revision.number,
+                "date": revision.date,
+                "source": revision.source,
+                "adds": [addition.text for addition in revision.adds],
+                "changes": list(revision.changes),
+            }
+            for revision in layout.revisions
+        ],
+        "timeouts": {"errata": list(layout.timeout_errata)},
         "commands": [
             {
                 "name": command.name,

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from sbgcgen.diagnostics import NOWHERE, Position
 from sbgcgen.model.answers import Answer, Role
 from sbgcgen.model.bodies import Context, Field, Leaf, Struct
+from sbgcgen.model.effects import Effect
 from sbgcgen.model.values import Availability, Deprecation
 from sbgcgen.names import snake_case
 
@@ -45,6 +46,7 @@ class Message:
     role: Role | None
     stores: str
     leaves: tuple[Leaf, ...]
+    effect: Effect | None = None
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
     @property

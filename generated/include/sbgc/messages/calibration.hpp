@@ -273,7 +273,7 @@ struct CalibMag {
 /// Calibrate the gains of the signals from a flight controller.
 ///
 /// CMD_CALIB_EXT_GAIN (71), to the board; 0 bytes.
-/// Source: Outgoing commands L642.
+/// Source: Outgoing commands L642. Errata: E141.
 struct CalibExtGain {
   static constexpr CommandId command = CommandId::calib_ext_gain;
   static constexpr Direction direction = Direction::to_board;
@@ -302,7 +302,7 @@ struct CalibExtGain {
 /// Find out poles and direction of the motors.
 ///
 /// CMD_CALIB_POLES (80), to the board; 0 bytes.
-/// Source: Outgoing commands L650.
+/// Source: Outgoing commands L650. Errata: E141.
 struct CalibPoles {
   static constexpr CommandId command = CommandId::calib_poles;
   static constexpr Direction direction = Direction::to_board;
