@@ -24,7 +24,7 @@ from sbgcgen.model import (
     Quantity,
     Struct,
 )
-from sbgcgen.site_model import confirmation, references
+from sbgcgen.site_model import Revisions, confirmation, references
 
 
 def names(layout: Layout) -> dict[str, Any]:
@@ -43,6 +43,7 @@ def names(layout: Layout) -> dict[str, Any]:
         "requests": references(layout).answers,
         "confirmation": confirmation(layout),
         "news": news(layout),
+        "revisions": Revisions(layout),
         "groups": groups,
         "example": partial(example_of, layout=layout),
         "cpp": code_of,

@@ -108,6 +108,7 @@ class _Resolver:
             errata=tuple(self._errata()),
             indices=self.fields.indices,
             revisions=tuple(self._revisions(messages)),
+            guides={k: str(v) for k, v in self.spec.main.get("guides", {}).items()},
             timeout_errata=self.types.errata(self.spec.main.get("defaults", Map())),
         )
 

@@ -111,6 +111,12 @@ def outputs(layout: Layout, docs: Path) -> dict[str, bytes]:
         "uses": site_model.references(layout),
         "errata": {erratum.number: erratum for erratum in layout.errata},
         "added": site_model.added(layout),
+        "revisions": site_model.Revisions(layout),
+        "guide_pages": {
+            about: f"guides/{_guide_name(Path(path).stem)}.html"
+            for about, path in layout.guides.items()
+            if f"guides/{_guide_name(Path(path).stem)}.html" in pages
+        },
         "deprecated_always": site_model.deprecated_always(layout),
         "confirmation": site_model.confirmation(layout),
         "search_entries": search_entries(layout, guides),

@@ -55,7 +55,11 @@ class Line:
 
 @dataclass(frozen=True)
 class Layout:
-    """The whole protocol. `timeout_errata` tell where the times for an answer come from."""
+    """The whole protocol.
+
+    `timeout_errata` tell where the times for an answer come from; `guides` are files of docs/ by what
+    they are about.
+    """
 
     protocol: dict[str, str]
     framing: Framing
@@ -70,6 +74,7 @@ class Layout:
     indices: dict[str, tuple[str, ...]]
     revisions: tuple[Revision, ...] = ()
     timeout_errata: tuple[str, ...] = ()
+    guides: dict[str, str] = field(default_factory=dict)
 
     @property
     def messages(self) -> tuple[Message, ...]:

@@ -131,7 +131,8 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 }
 
 /// Move the camera, one mode for all axes. Overrides RC until a command with MODE_NO_CONTROL and
-/// zeros is sent. At most 50 a second. A board keeps the last speed when the link is lost.
+/// zeros is sent. At most 50 a second. A board keeps the last speed when the link is lost. It tells
+/// a target or a speed, never a step, so the same one may be sent again; the last one counts.
 ///
 /// CMD_CONTROL (67), to the board, simple form; 13 bytes.
 /// Source: Outgoing commands L694-L715; Variables L1147-L1152. Errata: E021, E025, E212.
@@ -177,7 +178,8 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 }
 
 /// Move the camera, with a mode for each axis. Overrides RC until a command with MODE_NO_CONTROL
-/// and zeros is sent. At most 50 a second. A board keeps the last speed when the link is lost.
+/// and zeros is sent. At most 50 a second. A board keeps the last speed when the link is lost. It
+/// tells a target or a speed, never a step, so the same one may be sent again; the last one counts.
 ///
 /// CMD_CONTROL (67), to the board, extended form; 15 bytes.
 /// Since firmware 2.55b5.
