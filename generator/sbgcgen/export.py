@@ -22,6 +22,7 @@ from sbgcgen.model import (
     Quantity,
     Role,
 )
+from sbgcgen.typical import element_of
 
 
 def _number(value: Fraction | None) -> int | float | None:
@@ -110,6 +111,8 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
         }
     if field.since:
         result["since"] = _version(field.since)
+    if field.typical is not None:
+        result["typical"] = element_of(field.typical, leaf.path)
     if field.deprecated:
         result["deprecated"] = {
             "since": _version(field.deprecated.since),

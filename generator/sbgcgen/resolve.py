@@ -279,6 +279,10 @@ class _Resolver:
             role=self.answers.role(draft.get("role"), draft.direction, body.fields),
             stores=str(draft.get("stores", "")),
             effect=self._effect(draft.get("effect"), body.fields),
+            example={
+                **(original.example if original else {}),
+                **self.fields.examples.example(body.fields, draft.get("example"), draft.name),
+            },
             leaves=tuple(leaves(body.fields)) if body.min_size <= limit else (),
             at=draft.at,
         )

@@ -1093,7 +1093,8 @@ struct SaveParams3 {
   return {0, {}};
 }
 
-/// Return to the factory settings.
+/// Return to the factory settings. The settings of the profile are gone; 253 erases the EEPROM with
+/// all that it holds. Save the settings first.
 ///
 /// CMD_USE_DEFAULTS (70), to the board; 1 bytes.
 /// Source: Outgoing commands L644-L648.

@@ -17,7 +17,8 @@ namespace sbgc {
 
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
 
-/// Write a block to the EEPROM.
+/// Write a block to the EEPROM. Settings and calibrations lie in the EEPROM. Write only what has
+/// been read from the same place of the same board: anything else may make it useless.
 ///
 /// CMD_EEPROM_WRITE (47), to the board; 4 to 196 bytes.
 /// Since board 3.0.
