@@ -135,7 +135,11 @@ class _Builder:
         self, fields: tuple[Field, ...], values: Fields, path: str, access: str
     ) -> Iterator[str]:
         for field in fields:
-            if field.name in values and not field.is_counter and self._is_changed(path + field.name):
+            if (
+                field.name in values
+                and not field.is_counter
+                and self._is_changed(path + field.name)
+            ):
                 yield from self._field(field, values[field.name], path, access)
 
     def _is_changed(self, path: str) -> bool:

@@ -95,14 +95,16 @@ def _find(fields: tuple[Field, ...], path: str) -> tuple[Field, bool] | None:
 
 
 def _known(fields: tuple[Field, ...], path: str = "") -> Iterator[str]:
+    """The paths of values, to choose a similar one from."""
     for field in fields:
         names = [path + field.name]
         if field.dim in ("axis", "xyz"):
             names = [f"{path}{field.name}.{word.lower()}" for word in field.index]
         for name in names:
-            yield name
             if isinstance(field.type, Struct):
                 yield from _known(field.type.fields, f"{name}.")
+            else:
+                yield name
 
 
 # Values
@@ -176,7 +178,7 @@ def _hex(node: Any, size: int | None) -> str:
     try:
         data = bytes.fromhex(str(node) if node is not None else "")
     except ValueError:
-        raise _Unfit("is not hex", "write bytes like \"0a ff\", in quotes") from None
+        raise _Unfit("is not hex", 'write bytes like "0a ff", in quotes') from None
     if size is not None and len(data) > size:
         raise _Unfit("is too long", f"{size} bytes fit")
     return data.ljust(size or 0, b"\0").hex()
@@ -244,5 +246,3 @@ def _check(field: Field, scalar: Scalar, value: int | float) -> None:
         raise _Unfit(f"is {value} on the wire, out of its range", f"it goes from {low} to {high}")
     if field.align != 1 and value % field.align:
         raise _Unfit(f"is {value}, which is no multiple of {field.align}", "round it")
-
-

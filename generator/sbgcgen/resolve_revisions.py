@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from sbgcgen.diagnostics import Diagnostics, Position, did_you_mean
@@ -62,6 +63,6 @@ def _paths(message: Message) -> Iterator[str]:
     """The fields of a message, and what they consist of, by their paths without indices."""
     for leaf in message.leaves:
         for inner in (leaf, *leaf.cases):
-            words = inner.path.split(".")
+            words = re.sub(r"\[\d*\]", "", inner.path).split(".")
             for count in range(1, len(words) + 1):
                 yield ".".join(words[:count])

@@ -366,6 +366,7 @@ class Revisions:
 
     def of(self, kind: str, owner: str, name: str) -> Revision | None:
         """The revision that names it, or for a field one of the groups that it belongs to."""
+        name = re.sub(r"\[\d*\]", "", name) if kind == "field" else name
         found = self._of.get((kind, owner, name))
         while found is None and kind == "field" and "." in name:
             name = name.rpartition(".")[0]
