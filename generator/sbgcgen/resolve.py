@@ -109,6 +109,7 @@ class _Resolver:
             indices=self.fields.indices,
             revisions=tuple(self._revisions(messages)),
             guides={k: str(v) for k, v in self.spec.main.get("guides", {}).items()},
+            synonyms=tuple(tuple(group) for group in self.spec.main.get("synonyms", ())),
             timeout_errata=self.types.errata(self.spec.main.get("defaults", Map())),
         )
 

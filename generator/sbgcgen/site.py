@@ -20,7 +20,7 @@ from sbgcgen.example import Example, example_of, physical
 from sbgcgen.example_cpp import code_of, converting
 from sbgcgen.model import Enum, Framing, Layout, Leaf, Message, Packed, Quantity
 from sbgcgen.site_model import Row
-from sbgcgen.site_search import search_entries
+from sbgcgen.site_search import search_index
 
 # No other folder has this file, so no other one is taken for an earlier site and cleaned.
 MARK = "assets/search-index.js"
@@ -119,7 +119,7 @@ def outputs(layout: Layout, docs: Path) -> dict[str, bytes]:
         },
         "deprecated_always": site_model.deprecated_always(layout),
         "confirmation": site_model.confirmation(layout),
-        "search_entries": search_entries(layout, guides),
+        "search_index": search_index(layout, guides),
     }
     return dict(render(SITE, layout, each, names, _filters(layout)))
 

@@ -58,7 +58,7 @@ class Layout:
     """The whole protocol.
 
     `timeout_errata` tell where the times for an answer come from; `guides` are files of docs/ by what
-    they are about.
+    they are about; `synonyms` are groups of words for the same thing.
     """
 
     protocol: dict[str, str]
@@ -75,6 +75,7 @@ class Layout:
     revisions: tuple[Revision, ...] = ()
     timeout_errata: tuple[str, ...] = ()
     guides: dict[str, str] = field(default_factory=dict)
+    synonyms: tuple[tuple[str, ...], ...] = ()
 
     @property
     def messages(self) -> tuple[Message, ...]:
