@@ -10,6 +10,7 @@ from typing import Protocol, Union
 
 from sbgcgen.filters import versions
 from sbgcgen.model import (
+    EFFECTS,
     Answer,
     Availability,
     Enum,
@@ -157,6 +158,11 @@ def facts_of_message(message: Message) -> Iterator[Fact]:
         yield from _answer(place, message.answer)
     if message.stores:
         yield Fact(place, "message stores", message.stores)
+    for case in message.effect.cases if message.effect else ():
+        for word in case.words:
+            yield Fact(place, "message effect", EFFECTS[word])
+        for value in (*case.when.flags, *case.when.values) if case.when else ():
+            yield Fact(place, "message effect condition", value.name)
     if message.role and message.role.messages:
         for name in message.role.messages:
             yield Fact(place, "message streams", name)

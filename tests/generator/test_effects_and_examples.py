@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -9,9 +11,10 @@ from sbgcgen.build import load_protocol
 from sbgcgen.example import example_of
 from sbgcgen.example_cpp import code_of
 from sbgcgen.export import export
+from sbgcgen.model import EFFECTS
 from sbgcgen.site_model import Revisions
 from sbgcgen.vectors_of_message import typical_vector, vectors_of
-from support import layout_of, message_of, write_spec
+from support import GENERATOR, PROJECT, layout_of, message_of, write_spec
 
 PROBE = """\
 family: probe
@@ -169,3 +172,13 @@ def test_history_names_what_came(tmp_path: Path) -> None:
     assert revisions.of_message(message_of(layout, "Write")) is found
     assert revisions.of("value", "Mode", "MODE_OFF") is None
     assert export(layout)["revisions"][1]["adds"] == ["CMD_WRITE", "Read.limits", "Mode.MODE_ON"]
+
+
+def test_the_words_for_effects_are_the_same_everywhere() -> None:
+    schema = json.loads((GENERATOR / "schema" / "sbgc-spec.schema.json").read_text("utf-8"))
+    assert schema["$defs"]["effect"]["anyOf"][0]["enum"] == list(EFFECTS)
+    header = (PROJECT / "runtime/include/sbgc/meta.hpp").read_text("utf-8")
+    enum = header[header.index("enum class Effect ") : header.index("using Effects")]
+    assert re.findall(r"^  (\w+) = 0x", enum, re.MULTILINE) == list(EFFECTS)
+    guide = (PROJECT / "docs/2-safety.md").read_text("utf-8")
+    assert re.findall(r"^\| ([a-z]+) \| [A-Z]", guide, re.MULTILINE) == list(EFFECTS)
