@@ -50,6 +50,7 @@ class Swing {
     is_empty_ = false;
   }
   double of(std::size_t axis) const { return highest_[axis] - lowest_[axis]; }
+  double widest() const { return std::max({of(0), of(1), of(2)}); }
 
  private:
   std::array<double, 3> lowest_{};
@@ -70,12 +71,8 @@ void show(const Stabilization& seen) {
     std::printf("  %-8s roll %6.2f   pitch %6.2f   yaw %6.2f\n", name, swing->of(0), swing->of(1),
                 swing->of(2));
   }
-  std::size_t widest = 0;
-  for (std::size_t axis : {1U, 2U}) {
-    if (seen.frame.of(axis) > seen.frame.of(widest)) widest = axis;
-  }
-  const double frame = seen.frame.of(widest);
-  const double camera = seen.camera.of(widest);
+  const double frame = seen.frame.widest();
+  const double camera = seen.camera.widest();
   if (frame < 0.5) {
     std::printf("the frame stood still, or has no IMU: there was nothing to stabilize\n");
   } else if (camera > 0) {
@@ -91,12 +88,15 @@ sbgc::Result<void> measure(sbgc::Client& client, std::chrono::milliseconds time)
               std::chrono::duration<double>(time).count());
   Stabilization seen;
   {
-    const auto stream =
-        client.stream<sbgc::RealtimeData4>(40ms, [&seen](const sbgc::RealtimeData4& data) {
-          seen.frame.see(data.frame_imu_angle);
-          seen.camera.see(data.angle);
-          ++seen.samples;
-        });
+    const auto start = [&](std::chrono::milliseconds interval) {
+      return client.stream<sbgc::RealtimeData4>(interval, [&seen](const sbgc::RealtimeData4& data) {
+        seen.frame.see(data.frame_imu_angle);
+        seen.camera.see(data.angle);
+        ++seen.samples;
+      });
+    };
+    auto stream = start(40ms);
+    if (!stream) stream = start(250ms);  // a slow line has no room for more
     if (!stream) return stream.error();
     std::this_thread::sleep_for(time);
   }  // the stream has ended, so no sample comes any more
