@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass, field
 from html.parser import HTMLParser
-from typing import Optional
+from typing import Any, Optional
 from urllib.parse import unquote, urljoin
 
 # Elements without content: those of HTML, and those of SVG that the site has.
@@ -128,8 +128,6 @@ def search_index(files: dict[str, bytes]) -> list[Found]:
     return [_found(*entry) for entry in index["entries"]]
 
 
-def _found(
-    kind: str, name: str, about: str, page: str, words: str, twins: list[list[str]] | None = None
-) -> Found:
-    others = [_found(kind, *twin) for twin in twins or []]
+def _found(kind: str, name: str, about: str, page: str, words: str, twins: Any = ()) -> Found:
+    others = [_found(kind, *twin) for twin in twins]
     return Found(kind, name, about, page, words.split(), others)

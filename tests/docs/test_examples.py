@@ -129,11 +129,31 @@ def test_what_moves_does_so_slowly() -> None:
     speeds = 0
     for message in LAYOUT.messages:
         for piece in harmless(message):
-            is_speed = isinstance(piece.type, Quantity) and piece.type.unit == "deg/s"
-            if is_speed and message.effect and "moves" in message.effect.words:
+            if not isinstance(piece.type, Quantity) or piece.type.unit != "deg/s":
+                continue
+            if message.effect and "moves" in message.effect.words:
                 speeds += 1
                 assert abs(real(piece.value, piece.type)) <= 30, f"{message.name}: {piece.path}"
     assert speeds >= 6
+
+
+def test_captures_to_try_the_decoder_with_move_slowly() -> None:
+    """They are copied, too."""
+    done = subprocess.run(
+        f"cat {PROJECT}/docs/captures/*.hex | {SBGC} decode --hex --format jsonl --from host",
+        shell=True,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    speeds = [
+        axis["speed"]
+        for line in done.stdout.splitlines()
+        for axis in json.loads(line).get("fields", {}).get("axes", {}).values()
+        if "speed" in axis
+    ]
+    assert len(speeds) == 3
+    assert all(abs(speed) * 4000 / 32767 <= 30 for speed in speeds)
 
 
 def test_vectors_have_the_length_1() -> None:
