@@ -4,7 +4,8 @@
 //     backup ADDRESS diff FILE
 //     backup ADDRESS restore FILE SAVE-PRESENT-STATE-TO
 //
-// ADDRESS is a serial port such as /dev/ttyUSB0, or tcp:host:port.
+// ADDRESS is a serial port such as /dev/ttyUSB0, or tcp:host:port. Settings that are brought back
+// act at once, and a gimbal may move when they do: see docs/2-safety.md.
 
 #include <cstdio>
 #include <cstring>

@@ -1,4 +1,4 @@
-// Turns the camera to 45 degrees, then reads what comes back over the line.
+// Turns the camera slowly to 45 degrees, then reads what comes back over the line.
 
 #include <array>
 #include <cstdint>
@@ -13,6 +13,7 @@ int main() {
   sbgc::Control control;
   control.control_mode.set_mode(sbgc::ControlModeKind::angle);
   control.axes.yaw.angle = sbgc::Angle14::from_degrees(45);
+  control.axes.yaw.speed = sbgc::ControlSpeed::from_degrees_per_second(10);
   std::array<std::uint8_t, sbgc::max_frame_size> frame{};
   const auto written = encode_frame(control, frame);  // to be sent: written.size bytes of frame
 

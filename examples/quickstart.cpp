@@ -2,6 +2,9 @@
 // seconds:
 //
 //     quickstart /dev/ttyUSB0
+//
+// It asks before it moves anything; --yes as the last argument answers. What to know before a
+// gimbal moves is in docs/2-safety.md.
 
 #include <chrono>
 #include <cstdio>
@@ -11,6 +14,8 @@
 #include <sbgc/client/motion.hpp>
 #include <sbgc/messages/control.hpp>
 #include <sbgc/messages/realtime.hpp>
+
+#include "careful.hpp"
 
 namespace {
 
@@ -23,8 +28,10 @@ int fail(const sbgc::ClientError& error) {
 
 int main(int argc, char** argv) {
   using namespace std::chrono_literals;
+  const bool yes = careful::take_yes(argc, argv);
   if (argc != 2) {
-    std::fprintf(stderr, "usage: quickstart ADDRESS, e.g. /dev/ttyUSB0 or tcp:gimbal.local:5000\n");
+    std::fprintf(stderr,
+                 "usage: quickstart ADDRESS [--yes], e.g. /dev/ttyUSB0 or tcp:gimbal.local:5000\n");
     return 2;
   }
 
@@ -33,9 +40,13 @@ int main(int argc, char** argv) {
   std::printf("board %s, firmware %s, on %s\n", client->board().board().c_str(),
               client->board().firmware().c_str(), client->description().c_str());
 
-  if (auto on = client->motors_on(); !on) return fail(on.error());
+  if (!careful::may_move(yes, "This turns the motors on and tilts the camera down.")) return 1;
+  careful::notice_signals();
+  careful::Motors motors(*client);
+  if (auto on = motors.turn_on(); !on) return fail(on.error());
   const auto moved = sbgc::move_to(*client, {.pitch = sbgc::Angle14::from_degrees(-30.0)},
-                                   sbgc::ControlSpeed::from_degrees_per_second(20.0));
+                                   sbgc::ControlSpeed::from_degrees_per_second(10.0),
+                                   {.progress = careful::go_on});
   if (!moved) return fail(moved.error());
 
   const auto stream =

@@ -1,18 +1,27 @@
-// A tour of a gimbal: finds it, saves its settings, turns the camera 30 degrees down and back while
-// it shows the angles, and keeps all that was said in a capture:
+// A tour of a gimbal: finds it, saves its settings, turns the camera 30 degrees down and back, and
+// measures what stabilization does. All that is said is kept in a capture:
 //
 //     tour ADDRESS CAPTURE BACKUP
 //
-// ADDRESS is a serial port such as /dev/ttyUSB0, or tcp:host:port.
+// ADDRESS is a serial port such as /dev/ttyUSB0, or tcp:host:port. It asks before it moves
+// anything; --yes as the last argument answers. What to know before a gimbal moves is in
+// docs/2-safety.md.
 
+#include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstddef>
 #include <cstdio>
+#include <thread>
+#include <utility>
 
 #include <sbgc/client/backup.hpp>
 #include <sbgc/client/client.hpp>
 #include <sbgc/client/motion.hpp>
 #include <sbgc/messages/control.hpp>
 #include <sbgc/messages/realtime.hpp>
+
+#include "careful.hpp"
 
 namespace {
 
@@ -23,21 +32,84 @@ int fail(const sbgc::ClientError& error) {
   return 1;
 }
 
-void show(const sbgc::RealtimeData4& data) {
-  std::printf("  roll %7.2f   pitch %7.2f   yaw %7.2f\n", data.angle.roll.degrees(),
-              data.angle.pitch.degrees(), data.angle.yaw.degrees());
-}
-
 sbgc::Result<sbgc::MoveProgress> tilt(sbgc::Client& client, sbgc::Angle14 pitch) {
   std::printf("pitch to %.0f degrees\n", pitch.degrees());
-  return sbgc::move_to(client, {.pitch = pitch}, sbgc::ControlSpeed::from_degrees_per_second(25.0));
+  return sbgc::move_to(client, {.pitch = pitch}, sbgc::ControlSpeed::from_degrees_per_second(15.0),
+                       {.progress = careful::go_on});
+}
+
+/// How far something has swung: from the lowest to the highest angle that was seen of each axis.
+class Swing {
+ public:
+  void see(const sbgc::Axes<sbgc::Angle14>& angles) {
+    for (std::size_t i = 0; i < lowest_.size(); ++i) {
+      const double degrees = angles[i].degrees();
+      lowest_[i] = is_empty_ ? degrees : std::min(lowest_[i], degrees);
+      highest_[i] = is_empty_ ? degrees : std::max(highest_[i], degrees);
+    }
+    is_empty_ = false;
+  }
+  double of(std::size_t axis) const { return highest_[axis] - lowest_[axis]; }
+  double widest() const { return std::max({of(0), of(1), of(2)}); }
+
+ private:
+  std::array<double, 3> lowest_{};
+  std::array<double, 3> highest_{};
+  bool is_empty_ = true;
+};
+
+/// What frame and camera do meanwhile.
+struct Stabilization {
+  Swing frame;
+  Swing camera;
+  int samples = 0;
+};
+
+void show(const Stabilization& seen) {
+  std::printf("%d samples; from one end of the swing to the other, in degrees:\n", seen.samples);
+  for (const auto& [name, swing] : {std::pair{"frame", &seen.frame}, {"camera", &seen.camera}}) {
+    std::printf("  %-8s roll %6.2f   pitch %6.2f   yaw %6.2f\n", name, swing->of(0), swing->of(1),
+                swing->of(2));
+  }
+  const double frame = seen.frame.widest();
+  const double camera = seen.camera.widest();
+  if (frame < 0.5) {
+    std::printf("the frame stood still, or has no IMU: there was nothing to stabilize\n");
+  } else if (camera > 0) {
+    std::printf("the frame swings by %.1f degrees, the camera by %.2f: %.0f times less\n", frame,
+                camera, frame / camera);
+  } else {
+    std::printf("the frame swings by %.1f degrees, the camera not at all\n", frame);
+  }
+}
+
+sbgc::Result<void> measure(sbgc::Client& client, std::chrono::milliseconds time) {
+  std::printf("what frame and camera do for %.0f seconds\n",
+              std::chrono::duration<double>(time).count());
+  Stabilization seen;
+  {
+    const auto start = [&](std::chrono::milliseconds interval) {
+      return client.stream<sbgc::RealtimeData4>(interval, [&seen](const sbgc::RealtimeData4& data) {
+        seen.frame.see(data.frame_imu_angle);
+        seen.camera.see(data.angle);
+        ++seen.samples;
+      });
+    };
+    auto stream = start(40ms);
+    if (!stream) stream = start(250ms);  // a slow line has no room for more
+    if (!stream) return stream.error();
+    std::this_thread::sleep_for(time);
+  }  // the stream has ended, so no sample comes any more
+  show(seen);
+  return {};
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  const bool yes = careful::take_yes(argc, argv);
   if (argc != 4) {
-    std::fprintf(stderr, "usage: tour ADDRESS CAPTURE BACKUP\n");
+    std::fprintf(stderr, "usage: tour ADDRESS CAPTURE BACKUP [--yes]\n");
     return 2;
   }
 
@@ -53,9 +125,11 @@ int main(int argc, char** argv) {
   if (auto saved = sbgc::save_backup(*backup, argv[3]); !saved) return fail(saved.error());
   std::printf("%zu blocks of settings saved in %s\n", backup->settings.blocks().size(), argv[3]);
 
-  if (auto on = client->motors_on(); !on) return fail(on.error());
-  const auto stream = client->stream<sbgc::RealtimeData4>(250ms, show);
-  if (!stream) return fail(stream.error());
+  if (!careful::may_move(yes, "This turns the motors on, tilts the camera down and back."))
+    return 1;
+  careful::notice_signals();
+  careful::Motors motors(*client);
+  if (auto on = motors.turn_on(); !on) return fail(on.error());
   constexpr sbgc::Angle14 down = sbgc::Angle14::from_degrees(-30.0);
   constexpr sbgc::Angle14 level = sbgc::Angle14::from_degrees(0.0);
   for (const sbgc::Angle14 pitch : {down, level}) {
@@ -63,5 +137,6 @@ int main(int argc, char** argv) {
     if (!moved) return fail(moved.error());
     std::printf("pitch is %.1f degrees\n", moved->angles.pitch.degrees());
   }
+  if (auto measured = measure(*client, 4s); !measured) return fail(measured.error());
   if (auto released = sbgc::release(*client); !released) return fail(released.error());
 }

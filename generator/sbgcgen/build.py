@@ -8,6 +8,7 @@ from pathlib import Path
 from sbgcgen.diagnostics import Diagnostics
 from sbgcgen.lint import lint
 from sbgcgen.lint_bodies import lint_bodies
+from sbgcgen.lint_effects import lint_effects
 from sbgcgen.lint_usage import lint_usage
 from sbgcgen.load import Spec, load
 from sbgcgen.model import Layout
@@ -37,6 +38,7 @@ def load_protocol(spec_dir: Path) -> Protocol:
     lint_bodies(layout, found)
     found.raise_if_any()
     lint_usage(spec, found)
+    lint_effects(layout, found)
     found.raise_if_any()
     return Protocol(spec, layout)
 

@@ -15,7 +15,17 @@ from sbgcgen.compat_types import (
 )
 from sbgcgen.diagnostics import Position
 from sbgcgen.load import MAIN_FILE
-from sbgcgen.model import Answer, AnswerCase, Command, Layout, Message, Struct, Variable
+from sbgcgen.model import (
+    Answer,
+    AnswerCase,
+    Command,
+    Effect,
+    EffectCase,
+    Layout,
+    Message,
+    Struct,
+    Variable,
+)
 
 
 def compare(old: Layout, new: Layout) -> list[Change]:
@@ -27,6 +37,7 @@ def compare(old: Layout, new: Layout) -> list[Change]:
     _compare_messages(old, new, commands, changes)
     _compare_named_types(old, new, changes)
     _compare_variables(old, new, changes)
+    _compare_revisions(old, new, changes)
     rank = list(Level)
     return sorted(changes.found, key=lambda change: rank.index(change.level))
 
@@ -70,6 +81,18 @@ def _compare_named_types(old: Layout, new: Layout, changes: Changes) -> None:
 def _same_struct(old: Struct, new: Struct) -> bool:
     names = [[(f.spec_name, f.name) for f in struct.fields] for struct in (old, new)]
     return names[0] == names[1] and places(old.fields) == places(new.fields)
+
+
+def _compare_revisions(old: Layout, new: Layout, changes: Changes) -> None:
+    """History tells programs nothing."""
+    before = {r.number: (r.date, [a.text for a in r.adds], r.changes) for r in old.revisions}
+    for revision in new.revisions:
+        now = (revision.date, [a.text for a in revision.adds], revision.changes)
+        what = f"revision {revision.number}"
+        changes.compare(Level.COMPATIBLE, what, before.pop(revision.number, None), now, revision.at)
+    for number in before:
+        at = next(r.at for r in old.revisions if r.number == number)
+        changes.deleted(Level.COMPATIBLE, f"revision {number}", at)
 
 
 # Commands
@@ -197,6 +220,7 @@ def _compare_message(old: Message, new: Message, renamed: dict[str, str], change
             Level.MEANING, f"{what}: source of its context", sources[0], sources[1], new.at
         )
     _compare_answers(what, old, new, renamed, changes)
+    _compare_effects(what, old.effect, new.effect, new.at, changes)
     _compare_roles(what, old, new, changes)
     stores = renamed.get(old.stores, old.stores)
     changes.compare(Level.MEANING, f"{what}: stores", stores, new.stores, new.at)
@@ -259,6 +283,20 @@ def _compare_answers(
         changes.compare(Level.MEANING, f"{case}: result", results[0], results[1], new.at)
 
 
+def _compare_effects(
+    what: str, old: Effect | None, new: Effect | None, at: Position, changes: Changes
+) -> None:
+    """Whoever asks before a request that moves, relies on what is said of it."""
+    before, now = ([_effect_words(c) for c in e.cases] if e else [] for e in (old, new))
+    level = Level.MEANING if before else Level.COMPATIBLE
+    changes.compare(level, f"{what}: effect", before, now, at)
+
+
+def _effect_words(case: EffectCase) -> str:
+    words = " ".join(case.words)
+    return f"{words} if {_condition_words(case)}" if case.when else words
+
+
 def _level_of(confirm: tuple[str, str]) -> Level:
     """Nobody waits for a confirmation that may or may not come, so how likely it is breaks nothing."""
     before, now = confirm
@@ -266,7 +304,7 @@ def _level_of(confirm: tuple[str, str]) -> Level:
     return Level.COMPATIBLE if is_kept else Level.MEANING
 
 
-def _condition_words(case: AnswerCase) -> str:
+def _condition_words(case: AnswerCase | EffectCase) -> str:
     """The condition of a case, for people; "else" if it has none."""
     when = case.when
     if when is None:

@@ -9,7 +9,7 @@ from typing import Any
 from sbgcgen.edges import Edge, counting, edges
 from sbgcgen.model import SCALARS, Announced, Blob, Condition, Context, Field, Message, Struct, Type
 from sbgcgen.reference_codec import LISTS, CodecError, Fields, encode, holds, is_bytes, keys_of
-from sbgcgen.typical import typical
+from sbgcgen.typical import element_of, typical
 
 
 def all_types(context: Context) -> list[str]:
@@ -42,7 +42,7 @@ class Choice:
     In each round every place is at another of its edges; the place's number is added, lest
     neighbours are alike. `forced` has values of fields by path; `lengths` those of lists and
     texts by path. Others have a length that shows their edges, or, if `short`, the least. If
-    `typical`, all values are ordinary ones instead.
+    `typical`, all values are ordinary ones instead, but for those that `example` has by path.
     """
 
     places: Places
@@ -53,6 +53,7 @@ class Choice:
     short: bool = False
     leave_out: bool = False
     typical: bool = False
+    example: Fields = field(default_factory=dict)
     chosen: list[tuple[str, str]] = field(default_factory=list)
     rounds_of_free: int = 1
     rounds_of_conditional: int = 1
@@ -171,6 +172,10 @@ class _Composer:
 
     def _member(self, member: Field, fields: tuple[Field, ...], path: str, values: Fields) -> Any:
         name = path + member.name
+        if name in self.choice.example:
+            return self._given(member, self.choice.example[name], f"{name}[]")
+        if self._is_typical(member, name):
+            return member.typical
         if name in self.choice.forced:
             return self.choice.forced[name]
         if member.is_counter:
@@ -188,6 +193,18 @@ class _Composer:
         if member.dim == "fixed":
             return [self._value(member, f"{name}[{i}]") for i in range(count)]
         return [self._element(member, f"{name}[]", i) for i in range(count)]
+
+    def _is_typical(self, member: Field, name: str) -> bool:
+        """Whether a field has its typical value as a whole."""
+        if not self.choice.typical or member.typical is None or name in self.choice.forced:
+            return False
+        return not any(path.startswith((f"{name}.", f"{name}[")) for path in self.choice.example)
+
+    def _given(self, member: Field, value: Any, path: str) -> Any:
+        """A value of the example; of elements that have members, the others are typical."""
+        if not isinstance(member.type, Struct):
+            return value
+        return [{**self._element(member, path, i), **one} for i, one in enumerate(value)]
 
     def _announced(self, member: Field, type_: Announced, path: str) -> list[Fields]:
         """A number of each announced type."""
@@ -231,6 +248,10 @@ class _Composer:
             if length is not None:
                 return "".join(chr(65 + i % 26) for i in range(length))
         number, found = choice.places.at(path, member, type_)
+        if path in choice.example:
+            return choice.example[path]
+        if choice.typical and member.typical is not None:
+            return element_of(member.typical, path)
         if choice.typical:
             return typical(member, type_, number + self.element)
         if self.conditional:

@@ -12,6 +12,7 @@ from typing import Any
 from sbgcgen.example import example_of
 from sbgcgen.example_cpp import code_of
 from sbgcgen.model import (
+    EFFECTS,
     Availability,
     Command,
     Enum,
@@ -24,7 +25,7 @@ from sbgcgen.model import (
     Quantity,
     Struct,
 )
-from sbgcgen.site_model import confirmation, references
+from sbgcgen.site_model import Revisions, confirmation, references
 
 
 def names(layout: Layout) -> dict[str, Any]:
@@ -43,6 +44,8 @@ def names(layout: Layout) -> dict[str, Any]:
         "requests": references(layout).answers,
         "confirmation": confirmation(layout),
         "news": news(layout),
+        "revisions": Revisions(layout),
+        "effects_of": effects_of,
         "groups": groups,
         "example": partial(example_of, layout=layout),
         "cpp": code_of,
@@ -68,6 +71,12 @@ def packed_with(layout: Layout) -> dict[str, tuple[Packed, ...]]:
         for name in dict.fromkeys(enum.name for enum in _enums_of(packed)):
             found.setdefault(name, []).append(packed)
     return {name: tuple(all_packed) for name, all_packed in found.items()}
+
+
+def effects_of(messages: list[Message]) -> list[str]:
+    """What any of these requests does; that another one changes nothing is left out."""
+    said = {word for message in messages if message.effect for word in message.effect.words}
+    return [word for word in EFFECTS if word in said and (word != "reads" or len(said) == 1)]
 
 
 @dataclass

@@ -73,7 +73,10 @@ class Piece:
 
 @dataclass(frozen=True)
 class Example:
-    """An ordinary frame of a message, and the frames before it without which it can not be read."""
+    """An ordinary frame of a message, and the frames before it without which it can not be read.
+
+    Of a message that stores what another one delivers, `read` is the example of that one.
+    """
 
     message: Message
     fields: Fields
@@ -82,6 +85,13 @@ class Example:
     header: bytes
     pieces: tuple[Piece, ...]
     trailer: bytes
+    read: Example | None = None
+
+    @property
+    def changed(self) -> frozenset[str]:
+        """The paths of the values that differ from what was read."""
+        before = {piece.path: piece.data for piece in self.read.pieces} if self.read else {}
+        return frozenset(p.path for p in self.pieces if before.get(p.path) != p.data)
 
     @property
     def body(self) -> bytes:
@@ -120,7 +130,16 @@ def example_of(message: Message, layout: Layout) -> Example:
         header=frame[: framing.header_size],
         pieces=pieces,
         trailer=frame[len(frame) - framing.trailer_size :],
+        read=_read_before(message, layout),
     )
+
+
+def _read_before(message: Message, layout: Layout) -> Example | None:
+    """The example of what a message stores, if it has the same body and nothing else is needed."""
+    if not message.stores or message.same_as != message.stores or message.contexts:
+        return None
+    board = [m for m in layout.messages if m.direction == "from_board"]
+    return next((example_of(m, layout) for m in board if m.name == message.stores), None)
 
 
 @dataclass(frozen=True)

@@ -46,10 +46,10 @@ class Code:
 def encoding(example: Example) -> Code:
     """Builds the message and writes its frame into `frame`, of which it uses `written.size` bytes."""
     message = example.message
-    steps = list(_Builder(example).steps())
     lines = [
-        f"sbgc::{message.name} message;",
-        *steps,
+        *(_reading(example.read, message.name) if example.read else ()),
+        *([] if example.read else [f"sbgc::{message.name} message;"]),
+        *_Builder(example).steps(),
         "std::array<std::uint8_t, sbgc::max_frame_size> frame{};",
         "const sbgc::WriteResult written = encode_frame(message, frame);",
         f"// written.size is {len(example.frame)}: the first bytes of frame are the ones above.",
@@ -58,6 +58,16 @@ def encoding(example: Example) -> Code:
     includes = ["<array>", "<cstdint>"]
     includes += ["<string_view>"] if "std::string_view" in used else []
     return Code(_includes(includes, ["message", f"messages/{message.family}"]), tuple(lines))
+
+
+def _reading(read: Example, name: str) -> Iterator[str]:
+    """Makes the message of what the board has said."""
+    yield f"// The body of the {read.message.name} that the board has sent when it was asked."
+    yield from _wrapped(f"constexpr std::array<std::uint8_t, {len(read.body)}> answer", read.body)
+    yield f"sbgc::{read.message.name} read;"
+    yield "if (!decode(answer, read)) return;"
+    yield "// All of it goes back, but for what is changed on purpose."
+    yield f"sbgc::{name} message{{read}};"
 
 
 def decoding(example: Example) -> Code:
@@ -107,11 +117,15 @@ def _bytes(data: bytes) -> Iterator[str]:
 
 
 class _Builder:
-    """The statements that give a message its values; what is zero needs none."""
+    """The statements that give a message its values.
+
+    What is zero needs none; nor does what is still as it was read.
+    """
 
     def __init__(self, example: Example) -> None:
         self.example = example
         self.pieces = {piece.path: piece for piece in example.pieces}
+        self.changed = example.changed if example.read else None
 
     def steps(self) -> Iterator[str]:
         message = self.example.message
@@ -121,8 +135,19 @@ class _Builder:
         self, fields: tuple[Field, ...], values: Fields, path: str, access: str
     ) -> Iterator[str]:
         for field in fields:
-            if field.name in values and not field.is_counter:
+            if (
+                field.name in values
+                and not field.is_counter
+                and self._is_changed(path + field.name)
+            ):
                 yield from self._field(field, values[field.name], path, access)
+
+    def _is_changed(self, path: str) -> bool:
+        """Whether something at a path, or in it, is not as it was read."""
+        starts = (f"{path}.", f"{path}[")
+        return self.changed is None or any(
+            other == path or other.startswith(starts) for other in self.changed
+        )
 
     def _field(self, field: Field, value: Any, path: str, access: str) -> Iterator[str]:
         name, cpp = path + field.name, access + field.name
@@ -134,6 +159,8 @@ class _Builder:
         if is_bytes(field):
             if value:
                 target = f"(*{cpp})" if field.when else cpp
+                if self.changed is not None:
+                    yield f"{target}.resize(0);"
                 yield from _fill(target, field.name, bytes.fromhex(value))
         elif field.dim == "one":
             yield from self._one(field, value, name, cpp, dot)
@@ -156,6 +183,9 @@ class _Builder:
             assert isinstance(piece.type, Scalar)
             bits = int.from_bytes(piece.data, "little")
             yield f"{cpp} = {{sbgc::NumberType::{piece.type.name}, 0x{bits:X}U}};"
+        elif self.changed is not None:
+            if path in self.changed:
+                yield from _assigned(piece.type, value, cpp, piece.may_be_missing)
         elif piece.may_be_missing or any(piece.data):
             yield from _assigned(piece.type, value, cpp, piece.may_be_missing)
 

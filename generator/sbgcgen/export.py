@@ -12,6 +12,7 @@ from sbgcgen.model import (
     Availability,
     Condition,
     Context,
+    Effect,
     Enum,
     Field,
     Layout,
@@ -21,6 +22,7 @@ from sbgcgen.model import (
     Quantity,
     Role,
 )
+from sbgcgen.typical import element_of
 
 
 def _number(value: Fraction | None) -> int | float | None:
@@ -109,6 +111,8 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
         }
     if field.since:
         result["since"] = _version(field.since)
+    if field.typical is not None:
+        result["typical"] = element_of(field.typical, leaf.path)
     if field.deprecated:
         result["deprecated"] = {
             "since": _version(field.deprecated.since),
@@ -185,6 +189,14 @@ def _role(role: Role | None) -> dict[str, Any] | None:
     return result
 
 
+def _effect(effect: Effect | None) -> dict[str, Any] | None:
+    """All that a request may do, then case by case."""
+    if effect is None:
+        return None
+    cases = [{"when": _condition(case.when), "does": list(case.words)} for case in effect.cases]
+    return {"does": list(effect.words), "cases": cases}
+
+
 def _context(context: Context) -> dict[str, Any]:
     if context.announced is None:
         sources = [f"{message}.{field}" for message, field in context.sources]
@@ -216,6 +228,7 @@ def _message(message: Message) -> dict[str, Any]:
         "keeps_tail": message.keeps_tail,
         "same_as": message.same_as or None,
         "stores": message.stores or None,
+        "effect": _effect(message.effect),
         "role": _role(message.role),
         "context": [_context(context) for context in message.contexts],
         "response": _answer(message.answer),
@@ -290,6 +303,17 @@ def export(layout: Layout) -> dict[str, Any]:
             "source": layout.line.source,
             "errata": list(layout.line.errata),
         },
+        "revisions": [
+            {
+                "number": revision.number,
+                "date": revision.date,
+                "source": revision.source,
+                "adds": [addition.text for addition in revision.adds],
+                "changes": list(revision.changes),
+            }
+            for revision in layout.revisions
+        ],
+        "timeouts": {"errata": list(layout.timeout_errata)},
         "commands": [
             {
                 "name": command.name,

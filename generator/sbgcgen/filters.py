@@ -10,9 +10,11 @@ from typing import Any
 
 from sbgcgen.memory import Run, runs
 from sbgcgen.model import (
+    EFFECTS,
     Announced,
     Availability,
     Blob,
+    Effect,
     Enum,
     Field,
     Packed,
@@ -61,6 +63,16 @@ def versions(since: Availability) -> str:
     return ", ".join(words)
 
 
+def effect_text(word: str) -> str:
+    """What a word about the effect of a request means."""
+    return EFFECTS[word]
+
+
+def is_dangerous(effect: Effect | None) -> bool:
+    """Whether somebody had better read about safety before sending a request."""
+    return effect is not None and not {"moves", "restarts"}.isdisjoint(effect.words)
+
+
 def hexadecimal(value: int, digits: int = 2) -> str:
     """0x3E."""
     return f"0x{value:0{digits}X}"
@@ -83,6 +95,8 @@ FILTERS: dict[str, Callable[..., Any]] = {
     "to_json": to_json,
     "number": number,
     "versions": versions,
+    "effect_text": effect_text,
+    "is_dangerous": is_dangerous,
     "hex": hexadecimal,
     "fast_runs": fast_runs,
     "constants": constants,

@@ -31,7 +31,7 @@ CPP_TYPES = frozenset(
     CalibrationProgress CallOptions CallResult Calls Candidate Client ClientError ClientMaker
     ClientStatistics Clock Code ConfirmationResult Confirmed ConnectOptions Context Contexts
     Conversion Counter Deadline Detector DetectorOptions DetectorStep Direction Duration Echo
-    Ending EnumInfo EnumMeta ErrorCode Event EventKind Exchange ExchangeTraits Existing
+    Effect Effects Ending EnumInfo EnumMeta ErrorCode Event EventKind Exchange ExchangeTraits Existing
     FieldChange FieldInfo FieldPath FieldRole Flags Form Frame Framing Handle Instant Json
     JsonError LineSettings M Message MessageInfo Meta MoveOptions MoveProgress MoveTarget
     Notice NoticeKind Number NumberType NumberTypes Optional Outcome Output PacingOptions

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -11,12 +12,15 @@ from sbgcgen.model import (
     Announcement,
     Command,
     Context,
+    Effect,
+    EffectCase,
     Erratum,
     Family,
     Field,
     Framing,
     Layout,
     Message,
+    Revision,
     Struct,
 )
 from sbgcgen.names import camel_case, snake_case
@@ -29,6 +33,7 @@ from sbgcgen.resolve_fields import (
     min_size,
     total_size,
 )
+from sbgcgen.resolve_revisions import RevisionResolver
 from sbgcgen.resolve_types import TypeResolver
 from sbgcgen.resolve_variables import VariableResolver
 
@@ -102,7 +107,15 @@ class _Resolver:
             ),
             errata=tuple(self._errata()),
             indices=self.fields.indices,
+            revisions=tuple(self._revisions(messages)),
+            guides={k: str(v) for k, v in self.spec.main.get("guides", {}).items()},
+            synonyms=tuple(tuple(group) for group in self.spec.main.get("synonyms", ())),
+            timeout_errata=self.types.errata(self.spec.main.get("defaults", Map())),
         )
+
+    def _revisions(self, messages: list[Message]) -> Iterator[Revision]:
+        enums = list(self.types.types.enums.values())
+        return RevisionResolver(self.commands, messages, enums, self.found).revisions(self.spec)
 
     # The main file
 
@@ -266,11 +279,30 @@ class _Resolver:
             else None,
             role=self.answers.role(draft.get("role"), draft.direction, body.fields),
             stores=str(draft.get("stores", "")),
+            effect=self._effect(draft.get("effect"), body.fields),
+            example={
+                **(original.example if original else {}),
+                **self.fields.examples.example(body.fields, draft.get("example"), draft.name),
+            },
             leaves=tuple(leaves(body.fields)) if body.min_size <= limit else (),
             at=draft.at,
         )
         self.done[key] = message_
         return message_
+
+    def _effect(self, node: Any, fields: tuple[Field, ...]) -> Effect | None:
+        """`node` is what stands behind `effect:`: a word, several, or cases."""
+        if node is None:
+            return None
+        listed = node if isinstance(node, list) else [node]
+        if not isinstance(listed[0], Map):
+            return Effect((EffectCase(None, tuple(listed)),))
+        cases = []
+        for case in listed:
+            does = case["does"]
+            when = self.fields.condition(case, list(fields), ())
+            cases.append(EffectCase(when, tuple(does if isinstance(does, list) else [does])))
+        return Effect(tuple(cases))
 
     def _original(self, draft: _Draft, same_as: str) -> Message | None:
         """The other message whose body this one has."""

@@ -30,6 +30,7 @@ from sbgcgen.model import (
     Type,
 )
 from sbgcgen.names import FieldName, parse_field_name, snake_case, type_advice
+from sbgcgen.resolve_examples import ExampleReader
 from sbgcgen.resolve_types import VARIABLE_ID, TypeResolver, parse_bits
 
 _BLOB = re.compile(r"(bytes|text(?=\[[0-9]))\[([1-9][0-9]{0,5})?\]$")
@@ -72,6 +73,7 @@ class FieldResolver:
         self.types = types
         self.found = found
         self.max_body = max_body
+        self.examples = ExampleReader(found)
         self.structs: dict[str, Struct] = {}
         self._variable_ids = types.types.enums[VARIABLE_ID]
         self.indices: dict[str, tuple[str, ...]] = {
@@ -218,6 +220,12 @@ class FieldResolver:
         self._check_order(result, owner)
         return tuple(_mark_counters(result))
 
+    def _with_typical(self, field: Field, node: Map) -> Field:
+        if "typical" not in node:
+            return field
+        typical = self.examples.typical(field, node["typical"], node.at("typical"))
+        return replace(field, typical=typical)
+
     def _field(
         self,
         node: Map,
@@ -248,7 +256,7 @@ class FieldResolver:
         minimum, maximum, special = self._limits(node, type_, text)
         smallest = max(1, _min_size_of(type_))
         before = sum(f.size or 0 for f in earlier if not f.is_variable)
-        return Field(
+        field = Field(
             name=self.types.identifier(str(node.get("as", snake_case(name.base))), at),
             spec_name=name.spec_name,
             type=type_,
@@ -279,6 +287,7 @@ class FieldResolver:
             role=str(node.get("role", "")),
             at=at,
         )
+        return self._with_typical(field, node)
 
     def _dimension(
         self, name: FieldName, at: Position, earlier: list[Field], in_struct: bool

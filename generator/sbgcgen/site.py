@@ -20,7 +20,7 @@ from sbgcgen.example import Example, example_of, physical
 from sbgcgen.example_cpp import code_of, converting
 from sbgcgen.model import Enum, Framing, Layout, Leaf, Message, Packed, Quantity
 from sbgcgen.site_model import Row
-from sbgcgen.site_search import search_entries
+from sbgcgen.site_search import search_index
 
 # No other folder has this file, so no other one is taken for an earlier site and cleaned.
 MARK = "assets/search-index.js"
@@ -111,9 +111,15 @@ def outputs(layout: Layout, docs: Path) -> dict[str, bytes]:
         "uses": site_model.references(layout),
         "errata": {erratum.number: erratum for erratum in layout.errata},
         "added": site_model.added(layout),
+        "revisions": site_model.Revisions(layout),
+        "guide_pages": {
+            about: f"guides/{_guide_name(Path(path).stem)}.html"
+            for about, path in layout.guides.items()
+            if f"guides/{_guide_name(Path(path).stem)}.html" in pages
+        },
         "deprecated_always": site_model.deprecated_always(layout),
         "confirmation": site_model.confirmation(layout),
-        "search_entries": search_entries(layout, guides),
+        "search_index": search_index(layout, guides),
     }
     return dict(render(SITE, layout, each, names, _filters(layout)))
 

@@ -17,6 +17,7 @@ from sbgcgen.model import (
     Message,
     Packed,
     Quantity,
+    Revision,
     Struct,
     Type,
 )
@@ -351,6 +352,30 @@ def added(layout: Layout) -> list[Added]:
         )
         for part in parts
     ]
+
+
+class Revisions:
+    """Which revision of the specification has added what."""
+
+    def __init__(self, layout: Layout) -> None:
+        self._of = {
+            (addition.kind, addition.owner, addition.name): revision
+            for revision in layout.revisions
+            for addition in revision.adds
+        }
+
+    def of(self, kind: str, owner: str, name: str) -> Revision | None:
+        """The revision that names it, or for a field one of the groups that it belongs to."""
+        name = re.sub(r"\[\d*\]", "", name) if kind == "field" else name
+        found = self._of.get((kind, owner, name))
+        while found is None and kind == "field" and "." in name:
+            name = name.rpartition(".")[0]
+            found = self._of.get((kind, owner, name))
+        return found
+
+    def of_message(self, message: Message) -> Revision | None:
+        """The revision that names a message, or else its command."""
+        return self.of("message", "", message.name) or self.of("command", "", message.command)
 
 
 def deprecated_always(layout: Layout) -> list[tuple[Message, Row]]:

@@ -28,6 +28,8 @@ def typical(field: Field, type_: Type, place: int) -> Any:
     if isinstance(type_, Packed):
         return _packed(type_, place)
     scalar = scalar_of(type_)
+    if field.role == "copy" and field.minimum is not None:
+        return int(field.minimum)
     return _float(field, place) if scalar.is_float else _integer(field, type_, scalar, place)
 
 
@@ -130,3 +132,12 @@ def _inside(low: Fraction, high: Fraction, is_narrow: bool, type_: Type, place: 
 def _round(value: Fraction) -> Fraction:
     """The value with two digits that count."""
     return Fraction(f"{float(value):.1e}")
+
+
+def element_of(typical: Any, path: str) -> Any:
+    """What a typical value says about the element that a path ends with, or about all of them."""
+    if isinstance(typical, dict):
+        return typical.get(path.rpartition(".")[2], typical)
+    if isinstance(typical, list) and path.endswith("]"):
+        return typical[int(path.rpartition("[")[2].rstrip("]") or 0)]
+    return typical

@@ -78,7 +78,14 @@ class _Maker:
         forced: Fields = next((case["forced"] for case in self.cases() if "forced" in case), {})
         context = typical_context(self.message)
         for short in (False, True):
-            choice = Choice(Places(), typical=True, context=context, forced=forced, short=short)
+            choice = Choice(
+                Places(),
+                typical=True,
+                context=context,
+                forced=forced,
+                short=short,
+                example=self.message.example,
+            )
             try:
                 body = encode(self.message, compose(self.message, choice))
             except CodecError:

@@ -18,7 +18,9 @@ namespace sbgc::test {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 struct Finished {
   int status{};
@@ -42,7 +44,15 @@ class Examples : public ::testing::Test {
  protected:
   void SetUp() override {
     introduce(board);
-    board.on<MotorsOn>([this](const MotorsOn& request) { board.confirm(request); });
+    board.on<MotorsOn>([this](const MotorsOn& request) {
+      motors.add("on");
+      board.confirm(request);
+    });
+    board.on<MotorsOff>([this](const MotorsOff& request) {
+      motors.add("off");
+      board.confirm(request);
+    });
+    board.answer<RealtimeData4Request>(RealtimeData4{});
     board.on<Control>([this](const Control& request) { turn(request.axes.pitch.angle); });
     board.on<ControlExt>([this](const ControlExt& request) { turn(request.axes.pitch.angle); });
     board.answer<GetAnglesRequest>(angles_);
@@ -71,18 +81,43 @@ class Examples : public ::testing::Test {
 
  protected:
   Collector<DataStreamInterval> registrations;
+  Collector<std::string> motors;
   ScriptedBoard board;  // behind what its hooks use
   std::string port;
 };
 
 TEST_F(Examples, Quickstart) {
-  const Finished result = run(SBGC_EXAMPLE_QUICKSTART " " + port);
-  EXPECT_EQ(result.status, 0);
+  const Finished result = run(SBGC_EXAMPLE_QUICKSTART " " + port + " --yes");
+  EXPECT_EQ(result.status, 0) << result.output;
   EXPECT_THAT(result.output, AllOf(HasSubstr("board 3.0, firmware 2.59, on serial port " + port),
                                    HasSubstr("roll    0.0  pitch  -30.0  yaw   12.5 degrees\n")));
   EXPECT_TRUE(registrations.wait_until([](const auto& requests) {
     return !requests.empty() && requests.back().interval_ms == Milliseconds{};
   })) << "it does not end its stream";
+}
+
+TEST_F(Examples, QuickstartLeavesTheMotorsAsTheyWere) {
+  EXPECT_EQ(run(SBGC_EXAMPLE_QUICKSTART " " + port + " --yes").status, 0);
+  EXPECT_THAT(motors.wait_for(2), ElementsAre("on", "off"));
+}
+
+TEST_F(Examples, QuickstartLeavesMotorsOnThatWereOn) {
+  RealtimeData4 state;
+  state.other_flags = OtherFlag::motors_on;
+  board.answer<RealtimeData4Request>(state);
+  EXPECT_EQ(run(SBGC_EXAMPLE_QUICKSTART " " + port + " --yes").status, 0);
+  EXPECT_THAT(motors.wait_for(0), IsEmpty());
+}
+
+TEST_F(Examples, QuickstartMovesNothingUnlessSomebodyAgrees) {
+  for (const char* answer : {"echo no", "echo", "true"}) {
+    const Finished result = run(answer + std::string(" | " SBGC_EXAMPLE_QUICKSTART " ") + port);
+    EXPECT_EQ(result.status, 1);
+    EXPECT_THAT(result.output, HasSubstr("nothing has been moved"));
+  }
+  EXPECT_THAT(motors.wait_for(0), IsEmpty());
+  EXPECT_EQ(run("echo yes | " SBGC_EXAMPLE_QUICKSTART " " + port).status, 0);
+  EXPECT_FALSE(motors.wait_for(0).empty());
 }
 
 TEST_F(Examples, AsyncStream) {

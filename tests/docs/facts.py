@@ -10,8 +10,10 @@ from typing import Protocol, Union
 
 from sbgcgen.filters import versions
 from sbgcgen.model import (
+    EFFECTS,
     Answer,
     Availability,
+    Effect,
     Enum,
     Layout,
     Leaf,
@@ -157,6 +159,8 @@ def facts_of_message(message: Message) -> Iterator[Fact]:
         yield from _answer(place, message.answer)
     if message.stores:
         yield Fact(place, "message stores", message.stores)
+    if message.effect:
+        yield from _effect(place, message.effect)
     if message.role and message.role.messages:
         for name in message.role.messages:
             yield Fact(place, "message streams", name)
@@ -179,6 +183,14 @@ def facts_of_message(message: Message) -> Iterator[Fact]:
 def _since(place: Place, kind: str, since: Availability, column: str = "") -> Iterator[Fact]:
     for word in versions(since).split(", ") if since else ():
         yield Fact(place, kind, word, column)
+
+
+def _effect(place: Place, effect: Effect) -> Iterator[Fact]:
+    for case in effect.cases:
+        for word in case.words:
+            yield Fact(place, "message effect", EFFECTS[word])
+        for value in (*case.when.flags, *case.when.values) if case.when else ():
+            yield Fact(place, "message effect condition", value.name)
 
 
 def _answer(place: Place, answer: Answer) -> Iterator[Fact]:

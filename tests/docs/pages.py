@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass, field
 from html.parser import HTMLParser
-from typing import Optional
+from typing import Any, Optional
 from urllib.parse import unquote, urljoin
 
 # Elements without content: those of HTML, and those of SVG that the site has.
@@ -109,9 +109,25 @@ def read(path: str, text: str) -> Page:
     return Page(path, reader.root)
 
 
-def search_index(files: dict[str, bytes]) -> list[list[str]]:
+@dataclass(frozen=True)
+class Found:
+    """Something that the search knows."""
+
+    kind: str
+    name: str
+    about: str
+    page: str
+    words: list[str]
+    twins: list[Found]
+
+
+def search_index(files: dict[str, bytes]) -> list[Found]:
     """The entries that the search knows."""
     text = files["assets/search-index.js"].decode()
-    start, end = text.index("["), text.rindex("]") + 1
-    entries: list[list[str]] = json.loads(text[start:end])
-    return entries
+    index = json.loads(text[text.index("{") : text.rindex("}") + 1])
+    return [_found(*entry) for entry in index["entries"]]
+
+
+def _found(kind: str, name: str, about: str, page: str, words: str, twins: Any = ()) -> Found:
+    others = [_found(kind, *twin) for twin in twins]
+    return Found(kind, name, about, page, words.split(), others)

@@ -9,18 +9,23 @@ import re
 import subprocess
 from collections import defaultdict
 from dataclasses import dataclass
+from math import hypot
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from sbgcgen.model import Layout
+from sbgcgen.build import load_protocol
+from sbgcgen.example import Piece, example_of, real
+from sbgcgen.model import Enum, Layout, Message, Quantity, Scalar
 from sbgcgen.names import slug
 
 from conftest import PROJECT
 from pages import Element, Page
 
 Pages = dict[str, Page]
+
+LAYOUT = load_protocol(PROJECT / "spec").layout
 
 SBGC = os.environ.get("SBGC", str(PROJECT / "build" / "release" / "tools" / "sbgc"))
 COMPILER = [w for w in (os.environ.get("CXX_LAUNCHER", ""), os.environ.get("CXX", "g++")) if w]
@@ -94,9 +99,110 @@ def test_examples_show_something(message_pages: dict[str, Page], layout: Layout)
     for message in layout.definitions:
         values = values_of(message_pages[message.name])
         known = [leaf for leaf in message.leaves if not leaf.field.reserved]
+        free = [leaf for leaf in known if leaf.type != "bytes" and leaf.field.role != "copy"]
         assert bool(values) >= bool(known), message.name
-        if any(leaf.type not in ("bytes",) for leaf in known):
+        if free and not message.example:
             assert any(raw not in ("0", "") for _, raw, _ in values), message.name
+
+
+# Whoever copies an example does no harm with it
+
+
+def harmless(message: Message) -> list[Piece]:
+    """The values of an example, without those that are padding."""
+    return [p for p in example_of(message, LAYOUT).pieces if not p.is_padding]
+
+
+def test_a_minimum_is_not_above_its_maximum() -> None:
+    pairs = 0
+    for message in LAYOUT.messages:
+        values = {piece.path: piece.value for piece in harmless(message)}
+        for path, value in values.items():
+            partner = re.sub(r"(?<![a-z])min(?![a-z])", "max", path)
+            if partner != path and partner in values:
+                pairs += 1
+                assert value <= values[partner], f"{message.name}: {path}"
+    assert pairs > 40
+
+
+def test_what_moves_does_so_slowly() -> None:
+    speeds = 0
+    for message in LAYOUT.messages:
+        for piece in harmless(message):
+            if not isinstance(piece.type, Quantity) or piece.type.unit != "deg/s":
+                continue
+            if message.effect and "moves" in message.effect.words:
+                speeds += 1
+                assert abs(real(piece.value, piece.type)) <= 30, f"{message.name}: {piece.path}"
+    assert speeds >= 6
+
+
+def test_captures_to_try_the_decoder_with_move_slowly() -> None:
+    """They are copied, too."""
+    done = subprocess.run(
+        f"cat {PROJECT}/docs/captures/*.hex | {SBGC} decode --hex --format jsonl --from host",
+        shell=True,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    speeds = [
+        axis["speed"]
+        for line in done.stdout.splitlines()
+        for axis in json.loads(line).get("fields", {}).get("axes", {}).values()
+        if "speed" in axis
+    ]
+    assert len(speeds) == 3
+    assert all(abs(speed) * 4000 / 32767 <= 30 for speed in speeds)
+
+
+def test_vectors_have_the_length_1() -> None:
+    vectors = 0
+    for message in LAYOUT.messages:
+        values = {piece.path: piece.value for piece in harmless(message)}
+        for field in message.fields:
+            scalar = isinstance(field.type, Scalar) and field.type.is_float
+            if field.dim == "xyz" and scalar and field.maximum == 1 and f"{field.name}.x" in values:
+                vectors += 1
+                length = hypot(*(values[f"{field.name}.{axis}"] for axis in "xyz"))
+                assert abs(length - 1) < 1e-6, f"{message.name}: {field.name}"
+    assert vectors >= 4
+
+
+def test_nothing_is_out_of_range_or_unnamed() -> None:
+    """Also where `sbgc encode`, which the pages show, would let it pass."""
+    for message in LAYOUT.messages:
+        for piece in harmless(message):
+            field, value = piece.field, piece.value
+            if any(special.value == value for special in field.special):
+                continue
+            where = f"{message.name}: {piece.path} = {value}"
+            if field.minimum is not None and field.maximum is not None:
+                assert field.minimum <= value <= field.maximum, where
+            if isinstance(piece.type, Enum) and piece.type.kind == "enum":
+                assert value in {v.value for v in piece.type.values}, where
+
+
+def test_no_example_erases_a_board_or_turns_a_motor_around() -> None:
+    for message in LAYOUT.messages:
+        for piece in harmless(message):
+            if message.direction == "to_board":
+                meanings = [s.name for s in piece.field.special if s.value == piece.value]
+                assert "erase_eeprom" not in meanings, message.name
+            if "inverted" in piece.field.summary and piece.field.maximum == 1:
+                assert piece.value == 0, f"{message.name}: {piece.path}"
+
+
+def test_what_only_the_board_knows_is_read_before_it_is_written(pages: Pages) -> None:
+    storing = [m for m in LAYOUT.messages if m.stores]
+    assert len(storing) >= 6
+    for message in storing:
+        page = pages[f"messages/{slug(message.name)}.html"]
+        code = only(page, "example-cpp").text
+        assert f"sbgc::{message.name} message{{read}};" in code
+        assert len(re.findall(r"^message\.", code, re.MULTILINE)) == 1, code
+        read = example_of(message, LAYOUT).read
+        assert read is not None and example_of(message, LAYOUT).changed
 
 
 # The command lines

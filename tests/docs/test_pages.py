@@ -203,8 +203,8 @@ def test_every_value_variable_and_erratum_has_a_deep_link(pages: Pages, layout: 
 def test_search_finds_everything_and_leads_to_it(
     pages: Pages, files: Files, layout: Layout
 ) -> None:
-    entries = search_index(files)
-    names = {(kind, name) for kind, name, _, _, _ in entries}
+    entries = [e for entry in search_index(files) for e in (entry, *entry.twins)]
+    names = {(entry.kind, entry.name) for entry in entries}
     for message in layout.messages:
         assert ("message", message.name) in names
     for command in layout.commands:
@@ -215,23 +215,67 @@ def test_search_finds_everything_and_leads_to_it(
     assert {("unit", quantity.name) for quantity in layout.quantities} <= names
     assert {("variable", variable.name) for variable in layout.variables} <= names
     assert {e.number for e in layout.errata} == {n for k, n in names if k == "erratum"}
-    for _, name, _, link, _ in entries:
-        page, _, fragment = link.partition("#")
-        assert page in pages, f"{name}: {link}"
-        assert not fragment or fragment in pages[page].ids, f"{name}: {link}"
+    for entry in entries:
+        page, _, fragment = entry.page.partition("#")
+        assert page in pages, entry
+        assert not fragment or fragment in pages[page].ids, entry
 
 
 def test_search_knows_every_field_by_both_names(files: Files, layout: Layout) -> None:
     words = {
         word
-        for kind, name, _, link, more in search_index(files)
-        if kind == "field"
-        for word in (f"{link.partition('#')[0]} {w}" for w in [name, *more.split()])
+        for entry in search_index(files)
+        if entry.kind == "field"
+        for word in (f"{entry.page.partition('#')[0]} {w}" for w in [entry.name, *entry.words])
     }
+    by_name = {message.name: message for message in layout.messages}
     for message in layout.messages:
+        page = page_of_message(by_name[message.same_as] if message.same_as else message)
         for leaf in message.leaves:
             if not leaf.field.reserved:
-                assert f"{page_of_message(message)} {leaf.spec_name}" in words, leaf.path
+                assert f"{page} {leaf.spec_name}" in words, leaf.path
+
+
+def test_search_shows_what_reads_and_what_writes_settings_as_one(
+    files: Files, layout: Layout
+) -> None:
+    entries = search_index(files)
+    assert len(layout.settings) >= 5
+    for settings in layout.settings:
+        writers = [message.name for message in settings.writers]
+        for kind, name, others in (
+            ("message", settings.message.name, writers),
+            ("command", settings.message.command, [m.command for m in settings.writers]),
+        ):
+            (entry,) = [e for e in entries if e.kind == kind and e.name == name]
+            assert [twin.name for twin in entry.twins] == others
+            assert not [e for e in entries if e.kind == kind and e.name in others]
+        paths = [e for e in entries if e.kind == "field" and e.name.partition(".")[0] in writers]
+        assert paths == [], "their fields are those of what reads them"
+
+
+def test_search_knows_guides_and_their_sections(pages: Pages, files: Files) -> None:
+    entries = search_index(files)
+    for path, page in pages.items():
+        if path.startswith("guides/"):
+            (guide,) = [e for e in entries if e.kind == "guide" and e.page == path]
+            (title,) = page.root.all("h1")
+            assert guide.name == title.text.strip()
+            for heading in page.root.all("h2"):
+                if any(a.tag == "main" for a in heading.ancestors()):
+                    where = f"{path}#{heading.get('id')}"
+                    (section,) = [e for e in entries if e.page == where]
+                    assert section.name == " ".join(heading.text.split())
+    safety = [e for e in entries if e.page.startswith("guides/safety.html")]
+    assert any("battery" in entry.words for entry in safety)
+
+
+def test_search_knows_units_by_their_words(files: Files) -> None:
+    entries = search_index(files)
+    for word, least in (("volts", 5), ("degrees per second", 5)):
+        for kind in ("unit", "field"):
+            found = [e for e in entries if e.kind == kind and set(word.split()) <= set(e.words)]
+            assert len(found) >= (least if kind == "field" else 2), f"{kind}: {word}"
 
 
 def test_no_words_of_templates_are_left(files: Files) -> None:

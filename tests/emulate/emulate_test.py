@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import fcntl
+import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -285,7 +287,13 @@ def test_the_tour(tmp_path: Path) -> None:
         pytest.skip("examples are not built")
     with Emulator("--baud", "57600", "--motion", "handheld", "--text", "1") as emulator:
         done = subprocess.run(
-            [tour, emulator.places[0], str(tmp_path / "capture"), str(tmp_path / "backup")],
+            [
+                tour,
+                emulator.places[0],
+                str(tmp_path / "capture"),
+                str(tmp_path / "backup"),
+                "--yes",
+            ],
             capture_output=True,
             timeout=60,
             check=False,
@@ -293,3 +301,34 @@ def test_the_tour(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     assert b"57600" in done.stdout
     assert b"pitch is -30" in done.stdout or b"pitch is -29" in done.stdout
+    swings = {
+        name: [float(number) for number in re.findall(r"\d+\.\d+", line)]
+        for name, line in re.findall(r"^  (frame|camera) (.*)$", done.stdout.decode(), re.MULTILINE)
+    }
+    assert len(swings["frame"]) == len(swings["camera"]) == 3
+    assert max(swings["frame"]) > 1, "a frame that is held by hand moves"
+    for frame, camera in zip(swings["frame"], swings["camera"]):
+        assert camera < frame, "the camera is to be steadier than the frame"
+
+
+def test_the_tour_asks_before_it_moves(tmp_path: Path) -> None:
+    tour = os.environ.get("SBGC_TOUR")
+    if not tour:
+        pytest.skip("examples are not built")
+    capture = tmp_path / "capture"
+    with Emulator() as emulator:
+        done = subprocess.run(
+            [tour, emulator.places[0], str(capture), str(tmp_path / "backup")],
+            capture_output=True,
+            input=b"no\n",
+            timeout=60,
+            check=False,
+        )
+    assert done.returncode == 1
+    assert b"nothing has been moved" in done.stdout
+    said = subprocess.run(
+        [PROGRAM, "decode", "--format", "jsonl", str(capture)], capture_output=True, check=True
+    ).stdout
+    commands = {json.loads(line)["command"] for line in said.splitlines()}
+    assert "CMD_READ_PARAMS_3" in commands
+    assert not commands & {"CMD_CONTROL", "CMD_MOTORS_ON"}

@@ -25,13 +25,13 @@ STATE = OLD[OLD.index("  CMD_STATE:") : OLD.index("  CMD_MOVE:")]
 MOVE = OLD[OLD.index("  CMD_MOVE:") : OLD.index("  CMD_LIST:")]
 EXTENDED = OLD[OLD.index("        extended:\n") : OLD.index("variables:")]
 MORE_COMMAND = (
-    "  CMD_MORE:\n    id: 14\n    summary: New.\n    to_board:\n      source: Outgoing L64\n"
+    "  CMD_MORE:\n    id: 14\n    summary: New.\n    to_board:\n      source: Outgoing L64\n      effect: reads\n"
     "      answer: none\n"
 )
 
 TILT = "        - {name: TILT, type: i8, summary: Tilt.}\n"
 STORE_STATE = (
-    "  CMD_KEEP:\n    id: 14\n    summary: New.\n    to_board:\n      source: Outgoing L64\n"
+    "  CMD_KEEP:\n    id: 14\n    summary: New.\n    to_board:\n      source: Outgoing L64\n      effect: reads\n"
     "      answer: none\n      same_as: State\n      stores: State\n"
 )
 
@@ -323,6 +323,21 @@ CASES: dict[str, Case] = {
         MEANING,
         "message Move: restarts the board: no → yes",
     ),
+    "effect": (
+        [("effect: sets", "effect: [stores, moves]")],
+        MEANING,
+        "message Move: effect: sets → stores moves",
+    ),
+    "effect under a condition": (
+        [
+            (
+                "effect: sets\n",
+                "effect: [{when: {field: OPTIONS, has: OPTION_FAST}, does: moves}, {does: sets}]\n",
+            )
+        ],
+        MEANING,
+        "message Move: effect: sets → moves if options has OPTION_FAST, sets",
+    ),
     "role moved": (
         [
             (
@@ -503,6 +518,22 @@ CASES: dict[str, Case] = {
         [("confirm: possible, retry: safe", "confirm: unlikely, retry: safe")],
         OK,
         "message Aim: case 1: confirmed: possible → unlikely",
+    ),
+    "effect not stated any more": (
+        [("      effect: sets\n", "")],
+        MEANING,
+        "message Move: effect: sets → none",
+    ),
+    "history": (
+        [
+            (
+                "families: [base, probe]",
+                'revisions: {"1.0": {date: 2026-01-31, source: L2, adds: [CMD_MOVE]}}\n\n'
+                "families: [base, probe]",
+            )
+        ],
+        OK,
+        "revision 1.0: none → 2026-01-31, CMD_MOVE, none",
     ),
     "since earlier": (
         [("since: {firmware: 2.59}", "since: {firmware: 2.58}")],

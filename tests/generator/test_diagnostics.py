@@ -34,6 +34,7 @@ commands:
         - {name: CLASS, type: u8, summary: A number.}
     to_board:
       source: L1
+      effect: reads
       summary: Ask.
       answer: {message: Prob}
 """
@@ -52,7 +53,7 @@ def test_several_mistakes_come_out_in_one_run_by_position(tmp_path: Path) -> Non
         (20, 12, "SBGC019"),
         (20, 21, "SBGC010"),
         (21, 12, "SBGC022"),
-        (25, 16, "SBGC021"),
+        (26, 16, "SBGC021"),
     ]
 
 

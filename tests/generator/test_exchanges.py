@@ -52,6 +52,7 @@ commands:
     summary: Put.
     to_board:
       source: Outgoing commands L60
+      effect: reads
       answer: {confirm: always, confirmations: 2, timeout_ms: 70, finish_ms: 900, echoes: [PLACE]}
       fields:
         - {name: PLACE, type: u16, summary: Where.}
@@ -71,6 +72,7 @@ commands:
           summary: Why not.
     to_board:
       source: Outgoing commands L61
+      effect: reads
       summary: Get.
       answer:
         - {when: {field: OPTIONS, has: OPTION_FAST}, message: [Get, GetError], echoes: [PLACE], retry: safe}
@@ -87,6 +89,7 @@ commands:
     summary: Starts a stream.
     to_board:
       source: Outgoing commands L62
+      effect: reads
       answer: {confirm: always}
       role: {is: stream_request, command: ID, interval: TIME, config: HOW, end: 0, cycle: 1, cycle_us: 80, limit: 7, messages: [Ping]}
       fields:

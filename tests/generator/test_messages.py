@@ -29,6 +29,7 @@ BOTH = (
         - {name: A, type: u16, summary: A number.}
     to_board:
       source: Outgoing commands L20
+      effect: reads
       summary: Ask for it.
       answer: {message: LongName3, retry: safe, timeout_ms: 250}
 """
@@ -68,6 +69,7 @@ def test_answer_is_unsafe_and_takes_the_default_time_unless_it_says_more(tmp_pat
     summary: Go.
     to_board:
       source: L1
+      effect: reads
       answer: {confirm: always, confirmations: 2}
 """
     )
@@ -85,6 +87,7 @@ FORMS = (
     summary: Move.
     to_board:
       source: L1
+      effect: reads
       errata: [E001]
       answer: none
       forms:
@@ -177,6 +180,7 @@ def test_same_as_another_message(tmp_path: Path) -> None:
     summary: Write.
     to_board:
       source: L1
+      effect: reads
       answer: {confirm: always}
       stores: Ping
       same_as: Ping
@@ -198,6 +202,7 @@ def test_same_body_in_both_directions_is_one_type(tmp_path: Path) -> None:
     summary: Values.
     to_board:
       source: L1
+      effect: reads
       summary: Set them.
       answer: none
       fields:
@@ -225,6 +230,7 @@ def test_one_id_in_two_directions_may_be_two_commands(tmp_path: Path) -> None:
     summary: An order.
     to_board:
       source: L1
+      effect: reads
       answer: none
   CMD_REPORT:
     id: 9
@@ -254,6 +260,7 @@ def test_context_comes_from_the_request(tmp_path: Path) -> None:
         - {name: B, type: u8, when: {context: FLAGS, has: OPTION_FINE}, summary: A number.}
     to_board:
       source: L2
+      effect: reads
       summary: Ask.
       answer: {message: Custom}
       fields:

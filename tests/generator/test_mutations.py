@@ -23,6 +23,7 @@ SPEC = (
     summary: Everything that a body can hold.
     to_board:
       source: Outgoing commands L50-L60
+      effect: reads
       errata: [E001]
       answer: {confirm: always, retry: safe}
       forms:

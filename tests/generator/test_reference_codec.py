@@ -88,6 +88,7 @@ commands:
         - {name: "VALUES[NUM]", type: i16, summary: Values.}
     to_board:
       source: L1
+      effect: reads
       summary: Asks.
       answer: none
       forms:

@@ -24,6 +24,7 @@ commands:
     summary: The message.
     to_board:
       source: L1
+      effect: reads
       answer: none
       fields:
         - {name: A, type: u8, summary: TEXT}

@@ -179,3 +179,71 @@ def test_forms_that_share_an_id(layout: Layout) -> None:
     """Id 67 is CMD_CONTROL to the board and CMD_CONFIRM from it."""
     names = {(m.name, m.direction) for m in layout.messages if m.id == 67}
     assert names == {("Control", TO), ("ControlExt", TO), ("Confirm", FROM)}
+
+
+# What the revision history (L9-L25) says has been added, by hand.
+HISTORY = {
+    "0.4": ["ControlExt", "MenuCommand.MENU_CMD_LEVEL_ROLL_PITCH", "RealtimeData4.rotor_angle"],
+    "0.6": ["ControlModeKind.MODE_ANGLE_REL_FRAME", "CMD_GET_ANGLES_EXT", "CMD_SET_ADJ_VARS_VAL"],
+    "0.7": ["ReadParams3.order_of_axes", "ReadParams3.euler_order"],
+    "0.9": [
+        "CMD_GYRO_CORRECTION",
+        "VariableId.FRAME_HEADING_ANGLE",
+        "VariableId.GYRO_HEADING_CORRECTION",
+    ],
+    "0.11": [
+        "CMD_READ_PARAMS_EXT2",
+        "ReadParamsExt2.motor_mag_link_fine",
+        "CMD_CALIB_MOTOR_MAG_LINK",
+        "ReadParamsExt2.acc_limiter3",
+        "VariableId.ACC_LIMITER_ROLL",
+        "VariableId.ACC_LIMITER_PITCH",
+        "VariableId.ACC_LIMITER_YAW",
+        "HelperDataExt",
+    ],
+    "0.12": ["CMD_DATA_STREAM_INTERVAL", "CMD_REALTIME_DATA_CUSTOM"],
+    "0.13": ["CMD_BEEP_SOUND"],
+}
+
+
+def test_the_history_is_that_of_the_document(layout: Layout) -> None:
+    assert [r.number for r in layout.revisions] == [f"0.{n}" for n in range(1, 16)]
+    assert [r.source for r in layout.revisions] == [f"L{n}" for n in range(11, 26)]
+    assert (layout.revisions[0].date, layout.revisions[-1].date) == ("2015-03-24", "2016-07-09")
+    assert sorted(r.date for r in layout.revisions) == [r.date for r in layout.revisions]
+    added = {r.number: [a.text for a in r.adds] for r in layout.revisions if r.adds}
+    assert added == HISTORY
+    said = {r.number for r in layout.revisions if r.adds or r.changes}
+    assert said == {
+        r.number for r in layout.revisions[1:]
+    }, "all but the first have changed something"
+
+
+# What a request does, as people know it.
+EFFECTS_KNOWN = {
+    "GetAnglesRequest": ("reads",),
+    "ReadParams3Request": ("reads",),
+    "Control": ("moves",),
+    "MotorsOff": ("moves",),
+    "SetAdjVarsVal": ("sets",),
+    "WriteParams3": ("stores",),
+    "EepromWrite": ("stores",),
+    "UseDefaults": ("erases",),
+    "FsClearAll": ("erases",),
+    "ResetRequest": ("restarts",),
+    "BootMode3": ("restarts",),
+    "SystemStateRequest": ("unknown",),
+    "ExecuteMenu": ("sets", "stores", "moves", "restarts"),
+    "CalibAccExt": ("stores", "restarts", "erases"),
+}
+
+
+@pytest.mark.parametrize("name", EFFECTS_KNOWN)
+def test_effect(layout: Layout, name: str) -> None:
+    effect = message_of(layout, name, TO).effect
+    assert effect is not None and effect.words == EFFECTS_KNOWN[name]
+
+
+def test_no_time_for_an_answer_is_told_without_saying_whose_it_is(layout: Layout) -> None:
+    numbers = {erratum.number for erratum in layout.errata}
+    assert layout.timeout_errata and set(layout.timeout_errata) <= numbers

@@ -68,6 +68,7 @@ commands:
     summary: Uses them all.
     to_board:
       source: L11
+      effect: reads
       answer: none
       fields:
         - {name: DECIMAL,  type: Decimal,  summary: A ratio.}
@@ -99,6 +100,7 @@ commands:
           summary: A limit.
     to_board:
       source: L1
+      effect: reads
       summary: Ask for it.
       answer: {message: Settings}
   CMD_STORE_SETTINGS:
@@ -106,6 +108,7 @@ commands:
     summary: Store them.
     to_board:
       source: L1
+      effect: reads
       answer: {confirm: always}
       same_as: Settings
       stores: Settings

@@ -98,6 +98,10 @@ class FieldMaker(TypeMaker):
             node["special_in_range"] = True
         if kind.number in INTEGERS and self.chance(0.1):
             node["align"] = self.random.choice((2, 64))
+        if kind.number in INTEGERS and not kind.is_quantity and "align" not in node:
+            if self.chance(0.2):
+                lowest = str(node.get("range", INTEGERS[kind.number][1])).partition("..")[0]
+                node["typical"] = int(lowest)
         if self.chance(0.1):
             node["since"] = self.since()
         if self.chance(0.1):

@@ -66,11 +66,24 @@ class MessageMaker(FieldMaker):
         if self.chance(0.2):
             node["description"] = self.random.choice(TEXTS)
         if direction == "to_board":
+            node["effect"] = self.effect(scope)
             node["answer"] = self.answer(scope)
         elif not self.has_reset and self.chance(0.2):
             self.has_reset = True
             node["role"] = {"is": "reset", "delay_ms": 20}
         return node
+
+    def effect(self, scope: Optional[Scope] = None) -> Any:
+        """What a request does, perhaps under a condition about the fields of `scope`."""
+        words = ["sets", "stores", "moves", "restarts", "erases"]
+        several = self.random.sample(words, self.random.randint(1, 3))
+        if scope is None or not scope.known or self.chance(0.5):
+            return self.random.choice(("reads", several))
+        when = self.condition(replace(scope, contexts=[]))
+        if when is None:
+            return several
+        when.pop("may_be_missing", None)
+        return [{"when": when, "does": several}, {"does": "reads"}]
 
     def answer(self, scope: Optional[Scope] = None) -> Any:
         """What answers a request, perhaps under a condition about the fields of `scope`."""
@@ -150,6 +163,7 @@ class MessageMaker(FieldMaker):
             if not scope.fixed and not last:
                 size = content["max_size"] = max(1, scope.least + self.random.randint(0, 3))
             if direction == "to_board":
+                content["effect"] = self.effect(scope)
                 content["answer"] = self.answer(scope)
             forms[form] = {**content, "as": name}
             self.add_body(name, scope, direction)

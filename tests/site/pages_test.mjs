@@ -155,6 +155,86 @@ test("search finds a message, a command and a field, and leads there", async () 
   await page.close();
 });
 
+/** What the search shows for a query: the names of the first results, and the line before them. */
+async function search(page, query) {
+  await page.locator("#search").fill(query);
+  await page.waitForFunction(
+    (text) => document.querySelector("#search-results")?.dataset.query === text,
+    query,
+  );
+  return {
+    names: await page.locator("#search-results a .name").allTextContents(),
+    pages: await page.locator("#search-results a").evaluateAll((all) => all.map((a) => a.getAttribute("href"))),
+    abouts: await page.locator("#search-results a").allTextContents(),
+    note: (await page.locator("#search-results .nothing").allTextContents()).join(),
+  };
+}
+
+test("search finds guides, units, synonyms and near spellings; twins are one entry", async () => {
+  const page = await browser.newPage({ reducedMotion: "reduce" });
+  await visit(page, "index.html");
+  await page.keyboard.press("/");
+
+  const guide = await search(page, "safety");
+  assert.equal(guide.names[0], "Safety");
+  assert.ok(guide.pages[0].endsWith("guides/safety.html"));
+  const section = await search(page, "lost line");
+  assert.ok(section.pages[0].includes("guides/safety.html#"), section.pages[0]);
+  const prose = await search(page, "pinch");
+  assert.ok(prose.pages[0].includes("guides/safety.html"), "a word in the text of a guide");
+
+  const { quantities, messages } = model();
+  const volts = await search(page, "volt");
+  assert.ok(quantities.some((q) => q.unit === "V" && q.name === volts.names[0]), volts.names[0]);
+  assert.ok(volts.pages.some((target) => target.includes("#field-")), "fields in volts, too");
+  assert.ok((await search(page, "deg/s")).pages.some((target) => target.includes("units/")));
+
+  const same = await search(page, "velocity");
+  assert.equal(same.note, "");
+  assert.ok(same.names.some((name) => /speed/i.test(name)), same.names.join());
+
+  for (const [query, meant, name] of [
+    ["accelerometr", "accelerometer", /./],
+    ["contorl", "control", /^Control$/],
+    ["gyroscpoe", "gyroscope", /./],
+  ]) {
+    const near = await search(page, query);
+    assert.match(near.note, new RegExp(`“${query}” is taken for “${meant}”`));
+    assert.match(near.names[0], name);
+  }
+  assert.equal((await search(page, "qqqqzzzz")).note, "Nothing found.");
+
+  const write = messages.find((m) => m.stores && m.command.includes("WRITE"));
+  for (const [query, first, other] of [
+    [write.stores, write.stores, write.name],
+    [write.name, write.name, write.stores],
+  ]) {
+    const twins = await search(page, query);
+    assert.equal(twins.names[0], first);
+    assert.ok(twins.abouts[0].includes(`with ${other}`), twins.abouts[0]);
+    assert.ok(!twins.names.slice(1).includes(other), "twins are one entry");
+  }
+  const field = await search(page, `${write.name} gyro_trust`);
+  assert.equal(field.names[0], `${write.stores}.gyro_trust`);
+  await page.close();
+});
+
+test("what moves has a badge that leads to what it does, and a link to the page about safety", async () => {
+  const page = await browser.newPage({ reducedMotion: "reduce" });
+  const moving = model().messages.filter((m) => m.effect?.does.includes("moves"));
+  assert.ok(moving.length > 5);
+  for (const { name } of moving.slice(0, 3)) {
+    await visit(page, "index.html");
+    await page.keyboard.press("/");
+    await search(page, name);
+    await page.locator("#search-results a").first().click();
+    await page.locator("h1 + p a.effect", { hasText: "moves" }).click();
+    await page.locator("#effect:target a[href*='guides/safety.html']").click();
+    assert.equal(await page.locator("h1").textContent(), "Safety");
+  }
+  await page.close();
+});
+
 test("the example of a message opens in the decoder", async () => {
   const page = await browser.newPage({ reducedMotion: "reduce" });
   for (const name of all.filter((file) => file.startsWith("messages/")).slice(0, 5)) {

@@ -31,11 +31,14 @@ from sbgcgen.model.bodies import (
     constants,
 )
 from sbgcgen.model.answers import Answer, AnswerCase, Echo, Growth, Reply, Result, Role
+from sbgcgen.model.effects import EFFECTS, Effect, EffectCase
 from sbgcgen.model.messages import Command, Family, Message, Settings, copy_field
 from sbgcgen.model.variables import Variable, VariableSetting
 from sbgcgen.model.protocol import Erratum, Framing, Layout, Line
+from sbgcgen.model.revisions import Addition, Revision
 
 __all__ = [
+    "Addition",
     "Alternative",
     "Announced",
     "Announcement",
@@ -48,7 +51,10 @@ __all__ = [
     "Constant",
     "Context",
     "Deprecation",
+    "EFFECTS",
     "Echo",
+    "Effect",
+    "EffectCase",
     "Enum",
     "EnumValue",
     "Erratum",
@@ -65,6 +71,7 @@ __all__ = [
     "Quantity",
     "Reply",
     "Result",
+    "Revision",
     "Role",
     "SCALARS",
     "Scalar",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from typing import Any
 from typing import Union
 
 from sbgcgen.diagnostics import NOWHERE, Position
@@ -138,7 +139,8 @@ class Field:
     "counted" (as the field `counter` says) or "rest" (to the end of the body). `offset` is from
     the start of the struct, None behind a variable part. `role` is what the field is among
     settings: "copy" (which of several copies they are), "general" (the same in all copies),
-    "state" (no setting), or "".
+    "state" (no setting), or "". `typical` is an ordinary value, in the shape that it has in JSON, None
+    if the spec names none.
     """
 
     name: str
@@ -167,6 +169,7 @@ class Field:
     summary: str
     errata: tuple[str, ...]
     role: str = ""
+    typical: Any = field(default=None, hash=False)
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
     @property

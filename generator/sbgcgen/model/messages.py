@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
 from sbgcgen.diagnostics import NOWHERE, Position
 from sbgcgen.model.answers import Answer, Role
 from sbgcgen.model.bodies import Context, Field, Leaf, Struct
+from sbgcgen.model.effects import Effect
 from sbgcgen.model.values import Availability, Deprecation
 from sbgcgen.names import snake_case
 
@@ -16,7 +18,9 @@ class Message:
     """One body layout of one command in one direction.
 
     `keeps_tail`: bytes behind the described ones are kept. `is_open`: any body of at least
-    `min_size` is taken for this message, of several forms the longest.
+    `min_size` is taken for this message, of several forms the longest. `example` has the values by
+    path in which the worked example is not typical; of what has the body of another message, on top
+    of that one's.
     """
 
     name: str
@@ -45,6 +49,8 @@ class Message:
     role: Role | None
     stores: str
     leaves: tuple[Leaf, ...]
+    effect: Effect | None = None
+    example: dict[str, Any] = field(default_factory=dict, hash=False)
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
     @property

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 from sbgcgen.diagnostics import NOWHERE, Position
 from sbgcgen.model.messages import Command, Family, Message, Settings
+from sbgcgen.model.revisions import Revision
 from sbgcgen.model.values import Enum, Packed, Quantity
 from sbgcgen.model.variables import Variable
 
@@ -54,7 +55,11 @@ class Line:
 
 @dataclass(frozen=True)
 class Layout:
-    """The whole protocol."""
+    """The whole protocol.
+
+    `timeout_errata` tell where the times for an answer come from; `guides` are files of docs/ by what
+    they are about; `synonyms` are groups of words for the same thing.
+    """
 
     protocol: dict[str, str]
     framing: Framing
@@ -67,6 +72,10 @@ class Layout:
     variables: tuple[Variable, ...]
     errata: tuple[Erratum, ...]
     indices: dict[str, tuple[str, ...]]
+    revisions: tuple[Revision, ...] = ()
+    timeout_errata: tuple[str, ...] = ()
+    guides: dict[str, str] = field(default_factory=dict)
+    synonyms: tuple[tuple[str, ...], ...] = ()
 
     @property
     def messages(self) -> tuple[Message, ...]:

@@ -158,8 +158,10 @@ struct Exchange {
   bool answer_required{};        ///< one of the answers comes, unless the request fails
   bool retry_is_safe{};          ///< sending it twice does no more than sending it once
   bool restarts_board{};         ///< the board restarts when it has carried it out
-  std::uint32_t timeout_ms{};    ///< for the answer or the first confirmation
-  std::uint32_t finish_ms{};     ///< for the last confirmation, from the request; 0: the same
+  /// For the answer or the first confirmation. The specification names no times: this and finish_ms
+  /// are assumptions.
+  std::uint32_t timeout_ms{};
+  std::uint32_t finish_ms{};  ///< for the last confirmation, from the request; 0: the same
   ConfirmationResult result{};
   StreamChange stream{};
 };

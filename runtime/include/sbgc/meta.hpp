@@ -8,6 +8,7 @@
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>
+#include <sbgc/flags.hpp>
 #include <sbgc/type_list.hpp>
 
 namespace sbgc {
@@ -104,6 +105,19 @@ struct FieldInfo {
   const AlternativeUnit* alternative{};
 };
 
+/// What a request does to the board. A request can have several effects, some of them only with
+/// certain values in its fields.
+enum class Effect : std::uint8_t {
+  reads = 0x01,     ///< it changes nothing
+  sets = 0x02,      ///< what it changes is lost when the board restarts
+  stores = 0x04,    ///< what it changes lasts
+  moves = 0x08,     ///< the camera can move, or the motors gain or lose power
+  restarts = 0x10,  ///< the board, whose motors have no power until it is up again
+  erases = 0x20,    ///< what is stored
+  unknown = 0x40,   ///< the specification only names the command
+};
+using Effects = Flags<Effect>;
+
 /// One body layout of a command.
 struct MessageInfo {
   const char* name = "";
@@ -117,6 +131,7 @@ struct MessageInfo {
   /// Names of the messages that answer it; what else is known of that, exchange_of() knows.
   std::span<const char* const> answers{};
   const char* stores = "";  ///< the message whose settings it writes, or ""
+  Effects effects{};        ///< none of a message from the board
 };
 
 /// The number of elements of a list, where the protocol has a field for it. It is not stored in

@@ -466,6 +466,7 @@ template <class Self>
 class Calls {
  public:
   /// Ask for the version of board and firmware.
+  /// Effect: reads.
   template <class M = BoardInfoRequest>
   Result<detail::CallAnswer<M>> board_info(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -473,6 +474,7 @@ class Calls {
   }
 
   /// Ask for the version of board and firmware, and configure this serial port.
+  /// Effect: sets.
   template <class M = BoardInfoRequestExt>
   Result<detail::CallAnswer<M>> board_info_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -480,6 +482,7 @@ class Calls {
   }
 
   /// Ask for serial numbers, memory and scripts of the board.
+  /// Effect: reads.
   /// Since board 3.0.
   template <class M = BoardInfo3Request>
   Result<detail::CallAnswer<M>> board_info_3(
@@ -488,6 +491,7 @@ class Calls {
   }
 
   /// Restart at once and without notice.
+  /// Effect: restarts.
   template <class M = ResetRequest>
   Result<detail::CallAnswer<M>> reset(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -495,6 +499,7 @@ class Calls {
   }
 
   /// Restart after a while, with notice if that is asked for.
+  /// Effect: restarts.
   template <class M = ResetRequestExt>
   Result<detail::CallAnswer<M>> reset_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -502,6 +507,7 @@ class Calls {
   }
 
   /// Enter the bootloader at once and without notice.
+  /// Effect: restarts.
   /// Since board 3.0.
   template <class M = BootMode3>
   Result<detail::CallAnswer<M>> boot_mode_3(
@@ -510,6 +516,7 @@ class Calls {
   }
 
   /// Enter the bootloader after a while, with notice if that is asked for.
+  /// Effect: restarts.
   /// Since board 3.0.
   template <class M = BootMode3Ext>
   Result<detail::CallAnswer<M>> boot_mode_3_ext(
@@ -518,6 +525,7 @@ class Calls {
   }
 
   /// Body to the board, not documented.
+  /// Effect: unknown.
   /// Since board 3.0.
   template <class M = QueueParamsInfo3Request>
   Result<detail::CallAnswer<M>> queue_params_info_3(
@@ -526,6 +534,7 @@ class Calls {
   }
 
   /// Body to the board, not documented.
+  /// Effect: unknown.
   /// Since board 3.0.
   template <class M = SystemStateRequest>
   Result<detail::CallAnswer<M>> system_state(
@@ -534,6 +543,7 @@ class Calls {
   }
 
   /// Body to the board, not documented.
+  /// Effect: unknown.
   /// Since board 3.0.
   template <class M = MavlinkInfoRequest>
   Result<detail::CallAnswer<M>> mavlink_info(
@@ -542,6 +552,7 @@ class Calls {
   }
 
   /// Body to the board, not documented.
+  /// Effect: unknown.
   /// Since board 3.0.
   template <class M = MavlinkDebugRequest>
   Result<detail::CallAnswer<M>> mavlink_debug(
@@ -550,6 +561,7 @@ class Calls {
   }
 
   /// Ask for the settings of one profile.
+  /// Effect: reads.
   /// Since board 3.0.
   template <class M = ReadParams3Request>
   Result<detail::CallAnswer<M>> read_params_3(
@@ -558,6 +570,7 @@ class Calls {
   }
 
   /// Store the settings of one profile and the general ones.
+  /// Effect: stores.
   /// Since board 3.0.
   template <class M = WriteParams3>
   Result<detail::CallAnswer<M>> write_params_3(
@@ -566,6 +579,7 @@ class Calls {
   }
 
   /// Ask for the settings of one profile, with the older id.
+  /// Effect: reads.
   template <class M = ReadParams>
   Result<detail::CallAnswer<M>> read_params(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -573,6 +587,7 @@ class Calls {
   }
 
   /// Store the settings of one profile and the general ones, with the older id.
+  /// Effect: stores.
   template <class M = WriteParams>
   Result<detail::CallAnswer<M>> write_params(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -580,6 +595,7 @@ class Calls {
   }
 
   /// Ask for further settings of one profile.
+  /// Effect: reads.
   /// Since board 3.0.
   template <class M = ReadParamsExtRequest>
   Result<detail::CallAnswer<M>> read_params_ext(
@@ -588,6 +604,7 @@ class Calls {
   }
 
   /// Store further settings of one profile.
+  /// Effect: stores.
   /// Since board 3.0.
   template <class M = WriteParamsExt>
   Result<detail::CallAnswer<M>> write_params_ext(
@@ -596,6 +613,7 @@ class Calls {
   }
 
   /// Ask for still further settings of one profile.
+  /// Effect: reads.
   /// Since board 3.0.
   template <class M = ReadParamsExt2Request>
   Result<detail::CallAnswer<M>> read_params_ext2(
@@ -604,6 +622,7 @@ class Calls {
   }
 
   /// Store still further settings of one profile.
+  /// Effect: stores.
   /// Since board 3.0.
   template <class M = WriteParamsExt2>
   Result<detail::CallAnswer<M>> write_params_ext2(
@@ -612,6 +631,7 @@ class Calls {
   }
 
   /// Ask for the names of the profiles.
+  /// Effect: reads.
   /// Since board 3.0.
   template <class M = ReadProfileNamesRequest>
   Result<detail::CallAnswer<M>> read_profile_names(
@@ -620,6 +640,7 @@ class Calls {
   }
 
   /// Store the names of the profiles.
+  /// Effect: stores.
   /// Since board 3.0.
   template <class M = WriteProfileNames>
   Result<detail::CallAnswer<M>> write_profile_names(
@@ -629,6 +650,7 @@ class Calls {
 
   /// Save the settings that are in use, with all changes to adjustable variables, to the active
   /// profile.
+  /// Effect: stores.
   /// Since board 3.0.
   template <class M = SaveParams3>
   Result<detail::CallAnswer<M>> save_params_3(
@@ -637,6 +659,7 @@ class Calls {
   }
 
   /// Return to the factory settings.
+  /// Effect: erases.
   template <class M = UseDefaults>
   Result<detail::CallAnswer<M>> use_defaults(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -644,6 +667,7 @@ class Calls {
   }
 
   /// Ask for live data, with the older id.
+  /// Effect: reads.
   template <class M = RealtimeData>
   Result<detail::CallAnswer<M>> realtime_data(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -651,6 +675,7 @@ class Calls {
   }
 
   /// Ask for live data.
+  /// Effect: reads.
   /// Since board 3.0.
   template <class M = RealtimeData3Request>
   Result<detail::CallAnswer<M>> realtime_data_3(
@@ -659,6 +684,7 @@ class Calls {
   }
 
   /// Ask for the longer live data.
+  /// Effect: reads.
   /// Since board 3.0.
   template <class M = RealtimeData4Request>
   Result<detail::CallAnswer<M>> realtime_data_4(
@@ -667,6 +693,7 @@ class Calls {
   }
 
   /// Ask for live data of the blocks that FLAGS names.
+  /// Effect: reads.
   /// Since firmware 2.59, board 3.0.
   template <class M = RealtimeDataCustomRequest>
   Result<detail::CallAnswer<M>> realtime_data_custom(
@@ -675,6 +702,7 @@ class Calls {
   }
 
   /// Start, change or end a data stream: messages that the board sends at a fixed rate, unasked.
+  /// Effect: sets.
   /// Since firmware 2.59, board 3.0.
   template <class M = DataStreamInterval>
   Result<detail::CallAnswer<M>> data_stream_interval(
@@ -683,6 +711,7 @@ class Calls {
   }
 
   /// Move the camera, one mode for all axes.
+  /// Effect: moves.
   template <class M = Control>
   Result<detail::CallAnswer<M>> control(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -690,6 +719,7 @@ class Calls {
   }
 
   /// Move the camera, with a mode for each axis.
+  /// Effect: moves.
   /// Since firmware 2.55b5.
   template <class M = ControlExt>
   Result<detail::CallAnswer<M>> control_ext(
@@ -698,6 +728,7 @@ class Calls {
   }
 
   /// Ask for the angles and targets of the camera.
+  /// Effect: reads.
   template <class M = GetAnglesRequest>
   Result<detail::CallAnswer<M>> get_angles(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -705,6 +736,7 @@ class Calls {
   }
 
   /// Ask for angles, targets and joint angles.
+  /// Effect: reads.
   /// Since board 3.0.
   template <class M = GetAnglesExtRequest>
   Result<detail::CallAnswer<M>> get_angles_ext(
@@ -713,6 +745,7 @@ class Calls {
   }
 
   /// Turn the motors on.
+  /// Effect: moves.
   template <class M = MotorsOn>
   Result<detail::CallAnswer<M>> motors_on(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -720,6 +753,7 @@ class Calls {
   }
 
   /// Turn the motors off.
+  /// Effect: moves.
   template <class M = MotorsOff>
   Result<detail::CallAnswer<M>> motors_off(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -727,6 +761,7 @@ class Calls {
   }
 
   /// Turn the motors off, in a way that later firmware lets the host choose.
+  /// Effect: moves.
   template <class M = MotorsOffExt>
   Result<detail::CallAnswer<M>> motors_off_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -734,6 +769,7 @@ class Calls {
   }
 
   /// Carry out an action of the menu.
+  /// Effect: sets, stores, moves, restarts.
   template <class M = ExecuteMenu>
   Result<detail::CallAnswer<M>> execute_menu(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -741,6 +777,7 @@ class Calls {
   }
 
   /// Carry out an action of the menu, with a parameter that later firmware takes.
+  /// Effect: sets, stores, moves, restarts.
   template <class M = ExecuteMenuExt>
   Result<detail::CallAnswer<M>> execute_menu_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -748,6 +785,7 @@ class Calls {
   }
 
   /// Tell the board how the frame accelerates and leans.
+  /// Effect: moves.
   template <class M = HelperData>
   Result<detail::CallAnswer<M>> helper_data(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -755,6 +793,7 @@ class Calls {
   }
 
   /// Tell the board how the frame accelerates, leans and turns.
+  /// Effect: moves.
   /// Since firmware 2.59.
   template <class M = HelperDataExt>
   Result<detail::CallAnswer<M>> helper_data_ext(
@@ -763,6 +802,7 @@ class Calls {
   }
 
   /// Calibrate the accelerometer of the active IMU.
+  /// Effect: stores.
   template <class M = CalibAcc>
   Result<detail::CallAnswer<M>> calib_acc(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -770,6 +810,7 @@ class Calls {
   }
 
   /// Calibrate the accelerometer of an IMU, or manage its calibrations.
+  /// Effect: stores, restarts, erases.
   template <class M = CalibAccExt>
   Result<detail::CallAnswer<M>> calib_acc_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -777,6 +818,7 @@ class Calls {
   }
 
   /// Calibrate the gyroscope of the active IMU.
+  /// Effect: stores.
   template <class M = CalibGyro>
   Result<detail::CallAnswer<M>> calib_gyro(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -784,6 +826,7 @@ class Calls {
   }
 
   /// Calibrate the gyroscope of an IMU, or manage its calibrations.
+  /// Effect: stores, restarts, erases.
   template <class M = CalibGyroExt>
   Result<detail::CallAnswer<M>> calib_gyro_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -791,6 +834,7 @@ class Calls {
   }
 
   /// Calibrate the magnetometer.
+  /// Effect: stores.
   /// Since board 3.0.
   template <class M = CalibMag>
   Result<detail::CallAnswer<M>> calib_mag(
@@ -799,6 +843,7 @@ class Calls {
   }
 
   /// Calibrate the gains of the signals from a flight controller.
+  /// Effect: stores, moves.
   template <class M = CalibExtGain>
   Result<detail::CallAnswer<M>> calib_ext_gain(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -806,6 +851,7 @@ class Calls {
   }
 
   /// Find out poles and direction of the motors.
+  /// Effect: stores, moves.
   template <class M = CalibPoles>
   Result<detail::CallAnswer<M>> calib_poles(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -813,6 +859,7 @@ class Calls {
   }
 
   /// Calibrate the offset of the follow mode.
+  /// Effect: stores.
   template <class M = CalibOffset>
   Result<detail::CallAnswer<M>> calib_offset(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -820,6 +867,7 @@ class Calls {
   }
 
   /// Calibrate the measurement of the battery voltage.
+  /// Effect: stores.
   template <class M = CalibBat>
   Result<detail::CallAnswer<M>> calib_bat(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -827,6 +875,7 @@ class Calls {
   }
 
   /// Ask for what to show while sensors are calibrated.
+  /// Effect: reads.
   /// Since board 3.0.
   template <class M = CalibInfoRequest>
   Result<detail::CallAnswer<M>> calib_info(
@@ -835,6 +884,7 @@ class Calls {
   }
 
   /// Body to the board, not documented.
+  /// Effect: unknown.
   /// Since board 3.0.
   template <class M = CalibMotorMagLinkRequest>
   Result<detail::CallAnswer<M>> calib_motor_mag_link(
@@ -843,6 +893,7 @@ class Calls {
   }
 
   /// Calibrate the offsets of the encoders.
+  /// Effect: stores.
   /// Since board 3.0.
   template <class M = EncodersCalibOffset4>
   Result<detail::CallAnswer<M>> encoders_calib_offset_4(
@@ -851,6 +902,7 @@ class Calls {
   }
 
   /// Calibrate the offsets between encoders and the motors' magnetic fields.
+  /// Effect: stores, moves.
   /// Since board 3.0.
   template <class M = EncodersCalibFldOffset4>
   Result<detail::CallAnswer<M>> encoders_calib_fld_offset_4(
@@ -859,6 +911,7 @@ class Calls {
   }
 
   /// Start or stop the automatic tuning.
+  /// Effect: stores, moves.
   /// Since board 3.0.
   template <class M = AutoPidRequest>
   Result<detail::CallAnswer<M>> auto_pid(
@@ -867,6 +920,7 @@ class Calls {
   }
 
   /// Choose the IMU that is configured and calibrated.
+  /// Effect: sets.
   /// Since board 3.0.
   template <class M = SelectImu3>
   Result<detail::CallAnswer<M>> select_imu_3(
@@ -875,6 +929,7 @@ class Calls {
   }
 
   /// Choose an IMU, with parameters that later firmware takes.
+  /// Effect: sets.
   /// Since board 3.0.
   template <class M = SelectImu3Ext>
   Result<detail::CallAnswer<M>> select_imu_3_ext(
@@ -883,6 +938,7 @@ class Calls {
   }
 
   /// Ask for the attitude of an IMU.
+  /// Effect: reads.
   /// Since board 3.0.
   template <class M = AhrsHelperRequest>
   Result<detail::CallAnswer<M>> ahrs_helper(
@@ -891,6 +947,7 @@ class Calls {
   }
 
   /// Ask for the attitude of an IMU or set it.
+  /// Effect: moves.
   /// Since board 3.0.
   template <class M = AhrsHelperRequestExt>
   Result<detail::CallAnswer<M>> ahrs_helper_ext(
@@ -899,6 +956,7 @@ class Calls {
   }
 
   /// Correct the zero of a gyroscope by hand.
+  /// Effect: sets.
   /// Since board 3.0.
   template <class M = GyroCorrection>
   Result<detail::CallAnswer<M>> gyro_correction(
@@ -907,6 +965,7 @@ class Calls {
   }
 
   /// Play a melody through the motors, or one of the standard sounds.
+  /// Effect: sets.
   /// Since firmware 2.59, board 3.0.
   template <class M = BeepSound>
   Result<detail::CallAnswer<M>> beep_sound(
@@ -915,6 +974,7 @@ class Calls {
   }
 
   /// Switch an output pin.
+  /// Effect: sets.
   template <class M = TriggerPin>
   Result<detail::CallAnswer<M>> trigger_pin(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -922,6 +982,7 @@ class Calls {
   }
 
   /// Send PWM signals to servos.
+  /// Effect: moves.
   /// Since board 3.0.
   template <class M = ServoOut>
   Result<detail::CallAnswer<M>> servo_out(
@@ -930,6 +991,7 @@ class Calls {
   }
 
   /// Write to a device on an I2C bus.
+  /// Effect: sets, stores.
   /// Since board 3.0.
   template <class M = I2cWriteRegBuf>
   Result<detail::CallAnswer<M>> i2c_write_reg_buf(
@@ -938,6 +1000,7 @@ class Calls {
   }
 
   /// Read from a device on an I2C bus.
+  /// Effect: reads.
   /// Since board 3.0.
   template <class M = I2cReadRegBufRequest>
   Result<detail::CallAnswer<M>> i2c_read_reg_buf(
@@ -946,6 +1009,7 @@ class Calls {
   }
 
   /// Set the virtual RC channels that the host provides; they can control the camera and more.
+  /// Effect: moves.
   /// Since board 3.0.
   template <class M = ApiVirtChControl>
   Result<detail::CallAnswer<M>> api_virt_ch_control(
@@ -954,6 +1018,7 @@ class Calls {
   }
 
   /// Set adjustable variables; they are lost at the next start unless CMD_SAVE_PARAMS_3 follows.
+  /// Effect: sets.
   /// Since board 3.0.
   template <class M = SetAdjVarsVal>
   Result<detail::CallAnswer<M>> set_adj_vars_val(
@@ -962,6 +1027,7 @@ class Calls {
   }
 
   /// Ask for the values of adjustable variables.
+  /// Effect: reads.
   /// Since board 3.0.
   template <class M = GetAdjVarsVal>
   Result<detail::CallAnswer<M>> get_adj_vars_val(
@@ -970,6 +1036,7 @@ class Calls {
   }
 
   /// Ask which RC signals start actions and which ones change adjustable variables.
+  /// Effect: reads.
   /// Since board 3.0.
   template <class M = ReadAdjVarsCfgRequest>
   Result<detail::CallAnswer<M>> read_adj_vars_cfg(
@@ -978,6 +1045,7 @@ class Calls {
   }
 
   /// Store which RC signals start actions and which ones change adjustable variables.
+  /// Effect: stores.
   /// Since board 3.0.
   template <class M = WriteAdjVarsCfg>
   Result<detail::CallAnswer<M>> write_adj_vars_cfg(
@@ -986,6 +1054,7 @@ class Calls {
   }
 
   /// Ask what one trigger slot and one analog slot do.
+  /// Effect: reads.
   /// Since board 3.0.
   template <class M = AdjVarsStateRequest>
   Result<detail::CallAnswer<M>> adj_vars_state(
@@ -994,6 +1063,7 @@ class Calls {
   }
 
   /// Ask for the state of adjustable variables, as later firmware does it.
+  /// Effect: reads.
   /// Since firmware 2.62b5.
   template <class M = AdjVarsStateRequestExt>
   Result<detail::CallAnswer<M>> adj_vars_state_ext(
@@ -1002,6 +1072,7 @@ class Calls {
   }
 
   /// Write a block to the EEPROM.
+  /// Effect: stores.
   /// Since board 3.0.
   template <class M = EepromWrite>
   Result<detail::CallAnswer<M>> eeprom_write(
@@ -1010,6 +1081,7 @@ class Calls {
   }
 
   /// Read part of a file.
+  /// Effect: reads.
   /// Since board 3.0.
   template <class M = ReadFileRequest>
   Result<detail::CallAnswer<M>> read_file(
@@ -1018,6 +1090,7 @@ class Calls {
   }
 
   /// Write part of a file; without data the file is deleted.
+  /// Effect: stores, erases.
   /// Since board 3.0.
   template <class M = WriteFile>
   Result<detail::CallAnswer<M>> write_file(
@@ -1026,6 +1099,7 @@ class Calls {
   }
 
   /// Delete all files.
+  /// Effect: erases.
   /// Since board 3.0.
   template <class M = FsClearAll>
   Result<detail::CallAnswer<M>> fs_clear_all(
@@ -1034,6 +1108,7 @@ class Calls {
   }
 
   /// Read a block of the EEPROM.
+  /// Effect: reads.
   /// Since board 3.0.
   template <class M = EepromReadRequest>
   Result<detail::CallAnswer<M>> eeprom_read(
@@ -1042,6 +1117,7 @@ class Calls {
   }
 
   /// Ask for the data of the user in the EEPROM.
+  /// Effect: reads.
   /// Since board 3.0.
   template <class M = ReadExternalDataRequest>
   Result<detail::CallAnswer<M>> read_external_data(
@@ -1050,6 +1126,7 @@ class Calls {
   }
 
   /// Store data of the user in the EEPROM.
+  /// Effect: stores.
   /// Since board 3.0.
   template <class M = WriteExternalData>
   Result<detail::CallAnswer<M>> write_external_data(
@@ -1058,6 +1135,7 @@ class Calls {
   }
 
   /// Start or stop a script.
+  /// Effect: moves.
   /// Since board 3.0.
   template <class M = RunScript>
   Result<detail::CallAnswer<M>> run_script(
@@ -1066,6 +1144,7 @@ class Calls {
   }
 
   /// Ask for names and types of the debug variables.
+  /// Effect: reads.
   /// Since board 3.0.
   template <class M = DebugVarsInfo3Request>
   Result<detail::CallAnswer<M>> debug_vars_info_3(
@@ -1074,6 +1153,7 @@ class Calls {
   }
 
   /// Ask for the values of the debug variables.
+  /// Effect: reads.
   /// Since board 3.0.
   template <class M = DebugVars3Request>
   Result<detail::CallAnswer<M>> debug_vars_3(

@@ -22,6 +22,7 @@ constexpr Exchange exchange_of(const Control&) noexcept {
   return {.replies = {.command = 67,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .retry_is_safe = true,
       .timeout_ms = 500};
 }
 
@@ -34,6 +35,7 @@ constexpr Exchange exchange_of(const ControlExt&) noexcept {
   return {.replies = {.command = 67,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
+      .retry_is_safe = true,
       .timeout_ms = 500};
 }
 

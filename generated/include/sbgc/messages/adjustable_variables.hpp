@@ -110,6 +110,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 ///
 /// CMD_SET_ADJ_VARS_VAL (31), in both directions; 1 to 201 bytes, and later firmware may append
 /// more.
+/// Effect: sets.
 /// Since board 3.0.
 /// Source: Incoming commands L505-L507.
 struct SetAdjVarsVal {
@@ -149,6 +150,7 @@ struct SetAdjVarsVal {
 /// Ask for the values of adjustable variables.
 ///
 /// CMD_GET_ADJ_VARS_VAL (64), to the board; 1 to 41 bytes.
+/// Effect: reads.
 /// Since board 3.0.
 /// Source: Outgoing commands L793-L802; Variables L1174-L1176. Errata: E090.
 struct GetAdjVarsVal {
@@ -260,6 +262,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Ask which RC signals start actions and which ones change adjustable variables.
 ///
 /// CMD_READ_ADJ_VARS_CFG (43), to the board; 0 bytes.
+/// Effect: reads.
 /// Since board 3.0.
 /// Source: Outgoing commands L867-L869.
 struct ReadAdjVarsCfgRequest {
@@ -355,6 +358,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Ask what one trigger slot and one analog slot do.
 ///
 /// CMD_ADJ_VARS_STATE (46), to the board, simple form; 2 bytes.
+/// Effect: reads.
 /// Since board 3.0.
 /// Source: Outgoing commands L997-L1000.
 struct AdjVarsStateRequest {
@@ -401,6 +405,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Ask for the state of adjustable variables, as later firmware does it.
 ///
 /// CMD_ADJ_VARS_STATE (46), to the board, extended form; 7 bytes.
+/// Effect: reads.
 /// Since firmware 2.62b5.
 /// Source: Outgoing commands L997-L1000. Errata: E208.
 struct AdjVarsStateRequestExt {
@@ -443,6 +448,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Store which RC signals start actions and which ones change adjustable variables.
 ///
 /// CMD_WRITE_ADJ_VARS_CFG (44), to the board; 128 bytes, and later firmware may append more.
+/// Effect: stores.
 /// Since board 3.0.
 /// Source: Outgoing commands L871-L875.
 struct WriteAdjVarsCfg : ReadAdjVarsCfg {

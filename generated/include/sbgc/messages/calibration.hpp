@@ -44,6 +44,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// not at all if a parameter is wrong.
 ///
 /// CMD_CALIB_ACC (65), to the board, simple form; 0 bytes.
+/// Effect: stores.
 /// Source: Outgoing commands L621-L640. Errata: E091, E102, E121.
 struct CalibAcc {
   static constexpr CommandId command = CommandId::calib_acc;
@@ -74,6 +75,7 @@ struct CalibAcc {
 /// once more at the end; not at all if a parameter is wrong.
 ///
 /// CMD_CALIB_ACC (65), to the board, extended form; 12 bytes.
+/// Effect: stores, restarts, erases.
 /// Source: Outgoing commands L621-L640. Errata: E091, E102, E121.
 struct CalibAccExt {
   static constexpr CommandId command = CommandId::calib_acc;
@@ -144,6 +146,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// at all if a parameter is wrong.
 ///
 /// CMD_CALIB_GYRO (103), to the board, simple form; 0 bytes.
+/// Effect: stores.
 /// Source: Outgoing commands L621-L640. Errata: E091, E102, E121.
 struct CalibGyro {
   static constexpr CommandId command = CommandId::calib_gyro;
@@ -174,6 +177,7 @@ struct CalibGyro {
 /// more at the end; not at all if a parameter is wrong.
 ///
 /// CMD_CALIB_GYRO (103), to the board, extended form; 12 bytes.
+/// Effect: stores, restarts, erases.
 /// Source: Outgoing commands L621-L640. Errata: E091, E102, E121.
 struct CalibGyroExt {
   static constexpr CommandId command = CommandId::calib_gyro;
@@ -243,6 +247,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Calibrate the magnetometer.
 ///
 /// CMD_CALIB_MAG (59), to the board; 0 bytes.
+/// Effect: stores.
 /// Since board 3.0.
 /// Source: Outgoing commands L940-L944. Errata: E094.
 struct CalibMag {
@@ -273,7 +278,8 @@ struct CalibMag {
 /// Calibrate the gains of the signals from a flight controller.
 ///
 /// CMD_CALIB_EXT_GAIN (71), to the board; 0 bytes.
-/// Source: Outgoing commands L642.
+/// Effect: stores, moves.
+/// Source: Outgoing commands L642. Errata: E141.
 struct CalibExtGain {
   static constexpr CommandId command = CommandId::calib_ext_gain;
   static constexpr Direction direction = Direction::to_board;
@@ -302,7 +308,8 @@ struct CalibExtGain {
 /// Find out poles and direction of the motors.
 ///
 /// CMD_CALIB_POLES (80), to the board; 0 bytes.
-/// Source: Outgoing commands L650.
+/// Effect: stores, moves.
+/// Source: Outgoing commands L650. Errata: E141.
 struct CalibPoles {
   static constexpr CommandId command = CommandId::calib_poles;
   static constexpr Direction direction = Direction::to_board;
@@ -331,6 +338,7 @@ struct CalibPoles {
 /// Calibrate the offset of the follow mode.
 ///
 /// CMD_CALIB_OFFSET (79), to the board; 0 bytes.
+/// Effect: stores.
 /// Source: Outgoing commands L688.
 struct CalibOffset {
   static constexpr CommandId command = CommandId::calib_offset;
@@ -360,6 +368,7 @@ struct CalibOffset {
 /// Calibrate the measurement of the battery voltage.
 ///
 /// CMD_CALIB_BAT (66), to the board; 2 bytes.
+/// Effect: stores.
 /// Source: Outgoing commands L690-L692.
 struct CalibBat {
   static constexpr CommandId command = CommandId::calib_bat;
@@ -534,6 +543,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Ask for what to show while sensors are calibrated.
 ///
 /// CMD_CALIB_INFO (49), to the board; 12 bytes.
+/// Effect: reads.
 /// Since board 3.0.
 /// Source: Outgoing commands L891-L896.
 struct CalibInfoRequest {
@@ -613,6 +623,7 @@ struct CalibMotorMagLink {
 /// Body to the board, not documented.
 ///
 /// CMD_CALIB_MOTOR_MAG_LINK (74), to the board; 0 to 255 bytes.
+/// Effect: unknown.
 /// Since board 3.0.
 /// Source: Command ID definitions L142.
 struct CalibMotorMagLinkRequest {
@@ -646,6 +657,7 @@ struct CalibMotorMagLinkRequest {
 /// Calibrate the offsets of the encoders.
 ///
 /// CMD_ENCODERS_CALIB_OFFSET_4 (26), to the board; 0 bytes.
+/// Effect: stores.
 /// Since board 3.0.
 /// Source: Outgoing commands L993.
 struct EncodersCalibOffset4 {
@@ -676,6 +688,7 @@ struct EncodersCalibOffset4 {
 /// Calibrate the offsets between encoders and the motors' magnetic fields.
 ///
 /// CMD_ENCODERS_CALIB_FLD_OFFSET_4 (27), to the board; 0 bytes.
+/// Effect: stores, moves.
 /// Since board 3.0.
 /// Source: Outgoing commands L995.
 struct EncodersCalibFldOffset4 {
@@ -777,6 +790,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// again and again while it tunes.
 ///
 /// CMD_AUTO_PID (35), to the board; 19 bytes.
+/// Effect: stores, moves.
 /// Since board 3.0.
 /// Source: Outgoing commands L806-L811; Variables L1177-L1182.
 struct AutoPidRequest {

@@ -131,9 +131,11 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 }
 
 /// Move the camera, one mode for all axes. Overrides RC until a command with MODE_NO_CONTROL and
-/// zeros is sent. At most 50 a second. A board keeps the last speed when the link is lost.
+/// zeros is sent. At most 50 a second. A board keeps the last speed when the link is lost. It tells
+/// a target or a speed, never a step, so the same one may be sent again; the last one counts.
 ///
 /// CMD_CONTROL (67), to the board, simple form; 13 bytes.
+/// Effect: moves.
 /// Source: Outgoing commands L694-L715; Variables L1147-L1152. Errata: E021, E025, E212.
 struct Control {
   static constexpr CommandId command = CommandId::control;
@@ -177,9 +179,11 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 }
 
 /// Move the camera, with a mode for each axis. Overrides RC until a command with MODE_NO_CONTROL
-/// and zeros is sent. At most 50 a second. A board keeps the last speed when the link is lost.
+/// and zeros is sent. At most 50 a second. A board keeps the last speed when the link is lost. It
+/// tells a target or a speed, never a step, so the same one may be sent again; the last one counts.
 ///
 /// CMD_CONTROL (67), to the board, extended form; 15 bytes.
+/// Effect: moves.
 /// Since firmware 2.55b5.
 /// Source: Outgoing commands L694-L715; Variables L1147-L1152. Errata: E021, E025, E212.
 struct ControlExt {
@@ -271,6 +275,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Ask for the angles and targets of the camera.
 ///
 /// CMD_GET_ANGLES (73), to the board; 0 bytes.
+/// Effect: reads.
 /// Source: Outgoing commands L753-L755.
 struct GetAnglesRequest {
   static constexpr CommandId command = CommandId::get_angles;
@@ -346,6 +351,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Ask for angles, targets and joint angles.
 ///
 /// CMD_GET_ANGLES_EXT (61), to the board; 0 bytes.
+/// Effect: reads.
 /// Since board 3.0.
 /// Source: Outgoing commands L753-L755.
 struct GetAnglesExtRequest {
@@ -376,6 +382,7 @@ struct GetAnglesExtRequest {
 /// Turn the motors on.
 ///
 /// CMD_MOTORS_ON (77), to the board; 0 bytes.
+/// Effect: moves.
 /// Source: Outgoing commands L724-L726.
 struct MotorsOn {
   static constexpr CommandId command = CommandId::motors_on;
@@ -405,6 +412,7 @@ struct MotorsOn {
 /// Turn the motors off.
 ///
 /// CMD_MOTORS_OFF (109), to the board, simple form; 0 bytes.
+/// Effect: moves.
 /// Source: Outgoing commands L728-L730.
 struct MotorsOff {
   static constexpr CommandId command = CommandId::motors_off;
@@ -434,6 +442,7 @@ struct MotorsOff {
 /// Turn the motors off, in a way that later firmware lets the host choose.
 ///
 /// CMD_MOTORS_OFF (109), to the board, extended form; 1 bytes.
+/// Effect: moves.
 /// Source: Outgoing commands L728-L730. Errata: E205.
 struct MotorsOffExt {
   static constexpr CommandId command = CommandId::motors_off;
@@ -475,6 +484,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Carry out an action of the menu.
 ///
 /// CMD_EXECUTE_MENU (69), to the board, simple form; 1 bytes.
+/// Effect: sets, stores, moves, restarts.
 /// Source: Outgoing commands L732-L734; Variables L1166-L1167.
 struct ExecuteMenu {
   static constexpr CommandId command = CommandId::execute_menu;
@@ -516,6 +526,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Carry out an action of the menu, with a parameter that later firmware takes.
 ///
 /// CMD_EXECUTE_MENU (69), to the board, extended form; 2 bytes.
+/// Effect: sets, stores, moves, restarts.
 /// Source: Outgoing commands L732-L734; Variables L1166-L1167. Errata: E207.
 struct ExecuteMenuExt {
   static constexpr CommandId command = CommandId::execute_menu;
@@ -561,6 +572,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Tell the board how the frame accelerates and leans.
 ///
 /// CMD_HELPER_DATA (72), to the board, simple form; 10 bytes.
+/// Effect: moves.
 /// Source: Outgoing commands L736-L751; Variables L1247-L1251. Errata: E025, E091.
 struct HelperData {
   static constexpr CommandId command = CommandId::helper_data;
@@ -633,6 +645,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Tell the board how the frame accelerates, leans and turns.
 ///
 /// CMD_HELPER_DATA (72), to the board, extended form; 20 bytes.
+/// Effect: moves.
 /// Since firmware 2.59.
 /// Source: Outgoing commands L736-L751; Variables L1247-L1251. Errata: E025, E091.
 struct HelperDataExt {

@@ -82,6 +82,7 @@ struct DebugVarsInfo3 {
 /// Ask for names and types of the debug variables.
 ///
 /// CMD_DEBUG_VARS_INFO_3 (253), to the board; 0 bytes.
+/// Effect: reads.
 /// Since board 3.0.
 /// Source: Outgoing commands L847.
 struct DebugVarsInfo3Request {
@@ -157,6 +158,7 @@ struct DebugVars3 {
 /// Ask for the values of the debug variables.
 ///
 /// CMD_DEBUG_VARS_3 (254), to the board; 0 bytes.
+/// Effect: reads.
 /// Since board 3.0.
 /// Source: Outgoing commands L849.
 struct DebugVars3Request {

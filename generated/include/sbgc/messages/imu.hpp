@@ -20,6 +20,7 @@ static_assert(codec_version == 1, "generated code and runtime do not belong toge
 /// Choose the IMU that is configured and calibrated.
 ///
 /// CMD_SELECT_IMU_3 (24), to the board, simple form; 1 bytes.
+/// Effect: sets.
 /// Since board 3.0.
 /// Source: Outgoing commands L757-L759; Variables L1168-L1169.
 struct SelectImu3 {
@@ -62,6 +63,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Choose an IMU, with parameters that later firmware takes.
 ///
 /// CMD_SELECT_IMU_3 (24), to the board, extended form; 2 to 12 bytes.
+/// Effect: sets.
 /// Since board 3.0.
 /// Source: Outgoing commands L757-L759; Variables L1168-L1169. Errata: E206.
 struct SelectImu3Ext {
@@ -168,6 +170,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// corrects that of the camera; 15 corrects both. Z1_ONLY and H1_ONLY may be added to any of these.
 ///
 /// CMD_AHRS_HELPER (56), to the board, simple form; 1 bytes.
+/// Effect: reads.
 /// Since board 3.0.
 /// Source: Outgoing commands L946-L953; Variables L1192-L1197. Errata: E023.
 struct AhrsHelperRequest {
@@ -215,6 +218,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// these.
 ///
 /// CMD_AHRS_HELPER (56), to the board, extended form; 25 to 26 bytes.
+/// Effect: moves.
 /// Since board 3.0.
 /// Source: Outgoing commands L946-L953; Variables L1192-L1197. Errata: E023, E122.
 struct AhrsHelperRequestExt {
@@ -271,6 +275,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Correct the zero of a gyroscope by hand.
 ///
 /// CMD_GYRO_CORRECTION (75), to the board; 9 bytes.
+/// Effect: sets.
 /// Since board 3.0.
 /// Source: Outgoing commands L955-L961; Variables L1198-L1201.
 struct GyroCorrection {

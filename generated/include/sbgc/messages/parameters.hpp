@@ -482,6 +482,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Ask for the settings of one profile.
 ///
 /// CMD_READ_PARAMS_3 (21), to the board; 1 bytes.
+/// Effect: reads.
 /// Since board 3.0.
 /// Source: Outgoing commands L652-L660. Errata: E101.
 struct ReadParams3Request {
@@ -527,6 +528,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Ask for the settings of one profile, with the older id.
 ///
 /// CMD_READ_PARAMS (82), to the board; 1 bytes.
+/// Effect: reads.
 /// Deprecated: use CMD_READ_PARAMS_3.
 /// Source: Outgoing commands L652-L660. Errata: E019, E101, E120.
 struct ReadParams {
@@ -785,6 +787,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Ask for further settings of one profile.
 ///
 /// CMD_READ_PARAMS_EXT (33), to the board; 1 bytes.
+/// Effect: reads.
 /// Since board 3.0.
 /// Source: Outgoing commands L652-L660. Errata: E101.
 struct ReadParamsExtRequest {
@@ -944,6 +947,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Ask for still further settings of one profile.
 ///
 /// CMD_READ_PARAMS_EXT2 (62), to the board; 1 bytes.
+/// Effect: reads.
 /// Since board 3.0.
 /// Source: Outgoing commands L658-L660. Errata: E101.
 struct ReadParamsExt2Request {
@@ -1035,6 +1039,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Ask for the names of the profiles.
 ///
 /// CMD_READ_PROFILE_NAMES (28), to the board; 0 bytes.
+/// Effect: reads.
 /// Since board 3.0.
 /// Source: Outgoing commands L761.
 struct ReadProfileNamesRequest {
@@ -1066,6 +1071,7 @@ struct ReadProfileNamesRequest {
 /// profile.
 ///
 /// CMD_SAVE_PARAMS_3 (32), to the board; 0 bytes.
+/// Effect: stores.
 /// Since board 3.0.
 /// Source: Outgoing commands L804.
 struct SaveParams3 {
@@ -1093,9 +1099,11 @@ struct SaveParams3 {
   return {0, {}};
 }
 
-/// Return to the factory settings.
+/// Return to the factory settings. The settings of the profile are gone; 253 erases the EEPROM with
+/// all that it holds. Save the settings first.
 ///
 /// CMD_USE_DEFAULTS (70), to the board; 1 bytes.
+/// Effect: erases.
 /// Source: Outgoing commands L644-L648.
 struct UseDefaults {
   static constexpr CommandId command = CommandId::use_defaults;
@@ -1141,6 +1149,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// what was read, changed where it must be: bytes that are not understood are settings too.
 ///
 /// CMD_WRITE_PARAMS_3 (22), to the board; 134 bytes, and later firmware may append more.
+/// Effect: stores.
 /// Since board 3.0.
 /// Source: Outgoing commands L662-L668; Variables L1010-L1079. Errata: E088, E103, E201.
 struct WriteParams3 : ReadParams3 {
@@ -1157,6 +1166,7 @@ struct WriteParams3 : ReadParams3 {
 /// Store the settings of one profile and the general ones, with the older id.
 ///
 /// CMD_WRITE_PARAMS (87), to the board; 134 bytes, and later firmware may append more.
+/// Effect: stores.
 /// Deprecated: use CMD_WRITE_PARAMS_3.
 /// Source: Outgoing commands L662-L668. Errata: E019, E088, E103, E201.
 struct WriteParams : ReadParams3 {
@@ -1173,6 +1183,7 @@ struct WriteParams : ReadParams3 {
 /// Store further settings of one profile.
 ///
 /// CMD_WRITE_PARAMS_EXT (34), to the board; 104 bytes, and later firmware may append more.
+/// Effect: stores.
 /// Since board 3.0.
 /// Source: Outgoing commands L662-L668; Variables L1080-L1108. Errata: E103, E201.
 struct WriteParamsExt : ReadParamsExt {
@@ -1189,6 +1200,7 @@ struct WriteParamsExt : ReadParamsExt {
 /// Store still further settings of one profile.
 ///
 /// CMD_WRITE_PARAMS_EXT2 (63), to the board; 151 bytes, and later firmware may append more.
+/// Effect: stores.
 /// Since board 3.0.
 /// Source: Outgoing commands L668; Variables L1110-L1116. Errata: E018, E201.
 struct WriteParamsExt2 : ReadParamsExt2 {
@@ -1205,6 +1217,7 @@ struct WriteParamsExt2 : ReadParamsExt2 {
 /// Store the names of the profiles.
 ///
 /// CMD_WRITE_PROFILE_NAMES (29), to the board; 240 bytes, and later firmware may append more.
+/// Effect: stores.
 /// Since board 3.0.
 /// Source: Outgoing commands L763-L772.
 struct WriteProfileNames : ReadProfileNames {

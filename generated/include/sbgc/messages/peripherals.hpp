@@ -20,6 +20,7 @@ static_assert(codec_version == 1, "generated code and runtime do not belong toge
 /// Play a melody through the motors, or one of the standard sounds.
 ///
 /// CMD_BEEP_SOUND (89), to the board; 12 to 72 bytes.
+/// Effect: sets.
 /// Since firmware 2.59, board 3.0.
 /// Source: Outgoing commands L985-L991; Variables L1222-L1227.
 struct BeepSound {
@@ -101,6 +102,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// an input.
 ///
 /// CMD_TRIGGER_PIN (84), to the board; 2 bytes.
+/// Effect: sets.
 /// Source: Outgoing commands L717-L722; Variables L1153-L1155.
 struct TriggerPin {
   static constexpr CommandId command = CommandId::trigger_pin;
@@ -148,6 +150,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// their middle; a pulse must be shorter than the period that SERVO_RATE sets.
 ///
 /// CMD_SERVO_OUT (36), to the board; 16 bytes.
+/// Effect: moves.
 /// Since board 3.0.
 /// Source: Outgoing commands L813-L824; Variables L1183-L1184.
 struct ServoOut {
@@ -196,6 +199,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Write to a device on an I2C bus.
 ///
 /// CMD_I2C_WRITE_REG_BUF (39), to the board; 2 to 255 bytes.
+/// Effect: sets, stores.
 /// Since board 3.0.
 /// Source: Outgoing commands L826-L835.
 struct I2cWriteRegBuf {
@@ -281,6 +285,7 @@ struct I2cReadRegBuf {
 /// Read from a device on an I2C bus.
 ///
 /// CMD_I2C_READ_REG_BUF (40), to the board; 3 bytes.
+/// Effect: reads.
 /// Since board 3.0.
 /// Source: Outgoing commands L837-L845.
 struct I2cReadRegBufRequest {
@@ -351,6 +356,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Set the virtual RC channels that the host provides; they can control the camera and more.
 ///
 /// CMD_API_VIRT_CH_CONTROL (45), to the board; 64 bytes.
+/// Effect: moves.
 /// Since board 3.0.
 /// Source: Outgoing commands L859-L865; Variables L1190-L1191.
 struct ApiVirtChControl {

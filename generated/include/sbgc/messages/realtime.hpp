@@ -58,6 +58,7 @@ struct StreamConfig {
 /// Ask for live data, with the older id.
 ///
 /// CMD_REALTIME_DATA (68), to the board; 0 bytes.
+/// Effect: reads.
 /// Source: Outgoing commands L615-L617. Errata: E020.
 struct RealtimeData {
   static constexpr CommandId command = CommandId::realtime_data;
@@ -243,6 +244,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Ask for live data.
 ///
 /// CMD_REALTIME_DATA_3 (23), to the board; 0 bytes.
+/// Effect: reads.
 /// Since board 3.0.
 /// Source: Outgoing commands L615-L617.
 struct RealtimeData3Request {
@@ -478,6 +480,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Ask for the longer live data.
 ///
 /// CMD_REALTIME_DATA_4 (25), to the board; 0 bytes.
+/// Effect: reads.
 /// Since board 3.0.
 /// Source: Outgoing commands L619.
 struct RealtimeData4Request {
@@ -627,6 +630,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Ask for live data of the blocks that FLAGS names.
 ///
 /// CMD_REALTIME_DATA_CUSTOM (88), to the board; 10 bytes.
+/// Effect: reads.
 /// Since firmware 2.59, board 3.0.
 /// Source: Outgoing commands L980-L983; Variables L1208-L1209.
 struct RealtimeDataCustomRequest {
@@ -676,6 +680,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// exact; what does not fit through the port is left out.
 ///
 /// CMD_DATA_STREAM_INTERVAL (85), to the board; 21 bytes.
+/// Effect: sets.
 /// Since firmware 2.59, board 3.0.
 /// Source: Outgoing commands L963-L978; Variables L1202-L1207. Errata: E050, E089, E100.
 struct DataStreamInterval {

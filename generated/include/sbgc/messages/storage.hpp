@@ -17,9 +17,11 @@ namespace sbgc {
 
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
 
-/// Write a block to the EEPROM.
+/// Write a block to the EEPROM. Settings and calibrations lie in the EEPROM. Write only what has
+/// been read from the same place of the same board: anything else may make it useless.
 ///
 /// CMD_EEPROM_WRITE (47), to the board; 4 to 196 bytes.
+/// Effect: stores.
 /// Since board 3.0.
 /// Source: Outgoing commands L877-L882.
 struct EepromWrite {
@@ -162,6 +164,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Read part of a file.
 ///
 /// CMD_READ_FILE (53), to the board; 20 bytes.
+/// Effect: reads.
 /// Since board 3.0.
 /// Source: Outgoing commands L898-L905.
 struct ReadFileRequest {
@@ -237,6 +240,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Write part of a file; without data the file is deleted.
 ///
 /// CMD_WRITE_FILE (54), to the board; 6 to 255 bytes.
+/// Effect: stores, erases.
 /// Since board 3.0.
 /// Source: Outgoing commands L907-L928.
 struct WriteFile {
@@ -305,6 +309,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Delete all files.
 ///
 /// CMD_FS_CLEAR_ALL (55), to the board; 0 bytes.
+/// Effect: erases.
 /// Since board 3.0.
 /// Source: Outgoing commands L930-L932.
 struct FsClearAll {
@@ -383,6 +388,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Read a block of the EEPROM.
 ///
 /// CMD_EEPROM_READ (48), to the board; 6 bytes.
+/// Effect: reads.
 /// Since board 3.0.
 /// Source: Outgoing commands L884-L889.
 struct EepromReadRequest {
@@ -476,6 +482,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Ask for the data of the user in the EEPROM.
 ///
 /// CMD_READ_EXTERNAL_DATA (42), to the board; 0 bytes.
+/// Effect: reads.
 /// Since board 3.0.
 /// Source: Outgoing commands L855-L857. Errata: E002.
 struct ReadExternalDataRequest {
@@ -506,6 +513,7 @@ struct ReadExternalDataRequest {
 /// Store data of the user in the EEPROM.
 ///
 /// CMD_WRITE_EXTERNAL_DATA (41), to the board; 128 bytes, and later firmware may append more.
+/// Effect: stores.
 /// Since board 3.0.
 /// Source: Outgoing commands L851-L853.
 struct WriteExternalData : ReadExternalData {

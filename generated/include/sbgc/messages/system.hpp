@@ -90,6 +90,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Ask for the version of board and firmware.
 ///
 /// CMD_BOARD_INFO (86), to the board, simple form; 0 bytes.
+/// Effect: reads.
 /// Source: Outgoing commands L602-L611. Errata: E084, E091.
 struct BoardInfoRequest {
   static constexpr CommandId command = CommandId::board_info;
@@ -119,6 +120,7 @@ struct BoardInfoRequest {
 /// Ask for the version of board and firmware, and configure this serial port.
 ///
 /// CMD_BOARD_INFO (86), to the board, extended form; 2 to 255 bytes.
+/// Effect: sets.
 /// Source: Outgoing commands L602-L611. Errata: E084, E091, E009.
 struct BoardInfoRequestExt {
   static constexpr CommandId command = CommandId::board_info;
@@ -440,6 +442,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Ask for serial numbers, memory and scripts of the board.
 ///
 /// CMD_BOARD_INFO_3 (20), to the board; 0 bytes.
+/// Effect: reads.
 /// Since board 3.0.
 /// Source: Outgoing commands L613.
 struct BoardInfo3Request {
@@ -501,6 +504,7 @@ struct Reset {
 /// Restart at once and without notice.
 ///
 /// CMD_RESET (114), to the board, simple form; 0 bytes.
+/// Effect: restarts.
 /// Source: Outgoing commands L670-L677. Errata: E083.
 struct ResetRequest {
   static constexpr CommandId command = CommandId::reset;
@@ -530,6 +534,7 @@ struct ResetRequest {
 /// Restart after a while, with notice if that is asked for.
 ///
 /// CMD_RESET (114), to the board, extended form; 3 bytes.
+/// Effect: restarts.
 /// Source: Outgoing commands L670-L677. Errata: E083.
 struct ResetRequestExt {
   static constexpr CommandId command = CommandId::reset;
@@ -575,6 +580,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Enter the bootloader at once and without notice.
 ///
 /// CMD_BOOT_MODE_3 (51), to the board, simple form; 0 bytes.
+/// Effect: restarts.
 /// Since board 3.0.
 /// Source: Outgoing commands L679-L686. Errata: E082.
 struct BootMode3 {
@@ -605,6 +611,7 @@ struct BootMode3 {
 /// Enter the bootloader after a while, with notice if that is asked for.
 ///
 /// CMD_BOOT_MODE_3 (51), to the board, extended form; 3 bytes.
+/// Effect: restarts.
 /// Since board 3.0.
 /// Source: Outgoing commands L679-L686. Errata: E082.
 struct BootMode3Ext {
@@ -684,6 +691,7 @@ struct QueueParamsInfo3 {
 /// Body to the board, not documented.
 ///
 /// CMD_QUEUE_PARAMS_INFO_3 (30), to the board; 0 to 255 bytes.
+/// Effect: unknown.
 /// Since board 3.0.
 /// Source: Command ID definitions L108.
 struct QueueParamsInfo3Request {
@@ -750,6 +758,7 @@ struct SystemState {
 /// Body to the board, not documented.
 ///
 /// CMD_SYSTEM_STATE (52), to the board; 0 to 255 bytes.
+/// Effect: unknown.
 /// Since board 3.0.
 /// Source: Command ID definitions L130.
 struct SystemStateRequest {
@@ -816,6 +825,7 @@ struct MavlinkInfo {
 /// Body to the board, not documented.
 ///
 /// CMD_MAVLINK_INFO (250), to the board; 0 to 255 bytes.
+/// Effect: unknown.
 /// Since board 3.0.
 /// Source: Command ID definitions L149.
 struct MavlinkInfoRequest {
@@ -882,6 +892,7 @@ struct MavlinkDebug {
 /// Body to the board, not documented.
 ///
 /// CMD_MAVLINK_DEBUG (251), to the board; 0 to 255 bytes.
+/// Effect: unknown.
 /// Since board 3.0.
 /// Source: Command ID definitions L150.
 struct MavlinkDebugRequest {

@@ -85,7 +85,8 @@ struct Meta<SetAdjVarsVal> {
       .direction = Direction::both,
       .min_size = 1,
       .max_size = 201,
-      .since = {0, 30}};
+      .since = {0, 30},
+      .effects = Effects(Effect::sets)};
   static constexpr Range num_vars_range{1, 40};
   static constexpr FieldInfo fields[] = {
       {.name = "num_vars",
@@ -118,7 +119,8 @@ struct Meta<GetAdjVarsVal> {
       .min_size = 1,
       .max_size = 41,
       .since = {0, 30},
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
   static constexpr Range num_vars_range{1, 40};
   static constexpr FieldInfo fields[] = {
       {.name = "num_vars",
@@ -184,7 +186,8 @@ struct Meta<ReadAdjVarsCfgRequest> {
       .min_size = 0,
       .max_size = 0,
       .since = {0, 30},
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -252,7 +255,8 @@ struct Meta<AdjVarsStateRequest> {
       .min_size = 2,
       .max_size = 2,
       .since = {0, 30},
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "trigger_slot",
        .spec_name = "TRIGGER_SLOT",
@@ -282,7 +286,8 @@ struct Meta<AdjVarsStateRequestExt> {
       .min_size = 7,
       .max_size = 7,
       .since = {2625, 0},
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "params",
        .spec_name = "PARAMS",
@@ -307,7 +312,8 @@ struct Meta<WriteAdjVarsCfg> : Meta<ReadAdjVarsCfg> {
       .min_size = 128,
       .max_size = 128,
       .since = {0, 30},
-      .stores = "ReadAdjVarsCfg"};
+      .stores = "ReadAdjVarsCfg",
+      .effects = Effects(Effect::stores)};
 };
 
 }  // namespace sbgc

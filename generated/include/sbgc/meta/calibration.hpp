@@ -38,7 +38,8 @@ struct Meta<CalibAcc> {
       .id = 65,
       .direction = Direction::to_board,
       .min_size = 0,
-      .max_size = 0};
+      .max_size = 0,
+      .effects = Effects(Effect::stores)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -55,7 +56,8 @@ struct Meta<CalibAccExt> {
       .id = 65,
       .direction = Direction::to_board,
       .min_size = 12,
-      .max_size = 12};
+      .max_size = 12,
+      .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_idx",
        .spec_name = "IMU_IDX",
@@ -87,7 +89,8 @@ struct Meta<CalibGyro> {
       .id = 103,
       .direction = Direction::to_board,
       .min_size = 0,
-      .max_size = 0};
+      .max_size = 0,
+      .effects = Effects(Effect::stores)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -104,7 +107,8 @@ struct Meta<CalibGyroExt> {
       .id = 103,
       .direction = Direction::to_board,
       .min_size = 12,
-      .max_size = 12};
+      .max_size = 12,
+      .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_idx",
        .spec_name = "IMU_IDX",
@@ -137,7 +141,8 @@ struct Meta<CalibMag> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30}};
+      .since = {0, 30},
+      .effects = Effects(Effect::stores)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -154,7 +159,8 @@ struct Meta<CalibExtGain> {
       .id = 71,
       .direction = Direction::to_board,
       .min_size = 0,
-      .max_size = 0};
+      .max_size = 0,
+      .effects = Effects(Effect::stores) | Effect::moves};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -171,7 +177,8 @@ struct Meta<CalibPoles> {
       .id = 80,
       .direction = Direction::to_board,
       .min_size = 0,
-      .max_size = 0};
+      .max_size = 0,
+      .effects = Effects(Effect::stores) | Effect::moves};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -188,7 +195,8 @@ struct Meta<CalibOffset> {
       .id = 79,
       .direction = Direction::to_board,
       .min_size = 0,
-      .max_size = 0};
+      .max_size = 0,
+      .effects = Effects(Effect::stores)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -205,7 +213,8 @@ struct Meta<CalibBat> {
       .id = 66,
       .direction = Direction::to_board,
       .min_size = 2,
-      .max_size = 2};
+      .max_size = 2,
+      .effects = Effects(Effect::stores)};
   static constexpr FieldInfo fields[] = {
       {.name = "actual_voltage",
        .spec_name = "ACTUAL_VOLTAGE",
@@ -339,7 +348,8 @@ struct Meta<CalibInfoRequest> {
       .min_size = 12,
       .max_size = 12,
       .since = {0, 30},
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type",
        .spec_name = "IMU_TYPE",
@@ -392,7 +402,8 @@ struct Meta<CalibMotorMagLinkRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {0, 30},
+      .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -416,7 +427,8 @@ struct Meta<EncodersCalibOffset4> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30}};
+      .since = {0, 30},
+      .effects = Effects(Effect::stores)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -434,7 +446,8 @@ struct Meta<EncodersCalibFldOffset4> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30}};
+      .since = {0, 30},
+      .effects = Effects(Effect::stores) | Effect::moves};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -502,7 +515,8 @@ struct Meta<AutoPidRequest> {
       .direction = Direction::to_board,
       .min_size = 19,
       .max_size = 19,
-      .since = {0, 30}};
+      .since = {0, 30},
+      .effects = Effects(Effect::stores) | Effect::moves};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special cfg_flags_special[] = {
       {0, "stops the tuning"},

@@ -100,7 +100,8 @@ struct Meta<Control> {
       .id = 67,
       .direction = Direction::to_board,
       .min_size = 13,
-      .max_size = 13};
+      .max_size = 13,
+      .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
       {.name = "control_mode",
        .spec_name = "CONTROL_MODE",
@@ -128,7 +129,8 @@ struct Meta<ControlExt> {
       .direction = Direction::to_board,
       .min_size = 15,
       .max_size = 15,
-      .since = {2555, 0}};
+      .since = {2555, 0},
+      .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
       {.name = "control_mode",
        .spec_name = "CONTROL_MODE_{AXIS}",
@@ -181,7 +183,8 @@ struct Meta<GetAnglesRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -226,7 +229,8 @@ struct Meta<GetAnglesExtRequest> {
       .min_size = 0,
       .max_size = 0,
       .since = {0, 30},
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -243,7 +247,8 @@ struct Meta<MotorsOn> {
       .id = 77,
       .direction = Direction::to_board,
       .min_size = 0,
-      .max_size = 0};
+      .max_size = 0,
+      .effects = Effects(Effect::moves)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -260,7 +265,8 @@ struct Meta<MotorsOff> {
       .id = 109,
       .direction = Direction::to_board,
       .min_size = 0,
-      .max_size = 0};
+      .max_size = 0,
+      .effects = Effects(Effect::moves)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -277,7 +283,8 @@ struct Meta<MotorsOffExt> {
       .id = 109,
       .direction = Direction::to_board,
       .min_size = 1,
-      .max_size = 1};
+      .max_size = 1,
+      .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
       {.name = "mode",
        .spec_name = "MODE",
@@ -300,7 +307,8 @@ struct Meta<ExecuteMenu> {
       .id = 69,
       .direction = Direction::to_board,
       .min_size = 1,
-      .max_size = 1};
+      .max_size = 1,
+      .effects = Effects(Effect::sets) | Effect::stores | Effect::moves | Effect::restarts};
   static constexpr FieldInfo fields[] = {
       {.name = "cmd_id",
        .spec_name = "CMD_ID",
@@ -323,7 +331,8 @@ struct Meta<ExecuteMenuExt> {
       .id = 69,
       .direction = Direction::to_board,
       .min_size = 2,
-      .max_size = 2};
+      .max_size = 2,
+      .effects = Effects(Effect::sets) | Effect::stores | Effect::moves | Effect::restarts};
   static constexpr FieldInfo fields[] = {
       {.name = "cmd_id",
        .spec_name = "CMD_ID",
@@ -350,7 +359,8 @@ struct Meta<HelperData> {
       .id = 72,
       .direction = Direction::to_board,
       .min_size = 10,
-      .max_size = 10};
+      .max_size = 10,
+      .effects = Effects(Effect::moves)};
   static constexpr Range frame_angle_roll_range{-32768, 32767};
   static constexpr Special frame_angle_roll_special[] = {
       {0, "with FRAME_ANGLE_PITCH 0 too, not used"},
@@ -394,7 +404,8 @@ struct Meta<HelperDataExt> {
       .direction = Direction::to_board,
       .min_size = 20,
       .max_size = 20,
-      .since = {2590, 0}};
+      .since = {2590, 0},
+      .effects = Effects(Effect::moves)};
   static constexpr Range frame_angle_roll_range{-32768, 32767};
   static constexpr Special frame_angle_roll_special[] = {
       {0, "with FRAME_ANGLE_PITCH 0 too, not used"},

@@ -19,7 +19,8 @@ struct Meta<SelectImu3> {
       .direction = Direction::to_board,
       .min_size = 1,
       .max_size = 1,
-      .since = {0, 30}};
+      .since = {0, 30},
+      .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type",
        .spec_name = "IMU_TYPE",
@@ -43,7 +44,8 @@ struct Meta<SelectImu3Ext> {
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 12,
-      .since = {0, 30}};
+      .since = {0, 30},
+      .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type",
        .spec_name = "IMU_TYPE",
@@ -111,7 +113,8 @@ struct Meta<AhrsHelperRequest> {
       .min_size = 1,
       .max_size = 1,
       .since = {0, 30},
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "mode",
        .spec_name = "MODE",
@@ -137,7 +140,8 @@ struct Meta<AhrsHelperRequestExt> {
       .min_size = 25,
       .max_size = 26,
       .since = {0, 30},
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::moves)};
   static constexpr Range z1_vector_range{-1, 1};
   static constexpr Range h1_vector_range{-1, 1};
   static constexpr FieldInfo fields[] = {
@@ -179,7 +183,8 @@ struct Meta<GyroCorrection> {
       .direction = Direction::to_board,
       .min_size = 9,
       .max_size = 9,
-      .since = {0, 30}};
+      .since = {0, 30},
+      .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type",
        .spec_name = "IMU_TYPE",

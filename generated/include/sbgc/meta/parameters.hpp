@@ -492,7 +492,8 @@ struct Meta<ReadParams3Request> {
       .min_size = 1,
       .max_size = 1,
       .since = {0, 30},
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {255, "the active profile"},
@@ -524,7 +525,8 @@ struct Meta<ReadParams> {
       .direction = Direction::to_board,
       .min_size = 1,
       .max_size = 1,
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {255, "the active profile"},
@@ -742,7 +744,8 @@ struct Meta<ReadParamsExtRequest> {
       .min_size = 1,
       .max_size = 1,
       .since = {0, 30},
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {255, "the active profile"},
@@ -856,7 +859,8 @@ struct Meta<ReadParamsExt2Request> {
       .min_size = 1,
       .max_size = 1,
       .since = {0, 30},
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {255, "the active profile"},
@@ -914,7 +918,8 @@ struct Meta<ReadProfileNamesRequest> {
       .min_size = 0,
       .max_size = 0,
       .since = {0, 30},
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -932,7 +937,8 @@ struct Meta<SaveParams3> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30}};
+      .since = {0, 30},
+      .effects = Effects(Effect::stores)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -949,7 +955,8 @@ struct Meta<UseDefaults> {
       .id = 70,
       .direction = Direction::to_board,
       .min_size = 1,
-      .max_size = 1};
+      .max_size = 1,
+      .effects = Effects(Effect::erases)};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {253, "erases the EEPROM"},
@@ -980,7 +987,8 @@ struct Meta<WriteParams3> : Meta<ReadParams3> {
       .min_size = 134,
       .max_size = 134,
       .since = {0, 30},
-      .stores = "ReadParams3"};
+      .stores = "ReadParams3",
+      .effects = Effects(Effect::stores)};
 };
 
 template <>
@@ -993,7 +1001,8 @@ struct Meta<WriteParams> : Meta<ReadParams3> {
       .direction = Direction::to_board,
       .min_size = 134,
       .max_size = 134,
-      .stores = "ReadParams3"};
+      .stores = "ReadParams3",
+      .effects = Effects(Effect::stores)};
 };
 
 template <>
@@ -1007,7 +1016,8 @@ struct Meta<WriteParamsExt> : Meta<ReadParamsExt> {
       .min_size = 104,
       .max_size = 104,
       .since = {0, 30},
-      .stores = "ReadParamsExt"};
+      .stores = "ReadParamsExt",
+      .effects = Effects(Effect::stores)};
 };
 
 template <>
@@ -1021,7 +1031,8 @@ struct Meta<WriteParamsExt2> : Meta<ReadParamsExt2> {
       .min_size = 151,
       .max_size = 151,
       .since = {0, 30},
-      .stores = "ReadParamsExt2"};
+      .stores = "ReadParamsExt2",
+      .effects = Effects(Effect::stores)};
 };
 
 template <>
@@ -1035,7 +1046,8 @@ struct Meta<WriteProfileNames> : Meta<ReadProfileNames> {
       .min_size = 240,
       .max_size = 240,
       .since = {0, 30},
-      .stores = "ReadProfileNames"};
+      .stores = "ReadProfileNames",
+      .effects = Effects(Effect::stores)};
 };
 
 }  // namespace sbgc

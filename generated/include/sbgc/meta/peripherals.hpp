@@ -19,7 +19,8 @@ struct Meta<BeepSound> {
       .direction = Direction::to_board,
       .min_size = 12,
       .max_size = 72,
-      .since = {2590, 30}};
+      .since = {2590, 30},
+      .effects = Effects(Effect::sets)};
   static constexpr Range note_length_range{1, 255};
   static constexpr Special note_length_special[] = {
       {0, "without meaning unless a custom melody is played"},
@@ -78,7 +79,8 @@ struct Meta<TriggerPin> {
       .id = 84,
       .direction = Direction::to_board,
       .min_size = 2,
-      .max_size = 2};
+      .max_size = 2,
+      .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
       {.name = "pin_id",
        .spec_name = "PIN_ID",
@@ -106,7 +108,8 @@ struct Meta<ServoOut> {
       .direction = Direction::to_board,
       .min_size = 16,
       .max_size = 16,
-      .since = {0, 30}};
+      .since = {0, 30},
+      .effects = Effects(Effect::moves)};
   static constexpr Range servo_time_range{-1, 20000};
   static constexpr Special servo_time_special[] = {
       {-1, "the pin is set free and floats"},
@@ -137,7 +140,8 @@ struct Meta<I2cWriteRegBuf> {
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {0, 30},
+      .effects = Effects(Effect::sets) | Effect::stores};
   static constexpr FieldInfo fields[] = {
       {.name = "device_addr",
        .spec_name = "DEVICE_ADDR",
@@ -196,7 +200,8 @@ struct Meta<I2cReadRegBufRequest> {
       .min_size = 3,
       .max_size = 3,
       .since = {0, 30},
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
   static constexpr Range data_len_range{1, 255};
   static constexpr FieldInfo fields[] = {
       {.name = "device_addr",
@@ -230,7 +235,8 @@ struct Meta<ApiVirtChControl> {
       .direction = Direction::to_board,
       .min_size = 64,
       .max_size = 64,
-      .since = {0, 30}};
+      .since = {0, 30},
+      .effects = Effects(Effect::moves)};
   static constexpr Range val_ch_range{-500, 500};
   static constexpr Special val_ch_special[] = {
       {-10000, "undefined, as if the signal were lost"},

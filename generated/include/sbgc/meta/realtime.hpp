@@ -64,7 +64,8 @@ struct Meta<RealtimeData> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -211,7 +212,8 @@ struct Meta<RealtimeData3Request> {
       .min_size = 0,
       .max_size = 0,
       .since = {0, 30},
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -410,7 +412,8 @@ struct Meta<RealtimeData4Request> {
       .min_size = 0,
       .max_size = 0,
       .since = {0, 30},
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -511,7 +514,8 @@ struct Meta<RealtimeDataCustomRequest> {
       .min_size = 10,
       .max_size = 10,
       .since = {2590, 30},
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "flags",
        .spec_name = "FLAGS",
@@ -540,7 +544,8 @@ struct Meta<DataStreamInterval> {
       .direction = Direction::to_board,
       .min_size = 21,
       .max_size = 21,
-      .since = {2590, 30}};
+      .since = {2590, 30},
+      .effects = Effects(Effect::sets)};
   static constexpr Special interval_ms_special[] = {
       {0, "ends the stream"},
       {1, "a sample in every cycle, 0.8 ms"},

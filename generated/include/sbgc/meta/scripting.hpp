@@ -19,7 +19,8 @@ struct Meta<RunScript> {
       .direction = Direction::to_board,
       .min_size = 34,
       .max_size = 34,
-      .since = {0, 30}};
+      .since = {0, 30},
+      .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
       {.name = "mode",
        .spec_name = "MODE",

@@ -19,7 +19,8 @@ struct Meta<EepromWrite> {
       .direction = Direction::to_board,
       .min_size = 4,
       .max_size = 196,
-      .since = {0, 30}};
+      .since = {0, 30},
+      .effects = Effects(Effect::stores)};
   static constexpr FieldInfo fields[] = {
       {.name = "addr",
        .spec_name = "ADDR",
@@ -109,7 +110,8 @@ struct Meta<ReadFileRequest> {
       .min_size = 20,
       .max_size = 20,
       .since = {0, 30},
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
   static constexpr Range max_data_size_range{0, 251};
   static constexpr FieldInfo fields[] = {
       {.name = "file_id",
@@ -148,7 +150,8 @@ struct Meta<WriteFile> {
       .direction = Direction::to_board,
       .min_size = 6,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {0, 30},
+      .effects = Effects(Effect::stores) | Effect::erases};
   static constexpr FieldInfo fields[] = {
       {.name = "file_id",
        .spec_name = "FILE_ID",
@@ -185,7 +188,8 @@ struct Meta<FsClearAll> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30}};
+      .since = {0, 30},
+      .effects = Effects(Effect::erases)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -235,7 +239,8 @@ struct Meta<EepromReadRequest> {
       .min_size = 6,
       .max_size = 6,
       .since = {0, 30},
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
   static constexpr Range size_range{0, 192};
   static constexpr FieldInfo fields[] = {
       {.name = "addr",
@@ -294,7 +299,8 @@ struct Meta<ReadExternalDataRequest> {
       .min_size = 0,
       .max_size = 0,
       .since = {0, 30},
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -313,7 +319,8 @@ struct Meta<WriteExternalData> : Meta<ReadExternalData> {
       .min_size = 128,
       .max_size = 128,
       .since = {0, 30},
-      .stores = "ReadExternalData"};
+      .stores = "ReadExternalData",
+      .effects = Effects(Effect::stores)};
 };
 
 }  // namespace sbgc

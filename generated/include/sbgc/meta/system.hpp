@@ -73,7 +73,8 @@ struct Meta<BoardInfoRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -92,7 +93,8 @@ struct Meta<BoardInfoRequestExt> {
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 255,
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
       {.name = "cfg",
        .spec_name = "CFG",
@@ -266,7 +268,8 @@ struct Meta<BoardInfo3Request> {
       .min_size = 0,
       .max_size = 0,
       .since = {0, 30},
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -301,7 +304,8 @@ struct Meta<ResetRequest> {
       .id = 114,
       .direction = Direction::to_board,
       .min_size = 0,
-      .max_size = 0};
+      .max_size = 0,
+      .effects = Effects(Effect::restarts)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -320,7 +324,8 @@ struct Meta<ResetRequestExt> {
       .direction = Direction::to_board,
       .min_size = 3,
       .max_size = 3,
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::restarts)};
   static constexpr FieldInfo fields[] = {
       {.name = "confirm",
        .spec_name = "CONFIRM",
@@ -348,7 +353,8 @@ struct Meta<BootMode3> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30}};
+      .since = {0, 30},
+      .effects = Effects(Effect::restarts)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -368,7 +374,8 @@ struct Meta<BootMode3Ext> {
       .min_size = 3,
       .max_size = 3,
       .since = {0, 30},
-      .answers = answers};
+      .answers = answers,
+      .effects = Effects(Effect::restarts)};
   static constexpr FieldInfo fields[] = {
       {.name = "confirm",
        .spec_name = "CONFIRM",
@@ -420,7 +427,8 @@ struct Meta<QueueParamsInfo3Request> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {0, 30},
+      .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -468,7 +476,8 @@ struct Meta<SystemStateRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {0, 30},
+      .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -516,7 +525,8 @@ struct Meta<MavlinkInfoRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {0, 30},
+      .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -564,7 +574,8 @@ struct Meta<MavlinkDebugRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {0, 30},
+      .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",

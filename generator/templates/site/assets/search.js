@@ -9,9 +9,11 @@
   const root = document.body.dataset.root;
   const limit = 30;
   // The order of kinds among equals.
-  const kinds = ["message", "command", "guide", "family", "enum", "flags", "packed", "unit", "variable", "field", "value", "erratum"];
+  const kinds = ["message", "command", "guide", "section", "family", "enum", "flags", "packed", "unit", "variable", "field", "value", "erratum"];
 
-  let entries; // [{kind, name, about, page, words, text}], once loaded
+  let entries; // [{kind, name, about, page, parts, words, text, twins}], once loaded
+  let synonyms; // groups of words
+  let vocabulary; // every word that occurs, once something is misspelt
   let loading;
   let active = -1;
 
@@ -23,57 +25,140 @@
       script.onerror = reject;
       document.head.append(script);
     }).then(() => {
-      entries = sbgcSearchIndex.map(([kind, name, about, page, more], order) => ({
-        kind, name, about, page, order,
-        names: plain(name),
-        words: plain(more),
-        text: plain(about),
+      synonyms = sbgcSearchIndex.synonyms;
+      entries = sbgcSearchIndex.entries.map(([kind, name, about, page, more, twins = []], order) => ({
+        ...findable(name, about, page, more),
+        kind,
+        order,
         rank: kinds.indexOf(kind),
+        isProse: kind === "guide" || kind === "section",
+        twins: twins.map(([n, a, p, m]) => findable(n, a, p, m)),
       }));
     });
     return loading;
   };
 
-  // "Axes.roll" and "axes_roll" are one; CamelCase is taken apart by its own words, too.
+  const findable = (name, about, page, more) => ({
+    name,
+    about,
+    page,
+    names: plain(name),
+    parts: plain(name.replace(/([a-z0-9])(?=[A-Z])/g, "$1 ")).split(/[_.\s]+/),
+    words: plain(more).split(" "),
+    text: plain(about),
+  });
+
   const plain = (text) => text.toLowerCase();
+  // "Axes.roll" and "axes_roll" are one.
   const squeeze = (text) => text.replace(/[\s_.·-]+/g, "");
 
   // How well one word fits: 0 not at all.
-  const fit = (entry, word) => {
+  const fit = (entry, word, isProse) => {
     const tight = squeeze(word);
     if (entry.names === word || squeeze(entry.names) === tight) return 100;
-    const words = entry.words.split(" ");
-    if (words.includes(word)) return 90;
+    // A guide says many words, most of them by the way.
+    if (!isProse && entry.words.includes(word)) return 90;
     const last = entry.names.slice(entry.names.lastIndexOf(".") + 1);
     if (last === word) return 85;
     if (entry.names.startsWith(word) || entry.names.startsWith(`cmd_${word}`)) return 70;
-    if (last.startsWith(word) || words.some((other) => other.startsWith(word))) return 60;
+    if (last.startsWith(word) || (!isProse && entry.words.some((w) => w.startsWith(word)))) return 60;
     if (/^\d+$/.test(word)) return 0; // a number is meant as a whole
-    if (entry.names.split(/[_.\s]+/).some((part) => part.startsWith(word))) return 50;
+    if (entry.parts.some((part) => part.startsWith(word))) return 50;
     if (tight.length > 1 && squeeze(entry.names).includes(tight)) return 40;
-    if (tight.length > 2 && squeeze(entry.words).includes(tight)) return 30;
+    if (isProse && entry.words.includes(word)) return 38;
+    if (isProse && word.length > 2 && entry.words.some((w) => w.startsWith(word))) return 34;
+    if (!isProse && tight.length > 2 && squeeze(entry.words.join(" ")).includes(tight)) return 30;
     if (word.length > 2 && entry.text.includes(word)) return 10;
     return 0;
   };
 
+  // What else may be meant by a word, and what that costs.
+  const meanings = (word) => {
+    const found = new Map([[word, 0]]);
+    for (const group of synonyms) {
+      const isMeant = group.includes(word) || (word.length > 3 && group.some((w) => w.startsWith(word)));
+      for (const other of isMeant ? group : []) if (!found.has(other)) found.set(other, 25);
+    }
+    return found;
+  };
+
+  const best = (entry, words, isProse) => {
+    let score = 0;
+    for (const alternatives of words) {
+      let most = 0;
+      for (const [word, cost] of alternatives) {
+        const one = fit(entry, word, isProse);
+        if (one > 0) most = Math.max(most, one - cost, 1);
+      }
+      if (most === 0) return 0;
+      score += most;
+    }
+    return score / words.length;
+  };
+
+  // The number of letters to add, drop, change or swap, as far as that is at most `most`.
+  const distance = (a, b, most) => {
+    if (Math.abs(a.length - b.length) > most) return most + 1;
+    let [before, row] = [[], Array.from({ length: b.length + 1 }, (_, j) => j)];
+    for (let i = 1; i <= a.length; ++i) {
+      const next = [i];
+      for (let j = 1; j <= b.length; ++j) {
+        const change = a[i - 1] === b[j - 1] ? 0 : 1;
+        next[j] = Math.min(row[j] + 1, next[j - 1] + 1, row[j - 1] + change);
+        const isSwapped = i > 1 && j > 1 && a[i - 1] === b[j - 2] && a[i - 2] === b[j - 1];
+        if (isSwapped) next[j] = Math.min(next[j], before[j - 2] + 1);
+      }
+      if (Math.min(...next) > most) return most + 1;
+      [before, row] = [row, next];
+    }
+    return row[b.length];
+  };
+
+  // The words that a misspelt one is nearest to; also to how they begin.
+  const nearest = (word) => {
+    const most = word.length < 4 ? 0 : word.length < 8 ? 1 : 2;
+    vocabulary ??= new Set(
+      [...entries, ...entries.flatMap((entry) => entry.twins)]
+        .flatMap((entry) => [...entry.parts, ...entry.words, ...entry.text.split(/[^a-z0-9]+/)])
+        .concat(synonyms.flat())
+        .filter((w) => w.length > 2),
+    );
+    let [least, found] = [most, []];
+    for (const known of most ? vocabulary : []) {
+      const whole = distance(word, known, least);
+      const far = known.length > word.length ? Math.min(whole, distance(word, known.slice(0, word.length), least)) : whole;
+      if (far < least) [least, found] = [far, []];
+      if (far === least) found.push([known, whole]);
+    }
+    return found.sort((a, b) => a[1] - b[1]).slice(0, 4).map(([known]) => known);
+  };
+
+  // What is found, and what it was taken for if nothing fits a word as it is spelt.
   const find = (query) => {
     const words = plain(query).trim().split(/\s+/).filter(Boolean);
-    if (words.length === 0) return [];
+    const taken = [];
+    const alternatives = words.map((word) => {
+      const meant = meanings(word);
+      const fits = (entry) =>
+        [entry, ...entry.twins].some((e) => [...meant.keys()].some((w) => fit(e, w, entry.isProse)));
+      if (entries.some(fits)) return meant;
+      const near = nearest(word);
+      if (near.length) taken.push([word, near[0]]);
+      return new Map(near.flatMap((w) => [...meanings(w)].map(([other, cost]) => [other, cost + 5])));
+    });
     const found = [];
-    for (const entry of entries) {
-      let score = 0;
-      for (const word of words) {
-        const one = fit(entry, word);
-        if (one === 0) {
-          score = 0;
-          break;
-        }
-        score += one;
+    for (const entry of words.length ? entries : []) {
+      // Of twins the one that fits best is shown, and leads to its own page.
+      let [most, shown] = [best(entry, alternatives, entry.isProse), entry];
+      for (const twin of entry.twins) {
+        const score = best(twin, alternatives, false);
+        if (score > most) [most, shown] = [score, twin];
       }
-      if (score > 0) found.push([score / words.length - entry.rank * 1.5, entry]);
+      const others = [entry, ...entry.twins].filter((twin) => twin !== shown).map((twin) => twin.name);
+      if (most > 0) found.push([most - entry.rank * 1.5, { ...shown, kind: entry.kind, order: entry.order, others }]);
     }
     found.sort((a, b) => b[0] - a[0] || a[1].name.length - b[1].name.length || a[1].order - b[1].order);
-    return found.map(([, entry]) => entry);
+    return { found: found.map(([, entry]) => entry), taken };
   };
 
   const option = (entry, index) => {
@@ -83,7 +168,9 @@
     link.tabIndex = -1;
     link.setAttribute("role", "option");
     link.setAttribute("aria-selected", "false");
-    for (const [name, text] of [["name", entry.name], ["kind", entry.kind], ["about", entry.about]]) {
+    const twins = entry.others.length ? `with ${entry.others.join(", ")}` : "";
+    const about = [twins, entry.about].filter(Boolean).join(" · ");
+    for (const [name, text] of [["name", entry.name], ["kind", entry.kind], ["about", about]]) {
       if (!text) continue;
       const part = document.createElement("span");
       part.className = name;
@@ -95,8 +182,19 @@
     return link;
   };
 
+  // A line among the results that leads nowhere.
+  const note = (text) => {
+    const line = document.createElement("div");
+    line.className = "nothing";
+    line.setAttribute("role", "option");
+    line.setAttribute("aria-disabled", "true");
+    line.setAttribute("aria-selected", "false");
+    line.textContent = text;
+    return line;
+  };
+
   const choose = (index) => {
-    const options = list.querySelectorAll("[role=option]");
+    const options = list.querySelectorAll("a[role=option]");
     options[active]?.setAttribute("aria-selected", "false");
     active = options.length ? (index + options.length) % options.length : -1;
     const chosen = options[active];
@@ -133,19 +231,15 @@
       return;
     }
     if (query !== input.value) return; // more has been typed
-    const found = find(query);
+    const { found, taken } = find(query);
     active = -1;
     list.replaceChildren(...found.slice(0, limit).map(option));
-    status.textContent = found.length === 1 ? "1 result" : `${found.length} results`;
-    if (found.length === 0) {
-      const nothing = document.createElement("div");
-      nothing.className = "nothing";
-      nothing.setAttribute("role", "option");
-      nothing.setAttribute("aria-disabled", "true");
-      nothing.setAttribute("aria-selected", "false");
-      nothing.textContent = "Nothing found.";
-      list.replaceChildren(nothing);
-    }
+    const read = taken.map(([word, known]) => `“${word}” is taken for “${known}”.`).join(" ");
+    const count = found.length === 1 ? "1 result" : `${found.length} results`;
+    status.textContent = `${read} ${count}`.trim();
+    if (found.length === 0) list.prepend(note("Nothing found."));
+    else if (read) list.prepend(note(read));
+    list.dataset.query = query;
     open();
     if (found.length) choose(0);
   };

@@ -1,4 +1,4 @@
-/// Moving the camera to angles, and stopping it.
+/// Moving the camera to angles, and stopping it. See docs/2-safety.md first.
 #pragma once
 
 #include <chrono>

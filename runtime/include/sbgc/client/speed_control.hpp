@@ -1,4 +1,4 @@
-/// Turning the camera with a speed, with a dead-man's switch.
+/// Turning the camera with a speed, with a dead-man's switch. See docs/2-safety.md first.
 #pragma once
 
 #include <chrono>

@@ -1,0 +1,40 @@
+// What the tables say about the effects of requests.
+
+#include <gtest/gtest.h>
+
+#include <sbgc/messages.hpp>
+#include <sbgc/meta/all.hpp>
+
+namespace sbgc::test {
+namespace {
+
+template <class M>
+constexpr Effects effects_of = Meta<M>::info.effects;
+
+TEST(Effects, AreThoseOfTheRequest) {
+  EXPECT_EQ(effects_of<GetAnglesRequest>, Effects(Effect::reads));
+  EXPECT_EQ(effects_of<Control>, Effects(Effect::moves));
+  EXPECT_EQ(effects_of<WriteParams3>, Effects(Effect::stores));
+  EXPECT_EQ(effects_of<UseDefaults>, Effects(Effect::erases));
+  EXPECT_EQ(effects_of<ResetRequest>, Effects(Effect::restarts));
+  EXPECT_EQ(effects_of<SystemStateRequest>, Effects(Effect::unknown));
+}
+
+TEST(Effects, OfAllCasesAreTakenTogether) {
+  EXPECT_TRUE(effects_of<ExecuteMenu>.has(Effect::moves));
+  EXPECT_TRUE(effects_of<ExecuteMenu>.has(Effect::restarts));
+  EXPECT_FALSE(effects_of<ExecuteMenu>.has(Effect::reads));
+  EXPECT_FALSE(effects_of<ExecuteMenu>.has(Effect::unknown));
+}
+
+TEST(Effects, OfAMessageInBothDirectionsAreThoseToTheBoard) {
+  EXPECT_EQ(effects_of<SetAdjVarsVal>, Effects(Effect::sets));
+}
+
+TEST(Effects, AMessageFromTheBoardHasNone) {
+  EXPECT_EQ(effects_of<ReadParams3>, Effects());
+  EXPECT_EQ(effects_of<GetAngles>, Effects());
+}
+
+}  // namespace
+}  // namespace sbgc::test
