@@ -172,9 +172,10 @@ void add_board_options(CLI::App& command, EmulateOptions& options) {
       "SECONDS")
       ->group("The board");
   command
-      .add_option("--state", service.state,
-                  "What the board remembers without power: loaded if the file is there, saved when "
-                  "it changes; with --count FILE-1, FILE-2 ...")
+      .add_option(
+          "--state", service.state,
+          "What the board remembers without power: loaded if the file is there; each change "
+          "is confirmed when the file has it; with --count FILE-1, FILE-2 ...")
       ->type_name("FILE")
       ->check(problem_of_path)
       ->group("The board");
