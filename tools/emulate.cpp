@@ -212,7 +212,9 @@ void add_endpoint_options(CLI::App& command, EmulateOptions& options) {
   add_listen("--tcp", service.tcp,
              "Listen on this TCP port, 0 for any; of this machine alone unless HOST is another of "
              "its addresses; with --count on the ports behind it, too");
-  add_listen("--udp", service.udp, "The same for UDP");
+  add_listen("--udp", service.udp,
+             "The same for UDP; each sender is a host, and when all places are taken, a new one "
+             "takes that of the longest silent. A board has 8 places; TCP and UDP have half each");
   command.add_flag("--stdio", service.stdio, "Standard input and output; messages go to stderr")
       ->group("Where hosts connect");
 }

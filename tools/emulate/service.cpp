@@ -109,8 +109,13 @@ void Service::open_endpoints(Served& served, unsigned number) {
     const std::string link = numbered_name(options_.link, number);
     add(open_terminal(executor, *served.board, link, has_rate, logs));
   }
-  if (options_.tcp) add(listen_tcp(executor, *served.board, at(*options_.tcp), logs));
-  if (options_.udp) add(listen_udp(executor, *served.board, at(*options_.udp), logs));
+  // TCP and UDP share what the others leave, so that neither can take it all.
+  const std::size_t others = (options_.terminal ? 1U : 0U) + (options_.stdio ? 1U : 0U);
+  const std::size_t places = board::Board::max_ports - others;
+  const std::size_t for_udp = options_.tcp ? places / 2 : places;
+  const std::size_t for_tcp = options_.udp ? places - for_udp : places;
+  if (options_.tcp) add(listen_tcp(executor, *served.board, at(*options_.tcp), for_tcp, logs));
+  if (options_.udp) add(listen_udp(executor, *served.board, at(*options_.udp), for_udp, logs));
   if (options_.stdio) add(use_stdio(executor, *served.board, on_end_));
 }
 
