@@ -172,9 +172,10 @@ void add_board_options(CLI::App& command, EmulateOptions& options) {
       "SECONDS")
       ->group("The board");
   command
-      .add_option("--state", service.state,
-                  "What the board remembers without power: loaded if the file is there, saved when "
-                  "it changes; with --count FILE-1, FILE-2 ...")
+      .add_option(
+          "--state", service.state,
+          "What the board remembers without power: loaded if the file is there; each change "
+          "is confirmed when the file has it; with --count FILE-1, FILE-2 ...")
       ->type_name("FILE")
       ->check(problem_of_path)
       ->group("The board");
@@ -211,7 +212,9 @@ void add_endpoint_options(CLI::App& command, EmulateOptions& options) {
   add_listen("--tcp", service.tcp,
              "Listen on this TCP port, 0 for any; of this machine alone unless HOST is another of "
              "its addresses; with --count on the ports behind it, too");
-  add_listen("--udp", service.udp, "The same for UDP");
+  add_listen("--udp", service.udp,
+             "The same for UDP; each sender is a host, and when all places are taken, a new one "
+             "takes that of the longest silent. A board has 8 places; TCP and UDP have half each");
   command.add_flag("--stdio", service.stdio, "Standard input and output; messages go to stderr")
       ->group("Where hosts connect");
 }

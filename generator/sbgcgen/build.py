@@ -9,9 +9,11 @@ from sbgcgen.diagnostics import Diagnostics
 from sbgcgen.lint import lint
 from sbgcgen.lint_bodies import lint_bodies
 from sbgcgen.lint_effects import lint_effects
-from sbgcgen.lint_usage import lint_usage
+from sbgcgen.lint_spelling import lint_spelling
+from sbgcgen.lint_usage import lint_names, lint_unused
 from sbgcgen.load import Spec, load
 from sbgcgen.model import Layout
+from sbgcgen.recovery import recover_shape, recover_syntax
 from sbgcgen.resolve import resolve
 from sbgcgen.schema import check_shape
 from sbgcgen.syntax import check_syntax
@@ -28,19 +30,49 @@ class Protocol:
 def load_protocol(spec_dir: Path) -> Protocol:
     """Load, check and resolve a spec folder.
 
-    Raises SpecError with every finding. Shape errors hide what builds on the shape, so they are
-    reported first; everything else comes in one go. What is unused is reported when all else is
-    right: a mistake elsewhere may be the reason.
+    Raises SpecError with every finding. What is unused is reported when all else is right: a
+    mistake elsewhere may be the reason.
     """
     found = Diagnostics()
-    spec, layout = _resolve(spec_dir, found)
-    lint(spec, layout, found)
-    lint_bodies(layout, found)
+    spec = load(spec_dir, found)
+    check_shape(spec, found)
+    if not found.found:
+        check_syntax(spec, found)
+    if found.found:
+        _look_behind(spec, found)
+        found.raise_if_any()
+    layout = _checked(spec, found)
     found.raise_if_any()
-    lint_usage(spec, found)
+    lint_unused(spec, found)
     lint_effects(layout, found)
     found.raise_if_any()
     return Protocol(spec, layout)
+
+
+def _checked(spec: Spec, found: Diagnostics) -> Layout:
+    layout = resolve(spec, found)
+    lint(spec, layout, found)
+    lint_bodies(layout, found)
+    lint_names(spec, found)
+    lint_spelling(spec, found)
+    return layout
+
+
+def _look_behind(spec: Spec, found: Diagnostics) -> None:
+    """Mistakes that those found so far would hide: of a line with two, both are reported."""
+    if found.any_of(("SBGC001",)):
+        return  # something could not be read
+    recovery = recover_shape(spec, found)
+    if recovery is None:
+        return
+    behind = Diagnostics()
+    check_syntax(recovery.spec, behind)
+    recovery.report(behind, found)
+    if behind.found and not recover_syntax(recovery, behind):
+        return
+    behind = Diagnostics()
+    _checked(recovery.spec, behind)
+    recovery.report(behind, found)
 
 
 def load_layout(spec_dir: Path) -> Layout:

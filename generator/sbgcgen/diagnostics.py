@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
@@ -66,8 +67,24 @@ class SpecError(Exception):
         super().__init__("\n".join(str(d) for d in self.diagnostics))
 
 
+def closest(name: str, known: Iterable[str], cutoff: float = 0.6) -> str:
+    """The known word that is probably meant, or "" if none is close (1: the same).
+
+    What differs in nothing but a number is another thing, not a slip: E999 is not E099.
+    """
+    by_lower = {word.lower(): word for word in known}
+    close = difflib.get_close_matches(name.lower(), by_lower, n=10, cutoff=cutoff)
+    for word in close:
+        if word == name.lower() or _without_numbers(word) != _without_numbers(name.lower()):
+            return by_lower[word]
+    return ""
+
+
+def _without_numbers(word: str) -> str:
+    return re.sub(r"[0-9]+", "0", word)
+
+
 def did_you_mean(name: str, known: Iterable[str]) -> str:
     """A hint that names the closest known word, or "" if none is close."""
-    by_lower = {word.lower(): word for word in known}
-    close = difflib.get_close_matches(name.lower(), by_lower, n=1, cutoff=0.6)
-    return f"did you mean '{by_lower[close[0]]}'?" if close else ""
+    word = closest(name, known)
+    return f"did you mean '{word}'?" if word else ""

@@ -1,4 +1,4 @@
-"""Rules over the whole spec once nothing else is wrong: what is named but not there, or unused."""
+"""Rules over the names in the whole spec: those of nothing, and those that nothing uses."""
 
 from __future__ import annotations
 
@@ -21,12 +21,20 @@ _COMMAND = re.compile(r"\bCMD_[A-Z0-9_]*[A-Z0-9]\b")
 _NAME = re.compile(r"\b[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*\b")
 
 
-def lint_usage(spec: Spec, found: Diagnostics) -> None:
-    """Check the names that the spec uses; findings go into `found`."""
-    nodes = [node for content in (spec.main, *spec.families.values()) for node in _maps(content)]
-    _check_unused(spec, nodes, found)
+def lint_names(spec: Spec, found: Diagnostics) -> None:
+    """Check the names that texts of the spec use; findings go into `found`."""
+    nodes = _all_maps(spec)
     _check_replacements(spec, nodes, found)
     _check_texts(spec, nodes, found)
+
+
+def lint_unused(spec: Spec, found: Diagnostics) -> None:
+    """Report what nothing refers to, once nothing else is wrong."""
+    _check_unused(spec, _all_maps(spec), found)
+
+
+def _all_maps(spec: Spec) -> list[Map]:
+    return [node for content in (spec.main, *spec.families.values()) for node in _maps(content)]
 
 
 def _maps(node: Any) -> Iterator[Map]:

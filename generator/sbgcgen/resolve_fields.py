@@ -90,6 +90,7 @@ class FieldResolver:
                 self.found.add(node.at("struct"), "SBGC028", message, "refer to it with 'type'")
             self._nodes.setdefault(name, (family, node, node.at("struct")))
         self._open: list[str] = []
+        self._broken: list[tuple[FieldName, Position]] = []  # fields of unknown types
 
     # Structs and types
 
@@ -201,6 +202,7 @@ class FieldResolver:
         result: list[Field] = []
         reserved = 0
         offset: int | None = 0
+        broken_before = len(self._broken)
         for node in nodes:
             if "include" in node:
                 added = include(node) if include else []
@@ -216,7 +218,7 @@ class FieldResolver:
                 result.append(field)
         if reserved > 1:
             result = _number_reserved(result)
-        self._check_names(result, owner)
+        self._check_names(result, broken_before, owner)
         self._check_order(result, owner)
         return tuple(_mark_counters(result))
 
@@ -241,10 +243,14 @@ class FieldResolver:
         if name is None:
             hint = "NAME, NAME[axis], NAME[6], NAME[COUNT], NAME[], NAME_{AXIS} or NAME{1..5}"
             self.found.add(at, "SBGC031", f"'{text}' is not a field name", hint)
+            self._type(node, tuple(earlier))
+            self._check_broken(node, at, text, owner)
             return None
         type_ = Blob("bytes", node["reserved"]) if shorthand else self._type(node, tuple(earlier))
         if type_ is None:
-            self.types.summary(node, at, f"{text} of {owner}")
+            self.types.identifier(str(node.get("as", snake_case(name.base))), at)
+            self._broken.append((name, at))
+            self._check_broken(node, at, text, owner)
             return None
         is_reserved = shorthand or bool(node.get("reserved", False))
         dim, count, index, counter = self._dimension(name, at, earlier, in_struct)
@@ -288,6 +294,15 @@ class FieldResolver:
             at=at,
         )
         return self._with_typical(field, node)
+
+    def _check_broken(self, node: Map, at: Position, text: str, owner: str) -> None:
+        """What else is wrong with a field that has no name or type, whatever they should be."""
+        self._limits(node, SCALARS["f32"], text)
+        self.types.availability(node)
+        self.types.deprecation(node)
+        if not node.get("reserved"):
+            self.types.summary(node, at, f"{text} of {owner}")
+        self.types.errata(node)
 
     def _dimension(
         self, name: FieldName, at: Position, earlier: list[Field], in_struct: bool
@@ -456,13 +471,15 @@ class FieldResolver:
 
     # Checks
 
-    def _check_names(self, fields: list[Field], owner: str) -> None:
-        seen: dict[str, Field] = {}
-        for field in fields:
-            first = seen.setdefault(field.name, field)
-            if first is not field:
-                message = f"duplicate field name '{field.name}' in {owner} (first at {first.at})"
-                self.found.add(field.at, "SBGC012", message, "give one of them a name with 'as'")
+    def _check_names(self, fields: list[Field], broken_before: int, owner: str) -> None:
+        names = [(field.name, field.at) for field in fields]
+        names += [(snake_case(name.base), at) for name, at in self._broken[broken_before:]]
+        seen: dict[str, Position] = {}
+        for name, at in sorted(names, key=lambda entry: entry[1]) if self._broken else names:
+            first = seen.setdefault(name, at)
+            if first is not at:
+                message = f"duplicate field name '{name}' in {owner} (first at {first})"
+                self.found.add(at, "SBGC012", message, "give one of them a name with 'as'")
 
     def _check_order(self, fields: list[Field], owner: str) -> None:
         for field, following in zip(fields, fields[1:]):

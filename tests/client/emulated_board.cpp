@@ -68,7 +68,8 @@ void EmulatedBoard::start(board::Memory memory) {
   if (line_kind() == LineKind::terminal) {
     running.endpoint = emulate::open_terminal(executor, *running.board, "", has_rate, silent());
   } else if (line_kind() == LineKind::tcp) {
-    running.endpoint = emulate::listen_tcp(executor, *running.board, {"127.0.0.1", 0}, silent());
+    running.endpoint = emulate::listen_tcp(executor, *running.board, {"127.0.0.1", 0},
+                                           board::Board::max_ports, silent());
   }
   running.thread = std::thread([&context = running.context] { context.run(); });
 }

@@ -21,6 +21,7 @@ BOARD_INFO_3 = 20
 READ_EXTERNAL_DATA = 42
 WRITE_EXTERNAL_DATA = 41
 CONFIRM = 67
+ERROR = 255
 DATA_STREAM_INTERVAL = 85
 REALTIME_DATA_4 = 25
 
@@ -101,6 +102,9 @@ class Line:
     def __init__(self, fd: int) -> None:
         self.fd = fd
         self.heard = b""
+
+    def close(self) -> None:
+        raise NotImplementedError
 
     def send(self, command: int, body: bytes = b"") -> None:
         os.write(self.fd, frame(command, body))

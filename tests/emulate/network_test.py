@@ -60,7 +60,7 @@ def test_tcp_has_several_hosts() -> None:
         for host in hosts[:3] + hosts[4:]:
             host.close()
         emulator.end()
-        assert "refused: all ports" in emulator.error
+        assert "refused: there are 8 places for TCP, and all are taken" in emulator.error
 
 
 def timer_of(place: str) -> list[str]:
@@ -126,10 +126,37 @@ def test_udp_has_several_hosts() -> None:
             host.close()
 
 
+def test_udp_leaves_places_for_tcp() -> None:
+    with Emulator("--tcp", "0", "--udp", "0", places=2) as emulator:
+        tcp, udp = emulator.places
+        senders = [Connection(udp) for _ in range(50)]
+        for sender in senders:
+            sender.send(BOARD_INFO)
+        for sender in senders[:4]:
+            assert len(sender.body(BOARD_INFO)) == 18
+        hosts = [Connection(tcp) for _ in range(4)]
+        for host in hosts:
+            assert len(host.ask(BOARD_INFO)) == 18
+        fifth = Connection(tcp)
+        fifth.socket.settimeout(PATIENCE)
+        assert fifth.socket.recv(1) == b""
+        # Passers-by make room for one who comes later.
+        newcomer = Connection(udp)
+        end = time.monotonic() + PATIENCE
+        while not newcomer.receive(0.1):
+            newcomer.send(BOARD_INFO)
+            assert time.monotonic() < end
+        for line in [*senders, *hosts, fifth, newcomer]:
+            line.close()
+        emulator.end()
+        assert "refused: there are 4 places for UDP" in emulator.error
+        assert "refused: there are 4 places for TCP" in emulator.error
+
+
 def test_udp_tells_once_of_a_host_that_is_refused() -> None:
     with Emulator("--udp", "0") as emulator:
         hosts = [Connection(emulator.places[0]) for _ in range(9)]
-        for host in hosts[:8]:
+        for host in hosts[:8] + hosts[:8]:  # twice: they have come to stay
             assert len(host.ask(BOARD_INFO)) == 18
         for _ in range(100):
             hosts[8].send(BOARD_INFO)

@@ -2,20 +2,28 @@
 
 from __future__ import annotations
 
-import time
+import fcntl
+import os
 from pathlib import Path
 
 from emulator import (
     BOARD_INFO,
     BOARD_INFO_3,
     CONFIRM,
-    PATIENCE,
+    ERROR,
     READ_EXTERNAL_DATA,
     WRITE_EXTERNAL_DATA,
     Connection,
     Emulator,
+    Line,
+    Terminal,
     refused,
+    terminal_of,
 )
+
+
+def open_line(place: str) -> Line:
+    return Connection(place) if place.startswith("tcp:") else Terminal(str(terminal_of(place)))
 
 
 def test_state_survives(tmp_path: Path) -> None:
@@ -24,14 +32,8 @@ def test_state_survives(tmp_path: Path) -> None:
     with Emulator("--tcp", "0", "--state", str(state)) as emulator:
         host = Connection(emulator.places[0])
         serial = host.ask(BOARD_INFO_3)[:21]
-        # It is saved by itself, each time, so that even a killed one has it.
-        for new in (data[1:] + data[:1], data):
-            before = state.stat().st_mtime_ns
-            host.send(WRITE_EXTERNAL_DATA, new)
-            host.body(CONFIRM)
-            end = time.monotonic() + PATIENCE
-            while state.stat().st_mtime_ns == before and time.monotonic() < end:
-                time.sleep(0.05)
+        host.send(WRITE_EXTERNAL_DATA, data)
+        host.body(CONFIRM)
         emulator.process.kill()
         emulator.wait()
         host.close()
@@ -57,6 +59,58 @@ def test_a_file_that_is_made_to_do_harm_is_refused(tmp_path: Path) -> None:
     state.write_text("[" * 200_000 + "]" * 200_000)
     error = refused("--state", str(state))
     assert f"{state}: nested deeper than 64 levels (line 1, column 65)" in error
+
+
+def test_what_is_confirmed_is_on_the_disk(tmp_path: Path) -> None:
+    state = tmp_path / "state"
+    before = b"\xff" * 128
+    for number in range(30):
+        data = bytes([number]) * 128
+        where = ["--pty"] if number % 2 == 0 else ["--tcp", "0"]
+        with Emulator(*where, "--state", str(state)) as emulator:
+            line = open_line(emulator.places[0])
+            assert line.ask(READ_EXTERNAL_DATA) == before
+            for value in (before[::-1], before, data):
+                line.send(WRITE_EXTERNAL_DATA, value)
+            for _ in range(3):
+                line.body(CONFIRM)
+            # It is in the middle of saving this one, perhaps.
+            line.send(WRITE_EXTERNAL_DATA, data)
+            emulator.process.kill()
+            emulator.wait()
+            line.close()
+        before = data
+    with Emulator("--tcp", "0", "--state", str(state)) as emulator:
+        assert sorted(path.name for path in tmp_path.iterdir()) == ["state", "state.sbgc-lock"]
+    assert list(tmp_path.iterdir()) == [state]
+
+
+def test_what_a_killed_one_leaves_is_removed(tmp_path: Path) -> None:
+    state = tmp_path / "state"
+    left = [tmp_path / "state.17-0.tmp", tmp_path / f"state.{os.getpid()}-23.tmp"]
+    others = [
+        tmp_path / name
+        for name in (
+            "state.17-0.tmp.bak",
+            "state.17-x.tmp",
+            "state.17-.tmp",
+            "state.tmp",
+            "state.-3.tmp",
+            "state-2.17-0.tmp",
+            "other.17-0.tmp",
+            "state.18-0.tmp",
+        )
+    ]
+    for file in left + others:
+        file.write_text("half of it")
+    (tmp_path / "state.19-0.tmp").symlink_to("other.17-0.tmp")
+    (tmp_path / "state.20-0.tmp").mkdir()
+    others += [tmp_path / "state.19-0.tmp", tmp_path / "state.20-0.tmp"]
+    with open(tmp_path / "state.18-0.tmp") as at_work:
+        fcntl.flock(at_work, fcntl.LOCK_EX)
+        with Emulator("--tcp", "0", "--state", str(state)):
+            pass
+    assert sorted(tmp_path.iterdir()) == sorted([state, *others])
 
 
 def test_a_state_is_of_one_emulator_at_a_time(tmp_path: Path) -> None:
@@ -116,7 +170,7 @@ def test_a_state_that_can_not_be_saved_any_more(tmp_path: Path) -> None:
         folder.rename(tmp_path / "elsewhere")
         host = Connection(emulator.places[0])
         host.send(WRITE_EXTERNAL_DATA, bytes(range(128)))
-        host.body(CONFIRM)
+        assert host.body(ERROR)[0] == WRITE_EXTERNAL_DATA
         assert emulator.process.stderr is not None
         assert b"cannot write" in emulator.process.stderr.readline()
         assert host.ask(BOARD_INFO)

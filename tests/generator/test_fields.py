@@ -39,7 +39,7 @@ def field(folder: Path, text: str) -> Field:
 
 def test_one_number_of_each_type(tmp_path: Path) -> None:
     types = ("u8", "i8", "u16", "i16", "u32", "i32", "f32")
-    made = message(tmp_path, *(f"{{name: A_{t}, type: {t}, summary: S.}}" for t in types))
+    made = message(tmp_path, *(f"{{name: A_{t.upper()}, type: {t}, summary: S.}}" for t in types))
     assert [(i.type, i.offset) for i in made.leaves] == [
         ("u8", 0),
         ("i8", 1),

@@ -6,6 +6,7 @@ any two lists of fields can be put together; what they are is random.
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -36,6 +37,7 @@ class SpecMaker(MessageMaker):
         self.make_messages()
         self.use_structs()
         self.drop_unused()
+        self.mark_spelling()
         files = {f"{name}.yaml": content for name, content in self.families.items()}
         return {**files, "simplebgc.yaml": self.main_file(), "errata.yaml": self.errata_file()}
 
@@ -71,6 +73,18 @@ class SpecMaker(MessageMaker):
                 del part[name]
             if not unused:
                 return
+
+    def mark_spelling(self) -> None:
+        """Names of numbers that are not in upper case are so on purpose."""
+        nodes = _nodes(self.families)
+        structs = {
+            name for content in self.families.values() for name in content.get("structs", {})
+        }
+        structs |= {node["struct"] for node in nodes if "struct" in node}
+        for field in (field for node in nodes for field in node.get("fields", ())):
+            name = re.sub(r"\[.*|\{.*?\}", "", field.get("name", ""))
+            if "type" in field and field["type"] not in structs and name != name.upper():
+                field["verbatim"] = True
 
     def main_file(self) -> Node:
         """simplebgc.yaml."""

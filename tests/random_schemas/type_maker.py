@@ -158,7 +158,7 @@ class TypeMaker:
             if self.chance(0.2):
                 content[key]["since"] = self.since()
         node = {"type": number, "values": content}
-        if self.chance(0.5):
+        if self.chance(0.5) and any(key.startswith(prefix) for key in content):
             node["prefix"] = prefix
             for key in content:
                 content[key].setdefault("as", self.unique("named_"))

@@ -1,6 +1,7 @@
 /// Where hosts reach a board.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -46,13 +47,16 @@ std::unique_ptr<Endpoint> open_terminal(const asio::any_io_executor& executor, L
                                         const std::string& link, bool has_rate,
                                         const EndpointLogs& logs);
 
-/// Listens for any number of hosts; those for whom the board has no port are refused.
+/// Listens for hosts; those beyond the number of `places`, or for whom the board has no port, are
+/// refused.
 std::unique_ptr<Endpoint> listen_tcp(const asio::any_io_executor& executor, LiveBoard& board,
-                                     const ListenAddress& address, const EndpointLogs& logs);
+                                     const ListenAddress& address, std::size_t places,
+                                     const EndpointLogs& logs);
 
-/// Each sender of datagrams is a host, until it has said nothing for a minute.
+/// Each sender of datagrams is a host, as long as it keeps its place: see DatagramHosts.
 std::unique_ptr<Endpoint> listen_udp(const asio::any_io_executor& executor, LiveBoard& board,
-                                     const ListenAddress& address, const EndpointLogs& logs);
+                                     const ListenAddress& address, std::size_t places,
+                                     const EndpointLogs& logs);
 
 /// Standard input and output, bytes as they are. `on_end`: the input has ended, and whatever came
 /// of it has been written; or it can not go on.

@@ -69,6 +69,16 @@ void LiveBoard::take(std::size_t port, std::size_t size) {
   settle();
 }
 
+void LiveBoard::memory_saved(std::uint32_t revision) {
+  emulator_.memory_saved(revision, now());
+  settle();
+}
+
+void LiveBoard::memory_not_saved(std::uint32_t revision) {
+  emulator_.memory_not_saved(revision, now());
+  settle();
+}
+
 void LiveBoard::settle() {
   is_unsettled_ = true;
   if (is_settling_) return;  // the loop below takes care

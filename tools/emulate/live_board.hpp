@@ -39,6 +39,10 @@ class LiveBoard {
   std::span<const std::uint8_t> output(std::size_t port) const { return emulator_.to_host(port); }
   void take(std::size_t port, std::size_t size);
 
+  /// Changes of the memory up to that revision are safe, or can not be made safe.
+  void memory_saved(std::uint32_t revision);
+  void memory_not_saved(std::uint32_t revision);
+
   const board::Memory& memory() const { return emulator_.board().memory(); }
   board::Emulator& emulator() { return emulator_; }
   /// Since the beginning.

@@ -1,5 +1,6 @@
 #include "service.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <stdexcept>
@@ -7,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "state_file.hpp"
 #include "traffic.hpp"
 
 namespace sbgc::emulate {
@@ -48,11 +50,12 @@ void Service::add(unsigned number) {
   add_to(emulator.board.device_id, number);
   add_to(emulator.board.mcu_id, number);
   const std::string state = numbered_name(options_.state, number);
-  std::unique_ptr<StateFile> file;
+  std::shared_ptr<StateFile> file;
   std::optional<tools::SavedMemory> saved;
   if (!state.empty()) {
-    file = std::make_unique<StateFile>(state);
+    file = std::make_shared<StateFile>(state);
     saved = file->load();
+    emulator.board.waits_for_saving = true;
   }
   if (saved) {
     board::Options& board = emulator.board;
@@ -71,8 +74,10 @@ void Service::add(unsigned number) {
   served.board = std::make_unique<LiveBoard>(context_.get_executor(), emulator,
                                              saved ? std::move(saved->memory) : board::Memory{});
   if (file) {
-    served.state = std::make_unique<StateKeeper>(context_.get_executor(), *served.board,
-                                                 std::move(file), numbered(logs_.warning, number));
+    served.state = std::make_unique<StateKeeper>(
+        context_.get_executor(), savers(), *served.board,
+        [file](const tools::SavedMemory& memory) { return file->save(memory); },
+        numbered(logs_.warning, number));
     served.board->on_memory_changed = [&keeper = *served.state] { keeper.changed(); };
   }
   if (logs_.traffic) {
@@ -104,9 +109,21 @@ void Service::open_endpoints(Served& served, unsigned number) {
     const std::string link = numbered_name(options_.link, number);
     add(open_terminal(executor, *served.board, link, has_rate, logs));
   }
-  if (options_.tcp) add(listen_tcp(executor, *served.board, at(*options_.tcp), logs));
-  if (options_.udp) add(listen_udp(executor, *served.board, at(*options_.udp), logs));
+  // TCP and UDP share what the others leave, so that neither can take it all.
+  const std::size_t others = (options_.terminal ? 1U : 0U) + (options_.stdio ? 1U : 0U);
+  const std::size_t places = board::Board::max_ports - others;
+  const std::size_t for_udp = options_.tcp ? places / 2 : places;
+  const std::size_t for_tcp = options_.udp ? places - for_udp : places;
+  if (options_.tcp) add(listen_tcp(executor, *served.board, at(*options_.tcp), for_tcp, logs));
+  if (options_.udp) add(listen_udp(executor, *served.board, at(*options_.udp), for_udp, logs));
   if (options_.stdio) add(use_stdio(executor, *served.board, on_end_));
+}
+
+asio::thread_pool& Service::savers() {
+  // They wait for disks, most of the time.
+  constexpr unsigned most = 8;
+  if (!savers_) savers_.emplace(std::min(options_.count, most));
+  return *savers_;
 }
 
 Log Service::numbered(const Log& log, unsigned number) const {

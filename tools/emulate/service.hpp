@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <asio/io_context.hpp>
+#include <asio/thread_pool.hpp>
 
 #include "endpoint.hpp"
 #include "live_board.hpp"
@@ -67,10 +68,14 @@ class Service {
   Log numbered(const Log& log, unsigned number) const;
   std::string numbered_name(const std::string& name, unsigned number) const;
 
+  /// Made when it is needed.
+  asio::thread_pool& savers();
+
   asio::io_context& context_;
   ServiceOptions options_;
   ServiceLogs logs_;
   std::function<void(std::error_code)> on_end_;
+  std::optional<asio::thread_pool> savers_{};  // ends behind the boards
   std::vector<Served> boards_{};
 };
 

@@ -10,7 +10,8 @@
 namespace sbgc::emulate {
 
 /// A file that no other emulator uses at the same time: FILE.sbgc-lock beside it says so, and is
-/// removed at the end. What it is a symbolic link to is what is read and replaced.
+/// removed at the end. What it is a symbolic link to is what is read and replaced. Temporary files
+/// that an emulator has left behind when it was killed are removed at the beginning.
 class StateFile {
  public:
   /// Throws std::runtime_error if another emulator uses the file, or the lock can not be made:

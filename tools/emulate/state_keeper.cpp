@@ -1,46 +1,73 @@
 #include "state_keeper.hpp"
 
-#include <chrono>
 #include <stdexcept>
-#include <string>
 #include <utility>
+
+#include <asio/executor_work_guard.hpp>
+#include <asio/post.hpp>
 
 namespace sbgc::emulate {
 
-namespace {
+StateKeeper::StateKeeper(const asio::any_io_executor& executor, asio::thread_pool& pool,
+                         LiveBoard& board, Save save, Log warn)
+    : executor_(executor),
+      pool_(pool),
+      board_(board),
+      save_(std::move(save)),
+      warn_(std::move(warn)) {
+  const Result<void> result = save_(snapshot());
+  if (!result) throw std::runtime_error(result.error().message);
+  saved_ = board.memory().revision;
+  board.memory_saved(saved_);
+}
 
-constexpr auto wait_before_saving = std::chrono::milliseconds(500);
-
-}  // namespace
-
-StateKeeper::StateKeeper(const asio::any_io_executor& executor, LiveBoard& board,
-                         std::unique_ptr<StateFile> file, Log warn)
-    : board_(board), file_(std::move(file)), timer_(executor) {
-  std::string problem;
-  warn_ = [&](const std::string& message) { problem = message; };
-  if (!save()) throw std::runtime_error(problem);
-  warn_ = std::move(warn);
+tools::SavedMemory StateKeeper::snapshot() const {
+  return {tools::owner_of(board_.emulator().board().options()), board_.memory()};
 }
 
 void StateKeeper::changed() {
-  is_unsaved_ = true;
-  if (std::exchange(is_waiting_, true)) return;
-  timer_.expires_after(wait_before_saving);
-  timer_.async_wait([this](std::error_code error) {
-    if (error) return;
-    is_waiting_ = false;
-    save();
+  if (!result_.valid()) begin_saving();
+}
+
+void StateKeeper::begin_saving() {
+  saving_ = board_.memory().revision;
+  auto task = std::make_shared<std::packaged_task<Result<void>()>>(
+      [save = save_, memory = snapshot()] { return save(memory); });
+  result_ = task->get_future();
+  // The executor has something to do until the result is there.
+  asio::post(pool_, [this, task, work = asio::make_work_guard(executor_),
+                     alive = std::weak_ptr(is_alive_)]() mutable {
+    (*task)();
+    asio::post(work.get_executor(), [this, alive = std::move(alive)] {
+      if (!alive.expired()) end_saving();
+    });
   });
 }
 
-bool StateKeeper::finish() { return !is_unsaved_ || save(); }
+void StateKeeper::end_saving() {
+  take(result_.get());
+  // A revision that could not be saved is tried again when there is another, and at the end.
+  if (!result_.valid() && board_.memory().revision != saving_) begin_saving();
+}
 
-bool StateKeeper::save() {
-  const tools::MemoryOwner owner = tools::owner_of(board_.emulator().board().options());
-  const Result<void> saved = file_->save({owner, board_.memory()});
-  is_unsaved_ = !saved;
-  if (!saved) warn_(saved.error().message);
-  return static_cast<bool>(saved);
+bool StateKeeper::take(const Result<void>& result) {
+  if (result) {
+    saved_ = saving_;
+    board_.memory_saved(saving_);
+  } else {
+    warn_(result.error().message);
+    board_.memory_not_saved(saving_);
+  }
+  return static_cast<bool>(result);
+}
+
+bool StateKeeper::finish() {
+  if (result_.valid()) take(result_.get());
+  while (board_.memory().revision != saved_) {
+    if (!result_.valid()) begin_saving();
+    if (!take(result_.get())) return false;
+  }
+  return true;
 }
 
 }  // namespace sbgc::emulate

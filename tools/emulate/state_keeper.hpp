@@ -1,38 +1,56 @@
 /// Keeps the memory of a board in its file.
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <future>
 #include <memory>
 
 #include <asio/any_io_executor.hpp>
-#include <asio/steady_timer.hpp>
+#include <asio/thread_pool.hpp>
 
 #include "endpoint.hpp"
 #include "live_board.hpp"
-#include "state_file.hpp"
+#include "memory_file.hpp"
 
 namespace sbgc::emulate {
 
+/// Saves what has changed and then lets the board tell of it. Threads of the pool do so, one at a
+/// time for each board, so that no other board waits; what changes meanwhile is saved next.
 class StateKeeper {
  public:
-  /// Writes the file, so that it is known to work: throws std::runtime_error if it does not.
-  /// `warn` is told when it does not any more.
-  StateKeeper(const asio::any_io_executor& executor, LiveBoard& board,
-              std::unique_ptr<StateFile> file, Log warn);
+  /// Brings a memory to the disk. Called in a thread of the pool.
+  using Save = std::function<Result<void>(const tools::SavedMemory&)>;
 
-  /// The memory has changed: it is saved some moments later, with what changes meanwhile.
+  /// Saves, so that it is known to work: throws std::runtime_error if it does not. `warn` is told
+  /// when it does not any more. The pool ends before what `save` uses, and before the executor.
+  StateKeeper(const asio::any_io_executor& executor, asio::thread_pool& pool, LiveBoard& board,
+              Save save, Log warn);
+  StateKeeper(const StateKeeper&) = delete;
+  StateKeeper& operator=(const StateKeeper&) = delete;
+  ~StateKeeper() = default;
+
+  /// The memory has changed.
   void changed();
-  /// Saves what is not. False if that fails.
+  /// Saves what is not, when the executor runs no more. False if that fails.
   bool finish();
 
  private:
-  bool save();
+  tools::SavedMemory snapshot() const;
+  void begin_saving();
+  void end_saving();
+  /// Takes the result of saving the memory as it was at `saving_`.
+  bool take(const Result<void>& result);
 
+  asio::any_io_executor executor_;
+  asio::thread_pool& pool_;
   LiveBoard& board_;
-  std::unique_ptr<StateFile> file_;
+  Save save_;
   Log warn_;
-  asio::steady_timer timer_;
-  bool is_waiting_ = false;
-  bool is_unsaved_ = false;
+  std::uint32_t saving_{};              ///< revision that is being saved
+  std::uint32_t saved_{};               ///< last one that has been saved
+  std::future<Result<void>> result_{};  ///< valid while something is being saved
+  std::shared_ptr<bool> is_alive_ = std::make_shared<bool>(true);
 };
 
 }  // namespace sbgc::emulate

@@ -51,8 +51,12 @@ class Connection final : public io::detail::StreamTransport<tcp::socket> {
 class TcpEndpoint final : public Endpoint {
  public:
   TcpEndpoint(const asio::any_io_executor& executor, LiveBoard& board, const ListenAddress& listen,
-              EndpointLogs logs)
-      : board_(board), acceptor_(executor), timer_(executor), logs_(std::move(logs)) {
+              std::size_t places, EndpointLogs logs)
+      : board_(board),
+        acceptor_(executor),
+        timer_(executor),
+        logs_(std::move(logs)),
+        places_(places) {
     const tcp::endpoint endpoint(address_of(listen), listen.port);
     bind_to(acceptor_, endpoint, "tcp", logs_);
     acceptor_.listen();
@@ -91,9 +95,13 @@ class TcpEndpoint final : public Endpoint {
     socket.set_option(tcp::no_delay(true), error);
     ask_for_life(socket);
     const std::string name = "tcp:" + place_of(peer);
-    const auto host = Host::connect(board_, std::make_unique<Connection>(std::move(socket)));
+    std::shared_ptr<Host> host;
+    if (hosts_.size() < places_) {
+      host = Host::connect(board_, std::make_unique<Connection>(std::move(socket)));
+    }
     if (host == nullptr) {
-      return logs_.warning(name + " refused: all ports of the board are taken");
+      return logs_.warning(
+          fmt::format("{} refused: there are {} places for TCP, and all are taken", name, places_));
     }
     host->on_end = [this, name, leaving = host.get()](std::error_code) {
       std::erase_if(hosts_, [&](const auto& one) { return one.get() == leaving; });
@@ -108,14 +116,16 @@ class TcpEndpoint final : public Endpoint {
   tcp::acceptor acceptor_;
   asio::steady_timer timer_;
   EndpointLogs logs_;
+  std::size_t places_;
   std::vector<std::shared_ptr<Host>> hosts_{};
 };
 
 }  // namespace
 
 std::unique_ptr<Endpoint> listen_tcp(const asio::any_io_executor& executor, LiveBoard& board,
-                                     const ListenAddress& address, const EndpointLogs& logs) {
-  return std::make_unique<TcpEndpoint>(executor, board, address, logs);
+                                     const ListenAddress& address, std::size_t places,
+                                     const EndpointLogs& logs) {
+  return std::make_unique<TcpEndpoint>(executor, board, address, places, logs);
 }
 
 }  // namespace sbgc::emulate

@@ -5,11 +5,11 @@
 #include <chrono>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include <asio/buffer.hpp>
 #include <asio/steady_timer.hpp>
 
+#include "datagram_hosts.hpp"
 #include "listen.hpp"
 
 namespace sbgc::emulate {
@@ -20,22 +20,14 @@ using asio::ip::udp;
 
 /// Fits into what most networks carry in one piece.
 constexpr std::size_t datagram_size = 1400;
-/// Nothing tells that a host has left. One that has been quiet for so long may be replaced when the
-/// ports are all taken, and is forgotten after the longer time.
-constexpr Duration quiet_time = seconds(5);
-constexpr Duration idle_time = seconds(60);
-
-struct Peer {
-  udp::endpoint endpoint{};
-  std::size_t port{};
-  Instant heard{};
-};
+/// One line about datagrams that are lost or refused is enough for so long.
+constexpr Duration told_every = seconds(5);
 
 class UdpEndpoint final : public Endpoint {
  public:
   UdpEndpoint(const asio::any_io_executor& executor, LiveBoard& board, const ListenAddress& listen,
-              EndpointLogs logs)
-      : board_(board), socket_(executor), timer_(executor), logs_(std::move(logs)) {
+              std::size_t places, EndpointLogs logs)
+      : board_(board), socket_(executor), timer_(executor), logs_(std::move(logs)), hosts_(places) {
     bind_to(socket_, udp::endpoint(address_of(listen), listen.port), "udp", logs_);
     socket_.non_blocking(true);
     receive();
@@ -46,7 +38,7 @@ class UdpEndpoint final : public Endpoint {
   UdpEndpoint& operator=(const UdpEndpoint&) = delete;
   // NOLINTNEXTLINE(bugprone-exception-escape): only if there is no memory left
   ~UdpEndpoint() override {
-    for (const Peer& peer : peers_) board_.disconnect(peer.port);
+    for (const auto& host : hosts_.all()) board_.disconnect(host.port);
   }
 
   std::string address() const override { return "udp:" + place_of(socket_.local_endpoint()); }
@@ -62,13 +54,13 @@ class UdpEndpoint final : public Endpoint {
   }
 
   void take(std::span<const std::uint8_t> bytes) {
-    Peer* const peer = peer_of(from_);
-    if (peer == nullptr) return refuse();
-    peer->heard = board_.now();
+    const auto* const host = host_of(from_);
+    if (host == nullptr) return refuse();
+    const std::size_t port = host->port;
     // Datagrams that come faster than the board's line are lost; one alone has room whatever its
     // size.
-    if (bytes.size() <= board_.room(peer->port) || board_.waiting(peer->port) == 0) {
-      return board_.receive(peer->port, bytes);
+    if (bytes.size() <= board_.room(port) || board_.waiting(port) == 0) {
+      return board_.receive(port, bytes);
     }
     if (is_time_to_tell(lost_)) {
       logs_.event(fmt::format("{}: a datagram of {} bytes is lost, as earlier ones still wait",
@@ -78,65 +70,53 @@ class UdpEndpoint final : public Endpoint {
 
   void refuse() {
     if (!is_time_to_tell(refused_)) return;
-    logs_.warning(name_of(from_) + " refused: all ports of the board are taken");
+    logs_.warning(fmt::format("{} refused: there are {} places for UDP, and all are taken",
+                              name_of(from_), hosts_.places()));
   }
 
   /// One line is enough for all datagrams of some time. `told`: when there was one.
   bool is_time_to_tell(std::optional<Instant>& told) const {
     const Instant now = board_.now();
-    if (told && now - *told < quiet_time) return false;
+    if (told && now - *told < told_every) return false;
     told = now;
     return true;
   }
 
-  Peer* peer_of(const udp::endpoint& endpoint) {
-    const auto known = std::find_if(peers_.begin(), peers_.end(),
-                                    [&](const Peer& peer) { return peer.endpoint == endpoint; });
-    if (known != peers_.end()) return &*known;
-    auto port = connect(endpoint);
-    if (!port &&
-        forget(std::min_element(peers_.begin(), peers_.end(),
-                                [](const Peer& a, const Peer& b) { return a.heard < b.heard; }))) {
-      port = connect(endpoint);
+  const DatagramHosts::Host* host_of(const udp::endpoint& endpoint) {
+    const Instant now = board_.now();
+    if (const auto* const known = hosts_.find(endpoint)) {
+      hosts_.hear(endpoint, now);
+      return known;
     }
+    if (hosts_.is_full()) {
+      const auto gone = hosts_.make_room(now);
+      if (!gone) return nullptr;
+      leave(*gone);
+    }
+    const auto port = board_.connect(false, [this, endpoint] { send(endpoint); });
     if (!port) return nullptr;
-    peers_.push_back({endpoint, *port, board_.now()});
     logs_.event(fmt::format("{} is host {}", name_of(endpoint), *port));
-    return &peers_.back();
+    return &hosts_.add(endpoint, *port, now);
   }
 
-  std::optional<std::size_t> connect(const udp::endpoint& endpoint) {
-    return board_.connect(false, [this, endpoint] { send(endpoint); });
-  }
-
-  /// Whether that one has been quiet, and is forgotten.
-  bool forget(std::vector<Peer>::iterator peer, Duration after = quiet_time) {
-    if (peer == peers_.end() || board_.now() - peer->heard < after) return false;
-    const Peer gone = *peer;
-    peers_.erase(peer);
-    board_.disconnect(gone.port);
-    logs_.event(name_of(gone.endpoint) + " has left");
-    return true;
+  void leave(const DatagramHosts::Host& host) {
+    board_.disconnect(host.port);
+    logs_.event(name_of(host.endpoint) + " has left");
   }
 
   void watch() {
     timer_.expires_after(std::chrono::seconds(1));
     timer_.async_wait([this](std::error_code error) {
       if (error) return;
-      while (forget(
-          std::find_if(peers_.begin(), peers_.end(),
-                       [&](const Peer& peer) { return board_.now() - peer.heard >= idle_time; }),
-          idle_time)) {
-      }
+      while (const auto gone = hosts_.forget(board_.now())) leave(*gone);
       watch();
     });
   }
 
   void send(const udp::endpoint& endpoint) {
-    const auto peer = std::find_if(peers_.begin(), peers_.end(),
-                                   [&](const Peer& one) { return one.endpoint == endpoint; });
-    if (peer == peers_.end()) return;
-    const std::size_t port = peer->port;
+    const auto* const host = hosts_.find(endpoint);
+    if (host == nullptr) return;
+    const std::size_t port = host->port;
     for (auto waiting = board_.output(port); !waiting.empty(); waiting = board_.output(port)) {
       const std::size_t size = std::min(waiting.size(), datagram_size);
       std::error_code lost;  // as datagrams are
@@ -151,7 +131,7 @@ class UdpEndpoint final : public Endpoint {
   udp::socket socket_;
   asio::steady_timer timer_;
   EndpointLogs logs_;
-  std::vector<Peer> peers_{};
+  DatagramHosts hosts_;
   std::array<std::uint8_t, 65536> input_{};
   udp::endpoint from_{};
   std::optional<Instant> refused_{};  ///< when a host was last told of as refused
@@ -161,8 +141,9 @@ class UdpEndpoint final : public Endpoint {
 }  // namespace
 
 std::unique_ptr<Endpoint> listen_udp(const asio::any_io_executor& executor, LiveBoard& board,
-                                     const ListenAddress& address, const EndpointLogs& logs) {
-  return std::make_unique<UdpEndpoint>(executor, board, address, logs);
+                                     const ListenAddress& address, std::size_t places,
+                                     const EndpointLogs& logs) {
+  return std::make_unique<UdpEndpoint>(executor, board, address, places, logs);
 }
 
 }  // namespace sbgc::emulate

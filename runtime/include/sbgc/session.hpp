@@ -39,8 +39,9 @@ struct SessionCapacity {
 ///   answer could be taken for that of another in flight waits; unrelated ones overtake it.
 /// - When a request is over and its answer may still come, a later request that this answer would
 ///   fit waits, too. So a late answer is never taken for the answer of the next request.
-/// - The sink may call send(), cancel(), statistics() and the like, but not feed(), poll() or
-///   abandon(). It must not throw.
+/// - The sink may call send(), cancel(), set_line(), statistics() and the like, but not feed(),
+///   poll(), written() or abandon(). It must not throw. An event comes when the session has taken
+///   in what it tells: a request that the sink sends belongs to what comes after.
 /// - Time may jump forward; if it runs backwards it counts as standing still.
 ///
 /// No heap, no clock, no locks. A Session takes about 6 KB.
@@ -129,10 +130,10 @@ class BasicSession {
   template <class Sink>
   void abandon(Sink&& sink) {
     parser_.flush([](const Frame&) {});
-    complete_all(Outcome::link_lost, sink);
-    ghosts_.clear();
-    streams_.clear();
+    forget_streams();
     next_send_ = now_;
+    complete_all(Outcome::link_lost, sink, Handle{last_handle_});
+    ghosts_.clear();  // those of the requests that have just ended, too
   }
 
   /// The line is another one, or has other settings.
@@ -158,9 +159,9 @@ class BasicSession {
 
  private:
   struct Request {
-    Handle handle{};  // none: the slot is free
-    Exchange exchange{};
-    bool waits{};  // for something that the board says
+    Handle handle{};      // none: the slot is free
+    Exchange exchange{};  // its `stream` is a change that `streams_` has noted, or none
+    bool waits{};         // for something that the board says
     bool is_in_flight{};
     bool is_due{};            // to be sent again
     std::uint8_t attempts{};  // transmissions left
@@ -206,12 +207,12 @@ class BasicSession {
       const std::uint32_t limit = options.ignore_budget ? 0 : stream_limit();
       const SendStatus status = streams_.check(stream, limit);
       if (status != SendStatus::ok) return refuse(status);
-      streams_.ask(stream);
     }
     const bool certain = is_certain(exchange);
     const std::uint8_t attempts = options.attempts != 0 ? options.attempts : options_.attempts;
     slot.handle = {++last_handle_};
     slot.exchange = exchange;
+    if (stream.command != 0 && !streams_.ask(stream)) slot.exchange.stream = {};
     const bool may_be_confirmed = exchange.replies.confirmed != Confirmed::never;
     slot.waits = certain || (options.expect_confirmation && may_be_confirmed);
     slot.is_in_flight = slot.is_due = false;
@@ -470,12 +471,12 @@ class BasicSession {
   void take_reset(const Frame& frame, Sink& sink) {
     ++statistics_.resets;
     const Handle newest{last_handle_};
+    forget_streams();
     for (Request& request : requests_) {
       if (waiting_form(request, frame) == nullptr) continue;
       complete(request, Outcome::answered, frame, sink);
       break;
     }
-    streams_.clear();
     report({.kind = EventKind::reset, .command = frame.id, .frame = frame}, sink);
     complete_all(Outcome::reset, sink, newest);
     // Until it restarts, the board may go on answering.
@@ -494,9 +495,11 @@ class BasicSession {
 
   // Ends
 
-  template <class Sink>
-  void complete_all(Outcome outcome, Sink& sink) {
-    complete_all(outcome, sink, Handle{last_handle_});
+  /// No stream runs any more, and no change that has been asked for will be made. Not behind an
+  /// event of the same occurrence: the sink may have asked for another stream.
+  void forget_streams() noexcept {
+    streams_.clear();
+    for (Request& request : requests_) request.exchange.stream = {};
   }
 
   /// Completes the requests up to `newest`: not what the sink sends meanwhile.
@@ -515,7 +518,7 @@ class BasicSession {
     const bool done =
         outcome == Outcome::answered || outcome == Outcome::confirmed || outcome == Outcome::sent;
     if (exchange.stream.command != 0) streams_.settle(exchange.stream, done);
-    if (exchange.restarts_board && done) streams_.clear();
+    if (exchange.restarts_board && done) streams_.stop();
     const Event event{.kind = EventKind::completed,
                       .handle = request.handle,
                       .outcome = outcome,

@@ -89,7 +89,21 @@ class Board::Core {
 
   void restart(Instant now) {
     run_until(now);
-    machine.restarts.restart_now(machine, clock_, false, true);
+    step([&] { machine.restarts.restart_now(machine, clock_, false, true); });
+  }
+
+  void memory_saved(std::uint32_t revision, Instant now) {
+    run_until(now);
+    if (revision == machine.memory.revision) machine.memory.is_unsaved = false;
+    machine.ports.release(revision);
+  }
+
+  void memory_not_saved(std::uint32_t revision, Instant now) {
+    run_until(now);
+    machine.ports.fail(revision, [&](std::span<const std::uint8_t> frame) {
+      return refusal_instead(machine.versions(), frame);
+    });
+    for (std::size_t port = 0; port < turns_.size(); ++port) plan_turn(port);
   }
 
   void set_silent(bool is_silent) {
@@ -105,10 +119,22 @@ class Board::Core {
   /// A pause after which a frame that has begun is none. Ours.
   static constexpr Duration idle_time = milliseconds(100);
 
+  /// Does one of the things that the board does; all that it says meanwhile may tell of a change
+  /// to the memory that is made meanwhile.
+  template <class Do>
+  void step(Do&& something) {
+    const std::uint32_t before = machine.memory.revision;
+    something();
+    if (!machine.options.waits_for_saving) return;
+    const std::uint32_t after = machine.memory.revision;
+    if (after != before) machine.memory.is_unsaved = true;
+    machine.ports.end_step(after != before ? std::optional(after) : std::nullopt);
+  }
+
   void run_due(Instant now) {
-    machine.restarts.advance(machine, now);
+    step([&] { machine.restarts.advance(machine, now); });
     for_each_part(machine, [&](auto& part) {
-      if (part.next() <= now) part.advance(machine, now);
+      if (part.next() <= now) step([&] { part.advance(machine, now); });
     });
     for (std::size_t port = 0; port < idle_.size(); ++port) {
       if (idle_[port] > now) continue;
@@ -119,7 +145,7 @@ class Board::Core {
     for (std::size_t port = 0; port < turns_.size(); ++port) {
       if (turns_[port] > now) continue;
       turns_[port] = Instant::never;
-      if (machine.ports.has_turn(port)) take_turn(port, now);
+      if (machine.ports.has_turn(port)) step([&] { take_turn(port, now); });
       plan_turn(port);
     }
   }
@@ -204,6 +230,14 @@ void Board::sent(std::size_t port, std::size_t size, Instant now) {
 
 void Board::restart(Instant now) { entered().restart(now); }
 
+void Board::memory_saved(std::uint32_t revision, Instant now) {
+  entered().memory_saved(revision, now);
+}
+
+void Board::memory_not_saved(std::uint32_t revision, Instant now) {
+  entered().memory_not_saved(revision, now);
+}
+
 void Board::set_silent(bool is_silent) { core_->set_silent(is_silent); }
 
 const Memory& Board::memory() const { return core_->machine.memory; }
@@ -212,7 +246,7 @@ std::size_t Board::waiting(std::size_t port) const { return core_->machine.ports
 
 bool Board::is_quiet(std::size_t port) const {
   const Ports& ports = core_->machine.ports;
-  return !ports.is_in_frame(port) && ports.waiting(port) == 0 && ports.output(port).empty();
+  return !ports.is_in_frame(port) && ports.waiting(port) == 0 && !ports.has_output(port);
 }
 
 Gimbal& Board::gimbal() { return core_->machine.gimbal; }

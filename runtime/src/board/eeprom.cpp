@@ -51,7 +51,7 @@ std::span<const std::uint8_t> Eeprom::bytes(std::size_t address, std::size_t siz
 
 void Eeprom::write(std::size_t address, std::span<const std::uint8_t> bytes) {
   const auto place = std::span(memory_.eeprom).subspan(address, bytes.size());
-  if (std::ranges::equal(place, bytes)) return;
+  if (!memory_.is_unsaved && std::ranges::equal(place, bytes)) return;
   std::ranges::copy(bytes, place.begin());
   ++memory_.revision;
 }

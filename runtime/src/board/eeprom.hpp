@@ -38,7 +38,7 @@ class Eeprom {
 
   /// Precondition for all below: inside the EEPROM. The span is valid until the Memory is assigned.
   std::span<const std::uint8_t> bytes(std::size_t address, std::size_t size) const;
-  /// Bytes that are there already are no change.
+  /// Bytes that are there already are no change, unless they are not safe yet.
   void write(std::size_t address, std::span<const std::uint8_t> bytes);
   /// All bytes become erased ones.
   void erase();

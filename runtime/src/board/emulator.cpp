@@ -167,6 +167,18 @@ void Emulator::restart(Instant now) {
   step(now);
 }
 
+void Emulator::memory_saved(std::uint32_t revision, Instant now) {
+  advance(now);
+  board_.memory_saved(revision, now);
+  step(now);
+}
+
+void Emulator::memory_not_saved(std::uint32_t revision, Instant now) {
+  advance(now);
+  board_.memory_not_saved(revision, now);
+  step(now);
+}
+
 const LineCounters& Emulator::counters(std::size_t port, Line::Way way) const {
   return way == Line::Way::to_board ? at(port).to_board.counters() : at(port).to_host.counters();
 }

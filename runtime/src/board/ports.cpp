@@ -15,7 +15,8 @@ std::size_t limit(std::size_t size) {
 
 Ports::Ports(const Options& options)
     : input_limit_(std::min(limit(options.input_buffer), max_input)),
-      output_limit_(limit(options.output_buffer)) {}
+      output_limit_(limit(options.output_buffer)),
+      holds_(options.waits_for_saving) {}
 
 std::optional<std::size_t> Ports::open(bool is_usb) {
   for (std::size_t port = 0; port < ports_.size(); ++port) {
@@ -56,14 +57,51 @@ void Ports::send_frame(std::size_t port, std::span<const std::uint8_t> frame) {
     ++counters.skipped;
     return;
   }
-  if (to.output_begin > to.output.size() / 2) {
-    to.output.erase(to.output.begin(),
-                    to.output.begin() + static_cast<std::ptrdiff_t>(to.output_begin));
-    to.output_begin = 0;
-  }
+  if (to.output_begin > to.output.size() / 2) to.forget_sent();
+  if (holds_) to.held.push_back({to.output.size(), frame.size(), {}});
   to.output.insert(to.output.end(), frame.begin(), frame.end());
   ++counters.sent;
   tell(port, {Framing::id(frame.data()), Framing::body(frame.data()), 0}, {});
+}
+
+void Ports::Port::forget_sent() {
+  output.erase(output.begin(), output.begin() + static_cast<std::ptrdiff_t>(output_begin));
+  for (Held& frame : held) frame.begin -= output_begin;
+  output_begin = 0;
+}
+
+void Ports::end_step(std::optional<std::uint32_t> changed) {
+  for (Port& port : ports_) {
+    for (auto frame = port.held.rbegin(); frame != port.held.rend() && !frame->revision; ++frame) {
+      frame->revision = changed;
+    }
+    while (!port.held.empty() && !port.held.back().revision) port.held.pop_back();
+  }
+}
+
+void Ports::release(std::uint32_t revision) {
+  for (Port& port : ports_) {
+    while (!port.held.empty() && *port.held.front().revision <= revision) port.held.pop_front();
+  }
+}
+
+void Ports::fail(std::uint32_t revision, const Refusal& refusal) {
+  for (std::size_t number = 0; number < ports_.size(); ++number) {
+    Port& port = ports_[number];
+    while (!port.held.empty() && *port.held.front().revision <= revision) {
+      const Held frame = port.held.front();
+      port.held.pop_front();
+      const auto begin = port.output.begin() + static_cast<std::ptrdiff_t>(frame.begin);
+      const auto end = begin + static_cast<std::ptrdiff_t>(frame.size);
+      const std::vector<std::uint8_t> instead = refusal({begin, end});
+      const bool is_other = !std::equal(begin, end, instead.begin(), instead.end());
+      const auto place = port.output.erase(begin, end);
+      port.output.insert(place, instead.begin(), instead.end());
+      for (Held& later : port.held) later.begin += instead.size() - frame.size;
+      if (!is_other || instead.empty()) continue;
+      tell(number, {Framing::id(instead.data()), Framing::body(instead.data()), 0}, {});
+    }
+  }
 }
 
 std::size_t Ports::room(std::size_t port) const {
@@ -118,6 +156,7 @@ void Ports::restart(bool output_too) {
     if (output_too) {
       port.output.clear();
       port.output_begin = 0;
+      port.held.clear();
     }
   }
 }
@@ -131,7 +170,14 @@ void Ports::forget_input(Port& port) {
 std::span<const std::uint8_t> Ports::output(std::size_t port) const {
   const Port& from = ports_[port];
   const auto all = std::span(from.output).subspan(from.output_begin);
-  return is_silent_ ? all.first(0) : all.first(std::min(all.size(), output_limit_));
+  if (is_silent_) return all.first(0);
+  const std::size_t free =
+      from.held.empty() ? all.size() : from.held.front().begin - from.output_begin;
+  return all.first(std::min(free, output_limit_));
+}
+
+bool Ports::has_output(std::size_t port) const {
+  return !is_silent_ && ports_[port].output_size() != 0;
 }
 
 void Ports::sent(std::size_t port, std::size_t size) {

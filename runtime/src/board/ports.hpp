@@ -30,6 +30,16 @@ class Ports {
 
   explicit Ports(const Options& options);
 
+  /// Frames that tell of a change to the memory wait for release() or fail(): each step of the
+  /// board's work ends with end_step(), with the revision if the step has changed the memory. What
+  /// is behind such a frame waits, too.
+  void end_step(std::optional<std::uint32_t> changed);
+  /// Changes up to that revision may be told.
+  void release(std::uint32_t revision);
+  /// They can not be made: `refusal(frame)` is the frame to send instead of each that tells of one.
+  using Refusal = std::function<std::vector<std::uint8_t>(std::span<const std::uint8_t>)>;
+  void fail(std::uint32_t revision, const Refusal& refusal);
+
   std::optional<std::size_t> open(bool is_usb);
   void close(std::size_t port);
   bool is_open(std::size_t port) const;
@@ -77,7 +87,10 @@ class Ports {
   /// as well.
   void restart(bool output_too);
 
+  /// What may be sent now.
   std::span<const std::uint8_t> output(std::size_t port) const;
+  /// Whether anything is to be sent, now or later.
+  bool has_output(std::size_t port) const;
   void sent(std::size_t port, std::size_t size);
 
   /// Nothing goes out any more.
@@ -96,6 +109,12 @@ class Ports {
   /// beyond the output buffer when a host does not read. Ours.
   static constexpr std::size_t max_overflow = 4096;
 
+  /// A frame of the output that waits.
+  struct Held {
+    std::size_t begin{}, size{};              ///< in Port::output
+    std::optional<std::uint32_t> revision{};  ///< nothing: that of the step that is going on
+  };
+
   struct Port {
     bool is_open{}, is_usb{}, has_ended{};
     Parser parser{};
@@ -103,8 +122,11 @@ class Ports {
     std::size_t requests_size{};
     std::vector<std::uint8_t> output{};  ///< from `output_begin` on
     std::size_t output_begin{};
+    std::deque<Held> held{};
 
     std::size_t output_size() const { return output.size() - output_begin; }
+    /// Removes what has been sent from `output`.
+    void forget_sent();
   };
 
   static std::uint64_t parser_errors(const Parser& parser);
@@ -114,6 +136,7 @@ class Ports {
   std::array<Port, Board::max_ports> ports_{};
   std::size_t input_limit_{};
   std::size_t output_limit_{};
+  bool holds_{};
   bool is_silent_{};
 };
 

@@ -18,7 +18,7 @@ std::uint8_t Settings::profile() const {
 }
 
 void Settings::select_profile(std::uint8_t profile) {
-  if (memory_.profile != profile) ++memory_.revision;
+  if (memory_.is_unsaved || memory_.profile != profile) ++memory_.revision;
   memory_.profile = profile;
   StoredMessages::for_each([&]<class M>(Type<M>) {
     if constexpr (is_of_profile<M>) use(stored<M>(profile));

@@ -5,6 +5,31 @@
 #include "machine.hpp"
 
 namespace sbgc::board {
+namespace {
+
+/// CMD_ERROR in the form that real boards send: with the command that failed (E086).
+ErrorExt error_about(std::uint8_t command, Refusal reason, std::uint32_t detail) {
+  ErrorExt error;
+  error.cmd_id = static_cast<CommandId>(command);
+  error.error_code = static_cast<std::uint8_t>(reason);
+  for (std::size_t i = 0; i < error.error_data.size(); ++i) {
+    error.error_data[i] = static_cast<std::uint8_t>(detail >> (8 * i));
+  }
+  return error;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> refusal_instead(Availability versions,
+                                          std::span<const std::uint8_t> frame) {
+  const Frame held{Framing::id(frame.data()), Framing::body(frame.data()), 0};
+  if (!roles::is_confirmation(held)) return {frame.begin(), frame.end()};
+  if (!is_supported<ErrorExt>(versions)) return {};
+  std::vector<std::uint8_t> result(max_frame_size);
+  const std::uint8_t command = roles::confirmed_command(held);
+  result.resize(encode_frame(error_about(command, Refusal::operation_failed, 0), result).size);
+  return result;
+}
 
 Availability Turn::versions() const { return machine.versions(); }
 
@@ -37,13 +62,7 @@ Outcome Turn::confirm(roles::Confirmation confirmation) {
 }
 
 Outcome Turn::refuse(Refusal reason, std::uint32_t detail) {
-  ErrorExt error;  // the form that real boards send: with the command that failed (E086)
-  error.cmd_id = static_cast<CommandId>(command);
-  error.error_code = static_cast<std::uint8_t>(reason);
-  for (std::size_t i = 0; i < error.error_data.size(); ++i) {
-    error.error_data[i] = static_cast<std::uint8_t>(detail >> (8 * i));
-  }
-  static_cast<void>(answer(error));
+  static_cast<void>(answer(error_about(command, reason, detail)));
   return Outcome::refused;
 }
 

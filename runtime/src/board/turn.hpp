@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include <sbgc/availability.hpp>
 #include <sbgc/board/board.hpp>
@@ -20,13 +21,20 @@ struct Machine;
 
 /// Reasons in CMD_ERROR. Ours: the specification does not publish the codes of real boards.
 enum class Refusal : std::uint8_t {
-  bad_parameter = 1,  ///< a value that the command does not have
-  bad_address = 2,    ///< outside the memory, or not aligned
-  no_device = 3,      ///< nothing answers on the bus
-  no_room = 4,        ///< a table is full
-  not_possible = 5,   ///< not in the present state
-  no_script = 6,      ///< the slot is empty
+  bad_parameter = 1,      ///< a value that the command does not have
+  bad_address = 2,        ///< outside the memory, or not aligned
+  no_device = 3,          ///< nothing answers on the bus
+  no_room = 4,            ///< a table is full
+  not_possible = 5,       ///< not in the present state
+  no_script = 6,          ///< the slot is empty
+  operation_failed = 10,  ///< the memory can not be written
 };
+
+/// The frame to send instead of one that tells of a change to the memory, which can not be saved:
+/// CMD_ERROR instead of a confirmation, other frames as they are. Empty if this board and firmware
+/// have no such error.
+std::vector<std::uint8_t> refusal_instead(Availability versions,
+                                          std::span<const std::uint8_t> frame);
 
 /// One request while it is carried out. A handler is
 ///     Outcome handle(Turn& turn, const M& request);

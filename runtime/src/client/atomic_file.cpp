@@ -1,5 +1,6 @@
 #include "atomic_file.hpp"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -9,6 +10,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -29,14 +31,12 @@ class Descriptor {
   Descriptor& operator=(const Descriptor&) = delete;
   Descriptor(Descriptor&&) = delete;
   Descriptor& operator=(Descriptor&&) = delete;
-  ~Descriptor() { close(); }
+  ~Descriptor() {
+    if (is_open()) ::close(number_);
+  }
 
   [[nodiscard]] int number() const noexcept { return number_; }
   [[nodiscard]] bool is_open() const noexcept { return number_ >= 0; }
-  bool close() noexcept {
-    const int number = std::exchange(number_, -1);
-    return number < 0 || ::close(number) == 0;
-  }
 
  private:
   int number_;
@@ -68,15 +68,44 @@ std::filesystem::path name_beside(const std::filesystem::path& file) {
   return result;
 }
 
+/// Whether name_beside() could have made that name.
+bool is_beside(std::string_view name, std::string_view file) {
+  const auto skip = [&](std::string_view text) {
+    const bool is_there = name.starts_with(text);
+    if (is_there) name.remove_prefix(text.size());
+    return is_there;
+  };
+  const auto skip_number = [&] {
+    const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
+    name.remove_prefix(digits);
+    return digits != 0;
+  };
+  return skip(file) && skip(".") && skip_number() && skip("-") && skip_number() && name == ".tmp";
+}
+
+/// Whether the open file is a regular one and still has that name.
+bool is_at(int descriptor, const std::filesystem::path& path) {
+  struct stat opened {};
+  struct stat named {};
+  return ::fstat(descriptor, &opened) == 0 && S_ISREG(opened.st_mode) &&
+         ::lstat(path.c_str(), &named) == 0 && opened.st_dev == named.st_dev &&
+         opened.st_ino == named.st_ino;
+}
+
 /// Makes a new file beside another; its descriptor, or -1. A name may be taken: by a process that
-/// was killed and had the same number.
+/// was killed and had the same number. The lock tells others that somebody is at work; one who has
+/// looked just before it has removed the file. Where there are no locks, nobody removes anything.
 int open_beside(const std::filesystem::path& file, std::filesystem::path& path) {
   constexpr mode_t mode = 0644;
   constexpr int most_names = 1000;
   for (int i = 0; i < most_names; ++i) {
     path = name_beside(file);
     const int opened = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-    if (opened >= 0 || errno != EEXIST) return opened;
+    if (opened < 0 && errno != EEXIST) return opened;
+    if (opened < 0) continue;
+    ::flock(opened, LOCK_EX | LOCK_NB);
+    if (is_at(opened, path)) return opened;
+    ::close(opened);
   }
   return -1;
 }
@@ -140,12 +169,14 @@ Result<void> write_file_atomically(const std::filesystem::path& name, std::strin
                                    Existing existing) {
   const std::filesystem::path file = target_of(name);
   std::filesystem::path path;
-  Descriptor opened(open_beside(file, path));
+  const Descriptor opened(open_beside(file, path));
   if (!opened.is_open()) return io_error("cannot write", path, errno);
   const TemporaryFile temporary(path);
   if (existing == Existing::replace) keep_rights(opened.number(), file);
-  const bool is_there = write_all(opened.number(), content) && ::fsync(opened.number()) == 0;
-  if (!is_there || !opened.close()) return io_error("cannot write", path, errno);
+  // Some file systems tell of errors only when a file is closed; the lock goes with the last one.
+  const bool is_there = write_all(opened.number(), content) && ::fsync(opened.number()) == 0 &&
+                        ::close(::dup(opened.number())) == 0;
+  if (!is_there) return io_error("cannot write", path, errno);
   const bool replaces = existing == Existing::replace;
   const int error = !replaces                                   ? move_without_replacing(path, file)
                     : ::rename(path.c_str(), file.c_str()) == 0 ? 0
@@ -156,6 +187,19 @@ Result<void> write_file_atomically(const std::filesystem::path& name, std::strin
   }
   if (error != 0) return io_error("cannot write", file, error);
   return sync_folder(folder_of(file));
+}
+
+void remove_leftovers(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder_of(file), error), end;
+       !error && entry != end; entry.increment(error)) {
+    const std::filesystem::path& path = entry->path();
+    if (!is_beside(path.filename().string(), name)) continue;
+    const Descriptor opened(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+    if (!opened.is_open() || !is_at(opened.number(), path)) continue;
+    if (::flock(opened.number(), LOCK_EX | LOCK_NB) == 0) ::unlink(path.c_str());
+  }
 }
 
 Result<std::string> read_whole_file(const std::filesystem::path& file, std::size_t most) {

@@ -19,6 +19,10 @@ std::filesystem::path target_of(std::filesystem::path file);
 Result<void> write_file_atomically(const std::filesystem::path& name, std::string_view content,
                                    Existing existing);
 
+/// Removes the files beside `file` that write_file_atomically() has left there when it was killed;
+/// not those of one that is at work, nor anybody else's. What can not be removed stays.
+void remove_leftovers(const std::filesystem::path& file);
+
 /// The content of a file of at most `most` bytes.
 Result<std::string> read_whole_file(const std::filesystem::path& file, std::size_t most);
 

@@ -67,7 +67,7 @@ class Board {
   /// When advance() has something to do, Instant::never if only after receive().
   Instant next() const;
 
-  /// What waits to be sent to that host.
+  /// What waits to be sent to that host, up to what waits for memory_saved().
   std::span<const std::uint8_t> output(std::size_t port) const;
   /// The first `size` bytes of it have been sent. Precondition: size <= output(port).size().
   void sent(std::size_t port, std::size_t size, Instant now);
@@ -85,6 +85,12 @@ class Board {
 
   /// What to keep while the power is off. Its `revision` grows with each change.
   const Memory& memory() const;
+  /// With Options::waits_for_saving: the memory as it was at that revision is safe, and hosts may
+  /// hear of the changes up to there.
+  void memory_saved(std::uint32_t revision, Instant now);
+  /// It can not be saved: confirmations of the changes up to there become CMD_ERROR. The changes
+  /// stay in the memory, as what is still to be saved.
+  void memory_not_saved(std::uint32_t revision, Instant now);
   Gimbal& gimbal();
   const BoardCounters& counters() const;
   const Options& options() const;

@@ -70,6 +70,10 @@ class Emulator {
   /// Power off and on.
   void restart(Instant now);
 
+  /// As those of the board.
+  void memory_saved(std::uint32_t revision, Instant now);
+  void memory_not_saved(std::uint32_t revision, Instant now);
+
   Board& board() { return board_; }
   const Board& board() const { return board_; }
   /// The board's end of the line as it is now.

@@ -34,6 +34,9 @@ struct Memory {
   double battery_factor = 1;                ///< calibration of the voltage measurement
   std::uint8_t profile = 0;                 ///< active one
   std::uint32_t revision = 0;               ///< grows with each change; not kept
+  /// What has changed may not be safe yet: writing what is there already counts as a change, too.
+  /// Only with Options::waits_for_saving; not kept.
+  bool is_unsaved = false;
 
   bool operator==(const Memory&) const = default;
 };

@@ -32,6 +32,8 @@ struct Options {
   Duration bootloader_time = seconds(5);
   /// Calibrations take this share of a real board's time, in percent.
   unsigned calibration_time = 100;
+  /// What tells a host of a change to the memory waits until Board::memory_saved() is called.
+  bool waits_for_saving = false;
 };
 
 }  // namespace sbgc::board

@@ -40,10 +40,11 @@ class Streams {
     return SendStatus::ok;
   }
 
-  /// Notes a change that check() allows and that has been asked for.
-  constexpr void ask(const StreamChange& change) noexcept {
+  /// Notes a change that check() allows and that has been asked for. False, and nothing is to be
+  /// settled, if there is no room: it ends a stream that is not known.
+  constexpr bool ask(const StreamChange& change) noexcept {
     const std::size_t place = find(change);
-    if (place == capacity) return;
+    if (place == capacity) return false;
     Stream& stream = streams_[place];
     if (place == size_) {
       stream = {change.command, change.size, change.config};
@@ -52,9 +53,10 @@ class Streams {
     const std::uint32_t load = stream_load(change);
     if (stream.asked < load) stream.asked = load;
     ++stream.changes;
+    return true;
   }
 
-  /// Says whether the board has made a change that was asked for.
+  /// Says whether the board has made a change that ask() has noted.
   constexpr void settle(const StreamChange& change, bool done) noexcept {
     const std::size_t place = find(change);
     if (place == size_) return;
@@ -89,7 +91,15 @@ class Streams {
     return static_cast<std::uint32_t>(sum < most ? sum : most);
   }
 
-  /// The board has forgotten them.
+  /// The board runs none any more, but may still make the changes that are not settled.
+  constexpr void stop() noexcept {
+    for (std::size_t i = size_; i-- > 0;) {
+      streams_[i].load = 0;
+      if (streams_[i].changes == 0) streams_[i] = streams_[--size_];
+    }
+  }
+
+  /// Forgets the changes that are not settled, too.
   constexpr void clear() noexcept { size_ = 0; }
 
  private:

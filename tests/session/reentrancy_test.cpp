@@ -1,0 +1,411 @@
+// A sink that calls back: whatever it does from inside an event, nothing is lost.
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <random>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/exchanges/all.hpp>
+#include <sbgc/session.hpp>
+
+#include "commands.hpp"
+#include "simulation.hpp"
+
+namespace {
+
+using commands::board_info;
+using commands::motors_on;
+using commands::realtime_data_4;
+using sbgc::EventKind;
+using sbgc::Handle;
+using sbgc::milliseconds;
+using sbgc::Outcome;
+using sbgc::seconds;
+using simulation::Body;
+using simulation::body_of;
+using simulation::Record;
+using simulation::Simulation;
+using simulation::Written;
+
+constexpr std::uint8_t stream_interval = 85;
+constexpr std::uint8_t realtime_data_3 = 23;
+
+sbgc::DataStreamInterval stream_of(std::uint8_t command, std::uint16_t interval_ms) {
+  sbgc::DataStreamInterval request;
+  request.cmd_id = static_cast<sbgc::CommandId>(command);
+  request.interval_ms = sbgc::Milliseconds(interval_ms);
+  return request;
+}
+
+/// Bytes a second of a stream of CMD_REALTIME_DATA_4: frames of 129 bytes, ten times a second.
+constexpr std::uint32_t load_of_4 = 1290;
+
+// Streams that are asked for again while an earlier request for them is open
+
+/// Puts a request for the stream in flight, which is not answered, and another behind it.
+void ask_in_vain(Simulation& line) {
+  line.send(stream_of(realtime_data_4, 100));
+  line.run_for(milliseconds(1));
+  ASSERT_EQ(line.written.size(), 1U);
+  line.send(stream_of(realtime_data_4, 200));
+}
+
+void expect_stream_runs(Simulation& line, Handle asked) {
+  EXPECT_EQ(line.outcome(asked), Outcome::confirmed);
+  EXPECT_EQ(line.session.stream_usage().used, load_of_4);
+  line.say(realtime_data_4, body_of(124));
+  line.run();
+  EXPECT_EQ(line.of(EventKind::stream).size(), 1U);
+  EXPECT_EQ(line.of(EventKind::unsolicited).size(), 0U);
+}
+
+TEST(Reentrancy, AStreamAskedForInTheResetEventRuns) {
+  Simulation line;
+  ask_in_vain(line);
+  Handle again;
+  line.on_event = [&](const Record& record) {
+    if (record.event.kind != EventKind::reset) return;
+    EXPECT_EQ(line.session.stream_usage().used, 0U) << "the board has forgotten its streams";
+    again = line.send(stream_of(realtime_data_4, 100));
+    line.board = [&](const Written& frame) { line.confirm(frame.id); };
+  };
+  line.say(commands::reset, {});
+  line.run();
+  expect_stream_runs(line, again);
+}
+
+TEST(Reentrancy, AStreamAskedForWhenARequestEndsWithAResetRuns) {
+  Simulation line;
+  ask_in_vain(line);
+  Handle again;
+  line.on_event = [&](const Record& record) {
+    if (record.event.outcome != Outcome::reset || again) return;
+    again = line.send(stream_of(realtime_data_4, 100));
+    line.board = [&](const Written& frame) { line.confirm(frame.id); };
+  };
+  line.say(commands::reset, {});
+  line.run();
+  expect_stream_runs(line, again);
+}
+
+TEST(Reentrancy, AStreamAskedForWhenTheBoardAnswersAResetRuns) {
+  Simulation line;
+  Handle again;
+  line.on_event = [&](const Record& record) {
+    if (record.event.outcome != Outcome::answered) return;
+    again = line.send(stream_of(realtime_data_4, 100));
+  };
+  line.board = [&](const Written& frame) {
+    if (frame.id == commands::reset) return line.say(commands::reset, {});
+    line.confirm(frame.id);
+  };
+  sbgc::ResetRequestExt request;
+  request.confirm.set(sbgc::ResetOption::notify);
+  line.send(request);
+  line.run();
+  expect_stream_runs(line, again);
+}
+
+TEST(Reentrancy, AStreamAskedForWhenTheLinkIsLostRunsOnTheNextOne) {
+  Simulation line;
+  ask_in_vain(line);
+  Handle again;
+  line.on_event = [&](const Record& record) {
+    if (record.event.outcome != Outcome::link_lost || again) return;
+    EXPECT_EQ(line.session.stream_usage().used, 0U);
+    again = line.send(stream_of(realtime_data_4, 100));
+  };
+  line.session.abandon(line.sink());
+  EXPECT_EQ(line.session.open_requests(), 1U);
+  EXPECT_EQ(line.session.stream_usage().used, load_of_4) << "it is being asked for";
+  line.board = [&](const Written& frame) { line.confirm(frame.id); };
+  line.run();
+  expect_stream_runs(line, again);
+}
+
+TEST(Reentrancy, AStreamBehindARequestThatRestartsTheBoardRuns) {
+  Simulation line;
+  line.board = [&](const Written& frame) {
+    if (frame.id == stream_interval) line.confirm(frame.id);
+  };
+  line.send(stream_of(realtime_data_3, 100));
+  line.run();
+  line.send(sbgc::ResetRequest{});  // without notice: it is over once it is written
+  const Handle behind = line.send(stream_of(realtime_data_4, 100));
+  line.run();
+  expect_stream_runs(line, behind);
+}
+
+TEST(Reentrancy, TheEndOfAnUnknownStreamDoesNotEndThatOfALaterRequest) {
+  Simulation line;
+  line.board = [&](const Written& frame) { line.confirm(frame.id); };
+  const auto custom = [](std::uint32_t flags, std::uint16_t interval) {
+    sbgc::DataStreamInterval request = stream_of(88, interval);
+    request.config.flags = sbgc::RealtimeDataCustomFlags(flags);
+    return request;
+  };
+  for (std::uint32_t i = 0; i < 10; ++i) {  // as many as there can be
+    line.send(custom(i, 100));
+    line.run();
+  }
+  const std::uint32_t before = line.session.stream_usage().used;
+  const Handle end = line.send(custom(0, 0));
+  line.send(stream_of(realtime_data_4, 0));  // is not running
+  Handle asked;
+  line.on_event = [&](const Record& record) {
+    if (record.event.kind == EventKind::completed && record.event.handle == end) {
+      asked = line.send(stream_of(realtime_data_4, 100));
+    }
+  };
+  line.run();
+  EXPECT_EQ(line.outcome(asked), Outcome::confirmed);
+  // 5 + 2 bytes ten times a second are those of the stream without flags.
+  EXPECT_EQ(line.session.stream_usage().used, before - 70 + load_of_4);
+}
+
+// Each call from each event
+
+/// An event and what leads to it.
+struct Occasion {
+  std::string name;
+  EventKind kind;
+  Outcome outcome;
+  std::function<void(Simulation&)> bring_about;
+};
+
+/// Long enough for a request to be sent behind another one.
+constexpr sbgc::Duration to_be_sent = milliseconds(20);
+
+void say_reset(Simulation& line) { line.say(commands::reset, {}); }
+
+const std::vector<Occasion>& occasions() {
+  const auto send_and_say = [](std::uint8_t id, const Body& body) {
+    return [=](Simulation& line) {
+      line.send(sbgc::MotorsOn{});
+      line.run_for(to_be_sent);
+      line.say(id, body);
+    };
+  };
+  static const std::vector<Occasion> all = {
+      {"answered", EventKind::completed, Outcome::answered,
+       [](Simulation& line) {
+         line.send(sbgc::BoardInfoRequest{});
+         line.run_for(to_be_sent);
+         line.say(board_info, body_of(18));
+       }},
+      {"confirmed", EventKind::completed, Outcome::confirmed,
+       send_and_say(commands::confirm, {motors_on})},
+      {"sent", EventKind::completed, Outcome::sent,
+       [](Simulation& line) { line.send(sbgc::Control{}); }},
+      {"unconfirmed", EventKind::completed, Outcome::unconfirmed,
+       [](Simulation& line) { line.send(sbgc::Control{}, {.expect_confirmation = true}); }},
+      {"failed", EventKind::completed, Outcome::failed,
+       [](Simulation& line) {
+         line.send(sbgc::FsClearAll{});
+         line.run_for(to_be_sent);
+         line.say(commands::confirm, {static_cast<std::uint8_t>(sbgc::CommandId::fs_clear_all), 1});
+       }},
+      {"board_error_of_a_request", EventKind::completed, Outcome::board_error,
+       send_and_say(commands::error, {motors_on, 1, 0, 0, 0, 0})},
+      {"timeout", EventKind::completed, Outcome::timeout,
+       [](Simulation& line) { line.send(sbgc::BoardInfoRequest{}, {.attempts = 1}); }},
+      {"reset_of_a_request", EventKind::completed, Outcome::reset,
+       send_and_say(commands::reset, {})},
+      {"cancelled", EventKind::completed, Outcome::cancelled,
+       [](Simulation& line) {
+         const Handle handle = line.send(sbgc::BoardInfoRequest{});
+         line.run_for(to_be_sent);
+         EXPECT_TRUE(line.session.cancel(handle, line.sink()));
+       }},
+      {"link_lost", EventKind::completed, Outcome::link_lost,
+       [](Simulation& line) {
+         line.send(sbgc::BoardInfoRequest{});
+         line.run_for(to_be_sent);
+         line.session.abandon(line.sink());
+       }},
+      {"confirmation", EventKind::confirmation, Outcome::none,
+       [](Simulation& line) {
+         line.send(sbgc::CalibGyro{});
+         line.run_for(to_be_sent);
+         line.confirm(commands::calib_gyro, milliseconds(5));
+         line.confirm(commands::calib_gyro, seconds(2));
+       }},
+      {"board_error", EventKind::board_error, Outcome::none,
+       [](Simulation& line) {
+         line.say(commands::error, {99, 1, 0, 0, 0, 0});
+       }},
+      {"stream", EventKind::stream, Outcome::none,
+       [](Simulation& line) {
+         line.send(stream_of(realtime_data_3, 100));
+         line.run_for(to_be_sent);
+         line.confirm(stream_interval);
+         line.say(realtime_data_3, body_of(63), milliseconds(5));
+       }},
+      {"unsolicited", EventKind::unsolicited, Outcome::none,
+       [](Simulation& line) { line.say(realtime_data_3, body_of(63)); }},
+      {"reset", EventKind::reset, Outcome::none, say_reset},
+  };
+  return all;
+}
+
+/// What the sink does.
+struct Call {
+  std::string name;
+  std::function<void(Simulation&, const Record&, std::vector<Handle>& sent)> make;
+};
+
+const std::vector<Call>& calls() {
+  static const std::vector<Call> all = {
+      {"send",
+       [](Simulation& line, const Record&, std::vector<Handle>& sent) {
+         sent.push_back(line.send(sbgc::ReadParams3Request{}));
+       }},
+      {"start_stream",
+       [](Simulation& line, const Record&, std::vector<Handle>& sent) {
+         sent.push_back(line.send(stream_of(realtime_data_4, 100)));
+       }},
+      {"send_and_cancel",
+       [](Simulation& line, const Record&, std::vector<Handle>& sent) {
+         const Handle handle = line.send(stream_of(realtime_data_4, 100));
+         sent.push_back(handle);
+         EXPECT_TRUE(line.session.cancel(handle, line.sink()));
+         EXPECT_FALSE(line.session.cancel(handle, line.sink()));
+       }},
+      {"cancel_what_it_is_about",
+       [](Simulation& line, const Record& record, std::vector<Handle>&) {
+         const bool is_open = record.event.kind == EventKind::confirmation && record.event.handle;
+         EXPECT_EQ(line.session.cancel(record.event.handle, line.sink()), is_open);
+       }},
+      {"fill_up",
+       [](Simulation& line, const Record&, std::vector<Handle>& sent) {
+         while (const auto result = line.session.send(sbgc::MotorsOff{})) {
+           sent.push_back(result.handle);
+         }
+         EXPECT_EQ(line.session.open_requests(), 8U);
+       }},
+      {"look",
+       [](Simulation& line, const Record& record, std::vector<Handle>&) {
+         static_cast<void>(line.session.statistics());
+         EXPECT_LE(line.session.stream_usage().used, 2 * load_of_4);
+         EXPECT_LE(line.session.open_requests(), 8U);
+         if (record.event.outcome != Outcome::none) {
+           EXPECT_FALSE(line.session.cancel(record.event.handle, line.sink())) << "it is over";
+         }
+         line.session.set_line({115200, sbgc::Parity::none});
+       }},
+  };
+  return all;
+}
+
+class EachCall : public ::testing::TestWithParam<std::tuple<std::size_t, std::size_t, int>> {};
+
+TEST_P(EachCall, FromEachEventDoesWhatItDoesElsewhere) {
+  const Occasion& occasion = occasions()[std::get<0>(GetParam())];
+  const Call& call = calls()[std::get<1>(GetParam())];
+  const int others = std::get<2>(GetParam());
+
+  Simulation line;
+  std::vector<Handle> sent;
+  for (int i = 0; i < others; ++i) {  // of other requests, one is in flight and one waits
+    sent.push_back(line.send(sbgc::EepromReadRequest{}, {.attempts = 1, .timeout = seconds(60)}));
+  }
+  if (others != 0) line.run_for(to_be_sent);
+  bool has_happened = false;
+  line.on_event = [&](const Record& record) {
+    const bool is_it =
+        record.event.kind == occasion.kind && record.event.outcome == occasion.outcome;
+    if (!is_it || has_happened) return;
+    has_happened = true;
+    // From now on the board answers.
+    line.board = [&](const Written& frame) {
+      if (frame.id == 21) {
+        line.say(21, body_of(134));
+      } else {
+        line.confirm(frame.id);
+      }
+    };
+    call.make(line, record, sent);
+  };
+  occasion.bring_about(line);
+  line.run();
+  ASSERT_TRUE(has_happened);
+
+  for (const Handle handle : sent) EXPECT_NE(line.outcome(handle), Outcome::none);
+  EXPECT_EQ(line.session.open_requests(), 0U);
+  const std::uint32_t stream_3 = occasion.kind == EventKind::stream ? 680 : 0;
+  const std::uint32_t stream_4 = call.name == "start_stream" ? load_of_4 : 0;
+  EXPECT_EQ(line.session.stream_usage().used, stream_3 + stream_4);
+  for (std::size_t i = static_cast<std::size_t>(others); i < sent.size(); ++i) {
+    const bool is_cancelled = call.name == "send_and_cancel";
+    const bool is_read = call.name == "send";
+    EXPECT_EQ(line.outcome(sent[i]), is_cancelled ? Outcome::cancelled
+                                     : is_read    ? Outcome::answered
+                                                  : Outcome::confirmed);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EachCall,
+                         ::testing::Combine(::testing::Range(std::size_t{0}, occasions().size()),
+                                            ::testing::Range(std::size_t{0}, calls().size()),
+                                            ::testing::Values(0, 2)),
+                         [](const auto& one) {
+                           return occasions()[std::get<0>(one.param)].name + "_" +
+                                  calls()[std::get<1>(one.param)].name + "_" +
+                                  std::to_string(std::get<2>(one.param));
+                         });
+
+// Random calls
+
+class RandomCalls : public ::testing::TestWithParam<unsigned> {};
+
+/// What a session believes to run is what a board that restarts now and then does run.
+TEST_P(RandomCalls, LeaveTheStreamsAsTheBoardHasThem) {
+  std::mt19937 random(GetParam());
+  const auto below = [&](int end) {
+    return std::uniform_int_distribution<int>(0, end - 1)(random);
+  };
+  Simulation line;
+  std::map<std::uint8_t, std::uint32_t> running;  // of the board: loads by command
+  line.board = [&](const Written& frame) {
+    if (below(6) == 0) {
+      running.clear();
+      line.fall_silent_at(line.now);
+      return line.say(commands::reset, {}, milliseconds(0));
+    }
+    if (frame.id == stream_interval) {
+      const std::uint32_t interval = frame.body[1] + 256U * frame.body[2];
+      const std::uint32_t size = frame.body[0] == realtime_data_4 ? 129 : 68;
+      running[frame.body[0]] = interval == 0 ? 0 : size * 1000 / interval;
+    }
+    line.confirm(frame.id, milliseconds(1 + below(80)));
+  };
+  int left = 150;
+  const auto ask = [&] {
+    if (left-- <= 0) return;
+    const std::uint8_t command = below(2) == 0 ? realtime_data_4 : realtime_data_3;
+    static_cast<void>(
+        line.session.send(stream_of(command, static_cast<std::uint16_t>(below(3) * 100))));
+  };
+  line.on_event = [&](const Record&) {
+    for (int calls = below(3); calls > 0; --calls) ask();
+  };
+  while (left > 0) {
+    ask();
+    line.run_for(milliseconds(below(100)));
+  }
+  line.run();
+  std::uint32_t used = 0;
+  for (const auto& [command, load] : running) used += load;
+  EXPECT_EQ(line.session.stream_usage().used, used);
+  EXPECT_EQ(line.session.open_requests(), 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomCalls, ::testing::Range(1U, 201U));
+
+}  // namespace

@@ -1,0 +1,93 @@
+/// Who sends datagrams, and who has to make room for others.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include <asio/ip/udp.hpp>
+
+#include <sbgc/time.hpp>
+
+namespace sbgc::emulate {
+
+/// Nothing tells that the sender of datagrams has left, and anybody can send from any number of
+/// addresses. So there are a limited number of places, and a newcomer takes that of a host that has
+/// been silent: of the longest silent one of those that have said something once only, which a
+/// passer-by does; else of the longest silent of all.
+class DatagramHosts {
+ public:
+  /// So long a place is safe behind the first datagram, and behind each later one.
+  static constexpr Duration safe_once = milliseconds(500);
+  static constexpr Duration safe_again = seconds(5);
+  /// A host that has been silent for so long is forgotten, even if nobody needs its place.
+  static constexpr Duration idle_time = seconds(60);
+
+  struct Host {
+    asio::ip::udp::endpoint endpoint{};
+    std::size_t port{};
+    Instant heard{};
+    bool is_known{};  ///< it has sent more than one datagram
+  };
+
+  explicit DatagramHosts(std::size_t places) : places_(places) {}
+
+  std::size_t places() const { return places_; }
+  bool is_full() const { return hosts_.size() >= places_; }
+  const std::vector<Host>& all() const { return hosts_; }
+
+  const Host* find(const asio::ip::udp::endpoint& endpoint) const {
+    const auto found = std::find_if(hosts_.begin(), hosts_.end(),
+                                    [&](const Host& host) { return host.endpoint == endpoint; });
+    return found == hosts_.end() ? nullptr : &*found;
+  }
+
+  /// Precondition: not full, and the endpoint is not there.
+  const Host& add(const asio::ip::udp::endpoint& endpoint, std::size_t port, Instant now) {
+    return hosts_.emplace_back(Host{endpoint, port, now, false});
+  }
+
+  /// Another datagram has come from a host that is there.
+  void hear(const asio::ip::udp::endpoint& endpoint, Instant now) {
+    for (Host& host : hosts_) {
+      if (host.endpoint != endpoint) continue;
+      host.heard = now;
+      host.is_known = true;
+    }
+  }
+
+  /// Removes the host that makes room for another; nothing if all are safe.
+  std::optional<Host> make_room(Instant now) {
+    return remove_first([&](const Host& host) {
+      return now - host.heard >= (host.is_known ? safe_again : safe_once);
+    });
+  }
+
+  /// Removes a host that has been silent for very long, if there is one.
+  std::optional<Host> forget(Instant now) {
+    return remove_first([&](const Host& host) { return now - host.heard >= idle_time; });
+  }
+
+ private:
+  template <class Matches>
+  std::optional<Host> remove_first(Matches&& matches) {
+    auto first = hosts_.end();
+    for (auto host = hosts_.begin(); host != hosts_.end(); ++host) {
+      if (matches(*host) && (first == hosts_.end() || goes_before(*host, *first))) first = host;
+    }
+    if (first == hosts_.end()) return std::nullopt;
+    const Host removed = *first;
+    hosts_.erase(first);
+    return removed;
+  }
+
+  static bool goes_before(const Host& one, const Host& other) {
+    return one.is_known == other.is_known ? one.heard < other.heard : other.is_known;
+  }
+
+  std::size_t places_;
+  std::vector<Host> hosts_{};
+};
+
+}  // namespace sbgc::emulate
