@@ -174,7 +174,7 @@ TEST_F(Call, TellsTheErrorOfTheBoard) {
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::board_error);
   EXPECT_EQ(result.error().detail, 12);
-  EXPECT_EQ(result.error().message, "CMD_MOTORS_ON was refused by the board: error_code 12");
+  EXPECT_EQ(result.error().message, "CMD_MOTORS_ON: the board refused: unknown code 12");
 }
 
 TEST_F(Call, TellsAnAnswerThatIsAnErrorByItsName) {

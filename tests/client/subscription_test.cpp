@@ -402,7 +402,7 @@ TEST_F(Subscribed, ToNoticesHearsOfResetsErrorsAndTheLossOfTheLine) {
   ASSERT_EQ(notices.size(), 3U);
   EXPECT_EQ(notices[0].kind, NoticeKind::board_error);
   EXPECT_EQ(notices[0].detail, 9);
-  EXPECT_EQ(notices[0].message, "the board reports an error about CMD_CALIB_ACC: error_code 9");
+  EXPECT_EQ(notices[0].message, "the board reports an error about CMD_CALIB_ACC: NOT_SUPPORTED");
   EXPECT_EQ(notices[2].kind, NoticeKind::link_lost);
   EXPECT_THAT(notices[2].message, HasSubstr("the connection is lost"));
 }

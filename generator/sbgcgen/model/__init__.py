@@ -14,6 +14,7 @@ from sbgcgen.model.values import (
     Quantity,
     SCALARS,
     Scalar,
+    Until,
 )
 from sbgcgen.model.bodies import (
     Alternative,

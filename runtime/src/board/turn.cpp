@@ -36,10 +36,10 @@ Outcome Turn::confirm(roles::Confirmation confirmation) {
   return answer(confirmation);
 }
 
-Outcome Turn::refuse(Refusal reason, std::uint32_t detail) {
+Outcome Turn::refuse(BoardErrorCode reason, std::uint32_t detail) {
   ErrorExt error;  // the form that real boards send: with the command that failed (E086)
   error.cmd_id = static_cast<CommandId>(command);
-  error.error_code = static_cast<std::uint8_t>(reason);
+  error.error_code = reason;
   for (std::size_t i = 0; i < error.error_data.size(); ++i) {
     error.error_data[i] = static_cast<std::uint8_t>(detail >> (8 * i));
   }

@@ -18,16 +18,6 @@ namespace sbgc::board {
 
 struct Machine;
 
-/// Reasons in CMD_ERROR. Ours: the specification does not publish the codes of real boards.
-enum class Refusal : std::uint8_t {
-  bad_parameter = 1,  ///< a value that the command does not have
-  bad_address = 2,    ///< outside the memory, or not aligned
-  no_device = 3,      ///< nothing answers on the bus
-  no_room = 4,        ///< a table is full
-  not_possible = 5,   ///< not in the present state
-  no_script = 6,      ///< the slot is empty
-};
-
 /// One request while it is carried out. A handler is
 ///     Outcome handle(Turn& turn, const M& request);
 /// found by overload (handlers.hpp). It answers through the turn and says what has come of it. A
@@ -61,7 +51,7 @@ class Turn {
   /// The same with the fields that such a confirmation has.
   Outcome confirm(roles::Confirmation confirmation);
   /// CMD_ERROR that names the request.
-  Outcome refuse(Refusal reason, std::uint32_t detail = 0);
+  Outcome refuse(BoardErrorCode reason, std::uint32_t detail = 0);
   /// Says nothing, where the specification wants that.
   static Outcome ignore() { return Outcome::refused; }
 

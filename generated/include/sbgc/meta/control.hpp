@@ -260,7 +260,8 @@ struct Meta<MotorsOff> {
       .id = 109,
       .direction = Direction::to_board,
       .min_size = 0,
-      .max_size = 0};
+      .max_size = 0,
+      .until = {2687, 0}};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
@@ -273,15 +274,16 @@ struct Meta<MotorsOffExt> {
   static constexpr MessageInfo info{
       .name = "MotorsOffExt",
       .command = "CMD_MOTORS_OFF",
-      .summary = "Turn the motors off, in a way that later firmware lets the host choose.",
+      .summary = "Turn the motors off, in one of several ways.",
       .id = 109,
       .direction = Direction::to_board,
       .min_size = 1,
-      .max_size = 1};
+      .max_size = 1,
+      .since = {2687, 0}};
   static constexpr FieldInfo fields[] = {
       {.name = "mode",
        .spec_name = "MODE",
-       .summary = "How to turn them off; its values are not documented."},
+       .summary = "How to turn them off."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
