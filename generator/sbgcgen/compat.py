@@ -303,7 +303,8 @@ def _compare_roles(what: str, old: Message, new: Message, changes: Changes) -> N
     parts = [{part: f.spec_name for part, f in m.parts.items()} for m in (old.role, new.role)]
     for part in sorted({*parts[0], *parts[1]}):
         pair = [names.get(part, "") for names in parts]
-        changes.compare(Level.MEANING, f"{what}: role: {part}", pair[0], pair[1], new.at)
+        level = Level.MEANING if pair[0] else Level.COMPATIBLE
+        changes.compare(level, f"{what}: role: {part}", pair[0], pair[1], new.at)
     for key in ("interval_us", "end", "cycle", "cycle_us", "delay_ms"):
         pair = [getattr(role, key) for role in (old.role, new.role)]
         changes.compare(Level.MEANING, f"{what}: role: {key}", pair[0], pair[1], new.at)

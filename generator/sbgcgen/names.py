@@ -44,7 +44,9 @@ CPP_TYPES = frozenset(
     WriteOptions WriteReport WriteResult Xyz""".split()
 )
 # Members that every generated message has of its own.
-MESSAGE_WORDS = frozenset(("command", "direction", "form", "min_size", "max_size", "since", "tail", "until"))
+MESSAGE_WORDS = frozenset(
+    ("command", "direction", "form", "min_size", "max_size", "since", "tail", "until")
+)
 # Members that every generated struct and packed integer has of its own.
 STRUCT_WORDS = frozenset(("wire_size",))
 PACKED_WORDS = frozenset(("raw", "raw_", "raw_type", "named"))

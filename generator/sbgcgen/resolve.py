@@ -287,7 +287,9 @@ class _Resolver:
             if (d.command, d.direction) == (draft.command, draft.direction) and d is not draft
         }
         if wanted and wanted not in forms:
-            hint = did_you_mean(wanted, [f for f in forms if f]) or "name another form of the command"
+            hint = (
+                did_you_mean(wanted, [f for f in forms if f]) or "name another form of the command"
+            )
             at = node.at("instead")
             self.found.add(at, "SBGC021", f"{draft.command.name} has no form '{wanted}'", hint)
         return Until(versions, forms.get(wanted, "") if wanted else "", node.position)

@@ -36,7 +36,7 @@ _UNITS = {"s": 1_000_000, "ms": 1000, "us": 1}
 # The fields that a role needs, and those that it can have; then what else it has.
 _PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "confirmation": (("command",), ()),
-    "error": (("code",), ("command",)),
+    "error": ((), ("code", "command")),
     "reset": ((), ()),
     "introduction": ((), ()),
     "details": ((), ()),
@@ -226,10 +226,11 @@ class AnswerResolver:
                     text,
                     f"see {other.role.at if other.role else other.at}",
                 )
-            elif other.role and "code" in other.role.parts:
-                codes = [role.parts["code"].type for role in (other.role, message.role)]
-                if codes[0] != codes[1]:
-                    text = f"the codes of {message.name} and {other.name} are of two types"
+            elif other.role and other is not message:
+                codes = [role.parts.get("code") for role in (other.role, message.role)]
+                types = [code.type if code else None for code in codes]
+                if types[0] != types[1]:
+                    text = f"{message.name} has no code of the type that {other.name} has"
                     self.found.add(message.role.at, "SBGC037", text, f"see {other.role.at}")
 
     def _board(

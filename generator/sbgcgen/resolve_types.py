@@ -221,11 +221,11 @@ class TypeResolver:
             self.found.add(node.at("extends"), "SBGC029", f"{name} extends itself", hint)
         elif base:
             values = self._enum_values(base, entries, (name, *on_the_way))
-        return values + [self._enum_value(k, content, node) for k, content in node["values"].items()]
+        return values + [
+            self._enum_value(k, content, node) for k, content in node["values"].items()
+        ]
 
-    def _enum(
-        self, name: str, node: Map, at: Position, kind: str, values: list[EnumValue]
-    ) -> Enum:
+    def _enum(self, name: str, node: Map, at: Position, kind: str, values: list[EnumValue]) -> Enum:
         scalar = SCALARS[node["type"]]
         self.identifier(name, at)
         self._check_values(name, kind, scalar, values)

@@ -333,7 +333,7 @@ TEST_F(Subscribed, ToAStreamThatTheBoardRefusesFails) {
   board.on<DataStreamInterval>([this](const DataStreamInterval&) {
     ErrorExt error;
     error.cmd_id = CommandId::data_stream_interval;
-    error.error_code = 3;
+    error.error_code = BoardErrorCode(3);
     board.send(error);
   });
   Client client = connect();
@@ -393,7 +393,7 @@ TEST_F(Subscribed, ToNoticesHearsOfResetsErrorsAndTheLossOfTheLine) {
   const auto subscription = client.on_notice([&](const Notice& notice) { got.add(notice); });
   ErrorExt error;
   error.cmd_id = CommandId::calib_acc;
-  error.error_code = 9;
+  error.error_code = BoardErrorCode::not_supported;
   board.send(error);
   board.send(Reset{});
   EXPECT_EQ(got.wait_for(2).at(1).kind, NoticeKind::board_reset);

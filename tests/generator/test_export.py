@@ -138,7 +138,12 @@ def test_fixed_layouts_add_up(model: dict[str, Any]) -> None:
     for message in model["messages"]:
         at = 0
         for leaf in message["layout"]:
-            if "when" in leaf or "may_be_missing" in leaf or "[]" in leaf["path"] or None in (leaf["offset"], leaf["count"]):
+            if (
+                "when" in leaf
+                or "may_be_missing" in leaf
+                or "[]" in leaf["path"]
+                or None in (leaf["offset"], leaf["count"])
+            ):
                 break
             assert leaf["offset"] == at, f"{message['name']}.{leaf['path']}"
             at += SCALARS.get(leaf["type"], 1) * leaf["count"]

@@ -131,7 +131,8 @@ class MessageMaker(FieldMaker):
         direction = self.either()
         _, family, node = self.new_command(direction)
         count = self.random.randint(2, 4)
-        names = self.random.sample(("simple", "extended", "success", "error"), count)
+        known = ("simple", "extended", "success", "error")
+        names = self.random.sample((*known, "wide", "one_byte", "extended_wide", "form_2"), count)
         forms: Node = {}
         size = -1  # what the forms so far have at most
         for position, form in enumerate(names):
@@ -151,6 +152,8 @@ class MessageMaker(FieldMaker):
                 size = content["max_size"] = max(1, scope.least + self.random.randint(0, 3))
             if direction == "to_board":
                 content["answer"] = self.answer(scope)
+            if self.chance(0.2):
+                content["until"] = {"firmware": self.random.choice(("2.60", "2.68b7"))}
             forms[form] = {**content, "as": name}
             self.add_body(name, scope, direction)
         order = sorted(forms)

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "arguments.hpp"
 #include "traffic.hpp"
 
 namespace sbgc::emulate {
