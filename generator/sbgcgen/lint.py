@@ -118,14 +118,11 @@ def _can_hold(wide: Field, narrow: Field) -> bool:
     if isinstance(narrow.type, (Blob, Struct, Announced)):
         return False
     has, holds = scalar_of(narrow.type), scalar_of(wide.type)
-    return not (
-        has.minimum is None
-        or has.maximum is None
-        or holds.minimum is None
-        or holds.maximum is None
-        or has.minimum < holds.minimum
-        or has.maximum > holds.maximum
-    )
+    if has is None or has.minimum is None or has.maximum is None:
+        return False
+    if holds is None or holds.minimum is None or holds.maximum is None:
+        return False
+    return holds.minimum <= has.minimum and has.maximum <= holds.maximum
 
 
 def _check_newest(spec: Spec, layout: Layout, found: Diagnostics) -> None:

@@ -73,6 +73,7 @@ __all__ = [
     "Special",
     "Struct",
     "Type",
+    "Until",
     "Variable",
     "VariableSetting",
     "constants",
