@@ -19,6 +19,7 @@
 #include <unistd.h>
 
 #include <sbgc/io/clock.hpp>
+#include <sbgc/protocol.hpp>
 
 #include "commands.hpp"
 #include "emulate/arguments.hpp"
@@ -141,7 +142,9 @@ void add_board_options(CLI::App& command, EmulateOptions& options) {
         board.firmware = version;
         service.firmware_is_given = true;
       },
-      "Firmware version, such as 2.43b9 [2.59]", "VERSION")
+      "Firmware version, such as 2.43b9, up to " +
+          emulate::text_of(FirmwareVersion(newest_firmware)) + " [2.59]",
+      "VERSION")
       ->group("The board");
   add_parsed(
       command, "--board", emulate::parse_board,

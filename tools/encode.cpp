@@ -41,8 +41,8 @@ std::string describe(const Violation& violation) {
       return fmt::format("{}: {} is no multiple of {}", path.data(), violation.value,
                          violation.limit);
     case Rule::count:
-      return fmt::format("{}: {} elements, but at most {} are allowed", path.data(),
-                         violation.value, violation.limit);
+      return fmt::format("{}: {} elements, but at {} {} are possible", path.data(), violation.value,
+                         violation.value < violation.limit ? "least" : "most", violation.limit);
     case Rule::firmware:
     case Rule::board:
       return fmt::format("{}: {} needs {} version {}", path.data(), violation.value,

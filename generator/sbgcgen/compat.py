@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sbgcgen.changes import Change, Changes, Level
+from sbgcgen.changes import Change, Changes, Level, versions
 from sbgcgen.compat_fields import compare_fields, places
 from sbgcgen.compat_types import (
     compare_enum,
@@ -24,6 +24,7 @@ from sbgcgen.model import (
     Layout,
     Message,
     Struct,
+    Until,
     Variable,
 )
 
@@ -225,11 +226,20 @@ def _compare_message(old: Message, new: Message, renamed: dict[str, str], change
     stores = renamed.get(old.stores, old.stores)
     changes.compare(Level.MEANING, f"{what}: stores", stores, new.stores, new.at)
     changes.since(what, old.since, new.since, new.at)
+    ends = [_until_words(m.until, renamed if m is old else {}) for m in (old, new)]
+    changes.compare(Level.MEANING, f"{what}: until", ends[0], ends[1], new.at)
     marks = (bool(old.deprecated), bool(new.deprecated))
     changes.compare(Level.COMPATIBLE, f"{what}: deprecated", marks[0], marks[1], new.at)
     changes.compare(Level.COMPATIBLE, f"{what}: summary", old.summary, new.summary, new.at)
     texts = (old.description, new.description)
     changes.compare(Level.COMPATIBLE, f"{what}: description", texts[0], texts[1], new.at)
+
+
+def _until_words(until: Until | None, renamed: dict[str, str]) -> str | None:
+    if until is None:
+        return None
+    instead = renamed.get(until.instead, until.instead)
+    return versions(until.versions) + (f", then {instead}" if instead else "")
 
 
 def _lengths(message: Message) -> tuple[object, ...]:
@@ -323,7 +333,8 @@ def _compare_roles(what: str, old: Message, new: Message, changes: Changes) -> N
     parts = [{part: f.spec_name for part, f in m.parts.items()} for m in (old.role, new.role)]
     for part in sorted({*parts[0], *parts[1]}):
         pair = [names.get(part, "") for names in parts]
-        changes.compare(Level.MEANING, f"{what}: role: {part}", pair[0], pair[1], new.at)
+        level = Level.MEANING if pair[0] else Level.COMPATIBLE
+        changes.compare(level, f"{what}: role: {part}", pair[0], pair[1], new.at)
     for key in ("interval_us", "end", "cycle", "cycle_us", "delay_ms"):
         pair = [getattr(role, key) for role in (old.role, new.role)]
         changes.compare(Level.MEANING, f"{what}: role: {key}", pair[0], pair[1], new.at)

@@ -309,6 +309,9 @@ def _compare_limits(label: str, old: Field, new: Field, changes: Changes) -> Non
         level = Level.MEANING if old.align % new.align else Level.COMPATIBLE
         changes.add(level, f"{label}: align", old.align, new.align, new.at)
     changes.compare(Level.MEANING, f"{label}: role", old.role or None, new.role or None, new.at)
+    if old.dim == new.dim:
+        level = Level.COMPATIBLE if new.min_count < old.min_count else Level.WIRE
+        changes.compare(level, f"{label}: min_count", old.min_count, new.min_count, new.at)
     counts = [f.capacity if f.max_count is None else f.max_count for f in (old, new)]
     if old.max_count != new.max_count and old.dim == new.dim:
         level = Level.MEANING if counts[1] < counts[0] else Level.COMPATIBLE

@@ -229,15 +229,19 @@ class _Composer:
         if name in choice.lengths:
             return choice.lengths[name]
         if choice.short:
-            return int(any(path.startswith(f"{name}[]") for path in choice.lengths))
+            is_needed = any(path.startswith(f"{name}[]") for path in choice.lengths)
+            return max(member.min_count, int(is_needed))
         if choice.typical:
             usual = 0 if member.reserved else 4 if is_bytes(member) else 3
+            usual = max(usual, member.min_count)
             return min(-(-usual // member.align) * member.align, documented_length(fields, member))
-        if is_bytes(member) or isinstance(member.type, Struct):
+        if member.index:
+            typical = len(member.index)
+        elif is_bytes(member) or isinstance(member.type, Struct):
             typical = 2
         else:
             typical = len(choice.places.at(f"{name}[]", member, member.type)[1])
-        return min(typical, documented_length(fields, member))
+        return min(max(typical, member.min_count), documented_length(fields, member))
 
     def _value(self, member: Field, path: str, around: Any = None) -> Any:
         type_, choice = member.type, self.choice

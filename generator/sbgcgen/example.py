@@ -276,7 +276,7 @@ class _Taker:
 def _index(field: Field, i: int) -> str:
     """The index of a list's element as the leaves of the model have it."""
     is_single = not field.index and not isinstance(field.type, (Struct, Blob))
-    if field.dim == "fixed":
+    if field.dim == "fixed" or field.index:
         return "" if is_single else f"[{i}]"
     return "[]" if isinstance(field.type, Struct) else ""
 

@@ -21,6 +21,7 @@ from sbgcgen.model import (
     Packed,
     Quantity,
     Role,
+    Until,
 )
 from sbgcgen.typical import element_of
 
@@ -42,6 +43,12 @@ def _version(since: Availability) -> dict[str, str] | None:
     if since.board:
         result["board"] = f"{since.board // 10}.{since.board % 10}"
     return result
+
+
+def _until(until: Until | None) -> dict[str, str | None] | None:
+    if until is None:
+        return None
+    return {**(_version(until.versions) or {}), "instead": until.instead or None}
 
 
 def _enum_name(field: Field) -> str | None:
@@ -89,7 +96,11 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
         result["special"] = {str(s.value): s.meaning for s in field.special}
     if any(s.name for s in field.special):
         result["special_names"] = {str(s.value): s.name for s in field.special if s.name}
-    if field.max_count is not None:
+    if field.min_count and not field.index:
+        result["min_count"] = field.min_count
+    if leaf.optional:
+        result["may_be_missing"] = True
+    if field.max_count is not None and not field.index:
         result["max_count"] = field.max_count
     if field.align != 1:
         result["align"] = field.align
@@ -223,6 +234,7 @@ def _message(message: Message) -> dict[str, Any]:
         "source": message.source,
         "errata": list(message.errata),
         "since": _version(message.since),
+        "until": _until(message.until),
         "min_size": message.min_size,
         "max_size": message.max_size,
         "keeps_tail": message.keeps_tail,

@@ -6,6 +6,8 @@ from sbgcgen.compose import conditions
 from sbgcgen.diagnostics import Diagnostics, Position, did_you_mean
 from sbgcgen.load import Spec
 from sbgcgen.model import (
+    Announced,
+    Blob,
     Command,
     Enum,
     Field,
@@ -33,6 +35,8 @@ def lint(spec: Spec, layout: Layout, found: Diagnostics) -> None:
     """Check the whole protocol; findings go into `found`."""
     _check_ids(spec, layout, found)
     _check_forms(layout, found)
+    _check_until(layout, found)
+    _check_newest(spec, layout, found)
     _check_bodies(layout, found)
     _check_variables(layout, found)
     _check_stores(layout, found)
@@ -72,6 +76,60 @@ def _check_forms(layout: Layout, found: Diagnostics) -> None:
                 text = f"{message.name} and {other.name} can have the same size"
                 hint = f"forms are told apart by size; see {other.at}"
                 found.add(message.at, "SBGC014", text, hint)
+
+
+def _check_until(layout: Layout, found: Diagnostics) -> None:
+    """What takes the place of a form comes in time, is answered alike, and can say the same."""
+    by_key = {(m.name, m.direction): m for m in layout.messages}
+    for message in layout.messages:
+        until = message.until
+        if until is None:
+            continue
+        if not until.versions.firmware > message.since.firmware or until.versions.board:
+            text = f"{message.name} ends before it begins"
+            hint = "write 'until: {firmware: 2.68b7}', later than its 'since'"
+            found.add(until.at, "SBGC047", text, hint)
+        other = by_key.get((until.instead, message.direction))
+        if other is None:
+            continue
+        if other.since.firmware > until.versions.firmware:
+            text = f"{other.name} comes later than {message.name} ends"
+            found.add(until.at, "SBGC047", text, f"see {other.at}")
+        answers = [m.answer.messages if m.answer else () for m in (message, other)]
+        if answers[0] != answers[1]:
+            text = f"{other.name}, which takes the place of {message.name}, is answered otherwise"
+            found.add(until.at, "SBGC047", text, f"see {other.at}")
+        fields = {f.name: f for f in other.fields}
+        for field in message.fields:
+            if field.name not in fields or not _can_hold(fields[field.name], field):
+                text = f"{other.name} has no place for '{field.name}' of {message.name}"
+                hint = "the same field, or one that is a wider integer"
+                found.add(field.at, "SBGC047", text, hint)
+
+
+def _can_hold(wide: Field, narrow: Field) -> bool:
+    """Whether one field can take every value of another, of the same meaning."""
+    if (wide.dim, wide.count, wide.when) != (narrow.dim, narrow.count, narrow.when):
+        return False
+    if wide.type == narrow.type:
+        return True
+    if wide.dim != "one" or isinstance(wide.type, (Blob, Struct, Announced)):
+        return False
+    if isinstance(narrow.type, (Blob, Struct, Announced)):
+        return False
+    has, holds = scalar_of(narrow.type), scalar_of(wide.type)
+    if has is None or has.minimum is None or has.maximum is None:
+        return False
+    if holds is None or holds.minimum is None or holds.maximum is None:
+        return False
+    return holds.minimum <= has.minimum and has.maximum <= holds.maximum
+
+
+def _check_newest(spec: Spec, layout: Layout, found: Diagnostics) -> None:
+    node = spec.main.get("protocol", {})
+    if "newest_firmware" in node and not layout.newest_firmware:
+        text = f"'{node['newest_firmware']}' is not a firmware version"
+        found.add(node.at("newest_firmware"), "SBGC030", text, "write it like 2.55b5")
 
 
 def _check_bodies(layout: Layout, found: Diagnostics) -> None:

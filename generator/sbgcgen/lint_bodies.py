@@ -92,6 +92,10 @@ def _check_list(fields: tuple[Field, ...], found: Diagnostics) -> None:
     counted: set[str] = set()
     for field in fields:
         _check_varying(field, found)
+        most = field.capacity if field.max_count is None else field.max_count
+        if field.min_count > most:
+            text = f"'{field.name}' has at least {field.min_count} elements, at most {most}"
+            found.add(field.at, "SBGC042", text, "lower 'min_count'")
         if field.max_count is not None and field.max_count > field.capacity:
             text = f"{field.max_count} elements of '{field.name}' do not fit into a body"
             found.add(field.at, "SBGC042", text, f"there is room for {field.capacity}")

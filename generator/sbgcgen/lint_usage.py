@@ -48,7 +48,9 @@ def _maps(node: Any) -> Iterator[Map]:
 
 
 def _check_unused(spec: Spec, nodes: list[Map], found: Diagnostics) -> None:
-    used = {node[key] for node in nodes for key in ("type", "names") if _is_text(node, key)}
+    used = {
+        node[key] for node in nodes for key in ("type", "names", "extends") if _is_text(node, key)
+    }
     for section, kind in _TYPES.items():
         for _, name, _, at in spec.entries(section):
             if name not in used:

@@ -44,7 +44,9 @@ CPP_TYPES = frozenset(
     WriteOptions WriteReport WriteResult Xyz""".split()
 )
 # Members that every generated message has of its own.
-MESSAGE_WORDS = frozenset(("command", "direction", "form", "min_size", "max_size", "since", "tail"))
+MESSAGE_WORDS = frozenset(
+    ("command", "direction", "form", "min_size", "max_size", "since", "tail", "until")
+)
 # Members that every generated struct and packed integer has of its own.
 STRUCT_WORDS = frozenset(("wire_size",))
 PACKED_WORDS = frozenset(("raw", "raw_", "raw_type", "named"))
@@ -101,6 +103,17 @@ def snake_case(name: str) -> str:
 def camel_case(name: str) -> str:
     """BOARD_INFO_3 -> BoardInfo3, trigger_slots -> TriggerSlots."""
     return "".join(word.capitalize() for word in name.split("_"))
+
+
+# The forms of a command that have a meaning of their own; any other name says how a form differs.
+KNOWN_FORMS = ("simple", "extended", "success", "error")
+_FORM_WORDS = {"simple": "", "success": "", "extended": "ext"}
+
+
+def form_suffix(form: str | None) -> str:
+    """What a form adds to the name of its command: simple -> "", extended_wide -> ext_wide."""
+    words = [_FORM_WORDS.get(word, word) for word in (form or "").split("_")]
+    return "_".join(word for word in words if word)
 
 
 def singular(plural: str) -> str:

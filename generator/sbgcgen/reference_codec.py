@@ -235,7 +235,7 @@ def _count(field: Field, reader: _Reader, values: Fields) -> int:
             raise CodecError("too_short", field.name, reader.at)
         return count
     size = 1 if is_bytes(field) else _size_of(field.type)
-    if reader.left() % size:
+    if reader.left() % size or reader.left() // size < field.min_count:
         raise CodecError("too_short", field.name, len(reader.body))
     if reader.left() // size > field.capacity:
         raise CodecError("too_long", field.name, reader.at)
@@ -400,7 +400,8 @@ def _write_all(field: Field, elements: list[Any], writer: _Writer, name: str) ->
 
 
 def _check_count(field: Field, count: int, name: str, writer: _Writer) -> None:
-    if count > field.capacity if field.dim != "fixed" else count != field.count:
+    fits = field.min_count <= count <= field.capacity
+    if not fits if field.dim != "fixed" else count != field.count:
         raise CodecError("count_mismatch", name, writer.at)
 
 

@@ -22,8 +22,9 @@ from sbgcgen.model import (
     Message,
     Revision,
     Struct,
+    Until,
 )
-from sbgcgen.names import camel_case, snake_case
+from sbgcgen.names import camel_case, form_suffix, snake_case
 from sbgcgen.resolve_answers import AnswerResolver
 from sbgcgen.resolve_fields import (
     FieldResolver,
@@ -38,7 +39,6 @@ from sbgcgen.resolve_types import TypeResolver
 from sbgcgen.resolve_variables import VariableResolver
 
 DIRECTIONS = ("from_board", "to_board")
-_FORM_SUFFIX = {None: "", "simple": "", "success": "", "extended": "Ext", "error": "Error"}
 
 
 @dataclass
@@ -172,7 +172,7 @@ class _Resolver:
         for form, content in forms.items():
             at = side["forms"].at(form) if form else node.at(direction)
             body = content if content is not None else _no_body(at)
-            name = str(body.get("as", base + _FORM_SUFFIX[form]))
+            name = str(body.get("as", base + camel_case(form_suffix(form))))
             draft = _Draft(name, command, direction, form, body, side, at)
             key = (name, direction)
             if key in self.drafts:
@@ -262,6 +262,7 @@ class _Resolver:
             since=self.types.availability(draft.node)
             or self.types.availability(draft.parent)
             or draft.command.since,
+            until=self._until(draft),
             deprecated=self.types.deprecation(draft.node)
             or self.types.deprecation(draft.parent)
             or self.types.deprecation(self._command_node(draft)),
@@ -303,6 +304,27 @@ class _Resolver:
             when = self.fields.condition(case, list(fields), ())
             cases.append(EffectCase(when, tuple(does if isinstance(does, list) else [does])))
         return Effect(tuple(cases))
+
+    def _until(self, draft: _Draft) -> Until | None:
+        """The firmware that no longer takes the message, and the form that it takes instead."""
+        node = draft.get("until")
+        if not isinstance(node, Map):
+            return None
+        owner = draft.node if "until" in draft.node else draft.parent
+        versions = self.types.availability(owner, "until")
+        wanted = str(node.get("instead", ""))
+        forms = {
+            d.form: d.name
+            for d in self.drafts.values()
+            if (d.command, d.direction) == (draft.command, draft.direction) and d is not draft
+        }
+        if wanted and wanted not in forms:
+            hint = (
+                did_you_mean(wanted, [f for f in forms if f]) or "name another form of the command"
+            )
+            at = node.at("instead")
+            self.found.add(at, "SBGC021", f"{draft.command.name} has no form '{wanted}'", hint)
+        return Until(versions, forms.get(wanted, "") if wanted else "", node.position)
 
     def _original(self, draft: _Draft, same_as: str) -> Message | None:
         """The other message whose body this one has."""

@@ -36,7 +36,7 @@ _UNITS = {"s": 1_000_000, "ms": 1000, "us": 1}
 # The fields that a role needs, and those that it can have; then what else it has.
 _PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "confirmation": (("command",), ()),
-    "error": ((), ("command",)),
+    "error": ((), ("code", "command")),
     "reset": ((), ()),
     "introduction": ((), ()),
     "details": ((), ()),
@@ -155,6 +155,9 @@ class AnswerResolver:
         elif not problem and part == "command":
             if not isinstance(field.type, Enum) or field.type.name != "CommandId":
                 problem = "is no command: its type is not CommandId"
+        elif not problem and part == "code":
+            if not isinstance(field.type, Enum) or field.type.scalar.size != 1:
+                problem = "is no enum of one byte"
         elif not problem and not isinstance(field.type, Quantity):
             problem = "is no quantity"
         if problem:
@@ -223,6 +226,12 @@ class AnswerResolver:
                     text,
                     f"see {other.role.at if other.role else other.at}",
                 )
+            elif other.role and other is not message:
+                codes = [role.parts.get("code") for role in (other.role, message.role)]
+                types = [code.type if code else None for code in codes]
+                if types[0] != types[1]:
+                    text = f"{message.name} has no code of the type that {other.name} has"
+                    self.found.add(message.role.at, "SBGC037", text, f"see {other.role.at}")
 
     def _board(
         self, name: str, board: dict[str, Message], at: Position, key: str

@@ -142,6 +142,7 @@ class FieldResolver:
             minimum=None,
             maximum=None,
             special=(),
+            min_count=0,
             max_count=None,
             variable="",
             align=1,
@@ -257,11 +258,15 @@ class FieldResolver:
         size = _size_of(type_)
         if isinstance(type_, Blob) and size is None and type_.kind != "string":
             dim = "rest"
+        max_count = node.get("max_count")
+        if dim == "fixed" and index and "min_count" in node:  # the first ones of those named
+            dim, count, max_count = "rest", 0, count
         whole = None if size is None or dim in ("counted", "rest") else size * count
         when = self.condition(node, earlier, contexts)
         minimum, maximum, special = self._limits(node, type_, text)
         smallest = max(1, _min_size_of(type_))
         before = sum(f.size or 0 for f in earlier if not f.is_variable)
+        capacity = max(0, (self.max_body - before) // smallest)
         field = Field(
             name=self.types.identifier(str(node.get("as", snake_case(name.base))), at),
             spec_name=name.spec_name,
@@ -273,11 +278,12 @@ class FieldResolver:
             is_counter=False,
             offset=None,
             size=whole,
-            capacity=max(0, (self.max_body - before) // smallest),
+            capacity=min(capacity, len(index)) if dim == "rest" and index else capacity,
             minimum=minimum,
             maximum=maximum,
             special=special,
-            max_count=node.get("max_count"),
+            min_count=int(node.get("min_count", 0)),
+            max_count=max_count,
             variable=self._variable(node, earlier),
             align=int(node.get("align", 1)),
             reserved=is_reserved,
@@ -563,7 +569,7 @@ def min_size(fields: tuple[Field, ...]) -> int:
 
 def _min_field(field: Field) -> int:
     if field.dim in ("counted", "rest"):
-        return 0
+        return field.min_count * (_size_of(field.type) or 1)
     return _min_size_of(field.type) * field.count
 
 
@@ -628,17 +634,19 @@ def _field_leaves(field: Field, path: str, offset: int | None, word: str) -> Ite
     def step(i: int) -> int | None:
         return None if offset is None or element is None else offset + i * element
 
-    if field.dim in ("counted", "rest"):
+    if field.dim in ("counted", "rest") and not field.index:
         suffix = "[]" if isinstance(field.type, Struct) else ""
         for leaf in one(path + suffix, offset, word, None):
             yield replace(leaf, count=None)
-    elif field.dim == "fixed":
+    elif field.dim in ("fixed", "rest"):
         if not field.index and not isinstance(field.type, (Struct, Blob)):
             yield from one(path, offset, word, field.count)
             return
-        for i in range(field.count):
+        for i in range(len(field.index) or field.count):
             inner = field.index[i] if field.index else word
-            yield from one(f"{path}[{i}]", step(i), inner, 1)
+            may_be_missing = field.dim == "rest" and i >= field.min_count
+            for leaf in one(f"{path}[{i}]", step(i), inner, 1):
+                yield replace(leaf, optional=may_be_missing)
     elif field.dim == "one":
         yield from one(path, offset, word, 1)
     else:

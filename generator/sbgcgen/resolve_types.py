@@ -59,8 +59,10 @@ class TypeResolver:
         self.types.enums[COMMAND_ID] = self._command_ids()
         self.types.enums[VARIABLE_ID] = self._variable_ids()
         for section, kind in (("enums", "enum"), ("flags", "flags")):
-            for _, name, value, at in self.spec.entries(section):
-                self.types.enums[name] = self._enum(name, value, at, kind)
+            entries = {name: (value, at) for _, name, value, at in self.spec.entries(section)}
+            for name, (value, at) in entries.items():
+                values = self._enum_values(name, entries, ())
+                self.types.enums[name] = self._enum(name, value, at, kind, values)
         for _, name, value, at in self.spec.entries("packed"):
             self.types.packed[name] = self._packed(name, value, at)
         self._check_unique_names()
@@ -204,12 +206,28 @@ class TypeResolver:
             values=tuple(sorted(values, key=lambda v: (v.value, v.name))),
         )
 
-    def _enum(self, name: str, node: Map, at: Position, kind: str) -> Enum:
+    def _enum_values(
+        self, name: str, entries: dict[str, tuple[Map, Position]], on_the_way: tuple[str, ...]
+    ) -> list[EnumValue]:
+        """The values of an enum or flag set, behind those of the one that it extends."""
+        node, _ = entries[name]
+        values = []
+        base = str(node.get("extends", ""))
+        if base and base not in entries:
+            hint = did_you_mean(base, entries) or "name one of the same section"
+            self.found.add(node.at("extends"), "SBGC010", f"there is no '{base}' to extend", hint)
+        elif base in (name, *on_the_way):
+            hint = "one of them must stand for itself"
+            self.found.add(node.at("extends"), "SBGC029", f"{name} extends itself", hint)
+        elif base:
+            values = self._enum_values(base, entries, (name, *on_the_way))
+        return values + [
+            self._enum_value(k, content, node) for k, content in node["values"].items()
+        ]
+
+    def _enum(self, name: str, node: Map, at: Position, kind: str, values: list[EnumValue]) -> Enum:
         scalar = SCALARS[node["type"]]
         self.identifier(name, at)
-        values: list[EnumValue] = []
-        for key, content in node["values"].items():
-            values.append(self._enum_value(key, content, node))
         self._check_values(name, kind, scalar, values)
         return Enum(
             name=name,

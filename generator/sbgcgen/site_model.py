@@ -121,8 +121,10 @@ def _indices(member: Field) -> str:
     if member.dim in ("axis", "xyz"):
         return ".*"
     is_list = member.dim in ("fixed", "counted", "rest")
-    has_leaves = isinstance(member.type, Struct) or (
-        member.dim == "fixed" and (member.index or member.type.kind in ("text", "bytes", "string"))
+    has_leaves = (
+        isinstance(member.type, Struct)
+        or bool(member.index)
+        or (member.dim == "fixed" and member.type.kind in ("text", "bytes", "string"))
     )
     return "[]" if is_list and has_leaves else ""
 

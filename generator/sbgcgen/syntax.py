@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import difflib
 import re
 from collections.abc import Iterator
 from typing import Any
 
 from sbgcgen.diagnostics import Diagnostics
 from sbgcgen.load import Map, Spec
-from sbgcgen.names import FieldName, is_identifier, parse_field_name
+from sbgcgen.names import KNOWN_FORMS, FieldName, is_identifier, parse_field_name
 from sbgcgen.resolve_types import parse_bits
 
 _REST = re.compile(r"(bytes|text)\[\]$")
@@ -46,12 +47,26 @@ def _messages(command: Map) -> Iterator[tuple[str, Map]]:
 # Commands and messages
 
 
+def _check_form_names(node: Map, found: Diagnostics) -> None:
+    """A form may have any name, but hardly one that is nearly a name with a meaning of its own."""
+    forms = node.get("forms", Map())
+    for form in forms:
+        close = difflib.get_close_matches(form, KNOWN_FORMS, n=1, cutoff=0.8)
+        if form not in KNOWN_FORMS and form.isalpha() and close:
+            hint = f"did you mean '{close[0]}'?"
+            found.add(forms.at(form), "SBGC004", f"unknown form '{form}'", hint)
+        elif form == "only" or not is_identifier(form):
+            text = f"'{form}' can not be the name of a form"
+            found.add(forms.at(form), "SBGC022", text, "it becomes an enumerator in C++")
+
+
 def _check_command(name: str, command: Map, found: Diagnostics) -> None:
     if not any(key in command for key in ("from_board", "to_board", "undocumented")):
         message = f"{name} has neither 'from_board' nor 'to_board'"
         hint = "say who sends it, or mark it with 'undocumented: true'"
         found.add(command.position, "SBGC041", message, hint)
     for direction, node in _messages(command):
+        _check_form_names(node, found)
         for first, second in (("forms", "fields"), ("forms", "same_as"), ("same_as", "fields")):
             if first in node and second in node:
                 message = f"{name} has both '{first}' and '{second}'"
@@ -154,10 +169,13 @@ def _check_repetition(field: Map, name: FieldName, max_body: int, found: Diagnos
     if rest and (name.index is not None or name.expand is not None):
         message = f"{field['name']} repeats what takes the rest of the body"
         found.add(at, "SBGC043", message, "leave out the brackets of the name")
-    if "max_count" in field and not rest and name.index != "":
+    for key in ("min_count", "max_count"):
+        is_named = key == "min_count" and name.expand is not None and name.expand[0].isdigit()
+        if key not in field or rest or name.index == "" or is_named:
+            continue
         message = f"{field['name']} does not take the rest of the body"
-        hint = "'max_count' belongs to NAME[] and bytes[]; limit a counter with 'range'"
-        found.add(field.at("max_count"), "SBGC040", message, hint)
+        hint = f"'{key}' belongs to NAME[] and bytes[]; limit a counter with 'range'"
+        found.add(field.at(key), "SBGC040", message, hint)
     first, last = 1, 1
     if name.expand is not None and name.expand[0].isdigit():
         first, last = parse_bits(name.expand)

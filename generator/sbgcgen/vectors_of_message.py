@@ -129,7 +129,8 @@ class _Maker:
                 case["forced"] = {member.when.source: satisfying(member.when)[0]}
             if member.dim in ("counted", "rest") and not path.endswith("[]"):
                 documented = documented_length(beside, member)
-                lengths = {0, 1, documented, member.capacity}
+                least = member.min_count
+                lengths = {0, 1, max(0, least - 1), least, documented, member.capacity}
             else:
                 empty = self.choice(short=True, lengths={path: 0}, **case)
                 lengths = {0, 1, 255 - len(first_that_fits(self.message, empty))}

@@ -12,7 +12,6 @@
 namespace sbgc::test {
 namespace {
 
-using board::Refusal;
 using ::testing::IsEmpty;
 
 constexpr AutoPidFlags pitch_with_progress = AutoPidFlag::pitch | AutoPidFlag::send_gui;
@@ -133,17 +132,17 @@ TEST(AutoTuning, StopKeepsNothing) {
 
 TEST(AutoTuning, WhatMakesNoSenseIsRefused) {
   Host host;
-  EXPECT_EQ(refusal(host, tune(AutoPidFlag::pitch, 5)), Refusal::bad_parameter);
-  EXPECT_EQ(refusal(host, tune(AutoPidFlag::send_gui)), Refusal::bad_parameter);
+  EXPECT_EQ(refusal(host, tune(AutoPidFlag::pitch, 5)), BoardErrorCode::wrong_params);
+  EXPECT_EQ(refusal(host, tune(AutoPidFlag::send_gui)), BoardErrorCode::wrong_params);
   EXPECT_TRUE(is_confirmed(host, tune(AutoPidFlag::pitch)));
-  EXPECT_EQ(refusal(host, tune(AutoPidFlag::pitch)), Refusal::not_possible);
-  EXPECT_EQ(refusal(host, CalibGyro{}), Refusal::not_possible);
+  EXPECT_EQ(refusal(host, tune(AutoPidFlag::pitch)), BoardErrorCode::wrong_state);
+  EXPECT_EQ(refusal(host, CalibGyro{}), BoardErrorCode::wrong_state);
 }
 
 TEST(AutoTuning, NeedsMotors) {
   Host host;
   host.ask(MotorsOff{});
-  EXPECT_EQ(refusal(host, tune(AutoPidFlag::pitch, 3)), Refusal::not_possible);
+  EXPECT_EQ(refusal(host, tune(AutoPidFlag::pitch, 3)), BoardErrorCode::wrong_state);
   EXPECT_EQ(host.board.memory().profile, 0) << "nothing happens";
 }
 

@@ -1,4 +1,7 @@
-// Old boards and firmware: what they do not know they ignore.
+// Old boards and firmware, and newer ones: what they do not know they refuse, or ignore if they
+// have no words for it.
+
+#include <type_traits>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +10,7 @@
 #include <sbgc/dispatch.hpp>
 #include <sbgc/meta/all.hpp>
 
-#include "host.hpp"
+#include "replies.hpp"
 
 namespace sbgc::test {
 namespace {
@@ -22,24 +25,44 @@ board::Options versions(std::uint8_t board, std::uint16_t firmware) {
   return options;
 }
 
-TEST(Availability, AnOldBoardIgnoresWhatItDoesNotKnow) {
+TEST(Availability, AnOldBoardRefusesWhatItDoesNotKnow) {
   Host host(versions(30, 2439));
   EXPECT_EQ(host.get<BoardInfo>(BoardInfoRequest{}).firmware_ver.raw(), 2439);
-  EXPECT_THAT(host.ask(BeepSound{}), IsEmpty());
-  EXPECT_THAT(host.ask(DataStreamInterval{}), IsEmpty());
-  EXPECT_THAT(host.ask(RealtimeDataCustomRequest{}), IsEmpty());
-  EXPECT_THAT(host.ask(ControlExt{}), IsEmpty()) << "a form that is newer than the command";
+  EXPECT_EQ(refusal(host, BeepSound{}), BoardErrorCode::unknown_command);
+  EXPECT_EQ(refusal(host, DataStreamInterval{}), BoardErrorCode::unknown_command);
+  EXPECT_EQ(refusal(host, RealtimeDataCustomRequest{}), BoardErrorCode::unknown_command);
+  EXPECT_EQ(refusal(host, ControlExt{}), BoardErrorCode::cmd_size)
+      << "a form that is newer than the command";
   EXPECT_THAT(host.ask(Control{}), SizeIs(1));
   EXPECT_EQ(host.board.counters().unknown, 4U);
 }
 
+TEST(Availability, AFormEndsWhereAnotherTakesItsPlace) {
+  for (const std::uint16_t firmware : {std::uint16_t{2590}, std::uint16_t{2686}}) {
+    Host host(versions(30, firmware));
+    EXPECT_TRUE(is_confirmed(host, MotorsOff{}));
+    EXPECT_EQ(refusal(host, MotorsOffExt{}), BoardErrorCode::cmd_size);
+  }
+  Host host(versions(30, 2687));
+  EXPECT_EQ(refusal(host, MotorsOff{}), BoardErrorCode::cmd_size);
+  for (const auto mode : {MotorsOffMode::normal, MotorsOffMode::brake, MotorsOffMode::safe_stop}) {
+    host.ask(MotorsOn{});
+    EXPECT_TRUE(is_confirmed(host, MotorsOffExt{mode}));
+    EXPECT_FALSE(host.board.gimbal().motors_on());
+  }
+  EXPECT_EQ(refusal(host, MotorsOffExt{MotorsOffMode{3}}), BoardErrorCode::wrong_params);
+}
+
 TEST(Availability, OfEveryRequestIsThatOfTheModel) {
-  for (const auto& options : {versions(10, 2200), versions(30, 2439), versions(30, 2590)}) {
+  for (const auto& options :
+       {versions(10, 2200), versions(30, 2439), versions(30, 2590), versions(30, 2700)}) {
     Host host(options);
     AllMessages::for_each([&]<class M>(Type<M>) {
       if constexpr (M::direction != Direction::from_board) {
         const auto unknown = host.board.counters().unknown;
-        host.ask(M{}, milliseconds(2));
+        M request{};
+        if constexpr (std::is_same_v<M, ApiVirtChControl>) request.val_ch.push_back({});
+        host.ask(request, milliseconds(2));
         const bool is_known =
             is_supported<M>(Availability{options.firmware.raw(), options.board.raw()});
         EXPECT_EQ(host.board.counters().unknown - unknown, is_known ? 0U : 1U)

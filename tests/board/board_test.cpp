@@ -138,24 +138,55 @@ TEST(Board, TellsOfTraffic) {
   host.send_bytes(frame_of(200, {}));
   host.send_bytes(frame_of(67, Bytes(3)));
   host.ask(UseDefaults{.profile_id = 99});
-  ASSERT_EQ(traffic.size(), 6U);
+  ASSERT_EQ(traffic.size(), 8U);
   EXPECT_FALSE(traffic[0].outcome);
   EXPECT_EQ(traffic[1].outcome, board::Outcome::carried_out);
-  EXPECT_EQ(traffic[2].outcome, board::Outcome::unknown);
-  EXPECT_EQ(traffic[3].outcome, board::Outcome::malformed);
+  EXPECT_FALSE(traffic[2].outcome);
+  EXPECT_EQ(traffic[3].outcome, board::Outcome::unknown);
   EXPECT_FALSE(traffic[4].outcome);
-  EXPECT_EQ(traffic[5].outcome, board::Outcome::refused);
+  EXPECT_EQ(traffic[5].outcome, board::Outcome::malformed);
+  EXPECT_FALSE(traffic[6].outcome);
+  EXPECT_EQ(traffic[7].outcome, board::Outcome::refused);
   EXPECT_EQ(host.board.counters().requests, 4U);
   EXPECT_EQ(host.board.counters().unknown, 2U);
   EXPECT_EQ(host.board.counters().refused, 1U);
-  EXPECT_EQ(host.board.counters().sent, 2U);
+  EXPECT_EQ(host.board.counters().sent, 4U);
+}
+
+TEST(Board, SaysWhatItDoesNotKnow) {
+  Host host;
+  const auto bytes = [&](std::uint8_t id, const Bytes& body) {
+    host.send_bytes(frame_of(id, body));
+    Bytes all;
+    for (const Packet& packet : host.listen(milliseconds(50))) {
+      all.push_back(packet.id);
+      all.insert(all.end(), packet.body.begin(), packet.body.end());
+    }
+    return all;
+  };
+  // CMD_ERROR (255): the id that it is about, the code, nothing else.
+  EXPECT_EQ(bytes(200, {}), (Bytes{255, 200, 6, 0, 0, 0, 0})) << "UNKNOWN_COMMAND";
+  EXPECT_EQ(bytes(67, Bytes(3)), (Bytes{255, 67, 1, 0, 0, 0, 0})) << "CMD_SIZE";
+  EXPECT_EQ(bytes(69, Bytes(9)), (Bytes{255, 69, 1, 0, 0, 0, 0})) << "CMD_SIZE";
+  EXPECT_EQ(bytes(255, {200, 6, 0, 0, 0, 0}), Bytes{}) << "an error is not answered";
+}
+
+TEST(Board, IntroducesItselfWhateverTheSizeOfTheRequest) {
+  Host host;
+  const auto introduction = host.get<BoardInfo>(BoardInfoRequest{});
+  for (std::size_t size = 1; size <= 255; ++size) {
+    host.send_bytes(frame_of(86, Bytes(size)));
+    const Packets packets = host.listen(milliseconds(50));
+    ASSERT_EQ(packets.size(), 1U) << size;
+    EXPECT_EQ(message<BoardInfo>(packets[0]), introduction) << size;
+  }
 }
 
 TEST(Board, NamesTheCommandThatItRefuses) {
   Host host;
   const auto error = host.get<ErrorExt>(ReadParams3Request{.profile_id = 17});
   EXPECT_EQ(error.cmd_id, CommandId::read_params_3);
-  EXPECT_NE(error.error_code, 0);
+  EXPECT_EQ(error.error_code, BoardErrorCode::wrong_params);
 }
 
 TEST(Board, ReadsTheActiveProfile) {
@@ -176,7 +207,7 @@ TEST(Board, SaysInItsAnswerThatAFileCannotBeRead) {
         .err_code;
   };
   EXPECT_EQ(error(1, 64), FileError::file_not_found);
-  EXPECT_EQ(error(1, 252), FileError::limit_reached) << "more than an answer holds";
+  EXPECT_EQ(error(1, 252), FileError::wrong_params) << "more than an answer holds";
 }
 
 TEST(Board, RefusesPagesThatAreNone) {

@@ -10,7 +10,6 @@ namespace {
 
 using board::Memory;
 using board::Options;
-using board::Refusal;
 using ::testing::IsEmpty;
 
 CalibAccExt acc(CalibAction action, CalibImu imu = CalibImu::main) {
@@ -80,8 +79,10 @@ TEST(Calibrations, InformationNeedsAnImuThatIsThere) {
   Options options;
   options.has_frame_imu = false;
   Host host(options);
-  EXPECT_EQ(refusal(host, CalibInfoRequest{.imu_type = SelectedImu::frame}), Refusal::no_device);
-  EXPECT_EQ(refusal(host, CalibInfoRequest{.imu_type = SelectedImu{3}}), Refusal::bad_parameter);
+  EXPECT_EQ(refusal(host, CalibInfoRequest{.imu_type = SelectedImu::frame}),
+            BoardErrorCode::not_supported);
+  EXPECT_EQ(refusal(host, CalibInfoRequest{.imu_type = SelectedImu{3}}),
+            BoardErrorCode::wrong_params);
 }
 
 TEST(Calibrations, ProgressGoesFromNothingToAll) {
@@ -120,9 +121,9 @@ TEST(Calibrations, LiveDataAreThoseOfTheImu) {
 TEST(Calibrations, OneAtATime) {
   Host host;
   EXPECT_TRUE(is_confirmed(host, CalibGyro{}));
-  EXPECT_EQ(refusal(host, CalibAcc{}), Refusal::not_possible);
-  EXPECT_EQ(refusal(host, acc(CalibAction::reset)), Refusal::not_possible);
-  EXPECT_EQ(refusal(host, CalibPoles{}), Refusal::not_possible);
+  EXPECT_EQ(refusal(host, CalibAcc{}), BoardErrorCode::wrong_state);
+  EXPECT_EQ(refusal(host, acc(CalibAction::reset)), BoardErrorCode::wrong_state);
+  EXPECT_EQ(refusal(host, CalibPoles{}), BoardErrorCode::wrong_state);
   const Packets packets = host.listen(seconds(5));
   EXPECT_EQ(packets.size(), 1U);
   EXPECT_EQ(confirmations<CalibGyro>(packets), 1);
@@ -135,7 +136,7 @@ TEST(Calibrations, WhoHasAskedIsToldOfTheEnd) {
   const auto other = host.board.open_port().value();
   EXPECT_TRUE(is_confirmed(host, CalibGyro{}));
   host.port = other;
-  EXPECT_EQ(refusal(host, CalibGyro{}), Refusal::not_possible);
+  EXPECT_EQ(refusal(host, CalibGyro{}), BoardErrorCode::wrong_state);
   EXPECT_THAT(host.listen(seconds(5)), IsEmpty());
   host.port = first;
   EXPECT_EQ(confirmations<CalibGyro>(host.listen({})), 1);
@@ -157,7 +158,7 @@ TEST(Calibrations, AGimbalThatKeepsMovingCannotBeCalibrated) {
   host.board.gimbal().command(2, {.mode = board::AxisMode::speed, .speed = 30}, host.now);
   host.listen(seconds(1));
   EXPECT_TRUE(is_confirmed(host, CalibAcc{}));
-  EXPECT_EQ(refusal<CalibAcc>(host.listen(seconds(25))), Refusal::not_possible);
+  EXPECT_EQ(refusal<CalibAcc>(host.listen(seconds(25))), BoardErrorCode::operation_failed);
   EXPECT_EQ(info(host).acc_limits_info, CalibratedLimits{});
   const auto errors = host.get<RealtimeData4>(RealtimeData4Request{}).system_error;
   EXPECT_TRUE(errors.has(SystemError::calib_acc));
@@ -291,7 +292,7 @@ TEST(Calibrations, OffsetsOfTheFollowMode) {
   EXPECT_NEAR(settings.follow_offset.yaw, 35, 1);
 
   host.board.gimbal().place({0, 0, 170}, host.now);
-  EXPECT_EQ(refusal(host, CalibOffset{}), Refusal::not_possible);
+  EXPECT_EQ(refusal(host, CalibOffset{}), BoardErrorCode::wrong_state);
   EXPECT_EQ(host.get<ReadParams3>(ReadParams3Request{}).follow_offset.yaw,
             settings.follow_offset.yaw);
 }
@@ -302,7 +303,7 @@ TEST(Calibrations, BatteryShowsTheVoltageThatWasGiven) {
   EXPECT_TRUE(is_confirmed(host, CalibBat{*Voltage::from_volts(shown * 1.1)}));
   EXPECT_NEAR(host.get<RealtimeData4>(RealtimeData4Request{}).bat_level.volts(), shown * 1.1, 0.1);
   const double factor = host.board.memory().battery_factor;
-  EXPECT_EQ(refusal(host, CalibBat{Voltage(1)}), Refusal::bad_parameter);
+  EXPECT_EQ(refusal(host, CalibBat{Voltage(1)}), BoardErrorCode::wrong_params);
   EXPECT_EQ(host.board.memory().battery_factor, factor);
 }
 
@@ -352,8 +353,8 @@ TEST(Calibrations, NothingIsDoneToEncodersThatAreNotThere) {
   Options options;
   options.features = BoardFeature::three_axis;
   Host host(options);
-  EXPECT_EQ(refusal(host, EncodersCalibOffset4{}), Refusal::no_device);
-  EXPECT_EQ(refusal(host, EncodersCalibFldOffset4{}), Refusal::no_device);
+  EXPECT_EQ(refusal(host, EncodersCalibOffset4{}), BoardErrorCode::not_supported);
+  EXPECT_EQ(refusal(host, EncodersCalibFldOffset4{}), BoardErrorCode::not_supported);
 }
 
 TEST(Calibrations, AHostThatHasLeftGetsNothing) {
@@ -377,7 +378,7 @@ TEST(Calibrations, ARestartEndsThem) {
 TEST(Calibrations, TheMenuStartsThem) {
   Host host;
   host.ask(ExecuteMenu{.cmd_id = MenuCommand::calib_acc});
-  EXPECT_EQ(refusal(host, CalibGyro{}), Refusal::not_possible);
+  EXPECT_EQ(refusal(host, CalibGyro{}), BoardErrorCode::wrong_state);
   EXPECT_THAT(host.listen(seconds(5)), IsEmpty()) << "no request is left to be confirmed";
   EXPECT_EQ(info(host).acc_limits_info, CalibratedLimit::plus_z);
 }

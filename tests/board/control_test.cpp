@@ -2,11 +2,14 @@
 
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "host.hpp"
+#include "random_requests.hpp"
 
 namespace sbgc::test {
 namespace {
@@ -160,7 +163,8 @@ void map_pitch(Host& host, int channel, RcModeKind mode = RcModeKind::angle) {
 
 ApiVirtChControl channels(std::size_t channel, std::int16_t signal) {
   ApiVirtChControl request;
-  request.val_ch.fill(CentredRcSignal(ApiVirtChControl::undefined));
+  while (request.val_ch.push_back(CentredRcSignal(ApiVirtChControl::undefined))) {
+  }
   request.val_ch[channel - 1] = CentredRcSignal(signal);
   return request;
 }
@@ -174,6 +178,34 @@ TEST(Control, VirtualChannelsControlTheCamera) {
   const auto angles = host.get<GetAngles>(GetAnglesRequest{});
   EXPECT_NEAR(angles.axes.pitch.rc_target_angle.degrees(), settings.rc.pitch.rc_max_angle.degrees(),
               1);
+}
+
+TEST(Control, ChannelsThatAreNotSentKeepTheirSignals) {
+  Host host;
+  map_pitch(host, 5);
+  const auto signal = [&] { return host.get<RealtimeData3>(RealtimeData3Request{}).rc.pitch; };
+  host.ask(channels(5, 250));
+  EXPECT_EQ(signal(), RcSignal(1750));
+  // 31 channels, as the vendor's library sends them; then 4; then 5.
+  for (const auto& [count, expected] :
+       {std::pair{31U, 1400}, std::pair{4U, 1400}, std::pair{5U, 1500}}) {
+    ApiVirtChControl request;
+    for (unsigned i = 0; i < count; ++i) {
+      request.val_ch.push_back(CentredRcSignal(count == 31 ? -100 : 0));
+    }
+    EXPECT_THAT(host.ask(request), IsEmpty());
+    EXPECT_EQ(signal(), RcSignal(static_cast<std::int16_t>(expected))) << count;
+  }
+}
+
+TEST(Control, NoChannelsAndTooManyAreRefused) {
+  Host host;
+  for (const std::size_t size : {0U, 1U, 63U, 66U}) {
+    host.send_bytes(frame_of(45, std::vector<std::uint8_t>(size)));
+    const auto errors = all<ErrorExt>(host.listen(milliseconds(20)));
+    ASSERT_THAT(errors, SizeIs(1)) << size;
+    EXPECT_EQ(errors[0].error_code, BoardErrorCode::cmd_size);
+  }
 }
 
 /// What the signals make of pitch, as a share of RC_SPEED. Precondition: they are speeds.

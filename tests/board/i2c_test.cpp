@@ -15,7 +15,6 @@ namespace {
 
 using board::I2cBus;
 using board::Options;
-using board::Refusal;
 
 I2cDevice device(std::uint8_t address, I2cPort port = I2cPort::main) {
   I2cDevice result;
@@ -56,10 +55,10 @@ TEST(I2c, WhatIsNotThereDoesNotAnswer) {
   Host host(options);
   for (const I2cDevice absent : {device(I2cBus::frame_imu), device(0x10), device(I2cBus::eeprom),
                                  device(I2cBus::main_imu, I2cPort::second)}) {
-    EXPECT_EQ(refusal(host, reading(absent, 0, 1)), Refusal::no_device);
-    EXPECT_EQ(refusal(host, writing(absent, 0, {1})), Refusal::no_device);
+    EXPECT_EQ(refusal(host, reading(absent, 0, 1)), BoardErrorCode::operation_failed);
+    EXPECT_EQ(refusal(host, writing(absent, 0, {1})), BoardErrorCode::operation_failed);
   }
-  EXPECT_EQ(refusal(host, reading(device(I2cBus::main_imu), 0, 0)), Refusal::bad_parameter);
+  EXPECT_EQ(refusal(host, reading(device(I2cBus::main_imu), 0, 0)), BoardErrorCode::wrong_params);
 }
 
 TEST(I2c, AnImuMeasures) {

@@ -11,7 +11,6 @@ namespace sbgc::test {
 namespace {
 
 using board::Options;
-using board::Refusal;
 using ::testing::IsEmpty;
 
 SelectedImu active(Host& host) { return host.get<ReadParams3>(ReadParams3Request{}).cur_imu; }
@@ -125,8 +124,9 @@ TEST(GyroCorrection, NeedsAnImu) {
   Options options;
   options.has_frame_imu = false;
   Host host(options);
-  EXPECT_EQ(refusal(host, GyroCorrection{.imu_type = ImuIndex::frame}), Refusal::no_device);
-  EXPECT_EQ(refusal(host, GyroCorrection{.imu_type = ImuIndex{2}}), Refusal::bad_parameter);
+  EXPECT_EQ(refusal(host, GyroCorrection{.imu_type = ImuIndex::frame}),
+            BoardErrorCode::not_supported);
+  EXPECT_EQ(refusal(host, GyroCorrection{.imu_type = ImuIndex{2}}), BoardErrorCode::wrong_params);
 }
 
 }  // namespace

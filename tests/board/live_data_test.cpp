@@ -1,11 +1,14 @@
 // Live data: units, limits and what is behind them.
 
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "host.hpp"
+#include "random_requests.hpp"
 
 namespace sbgc::test {
 namespace {
@@ -303,6 +306,45 @@ TEST(LiveData, AFrameTellsTheCamerasAttitudeAndTheOtherWayRound) {
                                   : after.frame.pitch - before.frame.pitch;
     EXPECT_NEAR(moved, -30, 5) << by_frame;
   }
+}
+
+TEST(LiveData, LaterFirmwareHasAModeOfTwoBytesInFrontOfTheVectors) {
+  // The camera is told to lean by 30 degrees; each firmware takes its own form only.
+  const std::vector<std::uint8_t> vectors{0,    0,    0,    0,    0, 0, 0, 0xBF,
+                                          0xD7, 0xB3, 0x5D, 0x3F, 0, 0, 0, 0,
+                                          0xD7, 0xB3, 0x5D, 0x3F, 0, 0, 0, 0x3F};
+  for (const int firmware : {2590, 2694, 2695, 2740}) {
+    SCOPED_TRACE(firmware);
+    board::Options options = still();
+    options.firmware = FirmwareVersion(static_cast<std::uint16_t>(firmware));
+    const bool is_late = firmware >= 2695;
+    Host host(options);
+    std::vector<std::uint8_t> body{1};
+    if (is_late) body.push_back(0);
+    body.insert(body.end(), vectors.begin(), vectors.end());
+    host.send_bytes(frame_of(56, body));
+    EXPECT_THAT(host.listen(milliseconds(5)), SizeIs(0)) << "taken";
+    const double pitch = host.board.gimbal().sample(host.now).angles.pitch;
+    EXPECT_NEAR(std::abs(pitch), 30, 1);
+    for (const std::size_t size : {1U, 2U, 25U, 26U}) {
+      host.send_bytes(frame_of(56, std::vector<std::uint8_t>(size)));
+      const Packets packets = host.listen(milliseconds(20));
+      const bool fits = size % 2 == (is_late ? 0U : 1U);
+      EXPECT_THAT(all<AhrsHelper>(packets), SizeIs(fits ? 1 : 0)) << size;
+      EXPECT_THAT(all<ErrorExt>(packets), SizeIs(fits ? 0 : 1)) << size;
+    }
+  }
+}
+
+TEST(LiveData, WhatOfAnAttitudeIsNotSimulatedIsRefused) {
+  board::Options options;
+  options.firmware = FirmwareVersion(2740);
+  Host host(options);
+  AhrsHelperRequestExtWide set;
+  set.mode = AhrsHelperWideModeBit::set | AhrsHelperWideModeBit::disable_correction;
+  set.z1_vector = {0, 0, 1};
+  set.h1_vector = {0, 1, 0};
+  EXPECT_EQ(host.get<ErrorExt>(set).error_code, BoardErrorCode::not_supported);
 }
 
 TEST(LiveData, AnAttitudeThatIsNoneIsRefused) {

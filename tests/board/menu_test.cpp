@@ -159,7 +159,7 @@ TEST(Menu, SignalsAreSwapped) {
   host.ask(WriteParams3{settings});
   ApiVirtChControl signals;
   for (std::size_t i = 0; i < 3; ++i) {
-    signals.val_ch[i] = CentredRcSignal(static_cast<std::int16_t>(100 * (i + 1)));
+    signals.val_ch.push_back(CentredRcSignal(static_cast<std::int16_t>(100 * (i + 1))));
   }
   host.ask(signals);
   const auto rc = [&] { return host.get<RealtimeData3>(RealtimeData3Request{}).rc; };

@@ -13,7 +13,6 @@ namespace sbgc::test {
 namespace {
 
 using board::Options;
-using board::Refusal;
 using ::testing::IsEmpty;
 
 TriggerPin pin(OutputPin id, PinState state = PinState::high) {
@@ -116,18 +115,18 @@ TEST(Servos, PulsesMustFitIntoThePeriod) {
   Host host;
   change(host, [](ReadParams3& settings) { settings.servo_rate = ServoRate::from_hertz(400); });
   EXPECT_TRUE(is_confirmed(host, servos(2499)));
-  EXPECT_EQ(refusal(host, servos(2500)), Refusal::bad_parameter);
-  EXPECT_EQ(refusal(host, servos(0, 2500)), Refusal::bad_parameter);
+  EXPECT_EQ(refusal(host, servos(2500)), BoardErrorCode::wrong_params);
+  EXPECT_EQ(refusal(host, servos(0, 2500)), BoardErrorCode::wrong_params);
   change(host, [](ReadParams3& settings) { settings.servo_rate = ServoRate::from_hertz(50); });
   EXPECT_TRUE(is_confirmed(host, servos(19999)));
-  EXPECT_EQ(refusal(host, servos(20000)), Refusal::bad_parameter);
+  EXPECT_EQ(refusal(host, servos(20000)), BoardErrorCode::wrong_params);
 }
 
 TEST(Servos, SpecialValues) {
   Host host;
   EXPECT_TRUE(is_confirmed(host, servos(ServoOut::low, ServoOut::low)));
   EXPECT_TRUE(is_confirmed(host, servos(ServoOut::floating)));
-  EXPECT_EQ(refusal(host, servos(-2, 20001)), Refusal::bad_parameter);
+  EXPECT_EQ(refusal(host, servos(-2, 20001)), BoardErrorCode::wrong_params);
   EXPECT_TRUE(is_confirmed(host, servos(1500)));
   EXPECT_THAT(host.ask(pin(OutputPin::ext_fc_input_roll)), IsEmpty());
   EXPECT_TRUE(is_confirmed(host, servos(-2, -32768))) << "all that is negative frees the pin";
@@ -159,23 +158,23 @@ TEST(Sounds, AMelodyIsAsLongAsItsNotes) {
 
 TEST(Sounds, WhatIsNoSoundIsRefused) {
   Host host;
-  EXPECT_EQ(refusal(host, BeepSound{}), Refusal::bad_parameter);
-  EXPECT_EQ(refusal(host, BeepSound{.mode = BeepModes(0x0100)}), Refusal::bad_parameter);
+  EXPECT_EQ(refusal(host, BeepSound{}), BoardErrorCode::wrong_params);
+  EXPECT_EQ(refusal(host, BeepSound{.mode = BeepModes(0x0100)}), BoardErrorCode::wrong_params);
   EXPECT_EQ(refusal(host, BeepSound{.mode = BeepMode::click | BeepMode::error}),
-            Refusal::bad_parameter);
+            BoardErrorCode::wrong_params);
   EXPECT_EQ(refusal(host, BeepSound{.mode = BeepMode::custom_melody, .note_length = NoteLength(5)}),
-            Refusal::bad_parameter)
+            BoardErrorCode::wrong_params)
       << "no notes";
   BeepSound melody{.mode = BeepMode::custom_melody, .note_length = NoteLength(5)};
   melody.note_freq_hz.push_back(NoteFrequency(553));
-  EXPECT_EQ(refusal(host, melody), Refusal::bad_parameter) << "too low";
+  EXPECT_EQ(refusal(host, melody), BoardErrorCode::wrong_params) << "too low";
   melody.note_freq_hz[0] = NoteFrequency(554);
   melody.note_length = NoteLength(0);
-  EXPECT_EQ(refusal(host, melody), Refusal::bad_parameter) << "no length";
+  EXPECT_EQ(refusal(host, melody), BoardErrorCode::wrong_params) << "no length";
   melody.note_length = NoteLength(5);
   EXPECT_TRUE(is_confirmed(host, melody));
   while (melody.note_freq_hz.size() < 31) melody.note_freq_hz.push_back(NoteFrequency(554));
-  EXPECT_EQ(refusal(host, melody), Refusal::bad_parameter) << "too many";
+  EXPECT_EQ(refusal(host, melody), BoardErrorCode::wrong_params) << "too many";
 }
 
 TEST(Sounds, CalibrationsAreHeardIfTheSettingsWantIt) {

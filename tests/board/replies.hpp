@@ -22,10 +22,10 @@ std::ptrdiff_t confirmations(const Packets& packets) {
 
 /// The reason if the packets are one CMD_ERROR that names the request.
 template <class M>
-std::optional<board::Refusal> refusal(const Packets& packets) {
+std::optional<BoardErrorCode> refusal(const Packets& packets) {
   const auto errors = all<ErrorExt>(packets);
   if (packets.size() != 1 || errors.size() != 1 || errors[0].cmd_id != M::command) return {};
-  return static_cast<board::Refusal>(errors[0].error_code);
+  return errors[0].error_code;
 }
 
 /// Whether a request is confirmed, and nothing else comes.
@@ -37,7 +37,7 @@ bool is_confirmed(Host& host, const M& request) {
 
 /// Why a request is refused; nothing if something else comes.
 template <Message M>
-std::optional<board::Refusal> refusal(Host& host, const M& request) {
+std::optional<BoardErrorCode> refusal(Host& host, const M& request) {
   return refusal<M>(host.ask(request));
 }
 

@@ -110,13 +110,13 @@ TEST(Saving, AChangeThatCanNotBeSavedIsRefused) {
   rig.fail();
   const Packets heard = rig.heard();
   ASSERT_EQ(heard.size(), 3U);
-  EXPECT_EQ(refusal<WriteExternalData>({heard[0]}), board::Refusal::operation_failed);
+  EXPECT_EQ(refusal<WriteExternalData>({heard[0]}), BoardErrorCode::operation_failed);
   EXPECT_TRUE(is<BoardInfo>(heard[1]));
-  EXPECT_EQ(refusal<WriteExternalData>({heard[2]}), board::Refusal::operation_failed);
+  EXPECT_EQ(refusal<WriteExternalData>({heard[2]}), BoardErrorCode::operation_failed);
   // And whoever tries again does not hear that it is there.
   EXPECT_TRUE(rig.host.ask(data(2)).empty());
   rig.fail();
-  EXPECT_EQ(refusal<WriteExternalData>(rig.heard()), board::Refusal::operation_failed);
+  EXPECT_EQ(refusal<WriteExternalData>(rig.heard()), BoardErrorCode::operation_failed);
   EXPECT_TRUE(rig.host.ask(data(2)).empty());
   rig.save();
   EXPECT_EQ(confirmations<WriteExternalData>(rig.heard()), 1);

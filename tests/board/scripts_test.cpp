@@ -11,7 +11,6 @@
 namespace sbgc::test {
 namespace {
 
-using board::Refusal;
 using ::testing::IsEmpty;
 
 constexpr std::string_view five_commands =
@@ -80,22 +79,22 @@ TEST(Scripts, NotEveryBoardRunsThem) {
   Host host(options);
   store(host, 0, five_commands);
   for (const auto mode : {ScriptMode::start, ScriptMode::start_debug, ScriptMode::stop}) {
-    EXPECT_EQ(refusal(host, run(mode, 0)), Refusal::no_device);
+    EXPECT_EQ(refusal(host, run(mode, 0)), BoardErrorCode::not_supported);
   }
 }
 
 TEST(Scripts, AnEmptySlotIsRefused) {
   Host host;
-  EXPECT_EQ(refusal(host, run(ScriptMode::start, 1)), Refusal::no_script);
-  EXPECT_EQ(refusal(host, run(ScriptMode::start_debug, 4)), Refusal::no_script);
+  EXPECT_EQ(refusal(host, run(ScriptMode::start, 1)), BoardErrorCode::operation_failed);
+  EXPECT_EQ(refusal(host, run(ScriptMode::start_debug, 4)), BoardErrorCode::operation_failed);
 }
 
 TEST(Scripts, WhatIsNoSlotOrModeIsRefused) {
   Host host;
   store(host, 5, five_commands);
-  EXPECT_EQ(refusal(host, run(ScriptMode::start, 5)), Refusal::bad_parameter);
-  EXPECT_EQ(refusal(host, run(ScriptMode{3}, 0)), Refusal::bad_parameter);
-  EXPECT_EQ(refusal(host, run(ScriptMode::stop, 5)), Refusal::bad_parameter);
+  EXPECT_EQ(refusal(host, run(ScriptMode::start, 5)), BoardErrorCode::wrong_params);
+  EXPECT_EQ(refusal(host, run(ScriptMode{3}, 0)), BoardErrorCode::wrong_params);
+  EXPECT_EQ(refusal(host, run(ScriptMode::stop, 5)), BoardErrorCode::wrong_params);
 }
 
 TEST(Scripts, Stop) {

@@ -9,7 +9,6 @@ namespace sbgc::test {
 namespace {
 
 using board::Options;
-using board::Refusal;
 
 RcMap channel(std::uint8_t number) {
   RcMap result;
@@ -30,7 +29,8 @@ WriteAdjVarsCfg config() {
 /// Sets both channels, in counts of -500..500, and lets the board see it.
 void move(Host& host, std::int16_t first, std::int16_t second) {
   ApiVirtChControl request;
-  request.val_ch.fill(CentredRcSignal(ApiVirtChControl::undefined));
+  while (request.val_ch.push_back(CentredRcSignal(ApiVirtChControl::undefined))) {
+  }
   request.val_ch[0] = CentredRcSignal(first);
   request.val_ch[1] = CentredRcSignal(second);
   host.ask(request, milliseconds(100));
@@ -150,8 +150,8 @@ TEST(Slots, LaterFirmwareAsksWithMoreBytes) {
 
 TEST(Slots, OnlyThoseThatExist) {
   Host host;
-  EXPECT_EQ(refusal(host, AdjVarsStateRequest{.trigger_slot = 10}), Refusal::bad_parameter);
-  EXPECT_EQ(refusal(host, AdjVarsStateRequest{.analog_slot = 15}), Refusal::bad_parameter);
+  EXPECT_EQ(refusal(host, AdjVarsStateRequest{.trigger_slot = 10}), BoardErrorCode::wrong_params);
+  EXPECT_EQ(refusal(host, AdjVarsStateRequest{.analog_slot = 15}), BoardErrorCode::wrong_params);
   EXPECT_EQ(host.get<AdjVarsState>(AdjVarsStateRequest{.trigger_slot = 9, .analog_slot = 14}),
             AdjVarsState{});
 }

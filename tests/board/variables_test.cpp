@@ -13,8 +13,6 @@
 namespace sbgc::test {
 namespace {
 
-using board::Refusal;
-
 SetAdjVarsVal setting(std::initializer_list<AdjVarValue> values) {
   SetAdjVarsVal request;
   for (const AdjVarValue& one : values) request.params.push_back(one);
@@ -80,12 +78,12 @@ TEST(Variables, AllOrNone) {
   Host host;
   const int p = value(host, VariableId::p_pitch);
   EXPECT_EQ(refusal(host, setting({{VariableId::p_pitch, p + 1}, {VariableId{200}, 1}})),
-            Refusal::bad_parameter);
+            BoardErrorCode::wrong_params);
   EXPECT_EQ(value(host, VariableId::p_pitch), p);
   EXPECT_EQ(refusal(host, setting({{VariableId::p_pitch, p + 1}, {VariableId::follow_mode, 3}})),
-            Refusal::bad_parameter);
+            BoardErrorCode::wrong_params);
   EXPECT_EQ(value(host, VariableId::p_pitch), p);
-  EXPECT_EQ(refusal(host, setting({})), Refusal::bad_parameter);
+  EXPECT_EQ(refusal(host, setting({})), BoardErrorCode::wrong_params);
 }
 
 TEST(Variables, NoneAlsoWhereTheSettingsGoBeyondTheVariable) {
@@ -94,7 +92,7 @@ TEST(Variables, NoneAlsoWhereTheSettingsGoBeyondTheVariable) {
   settings.lpf_freq.pitch = Frequency::from_hertz(800);
   host.ask(WriteParamsExt{settings});
   EXPECT_EQ(refusal(host, setting({{VariableId::lpf_freq_pitch, 100}, {VariableId{200}, 1}})),
-            Refusal::bad_parameter);
+            BoardErrorCode::wrong_params);
   EXPECT_EQ(host.get<ReadParamsExt>(ReadParamsExtRequest{}).lpf_freq.pitch,
             settings.lpf_freq.pitch);
   EXPECT_EQ(value(host, VariableId::lpf_freq_pitch), 800);
@@ -109,17 +107,17 @@ TEST(Variables, EveryOneCanBeSetToBothEnds) {
       EXPECT_EQ(value(host, one.id), wanted) << one.name;
     }
     const auto beyond = static_cast<std::int32_t>(one.range.highest) + 1;
-    EXPECT_EQ(refusal(host, setting({{one.id, beyond}})), Refusal::bad_parameter) << one.name;
+    EXPECT_EQ(refusal(host, setting({{one.id, beyond}})), BoardErrorCode::wrong_params) << one.name;
   }
 }
 
 TEST(Variables, OnlyKnownOnesAreAnswered) {
   Host host;
   GetAdjVarsVal request;
-  EXPECT_EQ(refusal(host, request), Refusal::bad_parameter) << "none";
+  EXPECT_EQ(refusal(host, request), BoardErrorCode::wrong_params) << "none";
   request.param_id.push_back(VariableId::p_roll);
   request.param_id.push_back(VariableId{200});
-  EXPECT_EQ(refusal(host, request), Refusal::bad_parameter);
+  EXPECT_EQ(refusal(host, request), BoardErrorCode::wrong_params);
 }
 
 TEST(Variables, TheHeadingDriftsAsTheyCorrectIt) {

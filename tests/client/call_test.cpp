@@ -162,13 +162,69 @@ TEST_F(Call, SendsDoubtfulValuesIfToldTo) {
   EXPECT_EQ(result->addr, 7U);
 }
 
+// What the firmware takes
+
+TEST_F(Call, TurnsMotorsOffAsTheFirmwareWantsIt) {
+  board.on<MotorsOff>([&](const MotorsOff& request) { board.confirm(request); });
+  board.on<MotorsOffExt>([&](const MotorsOffExt& request) {
+    EXPECT_EQ(request.mode, MotorsOffMode::normal);
+    board.confirm(request);
+  });
+  for (const int firmware : {2430, 2590, 2686, 2687, 2740}) {
+    SCOPED_TRACE(firmware);
+    Client client = connect_to_firmware(static_cast<std::uint16_t>(firmware));
+    const auto empty = board.count<MotorsOff>();
+    const auto with_mode = board.count<MotorsOffExt>();
+    const auto result = client.motors_off();
+    EXPECT_TRUE(result) << result.error().message;
+    const bool wants_mode = firmware >= 2687;
+    EXPECT_EQ(board.count<MotorsOff>() - empty, wants_mode ? 0U : 1U);
+    EXPECT_EQ(board.count<MotorsOffExt>() - with_mode, wants_mode ? 1U : 0U);
+  }
+}
+
+TEST_F(Call, AnAttitudeHasTheFormThatTheFirmwareReads) {
+  AhrsHelper attitude;
+  attitude.z1_vector = {0, 0, 1};
+  board.answer<AhrsHelperRequest>(attitude);
+  board.answer<AhrsHelperRequestWide>(attitude);
+  std::promise<AhrsHelperRequestExtWide> came;
+  board.on<AhrsHelperRequestExtWide>(
+      [&](const AhrsHelperRequestExtWide& request) { came.set_value(request); });
+  AhrsHelperRequestExt set;
+  set.mode = AhrsHelperModeBit::set | AhrsHelperModeBit::reference_only;
+  set.z1_vector = {0, 0, 1};
+  set.h1_vector = {1, 0, 0};
+  {
+    Client client = connect_to_firmware(2694);
+    EXPECT_EQ(*client.ahrs_helper(), attitude);
+    EXPECT_TRUE(client.ahrs_helper_ext(set));
+    EXPECT_TRUE(board.wait_for<AhrsHelperRequestExt>(1));
+    const auto refused = client.ahrs_helper_ext_wide(later_form(set));
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::unsupported);
+    EXPECT_EQ(refused.error().message,
+              "CMD_AHRS_HELPER in this form needs firmware 2.69b5, the board has 2.69b4");
+    EXPECT_EQ(board.count<AhrsHelperRequestExtWide>(), 0U);
+  }
+  Client client = connect_to_firmware(2695);
+  EXPECT_EQ(*client.ahrs_helper(), attitude);
+  EXPECT_EQ(board.count<AhrsHelperRequest>(), 1U);
+  EXPECT_TRUE(client.ahrs_helper_ext(set));
+  const AhrsHelperRequestExtWide read = came.get_future().get();
+  EXPECT_EQ(read.mode.raw(), 5);
+  EXPECT_EQ(read.z1_vector, set.z1_vector);
+  EXPECT_EQ(read.h1_vector, set.h1_vector);
+  EXPECT_EQ(board.count<AhrsHelperRequestExt>(), 1U);
+}
+
 // What the board refuses
 
 TEST_F(Call, TellsTheErrorOfTheBoard) {
   board.on<MotorsOn>([&](const MotorsOn&) {
     ErrorExt error;
     error.cmd_id = CommandId::motors_on;
-    error.error_code = 12;
+    error.error_code = BoardErrorCode(12);
     board.send(error);
   });
   Client client = connect();
@@ -176,7 +232,20 @@ TEST_F(Call, TellsTheErrorOfTheBoard) {
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::board_error);
   EXPECT_EQ(result.error().detail, 12);
-  EXPECT_EQ(result.error().message, "CMD_MOTORS_ON was refused by the board: error_code 12");
+  EXPECT_EQ(result.error().message, "CMD_MOTORS_ON: the board refused: unknown code 12");
+}
+
+TEST_F(Call, TellsTheReasonOfTheBoardByItsName) {
+  board.on<MotorsOn>([&](const MotorsOn&) {
+    board.send(ErrorExt{.cmd_id = CommandId::motors_on, .error_code = BoardErrorCode::wrong_state});
+  });
+  board.on<CalibAcc>([&](const CalibAcc&) {
+    board.send(Error{.error_code = BoardErrorCode::temporary});  // the form without a command
+  });
+  Client client = connect();
+  EXPECT_EQ(client.motors_on().error().message, "CMD_MOTORS_ON: the board refused: WRONG_STATE");
+  EXPECT_EQ(client.motors_on().error().detail, 8);
+  EXPECT_EQ(client.calib_acc().error().message, "CMD_CALIB_ACC: the board refused: TEMPORARY");
 }
 
 TEST_F(Call, TellsAnAnswerThatIsAnErrorByItsName) {

@@ -333,7 +333,7 @@ TEST_F(Subscribed, ToAStreamThatTheBoardRefusesFails) {
   board.on<DataStreamInterval>([this](const DataStreamInterval&) {
     ErrorExt error;
     error.cmd_id = CommandId::data_stream_interval;
-    error.error_code = 3;
+    error.error_code = BoardErrorCode(3);
     board.send(error);
   });
   Client client = connect();
@@ -393,7 +393,7 @@ TEST_F(Subscribed, ToNoticesHearsOfResetsErrorsAndTheLossOfTheLine) {
   const auto subscription = client.on_notice([&](const Notice& notice) { got.add(notice); });
   ErrorExt error;
   error.cmd_id = CommandId::calib_acc;
-  error.error_code = 9;
+  error.error_code = BoardErrorCode::not_supported;
   board.send(error);
   board.send(Reset{});
   EXPECT_EQ(got.wait_for(2).at(1).kind, NoticeKind::board_reset);
@@ -402,7 +402,7 @@ TEST_F(Subscribed, ToNoticesHearsOfResetsErrorsAndTheLossOfTheLine) {
   ASSERT_EQ(notices.size(), 3U);
   EXPECT_EQ(notices[0].kind, NoticeKind::board_error);
   EXPECT_EQ(notices[0].detail, 9);
-  EXPECT_EQ(notices[0].message, "the board reports an error about CMD_CALIB_ACC: error_code 9");
+  EXPECT_EQ(notices[0].message, "the board reports an error about CMD_CALIB_ACC: NOT_SUPPORTED");
   EXPECT_EQ(notices[2].kind, NoticeKind::link_lost);
   EXPECT_THAT(notices[2].message, HasSubstr("the connection is lost"));
 }

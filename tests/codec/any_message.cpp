@@ -44,9 +44,15 @@ class FieldCollector {
   }
   template <class T>
   void value(const Axes<T>& axes, const std::string& name) {
-    value(axes.roll, for_axis(name, "ROLL"));
-    value(axes.pitch, for_axis(name, "PITCH"));
-    value(axes.yaw, for_axis(name, "YAW"));
+    value(axes.roll, for_index(name, "{AXIS}", "ROLL"));
+    value(axes.pitch, for_index(name, "{AXIS}", "PITCH"));
+    value(axes.yaw, for_index(name, "{AXIS}", "YAW"));
+  }
+  template <class T>
+  void value(const Xyz<T>& xyz, const std::string& name) {
+    value(xyz.x, for_index(name, "{XYZ}", "X"));
+    value(xyz.y, for_index(name, "{XYZ}", "Y"));
+    value(xyz.z, for_index(name, "{XYZ}", "Z"));
   }
   template <class T, std::size_t n>
   void value(const std::array<T, n>& array, const std::string& name) {
@@ -57,10 +63,10 @@ class FieldCollector {
     for (const T& element : array) value(element, name);
   }
 
-  static std::string for_axis(std::string name, const std::string& axis) {
-    const std::string place = "{AXIS}";
+  static std::string for_index(std::string name, const std::string& place,
+                               const std::string& word) {
     const auto at = name.find(place);
-    if (at != std::string::npos) name.replace(at, place.size(), axis);
+    if (at != std::string::npos) name.replace(at, place.size(), word);
     return name;
   }
   void add(const std::string& name, double value) { values_[name].push_back(value); }

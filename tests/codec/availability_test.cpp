@@ -48,6 +48,36 @@ TEST(Availability, OfMessages) {
 static_assert(is_supported<BeepSound>(Availability{2590, 30}));
 static_assert(!is_supported<BeepSound>(Availability{2580, 30}));
 
+// One form ends with the version with which another takes its place.
+TEST(Availability, OfFormsThatTakeEachOthersPlace) {
+  EXPECT_TRUE(is_supported<MotorsOff>(board(31, 2686)));
+  EXPECT_FALSE(is_supported<MotorsOff>(board(31, 2687)));
+  EXPECT_FALSE(is_supported<MotorsOffExt>(board(31, 2686)));
+  EXPECT_TRUE(is_supported<MotorsOffExt>(board(31, 2687)));
+  for (const int firmware : {2590, 2694, 2695, 2700}) {
+    const auto info = board(31, static_cast<std::uint16_t>(firmware));
+    EXPECT_EQ(is_supported<AhrsHelperRequest>(info), firmware < 2695);
+    EXPECT_EQ(is_supported<AhrsHelperRequestExt>(info), firmware < 2695);
+    EXPECT_EQ(is_supported<AhrsHelperRequestWide>(info), firmware >= 2695);
+    EXPECT_EQ(is_supported<AhrsHelperRequestExtWide>(info), firmware >= 2695);
+  }
+  EXPECT_EQ(Meta<MotorsOff>::info.until.firmware, 2687);
+  EXPECT_EQ(newest_firmware, 2599);
+}
+
+TEST(Availability, ALaterFormSaysTheSame) {
+  AhrsHelperRequestExt request;
+  request.mode = AhrsHelperMode(0xA7);  // with bits that have no name
+  request.z1_vector = {0, 0, 1};
+  request.h1_vector = {1, 0, 0};
+  const AhrsHelperRequestExtWide later = later_form(request);
+  EXPECT_EQ(later.mode.raw(), 0xA7);
+  EXPECT_EQ(later.z1_vector, request.z1_vector);
+  EXPECT_EQ(later.h1_vector, request.h1_vector);
+  EXPECT_EQ(later_form(AhrsHelperRequest{AhrsHelperModeBit::frame_imu}).mode.raw(), 2);
+  EXPECT_EQ(later_form(MotorsOff{}).mode, MotorsOffMode::normal);
+}
+
 TEST(Availability, OfAFlagInsideAPackedByte) {
   Control control;
   control.control_mode.set_flags(ControlFlag::high_res_speed);

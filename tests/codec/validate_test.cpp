@@ -57,6 +57,13 @@ TEST(Validate, Count) {
   EXPECT_EQ(violations_of(message), (Violations{{"note_freq_hz", 31, 30, Rule::count}}));
 }
 
+TEST(Validate, FewestElements) {
+  ApiVirtChControl message;
+  EXPECT_EQ(violations_of(message), (Violations{{"val_ch", 0, 1, Rule::count}}));
+  message.val_ch.push_back({});
+  EXPECT_EQ(violations_of(message), Violations{});
+}
+
 TEST(Validate, Counters) {
   SetAdjVarsVal message;
   EXPECT_EQ(violations_of(message), (Violations{{"num_vars", 0, 1, Rule::minimum}}));

@@ -43,6 +43,22 @@ def test_standard_input_and_output(tmp_path: Path) -> None:
     assert (tmp_path / "out").read_bytes()[:2] == bytes([0x3E, BOARD_INFO])
 
 
+def test_what_is_not_known_is_refused_by_its_code() -> None:
+    done = subprocess.run(
+        [PROGRAM, "emulate", "--stdio"],
+        input=frame(BOARD_INFO, b"\0") + frame(200) + frame(69, bytes(9)) + frame(BOARD_INFO),
+        capture_output=True,
+        timeout=PATIENCE,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    introduction = done.stdout[: 5 + 18]
+    unknown_command = frame(255, bytes([200, 6, 0, 0, 0, 0]))
+    wrong_size = frame(255, bytes([69, 1, 0, 0, 0, 0]))
+    assert introduction[1] == BOARD_INFO, "for a body of one byte, too"
+    assert done.stdout == introduction + unknown_command + wrong_size + introduction
+
+
 def test_standard_input_that_ends_before_the_answers() -> None:
     for line, number in ((["--baud", "9600"], 20), ([], 2000)):
         done = subprocess.run(

@@ -29,6 +29,9 @@ MORE_COMMAND = (
     "      answer: none\n"
 )
 
+STORE_ENDS = (
+    "          summary: Store everything.\n          until: {firmware: 2.59, instead: extended}\n"
+)
 TILT = "        - {name: TILT, type: i8, summary: Tilt.}\n"
 STORE_STATE = (
     "  CMD_KEEP:\n    id: 14\n    summary: New.\n    to_board:\n      source: Outgoing L64\n      effect: reads\n"
@@ -482,6 +485,16 @@ CASES: dict[str, Case] = {
         [("range: 0..100, special", "range: 0..110, special")],
         OK,
         "State.LEVEL: range: 0..100 → 0..110",
+    ),
+    "fewest elements": (
+        [("max_count: 8", "min_count: 2, max_count: 8")],
+        WIRE,
+        "StoreExt.DATA: min_count: 0 → 2",
+    ),
+    "form that ends": (
+        [("          summary: Store everything.\n", STORE_ENDS)],
+        MEANING,
+        "message Store: until: none → firmware 2.59, then StoreExt",
     ),
     "more elements": ([("max_count: 8", "max_count: 9")], OK, "StoreExt.DATA: max_count: 8 → 9"),
     "special value added": (

@@ -202,6 +202,9 @@ def test_the_source_of_an_enum_holds_its_values(facts: Json, model: Json) -> Non
         for name in users.get(enum["name"], set()):
             about |= fields.get(name, set())
         ranges = parse_lines(enum["source"])
+        if not ranges:  # it came later than the specification
+            assert enum["errata"], enum["name"]
+            continue
         inside = any(first <= line <= last for first, last in ranges for line in about)
         assert inside, f"{enum['name']}: none of its values in '{enum['source']}'"
 

@@ -69,6 +69,25 @@ def test_placeholder_gives_each_axis_its_own_protocol_name(tmp_path: Path) -> No
     ]
 
 
+def test_numbered_names_of_which_the_last_may_be_missing(tmp_path: Path) -> None:
+    made = message(tmp_path, '{name: "CH{1..4}", type: i16, min_count: 2, summary: S.}')
+    assert [(i.path, i.spec_name, i.offset, i.optional) for i in made.leaves] == [
+        ("ch[0]", "CH1", 0, False),
+        ("ch[1]", "CH2", 2, False),
+        ("ch[2]", "CH3", 4, True),
+        ("ch[3]", "CH4", 6, True),
+    ]
+    (one,) = made.fields
+    assert (one.dim, one.capacity, one.min_count) == ("rest", 4, 2)
+    assert (made.min_size, made.max_size) == (4, 8)
+
+
+def test_list_with_a_least_length(tmp_path: Path) -> None:
+    made = message(tmp_path, '{name: "A[]", type: u16, min_count: 3, max_count: 5, summary: S.}')
+    assert (made.min_size, made.max_size) == (6, 10)
+    assert leaves(made) == [("a", "A", "u16", None, 0)]
+
+
 def test_vector(tmp_path: Path) -> None:
     assert leaves(message(tmp_path, '{name: "Z1_VECTOR[xyz]", type: f32, summary: S.}')) == [
         ("z1_vector.x", "Z1_VECTOR", "f32", 1, 0),

@@ -333,3 +333,56 @@ def test_families_use_each_other_in_one_direction(tmp_path: Path) -> None:
         load_protocol(spec)
     (finding,) = raised.value.diagnostics
     assert finding.code == "SBGC029" and "third family" in finding.hint
+
+
+OTHER_FORMS = (
+    HEAD
+    + """\
+  CMD_AIM:
+    id: 9
+    summary: Aim.
+    to_board:
+      source: Outgoing commands L20
+      answer: none
+      forms:
+        simple:
+          summary: At nothing.
+        one_byte:
+          summary: Nearly at nothing.
+          fields:
+            - {reserved: 1}
+        extended:
+          summary: At something.
+          until: {firmware: 2.68b7, instead: extended_wide}
+          fields:
+            - {name: WHAT, type: u16, summary: At what.}
+        extended_wide:
+          since: {firmware: 2.68b7}
+          summary: At something else.
+          fields:
+            - {name: WHAT, type: u32, summary: At what.}
+"""
+)
+
+
+def test_forms_of_any_name(tmp_path: Path) -> None:
+    messages = [m for m in layout_of(tmp_path, OTHER_FORMS).messages if m.command == "CMD_AIM"]
+    assert [(m.name, m.form, m.call, m.min_size, m.max_size) for m in messages] == [
+        ("Aim", "simple", "aim", 0, 0),
+        ("AimOneByte", "one_byte", "aim_one_byte", 1, 1),
+        ("AimExt", "extended", "aim_ext", 2, 2),
+        ("AimExtWide", "extended_wide", "aim_ext_wide", 4, 4),
+    ]
+
+
+def test_a_form_ends_where_another_takes_its_place(tmp_path: Path) -> None:
+    layout = layout_of(tmp_path, OTHER_FORMS)
+    until = message_of(layout, "AimExt").until
+    assert until is not None
+    assert (until.versions.firmware, until.instead) == (2687, "AimExtWide")
+    assert message_of(layout, "AimExtWide").until is None
+
+
+def test_forms_have_enumerators_in_the_order_of_the_protocol(tmp_path: Path) -> None:
+    known = ("simple", "extended", "success", "error")
+    assert layout_of(tmp_path, OTHER_FORMS).forms == (*known, "one_byte", "extended_wide")

@@ -282,7 +282,8 @@ def step_into(value: Any, step: str) -> list[Any]:
     if step == "[]":
         return list(value)
     if step.startswith("["):
-        return [value[int(step[1:-1])]]
+        index = int(step[1:-1])
+        return [value[index]] if index < len(value) else []
     return [value[step]] if step in value else []
 
 
@@ -380,8 +381,10 @@ def missing_of_message(message: Message, said: list[Line]) -> Iterator[str]:
             yield f"{field.name}: there and not there"
         if field.dim in ("counted", "rest"):
             lengths = lengths_of(field, said)
-            if not {0, 1} <= lengths or max(lengths) < min(field.max_count or 2, field.capacity):
-                yield f"{field.name}: no list that is empty, or of one element, or long"
+            least = field.min_count
+            short = {least, max(1, least)}
+            if not short <= lengths or max(lengths) < min(field.max_count or 2, field.capacity):
+                yield f"{field.name}: no list that is as short as can be, of one element, or long"
     if message.keeps_tail and not {2, 0} <= {len(fields.get("tail", "")) for fields in said}:
         yield "a tail, and none"
 

@@ -40,6 +40,12 @@ SIZES = [
     ("Error", FROM, 1 + 4),
     ("ErrorExt", FROM, 1 + 1 + 4),  # E086: real boards put the command in front
     ("BoardInfoRequest", TO, 0),
+    ("BoardInfoRequestOneByte", TO, 1),  # E214: answered by real boards
+    ("AhrsHelperRequest", TO, 1),  # E023
+    ("AhrsHelperRequestWide", TO, 2),  # E209: MODE has two bytes from 2.69b5 on
+    ("AhrsHelperRequestExt", TO, 1 + 12 + 12),
+    ("AhrsHelperRequestExtWide", TO, 2 + 12 + 12),
+    ("MotorsOffExt", TO, 1),  # E205
     ("ResetRequestExt", TO, 1 + 2),
     ("UseDefaults", TO, 1),
     ("ReadParams3Request", TO, 1),
@@ -52,7 +58,6 @@ SIZES = [
     ("HelperDataExt", TO, 6 + 4 + 1 + 6 + 3),
     ("AutoPidRequest", TO, 3 + 16),
     ("ServoOut", TO, 8 * 2),
-    ("ApiVirtChControl", TO, 32 * 2),
     ("EepromReadRequest", TO, 4 + 2),
     ("CalibInfoRequest", TO, 1 + 11),
     ("ReadFileRequest", TO, 2 + 2 + 2 + 14),
@@ -70,6 +75,7 @@ VARIABLE_SIZES = [
     ("WriteFile", TO, 2 + 2 + 2, 255),
     ("RealtimeDataCustom", FROM, 2, 2 + 5 * 6 + 12 + 24 + 36 + 6),
     ("BoardInfoRequestExt", TO, 2, 255),
+    ("ApiVirtChControl", TO, 2, 32 * 2),  # E217: channels may be left out at the end
 ]
 
 # CMD_READ_PARAMS_3 by hand, L186-L310: protocol name, offset of its first byte.

@@ -155,6 +155,29 @@ def test_command_ids_are_an_enum_in_the_order_of_ids(tmp_path: Path) -> None:
     ]
 
 
+def test_flags_that_extend_others(tmp_path: Path) -> None:
+    wide = """
+  Wide:
+    type: u32
+    extends: Switches
+    summary: The same bits, and more.
+    source: Variables L9
+    values:
+      FAR: {value: 0x10000, summary: Beyond.}
+
+packed:
+"""
+    text = TYPES.replace("\npacked:\n", wide)
+    text = text.replace("type: Switches,", "type: Wide,", 1)
+    made = {e.name: e for e in layout_of(tmp_path, text).enums}["Wide"]
+    assert (made.scalar.name, made.kind, made.member) == ("u32", "flags", "WideBit")
+    assert [(v.name, v.value) for v in made.values] == [
+        ("LOW", 0x0001),
+        ("HIGH", 0x8000),
+        ("FAR", 0x10000),
+    ]
+
+
 def test_packed_by_bits(tmp_path: Path) -> None:
     layout = layout_of(tmp_path, TYPES)
     byte = next(p for p in layout.packed if p.name == "Byte")

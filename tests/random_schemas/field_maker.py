@@ -270,6 +270,13 @@ class FieldMaker(TypeMaker):
     def add_rest(self, scope: Scope) -> None:
         """What takes the rest of the body."""
         node: Node = {"name": self.field_name(), "type": "bytes[]"}
+        if self.chance(0.15) and scope.budget >= 24:  # fields of which the last may be missing
+            kind = self.number_kind()
+            node = {"name": node["name"] + "_{1..3}", "type": kind.name}
+            node["min_count"] = self.random.randint(1, 3)
+            scope.add(self.said(node), node["min_count"] * kind.least, 3 * kind.memory + 1, False)
+            scope.takes_rest = True
+            return
         structs = [k for k in self.structs if k.fixed and k.least and self.can_use(scope, k)]
         what = self.random.random()
         least = 1
@@ -289,5 +296,7 @@ class FieldMaker(TypeMaker):
             least = kind.least
         if self.chance(0.5) and scope.budget >= 3 * least:
             node["max_count"] = self.random.choice((1, 2, 3))
-        scope.add(self.said(node), 0, MAX_BODY, False)
+        if self.chance(0.3) and "align" not in node and scope.budget >= 3 * least:
+            node["min_count"] = self.random.randint(1, node.get("max_count", 3))
+        scope.add(self.said(node), node.get("min_count", 0) * least, MAX_BODY, False)
         scope.takes_rest = True

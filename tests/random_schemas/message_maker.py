@@ -144,7 +144,8 @@ class MessageMaker(FieldMaker):
         direction = self.either()
         _, family, node = self.new_command(direction)
         count = self.random.randint(2, 4)
-        names = self.random.sample(("simple", "extended", "success", "error"), count)
+        known = ("simple", "extended", "success", "error")
+        names = self.random.sample((*known, "wide", "one_byte", "extended_wide", "form_2"), count)
         forms: Node = {}
         size = -1  # what the forms so far have at most
         for position, form in enumerate(names):
@@ -165,6 +166,8 @@ class MessageMaker(FieldMaker):
             if direction == "to_board":
                 content["effect"] = self.effect(scope)
                 content["answer"] = self.answer(scope)
+            if self.chance(0.2):
+                content["until"] = {"firmware": self.random.choice(("2.60", "2.68b7"))}
             forms[form] = {**content, "as": name}
             self.add_body(name, scope, direction)
         order = sorted(forms)

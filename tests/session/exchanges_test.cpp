@@ -243,6 +243,7 @@ static_assert(exchange_of(sbgc::BoardInfoRequest{}).answer_required, "known at c
 
 static_assert(std::same_as<sbgc::roles::Confirmation, sbgc::Confirm>);
 static_assert(std::same_as<sbgc::roles::BoardError, sbgc::TypeList<sbgc::Error, sbgc::ErrorExt>>);
+static_assert(std::same_as<sbgc::roles::ErrorReason, sbgc::BoardErrorCode>);
 static_assert(std::same_as<sbgc::roles::Reset, sbgc::Reset>);
 static_assert(std::same_as<sbgc::roles::Introduction, sbgc::BoardInfo>);
 static_assert(std::same_as<sbgc::roles::IntroductionRequest, sbgc::BoardInfoRequest>);
@@ -260,6 +261,8 @@ TEST(Roles, OfFrames) {
   EXPECT_TRUE(sbgc::roles::is_error(frame(255, 5)));
   EXPECT_EQ(sbgc::roles::failed_command(frame(255, 5)), 0);
   EXPECT_EQ(sbgc::roles::failed_command(frame(255, 6)), 77);
+  EXPECT_EQ(sbgc::roles::error_reason(frame(255, 5)), sbgc::roles::ErrorReason{77});
+  EXPECT_EQ(sbgc::roles::error_reason(frame(255, 6)), sbgc::roles::ErrorReason{1});
   EXPECT_TRUE(sbgc::roles::is_reset(frame(114, 0)));
   EXPECT_FALSE(sbgc::roles::is_reset(frame(67, 1)));
 }

@@ -56,6 +56,42 @@ def test_fields_nest_as_the_struct_does() -> None:
     }
 
 
+def test_a_request_for_the_version_may_have_a_body_of_any_size() -> None:
+    told = [decode_one(frame(86, bytes(range(size))), "--from", "host") for size in range(256)]
+    assert {line["command"] for line in told} == {"CMD_BOARD_INFO"}
+    assert not [line for line in told if "error" in line]
+    assert told[0]["fields"] == {}
+    asked = decode_one(bytes.fromhex("3e5601570000"), "--from", "host")
+    assert (asked["message"], asked["fields"]) == ("BoardInfoRequestOneByte", {"reserved": "00"})
+    assert told[2]["fields"] == {"cfg": 0x0100, "reserved": ""}
+    assert told[5]["fields"] == {"cfg": 0x0100, "reserved": "020304"}
+
+
+def test_an_attitude_has_its_mode_in_front() -> None:
+    later = "3e381a52010000000000000000000000803f0000803f00000000000000007f"
+    line = decode_one(bytes.fromhex(later), "--from", "host")
+    assert line["message"] == "AhrsHelperRequestExtWide"
+    up, north = {"x": 0, "y": 0, "z": 1}, {"x": 1, "y": 0, "z": 0}
+    assert line["fields"] == {"mode": 1, "z1_vector": up, "h1_vector": north}
+    earlier = frame(56, bytes([1]) + struct.pack("<6f", 0, 0, 1, 1, 0, 0))
+    assert decode_one(earlier, "--from", "host")["fields"] == line["fields"]
+    modes = [decode_one(frame(56, body), "--from", "host") for body in (b"\x02", b"\x02\x04")]
+    assert [one["fields"] for one in modes] == [{"mode": 2}, {"mode": 0x0402}]
+
+
+@pytest.mark.parametrize("count", [1, 31, 32])
+def test_virtual_channels_are_as_many_as_are_sent(count: int) -> None:
+    body = struct.pack(f"<{count}h", *range(-100, -100 + count))
+    line = decode_one(frame(45, body), "--from", "host")
+    assert line["fields"] == {"val_ch": list(range(-100, -100 + count))}
+
+
+@pytest.mark.parametrize(("size", "code"), [(0, "too_short"), (63, "too_short"), (66, "too_long")])
+def test_no_virtual_channels_and_too_many_are_errors(size: int, code: str) -> None:
+    line = decode_one(frame(45, bytes(size)), "--from", "host")
+    assert line["error"]["code"] == code
+
+
 def test_floats_are_numbers_and_texts_are_strings() -> None:
     stream = frame(85, struct.pack("<BHI", 88, 100, 0x40) + bytes(14))
     vectors = struct.pack("<H6f", 7, 0.5, -0.25, 1, 0, 1e-30, -1)
@@ -302,7 +338,7 @@ def test_wrong_size() -> None:
     assert line["error"]["field"] == "board_features"
     assert line["body"] == "0000000000"
     assert "fields" not in line
-    line = decode_one(frame(86, b"\x01"), "--from", "host")
+    line = decode_one(frame(67, b"\x01"), "--from", "host")
     assert line["message"] is None
     assert line["error"]["code"] == "unknown_form"
     line = decode_one(frame(31, b"\x02\x01\x00\x00\x00\x00\x01"), "--from", "board")

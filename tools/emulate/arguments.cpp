@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/protocol.hpp>
+
 #include "listen.hpp"
 #include "motion_file.hpp"
 
@@ -136,7 +138,26 @@ FirmwareVersion parse_firmware(const std::string& text) {
       (has_beta && (!read(beta, 9U, parts[2]) || parts[2] == 0))) {
     refuse(text, wanted);
   }
-  return FirmwareVersion(static_cast<std::uint16_t>(parts[0] * 1000 + parts[1] * 10 + parts[2]));
+  const FirmwareVersion version(
+      static_cast<std::uint16_t>(parts[0] * 1000 + parts[1] * 10 + parts[2]));
+  if (const std::string problem = problem_of(version); !problem.empty()) {
+    throw std::invalid_argument(problem);
+  }
+  return version;
+}
+
+std::string problem_of(FirmwareVersion version) {
+  if (version.raw() <= newest_firmware) return {};
+  return fmt::format(
+      "firmware {} is not emulated, only up to {}: later firmware takes commands and forms that "
+      "the emulated board does not know",
+      text_of(version), text_of(FirmwareVersion(newest_firmware)));
+}
+
+std::string text_of(FirmwareVersion version) {
+  std::string text = fmt::format("{}.{:02}", version.major(), version.minor());
+  if (version.beta() != 0) text += fmt::format("b{}", version.beta());
+  return text;
 }
 
 BoardVersion parse_board(const std::string& text) {

@@ -35,6 +35,11 @@ Duration parse_interval(const std::string& text);
 
 /// "2.43b9".
 FirmwareVersion parse_firmware(const std::string& text);
+/// Why no board is emulated with this firmware, or "": later firmware would be asked for what only
+/// it has.
+std::string problem_of(FirmwareVersion version);
+/// "2.43b9"
+std::string text_of(FirmwareVersion version);
 /// "3.0".
 BoardVersion parse_board(const std::string& text);
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "arguments.hpp"
 #include "state_file.hpp"
 #include "traffic.hpp"
 
@@ -25,10 +26,8 @@ void add_to(std::span<std::uint8_t> bytes, unsigned number) {
 }
 
 std::string model(BoardVersion board, FirmwareVersion firmware) {
-  std::string result = fmt::format("a board {}.{} with firmware {}.{:02}", board.major(),
-                                   board.minor(), firmware.major(), firmware.minor());
-  if (firmware.beta() != 0) result += fmt::format("b{}", firmware.beta());
-  return result;
+  return fmt::format("a board {}.{} with firmware {}", board.major(), board.minor(),
+                     text_of(firmware));
 }
 
 }  // namespace
@@ -66,6 +65,9 @@ void Service::add(unsigned number) {
       throw std::runtime_error(fmt::format("{} is the state of {}, not of {}", state,
                                            model(owner.board, owner.firmware),
                                            model(board.board, board.firmware)));
+    }
+    if (const std::string problem = problem_of(board.firmware); !problem.empty()) {
+      throw std::runtime_error(state + ": " + problem);
     }
     board.device_id = owner.device_id;
     board.mcu_id = owner.mcu_id;

@@ -15,6 +15,7 @@ namespace sbgc {
 using AllMessages = TypeList<
     BoardInfo,
     BoardInfoRequest,
+    BoardInfoRequestOneByte,
     BoardInfoRequestExt,
     Confirm,
     Error,
@@ -92,7 +93,9 @@ using AllMessages = TypeList<
     SelectImu3Ext,
     AhrsHelper,
     AhrsHelperRequest,
+    AhrsHelperRequestWide,
     AhrsHelperRequestExt,
+    AhrsHelperRequestExtWide,
     GyroCorrection,
     BeepSound,
     TriggerPin,
@@ -310,7 +313,9 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
         return use(Type<sbgc::FsClearAll>{}), Code::ok;
       case 56:  // CMD_AHRS_HELPER
         if (size == 1) return use(Type<sbgc::AhrsHelperRequest>{}), Code::ok;
-        if (size >= 25) return use(Type<sbgc::AhrsHelperRequestExt>{}), Code::ok;
+        if (size == 2) return use(Type<sbgc::AhrsHelperRequestWide>{}), Code::ok;
+        if (size == 25) return use(Type<sbgc::AhrsHelperRequestExt>{}), Code::ok;
+        if (size == 26) return use(Type<sbgc::AhrsHelperRequestExtWide>{}), Code::ok;
         return Code::unknown_form;
       case 57:  // CMD_RUN_SCRIPT
         return use(Type<sbgc::RunScript>{}), Code::ok;
@@ -368,6 +373,7 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
         return use(Type<sbgc::DataStreamInterval>{}), Code::ok;
       case 86:  // CMD_BOARD_INFO
         if (size == 0) return use(Type<sbgc::BoardInfoRequest>{}), Code::ok;
+        if (size == 1) return use(Type<sbgc::BoardInfoRequestOneByte>{}), Code::ok;
         if (size >= 2) return use(Type<sbgc::BoardInfoRequestExt>{}), Code::ok;
         return Code::unknown_form;
       case 87:  // CMD_WRITE_PARAMS

@@ -273,6 +273,27 @@ enum class VariableId : std::uint8_t {
   lpf_freq_yaw = 47,
 };
 
+/// Why the board has not carried out a command.
+/// Source: Incoming commands L421-L426. Errata: E086.
+enum class BoardErrorCode : std::uint8_t {
+  /// The body has a size that the command does not have.
+  cmd_size = 1,
+  /// A value is not possible.
+  wrong_params = 2,
+  /// A check of a key or a signature has failed.
+  crypto = 4,
+  /// The board does not know the command.
+  unknown_command = 6,
+  /// Not possible in the present state.
+  wrong_state = 8,
+  /// The board lacks what the command needs.
+  not_supported = 9,
+  /// The board has tried and failed.
+  operation_failed = 10,
+  /// Not possible at the moment; it may be later.
+  temporary = 11,
+};
+
 /// What an RC signal controls.
 /// Source: Variables L1022.
 enum class RcModeKind : std::uint8_t {
@@ -680,6 +701,17 @@ enum class ControlModeKind : std::uint8_t {
   angle_rel_frame = 5,
 };
 
+/// How the motors are turned off.
+/// Source: Later firmware. Errata: E205.
+enum class MotorsOffMode : std::uint8_t {
+  /// They turn freely, without current.
+  normal = 0,
+  /// They brake.
+  brake = 1,
+  /// They stop safely.
+  safe_stop = 2,
+};
+
 /// Coordinates of the data that an outer system passes.
 /// Source: Variables L1250. Errata: E080.
 enum class CoordinateSystem : std::uint8_t {
@@ -791,6 +823,10 @@ enum class FileError : std::uint8_t {
   crc = 7,
   /// ERR_LIMIT_REACHED: A limit of the file system is reached.
   limit_reached = 8,
+  /// The file is damaged.
+  file_corrupted = 9,
+  /// A value of the request is not possible.
+  wrong_params = 10,
 };
 
 /// What to do with a script.
@@ -1142,6 +1178,33 @@ enum class AhrsHelperModeBit : std::uint8_t {
 template <>
 inline constexpr bool is_flag<AhrsHelperModeBit> = true;
 using AhrsHelperMode = Flags<AhrsHelperModeBit>;
+
+/// What the forms of CMD_AHRS_HELPER do whose mode has two bytes; without SET they ask.
+/// Source: Later firmware. Errata: E209.
+enum class AhrsHelperWideModeBit : std::uint16_t {
+  /// Set the attitude, instead of asking for it.
+  set = 0x0001,
+  /// The frame IMU, instead of the main one.
+  frame_imu = 0x0002,
+  /// Only correct the estimate, as far as GYRO_TRUST allows, instead of replacing it.
+  reference_only = 0x0004,
+  /// Translate between camera and frame and use the result as a reference; the motor angles must be
+  /// known.
+  translate = 0x0008,
+  /// Use Z1_VECTOR only.
+  z1_only = 0x0010,
+  /// Use H1_VECTOR only.
+  h1_only = 0x0020,
+  /// Translate Z1_VECTOR only.
+  translate_z1_only = 0x0040,
+  /// Translate H1_VECTOR only.
+  translate_h1_only = 0x0080,
+  /// Turn the correction off. Since firmware 2.70b1.
+  disable_correction = 0x0400,
+};
+template <>
+inline constexpr bool is_flag<AhrsHelperWideModeBit> = true;
+using AhrsHelperWideMode = Flags<AhrsHelperWideModeBit>;
 
 /// Which sound CMD_BEEP_SOUND makes.
 /// Source: Variables L1223. Errata: E111.

@@ -21,12 +21,16 @@ struct Reset;
 struct BoardInfoRequest;
 struct BoardInfo3Request;
 
+enum class BoardErrorCode : std::uint8_t;
+
 namespace roles {
 
 /// Says that the board has carried out a command.
 using Confirmation = sbgc::Confirm;
 /// Says that it could not: one type, or a TypeList of forms.
 using BoardError = TypeList<sbgc::Error, sbgc::ErrorExt>;
+/// Why.
+using ErrorReason = sbgc::BoardErrorCode;
 /// Says that the board is about to restart.
 using Reset = sbgc::Reset;
 /// Says what the board is.
@@ -82,6 +86,14 @@ constexpr bool is_error([[maybe_unused]] const Frame& frame) noexcept {
 constexpr std::uint8_t failed_command([[maybe_unused]] const Frame& frame) noexcept {
   if (frame.id == 255 && frame.body.size() >= 6) return frame.body[0];
   return 0;
+}
+
+/// What it says was the reason. Precondition: is_error(frame).
+constexpr ErrorReason error_reason(const Frame& frame) noexcept {
+  if (frame.id == 255 && frame.body.size() >= 6) {
+    return static_cast<ErrorReason>(frame.body[1]);
+  }
+  return static_cast<ErrorReason>(frame.body[0]);
 }
 
 constexpr bool is_reset([[maybe_unused]] const Frame& frame) noexcept {

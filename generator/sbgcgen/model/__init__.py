@@ -14,6 +14,7 @@ from sbgcgen.model.values import (
     Quantity,
     SCALARS,
     Scalar,
+    Until,
 )
 from sbgcgen.model.bodies import (
     Alternative,
@@ -79,6 +80,7 @@ __all__ = [
     "Special",
     "Struct",
     "Type",
+    "Until",
     "Variable",
     "VariableSetting",
     "constants",

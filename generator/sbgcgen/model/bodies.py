@@ -136,7 +136,8 @@ class Field:
     """One member of a struct or message.
 
     `dim` says how often the type stands: "one", "axis", "xyz", "fixed" (`count` times),
-    "counted" (as the field `counter` says) or "rest" (to the end of the body). `offset` is from
+    "counted" (as the field `counter` says) or "rest" (to the end of the body; with an `index`, as
+    many of those named as there are, at least `min_count`). `offset` is from
     the start of the struct, None behind a variable part. `role` is what the field is among
     settings: "copy" (which of several copies they are), "general" (the same in all copies),
     "state" (no setting), or "". `typical` is an ordinary value, in the shape that it has in JSON, None
@@ -157,6 +158,7 @@ class Field:
     minimum: Fraction | None
     maximum: Fraction | None
     special: tuple[Special, ...]
+    min_count: int
     max_count: int | None
     variable: str
     align: int
@@ -182,7 +184,8 @@ class Field:
 class Leaf:
     """One value (or run of bytes) of a body in wire order, with the whole path to it.
 
-    `cases` are the leaves that a region may hold, depending on other fields.
+    `cases` are the leaves that a region may hold, depending on other fields. `optional`: a body may
+    end before it.
     """
 
     path: str
@@ -192,6 +195,7 @@ class Leaf:
     count: int | None
     offset: int | None
     cases: tuple[Leaf, ...] = ()
+    optional: bool = False
 
 
 @dataclass(frozen=True)

@@ -9,8 +9,8 @@ from sbgcgen.diagnostics import NOWHERE, Position
 from sbgcgen.model.answers import Answer, Role
 from sbgcgen.model.bodies import Context, Field, Leaf, Struct
 from sbgcgen.model.effects import Effect
-from sbgcgen.model.values import Availability, Deprecation
-from sbgcgen.names import snake_case
+from sbgcgen.model.values import Availability, Deprecation, Until
+from sbgcgen.names import form_suffix, snake_case
 
 
 @dataclass(frozen=True)
@@ -35,6 +35,7 @@ class Message:
     source: str
     errata: tuple[str, ...]
     since: Availability
+    until: Until | None
     deprecated: Deprecation | None
     body: Struct
     same_as: str
@@ -57,6 +58,12 @@ class Message:
     def identifier(self) -> str:
         """The name as a member would have it."""
         return snake_case(self.name)
+
+    @property
+    def call(self) -> str:
+        """The name of a function that sends it."""
+        suffix = form_suffix(self.form)
+        return f"{self.command_identifier}_{suffix}" if suffix else self.command_identifier
 
     @property
     def fields(self) -> tuple[Field, ...]:

@@ -9,6 +9,7 @@ from sbgcgen.model.messages import Command, Family, Message, Settings
 from sbgcgen.model.revisions import Revision
 from sbgcgen.model.values import Enum, Packed, Quantity
 from sbgcgen.model.variables import Variable
+from sbgcgen.names import KNOWN_FORMS, parse_version
 
 
 @dataclass(frozen=True)
@@ -105,6 +106,17 @@ class Layout:
             for message in self.definitions
             if message.name in stored
         )
+
+    @property
+    def forms(self) -> tuple[str, ...]:
+        """The names of all forms, those with a meaning of their own first."""
+        named = (m.form for m in self.messages if m.form)
+        return tuple(dict.fromkeys((*KNOWN_FORMS, *named)))
+
+    @property
+    def newest_firmware(self) -> int:
+        """The newest firmware that the protocol as a whole describes; 0 if that is not said."""
+        return parse_version(self.protocol.get("newest_firmware", "")) or 0
 
     def having_role(self, kind: str) -> tuple[Message, ...]:
         """The messages with a role; several are forms of one command."""

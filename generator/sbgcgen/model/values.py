@@ -52,6 +52,15 @@ class Availability:
 
 
 @dataclass(frozen=True)
+class Until:
+    """The first versions that no longer take a message, and the message that they take instead."""
+
+    versions: Availability
+    instead: str
+    at: Position = field(default=NOWHERE, compare=False, repr=False)
+
+
+@dataclass(frozen=True)
 class Deprecation:
     """That something should not be used any more, since when, and what to use instead."""
 

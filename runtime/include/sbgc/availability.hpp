@@ -17,9 +17,13 @@ constexpr Availability versions_of(const Info& info) noexcept {
   return {info.firmware_ver.raw(), info.board_ver.raw()};
 }
 
-/// Whether a board with these versions knows the message.
+/// Whether a board with these versions takes the message: not if its firmware is too old for it,
+/// nor if it is so new that another form has taken its place, which is later_form(message) then.
 template <Message M>
 constexpr bool is_supported(const Availability& versions) noexcept {
+  if constexpr (requires { M::until; }) {
+    if (is_available(M::until, versions)) return false;
+  }
   return is_available(M::since, versions);
 }
 

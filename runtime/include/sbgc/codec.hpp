@@ -29,9 +29,6 @@ inline constexpr int codec_version = 1;
 /// Who sends a message. `both` is said of messages that travel either way, never of a frame.
 enum class Direction : std::uint8_t { to_board, from_board, both };
 
-/// Which of the bodies of a command a message is.
-enum class Form : std::uint8_t { only, simple, extended, success, error };
-
 /// The versions from which on something exists, in the digits of CMD_BOARD_INFO: firmware 2590 is
 /// 2.59, board 30 is 3.0. 0: always.
 struct Availability {
@@ -229,6 +226,25 @@ constexpr void put_tail(std::uint8_t* to, const BoundedBytes<n>& tail) noexcept 
   copy(tail.data(), to, tail.size());
 }
 
+/// Gives a wider integer, or what is made of one, the value of a narrower one.
+template <class From, class To>
+constexpr void widen(const From& from, To& to) noexcept {
+  const auto raw = [&] {
+    if constexpr (RawValue<From>) {
+      return from.raw();
+    } else if constexpr (std::is_enum_v<From>) {
+      return static_cast<std::underlying_type_t<From>>(from);
+    } else {
+      return from;
+    }
+  }();
+  if constexpr (RawValue<To>) {
+    to = To(static_cast<typename To::raw_type>(raw));
+  } else {
+    to = static_cast<To>(raw);
+  }
+}
+
 /// Whether a conditional value must stand where its condition holds.
 enum Need : bool { required, may_be_missing };
 
@@ -315,12 +331,13 @@ class Reader {
     }
   }
 
-  /// Everything up to the end of the body, which must be a whole number of elements.
+  /// Everything up to the end of the body, which must be a whole number of elements, of which there
+  /// must be `least`.
   template <class T, std::size_t n>
-  constexpr void rest(BoundedArray<T, n>& out, const char* field) noexcept {
+  constexpr void rest(BoundedArray<T, n>& out, const char* field, std::size_t least = 0) noexcept {
     constexpr std::size_t element = wire_size<T>;
     const std::size_t left = body_.size() - at_;
-    if (status_ && left % element != 0) {
+    if (status_ && (left % element != 0 || left / element < least)) {
       at_ = body_.size();
       fail(Code::too_short, field);
     }
@@ -423,7 +440,9 @@ class Writer {
   }
 
   template <class T, std::size_t n>
-  constexpr void array(const BoundedArray<T, n>& in, const char* field) noexcept {
+  constexpr void array(const BoundedArray<T, n>& in, const char* field,
+                       std::size_t least = 0) noexcept {
+    if (status_ && in.size() < least) return fail(Code::count_mismatch, field);
     if constexpr (std::is_same_v<T, std::uint8_t>) {
       if (take(in.size(), field)) {
         detail::copy(in.data(), out_.data() + at_ - in.size(), in.size());

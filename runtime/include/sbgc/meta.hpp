@@ -95,6 +95,7 @@ struct FieldInfo {
   const char* summary = "";
   const Range* range{};
   std::span<const Special> special{};
+  std::uint16_t min_count{};  ///< of a list
   std::uint16_t max_count{};  ///< of a list; 0: what fits
   std::uint16_t align = 1;    ///< the value, or the length of a list of bytes, is a multiple of it
   FieldRole role{};
@@ -128,6 +129,7 @@ struct MessageInfo {
   std::size_t min_size{};
   std::size_t max_size{};
   Availability since{};
+  Availability until{};  ///< these versions and later ones no longer take it; 0: all do
   /// Names of the messages that answer it; what else is known of that, exchange_of() knows.
   std::span<const char* const> answers{};
   const char* stores = "";  ///< the message whose settings it writes, or ""

@@ -181,6 +181,9 @@ class Validator {
   }
 
   constexpr void count(std::size_t size, const FieldInfo& field, const FieldPath& path) {
+    if (size < field.min_count) {
+      fail(field, path, static_cast<double>(size), field.min_count, Rule::count);
+    }
     if (field.max_count != 0 && size > field.max_count) {
       fail(field, path, static_cast<double>(size), field.max_count, Rule::count);
     }

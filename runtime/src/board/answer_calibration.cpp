@@ -31,7 +31,7 @@ Outcome begin(Turn& turn, Kind kind, std::size_t imu, bool confirms_end) {
   std::optional<Calibrations::Asker> asker;
   if (confirms_end) asker = Calibrations::Asker{turn.port, turn.command};
   if (!turn.machine.calibrations.start(turn.machine, kind, imu, asker, turn.now)) {
-    return turn.refuse(Refusal::not_possible);
+    return turn.refuse(BoardErrorCode::wrong_state);
   }
   return turn.confirm();
 }
@@ -40,7 +40,7 @@ Outcome begin(Turn& turn, Kind kind, std::size_t imu, bool confirms_end) {
 Outcome begin_silently(Turn& turn, Kind kind) {
   const Calibrations::Asker asker{turn.port, turn.command};
   if (!turn.machine.calibrations.start(turn.machine, kind, 0, asker, turn.now)) {
-    return turn.refuse(Refusal::not_possible);
+    return turn.refuse(BoardErrorCode::wrong_state);
   }
   return Outcome::carried_out;
 }
@@ -102,7 +102,7 @@ Outcome carry_out(Turn& turn, const Sensor& sensor, CalibImu which, CalibAction 
                                action == CalibAction::enable_temperature ||
                                action == CalibAction::disable_temperature;
   if (changes_at_once && machine.calibrations.under_way()) {
-    return turn.refuse(Refusal::not_possible);
+    return turn.refuse(BoardErrorCode::wrong_state);
   }
   switch (action) {
     case CalibAction::regular: return begin(turn, sensor.regular, *imu, true);
@@ -141,19 +141,19 @@ Outcome handle(Turn& turn, const CalibPoles&) { return begin_silently(turn, Kind
 
 Outcome handle(Turn& turn, const CalibOffset&) {
   if (!Calibrations::store_follow_offsets(turn.machine, turn.now)) {
-    return turn.refuse(Refusal::not_possible);
+    return turn.refuse(BoardErrorCode::wrong_state);
   }
   return turn.confirm();
 }
 
 Outcome handle(Turn& turn, const CalibBat& request) {
-  if (!turn.machine.has_battery_meter()) return turn.refuse(Refusal::no_device);
+  if (!turn.machine.has_battery_meter()) return turn.refuse(BoardErrorCode::not_supported);
   const double measured = turn.machine.gimbal.sample(turn.now).battery;
   // Ours: a divider is never off by more than this, so it must be a mistake.
   constexpr double lowest = 0.5;
   constexpr double highest = 2;
   const double factor = measured > 0 ? request.actual_voltage.volts() / measured : 0;
-  if (!(factor >= lowest && factor <= highest)) return turn.refuse(Refusal::bad_parameter);
+  if (!(factor >= lowest && factor <= highest)) return turn.refuse(BoardErrorCode::wrong_params);
   turn.machine.memory.battery_factor = factor;
   ++turn.machine.memory.revision;
   turn.machine.apply_settings(turn.now);
@@ -161,11 +161,11 @@ Outcome handle(Turn& turn, const CalibBat& request) {
 }
 
 Outcome handle(Turn& turn, const EncodersCalibOffset4&) {
-  if (!turn.machine.has_encoders()) return turn.refuse(Refusal::no_device);
+  if (!turn.machine.has_encoders()) return turn.refuse(BoardErrorCode::not_supported);
   return begin(turn, Kind::encoder_offset, 0, false);
 }
 Outcome handle(Turn& turn, const EncodersCalibFldOffset4&) {
-  if (!turn.machine.has_encoders()) return turn.refuse(Refusal::no_device);
+  if (!turn.machine.has_encoders()) return turn.refuse(BoardErrorCode::not_supported);
   return begin(turn, Kind::encoder_field, 0, false);
 }
 
@@ -173,9 +173,9 @@ Outcome handle(Turn& turn, const CalibInfoRequest& request) {
   Machine& machine = turn.machine;
   const bool is_frame = request.imu_type == SelectedImu::frame;
   if (!is_frame && request.imu_type != SelectedImu::main) {
-    return turn.refuse(Refusal::bad_parameter);
+    return turn.refuse(BoardErrorCode::wrong_params);
   }
-  if (is_frame && !machine.has_frame_imu()) return turn.refuse(Refusal::no_device);
+  if (is_frame && !machine.has_frame_imu()) return turn.refuse(BoardErrorCode::not_supported);
   return turn.answer(machine.calibrations.info(machine, is_frame ? 1 : 0, turn.now));
 }
 
@@ -189,11 +189,11 @@ Outcome handle(Turn& turn, const AutoPidRequest& request) {
   const bool names_axis =
       flags.has(AutoPidFlag::roll) || flags.has(AutoPidFlag::pitch) || flags.has(AutoPidFlag::yaw);
   if (request.profile_id >= SettingsOf<ReadParams3>::copies || !names_axis) {
-    return turn.refuse(Refusal::bad_parameter);
+    return turn.refuse(BoardErrorCode::wrong_params);
   }
   if (!machine.auto_tuning.start(machine, request.profile_id, flags, request.gain_vs_stability,
                                  turn.port, turn.now)) {
-    return turn.refuse(Refusal::not_possible);
+    return turn.refuse(BoardErrorCode::wrong_state);
   }
   return turn.confirm();
 }

@@ -24,8 +24,9 @@ Outcome handle(Turn& turn, const SelectImu3Ext& request) { return select(turn, r
 Outcome handle(Turn& turn, const GyroCorrection& request) {
   Machine& machine = turn.machine;
   const bool of_frame = request.imu_type == ImuIndex::frame;
-  if (!of_frame && request.imu_type != ImuIndex::main) return turn.refuse(Refusal::bad_parameter);
-  if (of_frame && !machine.has_frame_imu()) return turn.refuse(Refusal::no_device);
+  if (!of_frame && request.imu_type != ImuIndex::main)
+    return turn.refuse(BoardErrorCode::wrong_params);
+  if (of_frame && !machine.has_frame_imu()) return turn.refuse(BoardErrorCode::not_supported);
   Vector offset;
   for (std::size_t i = 0; i < 3; ++i) {
     offset[i] = degrees_per_second(request.gyro_zero_corr[i]);

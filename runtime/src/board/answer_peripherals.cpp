@@ -11,18 +11,20 @@ Outcome handle(Turn& turn, const TriggerPin& request) {
 
 Outcome handle(Turn& turn, const ServoOut& request) {
   const bool fits = turn.machine.outputs.set_servos(turn.machine, request);
-  return fits ? turn.confirm() : turn.refuse(Refusal::bad_parameter);
+  return fits ? turn.confirm() : turn.refuse(BoardErrorCode::wrong_params);
 }
 
 Outcome handle(Turn& turn, const BeepSound& request) {
   const bool plays = turn.machine.outputs.play(request, turn.now);
-  return plays ? turn.confirm() : turn.refuse(Refusal::bad_parameter);
+  return plays ? turn.confirm() : turn.refuse(BoardErrorCode::wrong_params);
 }
 
 Outcome handle(Turn& turn, const I2cReadRegBufRequest& request) {
   Machine& machine = turn.machine;
-  if (!I2cBus::answers(machine, request.device_addr)) return turn.refuse(Refusal::no_device);
-  if (request.data_len.raw() == 0) return turn.refuse(Refusal::bad_parameter);
+  if (!I2cBus::answers(machine, request.device_addr)) {
+    return turn.refuse(BoardErrorCode::operation_failed);
+  }
+  if (request.data_len.raw() == 0) return turn.refuse(BoardErrorCode::wrong_params);
   const auto bytes = machine.i2c.read(machine, request.device_addr, request.reg_addr,
                                       request.data_len.raw(), turn.now);
   I2cReadRegBuf answer;
@@ -32,7 +34,9 @@ Outcome handle(Turn& turn, const I2cReadRegBufRequest& request) {
 
 Outcome handle(Turn& turn, const I2cWriteRegBuf& request) {
   Machine& machine = turn.machine;
-  if (!I2cBus::answers(machine, request.device_addr)) return turn.refuse(Refusal::no_device);
+  if (!I2cBus::answers(machine, request.device_addr)) {
+    return turn.refuse(BoardErrorCode::operation_failed);
+  }
   machine.i2c.write(machine, request.device_addr, request.reg_addr, request.data);
   return turn.confirm();
 }

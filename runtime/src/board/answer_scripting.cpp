@@ -6,16 +6,16 @@ namespace sbgc::board {
 
 Outcome handle(Turn& turn, const RunScript& request) {
   Machine& machine = turn.machine;
-  if (!Scripts::are_known(machine)) return turn.refuse(Refusal::no_device);
+  if (!Scripts::are_known(machine)) return turn.refuse(BoardErrorCode::not_supported);
   std::optional<std::size_t> debug_port;
   switch (request.mode) {
     case ScriptMode::stop:
-      if (request.slot >= Scripts::slots) return turn.refuse(Refusal::bad_parameter);
+      if (request.slot >= Scripts::slots) return turn.refuse(BoardErrorCode::wrong_params);
       if (machine.scripts.running() == request.slot) machine.scripts.stop();
       return turn.confirm();
     case ScriptMode::start: break;
     case ScriptMode::start_debug: debug_port = turn.port; break;
-    default: return turn.refuse(Refusal::bad_parameter);
+    default: return turn.refuse(BoardErrorCode::wrong_params);
   }
   const auto refusal = machine.scripts.start(machine, request.slot, debug_port, turn.now);
   return refusal ? turn.refuse(*refusal) : turn.confirm();

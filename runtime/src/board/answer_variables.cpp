@@ -13,7 +13,7 @@ namespace {
 
 Outcome report(Turn& turn, std::uint8_t trigger, std::uint8_t analog) {
   if (trigger >= Slots::triggers || analog >= Slots::analogs) {
-    return turn.refuse(Refusal::bad_parameter);
+    return turn.refuse(BoardErrorCode::wrong_params);
   }
   return turn.answer(turn.machine.slots.state(turn.machine, trigger, analog));
 }
@@ -21,11 +21,11 @@ Outcome report(Turn& turn, std::uint8_t trigger, std::uint8_t analog) {
 }  // namespace
 
 Outcome handle(Turn& turn, const GetAdjVarsVal& request) {
-  if (!is_valid(request)) return turn.refuse(Refusal::bad_parameter);
+  if (!is_valid(request)) return turn.refuse(BoardErrorCode::wrong_params);
   SetAdjVarsVal answer;
   for (const VariableId id : request.param_id) {
     const auto value = turn.machine.settings.variable(id);
-    if (!value) return turn.refuse(Refusal::bad_parameter, static_cast<std::uint8_t>(id));
+    if (!value) return turn.refuse(BoardErrorCode::wrong_params, static_cast<std::uint8_t>(id));
     answer.params.push_back({id, *value});
   }
   return turn.answer(answer);
@@ -34,10 +34,11 @@ Outcome handle(Turn& turn, const GetAdjVarsVal& request) {
 /// All of them or none.
 Outcome handle(Turn& turn, const SetAdjVarsVal& request) {
   Machine& machine = turn.machine;
-  if (!is_valid(request)) return turn.refuse(Refusal::bad_parameter);
+  if (!is_valid(request)) return turn.refuse(BoardErrorCode::wrong_params);
   const auto refused =
       machine.settings.set_variables(std::span(request.params.data(), request.params.size()));
-  if (refused) return turn.refuse(Refusal::bad_parameter, static_cast<std::uint8_t>(*refused));
+  if (refused)
+    return turn.refuse(BoardErrorCode::wrong_params, static_cast<std::uint8_t>(*refused));
   machine.apply_settings(turn.now);
   return turn.confirm();
 }

@@ -167,8 +167,31 @@ class Board::Core {
     machine.ports.tell(port, {request.id, request.body}, outcome);
   }
 
-  /// What the board does not know it ignores, as an old board does.
+  /// Whether this board takes any request with this id.
+  bool knows(std::uint8_t id) const {
+    bool is_known = false;
+    AllMessages::for_each([&]<class M>(Type<M>) {
+      if constexpr (M::direction != Direction::from_board) {
+        const bool has_id = static_cast<std::uint8_t>(M::command) == id;
+        is_known = is_known || (has_id && is_supported<M>(machine.versions()));
+      }
+    });
+    return is_known;
+  }
+
+  /// What the board does not know it says, unless it is so old that it has no words for it. An
+  /// error is not answered, lest two boards on one line answer each other for ever.
   Outcome carry_out_frame(std::size_t port, const Waiting& request, Instant now) {
+    const Outcome outcome = try_frame(port, request, now);
+    const bool is_strange = outcome == Outcome::unknown || outcome == Outcome::malformed;
+    if (is_strange && !roles::is_error({request.id, request.body})) {
+      Turn turn(machine, port, request.id, Confirmed::never, now);
+      turn.refuse(knows(request.id) ? BoardErrorCode::cmd_size : BoardErrorCode::unknown_command);
+    }
+    return outcome;
+  }
+
+  Outcome try_frame(std::size_t port, const Waiting& request, Instant now) {
     Outcome outcome = Outcome::unknown;
     const Code code =
         select(Direction::to_board, request.id, request.body.size(), [&]<class M>(Type<M>) {

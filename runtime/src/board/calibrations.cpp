@@ -280,7 +280,7 @@ void Calibrations::finish(Machine& machine, bool is_success, Instant now) {
     turn.confirm();
   } else {
     // Ours: the specification has no other answer to a calibration that failed.
-    turn.refuse(Refusal::not_possible);
+    turn.refuse(BoardErrorCode::operation_failed);
   }
 }
 

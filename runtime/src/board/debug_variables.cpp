@@ -22,8 +22,7 @@ struct View {
 struct Variable {
   std::string_view name;
   DebugVarKind kind;
-  std::uint16_t size;  ///< of an array; 0: a scalar
-  double (*value)(const View& view, std::size_t index);
+  double (*value)(const View& view);
   DebugVarAxis axis = DebugVarAxis::no_axis;
   bool is_angle = false;  ///< 16384 counts for one turn
 };
@@ -33,43 +32,49 @@ double counts(double degrees) { return wire_angle(degrees).raw(); }
 double counts(GyroRate rate) { return rate.raw(); }
 
 using Axis = DebugVarAxis;
-using Index = std::size_t;
 
-constexpr std::array<Variable, 14> variables{{
-    {"UPTIME_MS", DebugVarKind::uint32, 0,
-     [](const View& v, Index) {
+// Scalars only: no reader of real boards looks for arrays.
+constexpr std::array<Variable, 18> variables{{
+    {"UPTIME_MS", DebugVarKind::uint32,
+     [](const View& v) {
        return std::floor(static_cast<double>((v.now - v.machine.restarts.started()).us) / 1000);
      }},
-    {"ROLL", DebugVarKind::int16, 0,
-     [](const View& v, Index) { return counts(v.sample.angles.roll); }, Axis::roll, true},
-    {"PITCH", DebugVarKind::int16, 0,
-     [](const View& v, Index) { return counts(v.sample.angles.pitch); }, Axis::pitch, true},
-    {"YAW", DebugVarKind::int16, 0,
-     [](const View& v, Index) { return counts(v.sample.angles.yaw); }, Axis::yaw, true},
-    {"YAW_JOINT", DebugVarKind::int32, 0,
-     [](const View& v, Index) { return v.sample.joints.yaw / LongAngle14(1).degrees(); }, Axis::yaw,
-     true},
-    {"GYRO", DebugVarKind::int16, 3,
-     [](const View& v, Index i) { return counts(saturated<GyroRate>(v.sample.gyro[i])); }},
-    {"POWER", DebugVarKind::uint8, 3,
-     [](const View& v, Index i) { return v.sample.power[i] * 255; }},
-    {"BATTERY", DebugVarKind::float32, 0,
-     [](const View& v, Index) { return v.machine.measured_battery(v.sample); }},
-    {"TEMPERATURE", DebugVarKind::int8, 0,
-     [](const View& v, Index) { return v.sample.temperature; }},
-    {"ERRORS", DebugVarKind::uint16, 0,
-     [](const View& v, Index) -> double { return v.machine.errors(v.now).raw(); }},
-    {"PROFILE", DebugVarKind::uint8, 0,
-     [](const View& v, Index) -> double { return v.machine.settings.profile(); }},
-    {"SCRIPT_CMD", DebugVarKind::uint16, 0,
-     [](const View& v, Index) -> double { return v.machine.scripts.command(); }},
-    {"SOUND", DebugVarKind::uint16, 0,
-     [](const View& v, Index) -> double {
+    {"ROLL", DebugVarKind::int16, [](const View& v) { return counts(v.sample.angles.roll); },
+     Axis::roll, true},
+    {"PITCH", DebugVarKind::int16, [](const View& v) { return counts(v.sample.angles.pitch); },
+     Axis::pitch, true},
+    {"YAW", DebugVarKind::int16, [](const View& v) { return counts(v.sample.angles.yaw); },
+     Axis::yaw, true},
+    {"YAW_JOINT", DebugVarKind::int32,
+     [](const View& v) { return v.sample.joints.yaw / LongAngle14(1).degrees(); }, Axis::yaw, true},
+    {"GYRO_X", DebugVarKind::int16,
+     [](const View& v) { return counts(saturated<GyroRate>(v.sample.gyro.x)); }},
+    {"GYRO_Y", DebugVarKind::int16,
+     [](const View& v) { return counts(saturated<GyroRate>(v.sample.gyro.y)); }},
+    {"GYRO_Z", DebugVarKind::int16,
+     [](const View& v) { return counts(saturated<GyroRate>(v.sample.gyro.z)); }},
+    {"POWER_ROLL", DebugVarKind::uint8, [](const View& v) { return v.sample.power.roll * 255; },
+     Axis::roll},
+    {"POWER_PITCH", DebugVarKind::uint8, [](const View& v) { return v.sample.power.pitch * 255; },
+     Axis::pitch},
+    {"POWER_YAW", DebugVarKind::uint8, [](const View& v) { return v.sample.power.yaw * 255; },
+     Axis::yaw},
+    {"BATTERY", DebugVarKind::float32,
+     [](const View& v) { return v.machine.measured_battery(v.sample); }},
+    {"TEMPERATURE", DebugVarKind::int8, [](const View& v) { return v.sample.temperature; }},
+    {"ERRORS", DebugVarKind::uint16,
+     [](const View& v) -> double { return v.machine.errors(v.now).raw(); }},
+    {"PROFILE", DebugVarKind::uint8,
+     [](const View& v) -> double { return v.machine.settings.profile(); }},
+    {"SCRIPT_CMD", DebugVarKind::uint16,
+     [](const View& v) -> double { return v.machine.scripts.command(); }},
+    {"SOUND", DebugVarKind::uint16,
+     [](const View& v) -> double {
        const auto sound = v.machine.outputs.sound();
        return sound ? sound->mode.raw() : 0;
      }},
-    {"HIGH_PINS", DebugVarKind::uint16, 0,
-     [](const View& v, Index) -> double { return v.machine.outputs.high_pins(); }},
+    {"HIGH_PINS", DebugVarKind::uint16,
+     [](const View& v) -> double { return v.machine.outputs.high_pins(); }},
 }};
 
 /// The nearest number of that type; integers beyond its ends go round.
@@ -92,7 +97,6 @@ DebugVarsInfo3 DebugVariables::info() {
     one.var_type.set_kind(variable.kind);
     one.var_type.set_axis(variable.axis);
     if (variable.is_angle) one.var_type.set_flags(DebugVarFlag::angle14);
-    one.arr_size = variable.size;
     info.vars.push_back(one);
   }
   return info;
@@ -102,11 +106,7 @@ DebugVars3 DebugVariables::values(Machine& machine, Instant now) {
   const View view{machine, machine.gimbal.sample(now), now};
   DebugVars3 values;
   for (const Variable& variable : variables) {
-    const NumberType type = number_type(variable.kind);
-    std::size_t index = 0;
-    do {
-      values.var_value.push_back(number(type, variable.value(view, index)));
-    } while (++index < variable.size);
+    values.var_value.push_back(number(number_type(variable.kind), variable.value(view)));
   }
   return values;
 }

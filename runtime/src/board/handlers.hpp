@@ -10,6 +10,7 @@ namespace sbgc::board {
 
 // handlers_system.cpp
 Outcome handle(Turn& turn, const BoardInfoRequest& request);
+Outcome handle(Turn& turn, const BoardInfoRequestOneByte& request);
 Outcome handle(Turn& turn, const BoardInfoRequestExt& request);
 Outcome handle(Turn& turn, const BoardInfo3Request& request);
 Outcome handle(Turn& turn, const ResetRequest& request);
@@ -48,7 +49,9 @@ Outcome handle(Turn& turn, const DataStreamInterval& request);
 
 // handlers_attitude.cpp
 Outcome handle(Turn& turn, const AhrsHelperRequest& request);
+Outcome handle(Turn& turn, const AhrsHelperRequestWide& request);
 Outcome handle(Turn& turn, const AhrsHelperRequestExt& request);
+Outcome handle(Turn& turn, const AhrsHelperRequestExtWide& request);
 
 // answer_calibration.cpp
 Outcome handle(Turn& turn, const CalibAcc& request);

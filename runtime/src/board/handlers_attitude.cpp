@@ -3,6 +3,8 @@
 #include <cmath>
 #include <optional>
 
+#include <sbgc/meta/enums.hpp>
+
 #include "attitude.hpp"
 #include "handlers.hpp"
 #include "live_data.hpp"
@@ -21,30 +23,45 @@ std::optional<Vector> direction(const Xyz<float>& from) {
   return unit(vector);
 }
 
-Outcome tell(Turn& turn, AhrsHelperMode mode) {
-  const bool of_frame = mode.has(AhrsHelperModeBit::frame_imu);
-  if (of_frame && !knows_frame(turn.machine, turn.now)) return turn.refuse(Refusal::no_device);
+template <class Mode>
+Outcome tell(Turn& turn, Mode mode) {
+  const bool of_frame = mode.has(Mode::flag_type::frame_imu);
+  if (of_frame && !knows_frame(turn.machine, turn.now))
+    return turn.refuse(BoardErrorCode::not_supported);
   AhrsHelper answer;
   measure(turn.machine, of_frame, turn.now, answer);
   return turn.answer(answer);
 }
 
-}  // namespace
-
-Outcome handle(Turn& turn, const AhrsHelperRequest& request) {
-  // Without vectors there is nothing to set.
-  if (request.mode.has(AhrsHelperModeBit::set)) {
-    return turn.refuse(Refusal::bad_parameter, request.mode.raw());
+/// Without vectors there is nothing to set.
+template <class Request>
+Outcome tell_only(Turn& turn, const Request& request) {
+  using Bit = decltype(request.mode)::flag_type;
+  if (request.mode.has(Bit::set)) {
+    return turn.refuse(BoardErrorCode::wrong_params, request.mode.raw());
   }
   return tell(turn, request.mode);
 }
 
-Outcome handle(Turn& turn, const AhrsHelperRequestExt& request) {
-  using Bit = AhrsHelperModeBit;
-  const AhrsHelperMode mode = request.mode;
+/// The bits of a mode that the simulation understands: those of the earlier form.
+constexpr unsigned known_bits = [] {
+  unsigned bits = 0;
+  for (const ValueInfo& value : EnumMeta<AhrsHelperModeBit>::info.values) {
+    bits |= static_cast<unsigned>(value.value);
+  }
+  return bits;
+}();
+
+template <class Request>
+Outcome tell_or_set(Turn& turn, const Request& request) {
+  const auto mode = request.mode;
+  using Bit = decltype(request.mode)::flag_type;
   if (!mode.has(Bit::set)) return tell(turn, mode);
+  if ((mode.raw() & ~known_bits) != 0) {
+    return turn.refuse(BoardErrorCode::not_supported, mode.raw());
+  }
   if (mode.has(Bit::z1_only) && mode.has(Bit::h1_only)) {
-    return turn.refuse(Refusal::bad_parameter, mode.raw());
+    return turn.refuse(BoardErrorCode::wrong_params, mode.raw());
   }
   Gimbal::Attitude attitude;
   attitude.of_frame = mode.has(Bit::frame_imu);
@@ -52,14 +69,27 @@ Outcome handle(Turn& turn, const AhrsHelperRequestExt& request) {
   attitude.translates = mode.has(Bit::translate) && knows_joints(turn.machine);
   if (!mode.has(Bit::h1_only)) {
     attitude.up = direction(request.z1_vector);
-    if (!attitude.up) return turn.refuse(Refusal::bad_parameter, mode.raw());
+    if (!attitude.up) return turn.refuse(BoardErrorCode::wrong_params, mode.raw());
   }
   if (!mode.has(Bit::z1_only)) {
     attitude.north = direction(request.h1_vector);
-    if (!attitude.north) return turn.refuse(Refusal::bad_parameter, mode.raw());
+    if (!attitude.north) return turn.refuse(BoardErrorCode::wrong_params, mode.raw());
   }
   turn.machine.gimbal.correct(attitude, turn.now);
   return turn.confirm();
+}
+
+}  // namespace
+
+Outcome handle(Turn& turn, const AhrsHelperRequest& request) { return tell_only(turn, request); }
+Outcome handle(Turn& turn, const AhrsHelperRequestWide& request) {
+  return tell_only(turn, request);
+}
+Outcome handle(Turn& turn, const AhrsHelperRequestExt& request) {
+  return tell_or_set(turn, request);
+}
+Outcome handle(Turn& turn, const AhrsHelperRequestExtWide& request) {
+  return tell_or_set(turn, request);
 }
 
 }  // namespace sbgc::board

@@ -51,7 +51,7 @@ Outcome control(Turn& turn, const Axes<ControlMode>& modes, const Axes<ControlAx
   Axes<AxisCommand> commands;
   for (std::size_t axis = 0; axis < commands.size(); ++axis) {
     const auto command = command_of(turn.versions(), modes[axis], targets[axis]);
-    if (!command) return turn.refuse(Refusal::bad_parameter, modes[axis].raw());
+    if (!command) return turn.refuse(BoardErrorCode::wrong_params, modes[axis].raw());
     commands[axis] = *command;
     if (command->mode == AxisMode::signal) {
       commands[axis].signal =
@@ -67,13 +67,14 @@ Outcome control(Turn& turn, const Axes<ControlMode>& modes, const Axes<ControlAx
 Outcome turn_motors(Turn& turn, bool on) {
   turn.machine.set_motors(on, turn.now);
   // An empty battery keeps them off.
-  if (on && turn.machine.gimbal.stopped_by_battery()) return turn.refuse(Refusal::not_possible);
+  if (on && turn.machine.gimbal.stopped_by_battery())
+    return turn.refuse(BoardErrorCode::wrong_state);
   return turn.confirm();
 }
 
 Outcome execute(Turn& turn, MenuCommand action) {
   if (turn.machine.execute(action, turn.now)) return turn.confirm();
-  return turn.refuse(Refusal::bad_parameter, static_cast<std::uint32_t>(action));
+  return turn.refuse(BoardErrorCode::wrong_params, static_cast<std::uint32_t>(action));
 }
 
 /// Zeros are not used, so that a message of zeros is no help. Nothing else of what it tells matters
@@ -110,8 +111,15 @@ Outcome handle(Turn& turn, const MotorsOn& /*request*/) { return turn_motors(tur
 
 Outcome handle(Turn& turn, const MotorsOff& /*request*/) { return turn_motors(turn, false); }
 
-// What the ways of turning them off are is not documented.
-Outcome handle(Turn& turn, const MotorsOffExt& /*request*/) { return turn_motors(turn, false); }
+// Ours: braking and a safe stop end as turning them off does, with motors without current.
+Outcome handle(Turn& turn, const MotorsOffExt& request) {
+  switch (request.mode) {
+    case MotorsOffMode::normal:
+    case MotorsOffMode::brake:
+    case MotorsOffMode::safe_stop: return turn_motors(turn, false);
+  }
+  return turn.refuse(BoardErrorCode::wrong_params, static_cast<std::uint32_t>(request.mode));
+}
 
 Outcome handle(Turn& turn, const ExecuteMenu& request) { return execute(turn, request.cmd_id); }
 

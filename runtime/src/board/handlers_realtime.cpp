@@ -51,9 +51,9 @@ Outcome handle(Turn& turn, const DataStreamInterval& request) {
   switch (turn.machine.streams.change(turn.machine, turn.port, request, turn.now)) {
     case Streams::Change::done: break;
     case Streams::Change::no_room:
-      return turn.refuse(Refusal::no_room, static_cast<std::uint32_t>(request.cmd_id));
+      return turn.refuse(BoardErrorCode::temporary, static_cast<std::uint32_t>(request.cmd_id));
     case Streams::Change::bad_command:
-      return turn.refuse(Refusal::bad_parameter, static_cast<std::uint32_t>(request.cmd_id));
+      return turn.refuse(BoardErrorCode::wrong_params, static_cast<std::uint32_t>(request.cmd_id));
   }
   return turn.confirm();
 }

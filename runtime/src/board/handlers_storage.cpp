@@ -20,7 +20,7 @@ Outcome handle(Turn& turn, const UseDefaults& request) {
   } else if (request.profile_id < SettingsOf<ReadParams3>::copies) {
     turn.machine.settings.use_defaults(request.profile_id);
   } else {
-    return turn.refuse(Refusal::bad_parameter, request.profile_id);
+    return turn.refuse(BoardErrorCode::wrong_params, request.profile_id);
   }
   turn.machine.apply_settings(turn.now);
   return turn.confirm();
@@ -29,9 +29,10 @@ Outcome handle(Turn& turn, const UseDefaults& request) {
 Outcome handle(Turn& turn, const EepromReadRequest& request) {
   EepromRead answer;
   const std::size_t size = request.size.raw();
-  if (size > answer.data.capacity()) return turn.refuse(Refusal::bad_parameter, request.size.raw());
+  if (size > answer.data.capacity())
+    return turn.refuse(BoardErrorCode::wrong_params, request.size.raw());
   const auto bytes = turn.machine.eeprom.read_pages(request.addr, size);
-  if (!bytes) return turn.refuse(Refusal::bad_address, request.addr);
+  if (!bytes) return turn.refuse(BoardErrorCode::wrong_params, request.addr);
   answer.addr = request.addr;
   for (const std::uint8_t byte : *bytes) answer.data.push_back(byte);
   return turn.answer(answer);
@@ -40,7 +41,7 @@ Outcome handle(Turn& turn, const EepromReadRequest& request) {
 Outcome handle(Turn& turn, const EepromWrite& request) {
   const auto data = std::span(request.data.data(), request.data.size());
   if (!turn.machine.eeprom.write_pages(request.addr, data)) {
-    return turn.refuse(Refusal::bad_address, request.addr);
+    return turn.refuse(BoardErrorCode::wrong_params, request.addr);
   }
   return turn.confirm({.addr = request.addr});
 }
@@ -50,8 +51,7 @@ Outcome handle(Turn& turn, const ReadFileRequest& request) {
   const std::size_t size = request.max_data_size.raw();
   const FileSystem::Part part =
       turn.machine.files.read(request.file_id, request.page_offset.raw(), size);
-  // Ours: the specification does not say which code it is.
-  const FileError error = size > answer.data.capacity() ? FileError::limit_reached : part.error;
+  const FileError error = size > answer.data.capacity() ? FileError::wrong_params : part.error;
   if (error != FileError::no_error) {
     static_cast<void>(turn.answer(ReadFileError{error}));
     return Outcome::refused;

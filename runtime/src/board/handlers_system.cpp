@@ -29,6 +29,8 @@ Outcome restart(Turn& turn, bool notify, Milliseconds delay, bool to_bootloader)
 
 Outcome handle(Turn& turn, const BoardInfoRequest& /*request*/) { return introduce(turn); }
 
+Outcome handle(Turn& turn, const BoardInfoRequestOneByte& /*request*/) { return introduce(turn); }
+
 // The configuration is for Bluetooth LE modules between board and host, of which there are none.
 Outcome handle(Turn& turn, const BoardInfoRequestExt& /*request*/) { return introduce(turn); }
 

@@ -95,7 +95,7 @@ void Remote::apply(Machine& machine, Instant now) const {
 }
 
 void Remote::set_channels(Machine& machine, const ApiVirtChControl& signals, Instant now) {
-  for (std::size_t i = 0; i < channels; ++i) {
+  for (std::size_t i = 0; i < signals.val_ch.size(); ++i) {
     const CentredRcSignal signal = signals.val_ch[i];
     if (signal.raw() == ApiVirtChControl::undefined) {
       signals_[i].reset();

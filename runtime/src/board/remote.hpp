@@ -20,7 +20,7 @@ struct Machine;
 /// and to the serial receivers.
 class Remote {
  public:
-  static constexpr std::size_t channels = std::tuple_size_v<decltype(ApiVirtChControl::val_ch)>;
+  static constexpr std::size_t channels = decltype(ApiVirtChControl::val_ch)::capacity();
 
   /// CMD_API_VIRT_CH_CONTROL: new signals of all virtual channels, until the next ones.
   void set_channels(Machine& machine, const ApiVirtChControl& signals, Instant now);

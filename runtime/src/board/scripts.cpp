@@ -35,14 +35,14 @@ bool Scripts::are_known(const Machine& machine) {
   return machine.options.features.has(BoardFeature::scripting);
 }
 
-std::optional<Refusal> Scripts::start(Machine& machine, std::uint8_t slot,
-                                      std::optional<std::size_t> port, Instant now) {
-  if (!are_known(machine)) return Refusal::no_device;
-  if (slot >= slots) return Refusal::bad_parameter;
+std::optional<BoardErrorCode> Scripts::start(Machine& machine, std::uint8_t slot,
+                                             std::optional<std::size_t> port, Instant now) {
+  if (!are_known(machine)) return BoardErrorCode::not_supported;
+  if (slot >= slots) return BoardErrorCode::wrong_params;
   const std::uint16_t size = machine.files.size(slot);
-  if (size == 0) return Refusal::no_script;
+  if (size == 0) return BoardErrorCode::operation_failed;
   const FileSystem::Part file = machine.files.read(slot, 0, size);
-  if (file.error != FileError::no_error) return Refusal::no_script;
+  if (file.error != FileError::no_error) return BoardErrorCode::operation_failed;
   Run run{.slot = slot, .port = port};
   run.commands = count_commands(
       // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of a text

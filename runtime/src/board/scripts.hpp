@@ -26,8 +26,8 @@ class Scripts {
   static bool are_known(const Machine& machine);
   /// Starts it; another one that runs ends. With a port, that gets CMD_SCRIPT_DEBUG with each
   /// command, and once more at the end. Says why it could not start.
-  std::optional<Refusal> start(Machine& machine, std::uint8_t slot, std::optional<std::size_t> port,
-                               Instant now);
+  std::optional<BoardErrorCode> start(Machine& machine, std::uint8_t slot,
+                                      std::optional<std::size_t> port, Instant now);
   void stop() { run_.reset(); }
   /// Slot of the script that runs.
   std::optional<std::uint8_t> running() const;

@@ -68,7 +68,7 @@ Outcome access_settings(Turn& turn, const Request& request) {
       Machine& machine = turn.machine;
       const auto copy = detail::copy_of<S>(machine, request);
       if (!copy) {
-        outcome = turn.refuse(Refusal::bad_parameter);
+        outcome = turn.refuse(BoardErrorCode::wrong_params);
       } else if constexpr (detail::reads<Request, S>) {
         S answer = machine.settings.read<S>(*copy);
         detail::fill_state(machine, answer);
@@ -77,7 +77,7 @@ Outcome access_settings(Turn& turn, const Request& request) {
         machine.apply_settings(turn.now);
         outcome = turn.confirm();
       } else {
-        outcome = turn.refuse(Refusal::no_room);
+        outcome = turn.refuse(BoardErrorCode::operation_failed);
       }
     }
   });

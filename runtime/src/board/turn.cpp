@@ -8,10 +8,10 @@ namespace sbgc::board {
 namespace {
 
 /// CMD_ERROR in the form that real boards send: with the command that failed (E086).
-ErrorExt error_about(std::uint8_t command, Refusal reason, std::uint32_t detail) {
+ErrorExt error_about(std::uint8_t command, BoardErrorCode reason, std::uint32_t detail) {
   ErrorExt error;
   error.cmd_id = static_cast<CommandId>(command);
-  error.error_code = static_cast<std::uint8_t>(reason);
+  error.error_code = reason;
   for (std::size_t i = 0; i < error.error_data.size(); ++i) {
     error.error_data[i] = static_cast<std::uint8_t>(detail >> (8 * i));
   }
@@ -27,7 +27,8 @@ std::vector<std::uint8_t> refusal_instead(Availability versions,
   if (!is_supported<ErrorExt>(versions)) return {};
   std::vector<std::uint8_t> result(max_frame_size);
   const std::uint8_t command = roles::confirmed_command(held);
-  result.resize(encode_frame(error_about(command, Refusal::operation_failed, 0), result).size);
+  result.resize(
+      encode_frame(error_about(command, BoardErrorCode::operation_failed, 0), result).size);
   return result;
 }
 
@@ -61,7 +62,7 @@ Outcome Turn::confirm(roles::Confirmation confirmation) {
   return answer(confirmation);
 }
 
-Outcome Turn::refuse(Refusal reason, std::uint32_t detail) {
+Outcome Turn::refuse(BoardErrorCode reason, std::uint32_t detail) {
   static_cast<void>(answer(error_about(command, reason, detail)));
   return Outcome::refused;
 }

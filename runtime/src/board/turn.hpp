@@ -19,17 +19,6 @@ namespace sbgc::board {
 
 struct Machine;
 
-/// Reasons in CMD_ERROR. Ours: the specification does not publish the codes of real boards.
-enum class Refusal : std::uint8_t {
-  bad_parameter = 1,      ///< a value that the command does not have
-  bad_address = 2,        ///< outside the memory, or not aligned
-  no_device = 3,          ///< nothing answers on the bus
-  no_room = 4,            ///< a table is full
-  not_possible = 5,       ///< not in the present state
-  no_script = 6,          ///< the slot is empty
-  operation_failed = 10,  ///< the memory can not be written
-};
-
 /// The frame to send instead of one that tells of a change to the memory, which can not be saved:
 /// CMD_ERROR instead of a confirmation, other frames as they are. Empty if this board and firmware
 /// have no such error.
@@ -69,7 +58,7 @@ class Turn {
   /// The same with the fields that such a confirmation has.
   Outcome confirm(roles::Confirmation confirmation);
   /// CMD_ERROR that names the request.
-  Outcome refuse(Refusal reason, std::uint32_t detail = 0);
+  Outcome refuse(BoardErrorCode reason, std::uint32_t detail = 0);
   /// Says nothing, where the specification wants that.
   static Outcome ignore() { return Outcome::refused; }
 

@@ -219,7 +219,7 @@ Result<Reply> Conversation::State::result_of(const Call& call, const Event& even
     case Outcome::unconfirmed: return reply(Ending::unconfirmed);
     case Outcome::sent: return reply(Ending::sent);
     case Outcome::failed: return refused(" has failed: ");
-    case Outcome::board_error: return refused(" was refused by the board: ");
+    case Outcome::board_error: return refused(": the board refused: ");
     case Outcome::timeout: {
       const unsigned attempts = call.send.attempts;
       std::string text = "no answer to " + command;

@@ -23,7 +23,7 @@ struct Request {
 };
 
 /// Looks at the frame of a request: whether a board with these versions has the command, and, if
-/// wanted, whether it allows the values.
+/// wanted, whether it allows the values. If it takes another form instead, that is the result.
 Result<Request> inspect(FrameBytes frame, const Availability& versions, bool validate);
 
 /// Takes from a message to the board what later messages from it need to be read.
@@ -41,7 +41,8 @@ std::vector<std::uint8_t> frame_that_ends_stream(const Request& request);
 
 /// "CMD_BEEP_SOUND", or "command 89" if no request has this id.
 std::string command_name(std::uint8_t id);
-/// What the board says in a message that tells of a failure: "err_code FILE_NOT_FOUND (3)".
+/// What the board says in a message that tells of a failure: "WRONG_STATE" in an error, or
+/// "err_code ERR_FILE_NOT_FOUND (2)".
 std::string describe(std::uint8_t id, std::span<const std::uint8_t> body);
 /// The error code in it, or 0.
 int error_code_in(std::uint8_t id, std::span<const std::uint8_t> body);

@@ -111,7 +111,9 @@ void Table::add_control() {
   };
   add<MotorsOn>({.before = off, .after = is_on});
   add<MotorsOff>({.before = on, .after = is_off});
-  add<MotorsOffExt>({.before = on, .after = is_off});
+  board::Options later;
+  later.firmware = FirmwareVersion(2687);
+  add<MotorsOffExt>({.before = on, .after = is_off, .options = later});
   add<ExecuteMenu>({.request = {.cmd_id = MenuCommand::motor_toggle},
                     .comes = Comes::confirmation,
                     .before = on,

@@ -78,6 +78,11 @@ void Table::add_imu() {
   set.z1_vector = {0, 0, 1};
   set.h1_vector = {0, 1, 0};
   add<AhrsHelperRequestExt>({.request = set});
+  board::Options later;
+  later.firmware = FirmwareVersion(2695);
+  add<AhrsHelperRequestWide>({.after = points_up, .options = later});
+  add<AhrsHelperRequestExtWide>({.after = points_up, .options = later});
+  add<AhrsHelperRequestExtWide>({.request = later_form(set), .options = later});
   add<GyroCorrection>({.comes = Comes::confirmation});
 }
 
@@ -113,7 +118,9 @@ void Table::add_peripherals() {
                        }});
   add<I2cReadRegBufRequest>(
       {.request = read, .before = [=](Host& host) { host.ask(write); }, .after = is_written});
-  add<ApiVirtChControl>({});
+  ApiVirtChControl channels;
+  channels.val_ch.push_back(CentredRcSignal(100));
+  add<ApiVirtChControl>({.request = channels});
 }
 
 }  // namespace sbgc::test

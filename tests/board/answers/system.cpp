@@ -27,6 +27,7 @@ void Table::add_system() {
     EXPECT_FALSE(info.connection_flags.has(ConnectionFlag::usb));
   };
   add<BoardInfoRequest>({.after = introduces});
+  add<BoardInfoRequestOneByte>({.after = introduces});
   add<BoardInfoRequestExt>({.request = {.cfg = Milliseconds(20)}, .after = introduces});
   add<BoardInfo3Request>({.after = [](Host& host, const Packets& packets) {
     const auto details = only<BoardInfo3>(packets);

@@ -16,6 +16,7 @@ namespace sbgc {
 // Declared only: who makes a call includes its message.
 struct BoardInfo;
 struct BoardInfoRequest;
+struct BoardInfoRequestOneByte;
 struct BoardInfoRequestExt;
 struct Confirm;
 struct Error;
@@ -93,7 +94,9 @@ struct SelectImu3;
 struct SelectImu3Ext;
 struct AhrsHelper;
 struct AhrsHelperRequest;
+struct AhrsHelperRequestWide;
 struct AhrsHelperRequestExt;
+struct AhrsHelperRequestExtWide;
 struct GyroCorrection;
 struct BeepSound;
 struct TriggerPin;
@@ -135,6 +138,10 @@ template <class M>
 struct CallAnswerOf;
 template <>
 struct CallAnswerOf<BoardInfoRequest> {
+  using type = BoardInfo;
+};
+template <>
+struct CallAnswerOf<BoardInfoRequestOneByte> {
   using type = BoardInfo;
 };
 template <>
@@ -358,7 +365,15 @@ struct CallAnswerOf<AhrsHelperRequest> {
   using type = AhrsHelper;
 };
 template <>
+struct CallAnswerOf<AhrsHelperRequestWide> {
+  using type = AhrsHelper;
+};
+template <>
 struct CallAnswerOf<AhrsHelperRequestExt> {
+  using type = std::optional<AhrsHelper>;
+};
+template <>
+struct CallAnswerOf<AhrsHelperRequestExtWide> {
   using type = std::optional<AhrsHelper>;
 };
 template <>
@@ -469,6 +484,14 @@ class Calls {
   /// Effect: reads.
   template <class M = BoardInfoRequest>
   Result<detail::CallAnswer<M>> board_info(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask for the version of board and firmware, with a byte that means nothing.
+  /// Effect: reads.
+  template <class M = BoardInfoRequestOneByte>
+  Result<detail::CallAnswer<M>> board_info_one_byte(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
   }
@@ -754,14 +777,16 @@ class Calls {
 
   /// Turn the motors off.
   /// Effect: moves.
+  /// Firmware 2.68b7 and later takes MotorsOffExt instead, which is then sent.
   template <class M = MotorsOff>
   Result<detail::CallAnswer<M>> motors_off(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
   }
 
-  /// Turn the motors off, in a way that later firmware lets the host choose.
+  /// Turn the motors off, in one of several ways.
   /// Effect: moves.
+  /// Since firmware 2.68b7.
   template <class M = MotorsOffExt>
   Result<detail::CallAnswer<M>> motors_off_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -940,8 +965,18 @@ class Calls {
   /// Ask for the attitude of an IMU.
   /// Effect: reads.
   /// Since board 3.0.
+  /// Firmware 2.69b5 and later takes AhrsHelperRequestWide instead, which is then sent.
   template <class M = AhrsHelperRequest>
   Result<detail::CallAnswer<M>> ahrs_helper(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask for the attitude of an IMU, with a mode of two bytes.
+  /// Effect: reads.
+  /// Since firmware 2.69b5.
+  template <class M = AhrsHelperRequestWide>
+  Result<detail::CallAnswer<M>> ahrs_helper_wide(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
   }
@@ -949,8 +984,18 @@ class Calls {
   /// Ask for the attitude of an IMU or set it.
   /// Effect: moves.
   /// Since board 3.0.
+  /// Firmware 2.69b5 and later takes AhrsHelperRequestExtWide instead, which is then sent.
   template <class M = AhrsHelperRequestExt>
   Result<detail::CallAnswer<M>> ahrs_helper_ext(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Ask for the attitude of an IMU or set it, with a mode of two bytes.
+  /// Effect: moves.
+  /// Since firmware 2.69b5.
+  template <class M = AhrsHelperRequestExtWide>
+  Result<detail::CallAnswer<M>> ahrs_helper_ext_wide(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
   }

@@ -56,12 +56,53 @@ constexpr Exchange exchange_of(const AhrsHelperRequest&) noexcept {
 }
 
 template <>
+struct ExchangeTraits<AhrsHelperRequestWide> {
+  using Answer = AhrsHelper;
+  static constexpr bool answer_is_certain = true;
+};
+constexpr Exchange exchange_of(const AhrsHelperRequestWide&) noexcept {
+  return {.replies = {.command = 56,
+              .answer_count = 1,
+              .answers = {{{.id = 56,
+               .min_size = 24,
+               .max_size = max_body_size,
+               .size = 24}}}},
+      .answer_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+template <>
 struct ExchangeTraits<AhrsHelperRequestExt> {
   using Answer = AhrsHelper;
   static constexpr bool answer_is_certain = false;
 };
 constexpr Exchange exchange_of(const AhrsHelperRequestExt& request) noexcept {
   if (request.mode.has(AhrsHelperModeBit::set)) {
+    return {.replies = {.command = 56,
+              .confirmed = Confirmed::unlikely},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+  }
+  return {.replies = {.command = 56,
+              .answer_count = 1,
+              .answers = {{{.id = 56,
+               .min_size = 24,
+               .max_size = max_body_size,
+               .size = 24}}}},
+      .answer_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+template <>
+struct ExchangeTraits<AhrsHelperRequestExtWide> {
+  using Answer = AhrsHelper;
+  static constexpr bool answer_is_certain = false;
+};
+constexpr Exchange exchange_of(const AhrsHelperRequestExtWide& request) noexcept {
+  if (request.mode.has(AhrsHelperWideModeBit::set)) {
     return {.replies = {.command = 56,
               .confirmed = Confirmed::unlikely},
       .confirmations = 1,

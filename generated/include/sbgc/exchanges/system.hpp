@@ -32,6 +32,23 @@ constexpr Exchange exchange_of(const BoardInfoRequest&) noexcept {
 }
 
 template <>
+struct ExchangeTraits<BoardInfoRequestOneByte> {
+  using Answer = BoardInfo;
+  static constexpr bool answer_is_certain = true;
+};
+constexpr Exchange exchange_of(const BoardInfoRequestOneByte&) noexcept {
+  return {.replies = {.command = 86,
+              .answer_count = 1,
+              .answers = {{{.id = 86,
+               .min_size = 18,
+               .max_size = max_body_size,
+               .size = 18}}}},
+      .answer_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+template <>
 struct ExchangeTraits<BoardInfoRequestExt> {
   using Answer = BoardInfo;
   static constexpr bool answer_is_certain = true;

@@ -413,6 +413,7 @@ struct MotorsOn {
 ///
 /// CMD_MOTORS_OFF (109), to the board, simple form; 0 bytes.
 /// Effect: moves.
+/// Firmware 2.68b7 and later takes MotorsOffExt instead.
 /// Source: Outgoing commands L728-L730.
 struct MotorsOff {
   static constexpr CommandId command = CommandId::motors_off;
@@ -421,6 +422,7 @@ struct MotorsOff {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{};
+  static constexpr Availability until{2687, 0};
 
   constexpr bool operator==(const MotorsOff&) const = default;
 };
@@ -439,10 +441,11 @@ struct MotorsOff {
   return {0, {}};
 }
 
-/// Turn the motors off, in a way that later firmware lets the host choose.
+/// Turn the motors off, in one of several ways.
 ///
 /// CMD_MOTORS_OFF (109), to the board, extended form; 1 bytes.
 /// Effect: moves.
+/// Since firmware 2.68b7.
 /// Source: Outgoing commands L728-L730. Errata: E205.
 struct MotorsOffExt {
   static constexpr CommandId command = CommandId::motors_off;
@@ -450,10 +453,10 @@ struct MotorsOffExt {
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 1;
-  static constexpr Availability since{};
+  static constexpr Availability since{2687, 0};
 
-  /// How to turn them off; its values are not documented. Errata: E205.
-  std::uint8_t mode{};
+  /// How to turn them off. Errata: E205.
+  MotorsOffMode mode{};
 
   constexpr bool operator==(const MotorsOffExt&) const = default;
 };
@@ -733,6 +736,12 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   detail::add_block(sum, in, offsetof(M, frame_acc), 11);
   detail::add_block(sum, in, offsetof(M, frame_speed), 9);
   return true;
+}
+
+/// What says the same to firmware that no longer takes the message.
+constexpr MotorsOffExt later_form(const MotorsOff&) noexcept {
+  MotorsOffExt later{};
+  return later;
 }
 
 }  // namespace sbgc

@@ -23,7 +23,8 @@ struct DebugVarInfo {
   BoundedText<255> var_name{};
   /// Its type. Errata: E055.
   DebugVarType var_type{};
-  /// How many elements it has. 0: a scalar. 1: a scalar. Errata: E006, E113.
+  /// How many elements it has; no board is known to send arrays. 0: a scalar. 1: a scalar. Errata:
+  /// E006, E113, E218.
   std::uint16_t arr_size{};
 
   constexpr bool operator==(const DebugVarInfo&) const = default;

@@ -126,7 +126,8 @@ struct AhrsHelper {
   static constexpr std::size_t max_size = 24;
   static constexpr Availability since{0, 30};
 
-  /// Unit vector that points up. Range: -1 to 1. Errata: E015, E038, E108.
+  /// Unit vector that points up; later sources say down. Range: -1 to 1. Errata: E015, E038, E108,
+  /// E216.
   Xyz<float> z1_vector{};
   /// Unit vector that points north. Range: -1 to 1. Errata: E015, E038, E108.
   Xyz<float> h1_vector{};
@@ -172,6 +173,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// CMD_AHRS_HELPER (56), to the board, simple form; 1 bytes.
 /// Effect: reads.
 /// Since board 3.0.
+/// Firmware 2.69b5 and later takes AhrsHelperRequestWide instead.
 /// Source: Outgoing commands L946-L953; Variables L1192-L1197. Errata: E023.
 struct AhrsHelperRequest {
   static constexpr CommandId command = CommandId::ahrs_helper;
@@ -180,6 +182,7 @@ struct AhrsHelperRequest {
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{0, 30};
+  static constexpr Availability until{2695, 0};
 
   /// Which IMU; without SET. Errata: E023.
   AhrsHelperMode mode{};
@@ -210,6 +213,54 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {1, {}};
 }
 
+/// Ask for the attitude of an IMU, with a mode of two bytes. An IMU of higher grade can replace or
+/// correct the board's own: send 50 to 100 of these a second. Useful values of MODE: 0 asks for the
+/// main IMU, 2 for the frame IMU. From a sensor on the camera, 1 replaces its attitude and 5
+/// corrects it. From a sensor on the frame, 3 replaces the attitude of the frame and 7 corrects it;
+/// 11 replaces it and corrects that of the camera; 15 corrects both. Z1_ONLY and H1_ONLY may be
+/// added to any of these.
+///
+/// CMD_AHRS_HELPER (56), to the board, wide form; 2 bytes.
+/// Effect: reads.
+/// Since firmware 2.69b5.
+/// Source: Outgoing commands L946-L953; Variables L1192-L1197. Errata: E023, E209.
+struct AhrsHelperRequestWide {
+  static constexpr CommandId command = CommandId::ahrs_helper;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::wide;
+  static constexpr std::size_t min_size = 2;
+  static constexpr std::size_t max_size = 2;
+  static constexpr Availability since{2695, 0};
+
+  /// Which IMU; without SET. Errata: E023, E209.
+  AhrsHelperWideMode mode{};
+
+  constexpr bool operator==(const AhrsHelperRequestWide&) const = default;
+};
+
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   AhrsHelperRequestWide& SBGC_RESTRICT out) noexcept {
+  get(from, out.mode);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const AhrsHelperRequestWide& SBGC_RESTRICT in) noexcept {
+  put(to, in.mode);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      AhrsHelperRequestWide& out) noexcept {
+  if (body.size() != 2) return detail::wrong_size(body.size(), 2);
+  get(body.data(), out);
+  return {};
+}
+
+[[nodiscard]] constexpr WriteResult encode(const AhrsHelperRequestWide& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  if (out.size() < 2) return {0, {Code::buffer_too_small}};
+  put(out.data(), in);
+  return {2, {}};
+}
+
 /// Ask for the attitude of an IMU or set it. An IMU of higher grade can replace or correct the
 /// board's own: send 50 to 100 of these a second. Useful values of MODE: 0 asks for the main IMU, 2
 /// for the frame IMU. From a sensor on the camera, 1 replaces its attitude and 5 corrects it. From
@@ -217,26 +268,27 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// and corrects that of the camera; 15 corrects both. Z1_ONLY and H1_ONLY may be added to any of
 /// these.
 ///
-/// CMD_AHRS_HELPER (56), to the board, extended form; 25 to 26 bytes.
+/// CMD_AHRS_HELPER (56), to the board, extended form; 25 bytes.
 /// Effect: moves.
 /// Since board 3.0.
+/// Firmware 2.69b5 and later takes AhrsHelperRequestExtWide instead.
 /// Source: Outgoing commands L946-L953; Variables L1192-L1197. Errata: E023, E122.
 struct AhrsHelperRequestExt {
   static constexpr CommandId command = CommandId::ahrs_helper;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 25;
-  static constexpr std::size_t max_size = 26;
+  static constexpr std::size_t max_size = 25;
   static constexpr Availability since{0, 30};
+  static constexpr Availability until{2695, 0};
 
   /// What to do.
   AhrsHelperMode mode{};
-  /// Unit vector that points up; not used when asking. Range: -1 to 1. Errata: E015, E038, E108.
+  /// Unit vector that points up, or down by later sources; not used when asking. Range: -1 to 1.
+  /// Errata: E015, E038, E108, E216.
   Xyz<float> z1_vector{};
   /// Unit vector that points north; not used when asking. Range: -1 to 1. Errata: E015, E038, E108.
   Xyz<float> h1_vector{};
-  /// Its meaning is not documented. At most 1. Since firmware 2.69b5. Errata: E209.
-  BoundedBytes<230> param{};
 
   constexpr bool operator==(const AhrsHelperRequestExt&) const = default;
 };
@@ -256,20 +308,73 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       AhrsHelperRequestExt& out) noexcept {
-  if (body.size() < 25) return detail::wrong_size(body.size(), 25);
+  if (body.size() != 25) return detail::wrong_size(body.size(), 25);
   get(body.data(), out);
-  detail::Reader reader(body, 25);
-  reader.rest(out.param, "param");
-  return reader.end();
+  return {};
 }
 
 [[nodiscard]] constexpr WriteResult encode(const AhrsHelperRequestExt& in,
                                            std::span<std::uint8_t> out) noexcept {
   if (out.size() < 25) return {0, {Code::buffer_too_small}};
   put(out.data(), in);
-  detail::Writer writer(out, 25);
-  writer.array(in.param, "param");
-  return writer.end();
+  return {25, {}};
+}
+
+/// Ask for the attitude of an IMU or set it, with a mode of two bytes. An IMU of higher grade can
+/// replace or correct the board's own: send 50 to 100 of these a second. Useful values of MODE: 0
+/// asks for the main IMU, 2 for the frame IMU. From a sensor on the camera, 1 replaces its attitude
+/// and 5 corrects it. From a sensor on the frame, 3 replaces the attitude of the frame and 7
+/// corrects it; 11 replaces it and corrects that of the camera; 15 corrects both. Z1_ONLY and
+/// H1_ONLY may be added to any of these.
+///
+/// CMD_AHRS_HELPER (56), to the board, extended_wide form; 26 bytes.
+/// Effect: moves.
+/// Since firmware 2.69b5.
+/// Source: Outgoing commands L946-L953; Variables L1192-L1197. Errata: E023, E122, E209.
+struct AhrsHelperRequestExtWide {
+  static constexpr CommandId command = CommandId::ahrs_helper;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::extended_wide;
+  static constexpr std::size_t min_size = 26;
+  static constexpr std::size_t max_size = 26;
+  static constexpr Availability since{2695, 0};
+
+  /// What to do. Errata: E209.
+  AhrsHelperWideMode mode{};
+  /// Unit vector that points up, or down by later sources; not used when asking. Range: -1 to 1.
+  /// Errata: E015, E038, E108, E216.
+  Xyz<float> z1_vector{};
+  /// Unit vector that points north; not used when asking. Range: -1 to 1. Errata: E015, E038, E108.
+  Xyz<float> h1_vector{};
+
+  constexpr bool operator==(const AhrsHelperRequestExtWide&) const = default;
+};
+
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   AhrsHelperRequestExtWide& SBGC_RESTRICT out) noexcept {
+  get(from, out.mode);
+  get(from + 2, out.z1_vector);
+  get(from + 14, out.h1_vector);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const AhrsHelperRequestExtWide& SBGC_RESTRICT in) noexcept {
+  put(to, in.mode);
+  put(to + 2, in.z1_vector);
+  put(to + 14, in.h1_vector);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      AhrsHelperRequestExtWide& out) noexcept {
+  if (body.size() != 26) return detail::wrong_size(body.size(), 26);
+  get(body.data(), out);
+  return {};
+}
+
+[[nodiscard]] constexpr WriteResult encode(const AhrsHelperRequestExtWide& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  if (out.size() < 26) return {0, {Code::buffer_too_small}};
+  put(out.data(), in);
+  return {26, {}};
 }
 
 /// Correct the zero of a gyroscope by hand.
@@ -322,6 +427,22 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   if (out.size() < 9) return {0, {Code::buffer_too_small}};
   put(out.data(), in);
   return {9, {}};
+}
+
+/// What says the same to firmware that no longer takes the message.
+constexpr AhrsHelperRequestWide later_form(const AhrsHelperRequest& message) noexcept {
+  AhrsHelperRequestWide later{};
+  detail::widen(message.mode, later.mode);
+  return later;
+}
+
+/// What says the same to firmware that no longer takes the message.
+constexpr AhrsHelperRequestExtWide later_form(const AhrsHelperRequestExt& message) noexcept {
+  AhrsHelperRequestExtWide later{};
+  detail::widen(message.mode, later.mode);
+  later.z1_vector = message.z1_vector;
+  later.h1_vector = message.h1_vector;
+  return later;
 }
 
 }  // namespace sbgc

@@ -355,7 +355,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 
 /// Set the virtual RC channels that the host provides; they can control the camera and more.
 ///
-/// CMD_API_VIRT_CH_CONTROL (45), to the board; 64 bytes.
+/// CMD_API_VIRT_CH_CONTROL (45), to the board; 2 to 64 bytes.
 /// Effect: moves.
 /// Since board 3.0.
 /// Source: Outgoing commands L859-L865; Variables L1190-L1191.
@@ -363,42 +363,33 @@ struct ApiVirtChControl {
   static constexpr CommandId command = CommandId::api_virt_ch_control;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
-  static constexpr std::size_t min_size = 64;
+  static constexpr std::size_t min_size = 2;
   static constexpr std::size_t max_size = 64;
   static constexpr Availability since{0, 30};
 
   /// For val_ch: undefined, as if the signal were lost.
   static constexpr std::int16_t undefined = -10000;
 
-  /// Signal of each channel; the board clips what goes beyond. Unit: no unit, one count is 1/500.
-  /// Range: -500 to 500. undefined (-10000): undefined, as if the signal were lost. Errata: E042,
-  /// E069, E070.
-  std::array<CentredRcSignal, 32> val_ch{};
+  /// Signal of each channel from the first on; the board clips what goes beyond. Unit: no unit, one
+  /// count is 1/500. Range: -500 to 500. undefined (-10000): undefined, as if the signal were lost.
+  /// At least 1. At most 32. Errata: E042, E069, E070, E217.
+  BoundedArray<CentredRcSignal, 32> val_ch{};
 
   constexpr bool operator==(const ApiVirtChControl&) const = default;
 };
 
-constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
-                   ApiVirtChControl& SBGC_RESTRICT out) noexcept {
-  get(from, out.val_ch);
-}
-constexpr void put(std::uint8_t* SBGC_RESTRICT to,
-                   const ApiVirtChControl& SBGC_RESTRICT in) noexcept {
-  put(to, in.val_ch);
-}
-
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
                                       ApiVirtChControl& out) noexcept {
-  if (body.size() != 64) return detail::wrong_size(body.size(), 64);
-  get(body.data(), out);
-  return {};
+  detail::Reader reader(body, 0);
+  reader.rest(out.val_ch, "val_ch", 1);
+  return reader.end();
 }
 
 [[nodiscard]] constexpr WriteResult encode(const ApiVirtChControl& in,
                                            std::span<std::uint8_t> out) noexcept {
-  if (out.size() < 64) return {0, {Code::buffer_too_small}};
-  put(out.data(), in);
-  return {64, {}};
+  detail::Writer writer(out, 0);
+  writer.array(in.val_ch, "val_ch", 1);
+  return writer.end();
 }
 
 }  // namespace sbgc

@@ -553,7 +553,7 @@ struct RealtimeDataCustom {
   /// RC_DATA. Errata: E070.
   Optional<std::array<FineRcSignal, 6>> rc_data{};
   /// Gravity row of the rotation matrix. Range: -1 to 1. Present when flags has Z1_H1_VECTORS.
-  /// Errata: E038.
+  /// Errata: E038, E216.
   Optional<Xyz<float>> z1_vector{};
   /// Heading row of the rotation matrix; the cross product of both is the third row. Range: -1 to
   /// 1. Present when flags has Z1_H1_VECTORS. Errata: E038.

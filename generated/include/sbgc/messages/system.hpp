@@ -117,6 +117,48 @@ struct BoardInfoRequest {
   return {0, {}};
 }
 
+/// Ask for the version of board and firmware, with a byte that means nothing.
+///
+/// CMD_BOARD_INFO (86), to the board, one_byte form; 1 bytes.
+/// Effect: reads.
+/// Source: Outgoing commands L602-L611. Errata: E084, E091, E214.
+struct BoardInfoRequestOneByte {
+  static constexpr CommandId command = CommandId::board_info;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::one_byte;
+  static constexpr std::size_t min_size = 1;
+  static constexpr std::size_t max_size = 1;
+  static constexpr Availability since{};
+
+  /// Reserved; kept as it is. Errata: E214.
+  Bytes<1> reserved{};
+
+  constexpr bool operator==(const BoardInfoRequestOneByte&) const = default;
+};
+
+constexpr void get(const std::uint8_t* SBGC_RESTRICT from,
+                   BoardInfoRequestOneByte& SBGC_RESTRICT out) noexcept {
+  get(from, out.reserved);
+}
+constexpr void put(std::uint8_t* SBGC_RESTRICT to,
+                   const BoardInfoRequestOneByte& SBGC_RESTRICT in) noexcept {
+  put(to, in.reserved);
+}
+
+[[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body,
+                                      BoardInfoRequestOneByte& out) noexcept {
+  if (body.size() != 1) return detail::wrong_size(body.size(), 1);
+  get(body.data(), out);
+  return {};
+}
+
+[[nodiscard]] constexpr WriteResult encode(const BoardInfoRequestOneByte& in,
+                                           std::span<std::uint8_t> out) noexcept {
+  if (out.size() < 1) return {0, {Code::buffer_too_small}};
+  put(out.data(), in);
+  return {1, {}};
+}
+
 /// Ask for the version of board and firmware, and configure this serial port.
 ///
 /// CMD_BOARD_INFO (86), to the board, extended form; 2 to 255 bytes.
@@ -238,8 +280,8 @@ struct Error {
   static constexpr std::size_t max_size = 5;
   static constexpr Availability since{0, 30};
 
-  /// What went wrong; the codes are not published. Errata: E086.
-  std::uint8_t error_code{};
+  /// What went wrong. Errata: E086.
+  BoardErrorCode error_code{};
   /// Details that depend on the code.
   Bytes<4> error_data{};
 
@@ -286,8 +328,8 @@ struct ErrorExt {
 
   /// The command that failed. Errata: E086.
   CommandId cmd_id{};
-  /// What went wrong; the codes are not published. Errata: E086.
-  std::uint8_t error_code{};
+  /// What went wrong. Errata: E086.
+  BoardErrorCode error_code{};
   /// Details that depend on the code.
   Bytes<4> error_data{};
   /// What later firmware appends; kept, and written back.

@@ -266,6 +266,7 @@ struct Meta<MotorsOff> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
+      .until = {2687, 0},
       .effects = Effects(Effect::moves)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -279,16 +280,17 @@ struct Meta<MotorsOffExt> {
   static constexpr MessageInfo info{
       .name = "MotorsOffExt",
       .command = "CMD_MOTORS_OFF",
-      .summary = "Turn the motors off, in a way that later firmware lets the host choose.",
+      .summary = "Turn the motors off, in one of several ways.",
       .id = 109,
       .direction = Direction::to_board,
       .min_size = 1,
       .max_size = 1,
+      .since = {2687, 0},
       .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
       {.name = "mode",
        .spec_name = "MODE",
-       .summary = "How to turn them off; its values are not documented."},
+       .summary = "How to turn them off."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.

@@ -24,7 +24,7 @@ struct Meta<DebugVarInfo> {
        .summary = "Its type."},
       {.name = "arr_size",
        .spec_name = "ARR_SIZE",
-       .summary = "How many elements it has.",
+       .summary = "How many elements it has; no board is known to send arrays.",
        .special = arr_size_special},
   };
 

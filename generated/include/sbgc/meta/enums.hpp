@@ -141,6 +141,21 @@ struct EnumMeta<VariableId> {
 };
 
 template <>
+struct EnumMeta<BoardErrorCode> {
+  static constexpr ValueInfo values[] = {
+      {"CMD_SIZE", 1, "The body has a size that the command does not have."},
+      {"WRONG_PARAMS", 2, "A value is not possible."},
+      {"CRYPTO", 4, "A check of a key or a signature has failed."},
+      {"UNKNOWN_COMMAND", 6, "The board does not know the command."},
+      {"WRONG_STATE", 8, "Not possible in the present state."},
+      {"NOT_SUPPORTED", 9, "The board lacks what the command needs."},
+      {"OPERATION_FAILED", 10, "The board has tried and failed."},
+      {"TEMPORARY", 11, "Not possible at the moment; it may be later."},
+  };
+  static constexpr EnumInfo info{"BoardErrorCode", values, false};
+};
+
+template <>
 struct EnumMeta<RcModeKind> {
   static constexpr ValueInfo values[] = {
       {"RC_MODE_ANGLE", 0, "The angle of the camera."},
@@ -431,6 +446,16 @@ struct EnumMeta<ControlModeKind> {
 };
 
 template <>
+struct EnumMeta<MotorsOffMode> {
+  static constexpr ValueInfo values[] = {
+      {"NORMAL", 0, "They turn freely, without current."},
+      {"BRAKE", 1, "They brake."},
+      {"SAFE_STOP", 2, "They stop safely."},
+  };
+  static constexpr EnumInfo info{"MotorsOffMode", values, false};
+};
+
+template <>
 struct EnumMeta<CoordinateSystem> {
   static constexpr ValueInfo values[] = {
       {"COORD_SYS_GROUND_YAW_ROTATED", 1, "Of the ground, turned with the camera about Z: Z points up, X right, Y forward. The usual one."},
@@ -518,6 +543,8 @@ struct EnumMeta<FileError> {
       {"ERR_FILE_SIZE", 6, "The size is not possible."},
       {"ERR_CRC", 7, "The checksum does not hold."},
       {"ERR_LIMIT_REACHED", 8, "A limit of the file system is reached."},
+      {"ERR_FILE_CORRUPTED", 9, "The file is damaged."},
+      {"ERR_WRONG_PARAMS", 10, "A value of the request is not possible."},
   };
   static constexpr EnumInfo info{"FileError", values, false};
 };
@@ -749,6 +776,22 @@ struct EnumMeta<AhrsHelperModeBit> {
       {"H1_ONLY", 32, "Use H1_VECTOR only."},
   };
   static constexpr EnumInfo info{"AhrsHelperMode", values, true};
+};
+
+template <>
+struct EnumMeta<AhrsHelperWideModeBit> {
+  static constexpr ValueInfo values[] = {
+      {"SET", 1, "Set the attitude, instead of asking for it."},
+      {"FRAME_IMU", 2, "The frame IMU, instead of the main one."},
+      {"REFERENCE_ONLY", 4, "Only correct the estimate, as far as GYRO_TRUST allows, instead of replacing it."},
+      {"TRANSLATE", 8, "Translate between camera and frame and use the result as a reference; the motor angles must be known."},
+      {"Z1_ONLY", 16, "Use Z1_VECTOR only."},
+      {"H1_ONLY", 32, "Use H1_VECTOR only."},
+      {"TRANSLATE_Z1_ONLY", 64, "Translate Z1_VECTOR only."},
+      {"TRANSLATE_H1_ONLY", 128, "Translate H1_VECTOR only."},
+      {"DISABLE_CORRECTION", 1024, "Turn the correction off.", {2701, 0}},
+  };
+  static constexpr EnumInfo info{"AhrsHelperWideMode", values, true};
 };
 
 template <>

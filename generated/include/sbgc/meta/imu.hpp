@@ -84,7 +84,7 @@ struct Meta<AhrsHelper> {
   static constexpr FieldInfo fields[] = {
       {.name = "z1_vector",
        .spec_name = "Z1_VECTOR",
-       .summary = "Unit vector that points up.",
+       .summary = "Unit vector that points up; later sources say down.",
        .range = &z1_vector_range},
       {.name = "h1_vector",
        .spec_name = "H1_VECTOR",
@@ -113,6 +113,34 @@ struct Meta<AhrsHelperRequest> {
       .min_size = 1,
       .max_size = 1,
       .since = {0, 30},
+      .until = {2695, 0},
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "mode",
+       .spec_name = "MODE",
+       .summary = "Which IMU; without SET."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.mode);
+  }
+};
+
+template <>
+struct Meta<AhrsHelperRequestWide> {
+  static constexpr const char* answers[] = {"AhrsHelper"};
+  static constexpr MessageInfo info{
+      .name = "AhrsHelperRequestWide",
+      .command = "CMD_AHRS_HELPER",
+      .summary = "Ask for the attitude of an IMU, with a mode of two bytes.",
+      .id = 56,
+      .direction = Direction::to_board,
+      .min_size = 2,
+      .max_size = 2,
+      .since = {2695, 0},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
@@ -138,8 +166,9 @@ struct Meta<AhrsHelperRequestExt> {
       .id = 56,
       .direction = Direction::to_board,
       .min_size = 25,
-      .max_size = 26,
+      .max_size = 25,
       .since = {0, 30},
+      .until = {2695, 0},
       .answers = answers,
       .effects = Effects(Effect::moves)};
   static constexpr Range z1_vector_range{-1, 1};
@@ -150,17 +179,12 @@ struct Meta<AhrsHelperRequestExt> {
        .summary = "What to do."},
       {.name = "z1_vector",
        .spec_name = "Z1_VECTOR",
-       .summary = "Unit vector that points up; not used when asking.",
+       .summary = "Unit vector that points up, or down by later sources; not used when asking.",
        .range = &z1_vector_range},
       {.name = "h1_vector",
        .spec_name = "H1_VECTOR",
        .summary = "Unit vector that points north; not used when asking.",
        .range = &h1_vector_range},
-      {.name = "param",
-       .spec_name = "PARAM",
-       .summary = "Its meaning is not documented.",
-       .max_count = 1,
-       .since = {2695, 0}},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -169,7 +193,45 @@ struct Meta<AhrsHelperRequestExt> {
     visitor(fields[0], value.mode);
     visitor(fields[1], value.z1_vector);
     visitor(fields[2], value.h1_vector);
-    visitor(fields[3], value.param);
+  }
+};
+
+template <>
+struct Meta<AhrsHelperRequestExtWide> {
+  static constexpr const char* answers[] = {"AhrsHelper"};
+  static constexpr MessageInfo info{
+      .name = "AhrsHelperRequestExtWide",
+      .command = "CMD_AHRS_HELPER",
+      .summary = "Ask for the attitude of an IMU or set it, with a mode of two bytes.",
+      .id = 56,
+      .direction = Direction::to_board,
+      .min_size = 26,
+      .max_size = 26,
+      .since = {2695, 0},
+      .answers = answers,
+      .effects = Effects(Effect::moves)};
+  static constexpr Range z1_vector_range{-1, 1};
+  static constexpr Range h1_vector_range{-1, 1};
+  static constexpr FieldInfo fields[] = {
+      {.name = "mode",
+       .spec_name = "MODE",
+       .summary = "What to do."},
+      {.name = "z1_vector",
+       .spec_name = "Z1_VECTOR",
+       .summary = "Unit vector that points up, or down by later sources; not used when asking.",
+       .range = &z1_vector_range},
+      {.name = "h1_vector",
+       .spec_name = "H1_VECTOR",
+       .summary = "Unit vector that points north; not used when asking.",
+       .range = &h1_vector_range},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.mode);
+    visitor(fields[1], value.z1_vector);
+    visitor(fields[2], value.h1_vector);
   }
 };
 

@@ -233,7 +233,7 @@ struct Meta<ApiVirtChControl> {
       .summary = "Set the virtual RC channels that the host provides; they can control the camera and more.",
       .id = 45,
       .direction = Direction::to_board,
-      .min_size = 64,
+      .min_size = 2,
       .max_size = 64,
       .since = {0, 30},
       .effects = Effects(Effect::moves)};
@@ -244,9 +244,11 @@ struct Meta<ApiVirtChControl> {
   static constexpr FieldInfo fields[] = {
       {.name = "val_ch",
        .spec_name = "VAL_CH{1..32}",
-       .summary = "Signal of each channel; the board clips what goes beyond.",
+       .summary = "Signal of each channel from the first on; the board clips what goes beyond.",
        .range = &val_ch_range,
-       .special = val_ch_special},
+       .special = val_ch_special,
+       .min_count = 1,
+       .max_count = 32},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.

@@ -83,6 +83,33 @@ struct Meta<BoardInfoRequest> {
 };
 
 template <>
+struct Meta<BoardInfoRequestOneByte> {
+  static constexpr const char* answers[] = {"BoardInfo"};
+  static constexpr MessageInfo info{
+      .name = "BoardInfoRequestOneByte",
+      .command = "CMD_BOARD_INFO",
+      .summary = "Ask for the version of board and firmware, with a byte that means nothing.",
+      .id = 86,
+      .direction = Direction::to_board,
+      .min_size = 1,
+      .max_size = 1,
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.reserved);
+  }
+};
+
+template <>
 struct Meta<BoardInfoRequestExt> {
   static constexpr const char* answers[] = {"BoardInfo"};
   static constexpr MessageInfo info{
@@ -163,7 +190,7 @@ struct Meta<Error> {
   static constexpr FieldInfo fields[] = {
       {.name = "error_code",
        .spec_name = "ERROR_CODE",
-       .summary = "What went wrong; the codes are not published."},
+       .summary = "What went wrong."},
       {.name = "error_data",
        .spec_name = "ERROR_DATA",
        .summary = "Details that depend on the code."},
@@ -194,7 +221,7 @@ struct Meta<ErrorExt> {
        .summary = "The command that failed."},
       {.name = "error_code",
        .spec_name = "ERROR_CODE",
-       .summary = "What went wrong; the codes are not published."},
+       .summary = "What went wrong."},
       {.name = "error_data",
        .spec_name = "ERROR_DATA",
        .summary = "Details that depend on the code."},
