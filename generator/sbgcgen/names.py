@@ -31,17 +31,18 @@ CPP_TYPES = frozenset(
     CalibrationProgress CallOptions CallResult Calls Candidate Client ClientError ClientMaker
     ClientStatistics Clock Code ConfirmationResult Confirmed ConnectOptions Context Contexts
     Conversion Counter Deadline Detector DetectorOptions DetectorStep Direction Duration Echo
-    Effect Effects Ending EnumInfo EnumMeta ErrorCode Event EventKind Exchange ExchangeTraits Existing
-    FieldChange FieldInfo FieldPath FieldRole Flags Form Frame Framing Handle Instant Json
-    JsonError LineSettings M Message MessageInfo Meta MoveOptions MoveProgress MoveTarget
-    Notice NoticeKind Number NumberType NumberTypes Optional Outcome Output PacingOptions
-    PackedInfo PackedMeta ParameterSet Parity Parser ParserCounters PartInfo ProfileNames
-    Progress ProgressHandler Range RawValue ReadOptions Received Replies Reply RestoreOptions
-    Result Rule SendOptions SendResult SendStatus Sensor Session SessionCapacity SessionOptions
-    SessionStatistics SettingsOf Special SpeedControl SpeedControlOptions Status StopOptions
-    Stored StoredMessages StreamChange StreamUsage Subscription Text TransferOptions
-    TransportFactory Trial Type TypeList UartReceiver ValueInfo VariableInfo VariableValue Verdict Violation
-    WriteOptions WriteReport WriteResult Xyz""".split()
+    Effect Effects Ending EnumInfo EnumMeta ErrorCode Event EventKind Exchange ExchangeTraits
+    Existing FieldChange FieldInfo FieldPath FieldRole Flags Form Frame Framing Handle Instant
+    Json JsonError JsonLimits JsonProblem LineSettings M Message MessageInfo Meta MoveOptions
+    MoveProgress MoveTarget Notice NoticeKind Number NumberType NumberTypes Optional Outcome
+    Output PacingOptions PackedInfo PackedMeta ParameterSet Parity ParsedJson Parser
+    ParserCounters PartInfo ProfileNames Progress ProgressHandler Range RawValue ReadOptions
+    Received Replies Reply RestoreOptions Result Rule SendOptions SendResult SendStatus Sensor
+    Session SessionCapacity SessionOptions SessionStatistics SettingsOf Special SpeedControl
+    SpeedControlOptions Status StopOptions Stored StoredMessages StreamChange StreamUsage
+    Subscription Text TransferOptions TransportFactory Trial Type TypeList UartReceiver
+    ValueInfo VariableInfo VariableValue Verdict Violation WriteOptions WriteReport WriteResult
+    Xyz""".split()
 )
 # Members that every generated message has of its own.
 MESSAGE_WORDS = frozenset(

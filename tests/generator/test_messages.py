@@ -343,6 +343,7 @@ OTHER_FORMS = (
     summary: Aim.
     to_board:
       source: Outgoing commands L20
+      effect: moves
       answer: none
       forms:
         simple:

@@ -18,6 +18,7 @@ commands:
     summary: A number.
     to_board:
       source: L1
+      effect: reads
       answer: {{confirm: always}}
       fields:
         - {{name: REST, type: u8, summary: More.}}
@@ -54,7 +55,7 @@ WRONG = [
     ("errata", "deprecated: yes", "SBGC004", "yes"),
 ]
 PAIRS = [(a, b) for a, b in itertools.combinations(WRONG, 2) if a[0] != b[0]]
-LINE = 11
+LINE = 12
 
 
 @pytest.mark.parametrize("pair", PAIRS, ids=lambda pair: f"{pair[0][1]} and {pair[1][1]}")
