@@ -1,5 +1,6 @@
 // From a frame to a message: which one it is, by id, direction and size.
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 #include <string>
@@ -75,8 +76,9 @@ TEST_P(EveryDirection, VisitHandsOverEveryMessage) {
   for (const MessageType& type : message_types()) {
     SCOPED_TRACE(type.info->name);
     if (type.info->direction != GetParam() && type.info->direction != Direction::both) continue;
-    const auto message = type.make();
-    const Visited result = visited(type.info->id, message->body(), GetParam());
+    ByteVector body = type.make()->body();
+    body.resize(std::max(body.size(), type.info->min_size));  // a list may have a least length
+    const Visited result = visited(type.info->id, body, GetParam());
     ASSERT_TRUE(result.status) << name(result.status.code);
     EXPECT_EQ(result.calls, 1);
     EXPECT_EQ(result.info, type.info);

@@ -157,6 +157,14 @@ TEST_P(RoundTrip, BuffersMayBeExactButNotSmaller) {
 
 TEST_P(RoundTrip, TheDefaultMessageEncodesAndDecodes) {
   const auto message = GetParam().make();
+  ByteVector buffer(max_body_size);
+  if (message->encode(buffer).status.code == Code::count_mismatch) {
+    // A list of which something must be sent is empty: that is said, and nothing invented.
+    const auto violations = message->violations();
+    ASSERT_FALSE(violations.empty());
+    EXPECT_EQ(violations[0].rule, Rule::count);
+    return;
+  }
   const ByteVector body = message->body();
   EXPECT_GE(body.size(), info().min_size);
   EXPECT_LE(body.size(), info().max_size);

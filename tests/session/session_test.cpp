@@ -88,7 +88,9 @@ TEST(Session, WaitsForAPossibleConfirmationOnlyIfTold) {
 }
 
 TEST(Session, WaitsForAnUnlikelyConfirmationOnlyIfTold) {
-  expect_to_wait_only_if_told(sbgc::ApiVirtChControl{});
+  sbgc::ApiVirtChControl request;
+  request.val_ch.push_back({});
+  expect_to_wait_only_if_told(request);
 }
 
 TEST(Session, DoesNotTakeTheConfirmationOfAnEarlierRequestForThatOfALaterOne) {

@@ -36,7 +36,7 @@ Outcome tell(Turn& turn, Mode mode) {
 /// Without vectors there is nothing to set.
 template <class Request>
 Outcome tell_only(Turn& turn, const Request& request) {
-  using Bit = decltype(request.mode)::flag_type;
+  using Bit = typename decltype(request.mode)::flag_type;
   if (request.mode.has(Bit::set)) {
     return turn.refuse(BoardErrorCode::wrong_params, request.mode.raw());
   }
@@ -55,7 +55,7 @@ constexpr unsigned known_bits = [] {
 template <class Request>
 Outcome tell_or_set(Turn& turn, const Request& request) {
   const auto mode = request.mode;
-  using Bit = decltype(request.mode)::flag_type;
+  using Bit = typename decltype(request.mode)::flag_type;
   if (!mode.has(Bit::set)) return tell(turn, mode);
   if ((mode.raw() & ~known_bits) != 0) {
     return turn.refuse(BoardErrorCode::not_supported, mode.raw());
