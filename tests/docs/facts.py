@@ -148,6 +148,10 @@ def facts_of_message(message: Message) -> Iterator[Fact]:
     if message.form:
         yield Fact(place, "message form", message.form)
     yield from _since(place, "message since", message.since)
+    if message.until:
+        yield from _since(place, "message until", message.until.versions)
+        if message.until.instead:
+            yield Fact(place, "message instead", message.until.instead)
     if message.deprecated:
         yield Fact(place, "message deprecated", "deprecated", flags=re.IGNORECASE)
         yield from _since(place, "message deprecated since", message.deprecated.since)
@@ -243,7 +247,9 @@ def _leaf(message: Message, leaf: Leaf) -> Iterator[Fact]:
             yield Fact(place, "field special name", special.name, "meaning")
     if field.reserved:
         yield Fact(place, "field reserved", "reserved", "meaning", re.IGNORECASE)
-    if field.max_count is not None:
+    if field.min_count and not field.index:
+        yield Fact(place, "field least elements", Fraction(field.min_count), "meaning")
+    if field.max_count is not None and not field.index:  # else there is a row for each of them
         yield Fact(place, "field most elements", Fraction(field.max_count), "meaning")
     if field.align != 1:
         yield Fact(place, "field alignment", Fraction(field.align), "meaning")
