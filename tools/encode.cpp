@@ -171,7 +171,8 @@ void add_encode(CLI::App& app, int& status) {
                     "Encode values that the specification does not allow, too");
   command->footer(
       "A line may have 16 MiB, nest 64 levels deep, and have no key twice in an object. One that "
-      "does not encode or validate is reported and left out; the exit status is then 1. It is 2 for "
+      "does not encode or validate is reported and left out; the exit status is then 1. It is 2 "
+      "for "
       "wrong usage.");
   command->callback([options, &status] { status = encode_file(*options); });
 }

@@ -16,7 +16,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 INCLUDES = [ROOT / "runtime" / "include", ROOT / "generated" / "include"]
-HOSTED = re.compile(r"^sbgc/(json|to_json|board/|io/|client/)")
+HOSTED = re.compile(r"^sbgc/(json|parse_json|to_json|board/|io/|client/)")
 FLAGS = [
     "-std=c++20",
     "-ffreestanding",
