@@ -17,11 +17,11 @@ namespace sbgc::tools {
 
 namespace {
 
-using Bytes = std::span<const std::uint8_t>;
+using ByteSpan = std::span<const std::uint8_t>;
 
 /// The checksum of the framing that later firmware has besides: see the errata of the
 /// specification.
-std::uint16_t crc16(Bytes bytes) {
+std::uint16_t crc16(ByteSpan bytes) {
   constexpr std::uint32_t polynomial = 0x8005;
   std::uint32_t sum = 0;
   for (const std::uint8_t byte : bytes) {
@@ -34,10 +34,10 @@ std::uint16_t crc16(Bytes bytes) {
 }
 
 /// Frames with the start byte '$', the same header, and 16 bits of checksum behind the body.
-std::size_t later_frames_in(Bytes bytes) {
+std::size_t later_frames_in(ByteSpan bytes) {
   std::size_t count = 0;
   for (std::size_t at = 0; at + frame_header_size < bytes.size(); ++at) {
-    const Bytes header = bytes.subspan(at, frame_header_size);
+    const ByteSpan header = bytes.subspan(at, frame_header_size);
     const bool is_header =
         header[0] == '$' && header[1] != 0 && ((header[1] + header[2]) & 0xFF) == header[3];
     const std::size_t end = at + frame_header_size + header[2];
@@ -50,14 +50,14 @@ std::size_t later_frames_in(Bytes bytes) {
   return count;
 }
 
-bool begins_with(Bytes bytes, std::string_view magic) {
+bool begins_with(ByteSpan bytes, std::string_view magic) {
   return bytes.size() >= magic.size() &&
          std::equal(magic.begin(), magic.end(), bytes.begin(),
                     [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
 }
 
 /// A kind of file that says itself what it is, "" if it does not.
-std::string known_kind(Bytes bytes) {
+std::string known_kind(ByteSpan bytes) {
   using namespace std::string_view_literals;
   constexpr std::array compressed{"\x1f\x8b"sv,
                                   "\xfd"
@@ -73,7 +73,7 @@ std::string known_kind(Bytes bytes) {
   return "";
 }
 
-std::string kind_of_text(Bytes bytes) {
+std::string kind_of_text(ByteSpan bytes) {
   HexDecoder hex;
   std::vector<std::uint8_t> decoded;
   if (!hex.feed(bytes, decoded) && !decoded.empty()) {
