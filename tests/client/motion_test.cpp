@@ -189,5 +189,40 @@ TEST_F(MotionTest, Releases) {
   for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_EQ(mode(axis), board::AxisMode::remote);
 }
 
+/// The board refuses CMD_CONTROL: it says so before it next tells where the camera is.
+void refuse_control(Packets& answers) {
+  const auto is_angles = [](const Packet& one) { return is<GetAngles>(one); };
+  if (!std::ranges::any_of(answers, is_angles)) return;
+  ErrorExt error;
+  error.cmd_id = CommandId::control;
+  error.error_code = BoardErrorCode::wrong_state;
+  answers.insert(answers.begin(), packet(error));
+}
+
+TEST_F(MotionTest, ARefusedTargetIsAnErrorAtOnce) {
+  connect();
+  board.on_lost([](const Packet& request) { return is<Control>(request); });
+  board.tamper(refuse_control);
+  const auto moved = move_to(client(), {.roll = Angle14(0), .pitch = Angle14::from_degrees(-30.0)},
+                             ControlSpeed::from_degrees_per_second(10.0), options());
+  ASSERT_FALSE(moved);
+  EXPECT_EQ(moved.error().code, ErrorCode::board_error);
+  EXPECT_EQ(moved.error().message,
+            "CMD_CONTROL: the board refused: WRONG_STATE; the camera stands still");
+}
+
+TEST_F(MotionTest, ARefusedStopIsAnErrorWhileTheCameraTurns) {
+  connect();
+  turn(ControlSpeed::from_degrees_per_second(5.0));
+  board.on_lost([](const Packet& request) { return is<Control>(request); });
+  board.tamper(refuse_control);
+  const auto stopped = stop(client(), {.clock = clock});
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::board_error);
+  EXPECT_THAT(
+      stopped.error().message,
+      HasSubstr("CMD_CONTROL: the board refused: WRONG_STATE; the camera still turns: yaw"));
+}
+
 }  // namespace
 }  // namespace sbgc::test

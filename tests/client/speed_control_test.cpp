@@ -227,6 +227,26 @@ TEST_F(SpeedControlTest, ALostLineIsAnErrorOfTheNextCall) {
   EXPECT_EQ(control.state(), State::failed);
 }
 
+TEST_F(SpeedControlTest, ARefusalIsAnErrorOfTheNextCall) {
+  SpeedControl control(client(), options());
+  board.tamper([](Packets& answers) {
+    for (Packet& one : answers) {
+      if (!is<Confirm>(one)) continue;
+      ErrorExt error;
+      error.cmd_id = CommandId::control;
+      error.error_code = BoardErrorCode::not_supported;
+      one = packet(error);
+    }
+  });
+  ASSERT_TRUE(control.set({.yaw = ControlSpeed(100)}));
+  ASSERT_TRUE(control.wait());
+  EXPECT_EQ(commands(1), std::vector<int>({100}));
+  ASSERT_TRUE(client().call(GetAnglesRequest{}));  // what came before it is known now
+  clock.advance(milliseconds(100));
+  EXPECT_EQ(control.wait().error().message, "CMD_CONTROL: the board refused: NOT_SUPPORTED");
+  EXPECT_EQ(control.state(), State::failed);
+}
+
 TEST_F(SpeedControlTest, StopsAsSoonAsTheLineCarriesItAgain) {
   SpeedControl control(client(), options());
   ASSERT_TRUE(control.set({.yaw = ControlSpeed(100)}));

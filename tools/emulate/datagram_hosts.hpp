@@ -57,10 +57,13 @@ class DatagramHosts {
     }
   }
 
-  /// Removes the host that makes room for another; nothing if all are safe.
+  /// Removes the host that makes room for another; nothing if all are safe. One that is known may
+  /// only be listening to a stream: it stays as long as there is one that is not.
   std::optional<Host> make_room(Instant now) {
+    const bool all_known = std::ranges::all_of(hosts_, &Host::is_known);
     return remove_first([&](const Host& host) {
-      return now - host.heard >= (host.is_known ? safe_again : safe_once);
+      const Duration safe = host.is_known ? safe_again : safe_once;
+      return host.is_known == all_known && now - host.heard >= safe;
     });
   }
 

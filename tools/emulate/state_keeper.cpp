@@ -8,9 +8,9 @@
 
 namespace sbgc::emulate {
 
-StateKeeper::StateKeeper(const asio::any_io_executor& executor, asio::thread_pool& pool,
-                         LiveBoard& board, Save save, Log warn)
-    : executor_(executor),
+StateKeeper::StateKeeper(asio::any_io_executor executor, asio::thread_pool& pool, LiveBoard& board,
+                         Save save, Log warn)
+    : executor_(std::move(executor)),
       pool_(pool),
       board_(board),
       save_(std::move(save)),

@@ -24,8 +24,8 @@ class StateKeeper {
 
   /// Saves, so that it is known to work: throws std::runtime_error if it does not. `warn` is told
   /// when it does not any more. The pool ends before what `save` uses, and before the executor.
-  StateKeeper(const asio::any_io_executor& executor, asio::thread_pool& pool, LiveBoard& board,
-              Save save, Log warn);
+  StateKeeper(asio::any_io_executor executor, asio::thread_pool& pool, LiveBoard& board, Save save,
+              Log warn);
   StateKeeper(const StateKeeper&) = delete;
   StateKeeper& operator=(const StateKeeper&) = delete;
   ~StateKeeper() = default;

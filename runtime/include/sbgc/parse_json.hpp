@@ -54,8 +54,8 @@ class WatchedCharacter {
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
   using difference_type = std::ptrdiff_t;
-  using pointer = const char*;
-  using reference = const char&;
+  using pointer = const char*;    // NOLINT(readability-identifier-naming): of the standard
+  using reference = const char&;  // NOLINT(readability-identifier-naming): of the standard
 
   WatchedCharacter(const char* at, const char** place) : at_(at), place_(place) {}
 

@@ -103,8 +103,9 @@ int open_beside(const std::filesystem::path& file, std::filesystem::path& path) 
     const int opened = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     if (opened < 0 && errno != EEXIST) return opened;
     if (opened < 0) continue;
-    ::flock(opened, LOCK_EX | LOCK_NB);
-    if (is_at(opened, path)) return opened;
+    // If another process cleans up here just now, it has the lock and removes the file.
+    const bool is_locked = ::flock(opened, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+    if (is_locked && is_at(opened, path)) return opened;
     ::close(opened);
   }
   return -1;

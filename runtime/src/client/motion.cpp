@@ -10,7 +10,9 @@
 #include <sbgc/client/client.hpp>
 #include <sbgc/client/motion.hpp>
 #include <sbgc/messages/control.hpp>
+#include <sbgc/meta/control.hpp>
 
+#include "refusals.hpp"
 #include "task.hpp"
 
 namespace sbgc {
@@ -42,8 +44,13 @@ class Move {
     if (result || !sent_ || !options_.stop_on_failure) return result;
     ClientError error = result.error();
     const Result<void> stopped = stop(client_, {.clock = options_.clock});
-    error.message += stopped ? "; it has been stopped"
-                             : fmt::format("; stopping it failed: {}", stopped.error().message);
+    if (!stopped) {
+      error.message += fmt::format("; stopping it failed: {}", stopped.error().message);
+    } else {
+      // A board that refuses the target refuses the stop as well.
+      error.message += error.code == ErrorCode::board_error ? "; the camera stands still"
+                                                            : "; it has been stopped";
+    }
     return error;
   }
 
@@ -58,6 +65,7 @@ class Move {
       const Result<GetAngles> state =
           client_.call(GetAnglesRequest{}, detail::options_within(deadline_));
       if (!state) return detail::during(where(), state.error());
+      if (auto refused = refusals_.take(); refused && sent_) return *std::move(refused);
       const Clock::TimePoint now = options_.clock.now();
       see(*state, now);
       const bool stands_still = !seen_->is_close && !turns(*state) && now - sent_at >= patience;
@@ -141,6 +149,7 @@ class Move {
   const MoveOptions& options_;
   Clock::TimePoint start_;
   Deadline deadline_;
+  detail::Refusals refusals_{client_, Meta<Control>::info};
   bool sent_ = false;
   std::optional<MoveProgress> seen_{};
 };
@@ -170,6 +179,7 @@ Result<void> stop(Client& client, const StopOptions& options) {
   Control halt;
   halt.control_mode.set_mode(ControlModeKind::speed);
   const Deadline deadline(options.clock, options.timeout);
+  detail::Refusals refusals(client, Meta<Control>::info);
   while (true) {
     // The command need not be confirmed, so it may be lost without notice: it is sent until the
     // board is seen to have obeyed.
@@ -188,6 +198,10 @@ Result<void> stop(Client& client, const StopOptions& options) {
                              speed.degrees_per_second());
     }
     if (state && turning.empty()) return {};
+    if (auto refused = refusals.take()) {
+      refused->message += "; the camera still turns: " + turning;
+      return *std::move(refused);
+    }
     if (deadline.is_over()) {
       return ClientError{ErrorCode::timeout, "the camera still turns: " + turning};
     }

@@ -8,7 +8,9 @@
 #include <sbgc/client/motion.hpp>
 #include <sbgc/client/speed_control.hpp>
 #include <sbgc/messages/control.hpp>
+#include <sbgc/meta/control.hpp>
 
+#include "refusals.hpp"
 #include "speed_hold.hpp"
 #include "task.hpp"
 
@@ -23,6 +25,7 @@ class SpeedControl::Keeper {
       : client_(client),
         clock_(options.clock),
         hold_(options.silence, options.repeat),
+        refusals_(client, Meta<Control>::info),
         thread_([this] { run(); }) {}
   Keeper(const Keeper&) = delete;
   Keeper& operator=(const Keeper&) = delete;
@@ -98,6 +101,7 @@ class SpeedControl::Keeper {
   }
 
   Result<void> send(const SpeedHold::Speed& speed) {
+    if (auto refused = refusals_.take()) return *std::move(refused);  // of the command before
     Control command;
     command.control_mode.set_mode(ControlModeKind::speed);
     for (std::size_t i = 0; i < SpeedHold::Speed::size(); ++i) command.axes[i].speed = speed[i];
@@ -112,6 +116,7 @@ class SpeedControl::Keeper {
   std::condition_variable changed_;  ///< for the thread
   std::condition_variable idle_;     ///< for wait()
   SpeedHold hold_;
+  detail::Refusals refusals_;
   std::optional<ClientError> error_{};
   bool closing_ = false;
   bool waiting_ = false;
