@@ -16,8 +16,8 @@ const char* sender(Direction direction) {
   return direction == Direction::from_board ? "the board" : "the host";
 }
 
-/// "CMD_CONTROL (67) from the host": the command whose body may have this size. If both directions
-/// have one, both are named.
+/// "CMD_CONTROL (67) from the host with a body of 15 bytes": the command whose body may have this
+/// size. If both directions have one, both are named.
 std::string claimed(std::uint8_t id, std::size_t size, std::optional<Direction> sent) {
   std::vector<Direction> best;
   int best_fit = 0;
@@ -30,10 +30,13 @@ std::string claimed(std::uint8_t id, std::size_t size, std::optional<Direction> 
     best_fit = fits;
     best.push_back(direction);
   }
+  const std::string bytes = fmt::format(" with a body of {} byte{}", size, size == 1 ? "" : "s");
   if (best.empty()) {
     const std::string name = command_name(
         id, sent && *sent == Direction::to_board ? Direction::to_board : Direction::from_board);
-    return name.empty() ? fmt::format("the unknown id {}", id) : fmt::format("{} ({})", name, id);
+    return (name.empty() ? fmt::format("the unknown id {}", id)
+                         : fmt::format("{} ({})", name, id)) +
+           bytes;
   }
   std::string result;
   std::string last_name;
@@ -43,6 +46,14 @@ std::string claimed(std::uint8_t id, std::size_t size, std::optional<Direction> 
     if (name != last_name) result += fmt::format("{} ({}) from ", name, id);
     result += sender(direction);
     last_name = name;
+  }
+  result += bytes;
+  if (best_fit != 0) return result;
+  result += best.size() > 1 ? ", which neither has" : ", which it does not have";
+  const Direction other =
+      best.front() == Direction::to_board ? Direction::from_board : Direction::to_board;
+  if (best.size() == 1 && fit(other, id, size) != 0) {
+    result += fmt::format(" ({} from {} has)", command_name(id, other), sender(other));
   }
   return result;
 }
@@ -72,8 +83,7 @@ std::string reason(Candidate candidate, std::span<const std::uint8_t> bytes,
     constexpr std::size_t place = frame_header_size - 1;
     return "a start byte, but " + checksum("header", bytes[place], right[place]);
   }
-  std::string result = fmt::format("looks like {} with a body of {} byte{}, but ",
-                                   claimed(id, size, sent), size, size == 1 ? "" : "s");
+  std::string result = fmt::format("looks like {}, but ", claimed(id, size, sent));
   const std::size_t place = candidate.size - 1;
   const std::string own_checksum =
       fmt::format("the checksum of its {}body, 0x{:02x},", size == 0 ? "empty " : "", right[place]);

@@ -71,7 +71,7 @@ int record_line(const RecordOptions& options) {
   // Then nothing but the capture goes there.
   const bool to_stdout = options.file == "-";
   const io::Error error =
-      to_stdout ? writer.open(STDOUT_FILENO, "standard output") : writer.open(options.file);
+      to_stdout ? writer.open(STDOUT_FILENO, "on standard output") : writer.open(options.file);
   if (error) throw std::runtime_error(error.message);
 
   std::string file_problem;

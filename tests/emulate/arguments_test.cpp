@@ -70,6 +70,7 @@ TEST(Arguments, Versions) {
   EXPECT_EQ(parse_firmware("2.43b9"), FirmwareVersion(2439));
   EXPECT_EQ(parse_firmware("2.59"), FirmwareVersion(2590));
   EXPECT_EQ(parse_firmware("2.59").minor(), 59);
+  EXPECT_EQ(parse_firmware("2.59b0"), FirmwareVersion(2590)) << "as decode prints it";
   EXPECT_EQ(parse_firmware("2.59b9"), FirmwareVersion(2599)) << "the newest that is modelled";
   for (const char* text : {"2.60", "2.62b5", "2.69b5", "9.99"}) {
     try {
@@ -82,7 +83,7 @@ TEST(Arguments, Versions) {
   }
   EXPECT_EQ(parse_board("3.2"), BoardVersion(32));
   for (const char* text :
-       {"", "2", "2.5", "2.590", "2.59b", "2.59b0", "2.59b10", "x.59", "2.59 "}) {
+       {"", "2", "2.5", "2.590", "2.59b", "2.59.", "2.59b10", "2.5.9", "x.59", "2.59 "}) {
     EXPECT_THROW(parse_firmware(text), std::invalid_argument) << text;
   }
   for (const char* text : {"", "3", "3.", "3.10", "30.0", "3.0b1"}) {

@@ -168,7 +168,14 @@ BAD_SUM = GET_ANGLES[:-1] + b"\x01"
         (
             CONTROL[:-1] + b"\x0b",
             "board",
-            "looks like CMD_CONFIRM (67) from the board with a body of 15",
+            "looks like CMD_CONFIRM (67) from the board with a body of 15 bytes, which it does not have "
+            "(CMD_CONTROL from the host has), but",
+        ),
+        (
+            frame(67, bytes(50))[:-1] + b"\x01",
+            "auto",
+            "looks like CMD_CONTROL (67) from the host or CMD_CONFIRM (67) from the board with a body of "
+            "50 bytes, which neither has, but",
         ),
         # Two fit.
         (

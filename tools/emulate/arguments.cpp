@@ -130,12 +130,13 @@ Duration parse_interval(const std::string& text) {
 FirmwareVersion parse_firmware(const std::string& text) {
   // As FirmwareVersion reads it: 2439 is 2.43b9.
   constexpr const char* wanted = "a firmware version, such as 2.59 or 2.43b9";
-  const auto [release, beta] = split(text, 'b');
-  const auto [major, minor] = split(release, '.');
+  const auto [major, rest] = split(text, '.');
+  // Later releases are written with a point, as in 2.73.1.
+  const auto [minor, last] = split(rest, rest.find('b') == std::string::npos ? '.' : 'b');
   std::array<unsigned, 3> parts{};
-  const bool has_beta = release.size() < text.size();
+  const bool has_last = minor.size() < rest.size();
   if (minor.size() != 2 || !read(major, 64U, parts[0]) || !read(minor, 99U, parts[1]) ||
-      (has_beta && (!read(beta, 9U, parts[2]) || parts[2] == 0))) {
+      (has_last && !read(last, 9U, parts[2]))) {
     refuse(text, wanted);
   }
   const FirmwareVersion version(
