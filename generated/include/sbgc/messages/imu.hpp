@@ -377,12 +377,12 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {26, {}};
 }
 
-/// Correct the zero of a gyroscope by hand.
+/// Correct the zero of a gyroscope by hand; the camera drifts if the correction is wrong.
 ///
 /// CMD_GYRO_CORRECTION (75), to the board; 9 bytes.
-/// Effect: sets.
+/// Effect: stores, moves.
 /// Since board 3.0.
-/// Source: Outgoing commands L955-L961; Variables L1198-L1201.
+/// Source: Outgoing commands L955-L961; Variables L1198-L1201. Errata: E142.
 struct GyroCorrection {
   static constexpr CommandId command = CommandId::gyro_correction;
   static constexpr Direction direction = Direction::to_board;

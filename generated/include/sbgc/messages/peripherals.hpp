@@ -356,7 +356,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Set the virtual RC channels that the host provides; they can control the camera and more.
 ///
 /// CMD_API_VIRT_CH_CONTROL (45), to the board; 2 to 64 bytes.
-/// Effect: moves.
+/// Effect: sets, stores, moves, restarts.
 /// Since board 3.0.
 /// Source: Outgoing commands L859-L865; Variables L1190-L1191.
 struct ApiVirtChControl {

@@ -21,7 +21,7 @@ static_assert(codec_version == 1, "generated code and runtime do not belong toge
 /// been read from the same place of the same board: anything else may make it useless.
 ///
 /// CMD_EEPROM_WRITE (47), to the board; 4 to 196 bytes.
-/// Effect: stores.
+/// Effect: stores, moves.
 /// Since board 3.0.
 /// Source: Outgoing commands L877-L882.
 struct EepromWrite {

@@ -240,13 +240,13 @@ struct Meta<GyroCorrection> {
   static constexpr MessageInfo info{
       .name = "GyroCorrection",
       .command = "CMD_GYRO_CORRECTION",
-      .summary = "Correct the zero of a gyroscope by hand.",
+      .summary = "Correct the zero of a gyroscope by hand; the camera drifts if the correction is wrong.",
       .id = 75,
       .direction = Direction::to_board,
       .min_size = 9,
       .max_size = 9,
       .since = {0, 30},
-      .effects = Effects(Effect::sets)};
+      .effects = Effects(Effect::stores) | Effect::moves};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type",
        .spec_name = "IMU_TYPE",
