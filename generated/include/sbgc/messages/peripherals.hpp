@@ -196,7 +196,9 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {16, {}};
 }
 
-/// Write to a device on an I2C bus.
+/// Write to a device on an I2C bus. The sensors and the EEPROM are on these buses, too. Write only
+/// to a device of your own, as the example does: what is written to a sensor can make the camera
+/// move.
 ///
 /// CMD_I2C_WRITE_REG_BUF (39), to the board; 2 to 255 bytes.
 /// Effect: sets, stores.
