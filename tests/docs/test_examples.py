@@ -183,6 +183,17 @@ def test_nothing_is_out_of_range_or_unnamed() -> None:
                 assert value in {v.value for v in piece.type.values}, where
 
 
+def test_examples_of_the_attitude_are_those_of_the_normal_position() -> None:
+    seen = 0
+    for message in LAYOUT.messages:
+        values = {p.path: p.value for p in harmless(message)}
+        if message.command == "CMD_AHRS_HELPER" and "h1_vector.x" in values:
+            seen += 1
+            assert [values[f"z1_vector.{axis}"] for axis in "xyz"] == [0, 0, 1], message.name
+            assert [values[f"h1_vector.{axis}"] for axis in "xyz"] == [0, 1, 0], message.name
+    assert seen == 3
+
+
 def test_storage_is_written_with_what_was_read() -> None:
     """Of memory whose meaning nobody knows, the examples write what the ones for reading deliver."""
     bodies = {m.name: example_of(m, LAYOUT).body for m in LAYOUT.messages}

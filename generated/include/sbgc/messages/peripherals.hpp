@@ -355,7 +355,8 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return true;
 }
 
-/// Set the virtual RC channels that the host provides; they can control the camera and more.
+/// Set the virtual RC channels that the host provides; they can control the camera and more. Send
+/// all 32 channels to firmware before 2.70b5.
 ///
 /// CMD_API_VIRT_CH_CONTROL (45), to the board; 2 to 64 bytes.
 /// Effect: sets, stores, moves, restarts.
