@@ -2,10 +2,11 @@
 //
 //     backup ADDRESS save FILE
 //     backup ADDRESS diff FILE
-//     backup ADDRESS restore FILE SAVE-PRESENT-STATE-TO
+//     backup ADDRESS restore FILE SAVE-PRESENT-STATE-TO [--yes]
 //
 // ADDRESS is a serial port such as /dev/ttyUSB0, or tcp:host:port. Settings that are brought back
-// act at once, and a gimbal may move when they do: see docs/2-safety.md.
+// act at once, and a gimbal may move when they do: see docs/2-safety.md. So `restore` asks first,
+// unless the last argument is --yes.
 
 #include <cstdio>
 #include <cstring>
@@ -13,6 +14,8 @@
 
 #include <sbgc/client/backup.hpp>
 #include <sbgc/client/client.hpp>
+
+#include "careful.hpp"
 
 namespace {
 
@@ -49,9 +52,10 @@ int diff(sbgc::Client& client, const char* file) {
   return 0;
 }
 
-int restore(sbgc::Client& client, const char* file, const char* present) {
+int restore(sbgc::Client& client, const char* file, const char* present, bool is_agreed) {
   const auto backup = sbgc::load_backup(file);
   if (!backup) return fail(backup.error());
+  if (!careful::may_move(is_agreed, "The settings act at once; the gimbal may move.")) return 1;
   const sbgc::WriteReport report =
       sbgc::restore(client, *backup, {.present = present, .progress = show});
   std::printf("%s", to_text(report).c_str());
@@ -61,17 +65,19 @@ int restore(sbgc::Client& client, const char* file, const char* present) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const bool is_agreed = careful::take_yes(argc, argv);
   const bool is_restore = argc == 5 && std::strcmp(argv[2], "restore") == 0;
   const bool is_diff = argc == 4 && std::strcmp(argv[2], "diff") == 0;
   const bool is_save = argc == 4 && std::strcmp(argv[2], "save") == 0;
   if (!is_restore && !is_diff && !is_save) {
     std::fprintf(stderr,
-                 "usage: backup ADDRESS save|diff FILE, backup ADDRESS restore FILE FILE\n");
+                 "usage: backup ADDRESS save|diff FILE, "
+                 "backup ADDRESS restore FILE FILE [--yes]\n");
     return 2;
   }
   auto client = sbgc::Client::connect(argv[1]);
   if (!client) return fail(client.error());
   if (is_save) return save(*client, argv[3]);
   if (is_diff) return diff(*client, argv[3]);
-  return restore(*client, argv[3], argv[4]);
+  return restore(*client, argv[3], argv[4], is_agreed);
 }

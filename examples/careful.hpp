@@ -36,9 +36,11 @@ inline bool take_yes(int& argc, char** argv) {
 
 inline volatile std::sig_atomic_t signalled = 0;
 
-/// From now on Ctrl-C does not end the program at once: it has a camera to stop.
+/// From now on Ctrl-C, or a terminal that is closed, does not end the program at once: it has a
+/// camera to stop.
 inline void notice_signals() {
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { signalled = 1; });
+  for (const int signal : {SIGHUP, SIGINT, SIGTERM})
+    std::signal(signal, [](int) { signalled = 1; });
 }
 
 /// For move_to(): goes on until a signal has come; the camera is stopped then.

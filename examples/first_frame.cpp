@@ -12,8 +12,10 @@
 int main() {
   sbgc::Control control;
   control.control_mode.set_mode(sbgc::ControlModeKind::angle);
+  // Speed 0 is the speed of the settings, so every axis gets one.
+  for (auto* axis : {&control.axes.roll, &control.axes.pitch, &control.axes.yaw})
+    axis->speed = sbgc::ControlSpeed::from_degrees_per_second(10);
   control.axes.yaw.angle = sbgc::Angle14::from_degrees(45);
-  control.axes.yaw.speed = sbgc::ControlSpeed::from_degrees_per_second(10);
   std::array<std::uint8_t, sbgc::max_frame_size> frame{};
   const auto written = encode_frame(control, frame);  // to be sent: written.size bytes of frame
 

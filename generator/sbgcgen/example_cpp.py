@@ -26,6 +26,8 @@ from sbgcgen.typical import typical_number
 
 # How many values of a long message the example looks at.
 _SHOWN = 8
+# How many changed bytes are assigned one by one.
+_SINGLE_BYTES = 8
 # How printf prints what is no int.
 _FORMS = {"u32": "%u", "f32": "%g"}
 
@@ -185,9 +187,20 @@ class _Builder:
             yield f"{cpp} = {{sbgc::NumberType::{piece.type.name}, 0x{bits:X}U}};"
         elif self.changed is not None:
             if path in self.changed:
-                yield from _assigned(piece.type, value, cpp, piece.may_be_missing)
+                single = list(self._changed_bytes(piece, cpp))
+                yield from single or _assigned(piece.type, value, cpp, piece.may_be_missing)
         elif piece.may_be_missing or any(piece.data):
             yield from _assigned(piece.type, value, cpp, piece.may_be_missing)
+
+    def _changed_bytes(self, piece: Piece, cpp: str) -> Iterator[str]:
+        """Assignments to single bytes, if few of those that were read change."""
+        is_bytes_ = isinstance(piece.type, Blob) and piece.type.kind == "bytes"
+        if self.example.read is None or not is_bytes_ or piece.may_be_missing:
+            return
+        before = next(p.data for p in self.example.read.pieces if p.path == piece.path)
+        places = [i for i, (old, new) in enumerate(zip(before, piece.data)) if old != new]
+        if len(places) <= _SINGLE_BYTES:
+            yield from (f"{cpp}[{i}] = 0x{piece.data[i]:02X};" for i in places)
 
 
 def _fill(cpp: str, name: str, data: bytes) -> Iterator[str]:

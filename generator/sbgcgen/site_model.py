@@ -365,9 +365,14 @@ class Revisions:
             for revision in layout.revisions
             for addition in revision.adds
         }
+        self._same = {m.name: m.same_as for m in layout.messages if m.same_as}
 
     def of(self, kind: str, owner: str, name: str) -> Revision | None:
-        """The revision that names it, or for a field one of the groups that it belongs to."""
+        """The revision that names it, or for a field one of the groups that it belongs to.
+
+        The fields of a message with the body of another one are those of that one.
+        """
+        owner = self._same.get(owner, owner) if kind == "field" else owner
         name = re.sub(r"\[\d*\]", "", name) if kind == "field" else name
         found = self._of.get((kind, owner, name))
         while found is None and kind == "field" and "." in name:

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 #include <sys/wait.h>
@@ -55,7 +56,7 @@ TEST_F(BackupExample, SavesComparesAndRestores) {
   ASSERT_EQ(run.status, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("ReadParams3 of profile 3:\n  gyro_trust: "));
 
-  run = backup("restore " + file("a.json") + " " + file("before.json"));
+  run = backup("restore " + file("a.json") + " " + file("before.json") + " --yes");
   ASSERT_EQ(run.status, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("ReadParams3 of profile 3: written"));
   EXPECT_TRUE(std::filesystem::exists(file("before.json")));
@@ -63,6 +64,21 @@ TEST_F(BackupExample, SavesComparesAndRestores) {
 
   run = backup("diff " + file("a.json"));
   EXPECT_THAT(run.output, HasSubstr("no differences"));
+}
+
+TEST_F(BackupExample, RestoresNothingUnlessThatIsAgreed) {
+  ASSERT_EQ(backup("save " + file("a.json")).status, 0);
+  board.edit<ReadParams3>(2, [](ReadParams3& params) { params.gyro_trust = 1; });
+  const auto edited = board.all_settings<ReadParams3>();
+  std::ofstream(file("no")) << "no\n";
+  for (const std::string& input : {file("no"), std::string("/dev/null")}) {
+    const Finished run =
+        backup("restore " + file("a.json") + " " + file("before.json") + " <" + input);
+    EXPECT_EQ(run.status, 1) << run.output;
+    EXPECT_THAT(run.output, HasSubstr("Type yes"));
+    EXPECT_FALSE(std::filesystem::exists(file("before.json")));
+    EXPECT_EQ(board.all_settings<ReadParams3>(), edited);
+  }
 }
 
 TEST_F(BackupExample, ExplainsHowItIsUsed) {

@@ -14,8 +14,8 @@ constexpr Effects effects_of = Meta<M>::info.effects;
 TEST(Effects, AreThoseOfTheRequest) {
   EXPECT_EQ(effects_of<GetAnglesRequest>, Effects(Effect::reads));
   EXPECT_EQ(effects_of<Control>, Effects(Effect::moves));
-  EXPECT_EQ(effects_of<WriteParams3>, Effects(Effect::stores));
-  EXPECT_EQ(effects_of<UseDefaults>, Effects(Effect::erases));
+  EXPECT_EQ(effects_of<WriteParams3>, Effects(Effect::stores) | Effect::moves);
+  EXPECT_EQ(effects_of<UseDefaults>, Effects(Effect::stores) | Effect::moves | Effect::erases);
   EXPECT_EQ(effects_of<ResetRequest>, Effects(Effect::restarts));
   EXPECT_EQ(effects_of<SystemStateRequest>, Effects(Effect::unknown));
 }
@@ -28,7 +28,7 @@ TEST(Effects, OfAllCasesAreTakenTogether) {
 }
 
 TEST(Effects, OfAMessageInBothDirectionsAreThoseToTheBoard) {
-  EXPECT_EQ(effects_of<SetAdjVarsVal>, Effects(Effect::sets));
+  EXPECT_EQ(effects_of<SetAdjVarsVal>, Effects(Effect::sets) | Effect::moves);
 }
 
 TEST(Effects, AMessageFromTheBoardHasNone) {

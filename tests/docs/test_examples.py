@@ -183,6 +183,43 @@ def test_nothing_is_out_of_range_or_unnamed() -> None:
                 assert value in {v.value for v in piece.type.values}, where
 
 
+def test_examples_of_the_attitude_are_those_of_the_normal_position() -> None:
+    seen = 0
+    for message in LAYOUT.messages:
+        values = {p.path: p.value for p in harmless(message)}
+        if message.command == "CMD_AHRS_HELPER" and "h1_vector.x" in values:
+            seen += 1
+            assert [values[f"z1_vector.{axis}"] for axis in "xyz"] == [0, 0, 1], message.name
+            assert [values[f"h1_vector.{axis}"] for axis in "xyz"] == [0, 1, 0], message.name
+    assert seen == 3
+
+
+def test_storage_is_written_with_what_was_read() -> None:
+    """Of memory whose meaning nobody knows, the examples write what the ones for reading deliver."""
+    bodies = {m.name: example_of(m, LAYOUT).body for m in LAYOUT.messages}
+    assert bodies["EepromWrite"] == bodies["EepromRead"]
+    changes = zip(bodies["WriteExternalData"], bodies["ReadExternalData"], strict=True)
+    assert sum(new != old for new, old in changes) == 1
+
+
+def test_live_data_look_like_those_of_a_board_that_works() -> None:
+    for name in ("RealtimeData3", "RealtimeData4"):
+        message = next(m for m in LAYOUT.messages if m.name == name)
+        values = {p.path: p for p in harmless(message)}
+        length = hypot(
+            *(
+                real(values[f"axes.{axis}.acc_data"].value, values[f"axes.{axis}.acc_data"].type)
+                for axis in ("roll", "pitch", "yaw")
+            )
+        )
+        assert abs(length - 1) < 0.01
+        for path, piece in values.items():
+            if "error_c" in path or path in ("system_error", "system_sub_error"):
+                assert piece.value == 0, f"{name}: {path}"
+            if "temperature" in path:
+                assert 0 < piece.value < 60, f"{name}: {path}"
+
+
 def test_no_example_erases_a_board_or_turns_a_motor_around() -> None:
     for message in LAYOUT.messages:
         for piece in harmless(message):

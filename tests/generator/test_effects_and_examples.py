@@ -155,6 +155,19 @@ def test_what_is_written_is_what_was_read_but_for_the_example(tmp_path: Path) ->
     ]
 
 
+def test_single_bytes_of_what_was_read_are_changed(tmp_path: Path) -> None:
+    old = "        - {name: VOLUME, type: u8, typical: 100, summary: How loud.}\n"
+    new = '        - {name: KEY, type: "bytes[16]", typical: "0a0b0c", summary: A key.}\n'
+    changes = 'example: {key: "0a0b0d", "limits[0].min": -30}'
+    text = SETTINGS.replace(old, new).replace('example: {volume: 0, "limits[0].min": -30}', changes)
+    layout = layout_of(tmp_path, text)
+    lines = code_of(example_of(message_of(layout, "Write"), layout)).lines
+    assert [line for line in lines if line.startswith("message.")] == [
+        "message.key[2] = 0x0D;",
+        "message.limits[0].min = -30;",
+    ]
+
+
 def test_history_names_what_came(tmp_path: Path) -> None:
     spec = write_spec(tmp_path, SETTINGS)
     main = (spec / "simplebgc.yaml").read_text(encoding="utf-8")

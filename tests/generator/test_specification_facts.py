@@ -9,6 +9,7 @@ import pytest
 
 from sbgcgen.build import load_protocol
 from sbgcgen.model import Layout
+from sbgcgen.site_model import Revisions
 from support import PROJECT, message_of
 
 FROM, TO = "from_board", "to_board"
@@ -202,14 +203,23 @@ HISTORY = {
         "ReadParamsExt2.motor_mag_link_fine",
         "CMD_CALIB_MOTOR_MAG_LINK",
         "ReadParamsExt2.acc_limiter3",
-        "VariableId.ACC_LIMITER_ROLL",
-        "VariableId.ACC_LIMITER_PITCH",
-        "VariableId.ACC_LIMITER_YAW",
         "HelperDataExt",
     ],
     "0.12": ["CMD_DATA_STREAM_INTERVAL", "CMD_REALTIME_DATA_CUSTOM"],
     "0.13": ["CMD_BEEP_SOUND"],
 }
+
+
+def test_a_field_is_as_old_in_what_is_written_as_in_what_is_read(layout: Layout) -> None:
+    revisions = Revisions(layout)
+    for owner, field, number in (
+        ("WriteParams3", "order_of_axes", "0.7"),
+        ("WriteParams", "euler_order", "0.7"),
+        ("WriteParamsExt2", "motor_mag_link_fine.roll", "0.11"),
+        ("WriteParamsExt2", "acc_limiter3.yaw", "0.11"),
+    ):
+        found = revisions.of("field", owner, field)
+        assert found is not None and found.number == number, owner
 
 
 def test_the_history_is_that_of_the_document(layout: Layout) -> None:
@@ -231,10 +241,19 @@ EFFECTS_KNOWN = {
     "ReadParams3Request": ("reads",),
     "Control": ("moves",),
     "MotorsOff": ("moves",),
-    "SetAdjVarsVal": ("sets",),
-    "WriteParams3": ("stores",),
-    "EepromWrite": ("stores",),
-    "UseDefaults": ("erases",),
+    "SetAdjVarsVal": ("sets", "moves"),
+    "WriteParams": ("stores", "moves"),
+    "WriteParams3": ("stores", "moves"),
+    "WriteParamsExt": ("stores", "moves"),
+    "WriteParamsExt2": ("stores", "moves"),
+    "WriteAdjVarsCfg": ("stores", "moves"),
+    "WriteProfileNames": ("stores",),
+    "EepromWrite": ("stores", "moves"),
+    "CalibOffset": ("stores", "moves"),
+    "GyroCorrection": ("stores", "moves"),
+    "RunScript": ("sets", "stores", "moves", "restarts"),
+    "ApiVirtChControl": ("sets", "stores", "moves", "restarts"),
+    "UseDefaults": ("stores", "moves", "erases"),
     "FsClearAll": ("erases",),
     "ResetRequest": ("restarts",),
     "BootMode3": ("restarts",),

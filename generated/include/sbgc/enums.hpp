@@ -129,7 +129,8 @@ enum class CommandId : std::uint8_t {
   /// CMD_CALIB_MOTOR_MAG_LINK: Not documented; by its name, it calibrates the magnetic linkage of
   /// the motors.
   calib_motor_mag_link = 74,
-  /// CMD_GYRO_CORRECTION: Correct the zero of a gyroscope by hand.
+  /// CMD_GYRO_CORRECTION: Correct the zero of a gyroscope by hand; the camera drifts if the
+  /// correction is wrong.
   gyro_correction = 75,
   /// CMD_MOTORS_ON: Turn the motors on.
   motors_on = 77,

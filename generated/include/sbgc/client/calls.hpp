@@ -593,7 +593,7 @@ class Calls {
   }
 
   /// Store the settings of one profile and the general ones.
-  /// Effect: stores.
+  /// Effect: stores, moves.
   /// Since board 3.0.
   template <class M = WriteParams3>
   Result<detail::CallAnswer<M>> write_params_3(
@@ -610,7 +610,7 @@ class Calls {
   }
 
   /// Store the settings of one profile and the general ones, with the older id.
-  /// Effect: stores.
+  /// Effect: stores, moves.
   template <class M = WriteParams>
   Result<detail::CallAnswer<M>> write_params(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -627,7 +627,7 @@ class Calls {
   }
 
   /// Store further settings of one profile.
-  /// Effect: stores.
+  /// Effect: stores, moves.
   /// Since board 3.0.
   template <class M = WriteParamsExt>
   Result<detail::CallAnswer<M>> write_params_ext(
@@ -645,7 +645,7 @@ class Calls {
   }
 
   /// Store still further settings of one profile.
-  /// Effect: stores.
+  /// Effect: stores, moves.
   /// Since board 3.0.
   template <class M = WriteParamsExt2>
   Result<detail::CallAnswer<M>> write_params_ext2(
@@ -682,7 +682,7 @@ class Calls {
   }
 
   /// Return to the factory settings.
-  /// Effect: erases.
+  /// Effect: stores, moves, erases.
   template <class M = UseDefaults>
   Result<detail::CallAnswer<M>> use_defaults(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -884,7 +884,7 @@ class Calls {
   }
 
   /// Calibrate the offset of the follow mode.
-  /// Effect: stores.
+  /// Effect: stores, moves.
   template <class M = CalibOffset>
   Result<detail::CallAnswer<M>> calib_offset(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -1000,8 +1000,8 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Correct the zero of a gyroscope by hand.
-  /// Effect: sets.
+  /// Correct the zero of a gyroscope by hand; the camera drifts if the correction is wrong.
+  /// Effect: stores, moves.
   /// Since board 3.0.
   template <class M = GyroCorrection>
   Result<detail::CallAnswer<M>> gyro_correction(
@@ -1054,7 +1054,7 @@ class Calls {
   }
 
   /// Set the virtual RC channels that the host provides; they can control the camera and more.
-  /// Effect: moves.
+  /// Effect: sets, stores, moves, restarts.
   /// Since board 3.0.
   template <class M = ApiVirtChControl>
   Result<detail::CallAnswer<M>> api_virt_ch_control(
@@ -1063,7 +1063,7 @@ class Calls {
   }
 
   /// Set adjustable variables; they are lost at the next start unless CMD_SAVE_PARAMS_3 follows.
-  /// Effect: sets.
+  /// Effect: sets, moves.
   /// Since board 3.0.
   template <class M = SetAdjVarsVal>
   Result<detail::CallAnswer<M>> set_adj_vars_val(
@@ -1090,7 +1090,7 @@ class Calls {
   }
 
   /// Store which RC signals start actions and which ones change adjustable variables.
-  /// Effect: stores.
+  /// Effect: stores, moves.
   /// Since board 3.0.
   template <class M = WriteAdjVarsCfg>
   Result<detail::CallAnswer<M>> write_adj_vars_cfg(
@@ -1117,7 +1117,7 @@ class Calls {
   }
 
   /// Write a block to the EEPROM.
-  /// Effect: stores.
+  /// Effect: stores, moves.
   /// Since board 3.0.
   template <class M = EepromWrite>
   Result<detail::CallAnswer<M>> eeprom_write(
@@ -1180,7 +1180,7 @@ class Calls {
   }
 
   /// Start or stop a script.
-  /// Effect: moves.
+  /// Effect: sets, stores, moves, restarts.
   /// Since board 3.0.
   template <class M = RunScript>
   Result<detail::CallAnswer<M>> run_script(

@@ -110,7 +110,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 ///
 /// CMD_SET_ADJ_VARS_VAL (31), in both directions; 1 to 201 bytes, and later firmware may append
 /// more.
-/// Effect: sets.
+/// Effect: sets, moves.
 /// Since board 3.0.
 /// Source: Incoming commands L505-L507.
 struct SetAdjVarsVal {
@@ -448,7 +448,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Store which RC signals start actions and which ones change adjustable variables.
 ///
 /// CMD_WRITE_ADJ_VARS_CFG (44), to the board; 128 bytes, and later firmware may append more.
-/// Effect: stores.
+/// Effect: stores, moves.
 /// Since board 3.0.
 /// Source: Outgoing commands L871-L875.
 struct WriteAdjVarsCfg : ReadAdjVarsCfg {

@@ -338,7 +338,7 @@ struct CalibPoles {
 /// Calibrate the offset of the follow mode.
 ///
 /// CMD_CALIB_OFFSET (79), to the board; 0 bytes.
-/// Effect: stores.
+/// Effect: stores, moves.
 /// Source: Outgoing commands L688.
 struct CalibOffset {
   static constexpr CommandId command = CommandId::calib_offset;

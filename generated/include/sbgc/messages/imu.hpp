@@ -126,10 +126,11 @@ struct AhrsHelper {
   static constexpr std::size_t max_size = 24;
   static constexpr Availability since{0, 30};
 
-  /// Unit vector that points up; later sources say down. Range: -1 to 1. Errata: E015, E038, E108,
-  /// E216.
+  /// Unit vector that points up (the Z axis in the normal position); later sources say down. Range:
+  /// -1 to 1. Errata: E015, E038, E108, E216.
   Xyz<float> z1_vector{};
-  /// Unit vector that points north. Range: -1 to 1. Errata: E015, E038, E108.
+  /// Unit vector that points north (the Y axis in the normal position). Range: -1 to 1. Errata:
+  /// E015, E038, E108.
   Xyz<float> h1_vector{};
   /// What later firmware appends; kept, and written back.
   BoundedBytes<231> tail{};
@@ -164,11 +165,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {size, {}};
 }
 
-/// Ask for the attitude of an IMU. An IMU of higher grade can replace or correct the board's own:
-/// send 50 to 100 of these a second. Useful values of MODE: 0 asks for the main IMU, 2 for the
-/// frame IMU. From a sensor on the camera, 1 replaces its attitude and 5 corrects it. From a sensor
-/// on the frame, 3 replaces the attitude of the frame and 7 corrects it; 11 replaces it and
-/// corrects that of the camera; 15 corrects both. Z1_ONLY and H1_ONLY may be added to any of these.
+/// Ask for the attitude of an IMU. MODE 0 asks for the main IMU, 2 for the frame IMU.
 ///
 /// CMD_AHRS_HELPER (56), to the board, simple form; 1 bytes.
 /// Effect: reads.
@@ -213,12 +210,8 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {1, {}};
 }
 
-/// Ask for the attitude of an IMU, with a mode of two bytes. An IMU of higher grade can replace or
-/// correct the board's own: send 50 to 100 of these a second. Useful values of MODE: 0 asks for the
-/// main IMU, 2 for the frame IMU. From a sensor on the camera, 1 replaces its attitude and 5
-/// corrects it. From a sensor on the frame, 3 replaces the attitude of the frame and 7 corrects it;
-/// 11 replaces it and corrects that of the camera; 15 corrects both. Z1_ONLY and H1_ONLY may be
-/// added to any of these.
+/// Ask for the attitude of an IMU, with a mode of two bytes. MODE 0 asks for the main IMU, 2 for
+/// the frame IMU.
 ///
 /// CMD_AHRS_HELPER (56), to the board, wide form; 2 bytes.
 /// Effect: reads.
@@ -262,11 +255,10 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 }
 
 /// Ask for the attitude of an IMU or set it. An IMU of higher grade can replace or correct the
-/// board's own: send 50 to 100 of these a second. Useful values of MODE: 0 asks for the main IMU, 2
-/// for the frame IMU. From a sensor on the camera, 1 replaces its attitude and 5 corrects it. From
-/// a sensor on the frame, 3 replaces the attitude of the frame and 7 corrects it; 11 replaces it
-/// and corrects that of the camera; 15 corrects both. Z1_ONLY and H1_ONLY may be added to any of
-/// these.
+/// board's own: send 50 to 100 of these a second. From a sensor on the camera, MODE 1 replaces its
+/// attitude and 5 corrects it. From a sensor on the frame, 3 replaces the attitude of the frame and
+/// 7 corrects it; 11 replaces it and corrects that of the camera; 15 corrects both. Z1_ONLY and
+/// H1_ONLY may be added to any of these. MODE 0 asks for the main IMU, 2 for the frame IMU.
 ///
 /// CMD_AHRS_HELPER (56), to the board, extended form; 25 bytes.
 /// Effect: moves.
@@ -284,10 +276,11 @@ struct AhrsHelperRequestExt {
 
   /// What to do.
   AhrsHelperMode mode{};
-  /// Unit vector that points up, or down by later sources; not used when asking. Range: -1 to 1.
-  /// Errata: E015, E038, E108, E216.
+  /// Unit vector that points up (the Z axis in the normal position), or down by later sources; not
+  /// used when asking. Range: -1 to 1. Errata: E015, E038, E108, E216.
   Xyz<float> z1_vector{};
-  /// Unit vector that points north; not used when asking. Range: -1 to 1. Errata: E015, E038, E108.
+  /// Unit vector that points north (the Y axis in the normal position); not used when asking.
+  /// Range: -1 to 1. Errata: E015, E038, E108.
   Xyz<float> h1_vector{};
 
   constexpr bool operator==(const AhrsHelperRequestExt&) const = default;
@@ -320,12 +313,8 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {25, {}};
 }
 
-/// Ask for the attitude of an IMU or set it, with a mode of two bytes. An IMU of higher grade can
-/// replace or correct the board's own: send 50 to 100 of these a second. Useful values of MODE: 0
-/// asks for the main IMU, 2 for the frame IMU. From a sensor on the camera, 1 replaces its attitude
-/// and 5 corrects it. From a sensor on the frame, 3 replaces the attitude of the frame and 7
-/// corrects it; 11 replaces it and corrects that of the camera; 15 corrects both. Z1_ONLY and
-/// H1_ONLY may be added to any of these.
+/// Ask for the attitude of an IMU or set it, with a mode of two bytes. The values of MODE that are
+/// useful are those of AhrsHelperExt.
 ///
 /// CMD_AHRS_HELPER (56), to the board, extended_wide form; 26 bytes.
 /// Effect: moves.
@@ -341,10 +330,11 @@ struct AhrsHelperRequestExtWide {
 
   /// What to do. Errata: E209.
   AhrsHelperWideMode mode{};
-  /// Unit vector that points up, or down by later sources; not used when asking. Range: -1 to 1.
-  /// Errata: E015, E038, E108, E216.
+  /// Unit vector that points up (the Z axis in the normal position), or down by later sources; not
+  /// used when asking. Range: -1 to 1. Errata: E015, E038, E108, E216.
   Xyz<float> z1_vector{};
-  /// Unit vector that points north; not used when asking. Range: -1 to 1. Errata: E015, E038, E108.
+  /// Unit vector that points north (the Y axis in the normal position); not used when asking.
+  /// Range: -1 to 1. Errata: E015, E038, E108.
   Xyz<float> h1_vector{};
 
   constexpr bool operator==(const AhrsHelperRequestExtWide&) const = default;
@@ -377,12 +367,12 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {26, {}};
 }
 
-/// Correct the zero of a gyroscope by hand.
+/// Correct the zero of a gyroscope by hand; the camera drifts if the correction is wrong.
 ///
 /// CMD_GYRO_CORRECTION (75), to the board; 9 bytes.
-/// Effect: sets.
+/// Effect: stores, moves.
 /// Since board 3.0.
-/// Source: Outgoing commands L955-L961; Variables L1198-L1201.
+/// Source: Outgoing commands L955-L961; Variables L1198-L1201. Errata: E142.
 struct GyroCorrection {
   static constexpr CommandId command = CommandId::gyro_correction;
   static constexpr Direction direction = Direction::to_board;

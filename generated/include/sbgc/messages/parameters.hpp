@@ -1103,7 +1103,7 @@ struct SaveParams3 {
 /// all that it holds. Save the settings first.
 ///
 /// CMD_USE_DEFAULTS (70), to the board; 1 bytes.
-/// Effect: erases.
+/// Effect: stores, moves, erases.
 /// Source: Outgoing commands L644-L648.
 struct UseDefaults {
   static constexpr CommandId command = CommandId::use_defaults;
@@ -1149,7 +1149,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// what was read, changed where it must be: bytes that are not understood are settings too.
 ///
 /// CMD_WRITE_PARAMS_3 (22), to the board; 134 bytes, and later firmware may append more.
-/// Effect: stores.
+/// Effect: stores, moves.
 /// Since board 3.0.
 /// Source: Outgoing commands L662-L668; Variables L1010-L1079. Errata: E088, E103, E201.
 struct WriteParams3 : ReadParams3 {
@@ -1166,7 +1166,7 @@ struct WriteParams3 : ReadParams3 {
 /// Store the settings of one profile and the general ones, with the older id.
 ///
 /// CMD_WRITE_PARAMS (87), to the board; 134 bytes, and later firmware may append more.
-/// Effect: stores.
+/// Effect: stores, moves.
 /// Deprecated: use CMD_WRITE_PARAMS_3.
 /// Source: Outgoing commands L662-L668. Errata: E019, E088, E103, E201.
 struct WriteParams : ReadParams3 {
@@ -1183,7 +1183,7 @@ struct WriteParams : ReadParams3 {
 /// Store further settings of one profile.
 ///
 /// CMD_WRITE_PARAMS_EXT (34), to the board; 104 bytes, and later firmware may append more.
-/// Effect: stores.
+/// Effect: stores, moves.
 /// Since board 3.0.
 /// Source: Outgoing commands L662-L668; Variables L1080-L1108. Errata: E103, E201.
 struct WriteParamsExt : ReadParamsExt {
@@ -1200,7 +1200,7 @@ struct WriteParamsExt : ReadParamsExt {
 /// Store still further settings of one profile.
 ///
 /// CMD_WRITE_PARAMS_EXT2 (63), to the board; 151 bytes, and later firmware may append more.
-/// Effect: stores.
+/// Effect: stores, moves.
 /// Since board 3.0.
 /// Source: Outgoing commands L668; Variables L1110-L1116. Errata: E018, E201.
 struct WriteParamsExt2 : ReadParamsExt2 {

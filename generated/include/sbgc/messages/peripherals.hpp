@@ -196,7 +196,9 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {16, {}};
 }
 
-/// Write to a device on an I2C bus.
+/// Write to a device on an I2C bus. The sensors and the EEPROM are on these buses, too. Write only
+/// to a device of your own, as the example does: what is written to a sensor can make the camera
+/// move.
 ///
 /// CMD_I2C_WRITE_REG_BUF (39), to the board; 2 to 255 bytes.
 /// Effect: sets, stores.
@@ -353,10 +355,11 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return true;
 }
 
-/// Set the virtual RC channels that the host provides; they can control the camera and more.
+/// Set the virtual RC channels that the host provides; they can control the camera and more. Send
+/// all 32 channels to firmware before 2.70b5.
 ///
 /// CMD_API_VIRT_CH_CONTROL (45), to the board; 2 to 64 bytes.
-/// Effect: moves.
+/// Effect: sets, stores, moves, restarts.
 /// Since board 3.0.
 /// Source: Outgoing commands L859-L865; Variables L1190-L1191.
 struct ApiVirtChControl {

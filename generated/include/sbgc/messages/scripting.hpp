@@ -20,7 +20,7 @@ static_assert(codec_version == 1, "generated code and runtime do not belong toge
 /// Start or stop a script.
 ///
 /// CMD_RUN_SCRIPT (57), to the board; 34 bytes.
-/// Effect: moves.
+/// Effect: sets, stores, moves, restarts.
 /// Since board 3.0.
 /// Source: Outgoing commands L934-L938.
 struct RunScript {

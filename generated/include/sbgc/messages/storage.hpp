@@ -18,10 +18,11 @@ namespace sbgc {
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
 
 /// Write a block to the EEPROM. Settings and calibrations lie in the EEPROM. Write only what has
-/// been read from the same place of the same board: anything else may make it useless.
+/// been read from the same place of the same board: anything else may make it useless, or the
+/// camera move. The example writes back what the one of CMD_EEPROM_READ has read.
 ///
 /// CMD_EEPROM_WRITE (47), to the board; 4 to 196 bytes.
-/// Effect: stores.
+/// Effect: stores, moves.
 /// Since board 3.0.
 /// Source: Outgoing commands L877-L882.
 struct EepromWrite {

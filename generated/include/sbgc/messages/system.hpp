@@ -619,7 +619,9 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {3, {}};
 }
 
-/// Enter the bootloader at once and without notice.
+/// Enter the bootloader at once and without notice. The bootloader takes new firmware and none of
+/// these commands, and the motors have no power. Nothing says that the board comes back by itself:
+/// send this only with new firmware at hand.
 ///
 /// CMD_BOOT_MODE_3 (51), to the board, simple form; 0 bytes.
 /// Effect: restarts.
@@ -650,7 +652,9 @@ struct BootMode3 {
   return {0, {}};
 }
 
-/// Enter the bootloader after a while, with notice if that is asked for.
+/// Enter the bootloader after a while, with notice if that is asked for. The bootloader takes new
+/// firmware and none of these commands, and the motors have no power. Nothing says that the board
+/// comes back by itself: send this only with new firmware at hand.
 ///
 /// CMD_BOOT_MODE_3 (51), to the board, extended form; 3 bytes.
 /// Effect: restarts.

@@ -86,7 +86,7 @@ struct Meta<SetAdjVarsVal> {
       .min_size = 1,
       .max_size = 201,
       .since = {0, 30},
-      .effects = Effects(Effect::sets)};
+      .effects = Effects(Effect::sets) | Effect::moves};
   static constexpr Range num_vars_range{1, 40};
   static constexpr FieldInfo fields[] = {
       {.name = "num_vars",
@@ -313,7 +313,7 @@ struct Meta<WriteAdjVarsCfg> : Meta<ReadAdjVarsCfg> {
       .max_size = 128,
       .since = {0, 30},
       .stores = "ReadAdjVarsCfg",
-      .effects = Effects(Effect::stores)};
+      .effects = Effects(Effect::stores) | Effect::moves};
 };
 
 }  // namespace sbgc

@@ -196,7 +196,7 @@ struct Meta<CalibOffset> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .effects = Effects(Effect::stores)};
+      .effects = Effects(Effect::stores) | Effect::moves};
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>

@@ -62,7 +62,7 @@ struct EnumMeta<CommandId> {
       {"CMD_HELPER_DATA", 72, "Motion of the frame as an outer system knows it; makes the stabilization more precise."},
       {"CMD_GET_ANGLES", 73, "Angles and targets of the camera."},
       {"CMD_CALIB_MOTOR_MAG_LINK", 74, "Not documented; by its name, it calibrates the magnetic linkage of the motors."},
-      {"CMD_GYRO_CORRECTION", 75, "Correct the zero of a gyroscope by hand."},
+      {"CMD_GYRO_CORRECTION", 75, "Correct the zero of a gyroscope by hand; the camera drifts if the correction is wrong."},
       {"CMD_MOTORS_ON", 77, "Turn the motors on."},
       {"CMD_CALIB_OFFSET", 79, "Calibrate the offset of the follow mode."},
       {"CMD_CALIB_POLES", 80, "Find out poles and direction of the motors."},

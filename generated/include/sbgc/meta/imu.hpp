@@ -84,11 +84,11 @@ struct Meta<AhrsHelper> {
   static constexpr FieldInfo fields[] = {
       {.name = "z1_vector",
        .spec_name = "Z1_VECTOR",
-       .summary = "Unit vector that points up; later sources say down.",
+       .summary = "Unit vector that points up (the Z axis in the normal position); later sources say down.",
        .range = &z1_vector_range},
       {.name = "h1_vector",
        .spec_name = "H1_VECTOR",
-       .summary = "Unit vector that points north.",
+       .summary = "Unit vector that points north (the Y axis in the normal position).",
        .range = &h1_vector_range},
   };
 
@@ -179,11 +179,11 @@ struct Meta<AhrsHelperRequestExt> {
        .summary = "What to do."},
       {.name = "z1_vector",
        .spec_name = "Z1_VECTOR",
-       .summary = "Unit vector that points up, or down by later sources; not used when asking.",
+       .summary = "Unit vector that points up (the Z axis in the normal position), or down by later sources; not used when asking.",
        .range = &z1_vector_range},
       {.name = "h1_vector",
        .spec_name = "H1_VECTOR",
-       .summary = "Unit vector that points north; not used when asking.",
+       .summary = "Unit vector that points north (the Y axis in the normal position); not used when asking.",
        .range = &h1_vector_range},
   };
 
@@ -218,11 +218,11 @@ struct Meta<AhrsHelperRequestExtWide> {
        .summary = "What to do."},
       {.name = "z1_vector",
        .spec_name = "Z1_VECTOR",
-       .summary = "Unit vector that points up, or down by later sources; not used when asking.",
+       .summary = "Unit vector that points up (the Z axis in the normal position), or down by later sources; not used when asking.",
        .range = &z1_vector_range},
       {.name = "h1_vector",
        .spec_name = "H1_VECTOR",
-       .summary = "Unit vector that points north; not used when asking.",
+       .summary = "Unit vector that points north (the Y axis in the normal position); not used when asking.",
        .range = &h1_vector_range},
   };
 
@@ -240,13 +240,13 @@ struct Meta<GyroCorrection> {
   static constexpr MessageInfo info{
       .name = "GyroCorrection",
       .command = "CMD_GYRO_CORRECTION",
-      .summary = "Correct the zero of a gyroscope by hand.",
+      .summary = "Correct the zero of a gyroscope by hand; the camera drifts if the correction is wrong.",
       .id = 75,
       .direction = Direction::to_board,
       .min_size = 9,
       .max_size = 9,
       .since = {0, 30},
-      .effects = Effects(Effect::sets)};
+      .effects = Effects(Effect::stores) | Effect::moves};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type",
        .spec_name = "IMU_TYPE",

@@ -956,7 +956,7 @@ struct Meta<UseDefaults> {
       .direction = Direction::to_board,
       .min_size = 1,
       .max_size = 1,
-      .effects = Effects(Effect::erases)};
+      .effects = Effects(Effect::stores) | Effect::moves | Effect::erases};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {253, "erases the EEPROM"},
@@ -988,7 +988,7 @@ struct Meta<WriteParams3> : Meta<ReadParams3> {
       .max_size = 134,
       .since = {0, 30},
       .stores = "ReadParams3",
-      .effects = Effects(Effect::stores)};
+      .effects = Effects(Effect::stores) | Effect::moves};
 };
 
 template <>
@@ -1002,7 +1002,7 @@ struct Meta<WriteParams> : Meta<ReadParams3> {
       .min_size = 134,
       .max_size = 134,
       .stores = "ReadParams3",
-      .effects = Effects(Effect::stores)};
+      .effects = Effects(Effect::stores) | Effect::moves};
 };
 
 template <>
@@ -1017,7 +1017,7 @@ struct Meta<WriteParamsExt> : Meta<ReadParamsExt> {
       .max_size = 104,
       .since = {0, 30},
       .stores = "ReadParamsExt",
-      .effects = Effects(Effect::stores)};
+      .effects = Effects(Effect::stores) | Effect::moves};
 };
 
 template <>
@@ -1032,7 +1032,7 @@ struct Meta<WriteParamsExt2> : Meta<ReadParamsExt2> {
       .max_size = 151,
       .since = {0, 30},
       .stores = "ReadParamsExt2",
-      .effects = Effects(Effect::stores)};
+      .effects = Effects(Effect::stores) | Effect::moves};
 };
 
 template <>

@@ -236,7 +236,7 @@ struct Meta<ApiVirtChControl> {
       .min_size = 2,
       .max_size = 64,
       .since = {0, 30},
-      .effects = Effects(Effect::moves)};
+      .effects = Effects(Effect::sets) | Effect::stores | Effect::moves | Effect::restarts};
   static constexpr Range val_ch_range{-500, 500};
   static constexpr Special val_ch_special[] = {
       {-10000, "undefined, as if the signal were lost"},

@@ -20,7 +20,7 @@ struct Meta<RunScript> {
       .min_size = 34,
       .max_size = 34,
       .since = {0, 30},
-      .effects = Effects(Effect::moves)};
+      .effects = Effects(Effect::sets) | Effect::stores | Effect::moves | Effect::restarts};
   static constexpr FieldInfo fields[] = {
       {.name = "mode",
        .spec_name = "MODE",

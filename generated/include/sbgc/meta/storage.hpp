@@ -20,7 +20,7 @@ struct Meta<EepromWrite> {
       .min_size = 4,
       .max_size = 196,
       .since = {0, 30},
-      .effects = Effects(Effect::stores)};
+      .effects = Effects(Effect::stores) | Effect::moves};
   static constexpr FieldInfo fields[] = {
       {.name = "addr",
        .spec_name = "ADDR",

@@ -10,6 +10,8 @@
 ///      "settings": [{"message": "ReadParams3", "copy": 0, "body": "…", "fields": {…}}, …]}
 ///
 /// `copy` counts profiles from 0. `details` and `serial_number` are missing if the board has none.
+///
+/// Settings that are brought back act at once, and the camera can move. See docs/2-safety.md.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,7 @@
 /// Calibrating the sensors.
+///
+/// A calibration replaces the stored one, and can move the camera: hold it still, as the
+/// calibration of its sensor demands, and see docs/2-safety.md.
 #pragma once
 
 #include <chrono>

@@ -5,6 +5,9 @@
 ///     auto angles = client->get_angles();
 ///
 /// Include the messages that are used, such as <sbgc/messages/realtime.hpp>.
+///
+/// Commands can move the camera: motors_on() lets it jump to its target angle, motors_off() lets it
+/// drop to its heavy side. See docs/2-safety.md.
 #pragma once
 
 #include <chrono>

@@ -15,6 +15,8 @@
 /// to change one, change it in all profiles. The protocol hardly says which they are, so a board
 /// may know others, or keep some of them in each profile, which is why write_parameters() looks at
 /// all of them again in the end.
+///
+/// Settings act at once; wrong ones make a gimbal shake or spin. See docs/2-safety.md.
 #pragma once
 
 #include <chrono>
