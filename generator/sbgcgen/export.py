@@ -25,6 +25,9 @@ from sbgcgen.model import (
 )
 from sbgcgen.typical import element_of
 
+# Words for forms that readers of the export may rely on.
+_FORMS = ("simple", "extended", "success", "error")
+
 
 def _number(value: Fraction | None) -> int | float | None:
     if value is None:
@@ -222,13 +225,19 @@ def _context(context: Context) -> dict[str, Any]:
     }
 
 
+def _form(name: str | None) -> str | None:
+    """The kind of a form. Beside those of the protocol, all forms are later, longer ones."""
+    return name if name in (None, *_FORMS) else "extended"
+
+
 def _message(message: Message) -> dict[str, Any]:
     return {
         "name": message.name,
         "command": message.command,
         "id": message.id,
         "direction": message.direction,
-        "form": message.form,
+        "form": _form(message.form),
+        **({"form_name": message.form} if message.form else {}),
         "family": message.family,
         "summary": message.summary,
         "source": message.source,

@@ -32,11 +32,16 @@ class _Unfit(Exception):
 class ExampleReader:
     """Turns `typical` and `example` into raw values; findings go into `found`."""
 
-    def __init__(self, found: Diagnostics) -> None:
+    def __init__(self, found: Diagnostics, broken: set[str]) -> None:
+        """`broken` names the packed integers whose types did not resolve, as a finding says."""
         self.found = found
+        self._broken = broken
+        self.untyped: set[str] = set()  # names of fields whose type did not resolve
 
     def typical(self, field: Field, node: Any, at: Position) -> Any:
         """The value of a field, or None if it makes no sense."""
+        if self._is_broken(field.type):
+            return None
         try:
             return _member(field, node)
         except _Unfit as unfit:
@@ -49,12 +54,16 @@ class ExampleReader:
         result: dict[str, Any] = {}
         for path, value in node.items() if isinstance(node, Map) else ():
             found = _find(fields, path)
+            if found is None and self.untyped & set(re.findall(r"[a-z_][a-z0-9_]*", path)):
+                continue
             if found is None:
                 hint = did_you_mean(path, list(_known(fields))) or "write it like axes.pitch.angle"
                 text = f"{name} has no value '{path}'"
                 self.found.add(node.at(path), _PATH, text, hint)
                 continue
             field, is_element = found
+            if self._is_broken(field.type):
+                continue
             try:
                 read = _single(field, field.type, value) if is_element else _member(field, value)
                 result[path] = read
@@ -62,6 +71,12 @@ class ExampleReader:
                 text = f"'{path}' of the example of {name} {unfit.problem}"
                 self.found.add(node.at(path), _VALUE, text, unfit.hint)
         return result
+
+    def _is_broken(self, type_: Type) -> bool:
+        """Whether values of a type can not be read, because another finding has to go first."""
+        if isinstance(type_, Struct):
+            return any(self._is_broken(member.type) for member in type_.fields)
+        return isinstance(type_, Packed) and type_.name in self._broken
 
 
 def _find(fields: tuple[Field, ...], path: str) -> tuple[Field, bool] | None:
@@ -211,13 +226,21 @@ def _packed(type_: Packed, node: Any) -> int:
             hint = did_you_mean(name, parts) or f"parts: {', '.join(parts)}"
             raise _Unfit(f"has no part '{name}'", hint)
         raw += _part(parts[name], value)
+    if raw >> 8 * type_.scalar.size:
+        raise _Unfit(f"is {raw}, which does not fit into {type_.scalar.name}", "give smaller parts")
     maximum = type_.scalar.maximum or 0
     return raw if raw <= maximum else raw - (1 << 8 * type_.scalar.size)
 
 
 def _part(part: Part, node: Any) -> int:
-    value = _enum(part.enum, node) if part.enum else int(node)
+    try:
+        value = _enum(part.enum, node) if part.enum else int(node)
+    except (TypeError, ValueError):
+        text = f"has '{node}' as '{part.name}', which is no whole number"
+        raise _Unfit(text, "give a number") from None
     if part.is_digits:
+        if value < 0 or (part.modulo and value >= part.modulo):
+            raise _Unfit(f"does not fit into the digits of '{part.name}'", "give a smaller number")
         return value * part.divide
     if value < 0 or (value << part.shift) & ~part.mask:
         raise _Unfit(f"does not fit into the bits of '{part.name}'", "give a smaller number")

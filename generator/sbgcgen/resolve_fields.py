@@ -73,7 +73,7 @@ class FieldResolver:
         self.types = types
         self.found = found
         self.max_body = max_body
-        self.examples = ExampleReader(found)
+        self.examples = ExampleReader(found, types.broken)
         self.structs: dict[str, Struct] = {}
         self._variable_ids = types.types.enums[VARIABLE_ID]
         self.indices: dict[str, tuple[str, ...]] = {
@@ -249,7 +249,9 @@ class FieldResolver:
             return None
         type_ = Blob("bytes", node["reserved"]) if shorthand else self._type(node, tuple(earlier))
         if type_ is None:
-            self.types.identifier(str(node.get("as", snake_case(name.base))), at)
+            identifier = str(node.get("as", snake_case(name.base)))
+            self.types.identifier(identifier, at)
+            self.examples.untyped.add(identifier)
             self._broken.append((name, at))
             self._check_broken(node, at, text, owner)
             return None

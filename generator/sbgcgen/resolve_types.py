@@ -52,6 +52,7 @@ class TypeResolver:
         self.spec = spec
         self.found = found
         self.types = Types()
+        self.broken: set[str] = set()  # packed integers with a part whose type does not exist
 
     def run(self) -> Types:
         for _, name, value, at in self.spec.entries("quantities"):
@@ -327,6 +328,12 @@ class TypeResolver:
                 hint = did_you_mean(word, seen) or f"parts: {', '.join(sorted(seen))}"
                 self.found.add(node.at("display"), "SBGC025", message, hint)
         names = self.enum_named(node["names"], node.at("names")) if "names" in node else None
+        wanted = [
+            ("names", node, names),
+            *(("type", n, p.enum) for n, p in zip(node["parts"], parts)),
+        ]
+        if any(key in owner and enum is None for key, owner, enum in wanted):
+            self.broken.add(name)
         return Packed(
             name=name,
             scalar=scalar,

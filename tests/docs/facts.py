@@ -205,7 +205,7 @@ def _answer(place: Place, answer: Answer) -> Iterator[Fact]:
                 yield Fact(place, "answer condition", value.name)
         for name in case.messages:
             yield Fact(place, "answer", name)
-        if case.messages or case.confirm != "never":
+        if case.messages or case.confirm == "always":
             yield Fact(place, "answer timeout", Fraction(case.timeout_ms))
             if case.finish_ms:
                 yield Fact(place, "answer timeout", Fraction(case.finish_ms))

@@ -145,3 +145,26 @@ def test_no_anchor_stands_for_two_headings(name: str) -> None:
 def test_nothing_unresolved_is_left(name: str) -> None:
     for wrong in ("None", "Undefined", "{{", "{%", "object at 0x"):
         assert wrong not in FILES[name].replace("| None", ""), wrong
+
+
+def test_no_time_for_what_the_library_does_not_wait_for() -> None:
+    rows = [
+        r for page in FILES.values() for r in re.findall(r"^\| Answered with \|.*$", page, re.M)
+    ]
+    cases = [case for row in rows for case in row.split("<br>")]
+    perhaps = [
+        case for case in cases if "perhaps" in case and "](" not in case.partition("perhaps")[0]
+    ]
+    assert len(perhaps) > 5
+    for case in perhaps:
+        assert "does not wait for it" in case and " ms" not in case, case
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_one_byte_is_singular(name: str) -> None:
+    assert not re.search(r"(?<![0-9])1 bytes", FILES[name])
+
+
+def test_one_byte_is_singular_in_headers() -> None:
+    for path in (ROOT / "generated/include").rglob("*.hpp"):
+        assert not re.search(r"(?<![0-9])1 bytes", path.read_text(encoding="utf-8")), path

@@ -116,6 +116,34 @@ def test_landmarks_title_and_language(pages: Pages) -> None:
         assert (first.get("class"), first.get("href")) == ("skip", "#main")
 
 
+def test_crumbs_end_with_a_link(pages: Pages) -> None:
+    crumbs = [nav for page in pages.values() for nav in page.root.with_class("crumbs")]
+    assert crumbs
+    for nav in crumbs:
+        assert nav.text.count("›") == len(nav.all("a")) - 1
+        assert not nav.text.rstrip().endswith("›")
+
+
+def test_pages_tell_no_time_for_what_the_library_does_not_wait_for(
+    pages: Pages, layout: Layout
+) -> None:
+    unsure = [
+        message
+        for message in layout.messages
+        if message.answer
+        and all(
+            not c.messages and c.confirm in ("possible", "unlikely") for c in message.answer.cases
+        )
+    ]
+    assert len(unsure) > 5
+    for message in unsure:
+        (answer,) = [
+            e for e in pages[page_of_message(message)].root.all() if e.get("id") == "answer"
+        ]
+        assert "does not wait for it" in answer.text, message.name
+        assert "The library waits" not in answer.text, message.name
+
+
 def has_name(element: Element) -> bool:
     if element.get("aria-label") or element.get("aria-labelledby") or element.get("alt"):
         return True

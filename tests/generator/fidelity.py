@@ -236,7 +236,7 @@ class Comparison:
     def message_of(self, body: Json, command: str) -> tuple[Check, Json | None]:
         """The message for a body of the text, by direction and form."""
         forms = {
-            m["form"]: m
+            m.get("form_name"): m
             for m in self.model["messages"]
             if (m["command"], m["direction"]) == (command, body["direction"])
         }

@@ -96,8 +96,13 @@ def test_promised_keys_of_leaves(model: dict[str, Any]) -> None:
 def test_words_are_the_promised_ones(model: dict[str, Any]) -> None:
     assert {m["direction"] for m in model["messages"]} == {"from_board", "to_board"}
     forms = {"simple", "extended", "success", "error", None}
+    assert {m["form"] for m in model["messages"]} == forms
     more = {"one_byte", "wide", "extended_wide"}  # what later firmware and real boards have beside
-    assert {m["form"] for m in model["messages"]} == forms | more
+    assert {m.get("form_name") for m in model["messages"]} == forms | more
+    for message in model["messages"]:
+        assert ("form_name" in message) == (message["form"] is not None)
+        name = message.get("form_name")
+        assert message["form"] == (name if name in forms else "extended"), message["name"]
     assert {e["kind"] for e in model["enums"]} == {"enum", "flags"}
     types = {*SCALARS, "bytes", "text", "string"}
     assert {leaf["type"] for _, leaf in leaves(model)} <= types
@@ -119,7 +124,7 @@ def test_message_with_several_forms_names_each(model: dict[str, Any]) -> None:
     forms: dict[tuple[str, str], list[str | None]] = {}
     for message in model["messages"]:
         key = (message["command"], message["direction"])
-        forms.setdefault(key, []).append(message["form"])
+        forms.setdefault(key, []).append(message.get("form_name"))
     for key, names in forms.items():
         assert len(names) == len(set(names)), key
         assert names == [None] if len(names) == 1 else None not in names, key

@@ -443,7 +443,7 @@ struct MotorsOff {
 
 /// Turn the motors off, in one of several ways.
 ///
-/// CMD_MOTORS_OFF (109), to the board, extended form; 1 bytes.
+/// CMD_MOTORS_OFF (109), to the board, extended form; 1 byte.
 /// Effect: moves.
 /// Since firmware 2.68b7.
 /// Source: Outgoing commands L728-L730. Errata: E205.
@@ -486,7 +486,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 
 /// Carry out an action of the menu.
 ///
-/// CMD_EXECUTE_MENU (69), to the board, simple form; 1 bytes.
+/// CMD_EXECUTE_MENU (69), to the board, simple form; 1 byte.
 /// Effect: sets, stores, moves, restarts.
 /// Source: Outgoing commands L732-L734; Variables L1166-L1167.
 struct ExecuteMenu {

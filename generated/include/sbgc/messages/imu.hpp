@@ -19,7 +19,7 @@ static_assert(codec_version == 1, "generated code and runtime do not belong toge
 
 /// Choose the IMU that is configured and calibrated.
 ///
-/// CMD_SELECT_IMU_3 (24), to the board, simple form; 1 bytes.
+/// CMD_SELECT_IMU_3 (24), to the board, simple form; 1 byte.
 /// Effect: sets.
 /// Since board 3.0.
 /// Source: Outgoing commands L757-L759; Variables L1168-L1169.
@@ -167,7 +167,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 
 /// Ask for the attitude of an IMU. MODE 0 asks for the main IMU, 2 for the frame IMU.
 ///
-/// CMD_AHRS_HELPER (56), to the board, simple form; 1 bytes.
+/// CMD_AHRS_HELPER (56), to the board, simple form; 1 byte.
 /// Effect: reads.
 /// Since board 3.0.
 /// Firmware 2.69b5 and later takes AhrsHelperRequestWide instead.

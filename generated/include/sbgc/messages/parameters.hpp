@@ -481,7 +481,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 
 /// Ask for the settings of one profile.
 ///
-/// CMD_READ_PARAMS_3 (21), to the board; 1 bytes.
+/// CMD_READ_PARAMS_3 (21), to the board; 1 byte.
 /// Effect: reads.
 /// Since board 3.0.
 /// Source: Outgoing commands L652-L660. Errata: E101.
@@ -527,7 +527,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 
 /// Ask for the settings of one profile, with the older id.
 ///
-/// CMD_READ_PARAMS (82), to the board; 1 bytes.
+/// CMD_READ_PARAMS (82), to the board; 1 byte.
 /// Effect: reads.
 /// Deprecated: use CMD_READ_PARAMS_3.
 /// Source: Outgoing commands L652-L660. Errata: E019, E101, E120.
@@ -786,7 +786,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 
 /// Ask for further settings of one profile.
 ///
-/// CMD_READ_PARAMS_EXT (33), to the board; 1 bytes.
+/// CMD_READ_PARAMS_EXT (33), to the board; 1 byte.
 /// Effect: reads.
 /// Since board 3.0.
 /// Source: Outgoing commands L652-L660. Errata: E101.
@@ -946,7 +946,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 
 /// Ask for still further settings of one profile.
 ///
-/// CMD_READ_PARAMS_EXT2 (62), to the board; 1 bytes.
+/// CMD_READ_PARAMS_EXT2 (62), to the board; 1 byte.
 /// Effect: reads.
 /// Since board 3.0.
 /// Source: Outgoing commands L658-L660. Errata: E101.
@@ -1102,7 +1102,7 @@ struct SaveParams3 {
 /// Return to the factory settings. The settings of the profile are gone; 253 erases the EEPROM with
 /// all that it holds. Save the settings first.
 ///
-/// CMD_USE_DEFAULTS (70), to the board; 1 bytes.
+/// CMD_USE_DEFAULTS (70), to the board; 1 byte.
 /// Effect: stores, moves, erases.
 /// Source: Outgoing commands L644-L648.
 struct UseDefaults {

@@ -122,7 +122,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 
 /// Why a file could not be read.
 ///
-/// CMD_READ_FILE (53), from the board, error form; 1 bytes.
+/// CMD_READ_FILE (53), from the board, error form; 1 byte.
 /// Since board 3.0.
 /// Source: Incoming commands L565-L575; Outgoing commands L916-L928. Errata: E024.
 struct ReadFileError {

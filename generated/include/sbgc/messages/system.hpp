@@ -119,7 +119,7 @@ struct BoardInfoRequest {
 
 /// Ask for the version of board and firmware, with a byte that means nothing.
 ///
-/// CMD_BOARD_INFO (86), to the board, one_byte form; 1 bytes.
+/// CMD_BOARD_INFO (86), to the board, one_byte form; 1 byte.
 /// Effect: reads.
 /// Source: Outgoing commands L602-L611. Errata: E084, E091, E214.
 struct BoardInfoRequestOneByte {
