@@ -314,7 +314,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 }
 
 /// Ask for the attitude of an IMU or set it, with a mode of two bytes. The values of MODE that are
-/// useful are those of AhrsHelperExt.
+/// useful are those of AhrsHelperRequestExt.
 ///
 /// CMD_AHRS_HELPER (56), to the board, extended_wide form; 26 bytes.
 /// Effect: moves.
