@@ -9,6 +9,7 @@ from sbgcgen.diagnostics import Diagnostics
 from sbgcgen.lint import lint
 from sbgcgen.lint_bodies import lint_bodies
 from sbgcgen.lint_effects import lint_effects
+from sbgcgen.lint_main import lint_main
 from sbgcgen.lint_spelling import lint_spelling
 from sbgcgen.lint_usage import lint_names, lint_unused
 from sbgcgen.load import Spec, load
@@ -55,6 +56,7 @@ def _checked(spec: Spec, found: Diagnostics) -> Layout:
     lint_bodies(layout, found)
     lint_names(spec, found)
     lint_spelling(spec, found)
+    lint_main(spec, found)
     return layout
 
 

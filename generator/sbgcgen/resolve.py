@@ -93,7 +93,9 @@ class _Resolver:
                 Family(family, str(content.get("summary", "")), tuple(structs), tuple(mine))
             )
         return Layout(
-            protocol={k: str(v) for k, v in self.spec.main.get("protocol", {}).items()},
+            protocol={
+                k: str(v) for k, v in self.spec.main.get("protocol", {}).items() if k != "lines"
+            },
             framing=self.framing,
             line=self.line,
             families=tuple(families),

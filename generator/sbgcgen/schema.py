@@ -158,11 +158,16 @@ def _closest_branch(error: Any) -> list[Any]:
     meant = [
         errors
         for errors in branches.values()
-        if not any(
-            e.validator in ("type", "const") and len(e.absolute_path) == here for e in errors
-        )
+        if not any(_is_of_another_kind(e) and len(e.absolute_path) == here for e in errors)
     ]
     return min(meant, key=len) if meant else []
+
+
+def _is_of_another_kind(error: Any) -> bool:
+    """Whether a value is not of the kind that is wanted: a list in place of a word, say."""
+    if error.validator == "enum":
+        return isinstance(error.instance, (dict, list))
+    return error.validator in ("type", "const")
 
 
 def _report_unknown_keys(shape: ShapeError, found: Diagnostics) -> None:

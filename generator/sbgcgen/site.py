@@ -20,7 +20,7 @@ from sbgcgen.example import Example, example_of, physical
 from sbgcgen.example_cpp import code_of, converting
 from sbgcgen.model import Enum, Framing, Layout, Leaf, Message, Packed, Quantity
 from sbgcgen.site_model import Row
-from sbgcgen.site_search import search_index
+from sbgcgen.site_search import anchor_of, search_index
 
 # No other folder has this file, so no other one is taken for an earlier site and cleaned.
 MARK = "assets/search-index.js"
@@ -158,7 +158,7 @@ def _filters(layout: Layout) -> dict[str, Callable[..., Any]]:
         "breakable": lambda name: escape(name).replace("_", Markup("_<wbr>")),
         "frame_parts": frame_parts,
         "hex_list": lambda numbers: bytes(numbers).hex(" ").upper(),
-        "slug_of": lambda text: re.sub(r"[^a-z0-9.]+", "-", text.lower()),
+        "slug_of": anchor_of,
         "with_unit": lambda quantities: [q for q in quantities if q.unit],
         "bits_hex": lambda value, size: f"0x{value & ((1 << 8 * size) - 1):0{2 * size}X}",
         "short": short,

@@ -10,7 +10,7 @@ from typing import Any, Protocol
 
 from sbgcgen.filters import title_of
 from sbgcgen.model import Command, Layout, Message, Quantity
-from sbgcgen.site_model import Row, page_of_message, page_of_type, rows_of
+from sbgcgen.site_model import Row, added, page_of_message, page_of_type, rows_of
 
 # Words of running text that nobody searches for.
 _COMMON = frozenset(
@@ -21,6 +21,34 @@ _COMMON = frozenset(
     that the their them then there these they this those though through too two under until use used
     very was way well were what when where whether which while who whole whose will with without you
     your""".split()
+)
+
+# Pages that stand for themselves: file, title, what they are about, what else they are found by.
+_PAGES = (
+    (
+        "framing",
+        "Framing",
+        "How a frame is built, checked and found in a stream of bytes.",
+        "frame frames header body start byte id size checksum crc sync line serial baud parity",
+    ),
+    (
+        "decoder",
+        "Decoder",
+        "Shows the frames, fields, units and errors in bytes of the line.",
+        "decode parse inspect hex bytes capture log dump frame frames",
+    ),
+    (
+        "availability",
+        "Availability",
+        "What each version of firmware and board, and each revision, has added.",
+        "version versions firmware board revision revisions since history changes deprecated",
+    ),
+    (
+        "errata",
+        "Errata",
+        "Where the specification is contradictory, incomplete or wrong.",
+        "erratum mistakes contradictions assumptions specification",
+    ),
 )
 
 
@@ -72,6 +100,7 @@ def search_index(layout: Layout, guides: Sequence[Page]) -> dict[str, Any]:
 def _entries(layout: Layout, guides: Sequence[Page]) -> Iterator[Entry]:
     yield from _messages(layout)
     yield from _commands(layout)
+    yield from _pages(layout)
     for family in layout.families:
         if family.messages:
             page = f"families/{family.name}.html"
@@ -80,10 +109,10 @@ def _entries(layout: Layout, guides: Sequence[Page]) -> Iterator[Entry]:
         yield from _guide(guide)
     for enum in layout.enums:
         kind = "flags" if enum.kind == "flags" else "enum"
-        yield Entry(kind, enum.name, enum.summary, page_of_type(enum))
+        yield Entry(kind, enum.name, enum.summary, page_of_type(enum), _lines(enum.source))
     for packed in layout.packed:
-        parts = " ".join(part.name for part in packed.parts)
-        yield Entry("packed", packed.name, packed.summary, page_of_type(packed), parts)
+        words = _joined(*(part.name for part in packed.parts), _lines(packed.source))
+        yield Entry("packed", packed.name, packed.summary, page_of_type(packed), words)
     for quantity in layout.quantities:
         words = f"{_unit(quantity)} {quantity.scale_text}"
         yield Entry("unit", quantity.name, quantity.summary, page_of_type(quantity), words)
@@ -100,12 +129,46 @@ def _entries(layout: Layout, guides: Sequence[Page]) -> Iterator[Entry]:
         yield Entry("variable", variable.name, variable.summary, page, str(variable.id))
     for erratum in layout.errata:
         page = f"errata.html#{erratum.number}"
-        yield Entry("erratum", erratum.number, f"{erratum.problem} {erratum.reading}", page)
+        about = f"{erratum.problem} {erratum.reading}"
+        yield Entry("erratum", erratum.number, about, page, _lines(*erratum.lines))
+
+
+def _pages(layout: Layout) -> Iterator[Entry]:
+    """The pages that are not about one thing, and what the one about versions has sections for."""
+    for name, title, about, words in _PAGES:
+        yield Entry("page", title, about, f"{name}.html", words)
+    for part in added(layout):
+        page = f"availability.html#{anchor_of(part.version)}"
+        words = f"version availability {part.version.split()[-1]}"
+        yield Entry("page", part.version.capitalize(), "What it has added.", page, words)
+    for revision in layout.revisions:
+        has_own = revision.adds or revision.changes
+        anchor = f"revision-{revision.number}" if has_own else "revisions"
+        words = _joined("rev", revision.number, revision.date, _lines(revision.source))
+        name = f"Revision {revision.number}"
+        yield Entry("page", name, f"Of {revision.date}.", f"availability.html#{anchor}", words)
+
+
+def anchor_of(text: str) -> str:
+    """A heading as the name of its place: "Firmware 2.59" -> "firmware-2.59"."""
+    return re.sub(r"[^a-z0-9.]+", "-", text.lower())
+
+
+def _joined(*words: str) -> str:
+    return " ".join(word for word in words if word)
+
+
+def _lines(*sources: str) -> str:
+    """The lines of the specification that sources name, each range a word: "L12 L20-L31"."""
+    ranges = (found for text in sources for found in re.findall(r"L([0-9]+)(?:-L?([0-9]+))?", text))
+    words = (f"L{first}-L{last}" if last else f"L{first}" for first, last in ranges)
+    return " ".join(dict.fromkeys(words))
 
 
 def _messages(layout: Layout) -> Iterator[Entry]:
     def entry(message: Message, *twins: Message) -> Entry:
-        words = f"{message.command} {message.id} 0x{message.id:02x}"
+        numbers = f"{message.command} {message.id} 0x{message.id:02x}"
+        words = _joined(numbers, _lines(message.source))
         others = tuple(entry(twin) for twin in twins)
         page = page_of_message(message)
         return Entry("message", message.name, message.summary, page, words, others)
@@ -124,7 +187,8 @@ def _commands(layout: Layout) -> Iterator[Entry]:
         page = f"families/{command.family}.html#{command.name}"
         number = "" if command.id is None else f"{command.id} 0x{command.id:02x}"
         others = tuple(entry(twin) for twin in twins)
-        return Entry("command", command.name, command.summary, page, number, others)
+        words = _joined(number, _lines(command.source))
+        return Entry("command", command.name, command.summary, page, words, others)
 
     writers = {
         s.message.command: [by_name[w.command] for w in s.writers if w.command != s.message.command]

@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from urllib.parse import urljoin
 
-from sbgcgen.model import Layout
+from sbgcgen.filters import versions
+from sbgcgen.model import Availability, Layout
 from sbgcgen.site_model import page_of_message, page_of_type
 
 from pages import Element, Page, search_index
@@ -296,6 +297,25 @@ def test_search_knows_guides_and_their_sections(pages: Pages, files: Files) -> N
                     assert section.name == " ".join(heading.text.split())
     safety = [e for e in entries if e.page.startswith("guides/safety.html")]
     assert any("battery" in entry.words for entry in safety)
+
+
+def test_search_knows_versions_and_pages_of_their_own(files: Files, layout: Layout) -> None:
+    found = {entry.page: entry for entry in search_index(files) if entry.kind == "page"}
+    assert {"framing.html", "decoder.html", "availability.html", "errata.html"} <= set(found)
+    for revision in layout.revisions:
+        assert [e for e in found.values() if {"rev", revision.number} <= set(e.words)]
+    for message in layout.messages:
+        if message.since.firmware:
+            version = versions(Availability(firmware=message.since.firmware)).split()[-1]
+            assert f"availability.html#firmware-{version}" in found
+
+
+def test_search_knows_the_lines_of_the_specification(files: Files, layout: Layout) -> None:
+    entries = [e for entry in search_index(files) for e in (entry, *entry.twins)]
+    words = {entry.name: entry.words for entry in entries if entry.kind == "message"}
+    for message in layout.definitions:
+        for lines in re.findall(r"L[0-9]+(?:-L[0-9]+)?", message.source):
+            assert lines in words[message.name], message.name
 
 
 def test_search_knows_units_by_their_words(files: Files) -> None:

@@ -98,3 +98,18 @@ def test_fixture_is_named_after_its_rule(path: Path) -> None:
 
 def test_minimal_spec_itself_is_fine(tmp_path: Path) -> None:
     assert findings(tmp_path) == []
+
+
+def test_guides_of_the_project_exist(tmp_path: Path) -> None:
+    """Only where the project's docs/ lies beside the spec: a copy of the spec may name any."""
+    text = (HERE / "minimal/simplebgc.yaml").read_text(encoding="utf-8")
+    text += "guides:\n  safety: docs/2-savety.md\n"
+    assert findings(tmp_path, text, "simplebgc.yaml") == []
+    (tmp_path / "docs").mkdir()
+    (tmp_path / "docs/2-safety.md").write_text("# Safety\n")
+    (found,) = findings(tmp_path, text, "simplebgc.yaml")
+    line = len(text.splitlines())
+    assert str(found).startswith(f"spec/simplebgc.yaml:{line}:3: SBGC021 there is no guide")
+    assert "docs/2-safety.md" in found.hint
+    good = text.replace("savety", "safety")
+    assert findings(tmp_path, good, "simplebgc.yaml") == []

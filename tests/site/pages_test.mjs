@@ -219,6 +219,55 @@ test("search finds guides, units, synonyms and near spellings; twins are one ent
   await page.close();
 });
 
+test("search finds what people ask for, the most fitting first", async () => {
+  const page = await browser.newPage({ reducedMotion: "reduce" });
+  await visit(page, "index.html");
+  await page.keyboard.press("/");
+  const wanted = [
+    ["2.59", 1, /^Firmware 2\.59$/],
+    ["rev 0.11", 1, /^Revision 0\.11$/],
+    ["framing", 1, /^Framing$/],
+    ["decoder", 1, /^Decoder$/],
+    ["availability", 1, /^Availability$/],
+    ["errata", 1, /^Errata$/],
+    ["move camera", 1, /^Control$/],
+    ["how to move the camera", 1, /^Control$/],
+    ["accelerometer", 3, /^CalibAcc$/],
+    ["velocity", 5, /^ControlSpeed$/],
+    ["factory reset", 1, /^UseDefaults$/],
+    ["joystick", 5, /^ApiVirtChControl$|RC/i],
+    ["how to stop", 5, /stop/i],
+  ];
+  for (const [query, most, name] of wanted) {
+    const { names, note } = await search(page, query);
+    assert.equal(note, "", query);
+    assert.ok(names.slice(0, most).some((one) => name.test(one)), `${query}: ${names.slice(0, 9)}`);
+  }
+  const velocity = await search(page, "velocity");
+  assert.ok(velocity.names.slice(0, 4).every((name) => /speed$/i.test(name)), velocity.names.join());
+  for (const query of ["°", "dps", "°/s", "degrees per second"]) {
+    const { pages: targets, note } = await search(page, query);
+    assert.equal(note, "", query);
+    assert.ok(targets[0].includes("units/"), `${query}: ${targets[0]}`);
+  }
+  const spelt = [(await search(page, "stabilise")).names, (await search(page, "stabilize")).names];
+  assert.deepEqual([...spelt[0]].sort(), [...spelt[1]].sort());
+  await page.close();
+});
+
+test("search finds what comes from a line of the specification", async () => {
+  const page = await browser.newPage({ reducedMotion: "reduce" });
+  await visit(page, "index.html");
+  await page.keyboard.press("/");
+  for (const { name, source } of model().messages.filter((m) => /L\d+-L\d+/.test(m.source)).slice(0, 12)) {
+    const [, first, last] = /L(\d+)-L(\d+)/.exec(source).map(Number);
+    const { abouts } = await search(page, `L${(first + last) >> 1}`);
+    assert.ok(abouts.some((text) => text.includes(name)), `${name}: ${abouts.join()}`);
+  }
+  assert.equal((await search(page, "L99999")).note, "Nothing found.");
+  await page.close();
+});
+
 test("what moves has a badge that leads to what it does, and a link to the page about safety", async () => {
   const page = await browser.newPage({ reducedMotion: "reduce" });
   const moving = model().messages.filter((m) => m.effect?.does.includes("moves"));

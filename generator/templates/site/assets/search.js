@@ -8,8 +8,12 @@
   const status = document.getElementById("search-status");
   const root = document.body.dataset.root;
   const limit = 30;
+  // Words of a question that say nothing about what is looked for.
+  const empty = new Set("a an are can do does for how i in is it my of on the to what with".split(" "));
+  // What counts as a synonym of a word is worth less than the word, and less the later it is named.
+  const [synonymWorth, laterWorth] = [0.5, 0.02];
   // The order of kinds among equals.
-  const kinds = ["message", "command", "guide", "section", "family", "enum", "flags", "packed", "unit", "variable", "field", "value", "erratum"];
+  const kinds = ["message", "command", "page", "guide", "unit", "section", "family", "enum", "flags", "packed", "variable", "field", "value", "erratum"];
 
   let entries; // [{kind, name, about, page, parts, words, text, twins}], once loaded
   let synonyms; // groups of words
@@ -44,9 +48,21 @@
     page,
     names: plain(name),
     parts: plain(name.replace(/([a-z0-9])(?=[A-Z])/g, "$1 ")).split(/[_.\s]+/),
-    words: plain(more).split(" "),
+    words: plain(more).split(" ").filter((word) => !isLines.test(word)),
+    lines: plain(more).split(" ").map((word) => isLines.exec(word)).filter(Boolean)
+      .map(([, first, last]) => [Number(first), Number(last ?? first)]),
     text: plain(about),
+    told: plain(about).split(/[^\p{L}\p{N}_/°.]+|\.(?= |$)/u),
   });
+
+  // Lines of the specification, as in "L1148" or "L1148-L1160".
+  const isLines = /^l(\d+)(?:-l(\d+))?$/;
+
+  // How well lines fit that an entry comes from: a short range says more than a long one.
+  const fitLines = (entry, first, last) => {
+    const sizes = entry.lines.filter(([from, to]) => from <= last && first <= to).map(([from, to]) => to - from);
+    return sizes.length ? 95 - Math.min(10, Math.min(...sizes) / 10) : 0;
+  };
 
   const plain = (text) => text.toLowerCase();
   // "Axes.roll" and "axes_roll" are one.
@@ -54,42 +70,70 @@
 
   // How well one word fits: 0 not at all.
   const fit = (entry, word, isProse) => {
+    const lines = isLines.exec(word);
+    if (lines) return fitLines(entry, Number(lines[1]), Number(lines[2] ?? lines[1]));
     const tight = squeeze(word);
+    const isTold = !isProse && entry.told.includes(word);
+    const inName = fitName(entry, word, tight, isProse);
+    if (inName >= 50) return isTold ? inName + 6 : inName;
+    if (isTold) return 52;
+    if (!isProse && word.length > 2 && entry.told.some((w) => w.startsWith(word))) return 46;
+    if (inName > 0) return inName;
+    return word.length > 2 && !/^\d+$/.test(word) && entry.text.includes(word) ? 10 : 0;
+  };
+
+  // How well a word fits the name and the other words of an entry.
+  const fitName = (entry, word, tight, isProse) => {
+    if (word.includes(" ") && !isProse && ` ${entry.words.join(" ")} `.includes(` ${word} `)) return 90;
     if (entry.names === word || squeeze(entry.names) === tight) return 100;
     // A guide says many words, most of them by the way.
-    if (!isProse && entry.words.includes(word)) return 90;
+    if (!isProse && entry.words.includes(word)) return entry.kind === "value" ? 75 : 90;
     const last = entry.names.slice(entry.names.lastIndexOf(".") + 1);
     if (last === word) return 85;
     if (entry.names.startsWith(word) || entry.names.startsWith(`cmd_${word}`)) return 70;
     if (last.startsWith(word) || (!isProse && entry.words.some((w) => w.startsWith(word)))) return 60;
     if (/^\d+$/.test(word)) return 0; // a number is meant as a whole
+    if (entry.parts.at(-1) === word) return 70; // "ControlSpeed" is a speed
+    if (entry.parts.includes(word)) return 55;
     if (entry.parts.some((part) => part.startsWith(word))) return 50;
     if (tight.length > 1 && squeeze(entry.names).includes(tight)) return 40;
     if (isProse && entry.words.includes(word)) return 38;
     if (isProse && word.length > 2 && entry.words.some((w) => w.startsWith(word))) return 34;
     if (!isProse && tight.length > 2 && squeeze(entry.words.join(" ")).includes(tight)) return 30;
-    if (word.length > 2 && entry.text.includes(word)) return 10;
     return 0;
   };
 
-  // What else may be meant by a word, and what that costs.
+  // What else may be meant by a word, and what that is worth.
   const meanings = (word) => {
-    const found = new Map([[word, 0]]);
+    const found = new Map([[word, 1]]);
     for (const group of synonyms) {
       const isMeant = group.includes(word) || (word.length > 3 && group.some((w) => w.startsWith(word)));
-      for (const other of isMeant ? group : []) if (!found.has(other)) found.set(other, 25);
+      for (const [index, other] of isMeant ? group.entries() : []) {
+        if (!found.has(other)) found.set(other, synonymWorth - laterWorth * index);
+      }
     }
     return found;
+  };
+
+  // The words of a query. Those of a synonym such as "factory reset" stay together.
+  const wordsOf = (query) => {
+    let text = ` ${plain(query).split(/\s+/).filter(Boolean).join(" ")} `;
+    const words = [];
+    for (const phrase of synonyms.flat().filter((w) => w.includes(" "))) {
+      if (!text.includes(` ${phrase} `)) continue;
+      words.push(phrase);
+      text = text.replace(` ${phrase} `, " ");
+    }
+    words.push(...text.split(" ").filter(Boolean));
+    const telling = words.filter((word) => !empty.has(word));
+    return telling.length ? telling : words;
   };
 
   const best = (entry, words, isProse) => {
     let score = 0;
     for (const alternatives of words) {
       let most = 0;
-      for (const [word, cost] of alternatives) {
-        const one = fit(entry, word, isProse);
-        if (one > 0) most = Math.max(most, one - cost, 1);
-      }
+      for (const [word, worth] of alternatives) most = Math.max(most, worth * fit(entry, word, isProse));
       if (most === 0) return 0;
       score += most;
     }
@@ -135,16 +179,16 @@
 
   // What is found, and what it was taken for if nothing fits a word as it is spelt.
   const find = (query) => {
-    const words = plain(query).trim().split(/\s+/).filter(Boolean);
+    const words = wordsOf(query);
     const taken = [];
     const alternatives = words.map((word) => {
       const meant = meanings(word);
       const fits = (entry) =>
         [entry, ...entry.twins].some((e) => [...meant.keys()].some((w) => fit(e, w, entry.isProse)));
-      if (entries.some(fits)) return meant;
+      if (isLines.test(word) || entries.some(fits)) return meant;
       const near = nearest(word);
       if (near.length) taken.push([word, near[0]]);
-      return new Map(near.flatMap((w) => [...meanings(w)].map(([other, cost]) => [other, cost + 5])));
+      return new Map(near.flatMap((w) => [...meanings(w)].map(([other, worth]) => [other, worth * 0.9])));
     });
     const found = [];
     for (const entry of words.length ? entries : []) {
