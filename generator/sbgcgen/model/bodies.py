@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from typing import Any
-from typing import Union
+from typing import Any, Union
 
 from sbgcgen.diagnostics import NOWHERE, Position
 from sbgcgen.model.values import (
