@@ -392,7 +392,7 @@ TEST_F(Subscribed, ToNoticesHearsOfResetsErrorsAndTheLossOfTheLine) {
   Collector<Notice> got;
   const auto subscription = client.on_notice([&](const Notice& notice) { got.add(notice); });
   ErrorExt error;
-  error.cmd_id = CommandId::calib_acc;
+  error.cmd_id = CommandId::control;  // from the board, this id is that of CMD_CONFIRM
   error.error_code = BoardErrorCode::not_supported;
   board.send(error);
   board.send(Reset{});
@@ -402,7 +402,8 @@ TEST_F(Subscribed, ToNoticesHearsOfResetsErrorsAndTheLossOfTheLine) {
   ASSERT_EQ(notices.size(), 3U);
   EXPECT_EQ(notices[0].kind, NoticeKind::board_error);
   EXPECT_EQ(notices[0].detail, 9);
-  EXPECT_EQ(notices[0].message, "the board reports an error about CMD_CALIB_ACC: NOT_SUPPORTED");
+  EXPECT_EQ(notices[0].command, 67);
+  EXPECT_EQ(notices[0].message, "CMD_CONTROL: the board refused: NOT_SUPPORTED");
   EXPECT_EQ(notices[2].kind, NoticeKind::link_lost);
   EXPECT_THAT(notices[2].message, HasSubstr("the connection is lost"));
 }

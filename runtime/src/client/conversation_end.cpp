@@ -39,7 +39,7 @@ void Conversation::State::lose(const std::error_code& reason) {
   }
   shut();
   hang_up();
-  if (is_news) notify({NoticeKind::link_lost, loss_, 0});
+  if (is_news) notify({NoticeKind::link_lost, loss_});
 }
 
 /// Begins to end all that Asio does for this conversation.

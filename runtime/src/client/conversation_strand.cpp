@@ -15,6 +15,8 @@ namespace sbgc::detail {
 
 namespace {
 
+constexpr const char* refused_words = ": the board refused: ";
+
 /// In whole milliseconds, rounded up.
 std::string milliseconds_text(Duration duration) {
   return std::to_string((duration.us + 999) / 1000) + " ms";
@@ -172,16 +174,15 @@ void Conversation::State::handle_event(const Event& event) {
     }
     case EventKind::board_error: {
       deliver(event.frame);
-      const std::string about =
-          event.command != 0 ? " about " + command_name(event.command) : std::string();
-      return notify(
-          {NoticeKind::board_error,
-           "the board reports an error" + about + ": " + describe(event.frame.id, event.frame.body),
-           error_code_in(event.frame.id, event.frame.body)});
+      const std::string what =
+          event.command == 0 ? "the board reports an error: "
+                             : command_name(event.command, Direction::to_board) + refused_words;
+      return notify({NoticeKind::board_error, what + describe(event.frame.id, event.frame.body),
+                     error_code_in(event.frame.id, event.frame.body), event.command});
     }
     case EventKind::reset:
       deliver(event.frame);
-      return notify({NoticeKind::board_reset, "the board is restarting", 0});
+      return notify({NoticeKind::board_reset, "the board is restarting"});
     case EventKind::stream:
     case EventKind::unsolicited: return deliver(event.frame);
   }
@@ -219,7 +220,7 @@ Result<Reply> Conversation::State::result_of(const Call& call, const Event& even
     case Outcome::unconfirmed: return reply(Ending::unconfirmed);
     case Outcome::sent: return reply(Ending::sent);
     case Outcome::failed: return refused(" has failed: ");
-    case Outcome::board_error: return refused(": the board refused: ");
+    case Outcome::board_error: return refused(refused_words);
     case Outcome::timeout: {
       const unsigned attempts = call.send.attempts;
       std::string text = "no answer to " + command;

@@ -10,7 +10,6 @@
 #include <sbgc/client/client.hpp>
 #include <sbgc/client/motion.hpp>
 #include <sbgc/messages/control.hpp>
-#include <sbgc/meta/control.hpp>
 
 #include "refusals.hpp"
 #include "task.hpp"
@@ -149,7 +148,7 @@ class Move {
   const MoveOptions& options_;
   Clock::TimePoint start_;
   Deadline deadline_;
-  detail::Refusals refusals_{client_, Meta<Control>::info};
+  detail::Refusals refusals_{client_, CommandId::control};
   bool sent_ = false;
   std::optional<MoveProgress> seen_{};
 };
@@ -179,7 +178,7 @@ Result<void> stop(Client& client, const StopOptions& options) {
   Control halt;
   halt.control_mode.set_mode(ControlModeKind::speed);
   const Deadline deadline(options.clock, options.timeout);
-  detail::Refusals refusals(client, Meta<Control>::info);
+  detail::Refusals refusals(client, CommandId::control);
   while (true) {
     // The command need not be confirmed, so it may be lost without notice: it is sent until the
     // board is seen to have obeyed.

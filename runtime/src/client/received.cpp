@@ -57,8 +57,8 @@ Result<std::int64_t> stream_interval_count(std::chrono::milliseconds interval, s
 }
 
 ClientError decode_error(Status status, const Reply& reply) {
-  return {ErrorCode::bad_answer,
-          "the answer " + command_name(reply.id) + " cannot be read: " + status_text(status)};
+  return {ErrorCode::bad_answer, "the answer " + command_name(reply.id, Direction::from_board) +
+                                     " cannot be read: " + status_text(status)};
 }
 
 ClientError missing_answer(const Reply& reply) {

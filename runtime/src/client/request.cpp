@@ -118,7 +118,8 @@ Result<Request> inspect(FrameBytes frame, const Availability& versions, bool val
   if (!later.empty()) return inspect(later, versions, validate);
   if (error) return *std::move(error);
   if (!status) {
-    return ClientError{ErrorCode::invalid, command_name(id) + ": " + status_text(status)};
+    return ClientError{ErrorCode::invalid,
+                       command_name(id, Direction::to_board) + ": " + status_text(status)};
   }
   return request;
 }
@@ -164,12 +165,14 @@ std::vector<std::uint8_t> frame_that_ends_stream(const Request& request) {
   return frame;
 }
 
-std::string command_name(std::uint8_t id) {
-  const ValueInfo* found = nullptr;
-  for (const ValueInfo& value : EnumMeta<CommandId>::info.values) {
-    if (value.value == id && found == nullptr) found = &value;
-  }
-  return found != nullptr ? found->name : "command " + std::to_string(id);
+std::string command_name(std::uint8_t id, Direction direction) {
+  const char* found = nullptr;
+  AllMessages::for_each([&]<class M>(Type<M>) {
+    const bool goes_there = M::direction == direction || M::direction == Direction::both;
+    const bool has_id = static_cast<std::uint8_t>(M::command) == id;
+    if (found == nullptr && goes_there && has_id) found = Meta<M>::info.command;
+  });
+  return found != nullptr ? found : "command " + std::to_string(id);
 }
 
 namespace {

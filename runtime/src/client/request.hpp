@@ -39,8 +39,8 @@ bool needs_context(std::uint8_t id, std::span<const std::uint8_t> body);
 /// The request that ends the data stream that `request` starts.
 std::vector<std::uint8_t> frame_that_ends_stream(const Request& request);
 
-/// "CMD_BEEP_SOUND", or "command 89" if no request has this id.
-std::string command_name(std::uint8_t id);
+/// "CMD_BEEP_SOUND", or "command 89" if no message in this direction has the id.
+std::string command_name(std::uint8_t id, Direction direction);
 /// What the board says in a message that tells of a failure: "WRONG_STATE" in an error, or
 /// "err_code ERR_FILE_NOT_FOUND (2)".
 std::string describe(std::uint8_t id, std::span<const std::uint8_t> body);

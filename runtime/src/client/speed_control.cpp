@@ -8,7 +8,6 @@
 #include <sbgc/client/motion.hpp>
 #include <sbgc/client/speed_control.hpp>
 #include <sbgc/messages/control.hpp>
-#include <sbgc/meta/control.hpp>
 
 #include "refusals.hpp"
 #include "speed_hold.hpp"
@@ -25,7 +24,7 @@ class SpeedControl::Keeper {
       : client_(client),
         clock_(options.clock),
         hold_(options.silence, options.repeat),
-        refusals_(client, Meta<Control>::info),
+        refusals_(client, CommandId::control),
         thread_([this] { run(); }) {}
   Keeper(const Keeper&) = delete;
   Keeper& operator=(const Keeper&) = delete;

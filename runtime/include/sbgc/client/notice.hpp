@@ -16,6 +16,7 @@ struct Notice {
   NoticeKind kind{};
   std::string message{};  ///< for people: a sentence without a final stop
   int detail{};
+  std::uint8_t command{};  ///< what a board_error is about; 0 if it does not say
 };
 
 }  // namespace sbgc
