@@ -40,15 +40,15 @@ class Printer {
  private:
   void start_stream() {
     using namespace std::chrono_literals;
-    client_.async_stream<sbgc::RealtimeData4>(
-        20ms, [this](const sbgc::RealtimeData4& data) { print(data); }, {},
+    client_.async_stream<sbgc::msg::RealtimeData4>(
+        20ms, [this](const sbgc::msg::RealtimeData4& data) { print(data); }, {},
         [this](sbgc::Result<sbgc::Subscription> stream) {
           if (!stream) return fail(stream.error());
           stream_ = *std::move(stream);
         });
   }
 
-  void print(const sbgc::RealtimeData4& data) {
+  void print(const sbgc::msg::RealtimeData4& data) {
     std::printf("%2d: yaw %6.1f degrees\n", ++samples_, data.angle.yaw.degrees());
     if (samples_ == 50) stop();
   }

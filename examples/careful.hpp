@@ -66,7 +66,7 @@ class Motors {
   sbgc::Result<void> turn_on() {
     const auto state = client_.realtime_data_4();
     if (!state) return state.error();
-    if (state->other_flags.has(sbgc::OtherFlag::motors_on)) return {};
+    if (state->other_flags.has(sbgc::msg::OtherFlag::motors_on)) return {};
     turned_on_ = true;  // also if no confirmation comes: they may be on
     const auto on = client_.motors_on();
     if (!on) return on.error();

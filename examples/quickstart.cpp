@@ -44,13 +44,13 @@ int main(int argc, char** argv) {
   careful::notice_signals();
   careful::Motors motors(*client);
   if (auto on = motors.turn_on(); !on) return fail(on.error());
-  const auto moved = sbgc::move_to(*client, {.pitch = sbgc::Angle14::from_degrees(-30.0)},
-                                   sbgc::ControlSpeed::from_degrees_per_second(10.0),
+  const auto moved = sbgc::move_to(*client, {.pitch = sbgc::msg::Angle14::from_degrees(-30.0)},
+                                   sbgc::msg::ControlSpeed::from_degrees_per_second(10.0),
                                    {.progress = careful::go_on});
   if (!moved) return fail(moved.error());
 
   const auto stream =
-      client->stream<sbgc::RealtimeData4>(100ms, [](const sbgc::RealtimeData4& data) {
+      client->stream<sbgc::msg::RealtimeData4>(100ms, [](const sbgc::msg::RealtimeData4& data) {
         std::printf("roll %6.1f  pitch %6.1f  yaw %6.1f degrees\n", data.angle.roll.degrees(),
                     data.angle.pitch.degrees(), data.angle.yaw.degrees());
       });

@@ -32,16 +32,17 @@ int fail(const sbgc::ClientError& error) {
   return 1;
 }
 
-sbgc::Result<sbgc::MoveProgress> tilt(sbgc::Client& client, sbgc::Angle14 pitch) {
+sbgc::Result<sbgc::MoveProgress> tilt(sbgc::Client& client, sbgc::msg::Angle14 pitch) {
   std::printf("pitch to %.0f degrees\n", pitch.degrees());
-  return sbgc::move_to(client, {.pitch = pitch}, sbgc::ControlSpeed::from_degrees_per_second(15.0),
+  return sbgc::move_to(client, {.pitch = pitch},
+                       sbgc::msg::ControlSpeed::from_degrees_per_second(15.0),
                        {.progress = careful::go_on});
 }
 
 /// How far something has swung: from the lowest to the highest angle that was seen of each axis.
 class Swing {
  public:
-  void see(const sbgc::Axes<sbgc::Angle14>& angles) {
+  void see(const sbgc::Axes<sbgc::msg::Angle14>& angles) {
     for (std::size_t i = 0; i < lowest_.size(); ++i) {
       const double degrees = angles[i].degrees();
       lowest_[i] = is_empty_ ? degrees : std::min(lowest_[i], degrees);
@@ -89,11 +90,12 @@ sbgc::Result<void> measure(sbgc::Client& client, std::chrono::milliseconds time)
   Stabilization seen;
   {
     const auto start = [&](std::chrono::milliseconds interval) {
-      return client.stream<sbgc::RealtimeData4>(interval, [&seen](const sbgc::RealtimeData4& data) {
-        seen.frame.see(data.frame_imu_angle);
-        seen.camera.see(data.angle);
-        ++seen.samples;
-      });
+      return client.stream<sbgc::msg::RealtimeData4>(interval,
+                                                     [&seen](const sbgc::msg::RealtimeData4& data) {
+                                                       seen.frame.see(data.frame_imu_angle);
+                                                       seen.camera.see(data.angle);
+                                                       ++seen.samples;
+                                                     });
     };
     auto stream = start(40ms);
     if (!stream) stream = start(250ms);  // a slow line has no room for more
@@ -130,9 +132,9 @@ int main(int argc, char** argv) {
   careful::notice_signals();
   careful::Motors motors(*client);
   if (auto on = motors.turn_on(); !on) return fail(on.error());
-  constexpr sbgc::Angle14 down = sbgc::Angle14::from_degrees(-30.0);
-  constexpr sbgc::Angle14 level = sbgc::Angle14::from_degrees(0.0);
-  for (const sbgc::Angle14 pitch : {down, level}) {
+  constexpr sbgc::msg::Angle14 down = sbgc::msg::Angle14::from_degrees(-30.0);
+  constexpr sbgc::msg::Angle14 level = sbgc::msg::Angle14::from_degrees(0.0);
+  for (const sbgc::msg::Angle14 pitch : {down, level}) {
     const auto moved = tilt(*client, pitch);
     if (!moved) return fail(moved.error());
     std::printf("pitch is %.1f degrees\n", moved->angles.pitch.degrees());

@@ -77,7 +77,7 @@ std::string command_name(std::uint8_t id, Direction direction) {
     const MessageInfo& info = Meta<M>::info;
     if (info.id == id && travels(info, direction)) result = info.command;
   });
-  for (const ValueInfo& value : EnumMeta<CommandId>::values) {
+  for (const ValueInfo& value : EnumMeta<msg::CommandId>::values) {
     if (result.empty() && value.value == id) result = value.name;
   }
   return result;

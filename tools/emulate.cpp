@@ -22,9 +22,9 @@
 #include <sbgc/protocol.hpp>
 
 #include "commands.hpp"
-#include "emulate/arguments.hpp"
-#include "emulate/service.hpp"
-#include "emulate/told_lines.hpp"
+#include "serving/arguments.hpp"
+#include "serving/service.hpp"
+#include "serving/told_lines.hpp"
 
 namespace sbgc::tools {
 
@@ -138,17 +138,17 @@ void add_board_options(CLI::App& command, EmulateOptions& options) {
   board::Options& board = service.emulator.board;
   add_parsed(
       command, "--firmware", emulate::parse_firmware,
-      [&](FirmwareVersion version) {
+      [&](msg::FirmwareVersion version) {
         board.firmware = version;
         service.firmware_is_given = true;
       },
       "Firmware version, such as 2.43b9, up to " +
-          emulate::text_of(FirmwareVersion(newest_firmware)) + " [2.59]",
+          emulate::text_of(msg::FirmwareVersion(newest_firmware)) + " [2.59]",
       "VERSION")
       ->group("The board");
   add_parsed(
       command, "--board", emulate::parse_board,
-      [&](BoardVersion version) {
+      [&](msg::BoardVersion version) {
         board.board = version;
         service.board_is_given = true;
       },

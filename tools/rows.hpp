@@ -54,14 +54,14 @@ class RowCollector {
       const std::size_t outer = rows.enter(field.name);
       rows.value(member, field);
       rows.leave(outer);
-      if constexpr (std::is_same_v<T, VariableId>) variable = find_variable(member);
+      if constexpr (std::is_same_v<T, msg::VariableId>) variable = find_variable(member);
       if constexpr (std::is_integral_v<T>) rows.variable_value(variable, member, field);
     }
   };
 
   template <class T>
   void value(const T& value, const FieldInfo& field) {
-    if constexpr (std::is_same_v<T, CommandId>) {
+    if constexpr (std::is_same_v<T, msg::CommandId>) {
       // What is confirmed, refused or asked for is a command of the host.
       const auto raw = static_cast<std::uint8_t>(value);
       number(raw, field, command_name(raw, Direction::to_board), wire_size<T>);

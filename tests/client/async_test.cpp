@@ -60,47 +60,48 @@ class Async : public ::testing::Test {
     ASSERT_TRUE(connected) << connected.error().message;
   }
 
-  Collector<DataStreamInterval> registrations;
+  Collector<msg::DataStreamInterval> registrations;
   ScriptedBoard board;
   Running running;
 };
 
 TEST_F(Async, WorksWithFutures) {
-  GetAngles angles;
-  angles.axes.roll.imu_angle = Angle14::from_degrees(10);
-  board.answer<GetAnglesRequest>(angles);
+  msg::GetAngles angles;
+  angles.axes.roll.imu_angle = msg::Angle14::from_degrees(10);
+  board.answer<msg::GetAnglesRequest>(angles);
   AsyncClient client(running.executor());
   EXPECT_FALSE(client.is_connected());
   connect(client);
   EXPECT_TRUE(client.is_connected());
   EXPECT_EQ(client.board().firmware(), "2.59");
-  const auto answer = client.async_call(GetAnglesRequest{}, {}, asio::use_future).get();
+  const auto answer = client.async_call(msg::GetAnglesRequest{}, {}, asio::use_future).get();
   ASSERT_TRUE(answer) << answer.error().message;
   EXPECT_EQ(*answer, angles);
 }
 
 TEST_F(Async, WorksWithCallbacksThatCanOnlyBeMoved) {
-  board.on<MotorsOn>([&](const MotorsOn& request) { board.confirm(request); });
+  board.on<msg::MotorsOn>([&](const msg::MotorsOn& request) { board.confirm(request); });
   AsyncClient client(running.executor());
   connect(client);
   std::promise<std::thread::id> where;
   auto owned = std::make_unique<int>(7);
-  client.async_call(MotorsOn{}, {}, [&where, owned = std::move(owned)](const Result<void>& result) {
-    EXPECT_TRUE(result);
-    EXPECT_EQ(*owned, 7);
-    where.set_value(std::this_thread::get_id());
-  });
+  client.async_call(msg::MotorsOn{}, {},
+                    [&where, owned = std::move(owned)](const Result<void>& result) {
+                      EXPECT_TRUE(result);
+                      EXPECT_EQ(*owned, 7);
+                      where.set_value(std::this_thread::get_id());
+                    });
   EXPECT_EQ(where.get_future().get(), running.thread());
 }
 
 TEST_F(Async, CompletesOnTheHandlersExecutor) {
-  board.answer<GetAnglesRequest>(GetAngles{});
+  board.answer<msg::GetAnglesRequest>(msg::GetAngles{});
   AsyncClient client(running.executor());
   connect(client);
   asio::thread_pool pool(1);
   std::promise<bool> is_on_pool;
-  client.async_call(GetAnglesRequest{}, {},
-                    asio::bind_executor(pool, [&](const Result<GetAngles>&) {
+  client.async_call(msg::GetAnglesRequest{}, {},
+                    asio::bind_executor(pool, [&](const Result<msg::GetAngles>&) {
                       is_on_pool.set_value(pool.get_executor().running_in_this_thread());
                     }));
   EXPECT_TRUE(is_on_pool.get_future().get());
@@ -112,7 +113,7 @@ TEST_F(Async, NeverCompletesInsideTheCallThatBegins) {
   std::promise<bool> was_behind;
   asio::post(running.executor(), [&] {
     const auto has_returned = std::make_shared<bool>(false);
-    client.async_call(GetAnglesRequest{}, {}, [&was_behind, has_returned](const auto& result) {
+    client.async_call(msg::GetAnglesRequest{}, {}, [&was_behind, has_returned](const auto& result) {
       EXPECT_EQ(result.error().code, ErrorCode::not_connected);
       was_behind.set_value(*has_returned);
     });
@@ -127,12 +128,12 @@ TEST_F(Async, CanBeCancelled) {
   asio::cancellation_signal signal;
   std::promise<ErrorCode> code;
   asio::post(running.executor(), [&] {
-    client.async_call(GetAnglesRequest{}, {.timeout = std::chrono::seconds(60)},
+    client.async_call(msg::GetAnglesRequest{}, {.timeout = std::chrono::seconds(60)},
                       asio::bind_cancellation_slot(signal.slot(), [&](const auto& result) {
                         code.set_value(result.error().code);
                       }));
   });
-  ASSERT_TRUE(board.wait_for<GetAnglesRequest>(1));
+  ASSERT_TRUE(board.wait_for<msg::GetAnglesRequest>(1));
   asio::post(running.executor(), [&] { signal.emit(asio::cancellation_type::all); });
   EXPECT_EQ(code.get_future().get(), ErrorCode::cancelled);
 }
@@ -140,36 +141,36 @@ TEST_F(Async, CanBeCancelled) {
 TEST_F(Async, DestroyingTheClientEndsItsCalls) {
   std::optional<AsyncClient> client(std::in_place, running.executor());
   connect(*client);
-  auto first = client->async_call(CalibInfoRequest{}, {.timeout = std::chrono::seconds(60)},
+  auto first = client->async_call(msg::CalibInfoRequest{}, {.timeout = std::chrono::seconds(60)},
                                   asio::use_future);
-  auto second = client->async_call(GetAnglesRequest{}, {.timeout = std::chrono::seconds(60)},
+  auto second = client->async_call(msg::GetAnglesRequest{}, {.timeout = std::chrono::seconds(60)},
                                    asio::use_future);
-  ASSERT_TRUE(board.wait_for<CalibInfoRequest>(1));
+  ASSERT_TRUE(board.wait_for<msg::CalibInfoRequest>(1));
   client.reset();
   EXPECT_EQ(first.get().error().code, ErrorCode::cancelled);
   EXPECT_EQ(second.get().error().code, ErrorCode::cancelled);
 }
 
 TEST_F(Async, DestroyingTheClientEndsConnecting) {
-  board.ignore<BoardInfoRequest>();
+  board.ignore<msg::BoardInfoRequest>();
   std::optional<AsyncClient> client(std::in_place, running.executor());
   ConnectOptions options = quick();
   options.timeout = std::chrono::seconds(60);
   options.retries = 99;
   auto connected = client->async_connect_over(over_line(board), options, asio::use_future);
-  ASSERT_TRUE(board.wait_for<BoardInfoRequest>(1));
+  ASSERT_TRUE(board.wait_for<msg::BoardInfoRequest>(1));
   client.reset();
   EXPECT_EQ(connected.get().error().code, ErrorCode::cancelled);
 }
 
 TEST_F(Async, DestroyingTheClientOnItsExecutorEndsTheSearchForTheLine) {
-  board.ignore<BoardInfoRequest>();
+  board.ignore<msg::BoardInfoRequest>();
   std::optional<AsyncClient> client(std::in_place, running.executor());
   ConnectOptions options = quick();
   options.timeout = std::chrono::seconds(60);
   auto connected = client->async_connect_over(over_memory(board, {.with_line = true}), options,
                                               asio::use_future);
-  ASSERT_TRUE(board.wait_for<BoardInfoRequest>(1));
+  ASSERT_TRUE(board.wait_for<msg::BoardInfoRequest>(1));
   // Nobody else runs the context while it waits.
   std::promise<void> destroyed;
   asio::post(running.executor(), [&] {
@@ -196,13 +197,13 @@ TEST_F(Async, CancellingWhatIsOverDoesNothing) {
         }));
   });
   ASSERT_TRUE(connected.get_future().get());
-  board.answer<GetAnglesRequest>(GetAngles{});
-  const auto angles = client.async_call(GetAnglesRequest{}, {}, asio::use_future).get();
+  board.answer<msg::GetAnglesRequest>(msg::GetAngles{});
+  const auto angles = client.async_call(msg::GetAnglesRequest{}, {}, asio::use_future).get();
   EXPECT_TRUE(angles) << angles.error().message;
 }
 
 TEST_F(Async, RunsBlockingTasks) {
-  board.answer<GetAnglesRequest>(GetAngles{});
+  board.answer<msg::GetAnglesRequest>(msg::GetAngles{});
   AsyncClient client(running.executor());
   connect(client);
   const auto count = client
@@ -228,43 +229,44 @@ TEST_F(Async, DestroyingTheClientEndsTheCallsOfATask) {
   };
   auto running_task = client->async_run(wait_long, asio::use_future);
   auto waiting_task = client->async_run(wait_long, asio::use_future);
-  ASSERT_TRUE(board.wait_for<CalibInfoRequest>(1));
+  ASSERT_TRUE(board.wait_for<msg::CalibInfoRequest>(1));
   client.reset();
   EXPECT_EQ(running_task.get().error().code, ErrorCode::cancelled);
   EXPECT_EQ(waiting_task.get().error().code, ErrorCode::not_connected);
 }
 
 TEST_F(Async, StreamsOnTheExecutor) {
-  board.on<DataStreamInterval>([&](const DataStreamInterval& request) {
+  board.on<msg::DataStreamInterval>([&](const msg::DataStreamInterval& request) {
     registrations.add(request);
     board.confirm(request);
-    if (board.count<DataStreamInterval>() == 0) board.send(RealtimeData4{});
+    if (board.count<msg::DataStreamInterval>() == 0) board.send(msg::RealtimeData4{});
   });
   AsyncClient client(running.executor());
   connect(client);
   std::promise<std::thread::id> where;
-  auto stream = client
-                    .async_stream<RealtimeData4>(
-                        milliseconds(20),
-                        [&](const RealtimeData4&) { where.set_value(std::this_thread::get_id()); },
-                        {}, asio::use_future)
-                    .get();
+  auto stream =
+      client
+          .async_stream<msg::RealtimeData4>(
+              milliseconds(20),
+              [&](const msg::RealtimeData4&) { where.set_value(std::this_thread::get_id()); }, {},
+              asio::use_future)
+          .get();
   ASSERT_TRUE(stream) << stream.error().message;
   EXPECT_EQ(where.get_future().get(), running.thread());
   stream->cancel();
   EXPECT_TRUE(registrations.wait_until([](const auto& requests) {
-    return !requests.empty() && requests.back().interval_ms == Milliseconds{};
+    return !requests.empty() && requests.back().interval_ms == msg::Milliseconds{};
   }));
 }
 
 TEST_F(Async, StreamWithAnImpossibleIntervalCompletesWithAnError) {
-  board.on<DataStreamInterval>([&](const DataStreamInterval& m) { board.confirm(m); });
+  board.on<msg::DataStreamInterval>([&](const msg::DataStreamInterval& m) { board.confirm(m); });
   AsyncClient client(running.executor());
   connect(client);
   for (const milliseconds interval : {milliseconds(0), milliseconds(70000)}) {
     const auto stream = client
-                            .async_stream<RealtimeData4>(
-                                interval, [](const RealtimeData4&) {}, {}, asio::use_future)
+                            .async_stream<msg::RealtimeData4>(
+                                interval, [](const msg::RealtimeData4&) {}, {}, asio::use_future)
                             .get();
     ASSERT_FALSE(stream) << interval.count();
     EXPECT_EQ(stream.error().code, ErrorCode::invalid);
@@ -274,23 +276,23 @@ TEST_F(Async, StreamWithAnImpossibleIntervalCompletesWithAnError) {
   }
   const auto possible =
       client
-          .async_stream<RealtimeData4>(
-              milliseconds(20), [](const RealtimeData4&) {},
+          .async_stream<msg::RealtimeData4>(
+              milliseconds(20), [](const msg::RealtimeData4&) {},
               {.timeout = std::chrono::seconds(10), .retries = 0}, asio::use_future)
           .get();
   EXPECT_TRUE(possible);
-  EXPECT_TRUE(board.wait_for<DataStreamInterval>(1));
-  EXPECT_EQ(board.count<DataStreamInterval>(), 1U) << "nothing was sent for the others";
+  EXPECT_TRUE(board.wait_for<msg::DataStreamInterval>(1));
+  EXPECT_EQ(board.count<msg::DataStreamInterval>(), 1U) << "nothing was sent for the others";
 }
 
 TEST_F(Async, CanConnectAgain) {
-  board.answer<GetAnglesRequest>(GetAngles{});
+  board.answer<msg::GetAnglesRequest>(msg::GetAngles{});
   AsyncClient client(running.executor());
   connect(client);
   connect(client);
-  EXPECT_TRUE(client.async_call(GetAnglesRequest{}, {}, asio::use_future).get());
+  EXPECT_TRUE(client.async_call(msg::GetAnglesRequest{}, {}, asio::use_future).get());
   client.close();
-  EXPECT_EQ(client.async_call(GetAnglesRequest{}, {}, asio::use_future).get().error().code,
+  EXPECT_EQ(client.async_call(msg::GetAnglesRequest{}, {}, asio::use_future).get().error().code,
             ErrorCode::not_connected);
 }
 

@@ -45,13 +45,13 @@ class BackupExample : public TaskTest {
 };
 
 TEST_F(BackupExample, SavesComparesAndRestores) {
-  const auto original = board.all_settings<ReadParams3>();
+  const auto original = board.all_settings<msg::ReadParams3>();
   Finished run = backup("save " + file("a.json"));
   ASSERT_EQ(run.status, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("saved 18 blocks of a board 3.0 with firmware 2.59"));
   EXPECT_NE(backup("save " + file("a.json")).status, 0) << "it would replace the first one";
 
-  board.edit<ReadParams3>(2, [](ReadParams3& params) { params.gyro_trust = 1; });
+  board.edit<msg::ReadParams3>(2, [](msg::ReadParams3& params) { params.gyro_trust = 1; });
   run = backup("diff " + file("a.json"));
   ASSERT_EQ(run.status, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("ReadParams3 of profile 3:\n  gyro_trust: "));
@@ -60,7 +60,7 @@ TEST_F(BackupExample, SavesComparesAndRestores) {
   ASSERT_EQ(run.status, 0) << run.output;
   EXPECT_THAT(run.output, HasSubstr("ReadParams3 of profile 3: written"));
   EXPECT_TRUE(std::filesystem::exists(file("before.json")));
-  EXPECT_EQ(board.all_settings<ReadParams3>(), original);
+  EXPECT_EQ(board.all_settings<msg::ReadParams3>(), original);
 
   run = backup("diff " + file("a.json"));
   EXPECT_THAT(run.output, HasSubstr("no differences"));
@@ -68,8 +68,8 @@ TEST_F(BackupExample, SavesComparesAndRestores) {
 
 TEST_F(BackupExample, RestoresNothingUnlessThatIsAgreed) {
   ASSERT_EQ(backup("save " + file("a.json")).status, 0);
-  board.edit<ReadParams3>(2, [](ReadParams3& params) { params.gyro_trust = 1; });
-  const auto edited = board.all_settings<ReadParams3>();
+  board.edit<msg::ReadParams3>(2, [](msg::ReadParams3& params) { params.gyro_trust = 1; });
+  const auto edited = board.all_settings<msg::ReadParams3>();
   std::ofstream(file("no")) << "no\n";
   for (const std::string& input : {file("no"), std::string("/dev/null")}) {
     const Finished run =
@@ -77,7 +77,7 @@ TEST_F(BackupExample, RestoresNothingUnlessThatIsAgreed) {
     EXPECT_EQ(run.status, 1) << run.output;
     EXPECT_THAT(run.output, HasSubstr("Type yes"));
     EXPECT_FALSE(std::filesystem::exists(file("before.json")));
-    EXPECT_EQ(board.all_settings<ReadParams3>(), edited);
+    EXPECT_EQ(board.all_settings<msg::ReadParams3>(), edited);
   }
 }
 

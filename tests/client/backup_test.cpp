@@ -64,31 +64,31 @@ class BackupTest : public TaskTest {
     const auto add = [&]<class M>(Type<M>) {
       for (const M& one : board.all_settings<M>()) result.push_back(packet(one).body);
     };
-    add(Type<ReadParams3>{});
-    add(Type<ReadParamsExt>{});
-    add(Type<ReadParamsExt2>{});
-    add(Type<ReadProfileNames>{});
-    add(Type<ReadAdjVarsCfg>{});
-    add(Type<ReadExternalData>{});
+    add(Type<msg::ReadParams3>{});
+    add(Type<msg::ReadParamsExt>{});
+    add(Type<msg::ReadParamsExt2>{});
+    add(Type<msg::ReadProfileNames>{});
+    add(Type<msg::ReadAdjVarsCfg>{});
+    add(Type<msg::ReadExternalData>{});
     return result;
   }
   /// Makes all settings different from each other and from those of the factory.
   void mark() {
     for (std::uint8_t profile = 0; profile < 5; ++profile) {
-      board.edit<ReadParams3>(profile, [&](ReadParams3& params) {
+      board.edit<msg::ReadParams3>(profile, [&](msg::ReadParams3& params) {
         params.gyro_trust = static_cast<std::uint8_t>(10 + profile);
       });
-      board.edit<ReadParamsExt>(profile,
-                                [&](ReadParamsExt& params) { params.reserved[0] = profile; });
-      board.edit<ReadParamsExt2>(profile, [&](ReadParamsExt2& params) {
+      board.edit<msg::ReadParamsExt>(
+          profile, [&](msg::ReadParamsExt& params) { params.reserved[0] = profile; });
+      board.edit<msg::ReadParamsExt2>(profile, [&](msg::ReadParamsExt2& params) {
         params.reserved_2[7] = static_cast<std::uint8_t>(200 + profile);
       });
     }
-    board.edit<ReadProfileNames>(0, [](auto& names) {
+    board.edit<msg::ReadProfileNames>(0, [](auto& names) {
       ASSERT_TRUE(names.profile_name[1].assign(std::string_view("Marked")));
     });
-    board.edit<ReadAdjVarsCfg>(0, [](auto& variables) { variables.reserved[0] = 77; });
-    board.edit<ReadExternalData>(0, [](auto& external) {
+    board.edit<msg::ReadAdjVarsCfg>(0, [](auto& variables) { variables.reserved[0] = 77; });
+    board.edit<msg::ReadExternalData>(0, [](auto& external) {
       for (std::size_t i = 0; i < external.data.size(); ++i) {
         external.data[i] = static_cast<std::uint8_t>(i * 3 + 1);
       }
@@ -96,7 +96,7 @@ class BackupTest : public TaskTest {
   }
   /// Makes one setting different.
   void change() {
-    board.edit<ReadParams3>(0, [](ReadParams3& params) { params.gyro_trust = 1; });
+    board.edit<msg::ReadParams3>(0, [](msg::ReadParams3& params) { params.gyro_trust = 1; });
   }
 
  private:
@@ -110,7 +110,7 @@ TEST_F(BackupTest, NothingIsLostOnTheWayThroughAFile) {
   ASSERT_TRUE(again) << again.error().message;
   EXPECT_EQ(again->settings, backup.settings);
   EXPECT_EQ(again->board.info, client().board().info);
-  EXPECT_EQ(again->board.details, board.read<BoardInfo3>(BoardInfo3Request{}));
+  EXPECT_EQ(again->board.details, board.read<msg::BoardInfo3>(msg::BoardInfo3Request{}));
   EXPECT_EQ(again->created, backup.created);
   EXPECT_EQ(again->created.size(), std::string("2024-05-01T12:00:00Z").size());
   EXPECT_EQ(to_json_text(*again), to_json_text(backup));
@@ -258,15 +258,15 @@ TEST_F(BackupTest, FieldsThatAnotherVersionCallsByAnotherNameAreTaken) {
 TEST_F(BackupTest, RestoringBringsEverythingBack) {
   mark();
   // As later firmware, which sends more than is documented.
-  board.edit<ReadParams3>(3, [](auto& params) { params.tail.push_back(42); });
+  board.edit<msg::ReadParams3>(3, [](auto& params) { params.tail.push_back(42); });
   const Settings original = settings();
   const Backup backup = make();
   for (std::uint8_t profile = 0; profile < 5; ++profile) {
-    board.edit<ReadParams3>(profile, [](auto& params) { ++params.gyro_trust; });
+    board.edit<msg::ReadParams3>(profile, [](auto& params) { ++params.gyro_trust; });
   }
-  board.edit<ReadParamsExt2>(2, [](auto& params) { params.reserved_2[7] = 0; });
-  board.edit<ReadExternalData>(0, [](auto& external) { external.data[127] = 0; });
-  board.edit<ReadProfileNames>(
+  board.edit<msg::ReadParamsExt2>(2, [](auto& params) { params.reserved_2[7] = 0; });
+  board.edit<msg::ReadExternalData>(0, [](auto& external) { external.data[127] = 0; });
+  board.edit<msg::ReadProfileNames>(
       0, [](auto& names) { ASSERT_TRUE(names.profile_name[1].assign(std::string_view("Other"))); });
   ASSERT_NE(settings(), original);
 
@@ -283,7 +283,7 @@ TEST_F(BackupTest, AnErasedBoardGetsBackEveryBitOfItsSettings) {
   mark();
   const Settings original = settings();
   const Backup backup = make();
-  board.write(UseDefaults{.profile_id = UseDefaults::erase_eeprom});
+  board.write(msg::UseDefaults{.profile_id = msg::UseDefaults::erase_eeprom});
   ASSERT_THAT(board.memory().eeprom, ::testing::Each(0xFF));
 
   WriteReport report = restore(client(), backup, {.present = file("present.json")});
@@ -297,30 +297,30 @@ TEST_F(BackupTest, AnErasedBoardGetsBackEveryBitOfItsSettings) {
   EXPECT_EQ(settings(), original);
   report = restore(client(), backup, {.present = file("again.json")});
   ASSERT_TRUE(report);
-  EXPECT_EQ(count<WriteParams3>(), 0U);
+  EXPECT_EQ(count<msg::WriteParams3>(), 0U);
 }
 
 TEST_F(BackupTest, AnotherModelOrFirmwareIsRefusedUnlessTold) {
   const Backup backup = make();
   change();
-  become(BoardVersion(31));
+  become(msg::BoardVersion(31));
   WriteReport report = restore(client(), backup, {.present = file("a.json")});
   ASSERT_FALSE(report);
   EXPECT_EQ(report.outcome.error().code, ErrorCode::incompatible);
   EXPECT_THAT(report.outcome.error().message, HasSubstr("3.1"));
   EXPECT_THAT(files(), IsEmpty());
 
-  become(FirmwareVersion(2604));
+  become(msg::FirmwareVersion(2604));
   report = restore(client(), backup, {.present = file("a.json"), .other_model = true});
   ASSERT_FALSE(report);
   EXPECT_THAT(report.outcome.error().message, HasSubstr("2.60b4"));
-  EXPECT_EQ(board.settings<ReadParams3>(0).gyro_trust, 1);
+  EXPECT_EQ(board.settings<msg::ReadParams3>(0).gyro_trust, 1);
   EXPECT_THAT(mismatches(client().board(), backup.board), SizeIs(2));
 
   report = restore(client(), backup,
                    {.present = file("a.json"), .other_model = true, .other_firmware = true});
   EXPECT_TRUE(report) << to_text(report);
-  EXPECT_NE(board.settings<ReadParams3>(0).gyro_trust, 1);
+  EXPECT_NE(board.settings<msg::ReadParams3>(0).gyro_trust, 1);
 }
 
 TEST_F(BackupTest, ADryRunNeedsNoFileAndWritesNothing) {
@@ -341,8 +341,8 @@ TEST_F(BackupTest, WithoutABackupOfThePresentStateNothingIsRestored) {
   std::ofstream(file("a.json")) << "precious";
   EXPECT_FALSE(restore(client(), backup, {.present = file("a.json")}));
   EXPECT_EQ(content(file("a.json")), "precious");
-  EXPECT_EQ(count<WriteParams3>(), 0U);
-  EXPECT_EQ(board.settings<ReadParams3>(0).gyro_trust, 1);
+  EXPECT_EQ(count<msg::WriteParams3>(), 0U);
+  EXPECT_EQ(board.settings<msg::ReadParams3>(0).gyro_trust, 1);
 }
 
 }  // namespace

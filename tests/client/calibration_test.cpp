@@ -26,7 +26,7 @@ class CalibrationTest : public TaskTest {
   /// Each look at it takes the board so long.
   void let_pass(milliseconds time) {
     board.after([this, time](const Packet& request) {
-      if (is<CalibInfoRequest>(request)) board.skip(time);
+      if (is<msg::CalibInfoRequest>(request)) board.skip(time);
     });
   }
 
@@ -42,25 +42,25 @@ TEST_F(CalibrationTest, EndsWithTheSecondConfirmationAndTellsItsProgress) {
   EXPECT_LT(progress[0], 75);
   EXPECT_GT(progress[1], progress[0]);
   EXPECT_GT(progress[2], progress[1]);
-  EXPECT_EQ(count<CalibGyro>(), 1U);
+  EXPECT_EQ(count<msg::CalibGyro>(), 1U);
 }
 
 TEST_F(CalibrationTest, TheBoardIsToldWhichImuAndWhatToDo) {
   let_pass(std::chrono::minutes(1));
   CalibrationOptions options = watched();
-  options.imu = CalibImu::frame;
-  options.action = CalibAction::temperature;
+  options.imu = msg::CalibImu::frame;
+  options.action = msg::CalibAction::temperature;
   EXPECT_TRUE(calibrate(client(), Sensor::accelerometer, options));
-  const auto request = message<CalibAccExt>(board.log().front());
-  EXPECT_EQ(request.imu_idx, CalibImu::frame);
-  EXPECT_EQ(request.action, CalibAction::temperature);
-  EXPECT_EQ(message<CalibInfoRequest>(board.log().back()).imu_type, SelectedImu::frame);
+  const auto request = message<msg::CalibAccExt>(board.log().front());
+  EXPECT_EQ(request.imu_idx, msg::CalibImu::frame);
+  EXPECT_EQ(request.action, msg::CalibAction::temperature);
+  EXPECT_EQ(message<msg::CalibInfoRequest>(board.log().back()).imu_type, msg::SelectedImu::frame);
   EXPECT_TRUE(board.memory().imus[1].acc_temperature_enabled);
   EXPECT_FALSE(board.memory().imus[0].acc_temperature_enabled);
 }
 
 TEST_F(CalibrationTest, WithoutTheFirstConfirmationItHasNotBegun) {
-  board.on_lost([](const Packet& request) { return is<CalibGyro>(request); });
+  board.on_lost([](const Packet& request) { return is<msg::CalibGyro>(request); });
   const auto done = calibrate(client(), Sensor::gyroscope);
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().code, ErrorCode::timeout);
@@ -85,8 +85,8 @@ TEST_F(CalibrationTest, WaitingCanBeCancelled) {
 
 TEST_F(CalibrationTest, ABoardThatRestartsMeanwhileIsAnError) {
   board.tamper([looks = 0](Packets& answers) mutable {
-    for (const Packet& one : answers) looks += is<CalibInfo>(one) ? 1 : 0;
-    if (looks == 3) answers.push_back(packet(Reset{}));
+    for (const Packet& one : answers) looks += is<msg::CalibInfo>(one) ? 1 : 0;
+    if (looks == 3) answers.push_back(packet(msg::Reset{}));
   });
   const auto done = calibrate(client(), Sensor::gyroscope, watched());
   ASSERT_FALSE(done);
@@ -95,7 +95,7 @@ TEST_F(CalibrationTest, ABoardThatRestartsMeanwhileIsAnError) {
 
 TEST_F(CalibrationTest, ALineThatBreaksMeanwhileIsAnError) {
   board.after([this](const Packet& request) {
-    if (is<CalibInfoRequest>(request)) board.unplug();
+    if (is<msg::CalibInfoRequest>(request)) board.unplug();
   });
   const auto done = calibrate(client(), Sensor::gyroscope, watched());
   ASSERT_FALSE(done);

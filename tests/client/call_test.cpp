@@ -44,18 +44,18 @@ class Call : public ::testing::Test {
 };
 
 TEST_F(Call, ReturnsTheAnswer) {
-  GetAngles angles;
-  angles.axes.pitch.imu_angle = Angle14::from_degrees(-30);
-  board.answer<GetAnglesRequest>(angles);
+  msg::GetAngles angles;
+  angles.axes.pitch.imu_angle = msg::Angle14::from_degrees(-30);
+  board.answer<msg::GetAnglesRequest>(angles);
   Client client = connect();
-  const auto answer = client.call(GetAnglesRequest{});
+  const auto answer = client.call(msg::GetAnglesRequest{});
   ASSERT_TRUE(answer) << answer.error().message;
   EXPECT_EQ(*answer, angles);
 }
 
 TEST_F(Call, HasANamedFunctionForEachCommand) {
-  board.on<ReadParams3Request>([&](const ReadParams3Request& request) {
-    ReadParams3 params;
+  board.on<msg::ReadParams3Request>([&](const msg::ReadParams3Request& request) {
+    msg::ReadParams3 params;
     params.profile_id = request.profile_id;
     board.send(params);
   });
@@ -66,16 +66,16 @@ TEST_F(Call, HasANamedFunctionForEachCommand) {
 }
 
 TEST_F(Call, WaitsForTheConfirmation) {
-  board.on<MotorsOn>([&](const MotorsOn& request) { board.confirm(request); });
+  board.on<msg::MotorsOn>([&](const msg::MotorsOn& request) { board.confirm(request); });
   Client client = connect();
-  const auto reply = client.transact(MotorsOn{});
+  const auto reply = client.transact(msg::MotorsOn{});
   ASSERT_TRUE(reply) << reply.error().message;
   EXPECT_EQ(reply->ending, Ending::confirmed);
   EXPECT_TRUE(client.motors_on());
 }
 
 TEST_F(Call, ReportsEachOfSeveralConfirmations) {
-  board.on<CalibGyro>([&](const CalibGyro& request) {
+  board.on<msg::CalibGyro>([&](const msg::CalibGyro& request) {
     board.confirm(request);
     board.confirm(request);
   });
@@ -90,22 +90,23 @@ TEST_F(Call, ReportsEachOfSeveralConfirmations) {
 
 TEST_F(Call, DoesNotWaitWhereNothingNeedCome) {
   Client client = connect();
-  const auto reply = client.transact(Control{});
+  const auto reply = client.transact(msg::Control{});
   ASSERT_TRUE(reply) << reply.error().message;
   EXPECT_EQ(reply->ending, Ending::sent);
-  EXPECT_TRUE(board.wait_for<Control>(1));
+  EXPECT_TRUE(board.wait_for<msg::Control>(1));
 }
 
 TEST_F(Call, WaitsForAPossibleConfirmationIfAskedTo) {
-  board.on<BeepSound>([&](const BeepSound& request) { board.confirm(request); });
+  board.on<msg::BeepSound>([&](const msg::BeepSound& request) { board.confirm(request); });
   Client client = connect();
   const auto confirmed = client.transact(
-      BeepSound{}, {.timeout = milliseconds(2000), .expect_confirmation = true, .validate = false});
+      msg::BeepSound{},
+      {.timeout = milliseconds(2000), .expect_confirmation = true, .validate = false});
   ASSERT_TRUE(confirmed) << confirmed.error().message;
   EXPECT_EQ(confirmed->ending, Ending::confirmed);
-  board.ignore<BeepSound>();
+  board.ignore<msg::BeepSound>();
   const auto unconfirmed =
-      client.transact(BeepSound{}, {.expect_confirmation = true, .validate = false});
+      client.transact(msg::BeepSound{}, {.expect_confirmation = true, .validate = false});
   ASSERT_TRUE(unconfirmed) << unconfirmed.error().message;
   EXPECT_EQ(unconfirmed->ending, Ending::unconfirmed);
 }
@@ -118,7 +119,7 @@ TEST_F(Call, NeedsTheFirmwareThatHasTheCommand) {
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::unsupported);
   EXPECT_EQ(result.error().message, "CMD_BEEP_SOUND needs firmware 2.59, the board has 2.43b9");
-  EXPECT_EQ(board.count<BeepSound>(), 0U);
+  EXPECT_EQ(board.count<msg::BeepSound>(), 0U);
 }
 
 TEST_F(Call, NeedsTheBoardThatHasTheCommand) {
@@ -132,27 +133,27 @@ TEST_F(Call, NeedsTheBoardThatHasTheCommand) {
 
 TEST_F(Call, RefusesValuesThatAreNotAllowed) {
   Client client = connect();
-  EepromReadRequest read;
+  msg::EepromReadRequest read;
   read.addr = 7;
   const auto result = client.call(read);
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::invalid);
   EXPECT_EQ(result.error().message, "CMD_EEPROM_READ: addr = 7 is no multiple of 64");
-  EXPECT_EQ(board.count<EepromReadRequest>(), 0U);
+  EXPECT_EQ(board.count<msg::EepromReadRequest>(), 0U);
 }
 
 TEST_F(Call, RefusesWhatCannotBeEncoded) {
   Client client = connect();
   // A stream of this message must say which parts of it.
-  const auto result = client.data_stream_interval({.cmd_id = CommandId::realtime_data_custom});
+  const auto result = client.data_stream_interval({.cmd_id = msg::CommandId::realtime_data_custom});
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::invalid);
   EXPECT_THAT(result.error().message, StartsWith("the request cannot be encoded"));
 }
 
 TEST_F(Call, SendsDoubtfulValuesIfToldTo) {
-  board.on<EepromReadRequest>([&](const EepromReadRequest& request) {
-    EepromRead answer;
+  board.on<msg::EepromReadRequest>([&](const msg::EepromReadRequest& request) {
+    msg::EepromRead answer;
     answer.addr = request.addr;
     board.send(answer);
   });
@@ -165,66 +166,66 @@ TEST_F(Call, SendsDoubtfulValuesIfToldTo) {
 // What the firmware takes
 
 TEST_F(Call, TurnsMotorsOffAsTheFirmwareWantsIt) {
-  board.on<MotorsOff>([&](const MotorsOff& request) { board.confirm(request); });
-  board.on<MotorsOffExt>([&](const MotorsOffExt& request) {
-    EXPECT_EQ(request.mode, MotorsOffMode::normal);
+  board.on<msg::MotorsOff>([&](const msg::MotorsOff& request) { board.confirm(request); });
+  board.on<msg::MotorsOffExt>([&](const msg::MotorsOffExt& request) {
+    EXPECT_EQ(request.mode, msg::MotorsOffMode::normal);
     board.confirm(request);
   });
   for (const int firmware : {2430, 2590, 2686, 2687, 2740}) {
     SCOPED_TRACE(firmware);
     Client client = connect_to_firmware(static_cast<std::uint16_t>(firmware));
-    const auto empty = board.count<MotorsOff>();
-    const auto with_mode = board.count<MotorsOffExt>();
+    const auto empty = board.count<msg::MotorsOff>();
+    const auto with_mode = board.count<msg::MotorsOffExt>();
     const auto result = client.motors_off();
     EXPECT_TRUE(result) << result.error().message;
     const bool wants_mode = firmware >= 2687;
-    EXPECT_EQ(board.count<MotorsOff>() - empty, wants_mode ? 0U : 1U);
-    EXPECT_EQ(board.count<MotorsOffExt>() - with_mode, wants_mode ? 1U : 0U);
+    EXPECT_EQ(board.count<msg::MotorsOff>() - empty, wants_mode ? 0U : 1U);
+    EXPECT_EQ(board.count<msg::MotorsOffExt>() - with_mode, wants_mode ? 1U : 0U);
   }
 }
 
 TEST_F(Call, AnAttitudeHasTheFormThatTheFirmwareReads) {
-  AhrsHelper attitude;
+  msg::AhrsHelper attitude;
   attitude.z1_vector = {0, 0, 1};
-  board.answer<AhrsHelperRequest>(attitude);
-  board.answer<AhrsHelperRequestWide>(attitude);
-  std::promise<AhrsHelperRequestExtWide> came;
-  board.on<AhrsHelperRequestExtWide>(
-      [&](const AhrsHelperRequestExtWide& request) { came.set_value(request); });
-  AhrsHelperRequestExt set;
-  set.mode = AhrsHelperModeBit::set | AhrsHelperModeBit::reference_only;
+  board.answer<msg::AhrsHelperRequest>(attitude);
+  board.answer<msg::AhrsHelperRequestWide>(attitude);
+  std::promise<msg::AhrsHelperRequestExtWide> came;
+  board.on<msg::AhrsHelperRequestExtWide>(
+      [&](const msg::AhrsHelperRequestExtWide& request) { came.set_value(request); });
+  msg::AhrsHelperRequestExt set;
+  set.mode = msg::AhrsHelperModeBit::set | msg::AhrsHelperModeBit::reference_only;
   set.z1_vector = {0, 0, 1};
   set.h1_vector = {1, 0, 0};
   {
     Client client = connect_to_firmware(2694);
     EXPECT_EQ(*client.ahrs_helper(), attitude);
     EXPECT_TRUE(client.ahrs_helper_ext(set));
-    EXPECT_TRUE(board.wait_for<AhrsHelperRequestExt>(1));
+    EXPECT_TRUE(board.wait_for<msg::AhrsHelperRequestExt>(1));
     const auto refused = client.ahrs_helper_ext_wide(later_form(set));
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::unsupported);
     EXPECT_EQ(refused.error().message,
               "CMD_AHRS_HELPER in this form needs firmware 2.69b5, the board has 2.69b4");
-    EXPECT_EQ(board.count<AhrsHelperRequestExtWide>(), 0U);
+    EXPECT_EQ(board.count<msg::AhrsHelperRequestExtWide>(), 0U);
   }
   Client client = connect_to_firmware(2695);
   EXPECT_EQ(*client.ahrs_helper(), attitude);
-  EXPECT_EQ(board.count<AhrsHelperRequest>(), 1U);
+  EXPECT_EQ(board.count<msg::AhrsHelperRequest>(), 1U);
   EXPECT_TRUE(client.ahrs_helper_ext(set));
-  const AhrsHelperRequestExtWide read = came.get_future().get();
+  const msg::AhrsHelperRequestExtWide read = came.get_future().get();
   EXPECT_EQ(read.mode.raw(), 5);
   EXPECT_EQ(read.z1_vector, set.z1_vector);
   EXPECT_EQ(read.h1_vector, set.h1_vector);
-  EXPECT_EQ(board.count<AhrsHelperRequestExt>(), 1U);
+  EXPECT_EQ(board.count<msg::AhrsHelperRequestExt>(), 1U);
 }
 
 // What the board refuses
 
 TEST_F(Call, TellsTheErrorOfTheBoard) {
-  board.on<MotorsOn>([&](const MotorsOn&) {
-    ErrorExt error;
-    error.cmd_id = CommandId::motors_on;
-    error.error_code = BoardErrorCode(12);
+  board.on<msg::MotorsOn>([&](const msg::MotorsOn&) {
+    msg::ErrorExt error;
+    error.cmd_id = msg::CommandId::motors_on;
+    error.error_code = msg::BoardErrorCode(12);
     board.send(error);
   });
   Client client = connect();
@@ -236,11 +237,13 @@ TEST_F(Call, TellsTheErrorOfTheBoard) {
 }
 
 TEST_F(Call, TellsTheReasonOfTheBoardByItsName) {
-  board.on<MotorsOn>([&](const MotorsOn&) {
-    board.send(ErrorExt{.cmd_id = CommandId::motors_on, .error_code = BoardErrorCode::wrong_state});
+  board.on<msg::MotorsOn>([&](const msg::MotorsOn&) {
+    board.send(msg::ErrorExt{.cmd_id = msg::CommandId::motors_on,
+                             .error_code = msg::BoardErrorCode::wrong_state});
   });
-  board.on<CalibAcc>([&](const CalibAcc&) {
-    board.send(Error{.error_code = BoardErrorCode::temporary});  // the form without a command
+  board.on<msg::CalibAcc>([&](const msg::CalibAcc&) {
+    board.send(
+        msg::Error{.error_code = msg::BoardErrorCode::temporary});  // the form without a command
   });
   Client client = connect();
   EXPECT_EQ(client.motors_on().error().message, "CMD_MOTORS_ON: the board refused: WRONG_STATE");
@@ -249,40 +252,40 @@ TEST_F(Call, TellsTheReasonOfTheBoardByItsName) {
 }
 
 TEST_F(Call, TellsAnAnswerThatIsAnErrorByItsName) {
-  ReadFileError error;
-  error.err_code = FileError::file_not_found;
-  board.answer<ReadFileRequest>(error);
+  msg::ReadFileError error;
+  error.err_code = msg::FileError::file_not_found;
+  board.answer<msg::ReadFileRequest>(error);
   Client client = connect();
   const auto result = client.read_file();
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::board_error);
-  EXPECT_EQ(result.error().detail, static_cast<int>(FileError::file_not_found));
+  EXPECT_EQ(result.error().detail, static_cast<int>(msg::FileError::file_not_found));
   EXPECT_THAT(result.error().message, StartsWith("CMD_READ_FILE has failed: err_code "));
 }
 
 TEST_F(Call, FailsWhenTheConfirmationTellsOfAFailure) {
-  board.on<WriteFile>([&](const WriteFile&) {
-    Confirm confirmation;
-    confirmation.cmd = WriteFile::command;
-    confirmation.err_code = FileError::file_not_found;
+  board.on<msg::WriteFile>([&](const msg::WriteFile&) {
+    msg::Confirm confirmation;
+    confirmation.cmd = msg::WriteFile::command;
+    confirmation.err_code = msg::FileError::file_not_found;
     board.send(confirmation);
   });
   Client client = connect();
   const auto result = client.write_file();
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::board_error);
-  EXPECT_EQ(result.error().detail, static_cast<int>(FileError::file_not_found));
+  EXPECT_EQ(result.error().detail, static_cast<int>(msg::FileError::file_not_found));
 }
 
 // What gets lost
 
 TEST_F(Call, IsSentAgainUntilTheAnswerComes) {
-  board.on<GetAnglesRequest>([&](const GetAnglesRequest&) {
-    if (board.count<GetAnglesRequest>() >= 2) board.send(GetAngles{});
+  board.on<msg::GetAnglesRequest>([&](const msg::GetAnglesRequest&) {
+    if (board.count<msg::GetAnglesRequest>() >= 2) board.send(msg::GetAngles{});
   });
   Client client = connect();
   EXPECT_TRUE(client.get_angles({}, {.timeout = std::chrono::seconds(10), .retries = 99}));
-  EXPECT_TRUE(board.wait_for<GetAnglesRequest>(3));
+  EXPECT_TRUE(board.wait_for<msg::GetAnglesRequest>(3));
   EXPECT_GE(client.statistics().session.retries, 2U);
 }
 
@@ -305,18 +308,18 @@ TEST_F(Call, IsSentOnceIfTwiceCouldDoHarm) {
   EXPECT_EQ(
       client.i2c_write_reg_buf({}, {.timeout = milliseconds(1000), .validate = false}).error().code,
       ErrorCode::timeout);
-  ASSERT_TRUE(board.wait_for<I2cWriteRegBuf>(1));
-  EXPECT_EQ(board.count<I2cWriteRegBuf>(), 1U);
+  ASSERT_TRUE(board.wait_for<msg::I2cWriteRegBuf>(1));
+  EXPECT_EQ(board.count<msg::I2cWriteRegBuf>(), 1U);
 }
 
 TEST_F(Call, GetsNoLateAnswerOfAnEarlierOne) {
   // The same answer fits both, so only its time tells to which it belongs.
-  ReadParams3 late;
+  msg::ReadParams3 late;
   late.profile_id = 1;
-  ReadParams3 own = late;
+  msg::ReadParams3 own = late;
   own.cur_profile_id = 4;
-  board.on<ReadParams3Request>([this, own](const ReadParams3Request&) {
-    if (board.count<ReadParams3Request>() > 0) board.send(own);
+  board.on<msg::ReadParams3Request>([this, own](const msg::ReadParams3Request&) {
+    if (board.count<msg::ReadParams3Request>() > 0) board.send(own);
   });
   Client client = connect();
   const CallOptions once{.timeout = milliseconds(1000), .retries = 0};
@@ -331,10 +334,10 @@ TEST_F(Call, GetsNoLateAnswerOfAnEarlierOne) {
 
 TEST_F(Call, DoesNotTakeARepeatedAnswerForItsOwn) {
   // It comes once more when the next request, sent at once, would be waiting for its own.
-  board.on<GetAnglesRequest>([&](const GetAnglesRequest&) {
-    GetAngles answer;
-    const auto before = static_cast<std::int16_t>(board.count<GetAnglesRequest>());
-    answer.axes.yaw.imu_angle = Angle14(static_cast<std::int16_t>(before + 1));
+  board.on<msg::GetAnglesRequest>([&](const msg::GetAnglesRequest&) {
+    msg::GetAngles answer;
+    const auto before = static_cast<std::int16_t>(board.count<msg::GetAnglesRequest>());
+    answer.axes.yaw.imu_angle = msg::Angle14(static_cast<std::int16_t>(before + 1));
     board.later(milliseconds(50), [this, answer] {
       board.send(answer);
       board.later(milliseconds(20), [this, answer] { board.send(answer); });
@@ -351,11 +354,11 @@ TEST_F(Call, DoesNotTakeARepeatedAnswerForItsOwn) {
 }
 
 TEST_F(Call, GetsThroughNoise) {
-  board.on<GetAnglesRequest>([&](const GetAnglesRequest&) {
+  board.on<msg::GetAnglesRequest>([&](const msg::GetAnglesRequest&) {
     std::vector<std::uint8_t> noise;
     for (unsigned i = 0; i < 1000; ++i) noise.push_back(static_cast<std::uint8_t>(i * i * 7 + 62));
     board.send_bytes(noise);
-    board.send(GetAngles{});
+    board.send(msg::GetAngles{});
     board.send_bytes(noise);
   });
   Client client = connect();
@@ -366,13 +369,13 @@ TEST_F(Call, GetsThroughNoise) {
 }
 
 TEST_F(Call, SaysThatAnAnswerCannotBeRead) {
-  GetAdjVarsVal request;
+  msg::GetAdjVarsVal request;
   request.param_id.push_back({});
-  board.on<GetAdjVarsVal>([&](const GetAdjVarsVal&) {
+  board.on<msg::GetAdjVarsVal>([&](const msg::GetAdjVarsVal&) {
     const std::vector<std::uint8_t> body{5, 1};  // five values are announced
     std::array<std::uint8_t, max_frame_size> frame{};
     const auto written =
-        write_frame(static_cast<std::uint8_t>(CommandId::set_adj_vars_val), body, frame);
+        write_frame(static_cast<std::uint8_t>(msg::CommandId::set_adj_vars_val), body, frame);
     board.send_bytes(std::span(frame).first(written.size));
   });
   Client client = connect();
@@ -385,7 +388,7 @@ TEST_F(Call, SaysThatAnAnswerCannotBeRead) {
 // What goes away
 
 TEST_F(Call, FailsAtOnceWhenTheLineBreaks) {
-  board.on<GetAnglesRequest>([&](const GetAnglesRequest&) { board.unplug(); });
+  board.on<msg::GetAnglesRequest>([&](const msg::GetAnglesRequest&) { board.unplug(); });
   Client client = connect();
   const auto begin = steady_clock::now();
   const auto result = client.get_angles({}, {.timeout = std::chrono::seconds(120)});
@@ -399,23 +402,23 @@ TEST_F(Call, FailsAtOnceWhenTheLineBreaks) {
 }
 
 TEST_F(Call, FailsWhenTheBoardRestarts) {
-  board.on<GetAnglesRequest>([&](const GetAnglesRequest&) { board.send(Reset{}); });
+  board.on<msg::GetAnglesRequest>([&](const msg::GetAnglesRequest&) { board.send(msg::Reset{}); });
   Client client = connect();
   const auto result = client.get_angles({}, {.timeout = std::chrono::seconds(30)});
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::board_reset);
-  board.answer<GetAnglesRequest>(GetAngles{});
+  board.answer<msg::GetAnglesRequest>(msg::GetAngles{});
   EXPECT_TRUE(client.get_angles());
 }
 
 TEST_F(Call, ThatRestartsTheBoardHasAnOptionalAnswer) {
-  board.answer<ResetRequestExt>(Reset{});
+  board.answer<msg::ResetRequestExt>(msg::Reset{});
   Client client = connect();
-  const auto announced =
-      client.reset_ext({.confirm = ResetOption::notify}, {.timeout = std::chrono::seconds(10)});
+  const auto announced = client.reset_ext({.confirm = msg::ResetOption::notify},
+                                          {.timeout = std::chrono::seconds(10)});
   ASSERT_TRUE(announced) << announced.error().message;
   EXPECT_TRUE(announced->has_value());
-  board.ignore<ResetRequestExt>();
+  board.ignore<msg::ResetRequestExt>();
   const auto silent = client.reset_ext();
   ASSERT_TRUE(silent) << silent.error().message;
   EXPECT_FALSE(silent->has_value());
@@ -430,7 +433,7 @@ TEST_F(Call, EndsWhenTheClientIsClosed) {
     threads.emplace_back(
         [&] { code = client.calib_info({}, {.timeout = std::chrono::seconds(60)}).error().code; });
   }
-  EXPECT_TRUE(board.wait_for<CalibInfoRequest>(1));
+  EXPECT_TRUE(board.wait_for<msg::CalibInfoRequest>(1));
   client.close();
   for (std::thread& thread : threads) thread.join();
   // Some may have begun behind close().
@@ -443,15 +446,15 @@ TEST_F(Call, EndsWhenTheClientIsClosed) {
 // Many at once
 
 TEST_F(Call, AThousandFromEightThreadsGetTheirOwnAnswers) {
-  board.on<EepromReadRequest>([&](const EepromReadRequest& request) {
-    EepromRead answer;
+  board.on<msg::EepromReadRequest>([&](const msg::EepromReadRequest& request) {
+    msg::EepromRead answer;
     answer.addr = request.addr;
     for (unsigned i = 0; i < request.size.raw(); ++i) {
       answer.data.push_back(static_cast<std::uint8_t>(request.addr / 64 + i));
     }
     board.send(answer);
   });
-  board.answer<GetAnglesRequest>(GetAngles{});
+  board.answer<msg::GetAnglesRequest>(msg::GetAngles{});
   Client client = connect();
   constexpr unsigned thread_count = 8;
   constexpr unsigned calls = 125;
@@ -469,7 +472,7 @@ TEST_F(Call, AThousandFromEightThreadsGetTheirOwnAnswers) {
           continue;
         }
         const std::uint32_t address = 64 * (t * calls + i);
-        const auto read = client.eeprom_read({.addr = address, .size = ByteCount(64)}, once);
+        const auto read = client.eeprom_read({.addr = address, .size = msg::ByteCount(64)}, once);
         if (!read || read->addr != address || read->data.size() != 64) continue;
         const auto expected = static_cast<std::uint8_t>(address / 64 + 63);
         good[t] += read->data[63] == expected ? 1U : 0U;
@@ -515,9 +518,9 @@ TEST_F(Call, IsRefusedWhenTooManyWait) {
 TEST_F(Call, FromAHandlerIsRefused) {
   Client client = connect();
   std::promise<ErrorCode> code;
-  const auto subscription = client.subscribe<GetAngles>(
-      [&](const GetAngles&) { code.set_value(client.get_angles().error().code); });
-  board.send(GetAngles{});
+  const auto subscription = client.subscribe<msg::GetAngles>(
+      [&](const msg::GetAngles&) { code.set_value(client.get_angles().error().code); });
+  board.send(msg::GetAngles{});
   EXPECT_EQ(code.get_future().get(), ErrorCode::invalid);
 }
 
@@ -525,11 +528,11 @@ TEST_F(Call, EndsByItsDeadlineAlsoWhenAHandlerKeepsTheClientBusy) {
   Client client = connect();
   std::promise<void> entered;
   std::promise<void> leave;
-  const auto subscription = client.subscribe<GetAngles>([&](const GetAngles&) {
+  const auto subscription = client.subscribe<msg::GetAngles>([&](const msg::GetAngles&) {
     entered.set_value();
     leave.get_future().wait();
   });
-  board.send(GetAngles{});
+  board.send(msg::GetAngles{});
   entered.get_future().wait();
   const auto result = client.calib_info({}, {.timeout = milliseconds(50)});
   EXPECT_EQ(result.error().code, ErrorCode::timeout);

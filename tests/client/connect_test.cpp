@@ -46,9 +46,9 @@ class Connect : public ::testing::Test {
 
 /// Whether angles come through.
 bool works(Client& client, ScriptedBoard& board) {
-  GetAngles angles;
-  angles.axes.yaw.imu_angle = Angle14::from_degrees(45);
-  board.answer<GetAnglesRequest>(angles);
+  msg::GetAngles angles;
+  angles.axes.yaw.imu_angle = msg::Angle14::from_degrees(45);
+  board.answer<msg::GetAnglesRequest>(angles);
   const auto answer = client.get_angles();
   return answer && *answer == angles;
 }
@@ -98,7 +98,7 @@ TEST_F(Connect, WithThePausesOfTheProtocol) {
   options.pacing = true;
   auto client = connect_over(over_memory(board), options);
   ASSERT_TRUE(client) << client.error().message;
-  board.answer<GetAnglesRequest>(GetAngles{});
+  board.answer<msg::GetAnglesRequest>(msg::GetAngles{});
   const auto begin = steady_clock::now();
   for (int i = 0; i < 5; ++i) EXPECT_TRUE(client->get_angles());
   EXPECT_GE(steady_clock::now() - begin, milliseconds(4 * 10));
@@ -152,7 +152,7 @@ INSTANTIATE_TEST_SUITE_P(Lines, ConnectOnLine,
                                            io::LineSettings{921600, io::Parity::even}));
 
 TEST_F(Connect, SaysAllThatWasTriedWhenALineIsSilent) {
-  board.ignore<BoardInfoRequest>();
+  board.ignore<msg::BoardInfoRequest>();
   ConnectOptions options = quick();
   options.timeout = std::chrono::seconds(5);
   const auto begin = steady_clock::now();
@@ -166,7 +166,7 @@ TEST_F(Connect, SaysAllThatWasTriedWhenALineIsSilent) {
 }
 
 TEST_F(Connect, TellsWhatWasHeardInsteadOfABoard) {
-  board.on<BoardInfoRequest>([&](const BoardInfoRequest&) {
+  board.on<msg::BoardInfoRequest>([&](const msg::BoardInfoRequest&) {
     const std::array<std::uint8_t, 5> garbage{1, 2, 3, 4, 5};
     board.send_bytes(garbage);
   });
@@ -181,7 +181,7 @@ TEST_F(Connect, TellsWhatWasHeardInsteadOfABoard) {
 // No board
 
 TEST_F(Connect, FailsWhenNobodyAnswers) {
-  board.ignore<BoardInfoRequest>();
+  board.ignore<msg::BoardInfoRequest>();
   ConnectOptions options = quick();
   options.timeout = std::chrono::seconds(1);
   const auto begin = steady_clock::now();
@@ -195,7 +195,8 @@ TEST_F(Connect, FailsWhenNobodyAnswers) {
 }
 
 TEST_F(Connect, FailsWhenTheBoardFallsSilentHalfWay) {
-  board.on<BoardInfo3Request>([&](const BoardInfo3Request&) { board.ignore<BoardInfoRequest>(); });
+  board.on<msg::BoardInfo3Request>(
+      [&](const msg::BoardInfo3Request&) { board.ignore<msg::BoardInfoRequest>(); });
   ConnectOptions options = quick();
   options.retries = 4;
   const auto client = connect_over(over_memory(board), options);
@@ -207,7 +208,7 @@ TEST_F(Connect, FailsWhenTheBoardFallsSilentHalfWay) {
 }
 
 TEST_F(Connect, DoesWithoutDetailsThatABoardDoesNotTell) {
-  board.ignore<BoardInfo3Request>();
+  board.ignore<msg::BoardInfo3Request>();
   ConnectOptions options = quick();
   options.retries = 4;
   const auto client = connect_over(over_memory(board), options);
@@ -217,7 +218,7 @@ TEST_F(Connect, DoesWithoutDetailsThatABoardDoesNotTell) {
 }
 
 TEST_F(Connect, FailsWhenTheLineBreaksMeanwhile) {
-  board.on<BoardInfoRequest>([&](const BoardInfoRequest&) { board.unplug(); });
+  board.on<msg::BoardInfoRequest>([&](const msg::BoardInfoRequest&) { board.unplug(); });
   ConnectOptions options = quick();
   options.timeout = std::chrono::seconds(120);
   const auto begin = steady_clock::now();

@@ -18,18 +18,18 @@
 #include <asio/io_context.hpp>
 #include <asio/post.hpp>
 
-#include <sbgc/board/emulator.hpp>
 #include <sbgc/client/own_transport.hpp>
+#include <sbgc/emulator/emulator.hpp>
 #include <sbgc/io/memory.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/messages.hpp>
 #include <sbgc/settings.hpp>
 #include <sbgc/type_list.hpp>
 
-#include "endpoint.hpp"
-#include "host.hpp"
 #include "line_kind.hpp"
-#include "live_board.hpp"
+#include "serving/endpoint.hpp"
+#include "serving/host.hpp"
+#include "serving/live_board.hpp"
 #include "tap.hpp"
 
 namespace sbgc::test {
@@ -108,7 +108,7 @@ class EmulatedBoard {
   /// Expects a confirmation, and throws std::runtime_error if there is none.
   template <Message Request>
   void write(const Request& request) {
-    const Confirm done = read<Confirm>(request);
+    const msg::Confirm done = read<msg::Confirm>(request);
     if (done.cmd != Request::command) throw std::runtime_error("another command is confirmed");
   }
   /// The settings that it has, of one profile or of all.

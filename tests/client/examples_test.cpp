@@ -44,19 +44,20 @@ class Examples : public ::testing::Test {
  protected:
   void SetUp() override {
     introduce(board);
-    board.on<MotorsOn>([this](const MotorsOn& request) {
+    board.on<msg::MotorsOn>([this](const msg::MotorsOn& request) {
       motors.add("on");
       board.confirm(request);
     });
-    board.on<MotorsOff>([this](const MotorsOff& request) {
+    board.on<msg::MotorsOff>([this](const msg::MotorsOff& request) {
       motors.add("off");
       board.confirm(request);
     });
-    board.answer<RealtimeData4Request>(RealtimeData4{});
-    board.on<Control>([this](const Control& request) { turn(request.axes.pitch.angle); });
-    board.on<ControlExt>([this](const ControlExt& request) { turn(request.axes.pitch.angle); });
-    board.answer<GetAnglesRequest>(angles_);
-    board.on<DataStreamInterval>([this](const DataStreamInterval& request) {
+    board.answer<msg::RealtimeData4Request>(msg::RealtimeData4{});
+    board.on<msg::Control>([this](const msg::Control& request) { turn(request.axes.pitch.angle); });
+    board.on<msg::ControlExt>(
+        [this](const msg::ControlExt& request) { turn(request.axes.pitch.angle); });
+    board.answer<msg::GetAnglesRequest>(angles_);
+    board.on<msg::DataStreamInterval>([this](const msg::DataStreamInterval& request) {
       registrations.add(request);
       board.confirm(request);
       if (request.interval_ms.raw() == 0) return;
@@ -69,18 +70,18 @@ class Examples : public ::testing::Test {
   }
 
  private:
-  void turn(Angle14 pitch) {
+  void turn(msg::Angle14 pitch) {
     angles_.axes.pitch.imu_angle = angles_.axes.pitch.rc_target_angle = pitch;
     sample_.angle.pitch = pitch;
-    sample_.angle.yaw = Angle14::from_degrees(12.5);
-    board.answer<GetAnglesRequest>(angles_);
+    sample_.angle.yaw = msg::Angle14::from_degrees(12.5);
+    board.answer<msg::GetAnglesRequest>(angles_);
   }
 
-  GetAngles angles_;
-  RealtimeData4 sample_;
+  msg::GetAngles angles_;
+  msg::RealtimeData4 sample_;
 
  protected:
-  Collector<DataStreamInterval> registrations;
+  Collector<msg::DataStreamInterval> registrations;
   Collector<std::string> motors;
   ScriptedBoard board;  // behind what its hooks use
   std::string port;
@@ -92,7 +93,7 @@ TEST_F(Examples, Quickstart) {
   EXPECT_THAT(result.output, AllOf(HasSubstr("board 3.0, firmware 2.59, on serial port " + port),
                                    HasSubstr("roll    0.0  pitch  -30.0  yaw   12.5 degrees\n")));
   EXPECT_TRUE(registrations.wait_until([](const auto& requests) {
-    return !requests.empty() && requests.back().interval_ms == Milliseconds{};
+    return !requests.empty() && requests.back().interval_ms == msg::Milliseconds{};
   })) << "it does not end its stream";
 }
 
@@ -102,9 +103,9 @@ TEST_F(Examples, QuickstartLeavesTheMotorsAsTheyWere) {
 }
 
 TEST_F(Examples, QuickstartLeavesMotorsOnThatWereOn) {
-  RealtimeData4 state;
-  state.other_flags = OtherFlag::motors_on;
-  board.answer<RealtimeData4Request>(state);
+  msg::RealtimeData4 state;
+  state.other_flags = msg::OtherFlag::motors_on;
+  board.answer<msg::RealtimeData4Request>(state);
   EXPECT_EQ(run(SBGC_EXAMPLE_QUICKSTART " " + port + " --yes").status, 0);
   EXPECT_THAT(motors.wait_for(0), IsEmpty());
 }

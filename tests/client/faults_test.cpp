@@ -29,7 +29,7 @@ ConnectOptions patient() {
 /// A backup is complete and right, although frames have got lost.
 void expect_backup(const board::Faults& faults) {
   EmulatedBoard original;
-  original.edit<ReadParams3>(3, [](auto& params) { params.gyro_trust = 99; });
+  original.edit<msg::ReadParams3>(3, [](auto& params) { params.gyro_trust = 99; });
   board::EmulatorOptions options = quick_board();
   options.line.faults = faults;
   EmulatedBoard board(options, original.memory(), false);
@@ -39,9 +39,10 @@ void expect_backup(const board::Faults& faults) {
   ASSERT_TRUE(backup) << backup.error().message;
   EXPECT_EQ(backup->settings.blocks().size(), 18U);
   for (std::uint8_t profile = 0; profile < 5; ++profile) {
-    EXPECT_EQ(*backup->settings.get<ReadParams3>(profile), original.settings<ReadParams3>(profile));
-    EXPECT_EQ(*backup->settings.get<ReadParamsExt2>(profile),
-              original.settings<ReadParamsExt2>(profile));
+    EXPECT_EQ(*backup->settings.get<msg::ReadParams3>(profile),
+              original.settings<msg::ReadParams3>(profile));
+    EXPECT_EQ(*backup->settings.get<msg::ReadParamsExt2>(profile),
+              original.settings<msg::ReadParamsExt2>(profile));
   }
   EXPECT_GT(client->statistics().session.retries, 0U) << "nothing went wrong";
 }
@@ -65,7 +66,7 @@ TEST(Faults, ABackupGetsThroughText) {
   ASSERT_TRUE(client) << client.error().message;
   const auto backup = make_backup(*client);
   ASSERT_TRUE(backup) << backup.error().message;
-  EXPECT_EQ(*backup->settings.get<ReadParams3>(4), board.settings<ReadParams3>(4));
+  EXPECT_EQ(*backup->settings.get<msg::ReadParams3>(4), board.settings<msg::ReadParams3>(4));
   EXPECT_GT(client->statistics().session.parser.skipped_bytes, 0U) << "there was no text";
 }
 

@@ -62,12 +62,12 @@ class MemoryTest : public TaskTest {
   }
   std::vector<std::uint8_t> file(std::uint16_t id) {
     std::vector<std::uint8_t> result;
-    ReadFileRequest request{.file_id = id};
-    request.max_data_size = ByteCount(64);
+    msg::ReadFileRequest request{.file_id = id};
+    request.max_data_size = msg::ByteCount(64);
     while (true) {
       const Packets answer = board.ask(packet(request));
-      if (answer.empty() || !is<ReadFile>(answer[0])) break;
-      const auto part = message<ReadFile>(answer[0]);
+      if (answer.empty() || !is<msg::ReadFile>(answer[0])) break;
+      const auto part = message<msg::ReadFile>(answer[0]);
       if (part.data.empty()) break;
       result.insert(result.end(), part.data.begin(), part.data.end());
       request.page_offset =
@@ -76,8 +76,8 @@ class MemoryTest : public TaskTest {
     return result;
   }
   void put_file(std::uint16_t id, const std::vector<std::uint8_t>& content) {
-    WriteFile request{.file_id = id};
-    request.file_size = ByteCount(static_cast<std::uint16_t>(content.size()));
+    msg::WriteFile request{.file_id = id};
+    request.file_size = msg::ByteCount(static_cast<std::uint16_t>(content.size()));
     for (const std::uint8_t byte : content) request.data.push_back(byte);
     board.write(request);
   }
@@ -118,9 +118,10 @@ TEST_F(MemoryTest, EepromIsWrittenWithoutTouchingWhatIsAround) {
 
 TEST_F(MemoryTest, EepromThatDoesNotKeepWhatIsWrittenIsNoticed) {
   board.after([&](const Packet& request) {
-    if (!is<EepromWrite>(request)) return;
-    EepromWrite other{.addr = 0x200};
-    for (const std::uint8_t byte : message<EepromWrite>(request).data) other.data.push_back(byte);
+    if (!is<msg::EepromWrite>(request)) return;
+    msg::EepromWrite other{.addr = 0x200};
+    for (const std::uint8_t byte : message<msg::EepromWrite>(request).data)
+      other.data.push_back(byte);
     other.data.resize(64);
     other.data[0x10] = 0xEE;
     board.write(other);
@@ -137,7 +138,7 @@ TEST_F(MemoryTest, EepromThatDoesNotKeepWhatIsWrittenIsNoticed) {
 TEST_F(MemoryTest, AFailureTellsUpToWhereTheDataStand) {
   connect(few_retries);
   board.on_lost([](const Packet& request) {
-    return is<EepromWrite>(request) && message<EepromWrite>(request).addr >= 384;
+    return is<msg::EepromWrite>(request) && message<msg::EepromWrite>(request).addr >= 384;
   });
   const auto written = write_eeprom(client(), 0, bytes(1000));
   ASSERT_FALSE(written);
@@ -184,8 +185,8 @@ TEST_F(MemoryTest, AnEmptyFileCanBeRead) {
   put_file(3, bytes(10));
   board.tamper([](Packets& answers) {
     for (Packet& one : answers) {
-      if (!is<ReadFile>(one)) continue;
-      ReadFile empty = message<ReadFile>(one);
+      if (!is<msg::ReadFile>(one)) continue;
+      msg::ReadFile empty = message<msg::ReadFile>(one);
       empty.file_size = {};
       empty.data.clear();
       one = packet(empty);
@@ -228,7 +229,7 @@ TEST_F(MemoryTest, FilesAreDeleted) {
 
 TEST_F(MemoryTest, AFileThatIsReadBackDifferentlyIsNoticed) {
   board.after([&](const Packet& request) {
-    if (!is<WriteFile>(request)) return;
+    if (!is<msg::WriteFile>(request)) return;
     auto content = bytes(10);
     content[2] = 0xEE;
     put_file(5, content);
@@ -240,12 +241,12 @@ TEST_F(MemoryTest, AFileThatIsReadBackDifferentlyIsNoticed) {
 }
 
 TEST_F(MemoryTest, DataOfTheUserAreChangedInPart) {
-  auto expected = board.settings<ReadExternalData>().data;
+  auto expected = board.settings<msg::ReadExternalData>().data;
   expected[100] = 1;
   expected[101] = 2;
   const std::vector<std::uint8_t> data{1, 2};
   EXPECT_TRUE(write_external_data(client(), 100, data));
-  EXPECT_EQ(board.settings<ReadExternalData>().data, expected);
+  EXPECT_EQ(board.settings<msg::ReadExternalData>().data, expected);
   const auto read = read_external_data(client());
   ASSERT_TRUE(read);
   EXPECT_TRUE(std::equal(read->begin(), read->end(), expected.begin(), expected.end()));

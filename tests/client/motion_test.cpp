@@ -16,11 +16,11 @@ using ::testing::HasSubstr;
 class MotionTest : public TaskTest {
  protected:
   MoveOptions options() { return {.clock = clock}; }
-  Control last_control() {
-    Control last;
+  msg::Control last_control() {
+    msg::Control last;
     for (const Packet& request : board.log()) {
-      if (is<Control>(request) && request.body.size() == Control::max_size) {
-        last = message<Control>(request);
+      if (is<msg::Control>(request) && request.body.size() == msg::Control::max_size) {
+        last = message<msg::Control>(request);
       }
     }
     return last;
@@ -35,9 +35,9 @@ class MotionTest : public TaskTest {
     return board.gimbal([=](board::Gimbal& gimbal, Instant) { return gimbal.command(axis).mode; });
   }
   /// Lets yaw turn.
-  void turn(ControlSpeed speed) {
-    Control command;
-    command.control_mode.set_mode(ControlModeKind::speed);
+  void turn(msg::ControlSpeed speed) {
+    msg::Control command;
+    command.control_mode.set_mode(msg::ControlModeKind::speed);
     command.axes.yaw.speed = speed;
     board.write(command);
   }
@@ -47,10 +47,10 @@ TEST_F(MotionTest, MovesAllAxesAndWaitsForTheEnd) {
   connect();
   const Instant before = board.now();
   const auto moved = move_to(client(),
-                             {.roll = Angle14::from_degrees(10.0),
-                              .pitch = Angle14::from_degrees(-30.0),
-                              .yaw = Angle14::from_degrees(90.0)},
-                             ControlSpeed::from_degrees_per_second(50.0), options());
+                             {.roll = msg::Angle14::from_degrees(10.0),
+                              .pitch = msg::Angle14::from_degrees(-30.0),
+                              .yaw = msg::Angle14::from_degrees(90.0)},
+                             msg::ControlSpeed::from_degrees_per_second(50.0), options());
   ASSERT_TRUE(moved) << moved.error().message;
   EXPECT_NEAR(moved->angles.pitch.degrees(), -30, 0.5);
   EXPECT_TRUE(moved->is_close);
@@ -60,17 +60,17 @@ TEST_F(MotionTest, MovesAllAxesAndWaitsForTheEnd) {
   EXPECT_GE((board.now() - before).us, 2'000'000);
   EXPECT_GE(moved->elapsed, milliseconds(300));
   EXPECT_LE(moved->elapsed, milliseconds(4000));
-  EXPECT_GE(count<GetAnglesRequest>(), 7U);
-  EXPECT_EQ(count<Control>(), 1U);
-  const Control sent = last_control();
-  EXPECT_EQ(sent.control_mode.mode(), ControlModeKind::angle);
+  EXPECT_GE(count<msg::GetAnglesRequest>(), 7U);
+  EXPECT_EQ(count<msg::Control>(), 1U);
+  const msg::Control sent = last_control();
+  EXPECT_EQ(sent.control_mode.mode(), msg::ControlModeKind::angle);
   EXPECT_EQ(sent.axes.yaw.angle.raw(), 4096);
   EXPECT_EQ(sent.axes.yaw.speed.raw(), 410);  // 50 * 32767 / 4000
 }
 
 TEST_F(MotionTest, LeavesAxesAlone) {
   place({.yaw = 17});
-  ASSERT_TRUE(move_to(client(), {.pitch = Angle14::from_degrees(5.0)}, {}, options()));
+  ASSERT_TRUE(move_to(client(), {.pitch = msg::Angle14::from_degrees(5.0)}, {}, options()));
   EXPECT_EQ(mode(0), board::AxisMode::remote);
   EXPECT_EQ(mode(1), board::AxisMode::angle);
   EXPECT_EQ(mode(2), board::AxisMode::remote);
@@ -79,9 +79,9 @@ TEST_F(MotionTest, LeavesAxesAlone) {
 }
 
 TEST_F(MotionTest, OldFirmwareHoldsThemAtTheirTargets) {
-  become(FirmwareVersion(2430));
+  become(msg::FirmwareVersion(2430));
   place({.yaw = 17});
-  ASSERT_TRUE(move_to(client(), {.pitch = Angle14::from_degrees(5.0)}, {}, options()));
+  ASSERT_TRUE(move_to(client(), {.pitch = msg::Angle14::from_degrees(5.0)}, {}, options()));
   EXPECT_NEAR(last_control().axes.yaw.angle.degrees(), 17, 0.1);
   EXPECT_NEAR(sample().angles.yaw, 17, 0.5);
 }
@@ -89,7 +89,7 @@ TEST_F(MotionTest, OldFirmwareHoldsThemAtTheirTargets) {
 TEST_F(MotionTest, ATargetBehindTheEndOfTheCountIsNear) {
   place({.yaw = 719.8});
   const auto moved =
-      move_to(client(), {.yaw = Angle14(-32768)}, {}, {.tolerance = 0.5, .clock = clock});
+      move_to(client(), {.yaw = msg::Angle14(-32768)}, {}, {.tolerance = 0.5, .clock = clock});
   ASSERT_TRUE(moved) << moved.error().message;
   EXPECT_LT(moved->elapsed, milliseconds(1000));
 }
@@ -104,7 +104,7 @@ TEST_F(MotionTest, HasToStayThere) {
     }
     return true;
   };
-  const auto moved = move_to(client(), {.pitch = Angle14(0)}, {}, settings);
+  const auto moved = move_to(client(), {.pitch = msg::Angle14(0)}, {}, settings);
   ASSERT_TRUE(moved);
   const auto last_away = std::find(close.rbegin(), close.rend(), false);
   ASSERT_NE(last_away, close.rend()) << "the push was not seen";
@@ -113,42 +113,42 @@ TEST_F(MotionTest, HasToStayThere) {
 
 TEST_F(MotionTest, ALostCommandIsSentAgain) {
   board.on_lost([first = true](const Packet& request) mutable {
-    return is<Control>(request) && std::exchange(first, false);
+    return is<msg::Control>(request) && std::exchange(first, false);
   });
-  const auto moved = move_to(client(), {.pitch = Angle14::from_degrees(20.0)}, {}, options());
+  const auto moved = move_to(client(), {.pitch = msg::Angle14::from_degrees(20.0)}, {}, options());
   ASSERT_TRUE(moved) << moved.error().message;
-  EXPECT_EQ(count<Control>(), 2U);
+  EXPECT_EQ(count<msg::Control>(), 2U);
 }
 
 TEST_F(MotionTest, TellsHowFarItGot) {
   board.gimbal([](board::Gimbal& gimbal, Instant now) { gimbal.jam(1, true, now); });
-  const auto moved = move_to(client(), {.pitch = Angle14::from_degrees(20.0)}, {}, options());
+  const auto moved = move_to(client(), {.pitch = msg::Angle14::from_degrees(20.0)}, {}, options());
   ASSERT_FALSE(moved);
   EXPECT_EQ(moved.error().code, ErrorCode::timeout);
   EXPECT_THAT(moved.error().message,
               ContainsRegex("pitch is at -?0.[0-9]+ deg, [12][0-9].[0-9]+ deg from its target; "
                             "it has been stopped"));
-  EXPECT_EQ(last_control().control_mode.mode(), ControlModeKind::speed);
+  EXPECT_EQ(last_control().control_mode.mode(), msg::ControlModeKind::speed);
 }
 
 TEST_F(MotionTest, CanBeCancelled) {
   MoveOptions settings = options();
   settings.progress = [](const MoveProgress& seen) { return seen.remaining.pitch > 10; };
-  const auto moved = move_to(client(), {.pitch = Angle14::from_degrees(20.0)}, {}, settings);
+  const auto moved = move_to(client(), {.pitch = msg::Angle14::from_degrees(20.0)}, {}, settings);
   ASSERT_FALSE(moved);
   EXPECT_EQ(moved.error().code, ErrorCode::cancelled);
-  EXPECT_EQ(last_control().control_mode.mode(), ControlModeKind::speed);
+  EXPECT_EQ(last_control().control_mode.mode(), msg::ControlModeKind::speed);
 }
 
 TEST_F(MotionTest, ASilentBoardIsAnErrorAndIsToldToStop) {
   connect(few_retries);
   board.on_lost([this](const Packet&) {
-    if (board.count<GetAnglesRequest>() <= 5) return false;
+    if (board.count<msg::GetAnglesRequest>() <= 5) return false;
     clock.advance(milliseconds(500));  // as long as the client waits for an answer
     return true;
   });
   MoveOptions settings = options();
-  const auto moved = move_to(client(), {.pitch = Angle14::from_degrees(20.0)}, {}, settings);
+  const auto moved = move_to(client(), {.pitch = msg::Angle14::from_degrees(20.0)}, {}, settings);
   ASSERT_FALSE(moved);
   EXPECT_EQ(moved.error().code, ErrorCode::timeout);
   EXPECT_THAT(moved.error().message, HasSubstr("stopping it failed"));
@@ -156,25 +156,25 @@ TEST_F(MotionTest, ASilentBoardIsAnErrorAndIsToldToStop) {
 
 TEST_F(MotionTest, SenselessMovesAreRefused) {
   EXPECT_EQ(move_to(client(), {}).error().code, ErrorCode::invalid);
-  EXPECT_EQ(move_to(client(), {.yaw = Angle14(0)}, ControlSpeed(-1)).error().code,
+  EXPECT_EQ(move_to(client(), {.yaw = msg::Angle14(0)}, msg::ControlSpeed(-1)).error().code,
             ErrorCode::invalid);
-  EXPECT_FALSE(move_to(client(), {.yaw = Angle14(0)}, {}, {.tolerance = 0}));
+  EXPECT_FALSE(move_to(client(), {.yaw = msg::Angle14(0)}, {}, {.tolerance = 0}));
   EXPECT_EQ(board.log().size(), 0U);
 }
 
 TEST_F(MotionTest, StopsAndLooksWhetherItHas) {
-  turn(ControlSpeed(500));
+  turn(msg::ControlSpeed(500));
   board.on_lost([first = true](const Packet& request) mutable {
-    return is<Control>(request) && std::exchange(first, false);
+    return is<msg::Control>(request) && std::exchange(first, false);
   });
   ASSERT_TRUE(stop(client(), {.clock = clock}));
-  EXPECT_GE(count<Control>(), 2U);  // the first is lost, and it takes time to stop
+  EXPECT_GE(count<msg::Control>(), 2U);  // the first is lost, and it takes time to stop
   EXPECT_NEAR(sample().speeds.yaw, 0, 5);
 }
 
 TEST_F(MotionTest, ACameraThatDoesNotStopIsAnError) {
-  turn(ControlSpeed(500));
-  board.on_lost([](const Packet& request) { return is<Control>(request); });
+  turn(msg::ControlSpeed(500));
+  board.on_lost([](const Packet& request) { return is<msg::Control>(request); });
   const auto stopped = stop(client(), {.clock = clock});
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().code, ErrorCode::timeout);
@@ -182,29 +182,30 @@ TEST_F(MotionTest, ACameraThatDoesNotStopIsAnError) {
 }
 
 TEST_F(MotionTest, Releases) {
-  turn(ControlSpeed(500));
+  turn(msg::ControlSpeed(500));
   ASSERT_EQ(mode(2), board::AxisMode::speed);
   ASSERT_TRUE(release(client()));
-  ASSERT_TRUE(client().call(GetAnglesRequest{}));
+  ASSERT_TRUE(client().call(msg::GetAnglesRequest{}));
   for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_EQ(mode(axis), board::AxisMode::remote);
 }
 
 /// The board refuses CMD_CONTROL: it says so before it next tells where the camera is.
 void refuse_control(Packets& answers) {
-  const auto is_angles = [](const Packet& one) { return is<GetAngles>(one); };
+  const auto is_angles = [](const Packet& one) { return is<msg::GetAngles>(one); };
   if (!std::ranges::any_of(answers, is_angles)) return;
-  ErrorExt error;
-  error.cmd_id = CommandId::control;
-  error.error_code = BoardErrorCode::wrong_state;
+  msg::ErrorExt error;
+  error.cmd_id = msg::CommandId::control;
+  error.error_code = msg::BoardErrorCode::wrong_state;
   answers.insert(answers.begin(), packet(error));
 }
 
 TEST_F(MotionTest, ARefusedTargetIsAnErrorAtOnce) {
   connect();
-  board.on_lost([](const Packet& request) { return is<Control>(request); });
+  board.on_lost([](const Packet& request) { return is<msg::Control>(request); });
   board.tamper(refuse_control);
-  const auto moved = move_to(client(), {.roll = Angle14(0), .pitch = Angle14::from_degrees(-30.0)},
-                             ControlSpeed::from_degrees_per_second(10.0), options());
+  const auto moved =
+      move_to(client(), {.roll = msg::Angle14(0), .pitch = msg::Angle14::from_degrees(-30.0)},
+              msg::ControlSpeed::from_degrees_per_second(10.0), options());
   ASSERT_FALSE(moved);
   EXPECT_EQ(moved.error().code, ErrorCode::board_error);
   EXPECT_EQ(moved.error().message,
@@ -213,8 +214,8 @@ TEST_F(MotionTest, ARefusedTargetIsAnErrorAtOnce) {
 
 TEST_F(MotionTest, ARefusedStopIsAnErrorWhileTheCameraTurns) {
   connect();
-  turn(ControlSpeed::from_degrees_per_second(5.0));
-  board.on_lost([](const Packet& request) { return is<Control>(request); });
+  turn(msg::ControlSpeed::from_degrees_per_second(5.0));
+  board.on_lost([](const Packet& request) { return is<msg::Control>(request); });
   board.tamper(refuse_control);
   const auto stopped = stop(client(), {.clock = clock});
   ASSERT_FALSE(stopped);

@@ -36,15 +36,15 @@ class ParametersTest : public TaskTest {
     ADD_FAILURE() << to_text(id) << " is not in the report";
     return {};
   }
-  static ReadParams3 get(const ParameterSet& set, std::uint8_t profile) {
-    const Result<ReadParams3> result = set.get<ReadParams3>(profile);
+  static msg::ReadParams3 get(const ParameterSet& set, std::uint8_t profile) {
+    const Result<msg::ReadParams3> result = set.get<msg::ReadParams3>(profile);
     EXPECT_TRUE(result);
-    return result ? *result : ReadParams3{};
+    return result ? *result : msg::ReadParams3{};
   }
   /// Marks every block of every profile as different from all others.
   void fill() {
     for (std::uint8_t profile = 0; profile < 5; ++profile) {
-      board.edit<ReadParams3>(profile, [&](ReadParams3& params) {
+      board.edit<msg::ReadParams3>(profile, [&](msg::ReadParams3& params) {
         params.gyro_trust = static_cast<std::uint8_t>(50 + profile);
         params.general_flags1 = {};
         params.cur_imu = {};
@@ -53,15 +53,16 @@ class ParametersTest : public TaskTest {
           params.tail.push_back(static_cast<std::uint8_t>(profile * 40 + i));
         }
       });
-      board.edit<ReadParamsExt>(profile,
-                                [&](ReadParamsExt& params) { params.reserved[0] = profile; });
-      board.edit<ReadParamsExt2>(profile,
-                                 [&](ReadParamsExt2& params) { params.reserved_2[118] = profile; });
+      board.edit<msg::ReadParamsExt>(
+          profile, [&](msg::ReadParamsExt& params) { params.reserved[0] = profile; });
+      board.edit<msg::ReadParamsExt2>(
+          profile, [&](msg::ReadParamsExt2& params) { params.reserved_2[118] = profile; });
     }
   }
   std::size_t writes() {
-    return count<WriteParams3>() + count<WriteParamsExt>() + count<WriteParamsExt2>() +
-           count<WriteProfileNames>() + count<WriteAdjVarsCfg>() + count<WriteExternalData>();
+    return count<msg::WriteParams3>() + count<msg::WriteParamsExt>() +
+           count<msg::WriteParamsExt2>() + count<msg::WriteProfileNames>() +
+           count<msg::WriteAdjVarsCfg>() + count<msg::WriteExternalData>();
   }
 };
 
@@ -74,12 +75,12 @@ TEST_F(ParametersTest, ReadsEveryBlockOfEveryProfileToTheLastByte) {
       EXPECT_EQ(set.find({SettingsOf<M>::name, copy})->body, packet(board.settings<M>(copy)).body);
     }
   };
-  is_whole(Type<ReadParams3>{});
-  is_whole(Type<ReadParamsExt>{});
-  is_whole(Type<ReadParamsExt2>{});
-  is_whole(Type<ReadProfileNames>{});
-  is_whole(Type<ReadAdjVarsCfg>{});
-  is_whole(Type<ReadExternalData>{});
+  is_whole(Type<msg::ReadParams3>{});
+  is_whole(Type<msg::ReadParamsExt>{});
+  is_whole(Type<msg::ReadParamsExt2>{});
+  is_whole(Type<msg::ReadProfileNames>{});
+  is_whole(Type<msg::ReadAdjVarsCfg>{});
+  is_whole(Type<msg::ReadExternalData>{});
   EXPECT_EQ(get(set, 3).tail.size(), 5U);
   EXPECT_EQ(get(set, 3).gyro_trust, 53);
 }
@@ -106,14 +107,14 @@ TEST_F(ParametersTest, ReadingEndsWithItsTime) {
   const Result<ParameterSet> set = read_parameters(client(), options);
   ASSERT_FALSE(set);
   EXPECT_EQ(set.error().code, ErrorCode::timeout);
-  EXPECT_LE(message<ReadParams3Request>(board.log().back()).profile_id, 2);
+  EXPECT_LE(message<msg::ReadParams3Request>(board.log().back()).profile_id, 2);
 }
 
 TEST_F(ParametersTest, AnAnswerAboutAnotherProfileIsNotTaken) {
   connect(few_retries);
   board.tamper([](Packets& answers) {
     for (Packet& one : answers) {
-      if (is<ReadParams3>(one) && one.body[0] == 1) one.body[0] = 3;
+      if (is<msg::ReadParams3>(one) && one.body[0] == 1) one.body[0] = 3;
     }
   });
   const Result<ParameterSet> set = read_parameters(client());
@@ -122,11 +123,11 @@ TEST_F(ParametersTest, AnAnswerAboutAnotherProfileIsNotTaken) {
 }
 
 TEST_F(ParametersTest, BoardsWithoutTheNewerCommandsAreAskedWithTheOlderOne) {
-  become(BoardVersion(10));
+  become(msg::BoardVersion(10));
   const Result<ParameterSet> set = read_parameters(client());
   EXPECT_TRUE(set) << set.error().message;
-  EXPECT_GE(count<ReadParams>(), 1U);
-  EXPECT_EQ(count<ReadParams3Request>(), 0U);
+  EXPECT_GE(count<msg::ReadParams>(), 1U);
+  EXPECT_EQ(count<msg::ReadParams3Request>(), 0U);
 }
 
 TEST_F(ParametersTest, WritingWhatIsThereWritesNothing) {
@@ -140,10 +141,10 @@ TEST_F(ParametersTest, WritingWhatIsThereWritesNothing) {
 TEST_F(ParametersTest, OnlyBlocksThatDifferAreWrittenAndNothingElseChanges) {
   fill();
   ParameterSet set = read();
-  ReadParams3 wanted = get(set, 2);
+  msg::ReadParams3 wanted = get(set, 2);
   wanted.axes.pitch.p = 1;
   ASSERT_TRUE(set.set(wanted));
-  const auto before = board.all_settings<ReadParams3>();
+  const auto before = board.all_settings<msg::ReadParams3>();
 
   const WriteReport report = write_parameters(client(), set);
   EXPECT_TRUE(report) << to_text(report);
@@ -152,44 +153,44 @@ TEST_F(ParametersTest, OnlyBlocksThatDifferAreWrittenAndNothingElseChanges) {
   EXPECT_EQ(state(report, {"ReadParams3", 1}), BlockState::equal);
   auto expected = before;
   expected[2].axes.pitch.p = 1;
-  EXPECT_EQ(board.all_settings<ReadParams3>(), expected);  // reserved bytes and tail included
+  EXPECT_EQ(board.all_settings<msg::ReadParams3>(), expected);  // reserved bytes and tail included
 }
 
 TEST_F(ParametersTest, StateOfTheBoardIsNoDifferenceAndIsWrittenAsItIs) {
   ParameterSet set = read();
-  board.write(ExecuteMenu{MenuCommand::profile5});
-  board.write(SelectImu3{SelectedImu::frame});
-  ASSERT_EQ(board.settings<ReadParams3>(0).cur_profile_id, 4);
-  ASSERT_EQ(board.settings<ReadParams3>(0).cur_imu, SelectedImu::frame);
+  board.write(msg::ExecuteMenu{msg::MenuCommand::profile5});
+  board.write(msg::SelectImu3{msg::SelectedImu::frame});
+  ASSERT_EQ(board.settings<msg::ReadParams3>(0).cur_profile_id, 4);
+  ASSERT_EQ(board.settings<msg::ReadParams3>(0).cur_imu, msg::SelectedImu::frame);
   EXPECT_THAT(diff(set, read()), IsEmpty());
   EXPECT_TRUE(write_parameters(client(), set));
   EXPECT_EQ(writes(), 0U);
 
-  ReadParams3 wanted = get(set, 0);
+  msg::ReadParams3 wanted = get(set, 0);
   wanted.gyro_trust = 17;
   ASSERT_TRUE(set.set(wanted));
   EXPECT_TRUE(write_parameters(client(), set));
   for (const Packet& request : board.log()) {
-    if (!is<WriteParams3>(request)) continue;
-    EXPECT_EQ(message<WriteParams3>(request).cur_profile_id, 4);
-    EXPECT_EQ(message<WriteParams3>(request).cur_imu, SelectedImu::frame);
+    if (!is<msg::WriteParams3>(request)) continue;
+    EXPECT_EQ(message<msg::WriteParams3>(request).cur_profile_id, 4);
+    EXPECT_EQ(message<msg::WriteParams3>(request).cur_imu, msg::SelectedImu::frame);
   }
   EXPECT_EQ(writes(), 1U);
-  EXPECT_EQ(board.settings<ReadParams3>(0).gyro_trust, 17);
+  EXPECT_EQ(board.settings<msg::ReadParams3>(0).gyro_trust, 17);
 }
 
 TEST_F(ParametersTest, AShorterBodyLeavesWhatTheBoardHasBehindIt) {
   fill();
   ParameterSet set = read();
   Block shorter = *set.find({"ReadParams3", 1});
-  shorter.body.resize(ReadParams3::min_size);
+  shorter.body.resize(msg::ReadParams3::min_size);
   shorter.body[1] = 77;  // axes.roll.p
   ASSERT_TRUE(set.put(shorter));
-  const auto tail = board.settings<ReadParams3>(1).tail;
+  const auto tail = board.settings<msg::ReadParams3>(1).tail;
   ASSERT_EQ(tail.size(), 5U);
   EXPECT_TRUE(write_parameters(client(), set));
-  EXPECT_EQ(board.settings<ReadParams3>(1).axes.roll.p, 77);
-  EXPECT_EQ(board.settings<ReadParams3>(1).tail, tail);
+  EXPECT_EQ(board.settings<msg::ReadParams3>(1).axes.roll.p, 77);
+  EXPECT_EQ(board.settings<msg::ReadParams3>(1).tail, tail);
 }
 
 TEST_F(ParametersTest, ALongerBodyIsRefusedBeforeAnythingIsWritten) {
@@ -197,7 +198,7 @@ TEST_F(ParametersTest, ALongerBodyIsRefusedBeforeAnythingIsWritten) {
   Block longer = *set.find({"ReadParamsExt", 4});
   longer.body.push_back(1);
   ASSERT_TRUE(set.put(longer));
-  ReadParams3 other = get(set, 0);
+  msg::ReadParams3 other = get(set, 0);
   other.gyro_trust = 1;
   ASSERT_TRUE(set.set(other));
   const WriteReport report = write_parameters(client(), set);
@@ -208,10 +209,10 @@ TEST_F(ParametersTest, ALongerBodyIsRefusedBeforeAnythingIsWritten) {
 
 TEST_F(ParametersTest, ADryRunTellsAndWritesNothing) {
   ParameterSet set = read();
-  ReadParams3 wanted = get(set, 0);
-  ASSERT_NE(wanted.follow_mode, FollowMode::pitch);
-  wanted.follow_mode = FollowMode::pitch;
-  wanted.rc_memory.yaw = Angle14::from_degrees(45);
+  msg::ReadParams3 wanted = get(set, 0);
+  ASSERT_NE(wanted.follow_mode, msg::FollowMode::pitch);
+  wanted.follow_mode = msg::FollowMode::pitch;
+  wanted.rc_memory.yaw = msg::Angle14::from_degrees(45);
   ASSERT_TRUE(set.set(wanted));
   const WriteReport report = write_parameters(client(), set, {.dry_run = true});
   EXPECT_TRUE(report);
@@ -227,9 +228,9 @@ TEST_F(ParametersTest, ADryRunTellsAndWritesNothing) {
 }
 
 TEST_F(ParametersTest, ValuesThatTheProtocolDoesNotAllowAreRefusedOnlyWhereTheyChange) {
-  board.edit<ReadParams3>(0, [](auto& params) { params.rc_expo_rate = 200; });  // out of range
+  board.edit<msg::ReadParams3>(0, [](auto& params) { params.rc_expo_rate = 200; });  // out of range
   ParameterSet set = read();
-  ReadParams3 wanted = get(set, 0);
+  msg::ReadParams3 wanted = get(set, 0);
   ASSERT_EQ(wanted.rc_expo_rate, 200);
   wanted.gyro_trust = 3;
   ASSERT_TRUE(set.set(wanted));
@@ -242,20 +243,20 @@ TEST_F(ParametersTest, ValuesThatTheProtocolDoesNotAllowAreRefusedOnlyWhereTheyC
   EXPECT_EQ(report.outcome.error().code, ErrorCode::invalid);
   EXPECT_THAT(report.outcome.error().message, HasSubstr("follow_expo_rate"));
   EXPECT_THAT(report.outcome.error().message, HasSubstr("100"));
-  EXPECT_EQ(board.settings<ReadParams3>(0).gyro_trust, 3);
+  EXPECT_EQ(board.settings<msg::ReadParams3>(0).gyro_trust, 3);
   EXPECT_TRUE(write_parameters(client(), set, {.validate = false}));
 }
 
 TEST_F(ParametersTest, AWriteThatIsLostIsReportedAsUnwritten) {
   ParameterSet set = read();
   for (const std::uint8_t profile : {std::uint8_t{1}, std::uint8_t{3}}) {
-    ReadParams3 wanted = get(set, profile);
+    msg::ReadParams3 wanted = get(set, profile);
     wanted.gyro_trust = 5;
     ASSERT_TRUE(set.set(wanted));
   }
   connect(few_retries);
   board.on_lost(
-      [](const Packet& request) { return is<WriteParams3>(request) && request.body[0] == 3; });
+      [](const Packet& request) { return is<msg::WriteParams3>(request) && request.body[0] == 3; });
   const WriteReport report = write_parameters(client(), set);
   ASSERT_FALSE(report);
   EXPECT_EQ(report.outcome.error().code, ErrorCode::timeout);
@@ -266,11 +267,11 @@ TEST_F(ParametersTest, AWriteThatIsLostIsReportedAsUnwritten) {
 
 TEST_F(ParametersTest, AWriteWhoseConfirmationIsLostIsReportedAsWrittenAndStillAFailure) {
   ParameterSet set = read();
-  ReadParams3 wanted = get(set, 1);
+  msg::ReadParams3 wanted = get(set, 1);
   wanted.gyro_trust = 5;
   ASSERT_TRUE(set.set(wanted));
   connect(few_retries);
-  board.on_answer_lost([](const Packet& request) { return is<WriteParams3>(request); });
+  board.on_answer_lost([](const Packet& request) { return is<msg::WriteParams3>(request); });
   const WriteReport report = write_parameters(client(), set);
   ASSERT_FALSE(report);
   EXPECT_EQ(state(report, {"ReadParams3", 1}), BlockState::written);
@@ -278,12 +279,12 @@ TEST_F(ParametersTest, AWriteWhoseConfirmationIsLostIsReportedAsWrittenAndStillA
 
 TEST_F(ParametersTest, WhatCannotBeReadBackIsUnknown) {
   ParameterSet set = read();
-  ReadParams3 wanted = get(set, 1);
+  msg::ReadParams3 wanted = get(set, 1);
   wanted.gyro_trust = 5;
   ASSERT_TRUE(set.set(wanted));
   connect(few_retries);
   board.on_lost([is_dead = false](const Packet& request) mutable {
-    return is_dead || (is_dead = is<WriteParams3>(request));
+    return is_dead || (is_dead = is<msg::WriteParams3>(request));
   });
   const WriteReport report = write_parameters(client(), set);
   ASSERT_FALSE(report);
@@ -292,12 +293,12 @@ TEST_F(ParametersTest, WhatCannotBeReadBackIsUnknown) {
 
 TEST_F(ParametersTest, WhatIsReadBackDifferentlyIsAMismatch) {
   ParameterSet set = read();
-  ReadParams3 wanted = get(set, 1);
+  msg::ReadParams3 wanted = get(set, 1);
   wanted.gyro_trust = 5;
   ASSERT_TRUE(set.set(wanted));
   board.after([&](const Packet& request) {
-    if (!is<WriteParams3>(request)) return;
-    board.edit<ReadParams3>(1, [](auto& params) { params.gyro_trust = 6; });
+    if (!is<msg::WriteParams3>(request)) return;
+    board.edit<msg::ReadParams3>(1, [](auto& params) { params.gyro_trust = 6; });
   });
   const WriteReport report = write_parameters(client(), set);
   ASSERT_FALSE(report);
@@ -310,15 +311,15 @@ TEST_F(ParametersTest, WritingOneProfileThatChangesAnotherIsNoticed) {
   fill();
   // A board that knows more general settings than the specification tells.
   board.after([&](const Packet& request) {
-    if (!is<WriteParams3>(request)) return;
+    if (!is<msg::WriteParams3>(request)) return;
     for (std::uint8_t profile = 0; profile < 5; ++profile) {
-      board.edit<ReadParams3>(profile,
-                              [](auto& params) { params.gyro_deadband = GyroDeadband(9); });
+      board.edit<msg::ReadParams3>(
+          profile, [](auto& params) { params.gyro_deadband = msg::GyroDeadband(9); });
     }
   });
   ParameterSet set = read();
-  ReadParams3 wanted = get(set, 4);
-  wanted.gyro_deadband = GyroDeadband(9);
+  msg::ReadParams3 wanted = get(set, 4);
+  wanted.gyro_deadband = msg::GyroDeadband(9);
   ASSERT_TRUE(set.set(wanted));
   const WriteReport report = write_parameters(client(), set);
   ASSERT_FALSE(report);
@@ -332,27 +333,27 @@ TEST_F(ParametersTest, AGeneralSettingIsChangedInAllProfiles) {
   fill();
   ParameterSet set = read();
   for (std::uint8_t profile = 0; profile < 5; ++profile) {
-    ReadParams3 wanted = get(set, profile);
-    wanted.general_flags1 = GeneralFlag::blink_profile;
+    msg::ReadParams3 wanted = get(set, profile);
+    wanted.general_flags1 = msg::GeneralFlag::blink_profile;
     ASSERT_TRUE(set.set(wanted));
   }
   const WriteReport report = write_parameters(client(), set);
   EXPECT_TRUE(report) << to_text(report);
-  EXPECT_EQ(board.settings<ReadParams3>(3).general_flags1, GeneralFlag::blink_profile);
+  EXPECT_EQ(board.settings<msg::ReadParams3>(3).general_flags1, msg::GeneralFlag::blink_profile);
 }
 
 TEST_F(ParametersTest, AFailureTellsWhatWritingHasChangedInOtherProfiles) {
   fill();
   ParameterSet set = read();
   for (std::uint8_t profile = 0; profile < 5; ++profile) {
-    ReadParams3 wanted = get(set, profile);
-    wanted.general_flags1 = GeneralFlag::blink_profile;
+    msg::ReadParams3 wanted = get(set, profile);
+    wanted.general_flags1 = msg::GeneralFlag::blink_profile;
     wanted.gyro_trust = 99;
     ASSERT_TRUE(set.set(wanted));
   }
   connect(few_retries);
   board.on_lost(
-      [](const Packet& request) { return is<WriteParams3>(request) && request.body[0] == 1; });
+      [](const Packet& request) { return is<msg::WriteParams3>(request) && request.body[0] == 1; });
   const WriteReport report = write_parameters(client(), set);
   ASSERT_FALSE(report);
   EXPECT_EQ(report.outcome.error().code, ErrorCode::timeout);
@@ -364,8 +365,8 @@ TEST_F(ParametersTest, AFailureTellsWhatWritingHasChangedInOtherProfiles) {
 TEST_F(ParametersTest, ProfilesThatWantDifferentGeneralSettingsAreRefused) {
   fill();
   ParameterSet set = read();
-  ReadParams3 wanted = get(set, 4);
-  wanted.general_flags1 = GeneralFlag::blink_profile;
+  msg::ReadParams3 wanted = get(set, 4);
+  wanted.general_flags1 = msg::GeneralFlag::blink_profile;
   wanted.gyro_trust = 1;
   ASSERT_TRUE(set.set(wanted));
   WriteReport report = write_parameters(client(), set);
@@ -387,44 +388,44 @@ TEST_F(ParametersTest, ProfilesThatWantDifferentGeneralSettingsAreRefused) {
 TEST_F(ParametersTest, OneProfileAloneMayChangeAGeneralSetting) {
   fill();
   ParameterSet set;
-  ReadParams3 wanted = get(read(), 4);
-  wanted.general_flags1 = GeneralFlag::blink_profile;
+  msg::ReadParams3 wanted = get(read(), 4);
+  wanted.general_flags1 = msg::GeneralFlag::blink_profile;
   ASSERT_TRUE(set.set(wanted));
   const WriteReport report = write_parameters(client(), set);
   EXPECT_TRUE(report) << to_text(report);
-  EXPECT_EQ(board.settings<ReadParams3>(0).general_flags1, GeneralFlag::blink_profile);
+  EXPECT_EQ(board.settings<msg::ReadParams3>(0).general_flags1, msg::GeneralFlag::blink_profile);
 }
 
 TEST_F(ParametersTest, ABoardThatKeepsAGeneralSettingInEachProfileCanBeWritten) {
-  const auto kept = std::make_shared<std::array<GeneralFlags, 5>>();
-  kept->at(2) = GeneralFlag::emergency_stop;
+  const auto kept = std::make_shared<std::array<msg::GeneralFlags, 5>>();
+  kept->at(2) = msg::GeneralFlag::emergency_stop;
   board.after([kept](const Packet& request) {
-    if (!is<WriteParams3>(request)) return;
-    const auto written = message<WriteParams3>(request);
+    if (!is<msg::WriteParams3>(request)) return;
+    const auto written = message<msg::WriteParams3>(request);
     kept->at(written.profile_id) = written.general_flags1;
   });
   board.tamper([kept](Packets& answers) {
     for (Packet& one : answers) {
-      if (!is<ReadParams3>(one)) continue;
-      auto changed = message<ReadParams3>(one);
+      if (!is<msg::ReadParams3>(one)) continue;
+      auto changed = message<msg::ReadParams3>(one);
       changed.general_flags1 = kept->at(changed.profile_id);
       one = packet(changed);
     }
   });
   ParameterSet set = read();
-  ASSERT_EQ(get(set, 2).general_flags1, GeneralFlag::emergency_stop);
-  ReadParams3 wanted = get(set, 4);
-  wanted.general_flags1 = GeneralFlag::blink_profile;
+  ASSERT_EQ(get(set, 2).general_flags1, msg::GeneralFlag::emergency_stop);
+  msg::ReadParams3 wanted = get(set, 4);
+  wanted.general_flags1 = msg::GeneralFlag::blink_profile;
   ASSERT_TRUE(set.set(wanted));
   const WriteReport report = write_parameters(client(), set);
   EXPECT_TRUE(report) << to_text(report);
-  EXPECT_EQ(get(read(), 1).general_flags1, GeneralFlags{});
-  EXPECT_EQ(get(read(), 4).general_flags1, GeneralFlag::blink_profile);
+  EXPECT_EQ(get(read(), 1).general_flags1, msg::GeneralFlags{});
+  EXPECT_EQ(get(read(), 4).general_flags1, msg::GeneralFlag::blink_profile);
 }
 
 TEST_F(ParametersTest, SettingsThatTheBoardDoesNotHaveAreRefused) {
   ParameterSet set = read();
-  become(BoardVersion(10));
+  become(msg::BoardVersion(10));
   const WriteReport report = write_parameters(client(), set);
   ASSERT_FALSE(report);
   EXPECT_EQ(writes(), 0U);
@@ -433,11 +434,11 @@ TEST_F(ParametersTest, SettingsThatTheBoardDoesNotHaveAreRefused) {
 TEST_F(ParametersTest, DifferencesAreFoundFieldByField) {
   const ParameterSet before = read();
   ParameterSet after = before;
-  ReadParamsExt2 changed = *before.get<ReadParamsExt2>(3);
-  changed.pid_gain.yaw = PidGain(95);
+  msg::ReadParamsExt2 changed = *before.get<msg::ReadParamsExt2>(3);
+  changed.pid_gain.yaw = msg::PidGain(95);
   changed.reserved_2[118] = static_cast<std::uint8_t>(changed.reserved_2[118] + 1);
   ASSERT_TRUE(after.set(changed));
-  ReadProfileNames names = *before.get<ReadProfileNames>();
+  msg::ReadProfileNames names = *before.get<msg::ReadProfileNames>();
   ASSERT_TRUE(names.profile_name[4].assign(std::string_view("Drone")));
   ASSERT_TRUE(after.set(names));
   const auto changes = diff(before, after);
@@ -452,9 +453,9 @@ TEST_F(ParametersTest, DifferencesAreFoundFieldByField) {
 
 TEST_F(ParametersTest, BlocksOfOneSideOnlyAreDifferences) {
   ParameterSet some;
-  ASSERT_TRUE(some.set(ReadProfileNames{}));
+  ASSERT_TRUE(some.set(msg::ReadProfileNames{}));
   ParameterSet others;
-  ASSERT_TRUE(others.set(ReadExternalData{}));
+  ASSERT_TRUE(others.set(msg::ReadExternalData{}));
   const auto changes = diff(some, others);
   ASSERT_THAT(changes, SizeIs(2));
   EXPECT_EQ(changes[0].kind, BlockChange::Kind::only_before);
@@ -468,7 +469,7 @@ TEST_F(ParametersTest, ASetTakesNothingThatIsNoSettings) {
   EXPECT_FALSE(set.put({{"ReadParams3", 1}, std::vector<std::uint8_t>(134)}));
   EXPECT_FALSE(set.put({{"ReadParams3", 0}, std::vector<std::uint8_t>(133)}));
   EXPECT_TRUE(set.put({{"ReadParams3", 0}, std::vector<std::uint8_t>(134)}));
-  EXPECT_EQ(set.get<ReadParams3>(1).error().code, ErrorCode::not_found);
+  EXPECT_EQ(set.get<msg::ReadParams3>(1).error().code, ErrorCode::not_found);
 }
 
 }  // namespace

@@ -13,14 +13,14 @@ using ::testing::HasSubstr;
 class ProfilesTest : public TaskTest {
  protected:
   ProfilesTest() {
-    board.store(ReadProfileNames{});
+    board.store(msg::ReadProfileNames{});
     set(0, "Handheld");
   }
   void set(std::size_t profile, std::string_view name) {
-    board.edit<ReadProfileNames>(
+    board.edit<msg::ReadProfileNames>(
         0, [&](auto& names) { ASSERT_TRUE(names.profile_name[profile].assign(name)); });
   }
-  ReadProfileNames names() { return board.settings<ReadProfileNames>(); }
+  msg::ReadProfileNames names() { return board.settings<msg::ReadProfileNames>(); }
 };
 
 TEST_F(ProfilesTest, NamesAreReadWithoutTheirPadding) {
@@ -31,7 +31,7 @@ TEST_F(ProfilesTest, NamesAreReadWithoutTheirPadding) {
 }
 
 TEST_F(ProfilesTest, ANameIsWrittenAndTheOthersStayToTheLastByte) {
-  board.edit<ReadProfileNames>(0, [](auto& names) {  // no UTF-8, and a NUL inside
+  board.edit<msg::ReadProfileNames>(0, [](auto& names) {  // no UTF-8, and a NUL inside
     names.profile_name[1].bytes = {'a', '\0', '\xFF', 'b'};
   });
   const auto before = names();
@@ -80,7 +80,7 @@ TEST_F(ProfilesTest, ThereAreFiveProfiles) {
 
 TEST_F(ProfilesTest, NamesThatTheBoardDoesNotKeepAreNoticed) {
   board.after([&](const Packet& request) {
-    if (is<WriteProfileNames>(request)) board.store(ReadProfileNames{});
+    if (is<msg::WriteProfileNames>(request)) board.store(msg::ReadProfileNames{});
   });
   EXPECT_EQ(write_profile_name(client(), 0, "x").error().code, ErrorCode::mismatch);
 }

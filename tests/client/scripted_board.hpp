@@ -99,7 +99,7 @@ class ScriptedBoard {
   }
   template <Message M>
   void confirm(const M&) {
-    Confirm confirmation;
+    msg::Confirm confirmation;
     confirmation.cmd = M::command;
     send(confirmation);
   }
@@ -209,13 +209,13 @@ class ScriptedBoard {
 /// Lets it introduce itself as a board 3.0 with this firmware.
 inline void introduce(ScriptedBoard& board, std::uint16_t firmware = 2590,
                       std::uint8_t version = 30) {
-  BoardInfo info;
-  info.board_ver = BoardVersion(version);
-  info.firmware_ver = FirmwareVersion(firmware);
-  board.answer<BoardInfoRequest>(info);
-  BoardInfo3 details;
+  msg::BoardInfo info;
+  info.board_ver = msg::BoardVersion(version);
+  info.firmware_ver = msg::FirmwareVersion(firmware);
+  board.answer<msg::BoardInfoRequest>(info);
+  msg::BoardInfo3 details;
   details.device_id = {{0x00, 0x11, 0x22, 0x33, 0x44, 0x55, 0x66, 0x77, 0xAB}};
-  board.answer<BoardInfo3Request>(details);
+  board.answer<msg::BoardInfo3Request>(details);
 }
 
 /// The board at the other end of a pair in memory.

@@ -18,8 +18,8 @@ using State = SpeedControl::State;
 
 // The rules
 
-constexpr SpeedHold::Speed slow{.yaw = ControlSpeed(10)};
-constexpr SpeedHold::Speed fast{.yaw = ControlSpeed(90)};
+constexpr SpeedHold::Speed slow{.yaw = msg::ControlSpeed(10)};
+constexpr SpeedHold::Speed fast{.yaw = msg::ControlSpeed(90)};
 
 class SpeedHoldTest : public ::testing::Test {
  protected:
@@ -130,9 +130,9 @@ class SpeedControlTest : public TaskTest {
  protected:
   SpeedControlTest() {
     board.after([this](const Packet& request) {
-      if (!is<Control>(request)) return;
+      if (!is<msg::Control>(request)) return;
       const std::scoped_lock lock(mutex_);
-      sent_.push_back(message<Control>(request).axes.yaw.speed.raw());
+      sent_.push_back(message<msg::Control>(request).axes.yaw.speed.raw());
       came_.notify_all();
     });
   }
@@ -166,7 +166,7 @@ class SpeedControlTest : public TaskTest {
 
 TEST_F(SpeedControlTest, TurnsStopsWhenSilentAndTurnsAgain) {
   SpeedControl control(client(), options());
-  ASSERT_TRUE(control.set({.yaw = ControlSpeed(100)}));
+  ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(100)}));
   ASSERT_TRUE(control.wait());
   EXPECT_EQ(commands(1), std::vector<int>({100}));
   EXPECT_EQ(control.state(), State::turning);
@@ -182,14 +182,14 @@ TEST_F(SpeedControlTest, TurnsStopsWhenSilentAndTurnsAgain) {
   EXPECT_EQ(without_repeated_stops(commands(4)), std::vector<int>({100, 100, 100, 0}));
   EXPECT_EQ(control.refresh().error().code, ErrorCode::cancelled);
 
-  ASSERT_TRUE(control.set({.yaw = ControlSpeed(-50)}));
+  ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(-50)}));
   clock.advance(milliseconds(20));  // commands do not follow each other faster
   EXPECT_TRUE(turns_with(-50));
 }
 
 TEST_F(SpeedControlTest, StopsWhenAsked) {
   SpeedControl control(client(), options());
-  ASSERT_TRUE(control.set({.yaw = ControlSpeed(100)}));
+  ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(100)}));
   ASSERT_TRUE(control.wait());
   ASSERT_TRUE(control.stop());
   ASSERT_TRUE(control.wait());
@@ -200,7 +200,7 @@ TEST_F(SpeedControlTest, StopsWhenAsked) {
 TEST_F(SpeedControlTest, StopsWhenItIsDestroyed) {
   {
     SpeedControl control(client(), options());
-    ASSERT_TRUE(control.set({.yaw = ControlSpeed(100)}));
+    ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(100)}));
     ASSERT_TRUE(control.wait());
   }
   EXPECT_EQ(without_repeated_stops(commands(2)), std::vector<int>({100, 0}));
@@ -211,19 +211,19 @@ TEST_F(SpeedControlTest, SendsNothingIfNothingTurned) {
     SpeedControl control(client(), options());
     ASSERT_TRUE(control.wait());
   }
-  ASSERT_TRUE(client().call(GetAnglesRequest{}));
+  ASSERT_TRUE(client().call(msg::GetAnglesRequest{}));
   EXPECT_TRUE(commands(0).empty());
 }
 
 TEST_F(SpeedControlTest, ALostLineIsAnErrorOfTheNextCall) {
   SpeedControl control(client(), options());
-  ASSERT_TRUE(control.set({.yaw = ControlSpeed(100)}));
+  ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(100)}));
   ASSERT_TRUE(control.wait());
   client().close();
-  static_cast<void>(control.set({.yaw = ControlSpeed(50)}));
+  static_cast<void>(control.set({.yaw = msg::ControlSpeed(50)}));
   clock.advance(milliseconds(100));
   EXPECT_EQ(control.wait().error().code, ErrorCode::not_connected);
-  EXPECT_EQ(control.set({.yaw = ControlSpeed(50)}).error().code, ErrorCode::not_connected);
+  EXPECT_EQ(control.set({.yaw = msg::ControlSpeed(50)}).error().code, ErrorCode::not_connected);
   EXPECT_EQ(control.state(), State::failed);
 }
 
@@ -231,17 +231,17 @@ TEST_F(SpeedControlTest, ARefusalIsAnErrorOfTheNextCall) {
   SpeedControl control(client(), options());
   board.tamper([](Packets& answers) {
     for (Packet& one : answers) {
-      if (!is<Confirm>(one)) continue;
-      ErrorExt error;
-      error.cmd_id = CommandId::control;
-      error.error_code = BoardErrorCode::not_supported;
+      if (!is<msg::Confirm>(one)) continue;
+      msg::ErrorExt error;
+      error.cmd_id = msg::CommandId::control;
+      error.error_code = msg::BoardErrorCode::not_supported;
       one = packet(error);
     }
   });
-  ASSERT_TRUE(control.set({.yaw = ControlSpeed(100)}));
+  ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(100)}));
   ASSERT_TRUE(control.wait());
   EXPECT_EQ(commands(1), std::vector<int>({100}));
-  ASSERT_TRUE(client().call(GetAnglesRequest{}));  // what came before it is known now
+  ASSERT_TRUE(client().call(msg::GetAnglesRequest{}));  // what came before it is known now
   clock.advance(milliseconds(100));
   EXPECT_EQ(control.wait().error().message, "CMD_CONTROL: the board refused: NOT_SUPPORTED");
   EXPECT_EQ(control.state(), State::failed);
@@ -249,10 +249,10 @@ TEST_F(SpeedControlTest, ARefusalIsAnErrorOfTheNextCall) {
 
 TEST_F(SpeedControlTest, StopsAsSoonAsTheLineCarriesItAgain) {
   SpeedControl control(client(), options());
-  ASSERT_TRUE(control.set({.yaw = ControlSpeed(100)}));
+  ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(100)}));
   ASSERT_TRUE(control.wait());
   EXPECT_EQ(commands(1), std::vector<int>({100}));
-  board.on_lost([](const Packet& request) { return is<Control>(request); });
+  board.on_lost([](const Packet& request) { return is<msg::Control>(request); });
   clock.advance(milliseconds(500));  // the owner is silent
   EXPECT_EQ(control.wait().error().code, ErrorCode::timeout);
   board.on_lost({});
@@ -268,7 +268,7 @@ TEST_F(SpeedControlTest, TakesSpeedsFromManyThreads) {
   for (int i = 0; i < 4; ++i) {
     owners.emplace_back([&] {
       for (int n = 1; n < 100; ++n) {
-        EXPECT_TRUE(control.set({.yaw = ControlSpeed(static_cast<std::int16_t>(n))}));
+        EXPECT_TRUE(control.set({.yaw = msg::ControlSpeed(static_cast<std::int16_t>(n))}));
         EXPECT_TRUE(control.refresh());
       }
     });

@@ -45,11 +45,11 @@ TEST_F(Streams, KeepTheirRate) {
   std::atomic<int> fast{};
   std::atomic<int> slow{};
   const Instant earliest = board.now();
-  auto first =
-      client.stream<RealtimeData4>(milliseconds(20), [&](const RealtimeData4&) { ++fast; });
+  auto first = client.stream<msg::RealtimeData4>(milliseconds(20),
+                                                 [&](const msg::RealtimeData4&) { ++fast; });
   ASSERT_TRUE(first) << first.error().message;
-  auto second =
-      client.stream<RealtimeData3>(milliseconds(100), [&](const RealtimeData3&) { ++slow; });
+  auto second = client.stream<msg::RealtimeData3>(milliseconds(100),
+                                                  [&](const msg::RealtimeData3&) { ++slow; });
   ASSERT_TRUE(second) << second.error().message;
   const Instant latest = board.now();
   let_pass(client, std::chrono::seconds(10));
@@ -71,8 +71,8 @@ TEST_F(Streams, KeepTheirRate) {
 TEST_F(Streams, EndWhenTheyAreCancelled) {
   Client client = connect();
   std::atomic<int> samples{};
-  auto stream =
-      client.stream<RealtimeData4>(milliseconds(20), [&](const RealtimeData4&) { ++samples; });
+  auto stream = client.stream<msg::RealtimeData4>(milliseconds(20),
+                                                  [&](const msg::RealtimeData4&) { ++samples; });
   ASSERT_TRUE(stream) << stream.error().message;
   let_pass(client, milliseconds(200));
   EXPECT_GE(samples, 9);
@@ -87,13 +87,13 @@ TEST_F(Streams, EndWhenTheyAreCancelled) {
 TEST_F(Streams, ShowWhatTheCameraDoes) {
   Client client = connect();
   std::vector<double> yaw;  // on the client's thread, and read behind all samples
-  auto stream = client.stream<RealtimeData4>(milliseconds(20), [&](const RealtimeData4& sample) {
-    yaw.push_back(sample.angle.yaw.degrees());
-  });
+  auto stream = client.stream<msg::RealtimeData4>(
+      milliseconds(20),
+      [&](const msg::RealtimeData4& sample) { yaw.push_back(sample.angle.yaw.degrees()); });
   ASSERT_TRUE(stream) << stream.error().message;
-  Control turn;
-  turn.control_mode.set_mode(ControlModeKind::speed);
-  turn.axes.yaw.speed = ControlSpeed::from_degrees_per_second(20.0);
+  msg::Control turn;
+  turn.control_mode.set_mode(msg::ControlModeKind::speed);
+  turn.axes.yaw.speed = msg::ControlSpeed::from_degrees_per_second(20.0);
   ASSERT_TRUE(client.call(turn));
   ASSERT_TRUE(client.get_angles());  // the command has got there
   let_pass(client, std::chrono::seconds(2));

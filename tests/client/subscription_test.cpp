@@ -28,9 +28,9 @@ namespace {
 using std::chrono::milliseconds;
 using ::testing::HasSubstr;
 
-GetAngles angles(std::int16_t raw) {
-  GetAngles message;
-  message.axes.yaw.imu_angle = Angle14(raw);
+msg::GetAngles angles(std::int16_t raw) {
+  msg::GetAngles message;
+  message.axes.yaw.imu_angle = msg::Angle14(raw);
   return message;
 }
 
@@ -46,7 +46,7 @@ class Subscribed : public ::testing::Test {
 
   /// Confirms every registration, and counts how the streams stand.
   void serve_streams() {
-    board.on<DataStreamInterval>([this](const DataStreamInterval& request) {
+    board.on<msg::DataStreamInterval>([this](const msg::DataStreamInterval& request) {
       registrations.add(request);
       board.confirm(request);
     });
@@ -54,33 +54,34 @@ class Subscribed : public ::testing::Test {
 
   /// Whatever the board has sent before has been handled behind this.
   void settle(Client& client) {
-    board.on<CalibInfoRequest>([this](const CalibInfoRequest&) { board.send(CalibInfo{}); });
+    board.on<msg::CalibInfoRequest>(
+        [this](const msg::CalibInfoRequest&) { board.send(msg::CalibInfo{}); });
     EXPECT_TRUE(client.calib_info());
   }
 
   /// For calls that are counted.
   const CallOptions once{.timeout = std::chrono::seconds(10), .retries = 0};
-  Collector<DataStreamInterval> registrations;
+  Collector<msg::DataStreamInterval> registrations;
   ScriptedBoard board;
 };
 
 TEST_F(Subscribed, GetsEveryMessageOfItsKind) {
   Client client = connect();
-  Collector<GetAngles> got;
+  Collector<msg::GetAngles> got;
   const auto subscription =
-      client.subscribe<GetAngles>([&](const GetAngles& message) { got.add(message); });
+      client.subscribe<msg::GetAngles>([&](const msg::GetAngles& message) { got.add(message); });
   board.send(angles(1));
-  board.send(RealtimeData3{});
+  board.send(msg::RealtimeData3{});
   board.send(angles(2));
   EXPECT_THAT(got.wait_for(2), ::testing::ElementsAre(angles(1), angles(2)));
 }
 
 TEST_F(Subscribed, GetsAnswersOfCallsToo) {
-  board.answer<GetAnglesRequest>(angles(3));
+  board.answer<msg::GetAnglesRequest>(angles(3));
   Client client = connect();
-  Collector<GetAngles> got;
+  Collector<msg::GetAngles> got;
   const auto subscription =
-      client.subscribe<GetAngles>([&](const GetAngles& message) { got.add(message); });
+      client.subscribe<msg::GetAngles>([&](const msg::GetAngles& message) { got.add(message); });
   EXPECT_TRUE(client.get_angles({}, once));
   EXPECT_THAT(got.wait_for(1), ::testing::ElementsAre(angles(3)));
 }
@@ -88,10 +89,11 @@ TEST_F(Subscribed, GetsAnswersOfCallsToo) {
 TEST_F(Subscribed, TellsFormsOfACommandApart) {
   Client client = connect();
   std::atomic<int> simple{};
-  Collector<ErrorExt> extended;
-  const auto one = client.subscribe<Error>([&](const Error&) { ++simple; });
-  const auto two = client.subscribe<ErrorExt>([&](const ErrorExt& e) { extended.add(e); });
-  board.send(ErrorExt{});
+  Collector<msg::ErrorExt> extended;
+  const auto one = client.subscribe<msg::Error>([&](const msg::Error&) { ++simple; });
+  const auto two =
+      client.subscribe<msg::ErrorExt>([&](const msg::ErrorExt& e) { extended.add(e); });
+  board.send(msg::ErrorExt{});
   extended.wait_for(1);
   settle(client);
   EXPECT_EQ(simple, 0);
@@ -101,7 +103,8 @@ TEST_F(Subscribed, EndsWithItsOwner) {
   Client client = connect();
   std::atomic<int> calls{};
   {
-    const auto subscription = client.subscribe<GetAngles>([&](const GetAngles&) { ++calls; });
+    const auto subscription =
+        client.subscribe<msg::GetAngles>([&](const msg::GetAngles&) { ++calls; });
     board.send(angles(1));
     settle(client);
   }
@@ -115,7 +118,7 @@ TEST_F(Subscribed, CanEndItselfInItsHandler) {
   std::atomic<int> calls{};
   std::optional<Subscription> subscription;
   const auto witness = std::make_shared<int>();
-  subscription = client.subscribe<GetAngles>([&, witness](const GetAngles&) {
+  subscription = client.subscribe<msg::GetAngles>([&, witness](const msg::GetAngles&) {
     ++calls;
     subscription.reset();
   });
@@ -132,12 +135,13 @@ TEST_F(Subscribed, EndingWaitsForTheHandler) {
   std::promise<void> entered;
   std::promise<void> leave;
   std::atomic<bool> is_running{};
-  std::optional<Subscription> subscription = client.subscribe<GetAngles>([&](const GetAngles&) {
-    is_running = true;
-    entered.set_value();
-    leave.get_future().wait();
-    is_running = false;
-  });
+  std::optional<Subscription> subscription =
+      client.subscribe<msg::GetAngles>([&](const msg::GetAngles&) {
+        is_running = true;
+        entered.set_value();
+        leave.get_future().wait();
+        is_running = false;
+      });
   board.send(angles(1));
   entered.get_future().wait();
   std::thread release([&] {
@@ -156,9 +160,10 @@ TEST_F(Subscribed, MayOutliveTheClient) {
   serve_streams();
   {
     Client client = connect();
-    subscription = client.subscribe<GetAngles>([](const GetAngles&) {});
+    subscription = client.subscribe<msg::GetAngles>([](const msg::GetAngles&) {});
     notices = client.on_notice([](const Notice&) {});
-    auto started = client.stream<RealtimeData4>(milliseconds(20), [](const RealtimeData4&) {});
+    auto started =
+        client.stream<msg::RealtimeData4>(milliseconds(20), [](const msg::RealtimeData4&) {});
     ASSERT_TRUE(started) << started.error().message;
     stream = *std::move(started);
   }
@@ -168,7 +173,7 @@ TEST_F(Subscribed, MayOutliveTheClient) {
 TEST_F(Subscribed, ClientMayBeDestroyedByAHandler) {
   auto client = std::make_unique<Client>(connect());
   std::promise<void> done;
-  const auto subscription = client->subscribe<GetAngles>([&](const GetAngles&) {
+  const auto subscription = client->subscribe<msg::GetAngles>([&](const msg::GetAngles&) {
     client.reset();
     done.set_value();
   });
@@ -178,10 +183,12 @@ TEST_F(Subscribed, ClientMayBeDestroyedByAHandler) {
 
 TEST_F(Subscribed, CountsWhatItCannotRead) {
   Client client = connect();
-  const auto subscription = client.subscribe<ReadParams3>([](const ReadParams3&) { FAIL(); });
+  const auto subscription =
+      client.subscribe<msg::ReadParams3>([](const msg::ReadParams3&) { FAIL(); });
   const std::array<std::uint8_t, 3> body{1, 2, 3};
   std::array<std::uint8_t, max_frame_size> frame{};
-  const auto written = write_frame(static_cast<std::uint8_t>(ReadParams3::command), body, frame);
+  const auto written =
+      write_frame(static_cast<std::uint8_t>(msg::ReadParams3::command), body, frame);
   board.send_bytes(std::span(frame).first(written.size));
   settle(client);
   EXPECT_EQ(client.statistics().unreadable, 1U);
@@ -192,17 +199,17 @@ TEST_F(Subscribed, CountsWhatItCannotRead) {
 TEST_F(Subscribed, ToAStreamRegistersItAndEndsIt) {
   serve_streams();
   Client client = connect();
-  Collector<RealtimeData4> samples;
-  auto stream = client.stream<RealtimeData4>(
-      milliseconds(20), [&](const RealtimeData4& sample) { samples.add(sample); }, once);
+  Collector<msg::RealtimeData4> samples;
+  auto stream = client.stream<msg::RealtimeData4>(
+      milliseconds(20), [&](const msg::RealtimeData4& sample) { samples.add(sample); }, once);
   ASSERT_TRUE(stream) << stream.error().message;
-  DataStreamInterval expected;
-  expected.cmd_id = CommandId::realtime_data_4;
-  expected.interval_ms = Milliseconds::from_milliseconds(20);
+  msg::DataStreamInterval expected;
+  expected.cmd_id = msg::CommandId::realtime_data_4;
+  expected.interval_ms = msg::Milliseconds::from_milliseconds(20);
   expected.config.rest.resize(8);
   EXPECT_EQ(registrations.wait_for(1).at(0), expected);
-  board.send(RealtimeData4{});
-  board.send(RealtimeData4{});
+  board.send(msg::RealtimeData4{});
+  board.send(msg::RealtimeData4{});
   samples.wait_for(2);
   stream->cancel();
   expected.interval_ms = {};
@@ -213,8 +220,8 @@ TEST_F(Subscribed, ToAStreamWithAnIntervalThatTheRequestCannotTellFails) {
   serve_streams();
   Client client = connect();
   const auto ask = [&](milliseconds interval) {
-    return client.stream<RealtimeData4>(
-        interval, [](const RealtimeData4&) {}, once);
+    return client.stream<msg::RealtimeData4>(
+        interval, [](const msg::RealtimeData4&) {}, once);
   };
   for (const milliseconds interval :
        {milliseconds(0), milliseconds(-20), milliseconds(0x10000), milliseconds(70000),
@@ -230,7 +237,7 @@ TEST_F(Subscribed, ToAStreamWithAnIntervalThatTheRequestCannotTellFails) {
   ASSERT_TRUE(longest) << longest.error().message;
   const auto requests = registrations.wait_for(1);
   ASSERT_EQ(requests.size(), 1U) << "nothing was sent for the others";
-  EXPECT_EQ(requests.at(0).interval_ms, Milliseconds(0xFFFF));
+  EXPECT_EQ(requests.at(0).interval_ms, msg::Milliseconds(0xFFFF));
 }
 
 TEST_F(Subscribed, ToAStreamEndsItWithTheClient) {
@@ -238,71 +245,76 @@ TEST_F(Subscribed, ToAStreamEndsItWithTheClient) {
   Subscription survivor;
   {
     Client client = connect();
-    auto first = client.stream<RealtimeData4>(milliseconds(50), [](const RealtimeData4&) {});
-    auto second = client.stream<RealtimeData3>(milliseconds(50), [](const RealtimeData3&) {});
+    auto first =
+        client.stream<msg::RealtimeData4>(milliseconds(50), [](const msg::RealtimeData4&) {});
+    auto second =
+        client.stream<msg::RealtimeData3>(milliseconds(50), [](const msg::RealtimeData3&) {});
     ASSERT_TRUE(first && second);
     survivor = *std::move(second);
     // The other one ends right before the client does.
   }
   // One may be ended twice: when its end was not confirmed yet.
-  const auto is_ended = [](const std::vector<DataStreamInterval>& requests, CommandId command) {
-    return std::any_of(requests.begin(), requests.end(), [&](const DataStreamInterval& request) {
-      return request.cmd_id == command && request.interval_ms == Milliseconds{};
-    });
+  const auto is_ended = [](const std::vector<msg::DataStreamInterval>& requests,
+                           msg::CommandId command) {
+    return std::any_of(
+        requests.begin(), requests.end(), [&](const msg::DataStreamInterval& request) {
+          return request.cmd_id == command && request.interval_ms == msg::Milliseconds{};
+        });
   };
   EXPECT_TRUE(registrations.wait_until([&](const auto& requests) {
-    return is_ended(requests, CommandId::realtime_data_4) &&
-           is_ended(requests, CommandId::realtime_data_3);
+    return is_ended(requests, msg::CommandId::realtime_data_4) &&
+           is_ended(requests, msg::CommandId::realtime_data_3);
   }));
 }
 
 TEST_F(Subscribed, ToTheSameStreamTwiceEndsItOnce) {
   serve_streams();
   Client client = connect();
-  auto first = client.stream<RealtimeData4>(
-      milliseconds(20), [](const RealtimeData4&) {}, once);
-  auto second = client.stream<RealtimeData4>(
-      milliseconds(20), [](const RealtimeData4&) {}, once);
+  auto first = client.stream<msg::RealtimeData4>(
+      milliseconds(20), [](const msg::RealtimeData4&) {}, once);
+  auto second = client.stream<msg::RealtimeData4>(
+      milliseconds(20), [](const msg::RealtimeData4&) {}, once);
   ASSERT_TRUE(first && second);
   first->cancel();
   settle(client);
   EXPECT_EQ(registrations.wait_for(2).size(), 2U);
   second->cancel();
-  EXPECT_EQ(registrations.wait_for(3).at(2).interval_ms, Milliseconds{});
+  EXPECT_EQ(registrations.wait_for(3).at(2).interval_ms, msg::Milliseconds{});
 }
 
 TEST_F(Subscribed, ToAStreamReadsItByWhatWasAskedFor) {
-  board.on<DataStreamInterval>([this](const DataStreamInterval& request) {
+  board.on<msg::DataStreamInterval>([this](const msg::DataStreamInterval& request) {
     board.confirm(request);
     if (request.interval_ms.raw() == 0) return;
-    RealtimeDataCustom sample;
-    sample.imu_angles.emplace().pitch = Angle14(77);
+    msg::RealtimeDataCustom sample;
+    sample.imu_angles.emplace().pitch = msg::Angle14(77);
     board.send(sample);
   });
   Client client = connect();
-  Collector<RealtimeDataCustom> samples;
-  DataStreamInterval request;
-  request.interval_ms = Milliseconds::from_milliseconds(50);
-  request.config.flags = RealtimeDataCustomFlags(RealtimeDataCustomFlag::imu_angles);
-  auto stream = client.stream<RealtimeDataCustom>(
-      request, [&](const RealtimeDataCustom& sample) { samples.add(sample); });
+  Collector<msg::RealtimeDataCustom> samples;
+  msg::DataStreamInterval request;
+  request.interval_ms = msg::Milliseconds::from_milliseconds(50);
+  request.config.flags = msg::RealtimeDataCustomFlags(msg::RealtimeDataCustomFlag::imu_angles);
+  auto stream = client.stream<msg::RealtimeDataCustom>(
+      request, [&](const msg::RealtimeDataCustom& sample) { samples.add(sample); });
   ASSERT_TRUE(stream) << stream.error().message;
   const auto got = samples.wait_for(1);
   ASSERT_TRUE(got.at(0).imu_angles);
-  EXPECT_EQ(got.at(0).imu_angles->pitch, Angle14(77));
+  EXPECT_EQ(got.at(0).imu_angles->pitch, msg::Angle14(77));
 }
 
 TEST_F(Subscribed, ACallReadsItsAnswerByWhatItAskedFor) {
-  board.on<RealtimeDataCustomRequest>([this](const RealtimeDataCustomRequest&) {
-    RealtimeDataCustom sample;
-    sample.imu_angles.emplace().yaw = Angle14(5);
+  board.on<msg::RealtimeDataCustomRequest>([this](const msg::RealtimeDataCustomRequest&) {
+    msg::RealtimeDataCustom sample;
+    sample.imu_angles.emplace().yaw = msg::Angle14(5);
     board.send(sample);
   });
   Client client = connect();
-  const auto answer = client.realtime_data_custom({.flags = RealtimeDataCustomFlag::imu_angles});
+  const auto answer =
+      client.realtime_data_custom({.flags = msg::RealtimeDataCustomFlag::imu_angles});
   ASSERT_TRUE(answer) << answer.error().message;
   ASSERT_TRUE(answer->imu_angles);
-  EXPECT_EQ(answer->imu_angles->yaw, Angle14(5));
+  EXPECT_EQ(answer->imu_angles->yaw, msg::Angle14(5));
 }
 
 TEST_F(Subscribed, ToMoreThanTheLineCarriesIsRefused) {
@@ -318,64 +330,68 @@ TEST_F(Subscribed, ToMoreThanTheLineCarriesIsRefused) {
   options.find_line = false;
   auto client = connect_over(make, options);
   ASSERT_TRUE(client) << client.error().message;
-  auto fits = client->stream<RealtimeData4>(milliseconds(500), [](const RealtimeData4&) {});
+  auto fits =
+      client->stream<msg::RealtimeData4>(milliseconds(500), [](const msg::RealtimeData4&) {});
   ASSERT_TRUE(fits) << fits.error().message;
   const auto usage = client->statistics().streams;
   EXPECT_EQ(usage.limit, 960U * 80 / 100);
   EXPECT_GT(usage.used, 0U);
-  const auto refused = client->stream<RealtimeData3>(milliseconds(1), [](const RealtimeData3&) {});
+  const auto refused =
+      client->stream<msg::RealtimeData3>(milliseconds(1), [](const msg::RealtimeData3&) {});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::overload);
   EXPECT_THAT(refused.error().message, HasSubstr("does not fit through the line: 768 bytes/s"));
 }
 
 TEST_F(Subscribed, ToAStreamThatTheBoardRefusesFails) {
-  board.on<DataStreamInterval>([this](const DataStreamInterval&) {
-    ErrorExt error;
-    error.cmd_id = CommandId::data_stream_interval;
-    error.error_code = BoardErrorCode(3);
+  board.on<msg::DataStreamInterval>([this](const msg::DataStreamInterval&) {
+    msg::ErrorExt error;
+    error.cmd_id = msg::CommandId::data_stream_interval;
+    error.error_code = msg::BoardErrorCode(3);
     board.send(error);
   });
   Client client = connect();
-  const auto stream = client.stream<RealtimeData4>(
-      milliseconds(20), [](const RealtimeData4&) {}, once);
+  const auto stream = client.stream<msg::RealtimeData4>(
+      milliseconds(20), [](const msg::RealtimeData4&) {}, once);
   ASSERT_FALSE(stream);
   EXPECT_EQ(stream.error().code, ErrorCode::board_error);
   settle(client);
-  EXPECT_EQ(board.count<DataStreamInterval>(), 1U) << "what never ran need not be ended";
+  EXPECT_EQ(board.count<msg::DataStreamInterval>(), 1U) << "what never ran need not be ended";
 }
 
 TEST_F(Subscribed, ToAStreamEndsItWhenItIsCancelledBehindTheClient) {
   // The line must be closed behind the end of the stream, whoever comes first.
   serve_streams();
   Client client = connect();
-  auto stream = client.stream<RealtimeData4>(milliseconds(20), [](const RealtimeData4&) {});
+  auto stream =
+      client.stream<msg::RealtimeData4>(milliseconds(20), [](const msg::RealtimeData4&) {});
   ASSERT_TRUE(stream) << stream.error().message;
   // The client's thread is kept busy, so that closing is still to be done.
   std::promise<void> is_busy;
   std::promise<void> may_go_on;
-  const auto busy = client.subscribe<RealtimeData3>([&](const RealtimeData3&) {
+  const auto busy = client.subscribe<msg::RealtimeData3>([&](const msg::RealtimeData3&) {
     is_busy.set_value();
     may_go_on.get_future().wait();
   });
-  board.send(RealtimeData3{});
+  board.send(msg::RealtimeData3{});
   is_busy.get_future().wait();
   client.close();
   stream->cancel();
   may_go_on.set_value();
   EXPECT_TRUE(registrations.wait_until([](const auto& requests) {
-    return !requests.empty() && requests.back().interval_ms == Milliseconds{};
+    return !requests.empty() && requests.back().interval_ms == msg::Milliseconds{};
   }));
 }
 
 TEST_F(Subscribed, ToAStreamThatMayHaveBegunUnheardEndsIt) {
-  board.on<DataStreamInterval>([this](const DataStreamInterval& m) {
+  board.on<msg::DataStreamInterval>([this](const msg::DataStreamInterval& m) {
     registrations.add(m);
     if (m.interval_ms.raw() == 0) board.confirm(m);  // the other confirmation is lost
   });
   Client client = connect();
-  const auto stream = client.stream<RealtimeData4>(milliseconds(20), [](const RealtimeData4&) {},
-                                                   {.timeout = milliseconds(1000), .retries = 0});
+  const auto stream =
+      client.stream<msg::RealtimeData4>(milliseconds(20), [](const msg::RealtimeData4&) {},
+                                        {.timeout = milliseconds(1000), .retries = 0});
   ASSERT_FALSE(stream);
   EXPECT_EQ(stream.error().code, ErrorCode::timeout);
   const auto asked = registrations.wait_for(2);
@@ -391,11 +407,11 @@ TEST_F(Subscribed, ToNoticesHearsOfResetsErrorsAndTheLossOfTheLine) {
   Client client = connect();
   Collector<Notice> got;
   const auto subscription = client.on_notice([&](const Notice& notice) { got.add(notice); });
-  ErrorExt error;
-  error.cmd_id = CommandId::control;  // from the board, this id is that of CMD_CONFIRM
-  error.error_code = BoardErrorCode::not_supported;
+  msg::ErrorExt error;
+  error.cmd_id = msg::CommandId::control;  // from the board, this id is that of CMD_CONFIRM
+  error.error_code = msg::BoardErrorCode::not_supported;
   board.send(error);
-  board.send(Reset{});
+  board.send(msg::Reset{});
   EXPECT_EQ(got.wait_for(2).at(1).kind, NoticeKind::board_reset);
   board.unplug();
   const auto notices = got.wait_for(3);

@@ -22,12 +22,12 @@ void TaskTest::connect(unsigned retries) {
   client_.emplace(*std::move(connected));
   // Behind all that connecting has sent, which after a stall may come more than once.
   const auto settled =
-      client_->call(BoardInfoRequest{}, {.timeout = options.timeout, .retries = 0});
+      client_->call(msg::BoardInfoRequest{}, {.timeout = options.timeout, .retries = 0});
   if (!settled) throw std::runtime_error(settled.error().message);
   board.clear_log();
 }
 
-void TaskTest::become(BoardVersion version, FirmwareVersion firmware) {
+void TaskTest::become(msg::BoardVersion version, msg::FirmwareVersion firmware) {
   client_.reset();
   board::Options options = board.options();
   options.board = version;

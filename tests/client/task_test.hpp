@@ -36,9 +36,9 @@ class TaskTest : public ::testing::Test {
   static constexpr unsigned few_retries = 3;
   void disconnect() { client_.reset(); }
   /// Makes it a board of this version with this firmware.
-  void become(BoardVersion version, FirmwareVersion firmware);
-  void become(BoardVersion version) { become(version, board.options().firmware); }
-  void become(FirmwareVersion firmware) { become(board.options().board, firmware); }
+  void become(msg::BoardVersion version, msg::FirmwareVersion firmware);
+  void become(msg::BoardVersion version) { become(version, board.options().firmware); }
+  void become(msg::FirmwareVersion firmware) { become(board.options().board, firmware); }
   /// How many requests M have come.
   template <class M>
   std::size_t count() {

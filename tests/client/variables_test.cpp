@@ -15,23 +15,23 @@ using ::testing::SizeIs;
 
 class VariablesTest : public TaskTest {
  protected:
-  void set(VariableId id, std::int32_t value) {
-    SetAdjVarsVal request;
+  void set(msg::VariableId id, std::int32_t value) {
+    msg::SetAdjVarsVal request;
     request.params.push_back({id, value});
     board.write(request);
   }
-  std::int32_t get(VariableId id) {
-    GetAdjVarsVal request;
+  std::int32_t get(msg::VariableId id) {
+    msg::GetAdjVarsVal request;
     request.param_id.push_back(id);
-    return board.read<SetAdjVarsVal>(request).params[0].param_value;
+    return board.read<msg::SetAdjVarsVal>(request).params[0].param_value;
   }
 };
 
 TEST_F(VariablesTest, AreReadInTheirUnits) {
-  set(VariableId::lpf_freq_roll, 120);
-  set(VariableId::i_yaw, 5);
-  set(VariableId::frame_heading_angle, -1234);
-  set(VariableId::pid_gain_pitch, 45);
+  set(msg::VariableId::lpf_freq_roll, 120);
+  set(msg::VariableId::i_yaw, 5);
+  set(msg::VariableId::frame_heading_angle, -1234);
+  set(msg::VariableId::pid_gain_pitch, 45);
   const std::vector<std::string_view> names{"LPF_FREQ_ROLL", "I_YAW", "FRAME_HEADING_ANGLE",
                                             "PID_GAIN_PITCH"};
   const auto values = get_variables(client(), names);
@@ -48,8 +48,8 @@ TEST_F(VariablesTest, AreSetInTheirUnitsAndRounded) {
   const std::vector<VariableValue> values{
       {"FRAME_HEADING_ANGLE", -180}, {"I_ROLL", 0.126}, {"GYRO_HEADING_CORRECTION", 20}};
   ASSERT_TRUE(set_variables(client(), values));
-  EXPECT_EQ(get(VariableId::frame_heading_angle), -1800);
-  EXPECT_EQ(get(VariableId::i_roll), 13);
+  EXPECT_EQ(get(msg::VariableId::frame_heading_angle), -1800);
+  EXPECT_EQ(get(msg::VariableId::i_roll), 13);
   EXPECT_EQ(board.log().size(), 1U);
 }
 
@@ -95,39 +95,40 @@ TEST_F(VariablesTest, ManyAreMovedInMessagesOfForty) {
   }
   ASSERT_GT(names.size(), 40U);
   ASSERT_TRUE(set_variables(client(), values));
-  EXPECT_EQ(count<SetAdjVarsVal>(), 2U);
+  EXPECT_EQ(count<msg::SetAdjVarsVal>(), 2U);
   EXPECT_EQ(board.log()[0].body[0], 40);
   const auto read = get_variables(client(), names);
   ASSERT_TRUE(read);
   for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(read->at(i), values[i].value);
 
   connect(few_retries);
-  board.on_lost(
-      [](const Packet& request) { return is<SetAdjVarsVal>(request) && request.body[0] != 40; });
+  board.on_lost([](const Packet& request) {
+    return is<msg::SetAdjVarsVal>(request) && request.body[0] != 40;
+  });
   EXPECT_THAT(set_variables(client(), values).error().message, HasSubstr("after 40 of"));
 }
 
 TEST_F(VariablesTest, AnswersAboutOtherVariablesAreNotTaken) {
   board.tamper([](Packets& answers) {
-    if (answers.empty() || !is<SetAdjVarsVal>(answers[0])) return;
-    answers[0].body[1] = static_cast<std::uint8_t>(VariableId::d_yaw);
+    if (answers.empty() || !is<msg::SetAdjVarsVal>(answers[0])) return;
+    answers[0].body[1] = static_cast<std::uint8_t>(msg::VariableId::d_yaw);
   });
   EXPECT_EQ(get_variable(client(), "P_ROLL").error().code, ErrorCode::mismatch);
   board.tamper([](Packets& answers) {
-    if (answers.empty() || !is<SetAdjVarsVal>(answers[0])) return;
+    if (answers.empty() || !is<msg::SetAdjVarsVal>(answers[0])) return;
     answers[0].body = {0};
   });
   EXPECT_EQ(get_variable(client(), "P_ROLL").error().code, ErrorCode::mismatch);
 }
 
 TEST_F(VariablesTest, AreSaved) {
-  set(VariableId::i_roll, 33);
-  ASSERT_NE(board.settings<ReadParams3>(1).axes.roll.i.raw(), 33);
+  set(msg::VariableId::i_roll, 33);
+  ASSERT_NE(board.settings<msg::ReadParams3>(1).axes.roll.i.raw(), 33);
   ASSERT_TRUE(save_variables(client()));
-  EXPECT_EQ(count<SaveParams3>(), 1U);
+  EXPECT_EQ(count<msg::SaveParams3>(), 1U);
   disconnect();
   board.become(board.options());  // off and on
-  EXPECT_EQ(get(VariableId::i_roll), 33);
+  EXPECT_EQ(get(msg::VariableId::i_roll), 33);
 }
 
 }  // namespace

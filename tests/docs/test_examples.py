@@ -354,7 +354,7 @@ def test_cpp_examples(pages: Pages, layout: Layout, tmp_path: Path) -> None:
     for group, snippets in groups.items():
         source = tmp_path / f"{group}.cpp"
         source.write_text(program_of(snippets), encoding="utf-8")
-        includes = [f"-I{PROJECT / name}" for name in ("runtime/include", "generated/include")]
+        includes = [f"-I{PROJECT / name}" for name in ("runtime/core/include", "generated/include")]
         command = [*COMPILER, "-std=c++20", *WARNINGS.split(), *includes, str(source)]
         building[group] = subprocess.Popen([*command, "-o", str(source.with_suffix(""))])
         if len(building) % 2 == 0:  # two at a time

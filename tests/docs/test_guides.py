@@ -17,7 +17,8 @@ from sbgcgen.markdown_text import anchor
 ROOT = Path(__file__).resolve().parents[2]
 GUIDES = sorted((ROOT / "docs").glob("*.md"))
 FLAGS = ["-std=c++20", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fno-exceptions", "-fno-rtti"]
-FLAGS += ["-I" + str(ROOT / "runtime/include"), "-I" + str(ROOT / "generated/include")]
+INCLUDES = [*ROOT.glob("runtime/*/include"), ROOT / "emulator/include", ROOT / "generated/include"]
+FLAGS += [f"-I{folder}" for folder in INCLUDES]
 
 
 def stem_of(guide: Path) -> str:
@@ -139,15 +140,15 @@ def test_names_of_the_library_exist(guide: Path) -> None:
     text = prose(guide)
     headers = "".join(
         path.read_text(encoding="utf-8")
-        for folder in ("runtime/include", "generated/include")
-        for path in (ROOT / folder).rglob("*.hpp")
+        for folder in INCLUDES
+        for path in folder.rglob("*.hpp")
     )
     spec = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "spec").glob("*.yaml"))
     for name in re.findall(r"`(?:sbgc::)?([A-Za-z][A-Za-z0-9_]+)(?:\(\))?`", text):
         known = re.search(rf"\b{name}\b", headers) or re.search(rf"\b{name}\b", spec)
         assert known or name in ("sbgc", "memcpy", "double", "i16"), name
     for header in re.findall(r"`(sbgc/[a-z_/]+\.hpp)`", text):
-        assert any((ROOT / f / header).is_file() for f in ("runtime/include", "generated/include"))
+        assert any((folder / header).is_file() for folder in INCLUDES)
 
 
 def test_commands_of_dev_exist() -> None:

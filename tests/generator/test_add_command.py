@@ -71,7 +71,7 @@ def test_the_how_to_of_the_readme(tmp_path: Path) -> None:
     source = tmp_path / "lights.cpp"
     source.write_text(PROGRAM % readme_block("cpp", "SetLights"), encoding="utf-8")
     program = tmp_path / "lights"
-    includes = [f"-I{ROOT / 'runtime/include'}", f"-I{tmp_path / 'generated/include'}"]
+    includes = [f"-I{ROOT / 'runtime/core/include'}", f"-I{tmp_path / 'generated/include'}"]
     subprocess.run(
         [compiler, "-std=c++20", "-Wall", "-Wextra", "-Werror", *includes, source, "-o", program],
         check=True,

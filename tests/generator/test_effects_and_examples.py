@@ -190,7 +190,7 @@ def test_history_names_what_came(tmp_path: Path) -> None:
 def test_the_words_for_effects_are_the_same_everywhere() -> None:
     schema = json.loads((GENERATOR / "schema" / "sbgc-spec.schema.json").read_text("utf-8"))
     assert schema["$defs"]["effect"]["anyOf"][0]["enum"] == list(EFFECTS)
-    header = (PROJECT / "runtime/include/sbgc/meta.hpp").read_text("utf-8")
+    header = (PROJECT / "runtime/core/include/sbgc/meta.hpp").read_text("utf-8")
     enum = header[header.index("enum class Effect ") : header.index("using Effects")]
     assert re.findall(r"^  (\w+) = 0x", enum, re.MULTILINE) == list(EFFECTS)
     guide = (PROJECT / "docs/2-safety.md").read_text("utf-8")

@@ -157,7 +157,7 @@ def test_types_of_the_runtime_are_complete() -> None:
         r"(?:\[\[\w+\]\] )?([A-Z]\w+)(?! *<)\b",
         re.MULTILINE,
     )
-    for header in (PROJECT / "runtime/include/sbgc").rglob("*.hpp"):
+    for header in (PROJECT / "runtime").rglob("*.hpp"):
         text = header.read_text(encoding="utf-8")
         for part in re.split(r"^namespace ", text, flags=re.MULTILINE)[1:]:
             if part.startswith("sbgc {"):

@@ -9,10 +9,10 @@
 #include <asio/io_context.hpp>
 #include <gmock/gmock.h>
 
+#include <sbgc/detail/crc32.hpp>
 #include <sbgc/io/replay.hpp>
 #include <sbgc/wire.hpp>
 
-#include "../common/crc32.hpp"
 #include "capture_support.hpp"
 
 namespace sbgc::io::test {

@@ -1,6 +1,6 @@
 """Random specs through the generator, a compiler, and random messages both ways.
 
-For each seed: a random spec (spec_maker.py), generated; the program of tests/codec/vectors_test.cpp,
+For each seed: a random spec (spec_maker.py), generated; the program of tests/core/codec_vectors_test.cpp,
 compiled with the generated headers; vectors of random messages by the reference codec
 (random_messages.py), on which the C++ codec must agree to the byte, also in what it refuses; and
 random settings (random_settings.py) for settings_test.cpp.
@@ -31,8 +31,8 @@ from sbgcgen.emit import Output, outputs
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = [
-    ROOT / "tests/codec/any_message.cpp",
-    ROOT / "tests/codec/vectors_test.cpp",
+    ROOT / "tests/core/any_message.cpp",
+    ROOT / "tests/core/codec_vectors_test.cpp",
     ROOT / "tests/random_schemas/conversation.cpp",
     ROOT / "tests/random_schemas/settings_test.cpp",
 ]
@@ -87,7 +87,7 @@ class Trial:
         """Compile and link the program that runs vectors."""
         flags = ["-std=c++20", *WARNINGS, '-DSBGC_GENERATED="."']
         flags += ["-O0", *(["-g1", *SANITIZERS] if self.options.sanitize else [])]
-        folders = ("generated/include", ROOT / "runtime/include", ROOT / "tests/codec")
+        folders = ("generated/include", *ROOT.glob("runtime/*/include"), ROOT / "tests/core")
         flags += [f"-I{folder}" for folder in folders]
         command = [*shlex.split(self.options.launcher), compiler, *flags]
         objects = [f"{source.stem}.o" for source in SOURCES]

@@ -32,7 +32,7 @@ TEST(Session, RepeatsWhatIsSafeToRepeat) {
   line.board = [&](const Written&) {
     if (line.written.size() == 3) line.say(board_info, body_of(18));
   };
-  const Handle handle = line.send(sbgc::BoardInfoRequest{});
+  const Handle handle = line.send(sbgc::msg::BoardInfoRequest{});
   line.run();
   EXPECT_EQ(line.outcome(handle), Outcome::answered);
   EXPECT_THAT(line.written, SizeIs(3));
@@ -45,11 +45,11 @@ TEST(Session, RepeatsWhatIsSafeToRepeat) {
 
 TEST(Session, GivesUpAfterAllAttempts) {
   Simulation line;
-  const Handle three = line.send(sbgc::BoardInfoRequest{});
+  const Handle three = line.send(sbgc::msg::BoardInfoRequest{});
   line.run();
   EXPECT_EQ(line.outcome(three), Outcome::timeout);
   EXPECT_THAT(line.written, SizeIs(3));
-  const Handle one = line.send(sbgc::BoardInfoRequest{}, {.attempts = 1});
+  const Handle one = line.send(sbgc::msg::BoardInfoRequest{}, {.attempts = 1});
   line.run();
   EXPECT_EQ(line.outcome(one), Outcome::timeout);
   EXPECT_THAT(line.written, SizeIs(4));
@@ -57,8 +57,8 @@ TEST(Session, GivesUpAfterAllAttempts) {
 
 TEST(Session, DoesNotRepeatWhatIsNotSafe) {
   Simulation line;
-  sbgc::I2cReadRegBufRequest request;
-  request.data_len = sbgc::SmallByteCount::from_bytes(4);
+  sbgc::msg::I2cReadRegBufRequest request;
+  request.data_len = sbgc::msg::SmallByteCount::from_bytes(4);
   const Handle handle = line.send(request, {.attempts = 5});
   line.run();
   EXPECT_EQ(line.outcome(handle), Outcome::timeout);
@@ -68,7 +68,7 @@ TEST(Session, DoesNotRepeatWhatIsNotSafe) {
 TEST(Session, TimesOutNoEarlierAndNoLaterThanItShould) {
   Simulation line;
   const Handle handle =
-      line.send(sbgc::BoardInfoRequest{}, {.attempts = 1, .timeout = milliseconds(70)});
+      line.send(sbgc::msg::BoardInfoRequest{}, {.attempts = 1, .timeout = milliseconds(70)});
   line.run();
   EXPECT_EQ(line.completion(handle)->at, simulation::start + milliseconds(70));
 }
@@ -76,9 +76,9 @@ TEST(Session, TimesOutNoEarlierAndNoLaterThanItShould) {
 TEST(Session, HasADeadlineForTheWholeRequest) {
   Simulation line;
   const sbgc::Instant deadline = line.now + milliseconds(700);
-  const Handle handle = line.send(sbgc::BoardInfoRequest{}, {.deadline = deadline});
+  const Handle handle = line.send(sbgc::msg::BoardInfoRequest{}, {.deadline = deadline});
   // It waits for the first one, and for the ghost of it, and never gets its turn.
-  const Handle waiting = line.send(sbgc::BoardInfoRequest{}, {.deadline = deadline});
+  const Handle waiting = line.send(sbgc::msg::BoardInfoRequest{}, {.deadline = deadline});
   line.run();
   for (const Handle each : {handle, waiting}) {
     EXPECT_EQ(line.outcome(each), Outcome::timeout);
@@ -96,8 +96,8 @@ TEST(Session, ALateAnswerIsNotTheAnswerOfTheNextRequest) {
     ++asked;
     line.say(board_info, body_of(18, {asked}), asked == 1 ? milliseconds(800) : milliseconds(5));
   };
-  const Handle first = line.send(sbgc::BoardInfoRequest{}, {.attempts = 1});
-  const Handle second = line.send(sbgc::BoardInfoRequest{}, {.attempts = 1});
+  const Handle first = line.send(sbgc::msg::BoardInfoRequest{}, {.attempts = 1});
+  const Handle second = line.send(sbgc::msg::BoardInfoRequest{}, {.attempts = 1});
   line.run();
   EXPECT_EQ(line.outcome(first), Outcome::timeout);
   ASSERT_EQ(line.outcome(second), Outcome::answered);
@@ -112,13 +112,14 @@ TEST(Session, TheAnswerToTheFirstTransmissionAnswersARepeatedRequest) {
   line.board = [&](const Written&) {
     line.say(board_info, body_of(18, {static_cast<int>(line.written.size())}), milliseconds(520));
   };
-  const Handle first = line.send(sbgc::BoardInfoRequest{});
+  const Handle first = line.send(sbgc::msg::BoardInfoRequest{});
   line.run_for(milliseconds(530));
   ASSERT_EQ(line.outcome(first), Outcome::answered);
   EXPECT_EQ(line.completion(first)->body[0], 1);
   EXPECT_THAT(line.written, SizeIs(2));
   // The answer to the second transmission comes while the next request waits for its turn.
-  const Handle second = line.send(sbgc::BoardInfoRequest{}, {.attempts = 1, .timeout = seconds(1)});
+  const Handle second =
+      line.send(sbgc::msg::BoardInfoRequest{}, {.attempts = 1, .timeout = seconds(1)});
   line.run();
   ASSERT_EQ(line.outcome(second), Outcome::answered);
   EXPECT_EQ(line.completion(second)->body[0], 3);
@@ -129,12 +130,12 @@ TEST(Session, TheAnswerOfACancelledRequestIsNotThatOfTheNext) {
   line.board = [&](const Written&) {
     line.say(board_info, body_of(18, {static_cast<int>(line.written.size())}), milliseconds(300));
   };
-  const Handle first = line.send(sbgc::BoardInfoRequest{});
+  const Handle first = line.send(sbgc::msg::BoardInfoRequest{});
   line.run_for(milliseconds(100));
   EXPECT_TRUE(line.session.cancel(first, line.sink()));
   EXPECT_FALSE(line.session.cancel(first, line.sink()));
   EXPECT_EQ(line.outcome(first), Outcome::cancelled);
-  const Handle second = line.send(sbgc::BoardInfoRequest{});
+  const Handle second = line.send(sbgc::msg::BoardInfoRequest{});
   line.run();
   ASSERT_EQ(line.outcome(second), Outcome::answered);
   EXPECT_EQ(line.completion(second)->body[0], 2);
@@ -152,14 +153,14 @@ TEST(Session, AnAnswerIsLateEvenIfItsRequestWasStuckInTheLine) {
     session.feed(std::span(frame).first(size), now, sink);
   };
   sbgc::Instant now{};
-  const Handle first = session.send(sbgc::BoardInfoRequest{}).handle;
+  const Handle first = session.send(sbgc::msg::BoardInfoRequest{}).handle;
   ASSERT_FALSE(session.poll(now, sink).bytes.empty());
   now = now + milliseconds(100);
   ASSERT_TRUE(session.cancel(first, sink));
   now = now + seconds(5);
   session.written(now);  // only now
 
-  const Handle second = session.send(sbgc::BoardInfoRequest{}).handle;
+  const Handle second = session.send(sbgc::msg::BoardInfoRequest{}).handle;
   now = now + milliseconds(50);
   EXPECT_TRUE(session.poll(now, sink).bytes.empty()) << "the answer to the first may still come";
   say(1, now);
@@ -179,7 +180,7 @@ TEST(Session, TheTimeForAnAnswerBeginsWhenTheRequestHasLeft) {
   Outcome outcome = Outcome::none;
   const auto sink = [&](const sbgc::Event& event) { outcome = event.outcome; };
   sbgc::Instant now{};
-  session.send(sbgc::BoardInfoRequest{}, {.attempts = 1});
+  session.send(sbgc::msg::BoardInfoRequest{}, {.attempts = 1});
   ASSERT_FALSE(session.poll(now, sink).bytes.empty());
   now = now + seconds(3);
   session.written(now);
@@ -191,7 +192,7 @@ TEST(Session, TheTimeForAnAnswerBeginsWhenTheRequestHasLeft) {
 
 TEST(Session, CancelsWhatIsNotSentYet) {
   Simulation line;
-  const Handle handle = line.send(sbgc::MotorsOn{});
+  const Handle handle = line.send(sbgc::msg::MotorsOn{});
   EXPECT_TRUE(line.session.cancel(handle, line.sink()));
   EXPECT_FALSE(line.session.cancel({}, line.sink()));
   line.run();
@@ -209,7 +210,7 @@ TEST(Session, NoiseDoesNoHarm) {
     bytes.insert(bytes.end(), frame.begin(), frame.end());
     for (const std::uint8_t byte : bytes) line.say_bytes({byte});
   };
-  const Handle handle = line.send(sbgc::BoardInfoRequest{});
+  const Handle handle = line.send(sbgc::msg::BoardInfoRequest{});
   line.run();
   EXPECT_EQ(line.outcome(handle), Outcome::answered);
   EXPECT_GT(line.session.statistics().parser.skipped_bytes, 0U);
@@ -221,7 +222,7 @@ TEST(Session, ABeginningOfAFrameDoesNotHoldTheAnswerBackForLong) {
     line.say_bytes({'>', 9, 200, 209});  // a header whose body never comes
     line.say(board_info, body_of(18), milliseconds(5));
   };
-  const Handle handle = line.send(sbgc::BoardInfoRequest{});
+  const Handle handle = line.send(sbgc::msg::BoardInfoRequest{});
   line.run();
   EXPECT_EQ(line.outcome(handle), Outcome::answered);
   EXPECT_LT(line.completion(handle)->at - simulation::start, milliseconds(110));
@@ -246,8 +247,8 @@ TEST(Session, ARepeatedAnswerIsNotThatOfTheNextRequestIfTheLineRepeats) {
     line.say(board_info, body, milliseconds(3));
     line.say(board_info, body, milliseconds(120));
   };
-  const Handle first = line.send(sbgc::BoardInfoRequest{});
-  const Handle second = line.send(sbgc::BoardInfoRequest{});
+  const Handle first = line.send(sbgc::msg::BoardInfoRequest{});
+  const Handle second = line.send(sbgc::msg::BoardInfoRequest{});
   line.run();
   EXPECT_EQ(line.completion(first)->body[0], 1);
   EXPECT_EQ(line.completion(second)->body[0], 2);

@@ -93,40 +93,42 @@ TEST(Exchanges, OnlyReadsAndRequestsThatCanBeRepeatedAreSafe) {
 
 TEST(Exchanges, CalibrationsConfirmTwice) {
   for_each_request([&]<class M>(const M& message) {
-    const bool twice =
-        M::command == sbgc::CommandId::calib_acc || M::command == sbgc::CommandId::calib_gyro;
+    const bool twice = M::command == sbgc::msg::CommandId::calib_acc ||
+                       M::command == sbgc::msg::CommandId::calib_gyro;
     const Exchange exchange = exchange_of(message);
     EXPECT_EQ(exchange.confirmations == 2, twice);
     EXPECT_EQ(exchange.finish_ms > exchange.timeout_ms, twice);
   });
-  sbgc::CalibAccExt request;
-  for (const auto action : {sbgc::CalibAction::reset, sbgc::CalibAction::enable_temperature,
-                            sbgc::CalibAction::disable_temperature}) {
+  sbgc::msg::CalibAccExt request;
+  for (const auto action :
+       {sbgc::msg::CalibAction::reset, sbgc::msg::CalibAction::enable_temperature,
+        sbgc::msg::CalibAction::disable_temperature}) {
     request.action = action;
     EXPECT_EQ(exchange_of(request).confirmations, 1);
     EXPECT_TRUE(exchange_of(request).restarts_board);
   }
-  request.action = sbgc::CalibAction::temperature;
+  request.action = sbgc::msg::CalibAction::temperature;
   EXPECT_EQ(exchange_of(request).confirmations, 2);
   EXPECT_GT(exchange_of(request).finish_ms, 600'000U);
 }
 
 TEST(Exchanges, DependOnTheRequest) {
-  sbgc::ResetRequestExt reset;
+  sbgc::msg::ResetRequestExt reset;
   EXPECT_FALSE(exchange_of(reset).answer_required);
-  reset.confirm.set(sbgc::ResetOption::notify);
+  reset.confirm.set(sbgc::msg::ResetOption::notify);
   EXPECT_TRUE(exchange_of(reset).answer_required);
   EXPECT_EQ(exchange_of(reset).replies.answers[0].id, 114);
-  sbgc::BootMode3Ext boot;
-  boot.confirm.set(sbgc::ResetOption::notify);
+  sbgc::msg::BootMode3Ext boot;
+  boot.confirm.set(sbgc::msg::ResetOption::notify);
   EXPECT_EQ(exchange_of(boot).replies.answers[0].id, 114) << "CMD_RESET, not CMD_BOOT_MODE_3";
-  sbgc::AhrsHelperRequestExt attitude;
+  sbgc::msg::AhrsHelperRequestExt attitude;
   EXPECT_TRUE(exchange_of(attitude).answer_required);
-  attitude.mode.set(sbgc::AhrsHelperModeBit::set);
+  attitude.mode.set(sbgc::msg::AhrsHelperModeBit::set);
   EXPECT_FALSE(exchange_of(attitude).answer_required);
   EXPECT_EQ(exchange_of(attitude).replies.confirmed, Confirmed::unlikely);
   for_each_request([&]<class M>(const M& message) {
-    if (M::command == sbgc::CommandId::reset || M::command == sbgc::CommandId::boot_mode_3) {
+    if (M::command == sbgc::msg::CommandId::reset ||
+        M::command == sbgc::msg::CommandId::boot_mode_3) {
       EXPECT_TRUE(exchange_of(message).restarts_board);
     }
   });
@@ -146,35 +148,35 @@ void expect_echo(const sbgc::Echo& echo, const Repeated& repeated) {
 }
 
 TEST(Exchanges, AnswersRepeatPartsOfTheRequest) {
-  sbgc::ReadParamsExt2Request params;
+  sbgc::msg::ReadParamsExt2Request params;
   params.profile_id = 3;
   expect_echo(exchange_of(params).replies.answers[0].echoes[0], {0, 1, 3});
   params.profile_id = 255;
   EXPECT_EQ(exchange_of(params).replies.answers[0].echoes[0].size, 0);
-  sbgc::EepromReadRequest memory;
+  sbgc::msg::EepromReadRequest memory;
   memory.addr = 0x12345640;
   expect_echo(exchange_of(memory).replies.answers[0].echoes[0], {0, 4, 0x12345640});
-  sbgc::ReadFileRequest file;
-  file.page_offset = sbgc::Pages(0x0102);
+  sbgc::msg::ReadFileRequest file;
+  file.page_offset = sbgc::msg::Pages(0x0102);
   expect_echo(exchange_of(file).replies.answers[0].echoes[0], {2, 2, 0x0102});
   EXPECT_TRUE(exchange_of(file).replies.answers[1].is_error);
   EXPECT_EQ(exchange_of(file).replies.answers[1].max_size, 1);
-  sbgc::CalibInfoRequest calibration;
-  calibration.imu_type = sbgc::SelectedImu::frame;
+  sbgc::msg::CalibInfoRequest calibration;
+  calibration.imu_type = sbgc::msg::SelectedImu::frame;
   expect_echo(exchange_of(calibration).replies.answers[0].echoes[0], {1, 1, 2});
-  sbgc::EepromWrite write;
+  sbgc::msg::EepromWrite write;
   write.addr = 64;
   expect_echo(exchange_of(write).replies.confirmation, {1, 4, 64});
-  EXPECT_EQ(exchange_of(sbgc::WriteFile{}).result.offset, 1);
-  EXPECT_EQ(exchange_of(sbgc::WriteFile{}).result.size, 1);
-  EXPECT_EQ(exchange_of(sbgc::FsClearAll{}).result.size, 1);
+  EXPECT_EQ(exchange_of(sbgc::msg::WriteFile{}).result.offset, 1);
+  EXPECT_EQ(exchange_of(sbgc::msg::WriteFile{}).result.size, 1);
+  EXPECT_EQ(exchange_of(sbgc::msg::FsClearAll{}).result.size, 1);
   EXPECT_EQ(exchange_of(write).result.size, 0);
 }
 
 /// An answer whose bytes are what the request wants; `exchange_of` must find it fits, and nothing
 /// that differs in an echo.
 TEST(Exchanges, EchoesDecideWhatFits) {
-  sbgc::EepromReadRequest request;
+  sbgc::msg::EepromReadRequest request;
   request.addr = 0xA0B0C0;
   const sbgc::Replies replies = exchange_of(request).replies;
   std::vector<std::uint8_t> body = {0xC0, 0xB0, 0xA0, 0x00, 1, 2, 3};
@@ -195,32 +197,32 @@ TEST(Exchanges, ThoseThatOneFrameFitsCanBeConfused) {
     EXPECT_EQ(first.can_be_confused_with(second), second.can_be_confused_with(first));
     return first.can_be_confused_with(second);
   };
-  sbgc::ReadParams3Request one;
-  sbgc::ReadParams3Request two;
+  sbgc::msg::ReadParams3Request one;
+  sbgc::msg::ReadParams3Request two;
   two.profile_id = 1;
   EXPECT_TRUE(confused(one, one));
   EXPECT_FALSE(confused(one, two));
   two.profile_id = 255;
   EXPECT_TRUE(confused(one, two));
-  EXPECT_TRUE(confused(one, sbgc::ReadParams{})) << "another command, the same answer";
-  EXPECT_TRUE(confused(sbgc::RealtimeData{}, sbgc::RealtimeData3Request{}));
-  EXPECT_FALSE(confused(sbgc::RealtimeData4Request{}, sbgc::RealtimeData3Request{}));
-  EXPECT_TRUE(confused(sbgc::Control{}, sbgc::ControlExt{}));
-  EXPECT_FALSE(confused(sbgc::MotorsOn{}, sbgc::MotorsOff{}));
-  sbgc::EepromWrite write;
-  sbgc::EepromWrite elsewhere;
+  EXPECT_TRUE(confused(one, sbgc::msg::ReadParams{})) << "another command, the same answer";
+  EXPECT_TRUE(confused(sbgc::msg::RealtimeData{}, sbgc::msg::RealtimeData3Request{}));
+  EXPECT_FALSE(confused(sbgc::msg::RealtimeData4Request{}, sbgc::msg::RealtimeData3Request{}));
+  EXPECT_TRUE(confused(sbgc::msg::Control{}, sbgc::msg::ControlExt{}));
+  EXPECT_FALSE(confused(sbgc::msg::MotorsOn{}, sbgc::msg::MotorsOff{}));
+  sbgc::msg::EepromWrite write;
+  sbgc::msg::EepromWrite elsewhere;
   elsewhere.addr = 64;
   EXPECT_TRUE(confused(write, elsewhere)) << "the address may be missing";
 }
 
 TEST(Exchanges, SizeOfTheAnswer) {
-  sbgc::RealtimeDataCustomRequest request;
+  sbgc::msg::RealtimeDataCustomRequest request;
   EXPECT_EQ(exchange_of(request).replies.answers[0].size, 2);
-  request.flags.set(sbgc::RealtimeDataCustomFlag::rc_data);
-  request.flags.set(sbgc::RealtimeDataCustomFlag::z1_h1_vectors);
+  request.flags.set(sbgc::msg::RealtimeDataCustomFlag::rc_data);
+  request.flags.set(sbgc::msg::RealtimeDataCustomFlag::z1_h1_vectors);
   EXPECT_EQ(exchange_of(request).replies.answers[0].size, 2 + 12 + 24);
-  EXPECT_EQ(exchange_of(sbgc::ReadParams3Request{}).replies.answers[0].size, 134);
-  EXPECT_EQ(exchange_of(sbgc::ReadParams3Request{}).replies.answers[0].max_size, 255);
+  EXPECT_EQ(exchange_of(sbgc::msg::ReadParams3Request{}).replies.answers[0].size, 134);
+  EXPECT_EQ(exchange_of(sbgc::msg::ReadParams3Request{}).replies.answers[0].max_size, 255);
 }
 
 template <class M>
@@ -228,26 +230,27 @@ concept HasAnswerOf = requires {
   typename sbgc::AnswerOf<M>;
 };
 
-static_assert(std::same_as<sbgc::AnswerOf<sbgc::BoardInfoRequest>, sbgc::BoardInfo>);
-static_assert(std::same_as<sbgc::AnswerOf<sbgc::ReadParams>, sbgc::ReadParams3>);
-static_assert(std::same_as<sbgc::AnswerOf<sbgc::GetAdjVarsVal>, sbgc::SetAdjVarsVal>);
-static_assert(std::same_as<sbgc::AnswerOf<sbgc::BootMode3Ext>, sbgc::Reset>);
-static_assert(std::same_as<sbgc::AnswerOf<sbgc::ReadFileRequest>,
-                           sbgc::TypeList<sbgc::ReadFile, sbgc::ReadFileError>>);
-static_assert(std::is_void_v<sbgc::AnswerOf<sbgc::MotorsOn>>);
-static_assert(std::is_void_v<sbgc::AnswerOf<sbgc::ResetRequest>>);
-static_assert(sbgc::ExchangeTraits<sbgc::BoardInfoRequest>::answer_is_certain);
-static_assert(!sbgc::ExchangeTraits<sbgc::AhrsHelperRequestExt>::answer_is_certain);
-static_assert(!HasAnswerOf<sbgc::BoardInfo>);
-static_assert(exchange_of(sbgc::BoardInfoRequest{}).answer_required, "known at compile time");
+static_assert(std::same_as<sbgc::AnswerOf<sbgc::msg::BoardInfoRequest>, sbgc::msg::BoardInfo>);
+static_assert(std::same_as<sbgc::AnswerOf<sbgc::msg::ReadParams>, sbgc::msg::ReadParams3>);
+static_assert(std::same_as<sbgc::AnswerOf<sbgc::msg::GetAdjVarsVal>, sbgc::msg::SetAdjVarsVal>);
+static_assert(std::same_as<sbgc::AnswerOf<sbgc::msg::BootMode3Ext>, sbgc::msg::Reset>);
+static_assert(std::same_as<sbgc::AnswerOf<sbgc::msg::ReadFileRequest>,
+                           sbgc::TypeList<sbgc::msg::ReadFile, sbgc::msg::ReadFileError>>);
+static_assert(std::is_void_v<sbgc::AnswerOf<sbgc::msg::MotorsOn>>);
+static_assert(std::is_void_v<sbgc::AnswerOf<sbgc::msg::ResetRequest>>);
+static_assert(sbgc::ExchangeTraits<sbgc::msg::BoardInfoRequest>::answer_is_certain);
+static_assert(!sbgc::ExchangeTraits<sbgc::msg::AhrsHelperRequestExt>::answer_is_certain);
+static_assert(!HasAnswerOf<sbgc::msg::BoardInfo>);
+static_assert(exchange_of(sbgc::msg::BoardInfoRequest{}).answer_required, "known at compile time");
 
-static_assert(std::same_as<sbgc::roles::Confirmation, sbgc::Confirm>);
-static_assert(std::same_as<sbgc::roles::BoardError, sbgc::TypeList<sbgc::Error, sbgc::ErrorExt>>);
-static_assert(std::same_as<sbgc::roles::ErrorReason, sbgc::BoardErrorCode>);
-static_assert(std::same_as<sbgc::roles::Reset, sbgc::Reset>);
-static_assert(std::same_as<sbgc::roles::Introduction, sbgc::BoardInfo>);
-static_assert(std::same_as<sbgc::roles::IntroductionRequest, sbgc::BoardInfoRequest>);
-static_assert(std::same_as<sbgc::roles::StreamRequest, sbgc::DataStreamInterval>);
+static_assert(std::same_as<sbgc::roles::Confirmation, sbgc::msg::Confirm>);
+static_assert(
+    std::same_as<sbgc::roles::BoardError, sbgc::TypeList<sbgc::msg::Error, sbgc::msg::ErrorExt>>);
+static_assert(std::same_as<sbgc::roles::ErrorReason, sbgc::msg::BoardErrorCode>);
+static_assert(std::same_as<sbgc::roles::Reset, sbgc::msg::Reset>);
+static_assert(std::same_as<sbgc::roles::Introduction, sbgc::msg::BoardInfo>);
+static_assert(std::same_as<sbgc::roles::IntroductionRequest, sbgc::msg::BoardInfoRequest>);
+static_assert(std::same_as<sbgc::roles::StreamRequest, sbgc::msg::DataStreamInterval>);
 
 TEST(Roles, OfFrames) {
   const std::vector<std::uint8_t> bytes = {77, 1, 2, 3, 4, 5, 6};
@@ -275,8 +278,8 @@ TEST(LineFacts, AreThoseOfTheSpecification) {
   EXPECT_THAT(sbgc::parities, ElementsAre(sbgc::Parity::none, sbgc::Parity::even));
   EXPECT_EQ(sbgc::shortest_pause_ms, 10U);
   EXPECT_EQ(sbgc::longest_pause_ms, 20U);
-  EXPECT_EQ(number_of(sbgc::SerialSpeed::baud_19200), 19200U);
-  EXPECT_EQ(number_of(static_cast<sbgc::SerialSpeed>(77)), 0U);
+  EXPECT_EQ(number_of(sbgc::msg::SerialSpeed::baud_19200), 19200U);
+  EXPECT_EQ(number_of(static_cast<sbgc::msg::SerialSpeed>(77)), 0U);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ template <class M>
 Duration gap_behind(const M& first, const sbgc::SessionOptions& options = {}) {
   Simulation line(options);
   line.send(first);
-  line.send(sbgc::BeepSound{});
+  line.send(sbgc::msg::BeepSound{});
   line.run();
   EXPECT_GE(line.written.size(), 2U);
   return line.written[1].at - line.written[0].at;
@@ -43,8 +43,8 @@ TEST(WireTime, OfAByteAndOfAFrame) {
 }
 
 TEST(Pacing, LiesBetweenTenAndTwentyMilliseconds) {
-  const Duration small = gap_behind(sbgc::Control{});
-  const Duration large = gap_behind(sbgc::ReadParams3Request{});
+  const Duration small = gap_behind(sbgc::msg::Control{});
+  const Duration large = gap_behind(sbgc::msg::ReadParams3Request{});
   EXPECT_GE(small, milliseconds(10));
   EXPECT_LT(small, milliseconds(11));
   EXPECT_GT(large, small + milliseconds(2)) << "134 bytes come back";
@@ -55,7 +55,7 @@ TEST(Pacing, GivesTheRequestAndTheAnswerTheirTimeOnTheLine) {
   sbgc::SessionOptions options;
   options.line = {9600, Parity::even};
   // 6 bytes to send, 139 bytes of answer, 11 bits each.
-  EXPECT_EQ(gap_behind(sbgc::ReadParams3Request{}, options),
+  EXPECT_EQ(gap_behind(sbgc::msg::ReadParams3Request{}, options),
             sbgc::wire_time(options.line, 6) + sbgc::wire_time(options.line, 139));
 }
 
@@ -63,9 +63,9 @@ TEST(Pacing, CanBeOffAndOther) {
   sbgc::SessionOptions options;
   options.pacing = {};
   options.pacing.shortest = options.pacing.longest = Duration{};
-  EXPECT_EQ(gap_behind(sbgc::Control{}, options), Duration{});
+  EXPECT_EQ(gap_behind(sbgc::msg::Control{}, options), Duration{});
   options.pacing = {milliseconds(40), milliseconds(40)};
-  EXPECT_EQ(gap_behind(sbgc::Control{}, options), milliseconds(40));
+  EXPECT_EQ(gap_behind(sbgc::msg::Control{}, options), milliseconds(40));
 }
 
 TEST(Pacing, HoldsForEveryPairOfFrames) {
@@ -73,10 +73,10 @@ TEST(Pacing, HoldsForEveryPairOfFrames) {
   line.board = [&](const Written& frame) { line.confirm(frame.id, milliseconds(1)); };
   int left = 50;
   line.on_event = [&](const simulation::Record& record) {
-    if (record.event.kind == EventKind::completed && left-- > 0) line.send(sbgc::MotorsOn{});
+    if (record.event.kind == EventKind::completed && left-- > 0) line.send(sbgc::msg::MotorsOn{});
   };
-  line.send(sbgc::MotorsOn{});
-  line.send(sbgc::BoardInfoRequest{});
+  line.send(sbgc::msg::MotorsOn{});
+  line.send(sbgc::msg::BoardInfoRequest{});
   line.run();
   ASSERT_GT(line.written.size(), 50U);
   for (std::size_t i = 1; i < line.written.size(); ++i) {
@@ -88,7 +88,7 @@ TEST(Timeout, CountsFromTheEndOfWhatIsOnTheLine) {
   sbgc::SessionOptions options;
   options.line = {9600, Parity::none};
   Simulation line(options);
-  const Handle handle = line.send(sbgc::ReadParams3Request{}, {.attempts = 1});
+  const Handle handle = line.send(sbgc::msg::ReadParams3Request{}, {.attempts = 1});
   line.run();
   EXPECT_EQ(line.completion(handle)->at, simulation::start + sbgc::wire_time(options.line, 6) +
                                              sbgc::wire_time(options.line, 139) +
@@ -97,16 +97,17 @@ TEST(Timeout, CountsFromTheEndOfWhatIsOnTheLine) {
 
 // Data streams
 
-sbgc::DataStreamInterval stream_of(sbgc::CommandId command, std::uint16_t interval) {
-  sbgc::DataStreamInterval request;
+sbgc::msg::DataStreamInterval stream_of(sbgc::msg::CommandId command, std::uint16_t interval) {
+  sbgc::msg::DataStreamInterval request;
   request.cmd_id = command;
-  request.interval_ms = sbgc::Milliseconds(interval);
+  request.interval_ms = sbgc::msg::Milliseconds(interval);
   return request;
 }
 
-sbgc::DataStreamInterval custom_stream(sbgc::RealtimeDataCustomFlags flags,
-                                       std::uint16_t interval) {
-  sbgc::DataStreamInterval request = stream_of(sbgc::CommandId::realtime_data_custom, interval);
+sbgc::msg::DataStreamInterval custom_stream(sbgc::msg::RealtimeDataCustomFlags flags,
+                                            std::uint16_t interval) {
+  sbgc::msg::DataStreamInterval request =
+      stream_of(sbgc::msg::CommandId::realtime_data_custom, interval);
   request.config.flags = flags;
   return request;
 }
@@ -121,30 +122,31 @@ TEST(Streams, TakeTheirShareOfTheLineOnceTheyAreConfirmed) {
   Simulation line(at(115200));
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
   EXPECT_EQ(line.session.stream_usage().limit, 9216U);  // 80 % of 11520
-  line.send(stream_of(sbgc::CommandId::realtime_data_4, 20));
+  line.send(stream_of(sbgc::msg::CommandId::realtime_data_4, 20));
   EXPECT_EQ(line.session.stream_usage().used, 6450U) << "129 bytes, 50 times a second";
   line.run();
   EXPECT_EQ(line.session.stream_usage().used, 6450U);
-  line.send(stream_of(sbgc::CommandId::realtime_data_4, 100));
+  line.send(stream_of(sbgc::msg::CommandId::realtime_data_4, 100));
   EXPECT_EQ(line.session.stream_usage().used, 6450U) << "until it is confirmed";
   line.run();
   EXPECT_EQ(line.session.stream_usage().used, 1290U);
-  line.send(stream_of(sbgc::CommandId::realtime_data_4, 0));
+  line.send(stream_of(sbgc::msg::CommandId::realtime_data_4, 0));
   line.run();
   EXPECT_EQ(line.session.stream_usage().used, 0U);
 }
 
 TEST(Streams, OfASampleInEachCycle) {
   Simulation line(at(0));
-  line.send(stream_of(sbgc::CommandId::realtime_data_3, 1));
+  line.send(stream_of(sbgc::msg::CommandId::realtime_data_3, 1));
   EXPECT_EQ(line.session.stream_usage().used, 85000U) << "68 bytes every 0.8 ms";
   EXPECT_EQ(line.session.stream_usage().limit, 0U);
 }
 
 TEST(Streams, HaveTheSizeThatTheirConfigurationGivesThem) {
   Simulation line(at(115200));
-  const auto flags = sbgc::RealtimeDataCustomFlags{sbgc::RealtimeDataCustomFlag::imu_angles} |
-                     sbgc::RealtimeDataCustomFlag::rc_channels;
+  const auto flags =
+      sbgc::msg::RealtimeDataCustomFlags{sbgc::msg::RealtimeDataCustomFlag::imu_angles} |
+      sbgc::msg::RealtimeDataCustomFlag::rc_channels;
   line.send(custom_stream(flags, 100));
   EXPECT_EQ(line.session.stream_usage().used, 490U) << "5 + 2 + 6 + 36 bytes, 10 times a second";
 }
@@ -152,20 +154,20 @@ TEST(Streams, HaveTheSizeThatTheirConfigurationGivesThem) {
 TEST(Streams, BeyondTheBudgetAreRefused) {
   Simulation line(at(9600));  // 960 bytes a second, 768 for streams
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  EXPECT_TRUE(line.session.send(stream_of(sbgc::CommandId::realtime_data_3, 100)));  // 680
-  EXPECT_EQ(line.session.send(stream_of(sbgc::CommandId::ahrs_helper, 100)).status,
+  EXPECT_TRUE(line.session.send(stream_of(sbgc::msg::CommandId::realtime_data_3, 100)));  // 680
+  EXPECT_EQ(line.session.send(stream_of(sbgc::msg::CommandId::ahrs_helper, 100)).status,
             SendStatus::not_encodable)
       << "the IMU is missing";
-  EXPECT_EQ(line.session.send(stream_of(sbgc::CommandId::realtime_data_4, 1000)).status,
+  EXPECT_EQ(line.session.send(stream_of(sbgc::msg::CommandId::realtime_data_4, 1000)).status,
             SendStatus::over_budget);  // 129 more
-  EXPECT_TRUE(line.session.send(stream_of(sbgc::CommandId::realtime_data_4, 2000)));
+  EXPECT_TRUE(line.session.send(stream_of(sbgc::msg::CommandId::realtime_data_4, 2000)));
   EXPECT_EQ(line.session.stream_usage().used, 745U);
   line.run();
-  EXPECT_TRUE(
-      line.session.send(stream_of(sbgc::CommandId::realtime_data_4, 100), {.ignore_budget = true}));
+  EXPECT_TRUE(line.session.send(stream_of(sbgc::msg::CommandId::realtime_data_4, 100),
+                                {.ignore_budget = true}));
   line.run();
   EXPECT_GT(line.session.stream_usage().used, line.session.stream_usage().limit);
-  EXPECT_TRUE(line.session.send(stream_of(sbgc::CommandId::realtime_data_4, 200)))
+  EXPECT_TRUE(line.session.send(stream_of(sbgc::msg::CommandId::realtime_data_4, 200)))
       << "less than before always fits";
   EXPECT_EQ(line.session.statistics().refused, 2U);
 }
@@ -176,7 +178,7 @@ TEST(Streams, ThatTheBoardDoesNotStartTakeNothing) {
     line.board = [&](const Written& frame) {
       if (refuses) line.say(255, {frame.id, 1, 0, 0, 0, 0});
     };
-    const Handle handle = line.send(stream_of(sbgc::CommandId::realtime_data_3, 100));
+    const Handle handle = line.send(stream_of(sbgc::msg::CommandId::realtime_data_3, 100));
     line.run();
     EXPECT_EQ(line.outcome(handle), refuses ? Outcome::board_error : Outcome::timeout);
     EXPECT_EQ(line.session.stream_usage().used, 0U);
@@ -187,28 +189,28 @@ TEST(Streams, AreLimitedInNumber) {
   Simulation line;
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
   for (std::uint32_t i = 0; i < 10; ++i) {
-    EXPECT_TRUE(line.session.send(custom_stream(sbgc::RealtimeDataCustomFlags(i), 100))) << i;
+    EXPECT_TRUE(line.session.send(custom_stream(sbgc::msg::RealtimeDataCustomFlags(i), 100))) << i;
     line.run();
   }
-  EXPECT_EQ(line.session.send(custom_stream(sbgc::RealtimeDataCustomFlags(10), 100)).status,
+  EXPECT_EQ(line.session.send(custom_stream(sbgc::msg::RealtimeDataCustomFlags(10), 100)).status,
             SendStatus::too_many_streams);
-  EXPECT_TRUE(line.session.send(custom_stream(sbgc::RealtimeDataCustomFlags(3), 0)));
+  EXPECT_TRUE(line.session.send(custom_stream(sbgc::msg::RealtimeDataCustomFlags(3), 0)));
   line.run();
-  EXPECT_TRUE(line.session.send(custom_stream(sbgc::RealtimeDataCustomFlags(10), 100)));
+  EXPECT_TRUE(line.session.send(custom_stream(sbgc::msg::RealtimeDataCustomFlags(10), 100)));
 }
 
 TEST(Streams, AreForgottenWhenTheBoardRestarts) {
   Simulation line(at(115200));
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  line.send(stream_of(sbgc::CommandId::realtime_data_3, 100));
+  line.send(stream_of(sbgc::msg::CommandId::realtime_data_3, 100));
   line.run();
   line.say(114, {});
   line.run();
   EXPECT_EQ(line.session.stream_usage().used, 0U);
-  line.send(stream_of(sbgc::CommandId::realtime_data_3, 100));
+  line.send(stream_of(sbgc::msg::CommandId::realtime_data_3, 100));
   line.run();
   EXPECT_NE(line.session.stream_usage().used, 0U);
-  line.send(sbgc::ResetRequest{});  // without notice
+  line.send(sbgc::msg::ResetRequest{});  // without notice
   line.run();
   EXPECT_EQ(line.session.stream_usage().used, 0U);
 }
@@ -216,7 +218,7 @@ TEST(Streams, AreForgottenWhenTheBoardRestarts) {
 TEST(Streams, SamplesAreTold) {
   Simulation line;
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  line.send(stream_of(sbgc::CommandId::realtime_data_3, 100));
+  line.send(stream_of(sbgc::msg::CommandId::realtime_data_3, 100));
   line.run();
   line.say(23, body_of(63));
   line.say(25, body_of(124));
@@ -229,9 +231,9 @@ TEST(Streams, SamplesAreTold) {
 TEST(Streams, TheAnswerToARequestForTheSameMessageMayBeASample) {
   Simulation line;
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  line.send(stream_of(sbgc::CommandId::realtime_data_3, 100));
+  line.send(stream_of(sbgc::msg::CommandId::realtime_data_3, 100));
   line.run();
-  const Handle handle = line.send(sbgc::RealtimeData3Request{});
+  const Handle handle = line.send(sbgc::msg::RealtimeData3Request{});
   line.run_for(milliseconds(20));
   line.say(23, body_of(63));
   line.run_for(milliseconds(10));
@@ -242,16 +244,16 @@ TEST(Streams, TheAnswerToARequestForTheSameMessageMayBeASample) {
 TEST(Streams, ASampleOfAnotherSizeIsNoAnswer) {
   Simulation line;
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  line.send(
-      custom_stream(sbgc::RealtimeDataCustomFlags{sbgc::RealtimeDataCustomFlag::rc_channels}, 100));
+  line.send(custom_stream(
+      sbgc::msg::RealtimeDataCustomFlags{sbgc::msg::RealtimeDataCustomFlag::rc_channels}, 100));
   line.run();
   line.board = [&](const Written&) {
     line.say(88, body_of(38), milliseconds(1));  // a sample
     line.say(88, body_of(8), milliseconds(2));
     line.say(88, body_of(2), milliseconds(1));  // too short for the answer
   };
-  sbgc::RealtimeDataCustomRequest request;
-  request.flags.set(sbgc::RealtimeDataCustomFlag::imu_angles);
+  sbgc::msg::RealtimeDataCustomRequest request;
+  request.flags.set(sbgc::msg::RealtimeDataCustomFlag::imu_angles);
   const Handle handle = line.send(request);
   line.run();
   ASSERT_EQ(line.outcome(handle), Outcome::answered);

@@ -35,8 +35,8 @@ using simulation::Written;
 using ::testing::ElementsAre;
 using ::testing::SizeIs;
 
-sbgc::ReadParams3Request read_profile(std::uint8_t profile) {
-  sbgc::ReadParams3Request request;
+sbgc::msg::ReadParams3Request read_profile(std::uint8_t profile) {
+  sbgc::msg::ReadParams3Request request;
   request.profile_id = profile;
   return request;
 }
@@ -87,9 +87,9 @@ TEST(Session, AWrongAnswerIsNone) {
 TEST(Session, RequestsThatCouldBeConfusedWaitAndOthersOvertake) {
   Simulation line;
   line.board = [&](const Written& frame) { line.confirm(frame.id, milliseconds(100)); };
-  line.send(sbgc::WriteParams3{});
-  const Handle second = line.send(sbgc::WriteParams3{});
-  line.send(sbgc::MotorsOn{});
+  line.send(sbgc::msg::WriteParams3{});
+  const Handle second = line.send(sbgc::msg::WriteParams3{});
+  line.send(sbgc::msg::MotorsOn{});
   line.run();
   EXPECT_THAT(ids(line.written), ElementsAre(write_params_3, motors_on, write_params_3));
   EXPECT_GE(line.written[2].at - line.written[0].at, milliseconds(100));
@@ -102,9 +102,9 @@ TEST(Session, ReadsOfFilesFollowEachOtherBecauseOfTheirErrors) {
     const bool is_good = frame.body[2] == 0;
     line.say(read_file, is_good ? body_of(20, {9, 0, 0, 0}) : body_of(1, {2}));
   };
-  sbgc::ReadFileRequest request;
+  sbgc::msg::ReadFileRequest request;
   const Handle good = line.send(request);
-  request.page_offset = sbgc::Pages(1);
+  request.page_offset = sbgc::msg::Pages(1);
   const Handle bad = line.send(request);
   line.run();
   EXPECT_EQ(line.outcome(good), Outcome::answered);
@@ -118,7 +118,7 @@ TEST(Session, AConfirmationWithTheAddressOfAnotherBlockIsNotMeant) {
     line.say(confirm, {eeprom_write, 64, 0, 0, 0}, milliseconds(3));
     line.say(confirm, {eeprom_write, 128, 0, 0, 0}, milliseconds(50));
   };
-  sbgc::EepromWrite request;
+  sbgc::msg::EepromWrite request;
   request.addr = 128;
   const Handle handle = line.send(request);
   line.run_for(milliseconds(10));
@@ -138,7 +138,7 @@ TEST(Session, AConfirmationCanTellOfAFailure) {
     line.board = [&](const Written& frame) {
       line.say(confirm, {frame.id, static_cast<std::uint8_t>(result)});
     };
-    const Handle handle = line.send(sbgc::WriteFile{});
+    const Handle handle = line.send(sbgc::msg::WriteFile{});
     line.run();
     EXPECT_EQ(line.outcome(handle), result == 0 ? Outcome::confirmed : Outcome::failed);
     EXPECT_EQ(line.completion(handle)->event.command, write_file);
@@ -150,9 +150,9 @@ TEST(Session, WhatIsAskedForDependsOnTheRequest) {
   line.board = [&](const Written& frame) {
     if ((frame.body[0] & 1) == 0) line.say(56, body_of(24));
   };
-  sbgc::AhrsHelperRequestExt request;
+  sbgc::msg::AhrsHelperRequestExt request;
   const Handle get = line.send(request);
-  request.mode.set(sbgc::AhrsHelperModeBit::set);
+  request.mode.set(sbgc::msg::AhrsHelperModeBit::set);
   const Handle set = line.send(request);
   line.run();
   EXPECT_EQ(line.outcome(get), Outcome::answered);
@@ -170,8 +170,8 @@ TEST(Session, AnErrorThatNamesItsCommandEndsTheRequest) {
       line.say(board_info, body_of(18), milliseconds(100));
     }
   };
-  const Handle motors = line.send(sbgc::MotorsOn{});
-  const Handle info = line.send(sbgc::BoardInfoRequest{});
+  const Handle motors = line.send(sbgc::msg::MotorsOn{});
+  const Handle info = line.send(sbgc::msg::BoardInfoRequest{});
   line.run();
   ASSERT_EQ(line.outcome(motors), Outcome::board_error);
   EXPECT_EQ(line.completion(motors)->body[1], 7);
@@ -182,15 +182,15 @@ TEST(Session, AnErrorThatNamesItsCommandEndsTheRequest) {
 TEST(Session, AnErrorWithoutCommandBelongsToTheOnlyRequest) {
   Simulation line;
   line.board = [&](const Written&) { line.say(error, {7, 0, 0, 0, 0}, milliseconds(50)); };
-  const Handle only = line.send(sbgc::MotorsOn{});
+  const Handle only = line.send(sbgc::msg::MotorsOn{});
   line.run();
   EXPECT_EQ(line.outcome(only), Outcome::board_error);
 
   line.board = [&](const Written& frame) {
     if (frame.id == motors_on) line.say(error, {7, 0, 0, 0, 0}, milliseconds(50));
   };
-  const Handle first = line.send(sbgc::MotorsOn{}, {.attempts = 1});
-  const Handle second = line.send(sbgc::BoardInfoRequest{}, {.attempts = 1});
+  const Handle first = line.send(sbgc::msg::MotorsOn{}, {.attempts = 1});
+  const Handle second = line.send(sbgc::msg::BoardInfoRequest{}, {.attempts = 1});
   line.run();
   EXPECT_EQ(line.outcome(first), Outcome::timeout) << "either could be meant";
   EXPECT_EQ(line.outcome(second), Outcome::timeout);
@@ -202,7 +202,7 @@ TEST(Session, AnErrorForWhatIsOverIsLate) {
   line.board = [&](const Written& frame) {
     if (frame.id == control) line.say(error, {control, 1, 0, 0, 0, 0});
   };
-  line.send(sbgc::Control{});
+  line.send(sbgc::msg::Control{});
   line.run();
   ASSERT_THAT(line.of(EventKind::board_error), SizeIs(1));
   EXPECT_TRUE(line.of(EventKind::board_error)[0].event.is_late);
@@ -216,9 +216,9 @@ TEST(Session, AResetEndsWhateverIsOpen) {
   line.board = [&](const Written& frame) {
     if (frame.id == motors_on) line.say(reset, {});
   };
-  const Handle info = line.send(sbgc::BoardInfoRequest{});
-  const Handle motors = line.send(sbgc::MotorsOn{});
-  const Handle waiting = line.send(sbgc::BoardInfoRequest{});
+  const Handle info = line.send(sbgc::msg::BoardInfoRequest{});
+  const Handle motors = line.send(sbgc::msg::MotorsOn{});
+  const Handle waiting = line.send(sbgc::msg::BoardInfoRequest{});
   line.run();
   EXPECT_THAT(line.of(EventKind::reset), SizeIs(1));
   for (const Handle handle : {info, motors, waiting}) {
@@ -233,8 +233,8 @@ TEST(Session, AResetThatWasAskedForAnswers) {
   line.board = [&](const Written& frame) {
     if (frame.body.size() == 3 && frame.body[0] == 1) line.say(reset, {});
   };
-  sbgc::ResetRequestExt request;
-  request.confirm.set(sbgc::ResetOption::notify);
+  sbgc::msg::ResetRequestExt request;
+  request.confirm.set(sbgc::msg::ResetOption::notify);
   const Handle noticed = line.send(request);
   line.run();
   EXPECT_EQ(line.outcome(noticed), Outcome::answered);
@@ -249,9 +249,9 @@ TEST(Session, WhatIsSentWhileTheResetIsReportedIsAnotherRequest) {
   Simulation line;
   Handle next;
   line.on_event = [&](const Record& record) {
-    if (record.event.kind == EventKind::reset) next = line.send(sbgc::BoardInfoRequest{});
+    if (record.event.kind == EventKind::reset) next = line.send(sbgc::msg::BoardInfoRequest{});
   };
-  const Handle first = line.send(sbgc::MotorsOn{});
+  const Handle first = line.send(sbgc::msg::MotorsOn{});
   line.run_for(milliseconds(1));
   line.say(reset, {});
   line.run_for(milliseconds(4));
@@ -264,15 +264,15 @@ TEST(Session, WhatIsSentWhileTheResetIsReportedIsAnotherRequest) {
 
 TEST(Session, AnAbandonedLinkEndsEverything) {
   Simulation line;
-  const Handle sent = line.send(sbgc::MotorsOn{});
+  const Handle sent = line.send(sbgc::msg::MotorsOn{});
   line.run_for(milliseconds(1));
-  const Handle waiting = line.send(sbgc::MotorsOn{});
+  const Handle waiting = line.send(sbgc::msg::MotorsOn{});
   line.session.abandon(line.sink());
   EXPECT_EQ(line.outcome(sent), Outcome::link_lost);
   EXPECT_EQ(line.outcome(waiting), Outcome::link_lost);
   // On the next link nothing of the old one is left.
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  const Handle next = line.send(sbgc::MotorsOn{});
+  const Handle next = line.send(sbgc::msg::MotorsOn{});
   line.run_for(milliseconds(4));
   EXPECT_EQ(line.outcome(next), Outcome::confirmed) << "it need not wait for ghosts";
 }

@@ -83,27 +83,27 @@ class Chaos {
     sbgc::SendResult sent;
     const auto tag = static_cast<std::uint8_t>(upto(4));
     switch (upto(6)) {
-      case 0: sent = line.session.send(sbgc::BoardInfoRequest{}); break;
+      case 0: sent = line.session.send(sbgc::msg::BoardInfoRequest{}); break;
       case 1: {
-        sbgc::ReadParams3Request request;
+        sbgc::msg::ReadParams3Request request;
         request.profile_id = tag;
         sent = line.session.send(request);
         break;
       }
       case 2: {
-        sbgc::WriteParams3 request;
+        sbgc::msg::WriteParams3 request;
         request.profile_id = tag;
         sent = line.session.send(request);
         break;
       }
-      case 3: sent = line.session.send(sbgc::I2cReadRegBufRequest{}); break;
+      case 3: sent = line.session.send(sbgc::msg::I2cReadRegBufRequest{}); break;
       case 4: {
-        sbgc::ExecuteMenu request;
+        sbgc::msg::ExecuteMenu request;
         sent = line.session.send(request, {.expect_confirmation = chance(50)});
         break;
       }
-      case 5: sent = line.session.send(sbgc::Control{}); break;
-      default: sent = line.session.send(sbgc::CalibGyro{}); break;
+      case 5: sent = line.session.send(sbgc::msg::Control{}); break;
+      default: sent = line.session.send(sbgc::msg::CalibGyro{}); break;
     }
     if (!sent) {
       EXPECT_EQ(sent.status, sbgc::SendStatus::queue_full);

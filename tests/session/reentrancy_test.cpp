@@ -36,10 +36,10 @@ using simulation::Written;
 constexpr std::uint8_t stream_interval = 85;
 constexpr std::uint8_t realtime_data_3 = 23;
 
-sbgc::DataStreamInterval stream_of(std::uint8_t command, std::uint16_t interval_ms) {
-  sbgc::DataStreamInterval request;
-  request.cmd_id = static_cast<sbgc::CommandId>(command);
-  request.interval_ms = sbgc::Milliseconds(interval_ms);
+sbgc::msg::DataStreamInterval stream_of(std::uint8_t command, std::uint16_t interval_ms) {
+  sbgc::msg::DataStreamInterval request;
+  request.cmd_id = static_cast<sbgc::msg::CommandId>(command);
+  request.interval_ms = sbgc::msg::Milliseconds(interval_ms);
   return request;
 }
 
@@ -105,8 +105,8 @@ TEST(Reentrancy, AStreamAskedForWhenTheBoardAnswersAResetRuns) {
     if (frame.id == commands::reset) return line.say(commands::reset, {});
     line.confirm(frame.id);
   };
-  sbgc::ResetRequestExt request;
-  request.confirm.set(sbgc::ResetOption::notify);
+  sbgc::msg::ResetRequestExt request;
+  request.confirm.set(sbgc::msg::ResetOption::notify);
   line.send(request);
   line.run();
   expect_stream_runs(line, again);
@@ -136,7 +136,7 @@ TEST(Reentrancy, AStreamBehindARequestThatRestartsTheBoardRuns) {
   };
   line.send(stream_of(realtime_data_3, 100));
   line.run();
-  line.send(sbgc::ResetRequest{});  // without notice: it is over once it is written
+  line.send(sbgc::msg::ResetRequest{});  // without notice: it is over once it is written
   const Handle behind = line.send(stream_of(realtime_data_4, 100));
   line.run();
   expect_stream_runs(line, behind);
@@ -146,8 +146,8 @@ TEST(Reentrancy, TheEndOfAnUnknownStreamDoesNotEndThatOfALaterRequest) {
   Simulation line;
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
   const auto custom = [](std::uint32_t flags, std::uint16_t interval) {
-    sbgc::DataStreamInterval request = stream_of(88, interval);
-    request.config.flags = sbgc::RealtimeDataCustomFlags(flags);
+    sbgc::msg::DataStreamInterval request = stream_of(88, interval);
+    request.config.flags = sbgc::msg::RealtimeDataCustomFlags(flags);
     return request;
   };
   for (std::uint32_t i = 0; i < 10; ++i) {  // as many as there can be
@@ -187,7 +187,7 @@ void say_reset(Simulation& line) { line.say(commands::reset, {}); }
 const std::vector<Occasion>& occasions() {
   const auto send_and_say = [](std::uint8_t id, const Body& body) {
     return [=](Simulation& line) {
-      line.send(sbgc::MotorsOn{});
+      line.send(sbgc::msg::MotorsOn{});
       line.run_for(to_be_sent);
       line.say(id, body);
     };
@@ -195,43 +195,44 @@ const std::vector<Occasion>& occasions() {
   static const std::vector<Occasion> all = {
       {"answered", EventKind::completed, Outcome::answered,
        [](Simulation& line) {
-         line.send(sbgc::BoardInfoRequest{});
+         line.send(sbgc::msg::BoardInfoRequest{});
          line.run_for(to_be_sent);
          line.say(board_info, body_of(18));
        }},
       {"confirmed", EventKind::completed, Outcome::confirmed,
        send_and_say(commands::confirm, {motors_on})},
       {"sent", EventKind::completed, Outcome::sent,
-       [](Simulation& line) { line.send(sbgc::Control{}); }},
+       [](Simulation& line) { line.send(sbgc::msg::Control{}); }},
       {"unconfirmed", EventKind::completed, Outcome::unconfirmed,
-       [](Simulation& line) { line.send(sbgc::Control{}, {.expect_confirmation = true}); }},
+       [](Simulation& line) { line.send(sbgc::msg::Control{}, {.expect_confirmation = true}); }},
       {"failed", EventKind::completed, Outcome::failed,
        [](Simulation& line) {
-         line.send(sbgc::FsClearAll{});
+         line.send(sbgc::msg::FsClearAll{});
          line.run_for(to_be_sent);
-         line.say(commands::confirm, {static_cast<std::uint8_t>(sbgc::CommandId::fs_clear_all), 1});
+         line.say(commands::confirm,
+                  {static_cast<std::uint8_t>(sbgc::msg::CommandId::fs_clear_all), 1});
        }},
       {"board_error_of_a_request", EventKind::completed, Outcome::board_error,
        send_and_say(commands::error, {motors_on, 1, 0, 0, 0, 0})},
       {"timeout", EventKind::completed, Outcome::timeout,
-       [](Simulation& line) { line.send(sbgc::BoardInfoRequest{}, {.attempts = 1}); }},
+       [](Simulation& line) { line.send(sbgc::msg::BoardInfoRequest{}, {.attempts = 1}); }},
       {"reset_of_a_request", EventKind::completed, Outcome::reset,
        send_and_say(commands::reset, {})},
       {"cancelled", EventKind::completed, Outcome::cancelled,
        [](Simulation& line) {
-         const Handle handle = line.send(sbgc::BoardInfoRequest{});
+         const Handle handle = line.send(sbgc::msg::BoardInfoRequest{});
          line.run_for(to_be_sent);
          EXPECT_TRUE(line.session.cancel(handle, line.sink()));
        }},
       {"link_lost", EventKind::completed, Outcome::link_lost,
        [](Simulation& line) {
-         line.send(sbgc::BoardInfoRequest{});
+         line.send(sbgc::msg::BoardInfoRequest{});
          line.run_for(to_be_sent);
          line.session.abandon(line.sink());
        }},
       {"confirmation", EventKind::confirmation, Outcome::none,
        [](Simulation& line) {
-         line.send(sbgc::CalibGyro{});
+         line.send(sbgc::msg::CalibGyro{});
          line.run_for(to_be_sent);
          line.confirm(commands::calib_gyro, milliseconds(5));
          line.confirm(commands::calib_gyro, seconds(2));
@@ -264,7 +265,7 @@ const std::vector<Call>& calls() {
   static const std::vector<Call> all = {
       {"send",
        [](Simulation& line, const Record&, std::vector<Handle>& sent) {
-         sent.push_back(line.send(sbgc::ReadParams3Request{}));
+         sent.push_back(line.send(sbgc::msg::ReadParams3Request{}));
        }},
       {"start_stream",
        [](Simulation& line, const Record&, std::vector<Handle>& sent) {
@@ -284,7 +285,7 @@ const std::vector<Call>& calls() {
        }},
       {"fill_up",
        [](Simulation& line, const Record&, std::vector<Handle>& sent) {
-         while (const auto result = line.session.send(sbgc::MotorsOff{})) {
+         while (const auto result = line.session.send(sbgc::msg::MotorsOff{})) {
            sent.push_back(result.handle);
          }
          EXPECT_EQ(line.session.open_requests(), 8U);
@@ -313,7 +314,8 @@ TEST_P(EachCall, FromEachEventDoesWhatItDoesElsewhere) {
   Simulation line;
   std::vector<Handle> sent;
   for (int i = 0; i < others; ++i) {  // of other requests, one is in flight and one waits
-    sent.push_back(line.send(sbgc::EepromReadRequest{}, {.attempts = 1, .timeout = seconds(60)}));
+    sent.push_back(
+        line.send(sbgc::msg::EepromReadRequest{}, {.attempts = 1, .timeout = seconds(60)}));
   }
   if (others != 0) line.run_for(to_be_sent);
   bool has_happened = false;

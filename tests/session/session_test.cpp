@@ -35,7 +35,7 @@ using ::testing::SizeIs;
 TEST(Session, TakesTheAnswerOfARequest) {
   Simulation line;
   line.board = [&](const Written&) { line.say(board_info, body_of(18, {31})); };
-  const Handle handle = line.send(sbgc::BoardInfoRequest{});
+  const Handle handle = line.send(sbgc::msg::BoardInfoRequest{});
   line.run();
   ASSERT_EQ(line.outcome(handle), Outcome::answered);
   const Record& record = *line.completion(handle);
@@ -48,7 +48,7 @@ TEST(Session, TakesTheAnswerOfARequest) {
 
 TEST(Session, IsDoneWithARequestThatNeedsNoAnswer) {
   Simulation line;
-  const Handle handle = line.send(sbgc::Control{});
+  const Handle handle = line.send(sbgc::msg::Control{});
   EXPECT_EQ(line.outcome(handle), Outcome::none) << "before it is written";
   line.run();
   EXPECT_EQ(line.outcome(handle), Outcome::sent);
@@ -58,7 +58,7 @@ TEST(Session, IsDoneWithARequestThatNeedsNoAnswer) {
 TEST(Session, WaitsForACertainConfirmation) {
   Simulation line;
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  const Handle handle = line.send(sbgc::MotorsOn{});
+  const Handle handle = line.send(sbgc::msg::MotorsOn{});
   line.run();
   EXPECT_EQ(line.outcome(handle), Outcome::confirmed);
   const auto confirmations = line.of(EventKind::confirmation);
@@ -84,11 +84,11 @@ void expect_to_wait_only_if_told(const Request& request) {
 }
 
 TEST(Session, WaitsForAPossibleConfirmationOnlyIfTold) {
-  expect_to_wait_only_if_told(sbgc::ExecuteMenu{});
+  expect_to_wait_only_if_told(sbgc::msg::ExecuteMenu{});
 }
 
 TEST(Session, WaitsForAnUnlikelyConfirmationOnlyIfTold) {
-  sbgc::ApiVirtChControl request;
+  sbgc::msg::ApiVirtChControl request;
   request.val_ch.push_back({});
   expect_to_wait_only_if_told(request);
 }
@@ -99,8 +99,8 @@ TEST(Session, DoesNotTakeTheConfirmationOfAnEarlierRequestForThatOfALaterOne) {
   line.board = [&](const Written& frame) {
     if (++frames == 1) line.confirm(frame.id, milliseconds(200));
   };
-  line.send(sbgc::ExecuteMenu{});  // nobody waits for its confirmation, which comes late
-  const Handle second = line.send(sbgc::ExecuteMenu{}, {.expect_confirmation = true});
+  line.send(sbgc::msg::ExecuteMenu{});  // nobody waits for its confirmation, which comes late
+  const Handle second = line.send(sbgc::msg::ExecuteMenu{}, {.expect_confirmation = true});
   line.run();
   EXPECT_EQ(line.outcome(second), Outcome::unconfirmed);
   ASSERT_THAT(line.of(EventKind::confirmation), SizeIs(1));
@@ -111,7 +111,7 @@ TEST(Session, DoesNotTakeTheConfirmationOfAnEarlierRequestForThatOfALaterOne) {
 TEST(Session, RequestsThatWaitForNothingDoNotHoldUpEachOther) {
   Simulation line;
   for (int i = 0; i < 40; ++i) {  // 50 a second; the board confirms none of them
-    line.send(sbgc::Control{});
+    line.send(sbgc::msg::Control{});
     line.run_for(milliseconds(20));
   }
   EXPECT_THAT(line.written, SizeIs(40));
@@ -123,7 +123,7 @@ TEST(Session, CountsTheConfirmationsOfACalibration) {
     line.confirm(frame.id, milliseconds(5));
     line.confirm(frame.id, seconds(12));
   };
-  const Handle handle = line.send(sbgc::CalibGyro{});
+  const Handle handle = line.send(sbgc::msg::CalibGyro{});
   line.run_for(seconds(11));
   EXPECT_EQ(line.outcome(handle), Outcome::none);
   line.run();
@@ -138,7 +138,7 @@ TEST(Session, CountsTheConfirmationsOfACalibration) {
 
 TEST(Session, ACalibrationThatIsNotConfirmedAtOnceHasNotBegun) {
   Simulation line;
-  const Handle handle = line.send(sbgc::CalibGyro{});
+  const Handle handle = line.send(sbgc::msg::CalibGyro{});
   line.run_for(seconds(1));
   EXPECT_EQ(line.outcome(handle), Outcome::timeout) << "the board ignores wrong parameters";
 }
@@ -146,7 +146,7 @@ TEST(Session, ACalibrationThatIsNotConfirmedAtOnceHasNotBegun) {
 TEST(Session, ACalibrationMayFailToEnd) {
   Simulation line;
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  const Handle handle = line.send(sbgc::CalibGyro{});
+  const Handle handle = line.send(sbgc::msg::CalibGyro{});
   line.run_for(seconds(29));
   EXPECT_EQ(line.outcome(handle), Outcome::none);
   line.run_for(seconds(2));
@@ -156,8 +156,8 @@ TEST(Session, ACalibrationMayFailToEnd) {
 TEST(Session, ACalibrationThatRestartsTheBoardIsConfirmedOnce) {
   Simulation line;
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  sbgc::CalibGyroExt request;
-  request.action = sbgc::CalibAction::reset;
+  sbgc::msg::CalibGyroExt request;
+  request.action = sbgc::msg::CalibAction::reset;
   const Handle handle = line.send(request);
   line.run();
   EXPECT_EQ(line.outcome(handle), Outcome::confirmed);
@@ -169,29 +169,29 @@ TEST(Session, RefusesWhatItCanNotHold) {
   Simulation line;
   std::vector<Handle> handles;
   for (std::size_t i = 0; i < sbgc::SessionCapacity{}.requests; ++i) {
-    handles.push_back(line.send(sbgc::MotorsOn{}));
+    handles.push_back(line.send(sbgc::msg::MotorsOn{}));
   }
-  const sbgc::SendResult refused = line.session.send(sbgc::MotorsOn{});
+  const sbgc::SendResult refused = line.session.send(sbgc::msg::MotorsOn{});
   EXPECT_EQ(refused.status, SendStatus::queue_full);
   EXPECT_FALSE(refused.handle);
-  EXPECT_EQ(line.session.send(77, {}, sbgc::exchange_of(sbgc::MotorsOn{})).status,
+  EXPECT_EQ(line.session.send(77, {}, msg::exchange_of(sbgc::msg::MotorsOn{})).status,
             SendStatus::queue_full);
   EXPECT_EQ(line.session.statistics().refused, 2U);
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
   line.run();
   for (const Handle handle : handles) EXPECT_EQ(line.outcome(handle), Outcome::confirmed);
   EXPECT_THAT(line.written, SizeIs(handles.size())) << "nothing is lost";
-  EXPECT_TRUE(line.session.send(sbgc::MotorsOn{}));
+  EXPECT_TRUE(line.session.send(sbgc::msg::MotorsOn{}));
 }
 
 TEST(Session, WaitsWhenThereIsNoRoomForGhosts) {
   using Small = sbgc::BasicSession<sbgc::SessionCapacity{.requests = 8, .ghosts = 2, .streams = 1}>;
   simulation::Basic<Small> line;
   std::vector<Handle> handles;
-  handles.push_back(line.send(sbgc::Control{}));
-  handles.push_back(line.send(sbgc::ExecuteMenu{}));
-  handles.push_back(line.send(sbgc::BeepSound{}));
-  handles.push_back(line.send(sbgc::ServoOut{}));
+  handles.push_back(line.send(sbgc::msg::Control{}));
+  handles.push_back(line.send(sbgc::msg::ExecuteMenu{}));
+  handles.push_back(line.send(sbgc::msg::BeepSound{}));
+  handles.push_back(line.send(sbgc::msg::ServoOut{}));
   line.run();
   for (const Handle handle : handles) EXPECT_EQ(line.outcome(handle), Outcome::sent);
   EXPECT_LT(line.written[1].at - line.written[0].at, milliseconds(100));
@@ -200,8 +200,8 @@ TEST(Session, WaitsWhenThereIsNoRoomForGhosts) {
 
 TEST(Session, RefusesWhatCanNotBeEncoded) {
   Simulation line;
-  sbgc::DataStreamInterval request;
-  request.cmd_id = sbgc::CommandId::realtime_data_custom;  // its flags are missing
+  sbgc::msg::DataStreamInterval request;
+  request.cmd_id = sbgc::msg::CommandId::realtime_data_custom;  // its flags are missing
   const sbgc::SendResult result = line.session.send(request);
   EXPECT_EQ(result.status, SendStatus::not_encodable);
   EXPECT_EQ(result.encoding.code, sbgc::Code::presence_mismatch);
@@ -213,10 +213,10 @@ TEST(Session, RefusesWhatCanNotBeEncoded) {
 TEST(Session, TakesEncodedBodies) {
   Simulation line;
   line.board = [&](const Written& frame) { line.say(eeprom_read, body_of(68, {frame.body[0]})); };
-  sbgc::EepromReadRequest request;
+  sbgc::msg::EepromReadRequest request;
   request.addr = 64;
   const Body body = body_of(6, {64, 0, 0, 0, 64, 0});
-  const auto result = line.session.send(eeprom_read, body, sbgc::exchange_of(request));
+  const auto result = line.session.send(eeprom_read, body, msg::exchange_of(request));
   line.run();
   EXPECT_EQ(line.outcome(result.handle), Outcome::answered);
   EXPECT_EQ(line.written[0].body, body);
@@ -226,7 +226,7 @@ TEST(Session, TakesEncodedBodies) {
 
 TEST(Session, TimeThatRunsBackwardsStandsStill) {
   Simulation line;
-  const Handle handle = line.send(sbgc::BoardInfoRequest{}, {.attempts = 1});
+  const Handle handle = line.send(sbgc::msg::BoardInfoRequest{}, {.attempts = 1});
   line.run_for(milliseconds(100));
   line.now = line.now - seconds(500);
   const sbgc::Output output = line.session.poll(line.now, line.sink());
@@ -241,13 +241,13 @@ TEST(Session, TimeThatRunsBackwardsStandsStill) {
 
 TEST(Session, TimeMayJump) {
   Simulation line;
-  const Handle handle = line.send(sbgc::BoardInfoRequest{}, {.attempts = 1});
+  const Handle handle = line.send(sbgc::msg::BoardInfoRequest{}, {.attempts = 1});
   line.run_for(milliseconds(1));
   line.now = line.now + seconds(1'000'000'000);
   line.run();
   EXPECT_EQ(line.outcome(handle), Outcome::timeout);
   line.now = {sbgc::Instant::never.us - 10};
-  line.send(sbgc::MotorsOn{});
+  line.send(sbgc::msg::MotorsOn{});
   EXPECT_FALSE(line.session.poll(line.now, line.sink()).bytes.empty());
   EXPECT_EQ(line.session.poll(line.now, line.sink()).deadline, sbgc::Instant::never);
 }
@@ -262,13 +262,13 @@ TEST(Session, HasNothingToDoWhenThereIsNothing) {
 TEST(Session, TheSinkMaySendTheNextRequestAndCancelOthers) {
   Simulation line;
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  const Handle other = line.send(sbgc::CalibGyro{});
+  const Handle other = line.send(sbgc::msg::CalibGyro{});
   int left = 20;
   line.on_event = [&](const Record& record) {
     if (record.event.kind == EventKind::confirmation && record.event.command == calib_gyro) {
       line.session.cancel(other, line.sink());
     }
-    if (record.event.kind == EventKind::completed && left-- > 0) line.send(sbgc::MotorsOn{});
+    if (record.event.kind == EventKind::completed && left-- > 0) line.send(sbgc::msg::MotorsOn{});
   };
   line.run();
   EXPECT_EQ(line.outcome(other), Outcome::cancelled);

@@ -10,7 +10,9 @@
 #include <sbgc/flags.hpp>
 #include <sbgc/number.hpp>
 
-namespace sbgc {
+namespace sbgc::msg {
+
+using sbgc::operator|;
 
 /// The commands of the protocol. Some share an id in opposite directions.
 /// Source: Command ID definitions L75-L154.
@@ -903,8 +905,6 @@ enum class BoardFeature : std::uint16_t {
   /// BOARD_FEATURE_CURRENT_SENSOR: Measures the supply current.
   current_sensor = 0x0020,
 };
-template <>
-inline constexpr bool is_flag<BoardFeature> = true;
 using BoardFeatures = Flags<BoardFeature>;
 
 /// How the host is connected to the board.
@@ -913,8 +913,6 @@ enum class ConnectionFlag : std::uint8_t {
   /// CONNECTION_USB: The host talks over USB, not over a UART.
   usb = 0x01,
 };
-template <>
-inline constexpr bool is_flag<ConnectionFlag> = true;
 using ConnectionFlags = Flags<ConnectionFlag>;
 
 /// What the board does before it restarts.
@@ -923,8 +921,6 @@ enum class ResetOption : std::uint8_t {
   /// Send CMD_RESET back first.
   notify = 0x01,
 };
-template <>
-inline constexpr bool is_flag<ResetOption> = true;
 using ResetOptions = Flags<ResetOption>;
 
 /// Filters of an axis that are on; 0 turns all off.
@@ -939,8 +935,6 @@ enum class FilterSwitch : std::uint8_t {
   /// EN_LPF: Low-pass filter.
   lpf = 0x08,
 };
-template <>
-inline constexpr bool is_flag<FilterSwitch> = true;
 using FilterSwitches = Flags<FilterSwitch>;
 
 /// Options in the upper half of an encoder type byte.
@@ -951,8 +945,6 @@ enum class EncoderFlag : std::uint8_t {
   /// ENCODER_IS_GEARED: A gear sits between motor and encoder.
   encoder_is_geared = 0x80,
 };
-template <>
-inline constexpr bool is_flag<EncoderFlag> = true;
 using EncoderFlags = Flags<EncoderFlag>;
 
 /// When the board makes a sound.
@@ -969,8 +961,6 @@ enum class BeeperMode : std::uint8_t {
   /// BEEP_BY_MOTORS: The motors make the sound instead of the buzzer.
   by_motors = 0x80,
 };
-template <>
-inline constexpr bool is_flag<BeeperMode> = true;
 using BeeperModes = Flags<BeeperMode>;
 
 /// Axes with adaptive PID control; 0 turns it off.
@@ -983,8 +973,6 @@ enum class AdaptivePidAxe : std::uint8_t {
   /// EN_YAW: Yaw.
   yaw = 0x04,
 };
-template <>
-inline constexpr bool is_flag<AdaptivePidAxe> = true;
 using AdaptivePidAxes = Flags<AdaptivePidAxe>;
 
 /// Settings of the whole board.
@@ -1009,8 +997,6 @@ enum class GeneralFlag : std::uint16_t {
   /// CENTER_YAW_AT_STARTUP: Centre yaw at start-up.
   center_yaw_at_startup = 0x0100,
 };
-template <>
-inline constexpr bool is_flag<GeneralFlag> = true;
 using GeneralFlags = Flags<GeneralFlag>;
 
 /// Settings of one profile.
@@ -1033,8 +1019,6 @@ enum class ProfileFlag : std::uint16_t {
   /// START_NEUTRAL_POSITION: Start in neutral position.
   start_neutral_position = 0x0100,
 };
-template <>
-inline constexpr bool is_flag<ProfileFlag> = true;
 using ProfileFlags = Flags<ProfileFlag>;
 
 /// Errors that the board has noticed.
@@ -1065,8 +1049,6 @@ enum class SystemError : std::uint16_t {
   /// ERR_EMERGENCY_STOP: Emergency stop; SYSTEM_SUB_ERROR tells the reason.
   emergency_stop = 0x0800,
 };
-template <>
-inline constexpr bool is_flag<SystemError> = true;
 using SystemErrors = Flags<SystemError>;
 
 /// State of the motors.
@@ -1075,8 +1057,6 @@ enum class OtherFlag : std::uint8_t {
   /// The motors are turned on.
   motors_on = 0x01,
 };
-template <>
-inline constexpr bool is_flag<OtherFlag> = true;
 using OtherFlags = Flags<OtherFlag>;
 
 /// Which blocks CMD_REALTIME_DATA_CUSTOM delivers.
@@ -1101,8 +1081,6 @@ enum class RealtimeDataCustomFlag : std::uint32_t {
   /// Accelerometer of the IMU.
   acc_data = 0x00000100,
 };
-template <>
-inline constexpr bool is_flag<RealtimeDataCustomFlag> = true;
 using RealtimeDataCustomFlags = Flags<RealtimeDataCustomFlag>;
 
 /// Options in the upper half of a control mode byte.
@@ -1111,8 +1089,6 @@ enum class ControlFlag : std::uint8_t {
   /// CONTROL_FLAG_HIGH_RES_SPEED: Speeds are in 0.001 deg/s. Since firmware 2.59.
   high_res_speed = 0x80,
 };
-template <>
-inline constexpr bool is_flag<ControlFlag> = true;
 using ControlFlags = Flags<ControlFlag>;
 
 /// What the automatic tuning of the PID controllers does.
@@ -1135,8 +1111,6 @@ enum class AutoPidFlag : std::uint8_t {
   /// AUTO_PID_CFG_ALL_PROFILES: Store the result in all profiles.
   all_profiles = 0x40,
 };
-template <>
-inline constexpr bool is_flag<AutoPidFlag> = true;
 using AutoPidFlags = Flags<AutoPidFlag>;
 
 /// Directions in which the accelerometer is calibrated.
@@ -1155,8 +1129,6 @@ enum class CalibratedLimit : std::uint8_t {
   /// Limit -Z.
   minus_z = 0x20,
 };
-template <>
-inline constexpr bool is_flag<CalibratedLimit> = true;
 using CalibratedLimits = Flags<CalibratedLimit>;
 
 /// What CMD_AHRS_HELPER does; without SET it asks, and all but FRAME_IMU is ignored.
@@ -1176,8 +1148,6 @@ enum class AhrsHelperModeBit : std::uint8_t {
   /// Use H1_VECTOR only.
   h1_only = 0x20,
 };
-template <>
-inline constexpr bool is_flag<AhrsHelperModeBit> = true;
 using AhrsHelperMode = Flags<AhrsHelperModeBit>;
 
 /// What the forms of CMD_AHRS_HELPER do whose mode has two bytes; without SET they ask.
@@ -1203,8 +1173,6 @@ enum class AhrsHelperWideModeBit : std::uint16_t {
   /// Turn the correction off. Since firmware 2.70b1.
   disable_correction = 0x0400,
 };
-template <>
-inline constexpr bool is_flag<AhrsHelperWideModeBit> = true;
 using AhrsHelperWideMode = Flags<AhrsHelperWideModeBit>;
 
 /// Which sound CMD_BEEP_SOUND makes.
@@ -1225,8 +1193,6 @@ enum class BeepMode : std::uint16_t {
   /// BEEPER_MODE_CUSTOM_MELODY: The notes of this message.
   custom_melody = 0x8000,
 };
-template <>
-inline constexpr bool is_flag<BeepMode> = true;
 using BeepModes = Flags<BeepMode>;
 
 /// What is special about a debug variable.
@@ -1235,8 +1201,6 @@ enum class DebugVarFlag : std::uint8_t {
   /// VAR_FLAG_ANGLE14: It is an angle, 16384 counts for one full turn.
   angle14 = 0x40,
 };
-template <>
-inline constexpr bool is_flag<DebugVarFlag> = true;
 using DebugVarFlags = Flags<DebugVarFlag>;
 
 /// Hardware version as a two-digit decimal number: 31 is 3.1.
@@ -1612,5 +1576,48 @@ class DebugVarType {
 
   raw_type raw_{};
 };
+
+}  // namespace sbgc::msg
+
+namespace sbgc {
+
+template <>
+inline constexpr bool is_flag<msg::BoardFeature> = true;
+template <>
+inline constexpr bool is_flag<msg::ConnectionFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::ResetOption> = true;
+template <>
+inline constexpr bool is_flag<msg::FilterSwitch> = true;
+template <>
+inline constexpr bool is_flag<msg::EncoderFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::BeeperMode> = true;
+template <>
+inline constexpr bool is_flag<msg::AdaptivePidAxe> = true;
+template <>
+inline constexpr bool is_flag<msg::GeneralFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::ProfileFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::SystemError> = true;
+template <>
+inline constexpr bool is_flag<msg::OtherFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::RealtimeDataCustomFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::ControlFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::AutoPidFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::CalibratedLimit> = true;
+template <>
+inline constexpr bool is_flag<msg::AhrsHelperModeBit> = true;
+template <>
+inline constexpr bool is_flag<msg::AhrsHelperWideModeBit> = true;
+template <>
+inline constexpr bool is_flag<msg::BeepMode> = true;
+template <>
+inline constexpr bool is_flag<msg::DebugVarFlag> = true;
 
 }  // namespace sbgc

@@ -11,6 +11,7 @@
 
 namespace sbgc {
 
+namespace msg {
 struct BoardInfo;
 struct BoardInfo3;
 struct Confirm;
@@ -22,27 +23,28 @@ struct BoardInfoRequest;
 struct BoardInfo3Request;
 
 enum class BoardErrorCode : std::uint8_t;
+}  // namespace msg
 
 namespace roles {
 
 /// Says that the board has carried out a command.
-using Confirmation = sbgc::Confirm;
+using Confirmation = msg::Confirm;
 /// Says that it could not: one type, or a TypeList of forms.
-using BoardError = TypeList<sbgc::Error, sbgc::ErrorExt>;
+using BoardError = TypeList<msg::Error, msg::ErrorExt>;
 /// Why.
-using ErrorReason = sbgc::BoardErrorCode;
+using ErrorReason = msg::BoardErrorCode;
 /// Says that the board is about to restart.
-using Reset = sbgc::Reset;
+using Reset = msg::Reset;
 /// Says what the board is.
-using Introduction = sbgc::BoardInfo;
+using Introduction = msg::BoardInfo;
 /// Asks for the introduction.
-using IntroductionRequest = sbgc::BoardInfoRequest;
+using IntroductionRequest = msg::BoardInfoRequest;
 /// Says what else there is to know about the board.
-using Details = sbgc::BoardInfo3;
+using Details = msg::BoardInfo3;
 /// Asks for these details.
-using DetailsRequest = sbgc::BoardInfo3Request;
+using DetailsRequest = msg::BoardInfo3Request;
 /// Starts, changes and ends a data stream.
-using StreamRequest = sbgc::DataStreamInterval;
+using StreamRequest = msg::DataStreamInterval;
 
 /// The command whose message a StreamRequest is about.
 template <class Request>

@@ -19,28 +19,28 @@ struct SettingsOf;
 
 /// Settings of one profile together with the general settings.
 template <>
-struct SettingsOf<ReadParams3> {
+struct SettingsOf<msg::ReadParams3> {
   static constexpr const char* name = "ReadParams3";
-  using Readers = TypeList<ReadParams3Request, ReadParams>;
-  using Writers = TypeList<WriteParams3, WriteParams>;
+  using Readers = TypeList<msg::ReadParams3Request, msg::ReadParams>;
+  using Writers = TypeList<msg::WriteParams3, msg::WriteParams>;
   static constexpr std::uint8_t copies = 5;
 
-  static constexpr auto& copy(ReadParams3& message) noexcept { return message.profile_id; }
-  static constexpr const auto& copy(const ReadParams3& message) noexcept {
+  static constexpr auto& copy(msg::ReadParams3& message) noexcept { return message.profile_id; }
+  static constexpr const auto& copy(const msg::ReadParams3& message) noexcept {
     return message.profile_id;
   }
 
-  static constexpr auto& copy(ReadParams3Request& message) noexcept { return message.profile_id; }
-  static constexpr const auto& copy(const ReadParams3Request& message) noexcept {
+  static constexpr auto& copy(msg::ReadParams3Request& message) noexcept { return message.profile_id; }
+  static constexpr const auto& copy(const msg::ReadParams3Request& message) noexcept {
     return message.profile_id;
   }
 
-  static constexpr auto& copy(ReadParams& message) noexcept { return message.profile_id; }
-  static constexpr const auto& copy(const ReadParams& message) noexcept {
+  static constexpr auto& copy(msg::ReadParams& message) noexcept { return message.profile_id; }
+  static constexpr const auto& copy(const msg::ReadParams& message) noexcept {
     return message.profile_id;
   }
 
-  static constexpr void share(const ReadParams3& from, ReadParams3& to) noexcept {
+  static constexpr void share(const msg::ReadParams3& from, msg::ReadParams3& to) noexcept {
     to.serial_speed = from.serial_speed;
     to.axis_top = from.axis_top;
     to.axis_right = from.axis_right;
@@ -54,74 +54,74 @@ struct SettingsOf<ReadParams3> {
 
 /// Further settings of one profile: filters, encoders, magnetometer.
 template <>
-struct SettingsOf<ReadParamsExt> {
+struct SettingsOf<msg::ReadParamsExt> {
   static constexpr const char* name = "ReadParamsExt";
-  using Readers = TypeList<ReadParamsExtRequest>;
-  using Writers = TypeList<WriteParamsExt>;
+  using Readers = TypeList<msg::ReadParamsExtRequest>;
+  using Writers = TypeList<msg::WriteParamsExt>;
   static constexpr std::uint8_t copies = 5;
 
-  static constexpr auto& copy(ReadParamsExt& message) noexcept { return message.profile_id; }
-  static constexpr const auto& copy(const ReadParamsExt& message) noexcept {
+  static constexpr auto& copy(msg::ReadParamsExt& message) noexcept { return message.profile_id; }
+  static constexpr const auto& copy(const msg::ReadParamsExt& message) noexcept {
     return message.profile_id;
   }
 
-  static constexpr auto& copy(ReadParamsExtRequest& message) noexcept { return message.profile_id; }
-  static constexpr const auto& copy(const ReadParamsExtRequest& message) noexcept {
+  static constexpr auto& copy(msg::ReadParamsExtRequest& message) noexcept { return message.profile_id; }
+  static constexpr const auto& copy(const msg::ReadParamsExtRequest& message) noexcept {
     return message.profile_id;
   }
 
-  static constexpr void share(const ReadParamsExt&, ReadParamsExt&) noexcept {}
+  static constexpr void share(const msg::ReadParamsExt&, msg::ReadParamsExt&) noexcept {}
 };
 
 /// Still further settings of one profile.
 template <>
-struct SettingsOf<ReadParamsExt2> {
+struct SettingsOf<msg::ReadParamsExt2> {
   static constexpr const char* name = "ReadParamsExt2";
-  using Readers = TypeList<ReadParamsExt2Request>;
-  using Writers = TypeList<WriteParamsExt2>;
+  using Readers = TypeList<msg::ReadParamsExt2Request>;
+  using Writers = TypeList<msg::WriteParamsExt2>;
   static constexpr std::uint8_t copies = 5;
 
-  static constexpr auto& copy(ReadParamsExt2& message) noexcept { return message.profile_id; }
-  static constexpr const auto& copy(const ReadParamsExt2& message) noexcept {
+  static constexpr auto& copy(msg::ReadParamsExt2& message) noexcept { return message.profile_id; }
+  static constexpr const auto& copy(const msg::ReadParamsExt2& message) noexcept {
     return message.profile_id;
   }
 
-  static constexpr auto& copy(ReadParamsExt2Request& message) noexcept { return message.profile_id; }
-  static constexpr const auto& copy(const ReadParamsExt2Request& message) noexcept {
+  static constexpr auto& copy(msg::ReadParamsExt2Request& message) noexcept { return message.profile_id; }
+  static constexpr const auto& copy(const msg::ReadParamsExt2Request& message) noexcept {
     return message.profile_id;
   }
 
-  static constexpr void share(const ReadParamsExt2&, ReadParamsExt2&) noexcept {}
+  static constexpr void share(const msg::ReadParamsExt2&, msg::ReadParamsExt2&) noexcept {}
 };
 
 /// Names of the profiles.
 template <>
-struct SettingsOf<ReadProfileNames> {
+struct SettingsOf<msg::ReadProfileNames> {
   static constexpr const char* name = "ReadProfileNames";
-  using Readers = TypeList<ReadProfileNamesRequest>;
-  using Writers = TypeList<WriteProfileNames>;
+  using Readers = TypeList<msg::ReadProfileNamesRequest>;
+  using Writers = TypeList<msg::WriteProfileNames>;
   static constexpr std::uint8_t copies = 1;
 };
 
 /// Which RC signals start actions and which ones change adjustable variables.
 template <>
-struct SettingsOf<ReadAdjVarsCfg> {
+struct SettingsOf<msg::ReadAdjVarsCfg> {
   static constexpr const char* name = "ReadAdjVarsCfg";
-  using Readers = TypeList<ReadAdjVarsCfgRequest>;
-  using Writers = TypeList<WriteAdjVarsCfg>;
+  using Readers = TypeList<msg::ReadAdjVarsCfgRequest>;
+  using Writers = TypeList<msg::WriteAdjVarsCfg>;
   static constexpr std::uint8_t copies = 1;
 };
 
 /// Data of the user in the EEPROM.
 template <>
-struct SettingsOf<ReadExternalData> {
+struct SettingsOf<msg::ReadExternalData> {
   static constexpr const char* name = "ReadExternalData";
-  using Readers = TypeList<ReadExternalDataRequest>;
-  using Writers = TypeList<WriteExternalData>;
+  using Readers = TypeList<msg::ReadExternalDataRequest>;
+  using Writers = TypeList<msg::WriteExternalData>;
   static constexpr std::uint8_t copies = 1;
 };
 
 /// The messages that hold settings, in the order of the specification's families.
-using StoredMessages = TypeList<ReadParams3, ReadParamsExt, ReadParamsExt2, ReadProfileNames, ReadAdjVarsCfg, ReadExternalData>;
+using StoredMessages = TypeList<msg::ReadParams3, msg::ReadParamsExt, msg::ReadParamsExt2, msg::ReadProfileNames, msg::ReadAdjVarsCfg, msg::ReadExternalData>;
 
 }  // namespace sbgc

@@ -8,7 +8,7 @@
 
 #include <sbgc/quantity.hpp>
 
-namespace sbgc {
+namespace sbgc::msg {
 
 /// Angle, 16384 counts for one full turn.
 /// Unit: deg, one count is 360/16384. Errata: E074.
@@ -730,4 +730,4 @@ class Pages
   constexpr double bytes() const noexcept { return real(); }
 };
 
-}  // namespace sbgc
+}  // namespace sbgc::msg

@@ -17,54 +17,54 @@ namespace sbgc {
 /// `settings.template of<M>()` is a reference to the settings of message type M.
 template <class Settings>
 constexpr Optional<std::int32_t> variable_value([[maybe_unused]] const Settings& settings,
-                                                VariableId id) noexcept {
+                                                msg::VariableId id) noexcept {
   switch (id) {
-    case VariableId::p_roll: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().axes.roll.p);
-    case VariableId::p_pitch: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().axes.pitch.p);
-    case VariableId::p_yaw: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().axes.yaw.p);
-    case VariableId::i_roll: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().axes.roll.i);
-    case VariableId::i_pitch: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().axes.pitch.i);
-    case VariableId::i_yaw: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().axes.yaw.i);
-    case VariableId::d_roll: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().axes.roll.d);
-    case VariableId::d_pitch: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().axes.pitch.d);
-    case VariableId::d_yaw: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().axes.yaw.d);
-    case VariableId::power_roll: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().axes.roll.power);
-    case VariableId::power_pitch: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().axes.pitch.power);
-    case VariableId::power_yaw: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().axes.yaw.power);
-    case VariableId::acc_limiter: return detail::variable_value({1, 0, 5}, settings.template of<ReadParams3>().acc_limiter_all);
-    case VariableId::follow_speed_roll: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().follow_speed.roll);
-    case VariableId::follow_speed_pitch: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().follow_speed.pitch);
-    case VariableId::follow_speed_yaw: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().follow_speed.yaw);
-    case VariableId::follow_lpf_roll: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().follow_lpf.roll);
-    case VariableId::follow_lpf_pitch: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().follow_lpf.pitch);
-    case VariableId::follow_lpf_yaw: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().follow_lpf.yaw);
-    case VariableId::rc_speed_roll: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().rc.roll.rc_speed);
-    case VariableId::rc_speed_pitch: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().rc.pitch.rc_speed);
-    case VariableId::rc_speed_yaw: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().rc.yaw.rc_speed);
-    case VariableId::rc_lpf_roll: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().rc.roll.rc_lpf);
-    case VariableId::rc_lpf_pitch: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().rc.pitch.rc_lpf);
-    case VariableId::rc_lpf_yaw: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().rc.yaw.rc_lpf);
-    case VariableId::rc_trim_roll: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().rc_trim.roll);
-    case VariableId::rc_trim_pitch: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().rc_trim.pitch);
-    case VariableId::rc_trim_yaw: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().rc_trim.yaw);
-    case VariableId::rc_deadband: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().rc_deadband);
-    case VariableId::rc_expo_rate: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().rc_expo_rate);
-    case VariableId::follow_mode: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().follow_mode);
-    case VariableId::rc_follow_yaw: return detail::switch_value(settings.template of<ReadParams3>().rc.yaw.rc_follow);
-    case VariableId::follow_deadband: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().follow_deadband);
-    case VariableId::follow_expo_rate: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().follow_expo_rate);
-    case VariableId::follow_roll_mix_start: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().follow_roll_mix_start);
-    case VariableId::follow_roll_mix_range: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().follow_roll_mix_range);
-    case VariableId::gyro_trust: return detail::variable_value({1, 0, 1}, settings.template of<ReadParams3>().gyro_trust);
-    case VariableId::acc_limiter_roll: return detail::variable_value({1, 0, 5}, settings.template of<ReadParamsExt2>().acc_limiter3.roll);
-    case VariableId::acc_limiter_pitch: return detail::variable_value({1, 0, 5}, settings.template of<ReadParamsExt2>().acc_limiter3.pitch);
-    case VariableId::acc_limiter_yaw: return detail::variable_value({1, 0, 5}, settings.template of<ReadParamsExt2>().acc_limiter3.yaw);
-    case VariableId::pid_gain_roll: return detail::variable_value({1, 0, 1}, settings.template of<ReadParamsExt2>().pid_gain.roll);
-    case VariableId::pid_gain_pitch: return detail::variable_value({1, 0, 1}, settings.template of<ReadParamsExt2>().pid_gain.pitch);
-    case VariableId::pid_gain_yaw: return detail::variable_value({1, 0, 1}, settings.template of<ReadParamsExt2>().pid_gain.yaw);
-    case VariableId::lpf_freq_roll: return detail::variable_value({1, 0, 1}, settings.template of<ReadParamsExt>().lpf_freq.roll);
-    case VariableId::lpf_freq_pitch: return detail::variable_value({1, 0, 1}, settings.template of<ReadParamsExt>().lpf_freq.pitch);
-    case VariableId::lpf_freq_yaw: return detail::variable_value({1, 0, 1}, settings.template of<ReadParamsExt>().lpf_freq.yaw);
+    case msg::VariableId::p_roll: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().axes.roll.p);
+    case msg::VariableId::p_pitch: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().axes.pitch.p);
+    case msg::VariableId::p_yaw: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().axes.yaw.p);
+    case msg::VariableId::i_roll: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().axes.roll.i);
+    case msg::VariableId::i_pitch: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().axes.pitch.i);
+    case msg::VariableId::i_yaw: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().axes.yaw.i);
+    case msg::VariableId::d_roll: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().axes.roll.d);
+    case msg::VariableId::d_pitch: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().axes.pitch.d);
+    case msg::VariableId::d_yaw: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().axes.yaw.d);
+    case msg::VariableId::power_roll: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().axes.roll.power);
+    case msg::VariableId::power_pitch: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().axes.pitch.power);
+    case msg::VariableId::power_yaw: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().axes.yaw.power);
+    case msg::VariableId::acc_limiter: return detail::variable_value({1, 0, 5}, settings.template of<msg::ReadParams3>().acc_limiter_all);
+    case msg::VariableId::follow_speed_roll: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().follow_speed.roll);
+    case msg::VariableId::follow_speed_pitch: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().follow_speed.pitch);
+    case msg::VariableId::follow_speed_yaw: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().follow_speed.yaw);
+    case msg::VariableId::follow_lpf_roll: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().follow_lpf.roll);
+    case msg::VariableId::follow_lpf_pitch: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().follow_lpf.pitch);
+    case msg::VariableId::follow_lpf_yaw: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().follow_lpf.yaw);
+    case msg::VariableId::rc_speed_roll: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.roll.rc_speed);
+    case msg::VariableId::rc_speed_pitch: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.pitch.rc_speed);
+    case msg::VariableId::rc_speed_yaw: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.yaw.rc_speed);
+    case msg::VariableId::rc_lpf_roll: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.roll.rc_lpf);
+    case msg::VariableId::rc_lpf_pitch: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.pitch.rc_lpf);
+    case msg::VariableId::rc_lpf_yaw: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.yaw.rc_lpf);
+    case msg::VariableId::rc_trim_roll: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().rc_trim.roll);
+    case msg::VariableId::rc_trim_pitch: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().rc_trim.pitch);
+    case msg::VariableId::rc_trim_yaw: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().rc_trim.yaw);
+    case msg::VariableId::rc_deadband: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().rc_deadband);
+    case msg::VariableId::rc_expo_rate: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().rc_expo_rate);
+    case msg::VariableId::follow_mode: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().follow_mode);
+    case msg::VariableId::rc_follow_yaw: return detail::switch_value(settings.template of<msg::ReadParams3>().rc.yaw.rc_follow);
+    case msg::VariableId::follow_deadband: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().follow_deadband);
+    case msg::VariableId::follow_expo_rate: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().follow_expo_rate);
+    case msg::VariableId::follow_roll_mix_start: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().follow_roll_mix_start);
+    case msg::VariableId::follow_roll_mix_range: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().follow_roll_mix_range);
+    case msg::VariableId::gyro_trust: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().gyro_trust);
+    case msg::VariableId::acc_limiter_roll: return detail::variable_value({1, 0, 5}, settings.template of<msg::ReadParamsExt2>().acc_limiter3.roll);
+    case msg::VariableId::acc_limiter_pitch: return detail::variable_value({1, 0, 5}, settings.template of<msg::ReadParamsExt2>().acc_limiter3.pitch);
+    case msg::VariableId::acc_limiter_yaw: return detail::variable_value({1, 0, 5}, settings.template of<msg::ReadParamsExt2>().acc_limiter3.yaw);
+    case msg::VariableId::pid_gain_roll: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().pid_gain.roll);
+    case msg::VariableId::pid_gain_pitch: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().pid_gain.pitch);
+    case msg::VariableId::pid_gain_yaw: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().pid_gain.yaw);
+    case msg::VariableId::lpf_freq_roll: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt>().lpf_freq.roll);
+    case msg::VariableId::lpf_freq_pitch: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt>().lpf_freq.pitch);
+    case msg::VariableId::lpf_freq_yaw: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt>().lpf_freq.yaw);
     default: return {};
   }
 }
@@ -73,195 +73,195 @@ constexpr Optional<std::int32_t> variable_value([[maybe_unused]] const Settings&
 /// does not mean something special which the value does not. False, and nothing is changed, if it
 /// stands for none or the value is out of its range.
 template <class Settings>
-constexpr bool set_variable([[maybe_unused]] Settings& settings, VariableId id,
+constexpr bool set_variable([[maybe_unused]] Settings& settings, msg::VariableId id,
                             [[maybe_unused]] std::int32_t value) noexcept {
   switch (id) {
-    case VariableId::p_roll:
+    case msg::VariableId::p_roll:
       if (value < 0 || value > 255) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().axes.roll.p, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().axes.roll.p, value);
       return true;
-    case VariableId::p_pitch:
+    case msg::VariableId::p_pitch:
       if (value < 0 || value > 255) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().axes.pitch.p, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().axes.pitch.p, value);
       return true;
-    case VariableId::p_yaw:
+    case msg::VariableId::p_yaw:
       if (value < 0 || value > 255) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().axes.yaw.p, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().axes.yaw.p, value);
       return true;
-    case VariableId::i_roll:
+    case msg::VariableId::i_roll:
       if (value < 0 || value > 255) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().axes.roll.i, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().axes.roll.i, value);
       return true;
-    case VariableId::i_pitch:
+    case msg::VariableId::i_pitch:
       if (value < 0 || value > 255) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().axes.pitch.i, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().axes.pitch.i, value);
       return true;
-    case VariableId::i_yaw:
+    case msg::VariableId::i_yaw:
       if (value < 0 || value > 255) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().axes.yaw.i, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().axes.yaw.i, value);
       return true;
-    case VariableId::d_roll:
+    case msg::VariableId::d_roll:
       if (value < 0 || value > 255) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().axes.roll.d, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().axes.roll.d, value);
       return true;
-    case VariableId::d_pitch:
+    case msg::VariableId::d_pitch:
       if (value < 0 || value > 255) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().axes.pitch.d, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().axes.pitch.d, value);
       return true;
-    case VariableId::d_yaw:
+    case msg::VariableId::d_yaw:
       if (value < 0 || value > 255) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().axes.yaw.d, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().axes.yaw.d, value);
       return true;
-    case VariableId::power_roll:
+    case msg::VariableId::power_roll:
       if (value < 0 || value > 255) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().axes.roll.power, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().axes.roll.power, value);
       return true;
-    case VariableId::power_pitch:
+    case msg::VariableId::power_pitch:
       if (value < 0 || value > 255) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().axes.pitch.power, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().axes.pitch.power, value);
       return true;
-    case VariableId::power_yaw:
+    case msg::VariableId::power_yaw:
       if (value < 0 || value > 255) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().axes.yaw.power, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().axes.yaw.power, value);
       return true;
-    case VariableId::acc_limiter:
+    case msg::VariableId::acc_limiter:
       if (value < 0 || value > 1275) return false;
-      detail::set_variable({1, 0, 5}, settings.template of<ReadParams3>().acc_limiter_all, value, {0});
-      detail::set_variable({1, 0, 5}, settings.template of<ReadParamsExt2>().acc_limiter3.roll, value, {0});
-      detail::set_variable({1, 0, 5}, settings.template of<ReadParamsExt2>().acc_limiter3.pitch, value, {0});
-      detail::set_variable({1, 0, 5}, settings.template of<ReadParamsExt2>().acc_limiter3.yaw, value, {0});
+      detail::set_variable({1, 0, 5}, settings.template of<msg::ReadParams3>().acc_limiter_all, value, {0});
+      detail::set_variable({1, 0, 5}, settings.template of<msg::ReadParamsExt2>().acc_limiter3.roll, value, {0});
+      detail::set_variable({1, 0, 5}, settings.template of<msg::ReadParamsExt2>().acc_limiter3.pitch, value, {0});
+      detail::set_variable({1, 0, 5}, settings.template of<msg::ReadParamsExt2>().acc_limiter3.yaw, value, {0});
       return true;
-    case VariableId::follow_speed_roll:
+    case msg::VariableId::follow_speed_roll:
       if (value < 0 || value > 255) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().follow_speed.roll, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().follow_speed.roll, value);
       return true;
-    case VariableId::follow_speed_pitch:
+    case msg::VariableId::follow_speed_pitch:
       if (value < 0 || value > 255) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().follow_speed.pitch, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().follow_speed.pitch, value);
       return true;
-    case VariableId::follow_speed_yaw:
+    case msg::VariableId::follow_speed_yaw:
       if (value < 0 || value > 255) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().follow_speed.yaw, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().follow_speed.yaw, value);
       return true;
-    case VariableId::follow_lpf_roll:
+    case msg::VariableId::follow_lpf_roll:
       if (value < 0 || value > 16) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().follow_lpf.roll, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().follow_lpf.roll, value);
       return true;
-    case VariableId::follow_lpf_pitch:
+    case msg::VariableId::follow_lpf_pitch:
       if (value < 0 || value > 16) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().follow_lpf.pitch, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().follow_lpf.pitch, value);
       return true;
-    case VariableId::follow_lpf_yaw:
+    case msg::VariableId::follow_lpf_yaw:
       if (value < 0 || value > 16) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().follow_lpf.yaw, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().follow_lpf.yaw, value);
       return true;
-    case VariableId::rc_speed_roll:
+    case msg::VariableId::rc_speed_roll:
       if (value < 0 || value > 255) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().rc.roll.rc_speed, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.roll.rc_speed, value);
       return true;
-    case VariableId::rc_speed_pitch:
+    case msg::VariableId::rc_speed_pitch:
       if (value < 0 || value > 255) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().rc.pitch.rc_speed, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.pitch.rc_speed, value);
       return true;
-    case VariableId::rc_speed_yaw:
+    case msg::VariableId::rc_speed_yaw:
       if (value < 0 || value > 255) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().rc.yaw.rc_speed, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.yaw.rc_speed, value);
       return true;
-    case VariableId::rc_lpf_roll:
+    case msg::VariableId::rc_lpf_roll:
       if (value < 0 || value > 16) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().rc.roll.rc_lpf, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.roll.rc_lpf, value);
       return true;
-    case VariableId::rc_lpf_pitch:
+    case msg::VariableId::rc_lpf_pitch:
       if (value < 0 || value > 16) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().rc.pitch.rc_lpf, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.pitch.rc_lpf, value);
       return true;
-    case VariableId::rc_lpf_yaw:
+    case msg::VariableId::rc_lpf_yaw:
       if (value < 0 || value > 16) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().rc.yaw.rc_lpf, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.yaw.rc_lpf, value);
       return true;
-    case VariableId::rc_trim_roll:
+    case msg::VariableId::rc_trim_roll:
       if (value < -127 || value > 127) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().rc_trim.roll, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().rc_trim.roll, value);
       return true;
-    case VariableId::rc_trim_pitch:
+    case msg::VariableId::rc_trim_pitch:
       if (value < -127 || value > 127) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().rc_trim.pitch, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().rc_trim.pitch, value);
       return true;
-    case VariableId::rc_trim_yaw:
+    case msg::VariableId::rc_trim_yaw:
       if (value < -127 || value > 127) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().rc_trim.yaw, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().rc_trim.yaw, value);
       return true;
-    case VariableId::rc_deadband:
+    case msg::VariableId::rc_deadband:
       if (value < 0 || value > 255) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().rc_deadband, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().rc_deadband, value);
       return true;
-    case VariableId::rc_expo_rate:
+    case msg::VariableId::rc_expo_rate:
       if (value < 0 || value > 100) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().rc_expo_rate, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().rc_expo_rate, value);
       return true;
-    case VariableId::follow_mode:
+    case msg::VariableId::follow_mode:
       if (value < 0 || value > 2) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().follow_mode, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().follow_mode, value);
       return true;
-    case VariableId::rc_follow_yaw:
+    case msg::VariableId::rc_follow_yaw:
       if (value < 0 || value > 1) return false;
-      detail::set_switch(settings.template of<ReadParams3>().rc.yaw.rc_follow, value);
+      detail::set_switch(settings.template of<msg::ReadParams3>().rc.yaw.rc_follow, value);
       return true;
-    case VariableId::follow_deadband:
+    case msg::VariableId::follow_deadband:
       if (value < 0 || value > 255) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().follow_deadband, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().follow_deadband, value);
       return true;
-    case VariableId::follow_expo_rate:
+    case msg::VariableId::follow_expo_rate:
       if (value < 0 || value > 100) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().follow_expo_rate, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().follow_expo_rate, value);
       return true;
-    case VariableId::follow_roll_mix_start:
+    case msg::VariableId::follow_roll_mix_start:
       if (value < 0 || value > 90) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().follow_roll_mix_start, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().follow_roll_mix_start, value);
       return true;
-    case VariableId::follow_roll_mix_range:
+    case msg::VariableId::follow_roll_mix_range:
       if (value < 0 || value > 90) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().follow_roll_mix_range, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().follow_roll_mix_range, value);
       return true;
-    case VariableId::gyro_trust:
+    case msg::VariableId::gyro_trust:
       if (value < 0 || value > 255) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParams3>().gyro_trust, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().gyro_trust, value);
       return true;
-    case VariableId::acc_limiter_roll:
+    case msg::VariableId::acc_limiter_roll:
       if (value < 0 || value > 1275) return false;
-      detail::set_variable({1, 0, 5}, settings.template of<ReadParamsExt2>().acc_limiter3.roll, value, {0});
+      detail::set_variable({1, 0, 5}, settings.template of<msg::ReadParamsExt2>().acc_limiter3.roll, value, {0});
       return true;
-    case VariableId::acc_limiter_pitch:
+    case msg::VariableId::acc_limiter_pitch:
       if (value < 0 || value > 1275) return false;
-      detail::set_variable({1, 0, 5}, settings.template of<ReadParamsExt2>().acc_limiter3.pitch, value, {0});
+      detail::set_variable({1, 0, 5}, settings.template of<msg::ReadParamsExt2>().acc_limiter3.pitch, value, {0});
       return true;
-    case VariableId::acc_limiter_yaw:
+    case msg::VariableId::acc_limiter_yaw:
       if (value < 0 || value > 1275) return false;
-      detail::set_variable({1, 0, 5}, settings.template of<ReadParamsExt2>().acc_limiter3.yaw, value, {0});
+      detail::set_variable({1, 0, 5}, settings.template of<msg::ReadParamsExt2>().acc_limiter3.yaw, value, {0});
       return true;
-    case VariableId::pid_gain_roll:
+    case msg::VariableId::pid_gain_roll:
       if (value < 0 || value > 255) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParamsExt2>().pid_gain.roll, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().pid_gain.roll, value);
       return true;
-    case VariableId::pid_gain_pitch:
+    case msg::VariableId::pid_gain_pitch:
       if (value < 0 || value > 255) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParamsExt2>().pid_gain.pitch, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().pid_gain.pitch, value);
       return true;
-    case VariableId::pid_gain_yaw:
+    case msg::VariableId::pid_gain_yaw:
       if (value < 0 || value > 255) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParamsExt2>().pid_gain.yaw, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().pid_gain.yaw, value);
       return true;
-    case VariableId::lpf_freq_roll:
+    case msg::VariableId::lpf_freq_roll:
       if (value < 10 || value > 400) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParamsExt>().lpf_freq.roll, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt>().lpf_freq.roll, value);
       return true;
-    case VariableId::lpf_freq_pitch:
+    case msg::VariableId::lpf_freq_pitch:
       if (value < 10 || value > 400) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParamsExt>().lpf_freq.pitch, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt>().lpf_freq.pitch, value);
       return true;
-    case VariableId::lpf_freq_yaw:
+    case msg::VariableId::lpf_freq_yaw:
       if (value < 10 || value > 400) return false;
-      detail::set_variable({1, 0, 1}, settings.template of<ReadParamsExt>().lpf_freq.yaw, value);
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt>().lpf_freq.yaw, value);
       return true;
     default: return false;
   }

@@ -14,6 +14,7 @@
 namespace sbgc {
 
 // Declared only: who makes a call includes its message.
+namespace msg {
 struct BoardInfo;
 struct BoardInfoRequest;
 struct BoardInfoRequestOneByte;
@@ -130,6 +131,7 @@ struct DebugVarsInfo3;
 struct DebugVarsInfo3Request;
 struct DebugVars3;
 struct DebugVars3Request;
+}  // namespace msg
 
 namespace detail {
 
@@ -137,336 +139,336 @@ namespace detail {
 template <class M>
 struct CallAnswerOf;
 template <>
-struct CallAnswerOf<BoardInfoRequest> {
-  using type = BoardInfo;
+struct CallAnswerOf<msg::BoardInfoRequest> {
+  using type = msg::BoardInfo;
 };
 template <>
-struct CallAnswerOf<BoardInfoRequestOneByte> {
-  using type = BoardInfo;
+struct CallAnswerOf<msg::BoardInfoRequestOneByte> {
+  using type = msg::BoardInfo;
 };
 template <>
-struct CallAnswerOf<BoardInfoRequestExt> {
-  using type = BoardInfo;
+struct CallAnswerOf<msg::BoardInfoRequestExt> {
+  using type = msg::BoardInfo;
 };
 template <>
-struct CallAnswerOf<BoardInfo3Request> {
-  using type = BoardInfo3;
+struct CallAnswerOf<msg::BoardInfo3Request> {
+  using type = msg::BoardInfo3;
 };
 template <>
-struct CallAnswerOf<ResetRequest> {
+struct CallAnswerOf<msg::ResetRequest> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<ResetRequestExt> {
-  using type = std::optional<Reset>;
+struct CallAnswerOf<msg::ResetRequestExt> {
+  using type = std::optional<msg::Reset>;
 };
 template <>
-struct CallAnswerOf<BootMode3> {
+struct CallAnswerOf<msg::BootMode3> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<BootMode3Ext> {
-  using type = std::optional<Reset>;
+struct CallAnswerOf<msg::BootMode3Ext> {
+  using type = std::optional<msg::Reset>;
 };
 template <>
-struct CallAnswerOf<QueueParamsInfo3Request> {
+struct CallAnswerOf<msg::QueueParamsInfo3Request> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<SystemStateRequest> {
+struct CallAnswerOf<msg::SystemStateRequest> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<MavlinkInfoRequest> {
+struct CallAnswerOf<msg::MavlinkInfoRequest> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<MavlinkDebugRequest> {
+struct CallAnswerOf<msg::MavlinkDebugRequest> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<ReadParams3Request> {
-  using type = ReadParams3;
+struct CallAnswerOf<msg::ReadParams3Request> {
+  using type = msg::ReadParams3;
 };
 template <>
-struct CallAnswerOf<WriteParams3> {
+struct CallAnswerOf<msg::WriteParams3> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<ReadParams> {
-  using type = ReadParams3;
+struct CallAnswerOf<msg::ReadParams> {
+  using type = msg::ReadParams3;
 };
 template <>
-struct CallAnswerOf<WriteParams> {
+struct CallAnswerOf<msg::WriteParams> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<ReadParamsExtRequest> {
-  using type = ReadParamsExt;
+struct CallAnswerOf<msg::ReadParamsExtRequest> {
+  using type = msg::ReadParamsExt;
 };
 template <>
-struct CallAnswerOf<WriteParamsExt> {
+struct CallAnswerOf<msg::WriteParamsExt> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<ReadParamsExt2Request> {
-  using type = ReadParamsExt2;
+struct CallAnswerOf<msg::ReadParamsExt2Request> {
+  using type = msg::ReadParamsExt2;
 };
 template <>
-struct CallAnswerOf<WriteParamsExt2> {
+struct CallAnswerOf<msg::WriteParamsExt2> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<ReadProfileNamesRequest> {
-  using type = ReadProfileNames;
+struct CallAnswerOf<msg::ReadProfileNamesRequest> {
+  using type = msg::ReadProfileNames;
 };
 template <>
-struct CallAnswerOf<WriteProfileNames> {
+struct CallAnswerOf<msg::WriteProfileNames> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<SaveParams3> {
+struct CallAnswerOf<msg::SaveParams3> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<UseDefaults> {
+struct CallAnswerOf<msg::UseDefaults> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<RealtimeData> {
-  using type = RealtimeData3;
+struct CallAnswerOf<msg::RealtimeData> {
+  using type = msg::RealtimeData3;
 };
 template <>
-struct CallAnswerOf<RealtimeData3Request> {
-  using type = RealtimeData3;
+struct CallAnswerOf<msg::RealtimeData3Request> {
+  using type = msg::RealtimeData3;
 };
 template <>
-struct CallAnswerOf<RealtimeData4Request> {
-  using type = RealtimeData4;
+struct CallAnswerOf<msg::RealtimeData4Request> {
+  using type = msg::RealtimeData4;
 };
 template <>
-struct CallAnswerOf<RealtimeDataCustomRequest> {
-  using type = RealtimeDataCustom;
+struct CallAnswerOf<msg::RealtimeDataCustomRequest> {
+  using type = msg::RealtimeDataCustom;
 };
 template <>
-struct CallAnswerOf<DataStreamInterval> {
+struct CallAnswerOf<msg::DataStreamInterval> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<Control> {
+struct CallAnswerOf<msg::Control> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<ControlExt> {
+struct CallAnswerOf<msg::ControlExt> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<GetAnglesRequest> {
-  using type = GetAngles;
+struct CallAnswerOf<msg::GetAnglesRequest> {
+  using type = msg::GetAngles;
 };
 template <>
-struct CallAnswerOf<GetAnglesExtRequest> {
-  using type = GetAnglesExt;
+struct CallAnswerOf<msg::GetAnglesExtRequest> {
+  using type = msg::GetAnglesExt;
 };
 template <>
-struct CallAnswerOf<MotorsOn> {
+struct CallAnswerOf<msg::MotorsOn> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<MotorsOff> {
+struct CallAnswerOf<msg::MotorsOff> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<MotorsOffExt> {
+struct CallAnswerOf<msg::MotorsOffExt> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<ExecuteMenu> {
+struct CallAnswerOf<msg::ExecuteMenu> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<ExecuteMenuExt> {
+struct CallAnswerOf<msg::ExecuteMenuExt> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<HelperData> {
+struct CallAnswerOf<msg::HelperData> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<HelperDataExt> {
+struct CallAnswerOf<msg::HelperDataExt> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<CalibAcc> {
+struct CallAnswerOf<msg::CalibAcc> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<CalibAccExt> {
+struct CallAnswerOf<msg::CalibAccExt> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<CalibGyro> {
+struct CallAnswerOf<msg::CalibGyro> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<CalibGyroExt> {
+struct CallAnswerOf<msg::CalibGyroExt> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<CalibMag> {
+struct CallAnswerOf<msg::CalibMag> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<CalibExtGain> {
+struct CallAnswerOf<msg::CalibExtGain> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<CalibPoles> {
+struct CallAnswerOf<msg::CalibPoles> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<CalibOffset> {
+struct CallAnswerOf<msg::CalibOffset> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<CalibBat> {
+struct CallAnswerOf<msg::CalibBat> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<CalibInfoRequest> {
-  using type = CalibInfo;
+struct CallAnswerOf<msg::CalibInfoRequest> {
+  using type = msg::CalibInfo;
 };
 template <>
-struct CallAnswerOf<CalibMotorMagLinkRequest> {
+struct CallAnswerOf<msg::CalibMotorMagLinkRequest> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<EncodersCalibOffset4> {
+struct CallAnswerOf<msg::EncodersCalibOffset4> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<EncodersCalibFldOffset4> {
+struct CallAnswerOf<msg::EncodersCalibFldOffset4> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<AutoPidRequest> {
+struct CallAnswerOf<msg::AutoPidRequest> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<SelectImu3> {
+struct CallAnswerOf<msg::SelectImu3> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<SelectImu3Ext> {
+struct CallAnswerOf<msg::SelectImu3Ext> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<AhrsHelperRequest> {
-  using type = AhrsHelper;
+struct CallAnswerOf<msg::AhrsHelperRequest> {
+  using type = msg::AhrsHelper;
 };
 template <>
-struct CallAnswerOf<AhrsHelperRequestWide> {
-  using type = AhrsHelper;
+struct CallAnswerOf<msg::AhrsHelperRequestWide> {
+  using type = msg::AhrsHelper;
 };
 template <>
-struct CallAnswerOf<AhrsHelperRequestExt> {
-  using type = std::optional<AhrsHelper>;
+struct CallAnswerOf<msg::AhrsHelperRequestExt> {
+  using type = std::optional<msg::AhrsHelper>;
 };
 template <>
-struct CallAnswerOf<AhrsHelperRequestExtWide> {
-  using type = std::optional<AhrsHelper>;
+struct CallAnswerOf<msg::AhrsHelperRequestExtWide> {
+  using type = std::optional<msg::AhrsHelper>;
 };
 template <>
-struct CallAnswerOf<GyroCorrection> {
+struct CallAnswerOf<msg::GyroCorrection> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<BeepSound> {
+struct CallAnswerOf<msg::BeepSound> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<TriggerPin> {
+struct CallAnswerOf<msg::TriggerPin> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<ServoOut> {
+struct CallAnswerOf<msg::ServoOut> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<I2cWriteRegBuf> {
+struct CallAnswerOf<msg::I2cWriteRegBuf> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<I2cReadRegBufRequest> {
-  using type = I2cReadRegBuf;
+struct CallAnswerOf<msg::I2cReadRegBufRequest> {
+  using type = msg::I2cReadRegBuf;
 };
 template <>
-struct CallAnswerOf<ApiVirtChControl> {
+struct CallAnswerOf<msg::ApiVirtChControl> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<SetAdjVarsVal> {
+struct CallAnswerOf<msg::SetAdjVarsVal> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<GetAdjVarsVal> {
-  using type = SetAdjVarsVal;
+struct CallAnswerOf<msg::GetAdjVarsVal> {
+  using type = msg::SetAdjVarsVal;
 };
 template <>
-struct CallAnswerOf<ReadAdjVarsCfgRequest> {
-  using type = ReadAdjVarsCfg;
+struct CallAnswerOf<msg::ReadAdjVarsCfgRequest> {
+  using type = msg::ReadAdjVarsCfg;
 };
 template <>
-struct CallAnswerOf<WriteAdjVarsCfg> {
+struct CallAnswerOf<msg::WriteAdjVarsCfg> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<AdjVarsStateRequest> {
-  using type = AdjVarsState;
+struct CallAnswerOf<msg::AdjVarsStateRequest> {
+  using type = msg::AdjVarsState;
 };
 template <>
-struct CallAnswerOf<AdjVarsStateRequestExt> {
-  using type = AdjVarsState;
+struct CallAnswerOf<msg::AdjVarsStateRequestExt> {
+  using type = msg::AdjVarsState;
 };
 template <>
-struct CallAnswerOf<EepromWrite> {
+struct CallAnswerOf<msg::EepromWrite> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<ReadFileRequest> {
-  using type = ReadFile;
+struct CallAnswerOf<msg::ReadFileRequest> {
+  using type = msg::ReadFile;
 };
 template <>
-struct CallAnswerOf<WriteFile> {
+struct CallAnswerOf<msg::WriteFile> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<FsClearAll> {
+struct CallAnswerOf<msg::FsClearAll> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<EepromReadRequest> {
-  using type = EepromRead;
+struct CallAnswerOf<msg::EepromReadRequest> {
+  using type = msg::EepromRead;
 };
 template <>
-struct CallAnswerOf<ReadExternalDataRequest> {
-  using type = ReadExternalData;
+struct CallAnswerOf<msg::ReadExternalDataRequest> {
+  using type = msg::ReadExternalData;
 };
 template <>
-struct CallAnswerOf<WriteExternalData> {
+struct CallAnswerOf<msg::WriteExternalData> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<RunScript> {
+struct CallAnswerOf<msg::RunScript> {
   using type = void;
 };
 template <>
-struct CallAnswerOf<DebugVarsInfo3Request> {
-  using type = DebugVarsInfo3;
+struct CallAnswerOf<msg::DebugVarsInfo3Request> {
+  using type = msg::DebugVarsInfo3;
 };
 template <>
-struct CallAnswerOf<DebugVars3Request> {
-  using type = DebugVars3;
+struct CallAnswerOf<msg::DebugVars3Request> {
+  using type = msg::DebugVars3;
 };
 
 template <class M>
@@ -482,7 +484,7 @@ class Calls {
  public:
   /// Ask for the version of board and firmware.
   /// Effect: reads.
-  template <class M = BoardInfoRequest>
+  template <class M = msg::BoardInfoRequest>
   Result<detail::CallAnswer<M>> board_info(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -490,7 +492,7 @@ class Calls {
 
   /// Ask for the version of board and firmware, with a byte that means nothing.
   /// Effect: reads.
-  template <class M = BoardInfoRequestOneByte>
+  template <class M = msg::BoardInfoRequestOneByte>
   Result<detail::CallAnswer<M>> board_info_one_byte(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -498,7 +500,7 @@ class Calls {
 
   /// Ask for the version of board and firmware, and configure this serial port.
   /// Effect: sets.
-  template <class M = BoardInfoRequestExt>
+  template <class M = msg::BoardInfoRequestExt>
   Result<detail::CallAnswer<M>> board_info_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -507,7 +509,7 @@ class Calls {
   /// Ask for serial numbers, memory and scripts of the board.
   /// Effect: reads.
   /// Since board 3.0.
-  template <class M = BoardInfo3Request>
+  template <class M = msg::BoardInfo3Request>
   Result<detail::CallAnswer<M>> board_info_3(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -515,7 +517,7 @@ class Calls {
 
   /// Restart at once and without notice.
   /// Effect: restarts.
-  template <class M = ResetRequest>
+  template <class M = msg::ResetRequest>
   Result<detail::CallAnswer<M>> reset(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -523,7 +525,7 @@ class Calls {
 
   /// Restart after a while, with notice if that is asked for.
   /// Effect: restarts.
-  template <class M = ResetRequestExt>
+  template <class M = msg::ResetRequestExt>
   Result<detail::CallAnswer<M>> reset_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -532,7 +534,7 @@ class Calls {
   /// Enter the bootloader at once and without notice.
   /// Effect: restarts.
   /// Since board 3.0.
-  template <class M = BootMode3>
+  template <class M = msg::BootMode3>
   Result<detail::CallAnswer<M>> boot_mode_3(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -541,7 +543,7 @@ class Calls {
   /// Enter the bootloader after a while, with notice if that is asked for.
   /// Effect: restarts.
   /// Since board 3.0.
-  template <class M = BootMode3Ext>
+  template <class M = msg::BootMode3Ext>
   Result<detail::CallAnswer<M>> boot_mode_3_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -550,7 +552,7 @@ class Calls {
   /// Body to the board, not documented.
   /// Effect: unknown.
   /// Since board 3.0.
-  template <class M = QueueParamsInfo3Request>
+  template <class M = msg::QueueParamsInfo3Request>
   Result<detail::CallAnswer<M>> queue_params_info_3(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -559,7 +561,7 @@ class Calls {
   /// Body to the board, not documented.
   /// Effect: unknown.
   /// Since board 3.0.
-  template <class M = SystemStateRequest>
+  template <class M = msg::SystemStateRequest>
   Result<detail::CallAnswer<M>> system_state(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -568,7 +570,7 @@ class Calls {
   /// Body to the board, not documented.
   /// Effect: unknown.
   /// Since board 3.0.
-  template <class M = MavlinkInfoRequest>
+  template <class M = msg::MavlinkInfoRequest>
   Result<detail::CallAnswer<M>> mavlink_info(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -577,7 +579,7 @@ class Calls {
   /// Body to the board, not documented.
   /// Effect: unknown.
   /// Since board 3.0.
-  template <class M = MavlinkDebugRequest>
+  template <class M = msg::MavlinkDebugRequest>
   Result<detail::CallAnswer<M>> mavlink_debug(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -586,7 +588,7 @@ class Calls {
   /// Ask for the settings of one profile.
   /// Effect: reads.
   /// Since board 3.0.
-  template <class M = ReadParams3Request>
+  template <class M = msg::ReadParams3Request>
   Result<detail::CallAnswer<M>> read_params_3(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -595,7 +597,7 @@ class Calls {
   /// Store the settings of one profile and the general ones.
   /// Effect: stores, moves.
   /// Since board 3.0.
-  template <class M = WriteParams3>
+  template <class M = msg::WriteParams3>
   Result<detail::CallAnswer<M>> write_params_3(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -603,7 +605,7 @@ class Calls {
 
   /// Ask for the settings of one profile, with the older id.
   /// Effect: reads.
-  template <class M = ReadParams>
+  template <class M = msg::ReadParams>
   Result<detail::CallAnswer<M>> read_params(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -611,7 +613,7 @@ class Calls {
 
   /// Store the settings of one profile and the general ones, with the older id.
   /// Effect: stores, moves.
-  template <class M = WriteParams>
+  template <class M = msg::WriteParams>
   Result<detail::CallAnswer<M>> write_params(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -620,7 +622,7 @@ class Calls {
   /// Ask for further settings of one profile.
   /// Effect: reads.
   /// Since board 3.0.
-  template <class M = ReadParamsExtRequest>
+  template <class M = msg::ReadParamsExtRequest>
   Result<detail::CallAnswer<M>> read_params_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -629,7 +631,7 @@ class Calls {
   /// Store further settings of one profile.
   /// Effect: stores, moves.
   /// Since board 3.0.
-  template <class M = WriteParamsExt>
+  template <class M = msg::WriteParamsExt>
   Result<detail::CallAnswer<M>> write_params_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -638,7 +640,7 @@ class Calls {
   /// Ask for still further settings of one profile.
   /// Effect: reads.
   /// Since board 3.0.
-  template <class M = ReadParamsExt2Request>
+  template <class M = msg::ReadParamsExt2Request>
   Result<detail::CallAnswer<M>> read_params_ext2(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -647,7 +649,7 @@ class Calls {
   /// Store still further settings of one profile.
   /// Effect: stores, moves.
   /// Since board 3.0.
-  template <class M = WriteParamsExt2>
+  template <class M = msg::WriteParamsExt2>
   Result<detail::CallAnswer<M>> write_params_ext2(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -656,7 +658,7 @@ class Calls {
   /// Ask for the names of the profiles.
   /// Effect: reads.
   /// Since board 3.0.
-  template <class M = ReadProfileNamesRequest>
+  template <class M = msg::ReadProfileNamesRequest>
   Result<detail::CallAnswer<M>> read_profile_names(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -665,7 +667,7 @@ class Calls {
   /// Store the names of the profiles.
   /// Effect: stores.
   /// Since board 3.0.
-  template <class M = WriteProfileNames>
+  template <class M = msg::WriteProfileNames>
   Result<detail::CallAnswer<M>> write_profile_names(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -675,7 +677,7 @@ class Calls {
   /// profile.
   /// Effect: stores.
   /// Since board 3.0.
-  template <class M = SaveParams3>
+  template <class M = msg::SaveParams3>
   Result<detail::CallAnswer<M>> save_params_3(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -683,7 +685,7 @@ class Calls {
 
   /// Return to the factory settings.
   /// Effect: stores, moves, erases.
-  template <class M = UseDefaults>
+  template <class M = msg::UseDefaults>
   Result<detail::CallAnswer<M>> use_defaults(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -691,7 +693,7 @@ class Calls {
 
   /// Ask for live data, with the older id.
   /// Effect: reads.
-  template <class M = RealtimeData>
+  template <class M = msg::RealtimeData>
   Result<detail::CallAnswer<M>> realtime_data(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -700,7 +702,7 @@ class Calls {
   /// Ask for live data.
   /// Effect: reads.
   /// Since board 3.0.
-  template <class M = RealtimeData3Request>
+  template <class M = msg::RealtimeData3Request>
   Result<detail::CallAnswer<M>> realtime_data_3(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -709,7 +711,7 @@ class Calls {
   /// Ask for the longer live data.
   /// Effect: reads.
   /// Since board 3.0.
-  template <class M = RealtimeData4Request>
+  template <class M = msg::RealtimeData4Request>
   Result<detail::CallAnswer<M>> realtime_data_4(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -718,7 +720,7 @@ class Calls {
   /// Ask for live data of the blocks that FLAGS names.
   /// Effect: reads.
   /// Since firmware 2.59, board 3.0.
-  template <class M = RealtimeDataCustomRequest>
+  template <class M = msg::RealtimeDataCustomRequest>
   Result<detail::CallAnswer<M>> realtime_data_custom(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -727,7 +729,7 @@ class Calls {
   /// Start, change or end a data stream: messages that the board sends at a fixed rate, unasked.
   /// Effect: sets.
   /// Since firmware 2.59, board 3.0.
-  template <class M = DataStreamInterval>
+  template <class M = msg::DataStreamInterval>
   Result<detail::CallAnswer<M>> data_stream_interval(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -735,7 +737,7 @@ class Calls {
 
   /// Move the camera, one mode for all axes.
   /// Effect: moves.
-  template <class M = Control>
+  template <class M = msg::Control>
   Result<detail::CallAnswer<M>> control(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -744,7 +746,7 @@ class Calls {
   /// Move the camera, with a mode for each axis.
   /// Effect: moves.
   /// Since firmware 2.55b5.
-  template <class M = ControlExt>
+  template <class M = msg::ControlExt>
   Result<detail::CallAnswer<M>> control_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -752,7 +754,7 @@ class Calls {
 
   /// Ask for the angles and targets of the camera.
   /// Effect: reads.
-  template <class M = GetAnglesRequest>
+  template <class M = msg::GetAnglesRequest>
   Result<detail::CallAnswer<M>> get_angles(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -761,7 +763,7 @@ class Calls {
   /// Ask for angles, targets and joint angles.
   /// Effect: reads.
   /// Since board 3.0.
-  template <class M = GetAnglesExtRequest>
+  template <class M = msg::GetAnglesExtRequest>
   Result<detail::CallAnswer<M>> get_angles_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -769,7 +771,7 @@ class Calls {
 
   /// Turn the motors on.
   /// Effect: moves.
-  template <class M = MotorsOn>
+  template <class M = msg::MotorsOn>
   Result<detail::CallAnswer<M>> motors_on(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -778,7 +780,7 @@ class Calls {
   /// Turn the motors off.
   /// Effect: moves.
   /// Firmware 2.68b7 and later takes MotorsOffExt instead, which is then sent.
-  template <class M = MotorsOff>
+  template <class M = msg::MotorsOff>
   Result<detail::CallAnswer<M>> motors_off(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -787,7 +789,7 @@ class Calls {
   /// Turn the motors off, in one of several ways.
   /// Effect: moves.
   /// Since firmware 2.68b7.
-  template <class M = MotorsOffExt>
+  template <class M = msg::MotorsOffExt>
   Result<detail::CallAnswer<M>> motors_off_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -795,7 +797,7 @@ class Calls {
 
   /// Carry out an action of the menu.
   /// Effect: sets, stores, moves, restarts.
-  template <class M = ExecuteMenu>
+  template <class M = msg::ExecuteMenu>
   Result<detail::CallAnswer<M>> execute_menu(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -803,7 +805,7 @@ class Calls {
 
   /// Carry out an action of the menu, with a parameter that later firmware takes.
   /// Effect: sets, stores, moves, restarts.
-  template <class M = ExecuteMenuExt>
+  template <class M = msg::ExecuteMenuExt>
   Result<detail::CallAnswer<M>> execute_menu_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -811,7 +813,7 @@ class Calls {
 
   /// Tell the board how the frame accelerates and leans.
   /// Effect: moves.
-  template <class M = HelperData>
+  template <class M = msg::HelperData>
   Result<detail::CallAnswer<M>> helper_data(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -820,7 +822,7 @@ class Calls {
   /// Tell the board how the frame accelerates, leans and turns.
   /// Effect: moves.
   /// Since firmware 2.59.
-  template <class M = HelperDataExt>
+  template <class M = msg::HelperDataExt>
   Result<detail::CallAnswer<M>> helper_data_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -828,7 +830,7 @@ class Calls {
 
   /// Calibrate the accelerometer of the active IMU.
   /// Effect: stores.
-  template <class M = CalibAcc>
+  template <class M = msg::CalibAcc>
   Result<detail::CallAnswer<M>> calib_acc(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -836,7 +838,7 @@ class Calls {
 
   /// Calibrate the accelerometer of an IMU, or manage its calibrations.
   /// Effect: stores, restarts, erases.
-  template <class M = CalibAccExt>
+  template <class M = msg::CalibAccExt>
   Result<detail::CallAnswer<M>> calib_acc_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -844,7 +846,7 @@ class Calls {
 
   /// Calibrate the gyroscope of the active IMU.
   /// Effect: stores.
-  template <class M = CalibGyro>
+  template <class M = msg::CalibGyro>
   Result<detail::CallAnswer<M>> calib_gyro(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -852,7 +854,7 @@ class Calls {
 
   /// Calibrate the gyroscope of an IMU, or manage its calibrations.
   /// Effect: stores, restarts, erases.
-  template <class M = CalibGyroExt>
+  template <class M = msg::CalibGyroExt>
   Result<detail::CallAnswer<M>> calib_gyro_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -861,7 +863,7 @@ class Calls {
   /// Calibrate the magnetometer.
   /// Effect: stores.
   /// Since board 3.0.
-  template <class M = CalibMag>
+  template <class M = msg::CalibMag>
   Result<detail::CallAnswer<M>> calib_mag(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -869,7 +871,7 @@ class Calls {
 
   /// Calibrate the gains of the signals from a flight controller.
   /// Effect: stores, moves.
-  template <class M = CalibExtGain>
+  template <class M = msg::CalibExtGain>
   Result<detail::CallAnswer<M>> calib_ext_gain(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -877,7 +879,7 @@ class Calls {
 
   /// Find out poles and direction of the motors.
   /// Effect: stores, moves.
-  template <class M = CalibPoles>
+  template <class M = msg::CalibPoles>
   Result<detail::CallAnswer<M>> calib_poles(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -885,7 +887,7 @@ class Calls {
 
   /// Calibrate the offset of the follow mode.
   /// Effect: stores, moves.
-  template <class M = CalibOffset>
+  template <class M = msg::CalibOffset>
   Result<detail::CallAnswer<M>> calib_offset(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -893,7 +895,7 @@ class Calls {
 
   /// Calibrate the measurement of the battery voltage.
   /// Effect: stores.
-  template <class M = CalibBat>
+  template <class M = msg::CalibBat>
   Result<detail::CallAnswer<M>> calib_bat(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -902,7 +904,7 @@ class Calls {
   /// Ask for what to show while sensors are calibrated.
   /// Effect: reads.
   /// Since board 3.0.
-  template <class M = CalibInfoRequest>
+  template <class M = msg::CalibInfoRequest>
   Result<detail::CallAnswer<M>> calib_info(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -911,7 +913,7 @@ class Calls {
   /// Body to the board, not documented.
   /// Effect: unknown.
   /// Since board 3.0.
-  template <class M = CalibMotorMagLinkRequest>
+  template <class M = msg::CalibMotorMagLinkRequest>
   Result<detail::CallAnswer<M>> calib_motor_mag_link(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -920,7 +922,7 @@ class Calls {
   /// Calibrate the offsets of the encoders.
   /// Effect: stores.
   /// Since board 3.0.
-  template <class M = EncodersCalibOffset4>
+  template <class M = msg::EncodersCalibOffset4>
   Result<detail::CallAnswer<M>> encoders_calib_offset_4(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -929,7 +931,7 @@ class Calls {
   /// Calibrate the offsets between encoders and the motors' magnetic fields.
   /// Effect: stores, moves.
   /// Since board 3.0.
-  template <class M = EncodersCalibFldOffset4>
+  template <class M = msg::EncodersCalibFldOffset4>
   Result<detail::CallAnswer<M>> encoders_calib_fld_offset_4(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -938,7 +940,7 @@ class Calls {
   /// Start or stop the automatic tuning.
   /// Effect: stores, moves.
   /// Since board 3.0.
-  template <class M = AutoPidRequest>
+  template <class M = msg::AutoPidRequest>
   Result<detail::CallAnswer<M>> auto_pid(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -947,7 +949,7 @@ class Calls {
   /// Choose the IMU that is configured and calibrated.
   /// Effect: sets.
   /// Since board 3.0.
-  template <class M = SelectImu3>
+  template <class M = msg::SelectImu3>
   Result<detail::CallAnswer<M>> select_imu_3(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -956,7 +958,7 @@ class Calls {
   /// Choose an IMU, with parameters that later firmware takes.
   /// Effect: sets.
   /// Since board 3.0.
-  template <class M = SelectImu3Ext>
+  template <class M = msg::SelectImu3Ext>
   Result<detail::CallAnswer<M>> select_imu_3_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -966,7 +968,7 @@ class Calls {
   /// Effect: reads.
   /// Since board 3.0.
   /// Firmware 2.69b5 and later takes AhrsHelperRequestWide instead, which is then sent.
-  template <class M = AhrsHelperRequest>
+  template <class M = msg::AhrsHelperRequest>
   Result<detail::CallAnswer<M>> ahrs_helper(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -975,7 +977,7 @@ class Calls {
   /// Ask for the attitude of an IMU, with a mode of two bytes.
   /// Effect: reads.
   /// Since firmware 2.69b5.
-  template <class M = AhrsHelperRequestWide>
+  template <class M = msg::AhrsHelperRequestWide>
   Result<detail::CallAnswer<M>> ahrs_helper_wide(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -985,7 +987,7 @@ class Calls {
   /// Effect: moves.
   /// Since board 3.0.
   /// Firmware 2.69b5 and later takes AhrsHelperRequestExtWide instead, which is then sent.
-  template <class M = AhrsHelperRequestExt>
+  template <class M = msg::AhrsHelperRequestExt>
   Result<detail::CallAnswer<M>> ahrs_helper_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -994,7 +996,7 @@ class Calls {
   /// Ask for the attitude of an IMU or set it, with a mode of two bytes.
   /// Effect: moves.
   /// Since firmware 2.69b5.
-  template <class M = AhrsHelperRequestExtWide>
+  template <class M = msg::AhrsHelperRequestExtWide>
   Result<detail::CallAnswer<M>> ahrs_helper_ext_wide(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -1003,7 +1005,7 @@ class Calls {
   /// Correct the zero of a gyroscope by hand; the camera drifts if the correction is wrong.
   /// Effect: stores, moves.
   /// Since board 3.0.
-  template <class M = GyroCorrection>
+  template <class M = msg::GyroCorrection>
   Result<detail::CallAnswer<M>> gyro_correction(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -1012,7 +1014,7 @@ class Calls {
   /// Play a melody through the motors, or one of the standard sounds.
   /// Effect: sets.
   /// Since firmware 2.59, board 3.0.
-  template <class M = BeepSound>
+  template <class M = msg::BeepSound>
   Result<detail::CallAnswer<M>> beep_sound(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -1020,7 +1022,7 @@ class Calls {
 
   /// Switch an output pin.
   /// Effect: sets.
-  template <class M = TriggerPin>
+  template <class M = msg::TriggerPin>
   Result<detail::CallAnswer<M>> trigger_pin(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -1029,7 +1031,7 @@ class Calls {
   /// Send PWM signals to servos.
   /// Effect: moves.
   /// Since board 3.0.
-  template <class M = ServoOut>
+  template <class M = msg::ServoOut>
   Result<detail::CallAnswer<M>> servo_out(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -1038,7 +1040,7 @@ class Calls {
   /// Write to a device on an I2C bus.
   /// Effect: sets, stores.
   /// Since board 3.0.
-  template <class M = I2cWriteRegBuf>
+  template <class M = msg::I2cWriteRegBuf>
   Result<detail::CallAnswer<M>> i2c_write_reg_buf(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -1047,7 +1049,7 @@ class Calls {
   /// Read from a device on an I2C bus.
   /// Effect: reads.
   /// Since board 3.0.
-  template <class M = I2cReadRegBufRequest>
+  template <class M = msg::I2cReadRegBufRequest>
   Result<detail::CallAnswer<M>> i2c_read_reg_buf(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -1056,7 +1058,7 @@ class Calls {
   /// Set the virtual RC channels that the host provides; they can control the camera and more.
   /// Effect: sets, stores, moves, restarts.
   /// Since board 3.0.
-  template <class M = ApiVirtChControl>
+  template <class M = msg::ApiVirtChControl>
   Result<detail::CallAnswer<M>> api_virt_ch_control(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -1065,7 +1067,7 @@ class Calls {
   /// Set adjustable variables; they are lost at the next start unless CMD_SAVE_PARAMS_3 follows.
   /// Effect: sets, moves.
   /// Since board 3.0.
-  template <class M = SetAdjVarsVal>
+  template <class M = msg::SetAdjVarsVal>
   Result<detail::CallAnswer<M>> set_adj_vars_val(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -1074,7 +1076,7 @@ class Calls {
   /// Ask for the values of adjustable variables.
   /// Effect: reads.
   /// Since board 3.0.
-  template <class M = GetAdjVarsVal>
+  template <class M = msg::GetAdjVarsVal>
   Result<detail::CallAnswer<M>> get_adj_vars_val(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -1083,7 +1085,7 @@ class Calls {
   /// Ask which RC signals start actions and which ones change adjustable variables.
   /// Effect: reads.
   /// Since board 3.0.
-  template <class M = ReadAdjVarsCfgRequest>
+  template <class M = msg::ReadAdjVarsCfgRequest>
   Result<detail::CallAnswer<M>> read_adj_vars_cfg(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -1092,7 +1094,7 @@ class Calls {
   /// Store which RC signals start actions and which ones change adjustable variables.
   /// Effect: stores, moves.
   /// Since board 3.0.
-  template <class M = WriteAdjVarsCfg>
+  template <class M = msg::WriteAdjVarsCfg>
   Result<detail::CallAnswer<M>> write_adj_vars_cfg(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -1101,7 +1103,7 @@ class Calls {
   /// Ask what one trigger slot and one analog slot do.
   /// Effect: reads.
   /// Since board 3.0.
-  template <class M = AdjVarsStateRequest>
+  template <class M = msg::AdjVarsStateRequest>
   Result<detail::CallAnswer<M>> adj_vars_state(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -1110,7 +1112,7 @@ class Calls {
   /// Ask for the state of adjustable variables, as later firmware does it.
   /// Effect: reads.
   /// Since firmware 2.62b5.
-  template <class M = AdjVarsStateRequestExt>
+  template <class M = msg::AdjVarsStateRequestExt>
   Result<detail::CallAnswer<M>> adj_vars_state_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -1119,7 +1121,7 @@ class Calls {
   /// Write a block to the EEPROM.
   /// Effect: stores, moves.
   /// Since board 3.0.
-  template <class M = EepromWrite>
+  template <class M = msg::EepromWrite>
   Result<detail::CallAnswer<M>> eeprom_write(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -1128,7 +1130,7 @@ class Calls {
   /// Read part of a file.
   /// Effect: reads.
   /// Since board 3.0.
-  template <class M = ReadFileRequest>
+  template <class M = msg::ReadFileRequest>
   Result<detail::CallAnswer<M>> read_file(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -1137,7 +1139,7 @@ class Calls {
   /// Write part of a file; without data the file is deleted.
   /// Effect: stores, erases.
   /// Since board 3.0.
-  template <class M = WriteFile>
+  template <class M = msg::WriteFile>
   Result<detail::CallAnswer<M>> write_file(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -1146,7 +1148,7 @@ class Calls {
   /// Delete all files.
   /// Effect: erases.
   /// Since board 3.0.
-  template <class M = FsClearAll>
+  template <class M = msg::FsClearAll>
   Result<detail::CallAnswer<M>> fs_clear_all(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -1155,7 +1157,7 @@ class Calls {
   /// Read a block of the EEPROM.
   /// Effect: reads.
   /// Since board 3.0.
-  template <class M = EepromReadRequest>
+  template <class M = msg::EepromReadRequest>
   Result<detail::CallAnswer<M>> eeprom_read(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -1164,7 +1166,7 @@ class Calls {
   /// Ask for the data of the user in the EEPROM.
   /// Effect: reads.
   /// Since board 3.0.
-  template <class M = ReadExternalDataRequest>
+  template <class M = msg::ReadExternalDataRequest>
   Result<detail::CallAnswer<M>> read_external_data(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -1173,7 +1175,7 @@ class Calls {
   /// Store data of the user in the EEPROM.
   /// Effect: stores.
   /// Since board 3.0.
-  template <class M = WriteExternalData>
+  template <class M = msg::WriteExternalData>
   Result<detail::CallAnswer<M>> write_external_data(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -1182,7 +1184,7 @@ class Calls {
   /// Start or stop a script.
   /// Effect: sets, stores, moves, restarts.
   /// Since board 3.0.
-  template <class M = RunScript>
+  template <class M = msg::RunScript>
   Result<detail::CallAnswer<M>> run_script(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -1191,7 +1193,7 @@ class Calls {
   /// Ask for names and types of the debug variables.
   /// Effect: reads.
   /// Since board 3.0.
-  template <class M = DebugVarsInfo3Request>
+  template <class M = msg::DebugVarsInfo3Request>
   Result<detail::CallAnswer<M>> debug_vars_info_3(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
@@ -1200,7 +1202,7 @@ class Calls {
   /// Ask for the values of the debug variables.
   /// Effect: reads.
   /// Since board 3.0.
-  template <class M = DebugVars3Request>
+  template <class M = msg::DebugVars3Request>
   Result<detail::CallAnswer<M>> debug_vars_3(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);

@@ -8,17 +8,12 @@
 #include <sbgc/exchange.hpp>
 #include <sbgc/messages/adjustable_variables.hpp>
 
-namespace sbgc {
+namespace sbgc::msg {
 
 struct AdjVarsState;
 struct ReadAdjVarsCfg;
 struct SetAdjVarsVal;
 
-template <>
-struct ExchangeTraits<SetAdjVarsVal> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const SetAdjVarsVal&) noexcept {
   return {.replies = {.command = 31,
               .confirmed = Confirmed::always},
@@ -27,11 +22,6 @@ constexpr Exchange exchange_of(const SetAdjVarsVal&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<GetAdjVarsVal> {
-  using Answer = SetAdjVarsVal;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const GetAdjVarsVal&) noexcept {
   return {.replies = {.command = 64,
               .answer_count = 1,
@@ -44,11 +34,6 @@ constexpr Exchange exchange_of(const GetAdjVarsVal&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<ReadAdjVarsCfgRequest> {
-  using Answer = ReadAdjVarsCfg;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const ReadAdjVarsCfgRequest&) noexcept {
   return {.replies = {.command = 43,
               .answer_count = 1,
@@ -61,11 +46,6 @@ constexpr Exchange exchange_of(const ReadAdjVarsCfgRequest&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<WriteAdjVarsCfg> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const WriteAdjVarsCfg&) noexcept {
   return {.replies = {.command = 44,
               .confirmed = Confirmed::always},
@@ -74,11 +54,6 @@ constexpr Exchange exchange_of(const WriteAdjVarsCfg&) noexcept {
       .timeout_ms = 2000};
 }
 
-template <>
-struct ExchangeTraits<AdjVarsStateRequest> {
-  using Answer = AdjVarsState;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const AdjVarsStateRequest&) noexcept {
   return {.replies = {.command = 46,
               .answer_count = 1,
@@ -91,11 +66,6 @@ constexpr Exchange exchange_of(const AdjVarsStateRequest&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<AdjVarsStateRequestExt> {
-  using Answer = AdjVarsState;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const AdjVarsStateRequestExt&) noexcept {
   return {.replies = {.command = 46,
               .answer_count = 1,
@@ -107,5 +77,45 @@ constexpr Exchange exchange_of(const AdjVarsStateRequestExt&) noexcept {
       .retry_is_safe = true,
       .timeout_ms = 500};
 }
+
+}  // namespace sbgc::msg
+
+namespace sbgc {
+
+template <>
+struct ExchangeTraits<msg::SetAdjVarsVal> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::GetAdjVarsVal> {
+  using Answer = msg::SetAdjVarsVal;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::ReadAdjVarsCfgRequest> {
+  using Answer = msg::ReadAdjVarsCfg;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::WriteAdjVarsCfg> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::AdjVarsStateRequest> {
+  using Answer = msg::AdjVarsState;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::AdjVarsStateRequestExt> {
+  using Answer = msg::AdjVarsState;
+  static constexpr bool answer_is_certain = true;
+};
 
 }  // namespace sbgc

@@ -8,15 +8,10 @@
 #include <sbgc/exchange.hpp>
 #include <sbgc/messages/calibration.hpp>
 
-namespace sbgc {
+namespace sbgc::msg {
 
 struct CalibInfo;
 
-template <>
-struct ExchangeTraits<CalibAcc> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const CalibAcc&) noexcept {
   return {.replies = {.command = 65,
               .confirmed = Confirmed::always},
@@ -25,11 +20,6 @@ constexpr Exchange exchange_of(const CalibAcc&) noexcept {
       .finish_ms = 30000};
 }
 
-template <>
-struct ExchangeTraits<CalibAccExt> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const CalibAccExt& request) noexcept {
   if (request.action == CalibAction::reset || request.action == CalibAction::enable_temperature || request.action == CalibAction::disable_temperature) {
     return {.replies = {.command = 65,
@@ -52,11 +42,6 @@ constexpr Exchange exchange_of(const CalibAccExt& request) noexcept {
       .finish_ms = 30000};
 }
 
-template <>
-struct ExchangeTraits<CalibGyro> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const CalibGyro&) noexcept {
   return {.replies = {.command = 103,
               .confirmed = Confirmed::always},
@@ -65,11 +50,6 @@ constexpr Exchange exchange_of(const CalibGyro&) noexcept {
       .finish_ms = 30000};
 }
 
-template <>
-struct ExchangeTraits<CalibGyroExt> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const CalibGyroExt& request) noexcept {
   if (request.action == CalibAction::reset || request.action == CalibAction::enable_temperature || request.action == CalibAction::disable_temperature) {
     return {.replies = {.command = 103,
@@ -92,11 +72,6 @@ constexpr Exchange exchange_of(const CalibGyroExt& request) noexcept {
       .finish_ms = 30000};
 }
 
-template <>
-struct ExchangeTraits<CalibMag> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const CalibMag&) noexcept {
   return {.replies = {.command = 59,
               .confirmed = Confirmed::possible},
@@ -104,11 +79,6 @@ constexpr Exchange exchange_of(const CalibMag&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<CalibExtGain> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const CalibExtGain&) noexcept {
   return {.replies = {.command = 71,
               .confirmed = Confirmed::always},
@@ -116,11 +86,6 @@ constexpr Exchange exchange_of(const CalibExtGain&) noexcept {
       .timeout_ms = 30000};
 }
 
-template <>
-struct ExchangeTraits<CalibPoles> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const CalibPoles&) noexcept {
   return {.replies = {.command = 80,
               .confirmed = Confirmed::always},
@@ -128,11 +93,6 @@ constexpr Exchange exchange_of(const CalibPoles&) noexcept {
       .timeout_ms = 30000};
 }
 
-template <>
-struct ExchangeTraits<CalibOffset> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const CalibOffset&) noexcept {
   return {.replies = {.command = 79,
               .confirmed = Confirmed::possible},
@@ -140,11 +100,6 @@ constexpr Exchange exchange_of(const CalibOffset&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<CalibBat> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const CalibBat&) noexcept {
   return {.replies = {.command = 66,
               .confirmed = Confirmed::possible},
@@ -152,11 +107,6 @@ constexpr Exchange exchange_of(const CalibBat&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<CalibInfoRequest> {
-  using Answer = CalibInfo;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const CalibInfoRequest& request) noexcept {
   return {.replies = {.command = 49,
               .answer_count = 1,
@@ -170,11 +120,6 @@ constexpr Exchange exchange_of(const CalibInfoRequest& request) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<CalibMotorMagLinkRequest> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const CalibMotorMagLinkRequest&) noexcept {
   return {.replies = {.command = 74,
               .confirmed = Confirmed::possible},
@@ -182,11 +127,6 @@ constexpr Exchange exchange_of(const CalibMotorMagLinkRequest&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<EncodersCalibOffset4> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const EncodersCalibOffset4&) noexcept {
   return {.replies = {.command = 26,
               .confirmed = Confirmed::possible},
@@ -194,11 +134,6 @@ constexpr Exchange exchange_of(const EncodersCalibOffset4&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<EncodersCalibFldOffset4> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const EncodersCalibFldOffset4&) noexcept {
   return {.replies = {.command = 27,
               .confirmed = Confirmed::possible},
@@ -206,16 +141,99 @@ constexpr Exchange exchange_of(const EncodersCalibFldOffset4&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<AutoPidRequest> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const AutoPidRequest&) noexcept {
   return {.replies = {.command = 35,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .timeout_ms = 500};
 }
+
+}  // namespace sbgc::msg
+
+namespace sbgc {
+
+template <>
+struct ExchangeTraits<msg::CalibAcc> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::CalibAccExt> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::CalibGyro> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::CalibGyroExt> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::CalibMag> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::CalibExtGain> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::CalibPoles> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::CalibOffset> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::CalibBat> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::CalibInfoRequest> {
+  using Answer = msg::CalibInfo;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::CalibMotorMagLinkRequest> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::EncodersCalibOffset4> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::EncodersCalibFldOffset4> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::AutoPidRequest> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
 
 }  // namespace sbgc

@@ -8,16 +8,11 @@
 #include <sbgc/exchange.hpp>
 #include <sbgc/messages/control.hpp>
 
-namespace sbgc {
+namespace sbgc::msg {
 
 struct GetAngles;
 struct GetAnglesExt;
 
-template <>
-struct ExchangeTraits<Control> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const Control&) noexcept {
   return {.replies = {.command = 67,
               .confirmed = Confirmed::possible},
@@ -26,11 +21,6 @@ constexpr Exchange exchange_of(const Control&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<ControlExt> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const ControlExt&) noexcept {
   return {.replies = {.command = 67,
               .confirmed = Confirmed::possible},
@@ -39,11 +29,6 @@ constexpr Exchange exchange_of(const ControlExt&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<GetAnglesRequest> {
-  using Answer = GetAngles;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const GetAnglesRequest&) noexcept {
   return {.replies = {.command = 73,
               .answer_count = 1,
@@ -56,11 +41,6 @@ constexpr Exchange exchange_of(const GetAnglesRequest&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<GetAnglesExtRequest> {
-  using Answer = GetAnglesExt;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const GetAnglesExtRequest&) noexcept {
   return {.replies = {.command = 61,
               .answer_count = 1,
@@ -73,11 +53,6 @@ constexpr Exchange exchange_of(const GetAnglesExtRequest&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<MotorsOn> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const MotorsOn&) noexcept {
   return {.replies = {.command = 77,
               .confirmed = Confirmed::always},
@@ -86,11 +61,6 @@ constexpr Exchange exchange_of(const MotorsOn&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<MotorsOff> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const MotorsOff&) noexcept {
   return {.replies = {.command = 109,
               .confirmed = Confirmed::always},
@@ -99,11 +69,6 @@ constexpr Exchange exchange_of(const MotorsOff&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<MotorsOffExt> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const MotorsOffExt&) noexcept {
   return {.replies = {.command = 109,
               .confirmed = Confirmed::always},
@@ -112,11 +77,6 @@ constexpr Exchange exchange_of(const MotorsOffExt&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<ExecuteMenu> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const ExecuteMenu&) noexcept {
   return {.replies = {.command = 69,
               .confirmed = Confirmed::possible},
@@ -124,11 +84,6 @@ constexpr Exchange exchange_of(const ExecuteMenu&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<ExecuteMenuExt> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const ExecuteMenuExt&) noexcept {
   return {.replies = {.command = 69,
               .confirmed = Confirmed::possible},
@@ -136,11 +91,6 @@ constexpr Exchange exchange_of(const ExecuteMenuExt&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<HelperData> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const HelperData&) noexcept {
   return {.replies = {.command = 72,
               .confirmed = Confirmed::unlikely},
@@ -148,16 +98,81 @@ constexpr Exchange exchange_of(const HelperData&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<HelperDataExt> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const HelperDataExt&) noexcept {
   return {.replies = {.command = 72,
               .confirmed = Confirmed::unlikely},
       .confirmations = 1,
       .timeout_ms = 500};
 }
+
+}  // namespace sbgc::msg
+
+namespace sbgc {
+
+template <>
+struct ExchangeTraits<msg::Control> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::ControlExt> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::GetAnglesRequest> {
+  using Answer = msg::GetAngles;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::GetAnglesExtRequest> {
+  using Answer = msg::GetAnglesExt;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::MotorsOn> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::MotorsOff> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::MotorsOffExt> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::ExecuteMenu> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::ExecuteMenuExt> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::HelperData> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::HelperDataExt> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
 
 }  // namespace sbgc

@@ -8,16 +8,11 @@
 #include <sbgc/exchange.hpp>
 #include <sbgc/messages/debug.hpp>
 
-namespace sbgc {
+namespace sbgc::msg {
 
 struct DebugVars3;
 struct DebugVarsInfo3;
 
-template <>
-struct ExchangeTraits<DebugVarsInfo3Request> {
-  using Answer = DebugVarsInfo3;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const DebugVarsInfo3Request&) noexcept {
   return {.replies = {.command = 253,
               .answer_count = 1,
@@ -30,11 +25,6 @@ constexpr Exchange exchange_of(const DebugVarsInfo3Request&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<DebugVars3Request> {
-  using Answer = DebugVars3;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const DebugVars3Request&) noexcept {
   return {.replies = {.command = 254,
               .answer_count = 1,
@@ -46,5 +36,21 @@ constexpr Exchange exchange_of(const DebugVars3Request&) noexcept {
       .retry_is_safe = true,
       .timeout_ms = 500};
 }
+
+}  // namespace sbgc::msg
+
+namespace sbgc {
+
+template <>
+struct ExchangeTraits<msg::DebugVarsInfo3Request> {
+  using Answer = msg::DebugVarsInfo3;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::DebugVars3Request> {
+  using Answer = msg::DebugVars3;
+  static constexpr bool answer_is_certain = true;
+};
 
 }  // namespace sbgc

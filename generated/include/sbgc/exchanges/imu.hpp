@@ -8,15 +8,10 @@
 #include <sbgc/exchange.hpp>
 #include <sbgc/messages/imu.hpp>
 
-namespace sbgc {
+namespace sbgc::msg {
 
 struct AhrsHelper;
 
-template <>
-struct ExchangeTraits<SelectImu3> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const SelectImu3&) noexcept {
   return {.replies = {.command = 24,
               .confirmed = Confirmed::possible},
@@ -25,11 +20,6 @@ constexpr Exchange exchange_of(const SelectImu3&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<SelectImu3Ext> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const SelectImu3Ext&) noexcept {
   return {.replies = {.command = 24,
               .confirmed = Confirmed::possible},
@@ -38,11 +28,6 @@ constexpr Exchange exchange_of(const SelectImu3Ext&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<AhrsHelperRequest> {
-  using Answer = AhrsHelper;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const AhrsHelperRequest&) noexcept {
   return {.replies = {.command = 56,
               .answer_count = 1,
@@ -55,11 +40,6 @@ constexpr Exchange exchange_of(const AhrsHelperRequest&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<AhrsHelperRequestWide> {
-  using Answer = AhrsHelper;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const AhrsHelperRequestWide&) noexcept {
   return {.replies = {.command = 56,
               .answer_count = 1,
@@ -72,11 +52,6 @@ constexpr Exchange exchange_of(const AhrsHelperRequestWide&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<AhrsHelperRequestExt> {
-  using Answer = AhrsHelper;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const AhrsHelperRequestExt& request) noexcept {
   if (request.mode.has(AhrsHelperModeBit::set)) {
     return {.replies = {.command = 56,
@@ -96,11 +71,6 @@ constexpr Exchange exchange_of(const AhrsHelperRequestExt& request) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<AhrsHelperRequestExtWide> {
-  using Answer = AhrsHelper;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const AhrsHelperRequestExtWide& request) noexcept {
   if (request.mode.has(AhrsHelperWideModeBit::set)) {
     return {.replies = {.command = 56,
@@ -120,16 +90,57 @@ constexpr Exchange exchange_of(const AhrsHelperRequestExtWide& request) noexcept
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<GyroCorrection> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const GyroCorrection&) noexcept {
   return {.replies = {.command = 75,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .timeout_ms = 500};
 }
+
+}  // namespace sbgc::msg
+
+namespace sbgc {
+
+template <>
+struct ExchangeTraits<msg::SelectImu3> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::SelectImu3Ext> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::AhrsHelperRequest> {
+  using Answer = msg::AhrsHelper;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::AhrsHelperRequestWide> {
+  using Answer = msg::AhrsHelper;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::AhrsHelperRequestExt> {
+  using Answer = msg::AhrsHelper;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::AhrsHelperRequestExtWide> {
+  using Answer = msg::AhrsHelper;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::GyroCorrection> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
 
 }  // namespace sbgc

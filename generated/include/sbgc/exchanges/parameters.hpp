@@ -8,18 +8,13 @@
 #include <sbgc/exchange.hpp>
 #include <sbgc/messages/parameters.hpp>
 
-namespace sbgc {
+namespace sbgc::msg {
 
 struct ReadParams3;
 struct ReadParamsExt;
 struct ReadParamsExt2;
 struct ReadProfileNames;
 
-template <>
-struct ExchangeTraits<ReadParams3Request> {
-  using Answer = ReadParams3;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const ReadParams3Request& request) noexcept {
   return {.replies = {.command = 21,
               .answer_count = 1,
@@ -33,11 +28,6 @@ constexpr Exchange exchange_of(const ReadParams3Request& request) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<WriteParams3> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const WriteParams3&) noexcept {
   return {.replies = {.command = 22,
               .confirmed = Confirmed::always},
@@ -46,11 +36,6 @@ constexpr Exchange exchange_of(const WriteParams3&) noexcept {
       .timeout_ms = 2000};
 }
 
-template <>
-struct ExchangeTraits<ReadParams> {
-  using Answer = ReadParams3;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const ReadParams& request) noexcept {
   return {.replies = {.command = 82,
               .answer_count = 1,
@@ -64,11 +49,6 @@ constexpr Exchange exchange_of(const ReadParams& request) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<WriteParams> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const WriteParams&) noexcept {
   return {.replies = {.command = 87,
               .confirmed = Confirmed::always},
@@ -77,11 +57,6 @@ constexpr Exchange exchange_of(const WriteParams&) noexcept {
       .timeout_ms = 2000};
 }
 
-template <>
-struct ExchangeTraits<ReadParamsExtRequest> {
-  using Answer = ReadParamsExt;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const ReadParamsExtRequest& request) noexcept {
   return {.replies = {.command = 33,
               .answer_count = 1,
@@ -95,11 +70,6 @@ constexpr Exchange exchange_of(const ReadParamsExtRequest& request) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<WriteParamsExt> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const WriteParamsExt&) noexcept {
   return {.replies = {.command = 34,
               .confirmed = Confirmed::always},
@@ -108,11 +78,6 @@ constexpr Exchange exchange_of(const WriteParamsExt&) noexcept {
       .timeout_ms = 2000};
 }
 
-template <>
-struct ExchangeTraits<ReadParamsExt2Request> {
-  using Answer = ReadParamsExt2;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const ReadParamsExt2Request& request) noexcept {
   return {.replies = {.command = 62,
               .answer_count = 1,
@@ -126,11 +91,6 @@ constexpr Exchange exchange_of(const ReadParamsExt2Request& request) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<WriteParamsExt2> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const WriteParamsExt2&) noexcept {
   return {.replies = {.command = 63,
               .confirmed = Confirmed::always},
@@ -139,11 +99,6 @@ constexpr Exchange exchange_of(const WriteParamsExt2&) noexcept {
       .timeout_ms = 2000};
 }
 
-template <>
-struct ExchangeTraits<ReadProfileNamesRequest> {
-  using Answer = ReadProfileNames;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const ReadProfileNamesRequest&) noexcept {
   return {.replies = {.command = 28,
               .answer_count = 1,
@@ -156,11 +111,6 @@ constexpr Exchange exchange_of(const ReadProfileNamesRequest&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<WriteProfileNames> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const WriteProfileNames&) noexcept {
   return {.replies = {.command = 29,
               .confirmed = Confirmed::possible},
@@ -169,11 +119,6 @@ constexpr Exchange exchange_of(const WriteProfileNames&) noexcept {
       .timeout_ms = 2000};
 }
 
-template <>
-struct ExchangeTraits<SaveParams3> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const SaveParams3&) noexcept {
   return {.replies = {.command = 32,
               .confirmed = Confirmed::possible},
@@ -182,16 +127,87 @@ constexpr Exchange exchange_of(const SaveParams3&) noexcept {
       .timeout_ms = 2000};
 }
 
-template <>
-struct ExchangeTraits<UseDefaults> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const UseDefaults&) noexcept {
   return {.replies = {.command = 70,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .timeout_ms = 5000};
 }
+
+}  // namespace sbgc::msg
+
+namespace sbgc {
+
+template <>
+struct ExchangeTraits<msg::ReadParams3Request> {
+  using Answer = msg::ReadParams3;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::WriteParams3> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::ReadParams> {
+  using Answer = msg::ReadParams3;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::WriteParams> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::ReadParamsExtRequest> {
+  using Answer = msg::ReadParamsExt;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::WriteParamsExt> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::ReadParamsExt2Request> {
+  using Answer = msg::ReadParamsExt2;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::WriteParamsExt2> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::ReadProfileNamesRequest> {
+  using Answer = msg::ReadProfileNames;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::WriteProfileNames> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::SaveParams3> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::UseDefaults> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
 
 }  // namespace sbgc

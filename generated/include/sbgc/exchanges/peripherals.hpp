@@ -8,15 +8,10 @@
 #include <sbgc/exchange.hpp>
 #include <sbgc/messages/peripherals.hpp>
 
-namespace sbgc {
+namespace sbgc::msg {
 
 struct I2cReadRegBuf;
 
-template <>
-struct ExchangeTraits<BeepSound> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const BeepSound&) noexcept {
   return {.replies = {.command = 89,
               .confirmed = Confirmed::possible},
@@ -24,11 +19,6 @@ constexpr Exchange exchange_of(const BeepSound&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<TriggerPin> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const TriggerPin&) noexcept {
   return {.replies = {.command = 84,
               .confirmed = Confirmed::possible},
@@ -37,11 +27,6 @@ constexpr Exchange exchange_of(const TriggerPin&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<ServoOut> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const ServoOut&) noexcept {
   return {.replies = {.command = 36,
               .confirmed = Confirmed::possible},
@@ -50,11 +35,6 @@ constexpr Exchange exchange_of(const ServoOut&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<I2cWriteRegBuf> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const I2cWriteRegBuf&) noexcept {
   return {.replies = {.command = 39,
               .confirmed = Confirmed::always},
@@ -62,11 +42,6 @@ constexpr Exchange exchange_of(const I2cWriteRegBuf&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<I2cReadRegBufRequest> {
-  using Answer = I2cReadRegBuf;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const I2cReadRegBufRequest&) noexcept {
   return {.replies = {.command = 40,
               .answer_count = 1,
@@ -78,11 +53,6 @@ constexpr Exchange exchange_of(const I2cReadRegBufRequest&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<ApiVirtChControl> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const ApiVirtChControl&) noexcept {
   return {.replies = {.command = 45,
               .confirmed = Confirmed::unlikely},
@@ -90,5 +60,45 @@ constexpr Exchange exchange_of(const ApiVirtChControl&) noexcept {
       .retry_is_safe = true,
       .timeout_ms = 500};
 }
+
+}  // namespace sbgc::msg
+
+namespace sbgc {
+
+template <>
+struct ExchangeTraits<msg::BeepSound> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::TriggerPin> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::ServoOut> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::I2cWriteRegBuf> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::I2cReadRegBufRequest> {
+  using Answer = msg::I2cReadRegBuf;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::ApiVirtChControl> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
 
 }  // namespace sbgc

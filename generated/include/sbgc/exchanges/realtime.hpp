@@ -9,7 +9,7 @@
 #include <sbgc/exchange.hpp>
 #include <sbgc/messages/realtime.hpp>
 
-namespace sbgc {
+namespace sbgc::msg {
 
 struct RealtimeData3;
 struct RealtimeData4;
@@ -47,11 +47,6 @@ constexpr StreamChange stream_change(const DataStreamInterval& request) noexcept
   return change;
 }
 
-template <>
-struct ExchangeTraits<RealtimeData> {
-  using Answer = RealtimeData3;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const RealtimeData&) noexcept {
   return {.replies = {.command = 68,
               .answer_count = 1,
@@ -64,11 +59,6 @@ constexpr Exchange exchange_of(const RealtimeData&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<RealtimeData3Request> {
-  using Answer = RealtimeData3;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const RealtimeData3Request&) noexcept {
   return {.replies = {.command = 23,
               .answer_count = 1,
@@ -81,11 +71,6 @@ constexpr Exchange exchange_of(const RealtimeData3Request&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<RealtimeData4Request> {
-  using Answer = RealtimeData4;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const RealtimeData4Request&) noexcept {
   return {.replies = {.command = 25,
               .answer_count = 1,
@@ -98,11 +83,6 @@ constexpr Exchange exchange_of(const RealtimeData4Request&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<RealtimeDataCustomRequest> {
-  using Answer = RealtimeDataCustom;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const RealtimeDataCustomRequest& request) noexcept {
   return {.replies = {.command = 88,
               .answer_count = 1,
@@ -135,11 +115,6 @@ constexpr Exchange exchange_of(const RealtimeDataCustomRequest& request) noexcep
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<DataStreamInterval> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const DataStreamInterval& request) noexcept {
   return {.replies = {.command = 85,
               .confirmed = Confirmed::always},
@@ -148,5 +123,39 @@ constexpr Exchange exchange_of(const DataStreamInterval& request) noexcept {
       .timeout_ms = 500,
       .stream = stream_change(request)};
 }
+
+}  // namespace sbgc::msg
+
+namespace sbgc {
+
+template <>
+struct ExchangeTraits<msg::RealtimeData> {
+  using Answer = msg::RealtimeData3;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::RealtimeData3Request> {
+  using Answer = msg::RealtimeData3;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::RealtimeData4Request> {
+  using Answer = msg::RealtimeData4;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::RealtimeDataCustomRequest> {
+  using Answer = msg::RealtimeDataCustom;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::DataStreamInterval> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
 
 }  // namespace sbgc

@@ -8,18 +8,23 @@
 #include <sbgc/exchange.hpp>
 #include <sbgc/messages/scripting.hpp>
 
-namespace sbgc {
+namespace sbgc::msg {
 
-template <>
-struct ExchangeTraits<RunScript> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const RunScript&) noexcept {
   return {.replies = {.command = 57,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .timeout_ms = 500};
 }
+
+}  // namespace sbgc::msg
+
+namespace sbgc {
+
+template <>
+struct ExchangeTraits<msg::RunScript> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
 
 }  // namespace sbgc

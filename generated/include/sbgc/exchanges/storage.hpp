@@ -8,18 +8,13 @@
 #include <sbgc/exchange.hpp>
 #include <sbgc/messages/storage.hpp>
 
-namespace sbgc {
+namespace sbgc::msg {
 
 struct EepromRead;
 struct ReadExternalData;
 struct ReadFile;
 struct ReadFileError;
 
-template <>
-struct ExchangeTraits<EepromWrite> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const EepromWrite& request) noexcept {
   return {.replies = {.command = 47,
               .confirmed = Confirmed::always,
@@ -29,11 +24,6 @@ constexpr Exchange exchange_of(const EepromWrite& request) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<ReadFileRequest> {
-  using Answer = TypeList<ReadFile, ReadFileError>;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const ReadFileRequest& request) noexcept {
   return {.replies = {.command = 53,
               .answer_count = 2,
@@ -52,11 +42,6 @@ constexpr Exchange exchange_of(const ReadFileRequest& request) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<WriteFile> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const WriteFile&) noexcept {
   return {.replies = {.command = 54,
               .confirmed = Confirmed::always},
@@ -66,11 +51,6 @@ constexpr Exchange exchange_of(const WriteFile&) noexcept {
       .result = {1, 1, 0}};
 }
 
-template <>
-struct ExchangeTraits<FsClearAll> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const FsClearAll&) noexcept {
   return {.replies = {.command = 55,
               .confirmed = Confirmed::always},
@@ -80,11 +60,6 @@ constexpr Exchange exchange_of(const FsClearAll&) noexcept {
       .result = {1, 1, 0}};
 }
 
-template <>
-struct ExchangeTraits<EepromReadRequest> {
-  using Answer = EepromRead;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const EepromReadRequest& request) noexcept {
   return {.replies = {.command = 48,
               .answer_count = 1,
@@ -98,11 +73,6 @@ constexpr Exchange exchange_of(const EepromReadRequest& request) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<ReadExternalDataRequest> {
-  using Answer = ReadExternalData;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const ReadExternalDataRequest&) noexcept {
   return {.replies = {.command = 42,
               .answer_count = 1,
@@ -115,11 +85,6 @@ constexpr Exchange exchange_of(const ReadExternalDataRequest&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<WriteExternalData> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const WriteExternalData&) noexcept {
   return {.replies = {.command = 41,
               .confirmed = Confirmed::possible},
@@ -127,5 +92,51 @@ constexpr Exchange exchange_of(const WriteExternalData&) noexcept {
       .retry_is_safe = true,
       .timeout_ms = 2000};
 }
+
+}  // namespace sbgc::msg
+
+namespace sbgc {
+
+template <>
+struct ExchangeTraits<msg::EepromWrite> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::ReadFileRequest> {
+  using Answer = TypeList<msg::ReadFile, msg::ReadFileError>;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::WriteFile> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::FsClearAll> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::EepromReadRequest> {
+  using Answer = msg::EepromRead;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::ReadExternalDataRequest> {
+  using Answer = msg::ReadExternalData;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::WriteExternalData> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
 
 }  // namespace sbgc

@@ -8,17 +8,12 @@
 #include <sbgc/exchange.hpp>
 #include <sbgc/messages/system.hpp>
 
-namespace sbgc {
+namespace sbgc::msg {
 
 struct BoardInfo;
 struct BoardInfo3;
 struct Reset;
 
-template <>
-struct ExchangeTraits<BoardInfoRequest> {
-  using Answer = BoardInfo;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const BoardInfoRequest&) noexcept {
   return {.replies = {.command = 86,
               .answer_count = 1,
@@ -31,11 +26,6 @@ constexpr Exchange exchange_of(const BoardInfoRequest&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<BoardInfoRequestOneByte> {
-  using Answer = BoardInfo;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const BoardInfoRequestOneByte&) noexcept {
   return {.replies = {.command = 86,
               .answer_count = 1,
@@ -48,11 +38,6 @@ constexpr Exchange exchange_of(const BoardInfoRequestOneByte&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<BoardInfoRequestExt> {
-  using Answer = BoardInfo;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const BoardInfoRequestExt&) noexcept {
   return {.replies = {.command = 86,
               .answer_count = 1,
@@ -65,11 +50,6 @@ constexpr Exchange exchange_of(const BoardInfoRequestExt&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<BoardInfo3Request> {
-  using Answer = BoardInfo3;
-  static constexpr bool answer_is_certain = true;
-};
 constexpr Exchange exchange_of(const BoardInfo3Request&) noexcept {
   return {.replies = {.command = 20,
               .answer_count = 1,
@@ -82,22 +62,12 @@ constexpr Exchange exchange_of(const BoardInfo3Request&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<ResetRequest> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const ResetRequest&) noexcept {
   return {.replies = {.command = 114},
       .restarts_board = true,
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<ResetRequestExt> {
-  using Answer = Reset;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const ResetRequestExt& request) noexcept {
   if (request.confirm.has(ResetOption::notify)) {
     return {.replies = {.command = 114,
@@ -115,22 +85,12 @@ constexpr Exchange exchange_of(const ResetRequestExt& request) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<BootMode3> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const BootMode3&) noexcept {
   return {.replies = {.command = 51},
       .restarts_board = true,
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<BootMode3Ext> {
-  using Answer = Reset;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const BootMode3Ext& request) noexcept {
   if (request.confirm.has(ResetOption::notify)) {
     return {.replies = {.command = 51,
@@ -148,11 +108,6 @@ constexpr Exchange exchange_of(const BootMode3Ext& request) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<QueueParamsInfo3Request> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const QueueParamsInfo3Request&) noexcept {
   return {.replies = {.command = 30,
               .confirmed = Confirmed::possible},
@@ -160,11 +115,6 @@ constexpr Exchange exchange_of(const QueueParamsInfo3Request&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<SystemStateRequest> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const SystemStateRequest&) noexcept {
   return {.replies = {.command = 52,
               .confirmed = Confirmed::possible},
@@ -172,11 +122,6 @@ constexpr Exchange exchange_of(const SystemStateRequest&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<MavlinkInfoRequest> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const MavlinkInfoRequest&) noexcept {
   return {.replies = {.command = 250,
               .confirmed = Confirmed::possible},
@@ -184,16 +129,87 @@ constexpr Exchange exchange_of(const MavlinkInfoRequest&) noexcept {
       .timeout_ms = 500};
 }
 
-template <>
-struct ExchangeTraits<MavlinkDebugRequest> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
 constexpr Exchange exchange_of(const MavlinkDebugRequest&) noexcept {
   return {.replies = {.command = 251,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .timeout_ms = 500};
 }
+
+}  // namespace sbgc::msg
+
+namespace sbgc {
+
+template <>
+struct ExchangeTraits<msg::BoardInfoRequest> {
+  using Answer = msg::BoardInfo;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::BoardInfoRequestOneByte> {
+  using Answer = msg::BoardInfo;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::BoardInfoRequestExt> {
+  using Answer = msg::BoardInfo;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::BoardInfo3Request> {
+  using Answer = msg::BoardInfo3;
+  static constexpr bool answer_is_certain = true;
+};
+
+template <>
+struct ExchangeTraits<msg::ResetRequest> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::ResetRequestExt> {
+  using Answer = msg::Reset;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::BootMode3> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::BootMode3Ext> {
+  using Answer = msg::Reset;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::QueueParamsInfo3Request> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::SystemStateRequest> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::MavlinkInfoRequest> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
+
+template <>
+struct ExchangeTraits<msg::MavlinkDebugRequest> {
+  using Answer = void;
+  static constexpr bool answer_is_certain = false;
+};
 
 }  // namespace sbgc

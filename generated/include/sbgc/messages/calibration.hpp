@@ -13,7 +13,10 @@
 #include <sbgc/enums.hpp>
 #include <sbgc/units.hpp>
 
-namespace sbgc {
+namespace sbgc::msg {
+
+using sbgc::get;
+using sbgc::put;
 
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
 
@@ -865,4 +868,4 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return true;
 }
 
-}  // namespace sbgc
+}  // namespace sbgc::msg

@@ -13,7 +13,10 @@
 #include <sbgc/enums.hpp>
 #include <sbgc/units.hpp>
 
-namespace sbgc {
+namespace sbgc::msg {
+
+using sbgc::get;
+using sbgc::put;
 
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
 
@@ -744,4 +747,4 @@ constexpr MotorsOffExt later_form(const MotorsOff&) noexcept {
   return later;
 }
 
-}  // namespace sbgc
+}  // namespace sbgc::msg

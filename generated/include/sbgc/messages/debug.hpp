@@ -13,7 +13,10 @@
 #include <sbgc/enums.hpp>
 #include <sbgc/units.hpp>
 
-namespace sbgc {
+namespace sbgc::msg {
+
+using sbgc::get;
+using sbgc::put;
 
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
 
@@ -187,4 +190,4 @@ struct DebugVars3Request {
   return {0, {}};
 }
 
-}  // namespace sbgc
+}  // namespace sbgc::msg

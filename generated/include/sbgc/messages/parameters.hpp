@@ -13,7 +13,10 @@
 #include <sbgc/enums.hpp>
 #include <sbgc/units.hpp>
 
-namespace sbgc {
+namespace sbgc::msg {
+
+using sbgc::get;
+using sbgc::put;
 
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
 
@@ -1231,4 +1234,4 @@ struct WriteProfileNames : ReadProfileNames {
   constexpr bool operator==(const WriteProfileNames&) const = default;
 };
 
-}  // namespace sbgc
+}  // namespace sbgc::msg

@@ -13,7 +13,10 @@
 #include <sbgc/enums.hpp>
 #include <sbgc/units.hpp>
 
-namespace sbgc {
+namespace sbgc::msg {
+
+using sbgc::get;
+using sbgc::put;
 
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
 
@@ -395,4 +398,4 @@ struct ApiVirtChControl {
   return writer.end();
 }
 
-}  // namespace sbgc
+}  // namespace sbgc::msg

@@ -13,7 +13,10 @@
 #include <sbgc/enums.hpp>
 #include <sbgc/units.hpp>
 
-namespace sbgc {
+namespace sbgc::msg {
+
+using sbgc::get;
+using sbgc::put;
 
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
 
@@ -528,4 +531,4 @@ struct WriteExternalData : ReadExternalData {
   constexpr bool operator==(const WriteExternalData&) const = default;
 };
 
-}  // namespace sbgc
+}  // namespace sbgc::msg

@@ -10,7 +10,7 @@
 namespace sbgc {
 
 template <>
-struct Meta<AdjVarValue> {
+struct Meta<msg::AdjVarValue> {
   static constexpr FieldInfo fields[] = {
       {.name = "param_id",
        .spec_name = "PARAM_ID",
@@ -30,7 +30,7 @@ struct Meta<AdjVarValue> {
 };
 
 template <>
-struct Meta<TriggerSlot> {
+struct Meta<msg::TriggerSlot> {
   static constexpr FieldInfo fields[] = {
       {.name = "src_ch",
        .spec_name = "SRC_CH",
@@ -49,7 +49,7 @@ struct Meta<TriggerSlot> {
 };
 
 template <>
-struct Meta<AnalogSlot> {
+struct Meta<msg::AnalogSlot> {
   static constexpr FieldInfo fields[] = {
       {.name = "src_ch",
        .spec_name = "SRC_CH",
@@ -76,7 +76,7 @@ struct Meta<AnalogSlot> {
 };
 
 template <>
-struct Meta<SetAdjVarsVal> {
+struct Meta<msg::SetAdjVarsVal> {
   static constexpr MessageInfo info{
       .name = "SetAdjVarsVal",
       .command = "CMD_SET_ADJ_VARS_VAL",
@@ -108,7 +108,7 @@ struct Meta<SetAdjVarsVal> {
 };
 
 template <>
-struct Meta<GetAdjVarsVal> {
+struct Meta<msg::GetAdjVarsVal> {
   static constexpr const char* answers[] = {"SetAdjVarsVal"};
   static constexpr MessageInfo info{
       .name = "GetAdjVarsVal",
@@ -141,7 +141,7 @@ struct Meta<GetAdjVarsVal> {
 };
 
 template <>
-struct Meta<ReadAdjVarsCfg> {
+struct Meta<msg::ReadAdjVarsCfg> {
   static constexpr MessageInfo info{
       .name = "ReadAdjVarsCfg",
       .command = "CMD_READ_ADJ_VARS_CFG",
@@ -175,7 +175,7 @@ struct Meta<ReadAdjVarsCfg> {
 };
 
 template <>
-struct Meta<ReadAdjVarsCfgRequest> {
+struct Meta<msg::ReadAdjVarsCfgRequest> {
   static constexpr const char* answers[] = {"ReadAdjVarsCfg"};
   static constexpr MessageInfo info{
       .name = "ReadAdjVarsCfgRequest",
@@ -196,7 +196,7 @@ struct Meta<ReadAdjVarsCfgRequest> {
 };
 
 template <>
-struct Meta<AdjVarsState> {
+struct Meta<msg::AdjVarsState> {
   static constexpr MessageInfo info{
       .name = "AdjVarsState",
       .command = "CMD_ADJ_VARS_STATE",
@@ -244,7 +244,7 @@ struct Meta<AdjVarsState> {
 };
 
 template <>
-struct Meta<AdjVarsStateRequest> {
+struct Meta<msg::AdjVarsStateRequest> {
   static constexpr const char* answers[] = {"AdjVarsState"};
   static constexpr MessageInfo info{
       .name = "AdjVarsStateRequest",
@@ -275,7 +275,7 @@ struct Meta<AdjVarsStateRequest> {
 };
 
 template <>
-struct Meta<AdjVarsStateRequestExt> {
+struct Meta<msg::AdjVarsStateRequestExt> {
   static constexpr const char* answers[] = {"AdjVarsState"};
   static constexpr MessageInfo info{
       .name = "AdjVarsStateRequestExt",
@@ -302,7 +302,7 @@ struct Meta<AdjVarsStateRequestExt> {
 };
 
 template <>
-struct Meta<WriteAdjVarsCfg> : Meta<ReadAdjVarsCfg> {
+struct Meta<msg::WriteAdjVarsCfg> : Meta<msg::ReadAdjVarsCfg> {
   static constexpr MessageInfo info{
       .name = "WriteAdjVarsCfg",
       .command = "CMD_WRITE_ADJ_VARS_CFG",

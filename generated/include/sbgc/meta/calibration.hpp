@@ -10,7 +10,7 @@
 namespace sbgc {
 
 template <>
-struct Meta<AxisTuning> {
+struct Meta<msg::AxisTuning> {
   static constexpr FieldInfo fields[] = {
       {.name = "tracking_error",
        .spec_name = "TRACKING_ERROR",
@@ -30,7 +30,7 @@ struct Meta<AxisTuning> {
 };
 
 template <>
-struct Meta<CalibAcc> {
+struct Meta<msg::CalibAcc> {
   static constexpr MessageInfo info{
       .name = "CalibAcc",
       .command = "CMD_CALIB_ACC",
@@ -48,7 +48,7 @@ struct Meta<CalibAcc> {
 };
 
 template <>
-struct Meta<CalibAccExt> {
+struct Meta<msg::CalibAccExt> {
   static constexpr MessageInfo info{
       .name = "CalibAccExt",
       .command = "CMD_CALIB_ACC",
@@ -81,7 +81,7 @@ struct Meta<CalibAccExt> {
 };
 
 template <>
-struct Meta<CalibGyro> {
+struct Meta<msg::CalibGyro> {
   static constexpr MessageInfo info{
       .name = "CalibGyro",
       .command = "CMD_CALIB_GYRO",
@@ -99,7 +99,7 @@ struct Meta<CalibGyro> {
 };
 
 template <>
-struct Meta<CalibGyroExt> {
+struct Meta<msg::CalibGyroExt> {
   static constexpr MessageInfo info{
       .name = "CalibGyroExt",
       .command = "CMD_CALIB_GYRO",
@@ -132,7 +132,7 @@ struct Meta<CalibGyroExt> {
 };
 
 template <>
-struct Meta<CalibMag> {
+struct Meta<msg::CalibMag> {
   static constexpr MessageInfo info{
       .name = "CalibMag",
       .command = "CMD_CALIB_MAG",
@@ -151,7 +151,7 @@ struct Meta<CalibMag> {
 };
 
 template <>
-struct Meta<CalibExtGain> {
+struct Meta<msg::CalibExtGain> {
   static constexpr MessageInfo info{
       .name = "CalibExtGain",
       .command = "CMD_CALIB_EXT_GAIN",
@@ -169,7 +169,7 @@ struct Meta<CalibExtGain> {
 };
 
 template <>
-struct Meta<CalibPoles> {
+struct Meta<msg::CalibPoles> {
   static constexpr MessageInfo info{
       .name = "CalibPoles",
       .command = "CMD_CALIB_POLES",
@@ -187,7 +187,7 @@ struct Meta<CalibPoles> {
 };
 
 template <>
-struct Meta<CalibOffset> {
+struct Meta<msg::CalibOffset> {
   static constexpr MessageInfo info{
       .name = "CalibOffset",
       .command = "CMD_CALIB_OFFSET",
@@ -205,7 +205,7 @@ struct Meta<CalibOffset> {
 };
 
 template <>
-struct Meta<CalibBat> {
+struct Meta<msg::CalibBat> {
   static constexpr MessageInfo info{
       .name = "CalibBat",
       .command = "CMD_CALIB_BAT",
@@ -229,7 +229,7 @@ struct Meta<CalibBat> {
 };
 
 template <>
-struct Meta<CalibInfo> {
+struct Meta<msg::CalibInfo> {
   static constexpr MessageInfo info{
       .name = "CalibInfo",
       .command = "CMD_CALIB_INFO",
@@ -337,7 +337,7 @@ struct Meta<CalibInfo> {
 };
 
 template <>
-struct Meta<CalibInfoRequest> {
+struct Meta<msg::CalibInfoRequest> {
   static constexpr const char* answers[] = {"CalibInfo"};
   static constexpr MessageInfo info{
       .name = "CalibInfoRequest",
@@ -369,7 +369,7 @@ struct Meta<CalibInfoRequest> {
 };
 
 template <>
-struct Meta<CalibMotorMagLink> {
+struct Meta<msg::CalibMotorMagLink> {
   static constexpr MessageInfo info{
       .name = "CalibMotorMagLink",
       .command = "CMD_CALIB_MOTOR_MAG_LINK",
@@ -393,7 +393,7 @@ struct Meta<CalibMotorMagLink> {
 };
 
 template <>
-struct Meta<CalibMotorMagLinkRequest> {
+struct Meta<msg::CalibMotorMagLinkRequest> {
   static constexpr MessageInfo info{
       .name = "CalibMotorMagLinkRequest",
       .command = "CMD_CALIB_MOTOR_MAG_LINK",
@@ -418,7 +418,7 @@ struct Meta<CalibMotorMagLinkRequest> {
 };
 
 template <>
-struct Meta<EncodersCalibOffset4> {
+struct Meta<msg::EncodersCalibOffset4> {
   static constexpr MessageInfo info{
       .name = "EncodersCalibOffset4",
       .command = "CMD_ENCODERS_CALIB_OFFSET_4",
@@ -437,7 +437,7 @@ struct Meta<EncodersCalibOffset4> {
 };
 
 template <>
-struct Meta<EncodersCalibFldOffset4> {
+struct Meta<msg::EncodersCalibFldOffset4> {
   static constexpr MessageInfo info{
       .name = "EncodersCalibFldOffset4",
       .command = "CMD_ENCODERS_CALIB_FLD_OFFSET_4",
@@ -456,7 +456,7 @@ struct Meta<EncodersCalibFldOffset4> {
 };
 
 template <>
-struct Meta<AutoPid> {
+struct Meta<msg::AutoPid> {
   static constexpr MessageInfo info{
       .name = "AutoPid",
       .command = "CMD_AUTO_PID",
@@ -506,7 +506,7 @@ struct Meta<AutoPid> {
 };
 
 template <>
-struct Meta<AutoPidRequest> {
+struct Meta<msg::AutoPidRequest> {
   static constexpr MessageInfo info{
       .name = "AutoPidRequest",
       .command = "CMD_AUTO_PID",

@@ -10,7 +10,7 @@
 namespace sbgc {
 
 template <>
-struct Meta<ControlAxis> {
+struct Meta<msg::ControlAxis> {
   static constexpr AlternativeUnit speed_alternative{"control_mode", 0x80, "deg/s", 1, 1000};
   static constexpr Range angle_range{-32768, 32767};
   static constexpr FieldInfo fields[] = {
@@ -33,7 +33,7 @@ struct Meta<ControlAxis> {
 };
 
 template <>
-struct Meta<AxisState> {
+struct Meta<msg::AxisState> {
   static constexpr Range imu_angle_range{-32768, 32767};
   static constexpr Range rc_target_angle_range{-32768, 32767};
   static constexpr FieldInfo fields[] = {
@@ -60,7 +60,7 @@ struct Meta<AxisState> {
 };
 
 template <>
-struct Meta<AxisStateExt> {
+struct Meta<msg::AxisStateExt> {
   static constexpr Range imu_angle_range{-32768, 32767};
   static constexpr Range rc_target_angle_range{-32768, 32767};
   static constexpr FieldInfo fields[] = {
@@ -92,7 +92,7 @@ struct Meta<AxisStateExt> {
 };
 
 template <>
-struct Meta<Control> {
+struct Meta<msg::Control> {
   static constexpr MessageInfo info{
       .name = "Control",
       .command = "CMD_CONTROL",
@@ -120,7 +120,7 @@ struct Meta<Control> {
 };
 
 template <>
-struct Meta<ControlExt> {
+struct Meta<msg::ControlExt> {
   static constexpr MessageInfo info{
       .name = "ControlExt",
       .command = "CMD_CONTROL",
@@ -149,7 +149,7 @@ struct Meta<ControlExt> {
 };
 
 template <>
-struct Meta<GetAngles> {
+struct Meta<msg::GetAngles> {
   static constexpr MessageInfo info{
       .name = "GetAngles",
       .command = "CMD_GET_ANGLES",
@@ -173,7 +173,7 @@ struct Meta<GetAngles> {
 };
 
 template <>
-struct Meta<GetAnglesRequest> {
+struct Meta<msg::GetAnglesRequest> {
   static constexpr const char* answers[] = {"GetAngles"};
   static constexpr MessageInfo info{
       .name = "GetAnglesRequest",
@@ -193,7 +193,7 @@ struct Meta<GetAnglesRequest> {
 };
 
 template <>
-struct Meta<GetAnglesExt> {
+struct Meta<msg::GetAnglesExt> {
   static constexpr MessageInfo info{
       .name = "GetAnglesExt",
       .command = "CMD_GET_ANGLES_EXT",
@@ -218,7 +218,7 @@ struct Meta<GetAnglesExt> {
 };
 
 template <>
-struct Meta<GetAnglesExtRequest> {
+struct Meta<msg::GetAnglesExtRequest> {
   static constexpr const char* answers[] = {"GetAnglesExt"};
   static constexpr MessageInfo info{
       .name = "GetAnglesExtRequest",
@@ -239,7 +239,7 @@ struct Meta<GetAnglesExtRequest> {
 };
 
 template <>
-struct Meta<MotorsOn> {
+struct Meta<msg::MotorsOn> {
   static constexpr MessageInfo info{
       .name = "MotorsOn",
       .command = "CMD_MOTORS_ON",
@@ -257,7 +257,7 @@ struct Meta<MotorsOn> {
 };
 
 template <>
-struct Meta<MotorsOff> {
+struct Meta<msg::MotorsOff> {
   static constexpr MessageInfo info{
       .name = "MotorsOff",
       .command = "CMD_MOTORS_OFF",
@@ -276,7 +276,7 @@ struct Meta<MotorsOff> {
 };
 
 template <>
-struct Meta<MotorsOffExt> {
+struct Meta<msg::MotorsOffExt> {
   static constexpr MessageInfo info{
       .name = "MotorsOffExt",
       .command = "CMD_MOTORS_OFF",
@@ -301,7 +301,7 @@ struct Meta<MotorsOffExt> {
 };
 
 template <>
-struct Meta<ExecuteMenu> {
+struct Meta<msg::ExecuteMenu> {
   static constexpr MessageInfo info{
       .name = "ExecuteMenu",
       .command = "CMD_EXECUTE_MENU",
@@ -325,7 +325,7 @@ struct Meta<ExecuteMenu> {
 };
 
 template <>
-struct Meta<ExecuteMenuExt> {
+struct Meta<msg::ExecuteMenuExt> {
   static constexpr MessageInfo info{
       .name = "ExecuteMenuExt",
       .command = "CMD_EXECUTE_MENU",
@@ -353,7 +353,7 @@ struct Meta<ExecuteMenuExt> {
 };
 
 template <>
-struct Meta<HelperData> {
+struct Meta<msg::HelperData> {
   static constexpr MessageInfo info{
       .name = "HelperData",
       .command = "CMD_HELPER_DATA",
@@ -397,7 +397,7 @@ struct Meta<HelperData> {
 };
 
 template <>
-struct Meta<HelperDataExt> {
+struct Meta<msg::HelperDataExt> {
   static constexpr MessageInfo info{
       .name = "HelperDataExt",
       .command = "CMD_HELPER_DATA",

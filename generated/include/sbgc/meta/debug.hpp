@@ -10,7 +10,7 @@
 namespace sbgc {
 
 template <>
-struct Meta<DebugVarInfo> {
+struct Meta<msg::DebugVarInfo> {
   static constexpr Special arr_size_special[] = {
       {0, "a scalar"},
       {1, "a scalar"},
@@ -38,7 +38,7 @@ struct Meta<DebugVarInfo> {
 };
 
 template <>
-struct Meta<DebugVarsInfo3> {
+struct Meta<msg::DebugVarsInfo3> {
   static constexpr MessageInfo info{
       .name = "DebugVarsInfo3",
       .command = "CMD_DEBUG_VARS_INFO_3",
@@ -69,7 +69,7 @@ struct Meta<DebugVarsInfo3> {
 };
 
 template <>
-struct Meta<DebugVarsInfo3Request> {
+struct Meta<msg::DebugVarsInfo3Request> {
   static constexpr const char* answers[] = {"DebugVarsInfo3"};
   static constexpr MessageInfo info{
       .name = "DebugVarsInfo3Request",
@@ -90,7 +90,7 @@ struct Meta<DebugVarsInfo3Request> {
 };
 
 template <>
-struct Meta<DebugVars3> {
+struct Meta<msg::DebugVars3> {
   static constexpr MessageInfo info{
       .name = "DebugVars3",
       .command = "CMD_DEBUG_VARS_3",
@@ -115,7 +115,7 @@ struct Meta<DebugVars3> {
 };
 
 template <>
-struct Meta<DebugVars3Request> {
+struct Meta<msg::DebugVars3Request> {
   static constexpr const char* answers[] = {"DebugVars3"};
   static constexpr MessageInfo info{
       .name = "DebugVars3Request",

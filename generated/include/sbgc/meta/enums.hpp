@@ -8,7 +8,7 @@
 namespace sbgc {
 
 template <>
-struct EnumMeta<CommandId> {
+struct EnumMeta<msg::CommandId> {
   static constexpr ValueInfo values[] = {
       {"CMD_BOARD_INFO_3", 20, "Serial numbers, memory and scripts of the board."},
       {"CMD_READ_PARAMS_3", 21, "Settings of one profile together with the general settings."},
@@ -86,7 +86,7 @@ struct EnumMeta<CommandId> {
 };
 
 template <>
-struct EnumMeta<VariableId> {
+struct EnumMeta<msg::VariableId> {
   static constexpr ValueInfo values[] = {
       {"P_ROLL", 0, "Proportional gain of roll."},
       {"P_PITCH", 1, "Proportional gain of pitch."},
@@ -141,7 +141,7 @@ struct EnumMeta<VariableId> {
 };
 
 template <>
-struct EnumMeta<BoardErrorCode> {
+struct EnumMeta<msg::BoardErrorCode> {
   static constexpr ValueInfo values[] = {
       {"CMD_SIZE", 1, "The body has a size that the command does not have."},
       {"WRONG_PARAMS", 2, "A value is not possible."},
@@ -156,7 +156,7 @@ struct EnumMeta<BoardErrorCode> {
 };
 
 template <>
-struct EnumMeta<RcModeKind> {
+struct EnumMeta<msg::RcModeKind> {
   static constexpr ValueInfo values[] = {
       {"RC_MODE_ANGLE", 0, "The angle of the camera."},
       {"RC_MODE_SPEED", 1, "The speed of the camera."},
@@ -165,7 +165,7 @@ struct EnumMeta<RcModeKind> {
 };
 
 template <>
-struct EnumMeta<PwmFrequency> {
+struct EnumMeta<msg::PwmFrequency> {
   static constexpr ValueInfo values[] = {
       {"PWM_FREQ_LOW", 0, "Low."},
       {"PWM_FREQ_HIGH", 1, "High."},
@@ -175,7 +175,7 @@ struct EnumMeta<PwmFrequency> {
 };
 
 template <>
-struct EnumMeta<SerialSpeed> {
+struct EnumMeta<msg::SerialSpeed> {
   static constexpr ValueInfo values[] = {
       {"BAUD_115200", 0, "115200 baud."},
       {"BAUD_57600", 1, "57600 baud."},
@@ -187,7 +187,7 @@ struct EnumMeta<SerialSpeed> {
 };
 
 template <>
-struct EnumMeta<RcVirtualMode> {
+struct EnumMeta<msg::RcVirtualMode> {
   static constexpr ValueInfo values[] = {
       {"RC_VIRT_MODE_NORMAL", 0, "One PWM signal."},
       {"RC_VIRT_MODE_CPPM", 1, "Sum-PPM."},
@@ -199,7 +199,7 @@ struct EnumMeta<RcVirtualMode> {
 };
 
 template <>
-struct EnumMeta<RcInput> {
+struct EnumMeta<msg::RcInput> {
   static constexpr ValueInfo values[] = {
       {"INPUT_NO", 0, "No input."},
       {"RC_INPUT_ROLL", 1, "PWM at the RC_ROLL pin."},
@@ -216,7 +216,7 @@ struct EnumMeta<RcInput> {
 };
 
 template <>
-struct EnumMeta<RcSource> {
+struct EnumMeta<msg::RcSource> {
   static constexpr ValueInfo values[] = {
       {"PWM", 0, "A PWM signal."},
       {"ANALOG", 32, "An analog voltage."},
@@ -227,7 +227,7 @@ struct EnumMeta<RcSource> {
 };
 
 template <>
-struct EnumMeta<MixTarget> {
+struct EnumMeta<msg::MixTarget> {
   static constexpr ValueInfo values[] = {
       {"NO_MIX", 0, "None."},
       {"ROLL", 1, "Roll."},
@@ -238,7 +238,7 @@ struct EnumMeta<MixTarget> {
 };
 
 template <>
-struct EnumMeta<FollowMode> {
+struct EnumMeta<msg::FollowMode> {
   static constexpr ValueInfo values[] = {
       {"FOLLOW_MODE_DISABLED", 0, "Nothing."},
       {"FOLLOW_MODE_FC", 1, "The flight controller."},
@@ -248,7 +248,7 @@ struct EnumMeta<FollowMode> {
 };
 
 template <>
-struct EnumMeta<SensorAxis> {
+struct EnumMeta<msg::SensorAxis> {
   static constexpr ValueInfo values[] = {
       {"X", 1, "X axis."},
       {"Y", 2, "Y axis."},
@@ -261,7 +261,7 @@ struct EnumMeta<SensorAxis> {
 };
 
 template <>
-struct EnumMeta<FrameImuPosition> {
+struct EnumMeta<msg::FrameImuPosition> {
   static constexpr ValueInfo values[] = {
       {"FRAME_IMU_DISABLED", 0, "There is none."},
       {"FRAME_IMU_BELOW_YAW", 1, "Below the yaw motor."},
@@ -272,7 +272,7 @@ struct EnumMeta<FrameImuPosition> {
 };
 
 template <>
-struct EnumMeta<SkipGyroCalibration> {
+struct EnumMeta<msg::SkipGyroCalibration> {
   static constexpr ValueInfo values[] = {
       {"DO_NOT_SKIP", 0, "Calibrate."},
       {"SKIP_ALWAYS", 1, "Never calibrate."},
@@ -282,7 +282,7 @@ struct EnumMeta<SkipGyroCalibration> {
 };
 
 template <>
-struct EnumMeta<MenuCommand> {
+struct EnumMeta<msg::MenuCommand> {
   static constexpr ValueInfo values[] = {
       {"MENU_CMD_NO", 0, "Nothing."},
       {"MENU_CMD_PROFILE1", 1, "Switch to profile 1."},
@@ -322,7 +322,7 @@ struct EnumMeta<MenuCommand> {
 };
 
 template <>
-struct EnumMeta<MotorOutput> {
+struct EnumMeta<msg::MotorOutput> {
   static constexpr ValueInfo values[] = {
       {"DISABLED", 0, "None."},
       {"ROLL", 1, "The ROLL output."},
@@ -333,7 +333,7 @@ struct EnumMeta<MotorOutput> {
 };
 
 template <>
-struct EnumMeta<SelectedImu> {
+struct EnumMeta<msg::SelectedImu> {
   static constexpr ValueInfo values[] = {
       {"IMU_TYPE_MAIN", 1, "The main IMU on the camera."},
       {"IMU_TYPE_FRAME", 2, "The IMU on the frame."},
@@ -342,7 +342,7 @@ struct EnumMeta<SelectedImu> {
 };
 
 template <>
-struct EnumMeta<SpektrumMode> {
+struct EnumMeta<msg::SpektrumMode> {
   static constexpr ValueInfo values[] = {
       {"AUTO", 0, "Detected."},
       {"DSM2_11MS_10BIT", 1, "DSM2, 11 ms, 10 bits."},
@@ -358,7 +358,7 @@ struct EnumMeta<SpektrumMode> {
 };
 
 template <>
-struct EnumMeta<AxisOrder> {
+struct EnumMeta<msg::AxisOrder> {
   static constexpr ValueInfo values[] = {
       {"PITCH_ROLL_YAW", 0, "Pitch, roll, yaw."},
       {"YAW_ROLL_PITCH", 1, "Yaw, roll, pitch."},
@@ -369,7 +369,7 @@ struct EnumMeta<AxisOrder> {
 };
 
 template <>
-struct EnumMeta<EulerOrder> {
+struct EnumMeta<msg::EulerOrder> {
   static constexpr ValueInfo values[] = {
       {"PITCH_ROLL_YAW", 0, "Pitch, roll, yaw."},
       {"ROLL_PITCH_YAW", 1, "Roll, pitch, yaw."},
@@ -382,7 +382,7 @@ struct EnumMeta<EulerOrder> {
 };
 
 template <>
-struct EnumMeta<EncoderModel> {
+struct EnumMeta<msg::EncoderModel> {
   static constexpr ValueInfo values[] = {
       {"ENC_TYPE_AS5048A", 1, "AS5048A, over SPI."},
       {"ENC_TYPE_AS5048B", 2, "AS5048B, over I2C."},
@@ -402,7 +402,7 @@ struct EnumMeta<EncoderModel> {
 };
 
 template <>
-struct EnumMeta<EncoderConfig> {
+struct EnumMeta<msg::EncoderConfig> {
   static constexpr ValueInfo values[] = {
       {"SPI_SPEED_1MHz", 0, "SPI clock of 1 MHz."},
       {"SPI_SPEED_2MHz", 1, "SPI clock of 2 MHz."},
@@ -413,7 +413,7 @@ struct EnumMeta<EncoderConfig> {
 };
 
 template <>
-struct EnumMeta<SystemSubError> {
+struct EnumMeta<msg::SystemSubError> {
   static constexpr ValueInfo values[] = {
       {"NONE", 0, "No emergency stop."},
       {"SUB_ERR_I2C_ERRORS", 1, "Too many errors on the I2C bus."},
@@ -433,7 +433,7 @@ struct EnumMeta<SystemSubError> {
 };
 
 template <>
-struct EnumMeta<ControlModeKind> {
+struct EnumMeta<msg::ControlModeKind> {
   static constexpr ValueInfo values[] = {
       {"MODE_NO_CONTROL", 0, "Serial control ends; RC has control again."},
       {"MODE_SPEED", 1, "Turn with the given speed, in Euler coordinates, until the next command; the angle is ignored."},
@@ -446,7 +446,7 @@ struct EnumMeta<ControlModeKind> {
 };
 
 template <>
-struct EnumMeta<MotorsOffMode> {
+struct EnumMeta<msg::MotorsOffMode> {
   static constexpr ValueInfo values[] = {
       {"NORMAL", 0, "They turn freely, without current."},
       {"BRAKE", 1, "They brake."},
@@ -456,7 +456,7 @@ struct EnumMeta<MotorsOffMode> {
 };
 
 template <>
-struct EnumMeta<CoordinateSystem> {
+struct EnumMeta<msg::CoordinateSystem> {
   static constexpr ValueInfo values[] = {
       {"COORD_SYS_GROUND_YAW_ROTATED", 1, "Of the ground, turned with the camera about Z: Z points up, X right, Y forward. The usual one."},
   };
@@ -464,7 +464,7 @@ struct EnumMeta<CoordinateSystem> {
 };
 
 template <>
-struct EnumMeta<CalibImu> {
+struct EnumMeta<msg::CalibImu> {
   static constexpr ValueInfo values[] = {
       {"ACTIVE", 0, "The IMU that is active now."},
       {"MAIN", 1, "The main IMU on the camera."},
@@ -474,7 +474,7 @@ struct EnumMeta<CalibImu> {
 };
 
 template <>
-struct EnumMeta<CalibAction> {
+struct EnumMeta<msg::CalibAction> {
   static constexpr ValueInfo values[] = {
       {"REGULAR", 1, "Calibrate at the present temperature."},
       {"RESET", 2, "Forget all calibrations and restart."},
@@ -488,7 +488,7 @@ struct EnumMeta<CalibAction> {
 };
 
 template <>
-struct EnumMeta<ImuIndex> {
+struct EnumMeta<msg::ImuIndex> {
   static constexpr ValueInfo values[] = {
       {"MAIN", 0, "The main IMU on the camera."},
       {"FRAME", 1, "The IMU on the frame."},
@@ -497,7 +497,7 @@ struct EnumMeta<ImuIndex> {
 };
 
 template <>
-struct EnumMeta<OutputPin> {
+struct EnumMeta<msg::OutputPin> {
   static constexpr ValueInfo values[] = {
       {"RC_INPUT_ROLL", 1, "The RC_ROLL pin."},
       {"RC_INPUT_PITCH", 2, "The RC_PITCH pin."},
@@ -514,7 +514,7 @@ struct EnumMeta<OutputPin> {
 };
 
 template <>
-struct EnumMeta<PinState> {
+struct EnumMeta<msg::PinState> {
   static constexpr ValueInfo values[] = {
       {"LOW", 0, "Low; sinks up to 40 mA."},
       {"HIGH", 1, "High; supplies up to 40 mA."},
@@ -523,7 +523,7 @@ struct EnumMeta<PinState> {
 };
 
 template <>
-struct EnumMeta<I2cPort> {
+struct EnumMeta<msg::I2cPort> {
   static constexpr ValueInfo values[] = {
       {"MAIN", 0, "The bus of the sensors."},
       {"SECOND", 1, "The bus of the EEPROM."},
@@ -532,7 +532,7 @@ struct EnumMeta<I2cPort> {
 };
 
 template <>
-struct EnumMeta<FileError> {
+struct EnumMeta<msg::FileError> {
   static constexpr ValueInfo values[] = {
       {"NO_ERROR", 0, "Success."},
       {"ERR_EEPROM_FAULT", 1, "The memory chip does not answer."},
@@ -550,7 +550,7 @@ struct EnumMeta<FileError> {
 };
 
 template <>
-struct EnumMeta<ScriptMode> {
+struct EnumMeta<msg::ScriptMode> {
   static constexpr ValueInfo values[] = {
       {"STOP", 0, "Stop it."},
       {"START", 1, "Start it."},
@@ -560,7 +560,7 @@ struct EnumMeta<ScriptMode> {
 };
 
 template <>
-struct EnumMeta<DebugVarKind> {
+struct EnumMeta<msg::DebugVarKind> {
   static constexpr ValueInfo values[] = {
       {"VAR_TYPE_UINT8", 1, "Unsigned, 8 bits."},
       {"VAR_TYPE_INT8", 2, "Signed, 8 bits."},
@@ -574,7 +574,7 @@ struct EnumMeta<DebugVarKind> {
 };
 
 template <>
-struct EnumMeta<DebugVarAxis> {
+struct EnumMeta<msg::DebugVarAxis> {
   static constexpr ValueInfo values[] = {
       {"NO_AXIS", 0, "None."},
       {"VAR_FLAG_ROLL", 16, "Roll."},
@@ -585,7 +585,7 @@ struct EnumMeta<DebugVarAxis> {
 };
 
 template <>
-struct EnumMeta<BoardFeature> {
+struct EnumMeta<msg::BoardFeature> {
   static constexpr ValueInfo values[] = {
       {"BOARD_FEATURE_3AXIS", 1, "Drives three motors."},
       {"BOARD_FEATURE_BAT_MONITORING", 2, "Measures the battery voltage."},
@@ -598,7 +598,7 @@ struct EnumMeta<BoardFeature> {
 };
 
 template <>
-struct EnumMeta<ConnectionFlag> {
+struct EnumMeta<msg::ConnectionFlag> {
   static constexpr ValueInfo values[] = {
       {"CONNECTION_USB", 1, "The host talks over USB, not over a UART."},
   };
@@ -606,7 +606,7 @@ struct EnumMeta<ConnectionFlag> {
 };
 
 template <>
-struct EnumMeta<ResetOption> {
+struct EnumMeta<msg::ResetOption> {
   static constexpr ValueInfo values[] = {
       {"NOTIFY", 1, "Send CMD_RESET back first."},
   };
@@ -614,7 +614,7 @@ struct EnumMeta<ResetOption> {
 };
 
 template <>
-struct EnumMeta<FilterSwitch> {
+struct EnumMeta<msg::FilterSwitch> {
   static constexpr ValueInfo values[] = {
       {"EN_NOTCH1", 1, "First notch filter."},
       {"EN_NOTCH2", 2, "Second notch filter."},
@@ -625,7 +625,7 @@ struct EnumMeta<FilterSwitch> {
 };
 
 template <>
-struct EnumMeta<EncoderFlag> {
+struct EnumMeta<msg::EncoderFlag> {
   static constexpr ValueInfo values[] = {
       {"SKIP_DETECTION", 16, "Do not detect whether the encoder is there."},
       {"ENCODER_IS_GEARED", 128, "A gear sits between motor and encoder."},
@@ -634,7 +634,7 @@ struct EnumMeta<EncoderFlag> {
 };
 
 template <>
-struct EnumMeta<BeeperMode> {
+struct EnumMeta<msg::BeeperMode> {
   static constexpr ValueInfo values[] = {
       {"BEEPER_MODE_CALIBRATE", 1, "During calibrations."},
       {"BEEPER_MODE_CONFIRM", 2, "To confirm commands."},
@@ -646,7 +646,7 @@ struct EnumMeta<BeeperMode> {
 };
 
 template <>
-struct EnumMeta<AdaptivePidAxe> {
+struct EnumMeta<msg::AdaptivePidAxe> {
   static constexpr ValueInfo values[] = {
       {"EN_ROLL", 1, "Roll."},
       {"EN_PITCH", 2, "Pitch."},
@@ -656,7 +656,7 @@ struct EnumMeta<AdaptivePidAxe> {
 };
 
 template <>
-struct EnumMeta<GeneralFlag> {
+struct EnumMeta<msg::GeneralFlag> {
   static constexpr ValueInfo values[] = {
       {"REMEMBER_LAST_USED_PROFILE", 1, "Start with the profile that was used last."},
       {"UPSIDE_DOWN_AUTO", 2, "Notice a frame that is upside down."},
@@ -672,7 +672,7 @@ struct EnumMeta<GeneralFlag> {
 };
 
 template <>
-struct EnumMeta<ProfileFlag> {
+struct EnumMeta<msg::ProfileFlag> {
   static constexpr ValueInfo values[] = {
       {"ADC1_AUTO_DETECTION", 1, "Detect whether analog input 1 is connected."},
       {"ADC2_AUTO_DETECTION", 2, "Detect whether analog input 2 is connected."},
@@ -687,7 +687,7 @@ struct EnumMeta<ProfileFlag> {
 };
 
 template <>
-struct EnumMeta<SystemError> {
+struct EnumMeta<msg::SystemError> {
   static constexpr ValueInfo values[] = {
       {"ERR_NO_SENSOR", 1, "The IMU sensor does not answer."},
       {"ERR_CALIB_ACC", 2, "The accelerometer is not calibrated."},
@@ -706,7 +706,7 @@ struct EnumMeta<SystemError> {
 };
 
 template <>
-struct EnumMeta<OtherFlag> {
+struct EnumMeta<msg::OtherFlag> {
   static constexpr ValueInfo values[] = {
       {"MOTORS_ON", 1, "The motors are turned on."},
   };
@@ -714,7 +714,7 @@ struct EnumMeta<OtherFlag> {
 };
 
 template <>
-struct EnumMeta<RealtimeDataCustomFlag> {
+struct EnumMeta<msg::RealtimeDataCustomFlag> {
   static constexpr ValueInfo values[] = {
       {"IMU_ANGLES", 1, "Angles of the main IMU."},
       {"TARGET_ANGLES", 2, "RC target angles."},
@@ -730,7 +730,7 @@ struct EnumMeta<RealtimeDataCustomFlag> {
 };
 
 template <>
-struct EnumMeta<ControlFlag> {
+struct EnumMeta<msg::ControlFlag> {
   static constexpr ValueInfo values[] = {
       {"CONTROL_FLAG_HIGH_RES_SPEED", 128, "Speeds are in 0.001 deg/s.", {2590, 0}},
   };
@@ -738,7 +738,7 @@ struct EnumMeta<ControlFlag> {
 };
 
 template <>
-struct EnumMeta<AutoPidFlag> {
+struct EnumMeta<msg::AutoPidFlag> {
   static constexpr ValueInfo values[] = {
       {"AUTO_PID_STOP", 0, "No bit: the whole value 0 stops the tuning."},
       {"AUTO_PID_CFG_ROLL", 1, "Tune roll."},
@@ -753,7 +753,7 @@ struct EnumMeta<AutoPidFlag> {
 };
 
 template <>
-struct EnumMeta<CalibratedLimit> {
+struct EnumMeta<msg::CalibratedLimit> {
   static constexpr ValueInfo values[] = {
       {"PLUS_X", 1, "Limit +X."},
       {"MINUS_X", 2, "Limit -X."},
@@ -766,7 +766,7 @@ struct EnumMeta<CalibratedLimit> {
 };
 
 template <>
-struct EnumMeta<AhrsHelperModeBit> {
+struct EnumMeta<msg::AhrsHelperModeBit> {
   static constexpr ValueInfo values[] = {
       {"SET", 1, "Set the attitude, instead of asking for it."},
       {"FRAME_IMU", 2, "The frame IMU, instead of the main one."},
@@ -779,7 +779,7 @@ struct EnumMeta<AhrsHelperModeBit> {
 };
 
 template <>
-struct EnumMeta<AhrsHelperWideModeBit> {
+struct EnumMeta<msg::AhrsHelperWideModeBit> {
   static constexpr ValueInfo values[] = {
       {"SET", 1, "Set the attitude, instead of asking for it."},
       {"FRAME_IMU", 2, "The frame IMU, instead of the main one."},
@@ -795,7 +795,7 @@ struct EnumMeta<AhrsHelperWideModeBit> {
 };
 
 template <>
-struct EnumMeta<BeepMode> {
+struct EnumMeta<msg::BeepMode> {
   static constexpr ValueInfo values[] = {
       {"BEEPER_MODE_CALIBRATE", 1, "The sound of a calibration."},
       {"BEEPER_MODE_CONFIRM", 2, "The sound of a confirmation."},
@@ -809,7 +809,7 @@ struct EnumMeta<BeepMode> {
 };
 
 template <>
-struct EnumMeta<DebugVarFlag> {
+struct EnumMeta<msg::DebugVarFlag> {
   static constexpr ValueInfo values[] = {
       {"VAR_FLAG_ANGLE14", 64, "It is an angle, 16384 counts for one full turn."},
   };
@@ -817,7 +817,7 @@ struct EnumMeta<DebugVarFlag> {
 };
 
 template <>
-struct PackedMeta<BoardVersion> {
+struct PackedMeta<msg::BoardVersion> {
   static constexpr PartInfo parts[] = {
       {"major", 0xFF, 0, 10, 0},
       {"minor", 0xFF, 0, 1, 10},
@@ -826,7 +826,7 @@ struct PackedMeta<BoardVersion> {
 };
 
 template <>
-struct PackedMeta<FirmwareVersion> {
+struct PackedMeta<msg::FirmwareVersion> {
   static constexpr PartInfo parts[] = {
       {"major", 0xFFFF, 0, 1000, 0},
       {"minor", 0xFFFF, 0, 10, 100},
@@ -836,65 +836,65 @@ struct PackedMeta<FirmwareVersion> {
 };
 
 template <>
-struct PackedMeta<RcMode> {
+struct PackedMeta<msg::RcMode> {
   static constexpr PartInfo parts[] = {
-      {"mode", 0x07, 0, 1, 0, &EnumMeta<RcModeKind>::info},
+      {"mode", 0x07, 0, 1, 0, &EnumMeta<msg::RcModeKind>::info},
       {"inverted", 0x08, 3, 1, 0},
   };
   static constexpr PackedInfo info{"RcMode", "", nullptr, parts};
 };
 
 template <>
-struct PackedMeta<RcMap> {
+struct PackedMeta<msg::RcMap> {
   static constexpr PartInfo parts[] = {
       {"channel", 0x1F, 0, 1, 0},
-      {"source", 0xE0, 0, 1, 0, &EnumMeta<RcSource>::info},
+      {"source", 0xE0, 0, 1, 0, &EnumMeta<msg::RcSource>::info},
   };
-  static constexpr PackedInfo info{"RcMap", "", &EnumMeta<RcInput>::info, parts};
+  static constexpr PackedInfo info{"RcMap", "", &EnumMeta<msg::RcInput>::info, parts};
 };
 
 template <>
-struct PackedMeta<RcMix> {
+struct PackedMeta<msg::RcMix> {
   static constexpr PartInfo parts[] = {
       {"rate", 0x3F, 0, 1, 0},
-      {"target", 0xC0, 6, 1, 0, &EnumMeta<MixTarget>::info},
+      {"target", 0xC0, 6, 1, 0, &EnumMeta<msg::MixTarget>::info},
   };
   static constexpr PackedInfo info{"RcMix", "", nullptr, parts};
 };
 
 template <>
-struct PackedMeta<EncoderType> {
+struct PackedMeta<msg::EncoderType> {
   static constexpr PartInfo parts[] = {
-      {"model", 0x0F, 0, 1, 0, &EnumMeta<EncoderModel>::info},
-      {"flags", 0xF0, 0, 1, 0, &EnumMeta<EncoderFlag>::info},
+      {"model", 0x0F, 0, 1, 0, &EnumMeta<msg::EncoderModel>::info},
+      {"flags", 0xF0, 0, 1, 0, &EnumMeta<msg::EncoderFlag>::info},
   };
   static constexpr PackedInfo info{"EncoderType", "", nullptr, parts};
 };
 
 template <>
-struct PackedMeta<ControlMode> {
+struct PackedMeta<msg::ControlMode> {
   static constexpr PartInfo parts[] = {
-      {"mode", 0x0F, 0, 1, 0, &EnumMeta<ControlModeKind>::info},
-      {"flags", 0xF0, 0, 1, 0, &EnumMeta<ControlFlag>::info},
+      {"mode", 0x0F, 0, 1, 0, &EnumMeta<msg::ControlModeKind>::info},
+      {"flags", 0xF0, 0, 1, 0, &EnumMeta<msg::ControlFlag>::info},
   };
   static constexpr PackedInfo info{"ControlMode", "", nullptr, parts};
 };
 
 template <>
-struct PackedMeta<I2cDevice> {
+struct PackedMeta<msg::I2cDevice> {
   static constexpr PartInfo parts[] = {
-      {"port", 0x01, 0, 1, 0, &EnumMeta<I2cPort>::info},
+      {"port", 0x01, 0, 1, 0, &EnumMeta<msg::I2cPort>::info},
       {"address", 0xFE, 1, 1, 0},
   };
   static constexpr PackedInfo info{"I2cDevice", "", nullptr, parts};
 };
 
 template <>
-struct PackedMeta<DebugVarType> {
+struct PackedMeta<msg::DebugVarType> {
   static constexpr PartInfo parts[] = {
-      {"kind", 0x0F, 0, 1, 0, &EnumMeta<DebugVarKind>::info},
-      {"axis", 0x30, 0, 1, 0, &EnumMeta<DebugVarAxis>::info},
-      {"flags", 0xC0, 0, 1, 0, &EnumMeta<DebugVarFlag>::info},
+      {"kind", 0x0F, 0, 1, 0, &EnumMeta<msg::DebugVarKind>::info},
+      {"axis", 0x30, 0, 1, 0, &EnumMeta<msg::DebugVarAxis>::info},
+      {"flags", 0xC0, 0, 1, 0, &EnumMeta<msg::DebugVarFlag>::info},
   };
   static constexpr PackedInfo info{"DebugVarType", "", nullptr, parts};
 };

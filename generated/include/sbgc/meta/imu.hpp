@@ -10,7 +10,7 @@
 namespace sbgc {
 
 template <>
-struct Meta<SelectImu3> {
+struct Meta<msg::SelectImu3> {
   static constexpr MessageInfo info{
       .name = "SelectImu3",
       .command = "CMD_SELECT_IMU_3",
@@ -35,7 +35,7 @@ struct Meta<SelectImu3> {
 };
 
 template <>
-struct Meta<SelectImu3Ext> {
+struct Meta<msg::SelectImu3Ext> {
   static constexpr MessageInfo info{
       .name = "SelectImu3Ext",
       .command = "CMD_SELECT_IMU_3",
@@ -69,7 +69,7 @@ struct Meta<SelectImu3Ext> {
 };
 
 template <>
-struct Meta<AhrsHelper> {
+struct Meta<msg::AhrsHelper> {
   static constexpr MessageInfo info{
       .name = "AhrsHelper",
       .command = "CMD_AHRS_HELPER",
@@ -102,7 +102,7 @@ struct Meta<AhrsHelper> {
 };
 
 template <>
-struct Meta<AhrsHelperRequest> {
+struct Meta<msg::AhrsHelperRequest> {
   static constexpr const char* answers[] = {"AhrsHelper"};
   static constexpr MessageInfo info{
       .name = "AhrsHelperRequest",
@@ -130,7 +130,7 @@ struct Meta<AhrsHelperRequest> {
 };
 
 template <>
-struct Meta<AhrsHelperRequestWide> {
+struct Meta<msg::AhrsHelperRequestWide> {
   static constexpr const char* answers[] = {"AhrsHelper"};
   static constexpr MessageInfo info{
       .name = "AhrsHelperRequestWide",
@@ -157,7 +157,7 @@ struct Meta<AhrsHelperRequestWide> {
 };
 
 template <>
-struct Meta<AhrsHelperRequestExt> {
+struct Meta<msg::AhrsHelperRequestExt> {
   static constexpr const char* answers[] = {"AhrsHelper"};
   static constexpr MessageInfo info{
       .name = "AhrsHelperRequestExt",
@@ -197,7 +197,7 @@ struct Meta<AhrsHelperRequestExt> {
 };
 
 template <>
-struct Meta<AhrsHelperRequestExtWide> {
+struct Meta<msg::AhrsHelperRequestExtWide> {
   static constexpr const char* answers[] = {"AhrsHelper"};
   static constexpr MessageInfo info{
       .name = "AhrsHelperRequestExtWide",
@@ -236,7 +236,7 @@ struct Meta<AhrsHelperRequestExtWide> {
 };
 
 template <>
-struct Meta<GyroCorrection> {
+struct Meta<msg::GyroCorrection> {
   static constexpr MessageInfo info{
       .name = "GyroCorrection",
       .command = "CMD_GYRO_CORRECTION",

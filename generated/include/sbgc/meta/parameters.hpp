@@ -10,7 +10,7 @@
 namespace sbgc {
 
 template <>
-struct Meta<AxisPid> {
+struct Meta<msg::AxisPid> {
   static constexpr Range p_range{0, 255};
   static constexpr Range i_range{0, 255};
   static constexpr Range d_range{0, 255};
@@ -57,7 +57,7 @@ struct Meta<AxisPid> {
 };
 
 template <>
-struct Meta<AxisRc> {
+struct Meta<msg::AxisRc> {
   static constexpr Range rc_min_angle_range{-720, 720};
   static constexpr Range rc_max_angle_range{-720, 720};
   static constexpr Range rc_lpf_range{0, 16};
@@ -102,7 +102,7 @@ struct Meta<AxisRc> {
 };
 
 template <>
-struct Meta<AxisNotches> {
+struct Meta<msg::AxisNotches> {
   static constexpr Range notch_freq_range{0, 255};
   static constexpr Range notch_width_range{0, 255};
   static constexpr FieldInfo fields[] = {
@@ -125,7 +125,7 @@ struct Meta<AxisNotches> {
 };
 
 template <>
-struct Meta<ReadParams3> {
+struct Meta<msg::ReadParams3> {
   static constexpr MessageInfo info{
       .name = "ReadParams3",
       .command = "CMD_READ_PARAMS_3",
@@ -481,7 +481,7 @@ struct Meta<ReadParams3> {
 };
 
 template <>
-struct Meta<ReadParams3Request> {
+struct Meta<msg::ReadParams3Request> {
   static constexpr const char* answers[] = {"ReadParams3"};
   static constexpr MessageInfo info{
       .name = "ReadParams3Request",
@@ -515,7 +515,7 @@ struct Meta<ReadParams3Request> {
 };
 
 template <>
-struct Meta<ReadParams> {
+struct Meta<msg::ReadParams> {
   static constexpr const char* answers[] = {"ReadParams3"};
   static constexpr MessageInfo info{
       .name = "ReadParams",
@@ -548,7 +548,7 @@ struct Meta<ReadParams> {
 };
 
 template <>
-struct Meta<ReadParamsExt> {
+struct Meta<msg::ReadParamsExt> {
   static constexpr MessageInfo info{
       .name = "ReadParamsExt",
       .command = "CMD_READ_PARAMS_EXT",
@@ -733,7 +733,7 @@ struct Meta<ReadParamsExt> {
 };
 
 template <>
-struct Meta<ReadParamsExtRequest> {
+struct Meta<msg::ReadParamsExtRequest> {
   static constexpr const char* answers[] = {"ReadParamsExt"};
   static constexpr MessageInfo info{
       .name = "ReadParamsExtRequest",
@@ -767,7 +767,7 @@ struct Meta<ReadParamsExtRequest> {
 };
 
 template <>
-struct Meta<ReadParamsExt2> {
+struct Meta<msg::ReadParamsExt2> {
   static constexpr MessageInfo info{
       .name = "ReadParamsExt2",
       .command = "CMD_READ_PARAMS_EXT2",
@@ -848,7 +848,7 @@ struct Meta<ReadParamsExt2> {
 };
 
 template <>
-struct Meta<ReadParamsExt2Request> {
+struct Meta<msg::ReadParamsExt2Request> {
   static constexpr const char* answers[] = {"ReadParamsExt2"};
   static constexpr MessageInfo info{
       .name = "ReadParamsExt2Request",
@@ -882,7 +882,7 @@ struct Meta<ReadParamsExt2Request> {
 };
 
 template <>
-struct Meta<ReadProfileNames> {
+struct Meta<msg::ReadProfileNames> {
   static constexpr MessageInfo info{
       .name = "ReadProfileNames",
       .command = "CMD_READ_PROFILE_NAMES",
@@ -907,7 +907,7 @@ struct Meta<ReadProfileNames> {
 };
 
 template <>
-struct Meta<ReadProfileNamesRequest> {
+struct Meta<msg::ReadProfileNamesRequest> {
   static constexpr const char* answers[] = {"ReadProfileNames"};
   static constexpr MessageInfo info{
       .name = "ReadProfileNamesRequest",
@@ -928,7 +928,7 @@ struct Meta<ReadProfileNamesRequest> {
 };
 
 template <>
-struct Meta<SaveParams3> {
+struct Meta<msg::SaveParams3> {
   static constexpr MessageInfo info{
       .name = "SaveParams3",
       .command = "CMD_SAVE_PARAMS_3",
@@ -947,7 +947,7 @@ struct Meta<SaveParams3> {
 };
 
 template <>
-struct Meta<UseDefaults> {
+struct Meta<msg::UseDefaults> {
   static constexpr MessageInfo info{
       .name = "UseDefaults",
       .command = "CMD_USE_DEFAULTS",
@@ -977,7 +977,7 @@ struct Meta<UseDefaults> {
 };
 
 template <>
-struct Meta<WriteParams3> : Meta<ReadParams3> {
+struct Meta<msg::WriteParams3> : Meta<msg::ReadParams3> {
   static constexpr MessageInfo info{
       .name = "WriteParams3",
       .command = "CMD_WRITE_PARAMS_3",
@@ -992,7 +992,7 @@ struct Meta<WriteParams3> : Meta<ReadParams3> {
 };
 
 template <>
-struct Meta<WriteParams> : Meta<ReadParams3> {
+struct Meta<msg::WriteParams> : Meta<msg::ReadParams3> {
   static constexpr MessageInfo info{
       .name = "WriteParams",
       .command = "CMD_WRITE_PARAMS",
@@ -1006,7 +1006,7 @@ struct Meta<WriteParams> : Meta<ReadParams3> {
 };
 
 template <>
-struct Meta<WriteParamsExt> : Meta<ReadParamsExt> {
+struct Meta<msg::WriteParamsExt> : Meta<msg::ReadParamsExt> {
   static constexpr MessageInfo info{
       .name = "WriteParamsExt",
       .command = "CMD_WRITE_PARAMS_EXT",
@@ -1021,7 +1021,7 @@ struct Meta<WriteParamsExt> : Meta<ReadParamsExt> {
 };
 
 template <>
-struct Meta<WriteParamsExt2> : Meta<ReadParamsExt2> {
+struct Meta<msg::WriteParamsExt2> : Meta<msg::ReadParamsExt2> {
   static constexpr MessageInfo info{
       .name = "WriteParamsExt2",
       .command = "CMD_WRITE_PARAMS_EXT2",
@@ -1036,7 +1036,7 @@ struct Meta<WriteParamsExt2> : Meta<ReadParamsExt2> {
 };
 
 template <>
-struct Meta<WriteProfileNames> : Meta<ReadProfileNames> {
+struct Meta<msg::WriteProfileNames> : Meta<msg::ReadProfileNames> {
   static constexpr MessageInfo info{
       .name = "WriteProfileNames",
       .command = "CMD_WRITE_PROFILE_NAMES",

@@ -10,7 +10,7 @@
 namespace sbgc {
 
 template <>
-struct Meta<BeepSound> {
+struct Meta<msg::BeepSound> {
   static constexpr MessageInfo info{
       .name = "BeepSound",
       .command = "CMD_BEEP_SOUND",
@@ -71,7 +71,7 @@ struct Meta<BeepSound> {
 };
 
 template <>
-struct Meta<TriggerPin> {
+struct Meta<msg::TriggerPin> {
   static constexpr MessageInfo info{
       .name = "TriggerPin",
       .command = "CMD_TRIGGER_PIN",
@@ -99,7 +99,7 @@ struct Meta<TriggerPin> {
 };
 
 template <>
-struct Meta<ServoOut> {
+struct Meta<msg::ServoOut> {
   static constexpr MessageInfo info{
       .name = "ServoOut",
       .command = "CMD_SERVO_OUT",
@@ -131,7 +131,7 @@ struct Meta<ServoOut> {
 };
 
 template <>
-struct Meta<I2cWriteRegBuf> {
+struct Meta<msg::I2cWriteRegBuf> {
   static constexpr MessageInfo info{
       .name = "I2cWriteRegBuf",
       .command = "CMD_I2C_WRITE_REG_BUF",
@@ -164,7 +164,7 @@ struct Meta<I2cWriteRegBuf> {
 };
 
 template <>
-struct Meta<I2cReadRegBuf> {
+struct Meta<msg::I2cReadRegBuf> {
   static constexpr MessageInfo info{
       .name = "I2cReadRegBuf",
       .command = "CMD_I2C_READ_REG_BUF",
@@ -189,7 +189,7 @@ struct Meta<I2cReadRegBuf> {
 };
 
 template <>
-struct Meta<I2cReadRegBufRequest> {
+struct Meta<msg::I2cReadRegBufRequest> {
   static constexpr const char* answers[] = {"I2cReadRegBuf"};
   static constexpr MessageInfo info{
       .name = "I2cReadRegBufRequest",
@@ -226,7 +226,7 @@ struct Meta<I2cReadRegBufRequest> {
 };
 
 template <>
-struct Meta<ApiVirtChControl> {
+struct Meta<msg::ApiVirtChControl> {
   static constexpr MessageInfo info{
       .name = "ApiVirtChControl",
       .command = "CMD_API_VIRT_CH_CONTROL",

@@ -10,7 +10,7 @@
 namespace sbgc {
 
 template <>
-struct Meta<AxisSensors> {
+struct Meta<msg::AxisSensors> {
   static constexpr FieldInfo fields[] = {
       {.name = "acc_data",
        .spec_name = "ACC_DATA",
@@ -29,7 +29,7 @@ struct Meta<AxisSensors> {
 };
 
 template <>
-struct Meta<StreamConfig> {
+struct Meta<msg::StreamConfig> {
   static constexpr FieldInfo fields[] = {
       {.name = "flags",
        .spec_name = "FLAGS",
@@ -54,7 +54,7 @@ struct Meta<StreamConfig> {
 };
 
 template <>
-struct Meta<RealtimeData> {
+struct Meta<msg::RealtimeData> {
   static constexpr const char* answers[] = {"RealtimeData3"};
   static constexpr MessageInfo info{
       .name = "RealtimeData",
@@ -74,7 +74,7 @@ struct Meta<RealtimeData> {
 };
 
 template <>
-struct Meta<RealtimeData3> {
+struct Meta<msg::RealtimeData3> {
   static constexpr MessageInfo info{
       .name = "RealtimeData3",
       .command = "CMD_REALTIME_DATA_3",
@@ -201,7 +201,7 @@ struct Meta<RealtimeData3> {
 };
 
 template <>
-struct Meta<RealtimeData3Request> {
+struct Meta<msg::RealtimeData3Request> {
   static constexpr const char* answers[] = {"RealtimeData3"};
   static constexpr MessageInfo info{
       .name = "RealtimeData3Request",
@@ -222,7 +222,7 @@ struct Meta<RealtimeData3Request> {
 };
 
 template <>
-struct Meta<RealtimeData4> {
+struct Meta<msg::RealtimeData4> {
   static constexpr MessageInfo info{
       .name = "RealtimeData4",
       .command = "CMD_REALTIME_DATA_4",
@@ -401,7 +401,7 @@ struct Meta<RealtimeData4> {
 };
 
 template <>
-struct Meta<RealtimeData4Request> {
+struct Meta<msg::RealtimeData4Request> {
   static constexpr const char* answers[] = {"RealtimeData4"};
   static constexpr MessageInfo info{
       .name = "RealtimeData4Request",
@@ -422,7 +422,7 @@ struct Meta<RealtimeData4Request> {
 };
 
 template <>
-struct Meta<RealtimeDataCustom> {
+struct Meta<msg::RealtimeDataCustom> {
   static constexpr MessageInfo info{
       .name = "RealtimeDataCustom",
       .command = "CMD_REALTIME_DATA_CUSTOM",
@@ -503,7 +503,7 @@ struct Meta<RealtimeDataCustom> {
 };
 
 template <>
-struct Meta<RealtimeDataCustomRequest> {
+struct Meta<msg::RealtimeDataCustomRequest> {
   static constexpr const char* answers[] = {"RealtimeDataCustom"};
   static constexpr MessageInfo info{
       .name = "RealtimeDataCustomRequest",
@@ -535,7 +535,7 @@ struct Meta<RealtimeDataCustomRequest> {
 };
 
 template <>
-struct Meta<DataStreamInterval> {
+struct Meta<msg::DataStreamInterval> {
   static constexpr MessageInfo info{
       .name = "DataStreamInterval",
       .command = "CMD_DATA_STREAM_INTERVAL",

@@ -10,7 +10,7 @@
 namespace sbgc {
 
 template <>
-struct Meta<RunScript> {
+struct Meta<msg::RunScript> {
   static constexpr MessageInfo info{
       .name = "RunScript",
       .command = "CMD_RUN_SCRIPT",
@@ -44,7 +44,7 @@ struct Meta<RunScript> {
 };
 
 template <>
-struct Meta<ScriptDebug> {
+struct Meta<msg::ScriptDebug> {
   static constexpr MessageInfo info{
       .name = "ScriptDebug",
       .command = "CMD_SCRIPT_DEBUG",

@@ -10,7 +10,7 @@
 namespace sbgc {
 
 template <>
-struct Meta<EepromWrite> {
+struct Meta<msg::EepromWrite> {
   static constexpr MessageInfo info{
       .name = "EepromWrite",
       .command = "CMD_EEPROM_WRITE",
@@ -42,7 +42,7 @@ struct Meta<EepromWrite> {
 };
 
 template <>
-struct Meta<ReadFile> {
+struct Meta<msg::ReadFile> {
   static constexpr MessageInfo info{
       .name = "ReadFile",
       .command = "CMD_READ_FILE",
@@ -75,7 +75,7 @@ struct Meta<ReadFile> {
 };
 
 template <>
-struct Meta<ReadFileError> {
+struct Meta<msg::ReadFileError> {
   static constexpr MessageInfo info{
       .name = "ReadFileError",
       .command = "CMD_READ_FILE",
@@ -99,7 +99,7 @@ struct Meta<ReadFileError> {
 };
 
 template <>
-struct Meta<ReadFileRequest> {
+struct Meta<msg::ReadFileRequest> {
   static constexpr const char* answers[] = {"ReadFile", "ReadFileError"};
   static constexpr MessageInfo info{
       .name = "ReadFileRequest",
@@ -141,7 +141,7 @@ struct Meta<ReadFileRequest> {
 };
 
 template <>
-struct Meta<WriteFile> {
+struct Meta<msg::WriteFile> {
   static constexpr MessageInfo info{
       .name = "WriteFile",
       .command = "CMD_WRITE_FILE",
@@ -179,7 +179,7 @@ struct Meta<WriteFile> {
 };
 
 template <>
-struct Meta<FsClearAll> {
+struct Meta<msg::FsClearAll> {
   static constexpr MessageInfo info{
       .name = "FsClearAll",
       .command = "CMD_FS_CLEAR_ALL",
@@ -198,7 +198,7 @@ struct Meta<FsClearAll> {
 };
 
 template <>
-struct Meta<EepromRead> {
+struct Meta<msg::EepromRead> {
   static constexpr MessageInfo info{
       .name = "EepromRead",
       .command = "CMD_EEPROM_READ",
@@ -228,7 +228,7 @@ struct Meta<EepromRead> {
 };
 
 template <>
-struct Meta<EepromReadRequest> {
+struct Meta<msg::EepromReadRequest> {
   static constexpr const char* answers[] = {"EepromRead"};
   static constexpr MessageInfo info{
       .name = "EepromReadRequest",
@@ -263,7 +263,7 @@ struct Meta<EepromReadRequest> {
 };
 
 template <>
-struct Meta<ReadExternalData> {
+struct Meta<msg::ReadExternalData> {
   static constexpr MessageInfo info{
       .name = "ReadExternalData",
       .command = "CMD_READ_EXTERNAL_DATA",
@@ -288,7 +288,7 @@ struct Meta<ReadExternalData> {
 };
 
 template <>
-struct Meta<ReadExternalDataRequest> {
+struct Meta<msg::ReadExternalDataRequest> {
   static constexpr const char* answers[] = {"ReadExternalData"};
   static constexpr MessageInfo info{
       .name = "ReadExternalDataRequest",
@@ -309,7 +309,7 @@ struct Meta<ReadExternalDataRequest> {
 };
 
 template <>
-struct Meta<WriteExternalData> : Meta<ReadExternalData> {
+struct Meta<msg::WriteExternalData> : Meta<msg::ReadExternalData> {
   static constexpr MessageInfo info{
       .name = "WriteExternalData",
       .command = "CMD_WRITE_EXTERNAL_DATA",

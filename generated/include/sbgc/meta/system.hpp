@@ -10,7 +10,7 @@
 namespace sbgc {
 
 template <>
-struct Meta<BoardInfo> {
+struct Meta<msg::BoardInfo> {
   static constexpr MessageInfo info{
       .name = "BoardInfo",
       .command = "CMD_BOARD_INFO",
@@ -63,7 +63,7 @@ struct Meta<BoardInfo> {
 };
 
 template <>
-struct Meta<BoardInfoRequest> {
+struct Meta<msg::BoardInfoRequest> {
   static constexpr const char* answers[] = {"BoardInfo"};
   static constexpr MessageInfo info{
       .name = "BoardInfoRequest",
@@ -83,7 +83,7 @@ struct Meta<BoardInfoRequest> {
 };
 
 template <>
-struct Meta<BoardInfoRequestOneByte> {
+struct Meta<msg::BoardInfoRequestOneByte> {
   static constexpr const char* answers[] = {"BoardInfo"};
   static constexpr MessageInfo info{
       .name = "BoardInfoRequestOneByte",
@@ -110,7 +110,7 @@ struct Meta<BoardInfoRequestOneByte> {
 };
 
 template <>
-struct Meta<BoardInfoRequestExt> {
+struct Meta<msg::BoardInfoRequestExt> {
   static constexpr const char* answers[] = {"BoardInfo"};
   static constexpr MessageInfo info{
       .name = "BoardInfoRequestExt",
@@ -141,7 +141,7 @@ struct Meta<BoardInfoRequestExt> {
 };
 
 template <>
-struct Meta<Confirm> {
+struct Meta<msg::Confirm> {
   static constexpr MessageInfo info{
       .name = "Confirm",
       .command = "CMD_CONFIRM",
@@ -177,7 +177,7 @@ struct Meta<Confirm> {
 };
 
 template <>
-struct Meta<Error> {
+struct Meta<msg::Error> {
   static constexpr MessageInfo info{
       .name = "Error",
       .command = "CMD_ERROR",
@@ -205,7 +205,7 @@ struct Meta<Error> {
 };
 
 template <>
-struct Meta<ErrorExt> {
+struct Meta<msg::ErrorExt> {
   static constexpr MessageInfo info{
       .name = "ErrorExt",
       .command = "CMD_ERROR",
@@ -238,7 +238,7 @@ struct Meta<ErrorExt> {
 };
 
 template <>
-struct Meta<BoardInfo3> {
+struct Meta<msg::BoardInfo3> {
   static constexpr MessageInfo info{
       .name = "BoardInfo3",
       .command = "CMD_BOARD_INFO_3",
@@ -284,7 +284,7 @@ struct Meta<BoardInfo3> {
 };
 
 template <>
-struct Meta<BoardInfo3Request> {
+struct Meta<msg::BoardInfo3Request> {
   static constexpr const char* answers[] = {"BoardInfo3"};
   static constexpr MessageInfo info{
       .name = "BoardInfo3Request",
@@ -305,7 +305,7 @@ struct Meta<BoardInfo3Request> {
 };
 
 template <>
-struct Meta<Reset> {
+struct Meta<msg::Reset> {
   static constexpr MessageInfo info{
       .name = "Reset",
       .command = "CMD_RESET",
@@ -323,7 +323,7 @@ struct Meta<Reset> {
 };
 
 template <>
-struct Meta<ResetRequest> {
+struct Meta<msg::ResetRequest> {
   static constexpr MessageInfo info{
       .name = "ResetRequest",
       .command = "CMD_RESET",
@@ -341,7 +341,7 @@ struct Meta<ResetRequest> {
 };
 
 template <>
-struct Meta<ResetRequestExt> {
+struct Meta<msg::ResetRequestExt> {
   static constexpr const char* answers[] = {"Reset"};
   static constexpr MessageInfo info{
       .name = "ResetRequestExt",
@@ -371,7 +371,7 @@ struct Meta<ResetRequestExt> {
 };
 
 template <>
-struct Meta<BootMode3> {
+struct Meta<msg::BootMode3> {
   static constexpr MessageInfo info{
       .name = "BootMode3",
       .command = "CMD_BOOT_MODE_3",
@@ -390,7 +390,7 @@ struct Meta<BootMode3> {
 };
 
 template <>
-struct Meta<BootMode3Ext> {
+struct Meta<msg::BootMode3Ext> {
   static constexpr const char* answers[] = {"Reset"};
   static constexpr MessageInfo info{
       .name = "BootMode3Ext",
@@ -421,7 +421,7 @@ struct Meta<BootMode3Ext> {
 };
 
 template <>
-struct Meta<QueueParamsInfo3> {
+struct Meta<msg::QueueParamsInfo3> {
   static constexpr MessageInfo info{
       .name = "QueueParamsInfo3",
       .command = "CMD_QUEUE_PARAMS_INFO_3",
@@ -445,7 +445,7 @@ struct Meta<QueueParamsInfo3> {
 };
 
 template <>
-struct Meta<QueueParamsInfo3Request> {
+struct Meta<msg::QueueParamsInfo3Request> {
   static constexpr MessageInfo info{
       .name = "QueueParamsInfo3Request",
       .command = "CMD_QUEUE_PARAMS_INFO_3",
@@ -470,7 +470,7 @@ struct Meta<QueueParamsInfo3Request> {
 };
 
 template <>
-struct Meta<SystemState> {
+struct Meta<msg::SystemState> {
   static constexpr MessageInfo info{
       .name = "SystemState",
       .command = "CMD_SYSTEM_STATE",
@@ -494,7 +494,7 @@ struct Meta<SystemState> {
 };
 
 template <>
-struct Meta<SystemStateRequest> {
+struct Meta<msg::SystemStateRequest> {
   static constexpr MessageInfo info{
       .name = "SystemStateRequest",
       .command = "CMD_SYSTEM_STATE",
@@ -519,7 +519,7 @@ struct Meta<SystemStateRequest> {
 };
 
 template <>
-struct Meta<MavlinkInfo> {
+struct Meta<msg::MavlinkInfo> {
   static constexpr MessageInfo info{
       .name = "MavlinkInfo",
       .command = "CMD_MAVLINK_INFO",
@@ -543,7 +543,7 @@ struct Meta<MavlinkInfo> {
 };
 
 template <>
-struct Meta<MavlinkInfoRequest> {
+struct Meta<msg::MavlinkInfoRequest> {
   static constexpr MessageInfo info{
       .name = "MavlinkInfoRequest",
       .command = "CMD_MAVLINK_INFO",
@@ -568,7 +568,7 @@ struct Meta<MavlinkInfoRequest> {
 };
 
 template <>
-struct Meta<MavlinkDebug> {
+struct Meta<msg::MavlinkDebug> {
   static constexpr MessageInfo info{
       .name = "MavlinkDebug",
       .command = "CMD_MAVLINK_DEBUG",
@@ -592,7 +592,7 @@ struct Meta<MavlinkDebug> {
 };
 
 template <>
-struct Meta<MavlinkDebugRequest> {
+struct Meta<msg::MavlinkDebugRequest> {
   static constexpr MessageInfo info{
       .name = "MavlinkDebugRequest",
       .command = "CMD_MAVLINK_DEBUG",

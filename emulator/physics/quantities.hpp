@@ -1,0 +1,49 @@
+/// From numbers of the simulation to quantities of the wire.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+
+#include <sbgc/quantity.hpp>
+#include <sbgc/units.hpp>
+
+namespace sbgc::board {
+
+/// For what physically can exceed the type of the wire, such as the speed of a camera that is
+/// pushed: the value at the end of the type, as a sensor saturates. Not a number becomes 0.
+template <class Q>
+Q saturated(double value) {
+  if (const auto quantity = Q::from_real(value)) return *quantity;
+  using Raw = typename Q::raw_type;
+  if (std::isnan(value)) return Q(Raw{});
+  return Q(value < 0 ? std::numeric_limits<Raw>::lowest() : std::numeric_limits<Raw>::max());
+}
+
+/// The same for plain numbers.
+template <std::integral Raw>
+Raw saturated_raw(double value) {
+  constexpr auto lowest = static_cast<double>(std::numeric_limits<Raw>::lowest());
+  constexpr auto highest = static_cast<double>(std::numeric_limits<Raw>::max());
+  if (std::isnan(value)) return 0;
+  if (value <= lowest) return std::numeric_limits<Raw>::lowest();
+  if (value >= highest) return std::numeric_limits<Raw>::max();
+  return static_cast<Raw>(std::lround(value));
+}
+
+/// Angles that are so many degrees apart are the same on the wire: four turns.
+inline constexpr double angle_period = [] {
+  using Counts = std::numeric_limits<msg::Angle14::raw_type>;
+  return msg::Angle14(Counts::max()).degrees() - msg::Angle14(Counts::lowest()).degrees() +
+         msg::Angle14(1).degrees();
+}();
+
+/// An angle that starts again when its counts overflow, after two turns in each direction.
+inline msg::Angle14 wire_angle(double degrees) {
+  const auto angle = msg::LongAngle14::from_degrees(std::remainder(degrees, angle_period));
+  const msg::Angle14 result(static_cast<std::int16_t>(angle.value_or(msg::LongAngle14{}).raw()));
+  return result;
+}
+
+}  // namespace sbgc::board

@@ -1,0 +1,191 @@
+#include "arguments.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <sbgc/protocol.hpp>
+
+#include "listen.hpp"
+#include "motion_file.hpp"
+
+namespace sbgc::emulate {
+
+namespace {
+
+/// Eleven days: longer times in seconds and parts of them are a mistake.
+constexpr double most_seconds = 1e6;
+
+[[noreturn]] void refuse(const std::string& text, const char* wanted) {
+  throw std::invalid_argument(fmt::format("'{}' is not {}", text, wanted));
+}
+
+/// A number without a sign that takes up all of the text, and is at most `most`.
+template <class Number>
+bool read(std::string_view text, Number most, Number& number) {
+  const char* const end = text.data() + text.size();
+  if (text.empty() || text.front() == '-') return false;
+  const auto [stopped, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc{} && stopped == end && number <= most;  // NaN is not
+}
+
+bool read_share(std::string_view text, double& share) {
+  const bool is_percent = text.ends_with('%');
+  if (is_percent) text.remove_suffix(1);
+  if (!read(text, is_percent ? 100.0 : 1.0, share)) return false;
+  if (is_percent) share /= 100;
+  return true;
+}
+
+bool read_duration(std::string_view text, double us_per_unit, Duration& duration) {
+  double number = 0;
+  if (!read(text, most_seconds * 1e6 / us_per_unit, number)) return false;
+  duration = microseconds(std::llround(number * us_per_unit));
+  return true;
+}
+
+/// What is before the colon and behind it.
+struct Halves {
+  std::string_view first;
+  std::string_view second;
+};
+
+Halves split(std::string_view text, char separator) {
+  const std::size_t at = text.find(separator);
+  if (at == std::string_view::npos) return {text, {}};
+  return {text.substr(0, at), text.substr(at + 1)};
+}
+
+}  // namespace
+
+ListenAddress parse_listen(const std::string& text) {
+  constexpr const char* wanted = "a port or HOST:PORT, such as 5000, 0.0.0.0:5000 or [::1]:5000";
+  ListenAddress result;
+  std::string_view port = text;
+  if (const std::size_t colon = text.rfind(':'); colon != std::string::npos) {
+    std::string_view host = std::string_view(text).substr(0, colon);
+    port.remove_prefix(colon + 1);
+    if (host.size() > 2 && host.front() == '[' && host.back() == ']') {
+      host = host.substr(1, host.size() - 2);
+    } else if (host.find_first_of(":[]") != std::string_view::npos) {
+      refuse(text, wanted);
+    }
+    if (host.empty()) refuse(text, wanted);
+    result.host = host;
+  }
+  if (!read(port, std::numeric_limits<std::uint16_t>::max(), result.port)) refuse(text, wanted);
+  try {
+    address_of(result);
+  } catch (const std::runtime_error& error) {
+    throw std::invalid_argument(error.what());
+  }
+  return result;
+}
+
+double parse_share(const std::string& text) {
+  double share = 0;
+  if (!read_share(text, share)) refuse(text, "a share from 0 to 1, such as 0.01 or 1%");
+  return share;
+}
+
+DelayFault parse_delay(const std::string& text) {
+  DelayFault result;
+  const auto [share, delay] = split(text, ':');
+  const bool has_delay = share.size() < text.size();
+  if (!read_share(share, result.share) || (has_delay && !read_duration(delay, 1e3, result.delay))) {
+    refuse(text, "a share, or a share and milliseconds, such as 1% or 0.01:50");
+  }
+  return result;
+}
+
+board::Silence parse_silence(const std::string& text) {
+  board::Silence result;
+  const auto [from, length] = split(text, ':');
+  if (!read_duration(from, 1e6, result.from) || !read_duration(length, 1e6, result.length)) {
+    refuse(text, "FROM:LENGTH in seconds, such as 10:2.5");
+  }
+  return result;
+}
+
+Duration parse_seconds(const std::string& text) {
+  Duration result;
+  if (!read_duration(text, 1e6, result)) refuse(text, "a time in seconds, up to 1000000");
+  return result;
+}
+
+Duration parse_interval(const std::string& text) {
+  Duration result;
+  if (!read_duration(text, 1e6, result) || result < milliseconds(1)) {
+    refuse(text, "a time in seconds from 0.001 to 1000000");
+  }
+  return result;
+}
+
+msg::FirmwareVersion parse_firmware(const std::string& text) {
+  // As FirmwareVersion reads it: 2439 is 2.43b9.
+  constexpr const char* wanted = "a firmware version, such as 2.59 or 2.43b9";
+  const auto [major, rest] = split(text, '.');
+  // Later releases are written with a point, as in 2.73.1.
+  const auto [minor, last] = split(rest, rest.find('b') == std::string::npos ? '.' : 'b');
+  std::array<unsigned, 3> parts{};
+  const bool has_last = minor.size() < rest.size();
+  if (minor.size() != 2 || !read(major, 64U, parts[0]) || !read(minor, 99U, parts[1]) ||
+      (has_last && !read(last, 9U, parts[2]))) {
+    refuse(text, wanted);
+  }
+  const msg::FirmwareVersion version(
+      static_cast<std::uint16_t>(parts[0] * 1000 + parts[1] * 10 + parts[2]));
+  if (const std::string problem = problem_of(version); !problem.empty()) {
+    throw std::invalid_argument(problem);
+  }
+  return version;
+}
+
+std::string problem_of(msg::FirmwareVersion version) {
+  if (version.raw() <= newest_firmware) return {};
+  return fmt::format(
+      "firmware {} is not emulated, only up to {}: later firmware takes commands and forms that "
+      "the emulated board does not know",
+      text_of(version), text_of(msg::FirmwareVersion(newest_firmware)));
+}
+
+std::string text_of(msg::FirmwareVersion version) {
+  std::string text = fmt::format("{}.{:02}", version.major(), version.minor());
+  if (version.beta() != 0) text += fmt::format("b{}", version.beta());
+  return text;
+}
+
+msg::BoardVersion parse_board(const std::string& text) {
+  const auto [major, minor] = split(text, '.');
+  unsigned whole = 0;
+  unsigned tenth = 0;
+  if (!read(major, 24U, whole) || !read(minor, 9U, tenth)) {
+    refuse(text, "a board version, such as 3.0 or 3.2");
+  }
+  return msg::BoardVersion(static_cast<std::uint8_t>(whole * 10 + tenth));
+}
+
+board::Disturbance parse_motion(const std::string& text) {
+  using Kind = board::Disturbance::Kind;
+  constexpr std::array<std::pair<std::string_view, Kind>, 4> kinds{{{"rest", Kind::rest},
+                                                                    {"handheld", Kind::handheld},
+                                                                    {"drone", Kind::drone},
+                                                                    {"vehicle", Kind::vehicle}}};
+  for (const auto& [name, kind] : kinds) {
+    if (text == name) return {.kind = kind};
+  }
+  try {
+    return {.kind = Kind::recorded, .recording = load_motion(text)};
+  } catch (const std::runtime_error& error) {
+    throw std::invalid_argument(std::string(error.what()) +
+                                " (instead of a file: rest, handheld, drone or vehicle)");
+  }
+}
+
+}  // namespace sbgc::emulate

@@ -1,0 +1,77 @@
+/// An emulated board in real time.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include <asio/any_io_executor.hpp>
+#include <asio/steady_timer.hpp>
+
+#include <sbgc/emulator/emulator.hpp>
+#include <sbgc/io/clock.hpp>
+#include <sbgc/io/transport.hpp>
+
+namespace sbgc::emulate {
+
+/// The emulator with the clock of this machine: what it has to do is done by a timer of the
+/// executor. All calls come from the executor's thread.
+class LiveBoard {
+ public:
+  /// Its own time begins at 0, and by then it has finished starting: `options` count from there.
+  LiveBoard(const asio::any_io_executor& executor, const board::EmulatorOptions& options,
+            board::Memory memory);
+
+  /// `poke` is called, never from inside connect(), when there may be output or room.
+  std::optional<std::size_t> connect(bool is_usb, std::function<void()> poke);
+  void disconnect(std::size_t port);
+  void end_input(std::size_t port);
+  void set_host_line(std::size_t port, const std::optional<LineSettings>& settings);
+
+  std::size_t waiting(std::size_t port) const { return emulator_.waiting(port); }
+  std::size_t room(std::size_t port) const { return emulator_.room(port); }
+  bool is_quiet(std::size_t port) const { return emulator_.is_quiet(port); }
+  void receive(std::size_t port, std::span<const std::uint8_t> bytes);
+  std::span<const std::uint8_t> output(std::size_t port) const { return emulator_.to_host(port); }
+  void take(std::size_t port, std::size_t size);
+
+  /// Changes of the memory up to that revision are safe, or can not be made safe.
+  void memory_saved(std::uint32_t revision);
+  void memory_not_saved(std::uint32_t revision);
+
+  const board::Memory& memory() const { return emulator_.board().memory(); }
+  board::Emulator& emulator() { return emulator_; }
+  /// Since the beginning.
+  Instant now() const;
+  /// Lets so much time pass at once, for the board alone. For tests.
+  void skip(Duration time);
+
+  /// Called when the board's memory has changed.
+  std::function<void()> on_memory_changed{};
+  /// Called when what the board had to do has been done, for now.
+  std::function<void()> after_traffic{};
+  /// Puts something between the board and hosts that come from now on. For tests.
+  std::function<std::unique_ptr<io::Transport>(std::unique_ptr<io::Transport>)> between{};
+
+ private:
+  /// After everything: who waits for something is told, and the timer set.
+  void settle();
+  /// The same by the timer, for callers that must not be called back.
+  void settle_soon();
+  void set_timer();
+
+  io::Clock::time_point beginning_;
+  board::Emulator emulator_;
+  std::array<std::function<void()>, board::Board::max_ports> pokes_{};
+  asio::steady_timer timer_;
+  Instant timer_at_ = Instant::never;
+  std::uint32_t revision_;
+  bool is_settling_ = false;
+  bool is_unsettled_ = false;  // something has happened that nobody has been told of
+};
+
+}  // namespace sbgc::emulate

@@ -1,0 +1,302 @@
+#include "memory_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <sbgc/client/atomic_file.hpp>
+#include <sbgc/detail/crc32.hpp>
+#include <sbgc/json_text.hpp>
+#include <sbgc/parse_json.hpp>
+#include <sbgc/settings.hpp>
+#include <sbgc/to_json.hpp>
+
+namespace sbgc::tools {
+namespace {
+
+using board::ImuCalibration;
+using board::Memory;
+
+constexpr const char* format_name = "sbgc-board-memory";
+constexpr std::uint64_t format_version = 1;
+/// More than any such file has.
+constexpr std::size_t largest_file = std::size_t{1} << 20U;
+/// Bytes in a line of text.
+constexpr std::size_t line_size = 64;
+/// No value of a board is beyond, and no arithmetic with it overflows.
+constexpr double largest_number = 1e6;
+
+static_assert(Memory::eeprom_size % line_size == 0);
+
+// Both directions go over the same lists of names and members.
+
+template <class Calibration, class Use>
+void for_each_member(Calibration& imu, Use&& use) {
+  use("gyro_is_calibrated", imu.gyro_is_calibrated);
+  use("acc_limits", imu.acc_limits);
+  use("gyro_temperature_enabled", imu.gyro_temperature_enabled);
+  use("acc_temperature_enabled", imu.acc_temperature_enabled);
+  use("gyro_temperature_min", imu.gyro_temperature_min);
+  use("gyro_temperature_max", imu.gyro_temperature_max);
+  use("acc_temperature_min", imu.acc_temperature_min);
+  use("acc_temperature_max", imu.acc_temperature_max);
+  use("acc_slots", imu.acc_slots);
+  use("gyro_offset", imu.gyro_offset);
+}
+
+template <class Saved, class Use>
+void for_each_member_of_owner(Saved& owner, Use&& use) {
+  use("version", owner.board);
+  use("firmware", owner.firmware);
+  use("device_id", owner.device_id);
+  use("mcu_id", owner.mcu_id);
+}
+
+struct ToJson {
+  template <class T>
+    requires std::is_arithmetic_v<T>
+  static Json value(T number) { return number; }
+  static Json value(msg::BoardVersion version) { return version.raw(); }
+  static Json value(msg::FirmwareVersion version) { return version.raw(); }
+  template <std::size_t n>
+  static Json value(const std::array<std::uint8_t, n>& bytes) {
+    return detail::to_hex(bytes);
+  }
+  static Json value(const Xyz<double>& vector) {
+    return Json::array({vector.x, vector.y, vector.z});
+  }
+  static Json value(const ImuCalibration& imu) {
+    Json result = Json::object();
+    for_each_member(imu,
+                    [&](const char* name, const auto& member) { result[name] = value(member); });
+    return result;
+  }
+  static Json value(const std::array<ImuCalibration, 2>& imus) {
+    return Json::array({value(imus[0]), value(imus[1])});
+  }
+  static Json value(const MemoryOwner& owner) {
+    Json result = Json::object();
+    for_each_member_of_owner(
+        owner, [&](const char* name, const auto& member) { result[name] = value(member); });
+    return result;
+  }
+  static Json eeprom(std::span<const std::uint8_t> bytes) {
+    Json lines = Json::array();
+    for (; !bytes.empty(); bytes = bytes.subspan(std::min(bytes.size(), line_size))) {
+      lines.push_back(detail::to_hex(bytes.first(std::min(bytes.size(), line_size))));
+    }
+    return lines;
+  }
+};
+
+Json document_of(const SavedMemory& saved) {
+  const Memory& memory = saved.memory;
+  return {{"format", format_name},
+          {"version", format_version},
+          {"board", ToJson::value(saved.owner)},
+          {"profile", memory.profile},
+          {"battery_factor", memory.battery_factor},
+          {"imus", ToJson::value(memory.imus)},
+          {"sensors", ToJson::value(memory.sensors)},
+          {"eeprom", ToJson::eeprom(memory.eeprom)}};
+}
+
+/// Of a document as it is written.
+std::string checksum_of(const Json& document) {
+  const std::string text = document.dump();
+  const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+  return fmt::format("{:08x}", sbgc::detail::crc32(bytes));
+}
+
+/// Reads a document and remembers the first thing that is wrong with it.
+class Reader {
+ public:
+  Result<SavedMemory> read(const Json& document) {
+    if (!document.is_object() || document.value("format", Json()) != format_name) {
+      return ClientError{ErrorCode::bad_file, "this is no memory of an emulated board"};
+    }
+    const Json version = document.value("version", Json());
+    if (version.is_number_unsigned() && version > format_version) {
+      return ClientError{ErrorCode::incompatible,
+                         fmt::format("version {} of the format is not known here, only {}",
+                                     version.get<std::uint64_t>(), format_version)};
+    }
+    SavedMemory saved;
+    std::string checksum;
+    members(document, "", [&](auto& use) {
+      std::string format;
+      std::uint8_t number{};
+      use("format", format);
+      use("version", number);
+      if (number != format_version) fail("version", fmt::format("{} is needed", format_version));
+      use("board", saved.owner);
+      use("profile", saved.memory.profile);
+      use("battery_factor", saved.memory.battery_factor);
+      use("imus", saved.memory.imus);
+      use("sensors", saved.memory.sensors);
+      use("eeprom", saved.memory.eeprom);
+      use("crc32", checksum);
+    });
+    constexpr unsigned profiles = SettingsOf<msg::ReadParams3>::copies;
+    if (saved.memory.profile >= profiles) {
+      fail("profile", fmt::format("a number below {} is needed", profiles));
+    }
+    if (saved.memory.battery_factor < 0) fail("battery_factor", "it is below 0");
+    if (error_.empty() && checksum != checksum_of(document_of(saved))) {
+      fail("crc32", "the checksum does not hold: something has been changed or damaged");
+    }
+    if (!error_.empty()) return ClientError{ErrorCode::bad_file, error_};
+    return saved;
+  }
+
+ private:
+  /// `list(use)` calls `use(name, member)` for each member that the object has to have.
+  template <class List>
+  void members(const Json& object, const std::string& path, List&& list) {
+    if (!object.is_object()) return fail(path, "an object is needed");
+    std::vector<std::string> known;
+    auto use = [&](const char* name, auto& member) {
+      known.emplace_back(name);
+      const std::string inner = path.empty() ? name : path + "." + name;
+      const auto found = object.find(name);
+      if (found == object.end()) return fail(inner, "it is missing");
+      value(*found, inner, member);
+    };
+    list(use);
+    for (const auto& item : object.items()) {
+      if (std::ranges::find(known, item.key()) != known.end()) continue;
+      fail(path.empty() ? item.key() : path + "." + item.key(), "this is not known here");
+    }
+  }
+
+  template <class T>
+    requires std::is_integral_v<T>
+  void value(const Json& json, const std::string& path, T& out) {
+    constexpr auto lowest = std::int64_t{std::numeric_limits<T>::min()};
+    constexpr auto highest = std::int64_t{std::numeric_limits<T>::max()};
+    const bool fits = json.is_number_unsigned()
+                          ? json.get<std::uint64_t>() <= static_cast<std::uint64_t>(highest)
+                          : json.is_number_integer() && json.get<std::int64_t>() >= lowest;
+    if (!fits) return fail(path, fmt::format("a number from {} to {} is needed", lowest, highest));
+    out = static_cast<T>(json.get<std::int64_t>());
+  }
+  void value(const Json& json, const std::string& path, bool& out) {
+    if (!json.is_boolean()) return fail(path, "true or false is needed");
+    out = json.get<bool>();
+  }
+  void value(const Json& json, const std::string& path, double& out) {
+    const double number = json.is_number() ? json.get<double>() : largest_number + 1;
+    if (!(std::abs(number) <= largest_number)) return fail(path, "a number is needed");
+    out = number;
+  }
+  void value(const Json& json, const std::string& path, std::string& out) {
+    if (!json.is_string()) return fail(path, "a text is needed");
+    out = json.get<std::string>();
+  }
+  void value(const Json& json, const std::string& path, msg::BoardVersion& out) {
+    msg::BoardVersion::raw_type raw{};
+    value(json, path, raw);
+    out = msg::BoardVersion(raw);
+  }
+  void value(const Json& json, const std::string& path, msg::FirmwareVersion& out) {
+    msg::FirmwareVersion::raw_type raw{};
+    value(json, path, raw);
+    out = msg::FirmwareVersion(raw);
+  }
+  template <std::size_t n>
+  void value(const Json& json, const std::string& path, std::array<std::uint8_t, n>& out) {
+    bytes(json, path, out);
+  }
+  void value(const Json& json, const std::string& path, Xyz<double>& out) {
+    constexpr std::size_t size = Xyz<double>::size();
+    if (!json.is_array() || json.size() != size) return fail(path, "3 numbers are needed");
+    for (std::size_t i = 0; i < size; ++i) value(json[i], at(path, i), out[i]);
+  }
+  void value(const Json& json, const std::string& path, ImuCalibration& out) {
+    members(json, path, [&](auto& use) { for_each_member(out, use); });
+  }
+  void value(const Json& json, const std::string& path, std::array<ImuCalibration, 2>& out) {
+    if (!json.is_array() || json.size() != out.size()) return fail(path, "a list of 2 is needed");
+    for (std::size_t i = 0; i < out.size(); ++i) value(json[i], at(path, i), out[i]);
+  }
+  void value(const Json& json, const std::string& path, MemoryOwner& out) {
+    members(json, path, [&](auto& use) { for_each_member_of_owner(out, use); });
+  }
+  /// The EEPROM.
+  void value(const Json& json, const std::string& path, std::vector<std::uint8_t>& out) {
+    constexpr std::size_t lines = Memory::eeprom_size / line_size;
+    if (!json.is_array() || json.size() != lines) {
+      return fail(path, fmt::format("a list of {} texts is needed", lines));
+    }
+    out.assign(Memory::eeprom_size, 0);
+    for (std::size_t i = 0; i < lines; ++i) {
+      bytes(json[i], at(path, i), std::span(out).subspan(i * line_size, line_size));
+    }
+  }
+
+  void bytes(const Json& json, const std::string& path, std::span<std::uint8_t> out) {
+    const auto found =
+        json.is_string() ? detail::from_hex(json.get_ref<const std::string&>()) : std::nullopt;
+    if (!found || found->size() != out.size()) {
+      return fail(path, fmt::format("hex digits of {} bytes are needed", out.size()));
+    }
+    std::ranges::copy(*found, out.begin());
+  }
+
+  static std::string at(const std::string& path, std::size_t index) {
+    return fmt::format("{}[{}]", path, index);
+  }
+  void fail(const std::string& path, const std::string& reason) {
+    if (error_.empty()) error_ = fmt::format("{}: {}", path, reason);
+  }
+
+  std::string error_{};
+};
+
+}  // namespace
+
+MemoryOwner owner_of(const board::Options& options) {
+  return {options.board, options.firmware, options.device_id, options.mcu_id};
+}
+
+std::string to_json_text(const SavedMemory& saved) {
+  Json document = document_of(saved);
+  std::string checksum = checksum_of(document);
+  document["crc32"] = std::move(checksum);
+  return document.dump(1) + "\n";
+}
+
+Result<SavedMemory> parse_memory(std::string_view text) {
+  const ParsedJson document = parse_json(text);
+  if (!document) return ClientError{ErrorCode::bad_file, to_string(*document.problem)};
+  return Reader().read(document.value);
+}
+
+Result<void> save_memory(const std::string& file, const SavedMemory& saved) {
+  const std::string text = to_json_text(saved);
+  if (const auto right = parse_memory(text); !right) {
+    return ClientError{ErrorCode::invalid,
+                       fmt::format("{} is not written: {}", file, right.error().message)};
+  }
+  return detail::write_file_atomically(file, text, Existing::replace);
+}
+
+Result<SavedMemory> load_memory(const std::string& file) {
+  const Result<std::string> content = detail::read_whole_file(file, largest_file);
+  if (!content) return content.error();
+  Result<SavedMemory> saved = parse_memory(*content);
+  if (!saved) {
+    return ClientError{saved.error().code, fmt::format("{}: {}", file, saved.error().message)};
+  }
+  return saved;
+}
+
+}  // namespace sbgc::tools

@@ -1,0 +1,21 @@
+/// Recorded motion of the frame that carries a gimbal.
+#pragma once
+
+#include <filesystem>
+#include <istream>
+#include <string>
+#include <vector>
+
+#include <sbgc/emulator/disturbance.hpp>
+
+namespace sbgc::emulate {
+
+/// Reads lines "time,roll,pitch,yaw": seconds, which ascend, and degrees. Empty lines, lines that
+/// begin with '#' and a heading in the first line are skipped. Times are counted from the first.
+/// Throws std::runtime_error that begins with `name` and the number of the line.
+std::vector<board::FrameAngles> read_motion(std::istream& text, const std::string& name);
+
+/// The same from a file, which can not be read: std::runtime_error.
+std::vector<board::FrameAngles> load_motion(const std::filesystem::path& file);
+
+}  // namespace sbgc::emulate

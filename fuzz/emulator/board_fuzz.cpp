@@ -1,0 +1,186 @@
+// An emulated board under any bytes at any times. The input is read as steps, each an opcode byte
+// and what it needs; see Player::step(). The first bytes are the options.
+//
+// Whatever happens: what the board sends are frames, it says when it has something to do, and it
+// does it.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <sbgc/dispatch.hpp>
+#include <sbgc/emulator/board.hpp>
+#include <sbgc/frame.hpp>
+#include <sbgc/parser.hpp>
+
+namespace {
+
+using sbgc::Instant;
+using sbgc::board::Board;
+
+void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+class Player {
+ public:
+  explicit Player(std::span<const std::uint8_t> input) : input_(input), board_(options(), {}, {}) {
+    open();
+    advance(sbgc::milliseconds(600));
+  }
+
+  void play() {
+    while (!input_.empty()) step();
+    advance(sbgc::seconds(2));
+    for (std::size_t port = 0; port < ports_.size(); ++port) read(port, SIZE_MAX);
+    const sbgc::board::BoardCounters& counters = board_.counters();
+    require(counters.requests >= counters.refused + counters.unknown + counters.lost);
+  }
+
+ private:
+  struct Port {
+    bool is_open{};
+    bool is_torn{};  ///< the power went off while a frame was being sent
+    sbgc::Parser parser{};
+  };
+
+  std::uint8_t byte() {
+    if (input_.empty()) return 0;
+    const std::uint8_t result = input_.front();
+    input_ = input_.subspan(1);
+    return result;
+  }
+
+  std::span<const std::uint8_t> bytes(std::size_t count) {
+    const auto result = input_.first(std::min(count, input_.size()));
+    input_ = input_.subspan(result.size());
+    return result;
+  }
+
+  sbgc::board::Options options() {
+    sbgc::board::Options result;
+    const std::uint8_t choice = byte();
+    if ((choice & 1) != 0) result.firmware = sbgc::msg::FirmwareVersion(2439);
+    if ((choice & 2) != 0) result.board = sbgc::msg::BoardVersion(10);
+    if ((choice & 4) != 0) result.input_buffer = 64;
+    if ((choice & 8) != 0) result.output_buffer = 64;
+    if ((choice & 16) != 0) result.has_frame_imu = false;
+    if ((choice & 32) != 0) result.features = {};
+    if ((choice & 64) != 0) result.calibration_time = 1;
+    if ((choice & 128) != 0) result.gimbal.frame.kind = sbgc::board::Disturbance::Kind::drone;
+    return result;
+  }
+
+  void open() {
+    const auto port = board_.open_port((input_.size() & 1) != 0);
+    if (!port) return;
+    require(!ports_[*port].is_open);
+    ports_[*port] = {.is_open = true};
+    port_ = *port;
+  }
+
+  void step() {
+    const std::uint8_t code = byte();
+    switch (code % 12) {
+      case 0: open(); break;
+      case 1: port_ = code / 12U % ports_.size(); break;
+      case 2: send(bytes(byte())); break;
+      case 3:
+      case 4:
+      case 5: {  // any frame
+        const std::uint8_t id = byte();
+        send_frame(id, bytes(byte()));
+        break;
+      }
+      case 6: {  // a request of the model, with any body
+        const std::uint8_t index = byte();
+        send_form(index, byte());
+        break;
+      }
+      case 7: advance(sbgc::microseconds(100) * byte()); break;
+      case 8: advance(sbgc::milliseconds(4) * byte()); break;
+      case 9: read(port_, byte() * std::size_t{8}); break;
+      case 10: {
+        const Instant next = board_.next();
+        if (next != Instant::never) advance(std::min(next - now_, sbgc::seconds(3)));
+        break;
+      }
+      default: interrupt(code); break;
+    }
+    if (code >= 128) read(port_, SIZE_MAX);
+  }
+
+  void interrupt(std::uint8_t code) {
+    if (code < 40) {
+      board_.set_silent(code < 20);
+    } else if (code < 80) {
+      board_.restart(now_);
+      for (Port& port : ports_) port.is_torn = true;
+    } else if (code < 120) {
+      board_.gimbal().set_battery(byte() / 10.0, now_);
+    } else if (ports_[port_].is_open) {
+      board_.close_port(port_);
+      ports_[port_].is_open = false;
+    }
+  }
+
+  void send_form(std::uint8_t index, std::uint8_t extra) {
+    std::size_t at = 0;
+    sbgc::AllMessages::for_each([&]<class M>(sbgc::Type<M>) {
+      if constexpr (M::direction != sbgc::Direction::from_board) {
+        if (at++ != index) return;
+        send_frame(static_cast<std::uint8_t>(M::command),
+                   bytes(std::min<std::size_t>(M::max_size, M::min_size + extra % 64)));
+      }
+    });
+  }
+
+  void send_frame(std::uint8_t id, std::span<const std::uint8_t> body) {
+    std::array<std::uint8_t, sbgc::max_frame_size> frame{};
+    if (const auto written = sbgc::write_frame(id, body, frame)) {
+      send(std::span(frame).first(written.size));
+    }
+  }
+
+  void send(std::span<const std::uint8_t> from) {
+    if (ports_[port_].is_open) board_.receive(port_, from, now_);
+  }
+
+  void advance(sbgc::Duration by) {
+    now_ = now_ + std::max(by, sbgc::Duration{});
+    board_.advance(now_);
+    require(board_.next() > now_);
+  }
+
+  void read(std::size_t index, std::size_t most) {
+    Port& port = ports_[index];
+    if (!port.is_open) return;
+    const auto output = board_.output(index);
+    const auto taken = output.first(std::min(output.size(), most));
+    port.parser.feed(taken, [&](const sbgc::Frame& frame) {
+      const auto code =
+          sbgc::select(sbgc::Direction::from_board, frame.id, frame.body.size(), [](auto) {});
+      require(code == sbgc::Code::ok || port.is_torn);
+    });
+    require(port.is_torn || port.parser.counters().skipped_bytes == 0);
+    board_.sent(index, taken.size(), now_);
+  }
+
+  std::span<const std::uint8_t> input_;
+  Board board_;
+  Instant now_{};
+  std::size_t port_{};
+  std::array<Port, Board::max_ports> ports_{};
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  Player({data, size}).play();
+  return 0;
+}

@@ -1,0 +1,196 @@
+// A board whose EEPROM holds anything: settings and files load and work. The input is read as
+// steps: bytes to any place of the EEPROM, with or without checksums that hold, and operations.
+//
+// Whatever stands in the EEPROM: settings that were written are read again, also after a restart; a
+// failing operation on files changes nothing, and one that succeeds has its effect.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <sbgc/detail/crc32.hpp>
+#include <sbgc/meta/variables.hpp>
+#include <sbgc/wire.hpp>
+
+#include "device/files.hpp"
+#include "device/settings.hpp"
+
+namespace {
+
+namespace msg = sbgc::msg;
+using sbgc::SettingsOf;
+using sbgc::StoredMessages;
+using sbgc::Type;
+using sbgc::board::Eeprom;
+using sbgc::board::FileSystem;
+using sbgc::board::Memory;
+using sbgc::board::Settings;
+
+void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+class Player {
+ public:
+  explicit Player(std::span<const std::uint8_t> input) : input_(input) {}
+
+  void play() {
+    while (!input_.empty()) step();
+    restart();
+    read_all();
+  }
+
+ private:
+  std::uint8_t byte() {
+    if (input_.empty()) return 0;
+    const std::uint8_t result = input_.front();
+    input_ = input_.subspan(1);
+    return result;
+  }
+  std::uint16_t number() {
+    const std::uint8_t high = byte();
+    return static_cast<std::uint16_t>(high * 256 + byte());
+  }
+  std::span<const std::uint8_t> bytes(std::size_t most) {
+    const auto result = input_.first(std::min(input_.size(), most));
+    input_ = input_.subspan(result.size());
+    return result;
+  }
+
+  void step() {
+    switch (byte() % 12) {
+      case 0: return write_raw();
+      case 1: return write_pages();
+      case 2: return write_record();
+      case 3: return write_table();
+      case 4: return restart();
+      case 5: return settings_->select_profile(byte() % SettingsOf<sbgc::msg::ReadParams3>::copies);
+      case 6: return set_variable();
+      case 7: return write_settings();
+      case 8: return write_file();
+      case 9: return read_all();
+      case 10: return save();
+      default: return reset();
+    }
+  }
+
+  void write_raw() {
+    const std::size_t at = number() % Memory::eeprom_size;
+    const auto written = bytes(std::min<std::size_t>(byte(), Memory::eeprom_size - at));
+    eeprom_.write(at, written);
+  }
+  void write_pages() {
+    const std::uint32_t address = number() * 65536U + number();
+    const std::vector<std::uint8_t> page(byte(), byte());
+    const Memory before = memory_;
+    if (!eeprom_.write_pages(address, page)) {
+      require(memory_ == before);
+      require(!eeprom_.read_pages(address, page.size()));
+    } else {
+      require(eeprom_.read_pages(address, page.size()) == page);
+    }
+  }
+  /// One that holds, at any place, of any message.
+  void write_record() {
+    const std::size_t size = sbgc::board::record_size();
+    const std::size_t at = byte() % 24U * size;
+    const sbgc::board::RecordId id{static_cast<sbgc::msg::CommandId>(byte()), byte()};
+    require(sbgc::board::write_record(eeprom_, at, id, bytes(byte())));
+  }
+  /// A table of files with a checksum that holds.
+  void write_table() {
+    std::array<std::uint8_t, FileSystem::most_files * 8 + 4> table{};
+    table.fill(0xFF);
+    const auto entries = std::span(table).first(FileSystem::most_files * 8);
+    std::ranges::copy(bytes(std::min<std::size_t>(byte(), entries.size())), table.begin());
+    sbgc::wire::store(table.data() + entries.size(), sbgc::detail::crc32(entries));
+    eeprom_.write(sbgc::board::layout::files, table);
+  }
+  void restart() { settings_ = std::make_unique<Settings>(memory_); }
+  void set_variable() {
+    const auto id = static_cast<sbgc::msg::VariableId>(byte());
+    const auto value = static_cast<std::int32_t>(number() * 65536U + number());
+    const auto before = settings_->variable(id);
+    require(before.has_value() == (sbgc::find_variable(id) != nullptr));
+    const bool is_set = settings_->set_variable(id, value);
+    require(settings_->variable(id) == (is_set ? value : before));
+  }
+  void write_settings() {
+    const std::uint8_t which = byte() % 6, copy = byte();
+    std::uint8_t number = 0;
+    StoredMessages::for_each([&]<class M>(Type<M>) {
+      if (number++ != which || copy >= SettingsOf<M>::copies) return;
+      M message{};
+      if (!decode(bytes(M::min_size + byte() % 16), message)) return;
+      require(settings_->write(copy, message));
+      if constexpr (SettingsOf<M>::copies > 1) SettingsOf<M>::copy(message) = copy;
+      require(settings_->template read<M>(copy) == message);
+      require(Settings(memory_).template read<M>(copy) == message);
+    });
+  }
+  void write_file() {
+    FileSystem files(memory_);
+    const std::uint16_t file = byte() % 40, size = number(), page = byte();
+    const auto data = bytes(byte() % 250);
+    const Memory before = memory_;
+    const msg::FileError error = files.write(file, size, page, data);
+    if (error != msg::FileError::no_error) {
+      require(memory_ == before);
+      return;
+    }
+    const auto part = files.read(file, page, data.size());
+    if (data.empty()) {
+      require(part.error == msg::FileError::file_not_found);
+    } else {
+      require(part.error == msg::FileError::no_error && part.file_size == size);
+      require(std::ranges::equal(part.data, data));
+    }
+  }
+  void save() {
+    settings_->save();
+    require(Settings(memory_).of<sbgc::msg::ReadParams3>() ==
+            settings_->of<sbgc::msg::ReadParams3>());
+  }
+  void reset() {
+    const std::uint8_t what = byte();
+    if (what < SettingsOf<sbgc::msg::ReadParams3>::copies) return settings_->use_defaults(what);
+    if (what % 2 == 0) return settings_->erase();
+    FileSystem files(memory_);
+    require(files.clear() == msg::FileError::no_error);
+    require(files.read(0, 0, 1).error == msg::FileError::file_not_found);
+  }
+  void read_all() {
+    StoredMessages::for_each([&]<class M>(Type<M>) {
+      for (std::uint8_t copy = 0; copy < SettingsOf<M>::copies; ++copy) {
+        const M message = settings_->template read<M>(copy);
+        if constexpr (SettingsOf<M>::copies > 1) require(SettingsOf<M>::copy(message) == copy);
+      }
+    });
+    for (const sbgc::VariableInfo& variable : sbgc::variables) {
+      require(settings_->variable(variable.id).has_value());
+    }
+    const FileSystem files(memory_);
+    for (std::uint16_t file = 0; file < 40; ++file) {
+      const auto part = files.read(file, 1, 255);
+      const std::size_t rest = part.file_size < 64 ? 0 : part.file_size - 64U;
+      require(part.data.size() == std::min<std::size_t>(rest, 255));
+    }
+  }
+
+  std::span<const std::uint8_t> input_;
+  Memory memory_{};
+  Eeprom eeprom_{memory_};
+  std::unique_ptr<Settings> settings_ = std::make_unique<Settings>(memory_);
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  Player({data, size}).play();
+  return 0;
+}

@@ -1,0 +1,53 @@
+// Files with the memory of a board. Whatever stands in one, it is a memory or an error with a
+// sentence; a memory is written as a file that is the same memory again, and a board can use it.
+//
+// The input is the text; after the byte 0, it is instead a file as it is written, in which the
+// rest, pairs of place and byte, is changed. So the checksum is met by more than one file.
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+#include <string>
+
+#include "device/files.hpp"
+#include "device/settings.hpp"
+#include "serving/memory_file.hpp"
+
+namespace {
+
+void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+std::string text_of(std::span<const std::uint8_t> input) {
+  if (input.empty() || input.front() != 0) return {input.begin(), input.end()};
+  static const std::string written =
+      to_json_text(sbgc::tools::SavedMemory{sbgc::tools::owner_of({}), {}});
+  std::string text = written;
+  for (input = input.subspan(1); input.size() >= 3; input = input.subspan(3)) {
+    text[(input[0] * 256U + input[1]) % text.size()] = static_cast<char>(input[2]);
+  }
+  return text;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto saved = sbgc::tools::parse_memory(text_of({data, size}));
+  if (!saved) {
+    require(!saved.error().message.empty());
+    return 0;
+  }
+  const std::string written = to_json_text(*saved);
+  auto again = sbgc::tools::parse_memory(written);
+  require(static_cast<bool>(again));
+  require(again->memory == saved->memory);
+  require(again->owner == saved->owner);
+  require(to_json_text(*again) == written);
+  const sbgc::board::Settings settings(again->memory);
+  const sbgc::board::FileSystem files(again->memory);
+  require(settings.profile() == again->memory.profile);
+  require(files.read(0, 0, 64).data.size() <= 64);
+  return 0;
+}

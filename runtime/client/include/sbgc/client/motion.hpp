@@ -1,0 +1,86 @@
+/// Moving the camera to angles, and stopping it. See docs/2-safety.md first.
+#pragma once
+
+#include <chrono>
+#include <functional>
+
+#include <sbgc/client/clock.hpp>
+#include <sbgc/client/result.hpp>
+#include <sbgc/types.hpp>
+#include <sbgc/units.hpp>
+
+namespace sbgc {
+
+class Client;
+
+/// Where an axis shall go; without an angle it is left alone.
+class AxisTarget {
+ public:
+  constexpr AxisTarget() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): an angle is a target
+  constexpr AxisTarget(msg::Angle14 angle) noexcept : angle_(angle) {}
+  // NOLINTNEXTLINE(google-explicit-constructor): a constant angle is one, too
+  consteval AxisTarget(Conversion<msg::Angle14> angle) noexcept
+      : angle_(static_cast<msg::Angle14>(angle)) {}
+
+  constexpr explicit operator bool() const noexcept { return angle_.has_value(); }
+  /// Precondition: it has an angle.
+  constexpr msg::Angle14 operator*() const noexcept { return *angle_; }
+
+ private:
+  Optional<msg::Angle14> angle_{};
+};
+
+/// {.pitch = Angle14::from_degrees(-30.0)} moves one axis only.
+using MoveTarget = Axes<AxisTarget>;
+
+/// What is seen while the camera moves.
+struct MoveProgress {
+  Axes<msg::Angle14> angles{};  ///< measured
+  Axes<double> remaining{};     ///< degrees to the target, with a sign; 0 for axes left alone
+  bool is_close{};              ///< all within the tolerance
+  std::chrono::milliseconds elapsed{};
+};
+
+/// How a move is made.
+struct MoveOptions {
+  /// For all of it.
+  std::chrono::milliseconds timeout{30'000};
+  /// How far from its target an axis may end, in degrees.
+  double tolerance = 0.5;
+  /// How long all axes have to stay within the tolerance.
+  std::chrono::milliseconds settle{300};
+  /// How often the angles are asked for.
+  std::chrono::milliseconds interval{50};
+  /// Stop the camera if it does not arrive: out of time, cancelled, or after an error.
+  bool stop_on_failure = true;
+  /// Called with all that is seen. False cancels the move.
+  std::function<bool(const MoveProgress&)> progress{};
+  Clock& clock = Clock::system();
+};
+
+/// Moves the camera to `target`, in Euler coordinates, and waits until it is there. Returns what
+/// was seen last; an error tells how far it got. Axes left alone stay with, or go back to, RC
+/// control; firmware before 2.55b5 holds them at their present targets. Speed 0 is the speed from
+/// the settings. When the measured angle stands still elsewhere the command is sent again.
+///
+/// Angles cover two full turns in each direction, so 370 degrees is another target than 10.
+Result<MoveProgress> move_to(Client& client, const MoveTarget& target, msg::ControlSpeed speed = {},
+                             const MoveOptions& options = {});
+
+/// How the camera is stopped.
+struct StopOptions {
+  std::chrono::milliseconds timeout{3'000};
+  /// How often it is looked at and the command sent again.
+  std::chrono::milliseconds interval{50};
+  Clock& clock = Clock::system();
+};
+
+/// Stops all axes where they are and waits until the board says that none has a speed any more.
+/// Serial control goes on, with speed 0; see release().
+Result<void> stop(Client& client, const StopOptions& options = {});
+
+/// Ends serial control; RC has control again.
+Result<void> release(Client& client);
+
+}  // namespace sbgc

@@ -1,0 +1,231 @@
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <sbgc/client/atomic_file.hpp>
+
+namespace sbgc::detail {
+namespace {
+
+ClientError io_error(const std::string& what, const std::filesystem::path& file, int number) {
+  const std::string reason = std::generic_category().message(number);
+  const ErrorCode code = number == ENOENT ? ErrorCode::not_found : ErrorCode::io;
+  return {code, fmt::format("{} {}: {}", what, file.string(), reason), number};
+}
+
+/// An open file; closed at the end.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) noexcept : number_(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  Descriptor(Descriptor&&) = delete;
+  Descriptor& operator=(Descriptor&&) = delete;
+  ~Descriptor() {
+    if (is_open()) ::close(number_);
+  }
+
+  [[nodiscard]] int number() const noexcept { return number_; }
+  [[nodiscard]] bool is_open() const noexcept { return number_ >= 0; }
+
+ private:
+  int number_;
+};
+
+/// A file that disappears unless it has been moved away.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(std::filesystem::path path) noexcept : path_(std::move(path)) {}
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  TemporaryFile(TemporaryFile&&) = delete;
+  TemporaryFile& operator=(TemporaryFile&&) = delete;
+  ~TemporaryFile() { ::unlink(path_.c_str()); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.parent_path();
+  return folder.empty() ? std::filesystem::path(".") : folder;
+}
+
+std::filesystem::path name_beside(const std::filesystem::path& file) {
+  static std::atomic<unsigned> number{0};
+  std::filesystem::path result = file;
+  result += fmt::format(".{}-{}.tmp", ::getpid(), number++);
+  return result;
+}
+
+/// Whether name_beside() could have made that name.
+bool is_beside(std::string_view name, std::string_view file) {
+  const auto skip = [&](std::string_view text) {
+    const bool is_there = name.starts_with(text);
+    if (is_there) name.remove_prefix(text.size());
+    return is_there;
+  };
+  const auto skip_number = [&] {
+    const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
+    name.remove_prefix(digits);
+    return digits != 0;
+  };
+  return skip(file) && skip(".") && skip_number() && skip("-") && skip_number() && name == ".tmp";
+}
+
+/// Whether the open file is a regular one and still has that name.
+bool is_at(int descriptor, const std::filesystem::path& path) {
+  struct stat opened {};
+  struct stat named {};
+  return ::fstat(descriptor, &opened) == 0 && S_ISREG(opened.st_mode) &&
+         ::lstat(path.c_str(), &named) == 0 && opened.st_dev == named.st_dev &&
+         opened.st_ino == named.st_ino;
+}
+
+/// Makes a new file beside another; its descriptor, or -1. A name may be taken: by a process that
+/// was killed and had the same number. The lock tells others that somebody is at work; one who has
+/// looked just before it has removed the file. Where there are no locks, nobody removes anything.
+int open_beside(const std::filesystem::path& file, std::filesystem::path& path) {
+  constexpr mode_t mode = 0644;
+  constexpr int most_names = 1000;
+  for (int i = 0; i < most_names; ++i) {
+    path = name_beside(file);
+    const int opened = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    if (opened < 0 && errno != EEXIST) return opened;
+    if (opened < 0) continue;
+    // If another process cleans up here just now, it has the lock and removes the file.
+    const bool is_locked = ::flock(opened, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+    if (is_locked && is_at(opened, path)) return opened;
+    ::close(opened);
+  }
+  return -1;
+}
+
+/// Gives a new file the mode of the one that it will replace and, if that is allowed, its owner and
+/// group. What can not be kept gives nobody more rights than before.
+void keep_rights(int descriptor, const std::filesystem::path& replaced) {
+  struct stat old {};
+  if (::stat(replaced.c_str(), &old) != 0 || !S_ISREG(old.st_mode)) return;
+  mode_t mode = old.st_mode & (S_IRWXU | S_IRWXG | S_IRWXO);
+  constexpr uid_t same_owner = ~uid_t{0};
+  if (::fchown(descriptor, old.st_uid, old.st_gid) != 0 &&
+      ::fchown(descriptor, same_owner, old.st_gid) != 0) {
+    // Its group may be anybody, and so has the rights of anybody.
+    mode &= ~static_cast<mode_t>(S_IRWXG) | ((mode & S_IRWXO) << 3U);
+  }
+  ::fchmod(descriptor, mode);
+}
+
+bool write_all(int descriptor, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = ::write(descriptor, content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+/// Moves a file to where there is none yet; an error number, or 0.
+int move_without_replacing(const std::filesystem::path& from, const std::filesystem::path& to) {
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
+  if (errno != EINVAL && errno != ENOSYS) return errno;
+  // This file system cannot do so. A link fails as well if there is a file, in one step, too.
+  return ::link(from.c_str(), to.c_str()) == 0 ? 0 : errno;
+}
+
+/// Brings the entries of a folder to the disk.
+Result<void> sync_folder(const std::filesystem::path& folder) {
+  const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!opened.is_open() || ::fsync(opened.number()) != 0) {
+    return io_error("cannot bring to the disk:", folder, errno);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::filesystem::path target_of(std::filesystem::path file) {
+  constexpr int most_links = 40;  // as Linux follows
+  for (int i = 0; i < most_links; ++i) {
+    std::error_code no_link;
+    const std::filesystem::path target = std::filesystem::read_symlink(file, no_link);
+    if (no_link) break;
+    file = file.parent_path() / target;
+  }
+  return file;
+}
+
+Result<void> write_file_atomically(const std::filesystem::path& name, std::string_view content,
+                                   Existing existing) {
+  const std::filesystem::path file = target_of(name);
+  std::filesystem::path path;
+  const Descriptor opened(open_beside(file, path));
+  if (!opened.is_open()) return io_error("cannot write", path, errno);
+  const TemporaryFile temporary(path);
+  if (existing == Existing::replace) keep_rights(opened.number(), file);
+  // Some file systems tell of errors only when a file is closed; the lock goes with the last one.
+  const bool is_there = write_all(opened.number(), content) && ::fsync(opened.number()) == 0 &&
+                        ::close(::dup(opened.number())) == 0;
+  if (!is_there) return io_error("cannot write", path, errno);
+  const bool replaces = existing == Existing::replace;
+  const int error = !replaces                                   ? move_without_replacing(path, file)
+                    : ::rename(path.c_str(), file.c_str()) == 0 ? 0
+                                                                : errno;
+  if (error == EEXIST) {
+    return ClientError{ErrorCode::invalid,
+                       fmt::format("{} is there already and is not replaced", file.string())};
+  }
+  if (error != 0) return io_error("cannot write", file, error);
+  return sync_folder(folder_of(file));
+}
+
+void remove_leftovers(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder_of(file), error), end;
+       !error && entry != end; entry.increment(error)) {
+    const std::filesystem::path& path = entry->path();
+    if (!is_beside(path.filename().string(), name)) continue;
+    const Descriptor opened(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+    if (!opened.is_open() || !is_at(opened.number(), path)) continue;
+    if (::flock(opened.number(), LOCK_EX | LOCK_NB) == 0) ::unlink(path.c_str());
+  }
+}
+
+Result<std::string> read_whole_file(const std::filesystem::path& file, std::size_t most) {
+  // Not blocking: opening a named pipe would wait for somebody to write.
+  const Descriptor opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (!opened.is_open()) return io_error("cannot read", file, errno);
+  struct stat about {};
+  if (::fstat(opened.number(), &about) != 0) return io_error("cannot read", file, errno);
+  if (!S_ISREG(about.st_mode)) {
+    return ClientError{ErrorCode::bad_file, fmt::format("{} is no file", file.string())};
+  }
+  std::string content;
+  std::array<char, 65536> block{};
+  while (true) {
+    const ssize_t size = ::read(opened.number(), block.data(), block.size());
+    if (size < 0 && errno == EINTR) continue;
+    if (size < 0) return io_error("cannot read", file, errno);
+    if (size == 0) return content;
+    content.append(block.data(), static_cast<std::size_t>(size));
+    if (content.size() > most) {
+      return ClientError{
+          ErrorCode::bad_file,
+          fmt::format("{} has more than {} bytes: too many for such a file", file.string(), most)};
+    }
+  }
+}
+
+}  // namespace sbgc::detail

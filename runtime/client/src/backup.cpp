@@ -1,0 +1,280 @@
+#include <chrono>
+#include <ctime>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <sbgc/client/atomic_file.hpp>
+#include <sbgc/client/backup.hpp>
+#include <sbgc/client/client.hpp>
+#include <sbgc/json.hpp>
+#include <sbgc/meta/system.hpp>
+#include <sbgc/parse_json.hpp>
+
+#include "settings_kind.hpp"
+#include "task.hpp"
+
+namespace sbgc {
+namespace {
+
+constexpr const char* format_name = "sbgc-backup";
+constexpr int format_version = 1;
+constexpr std::size_t largest_file = JsonLimits{}.size;
+
+using ByteVector = std::vector<std::uint8_t>;
+
+std::string utc_now() {
+  const auto now = std::chrono::system_clock::now();
+  const auto seconds = std::chrono::floor<std::chrono::seconds>(now);
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                     fmt::gmtime(std::chrono::system_clock::to_time_t(seconds)));
+}
+
+template <class M>
+ByteVector bytes_of(const M& message) {
+  ByteVector bytes(max_body_size);
+  bytes.resize(encode(message, bytes).size);
+  return bytes;
+}
+
+template <class M>
+Json message_json(const M& message) {
+  return {{"message", Meta<M>::info.name},
+          {"body", detail::to_hex(bytes_of(message))},
+          {"fields", to_json(message)}};
+}
+
+/// Reads a document and remembers the first thing that is wrong with it.
+class Reader {
+ public:
+  Result<Backup> read(const Json& document) {
+    if (!document.is_object() || text(document, "format", "") != format_name) {
+      return ClientError{ErrorCode::bad_file, "this is no backup of sbgc"};
+    }
+    if (auto right = check_version(document); !right) return right.error();
+    Backup backup;
+    backup.created = text(document, "created", "");
+    read_board(member(document, "board", ""), backup.board);
+    const Json& settings = member(document, "settings", "");
+    if (!settings.is_array()) fail("settings", "a list is needed");
+    for (std::size_t i = 0; error_.empty() && i < settings.size(); ++i) {
+      read_block(settings[i], fmt::format("settings[{}]", i), backup.settings);
+    }
+    if (!error_.empty()) return ClientError{ErrorCode::bad_file, error_};
+    return backup;
+  }
+
+ private:
+  static Result<void> check_version(const Json& document) {
+    const auto version = document.find("version");
+    if (version == document.end() || !version->is_number_unsigned()) {
+      return ClientError{ErrorCode::bad_file, "version: a number is needed"};
+    }
+    const auto number = version->get<std::uint64_t>();
+    if (number == format_version) return {};
+    return ClientError{ErrorCode::incompatible,
+                       fmt::format("version {} of the backup format is not known here, only {}",
+                                   number, format_version)};
+  }
+
+  void read_board(const Json& board, BoardIdentity& out) {
+    read_message(member(board, "info", "board"), "board.info", out.info);
+    if (board.is_object() && board.contains("details")) {
+      read_message(board["details"], "board.details", out.details.emplace());
+    }
+  }
+
+  template <class M>
+  void read_message(const Json& json, const std::string& path, M& out) {
+    const std::string name = text(json, "message", path);
+    const ByteVector body = hex(json, path);
+    if (!error_.empty()) return;
+    if (name != Meta<M>::info.name) {
+      return fail(path + ".message", fmt::format("{} is needed", Meta<M>::info.name));
+    }
+    if (const Status status = decode(std::span(body), out); !status) {
+      return fail(path + ".body", sbgc::text(status.code));
+    }
+    check_fields(json, path, to_json(out));
+  }
+
+  void read_block(const Json& json, const std::string& path, ParameterSet& out) {
+    Block block{{text(json, "message", path), 0}, hex(json, path)};
+    const Json& copy = member(json, "copy", path);
+    if (!error_.empty()) return;
+    if (!copy.is_number_unsigned() || copy.get<std::uint64_t>() > 255) {
+      return fail(path + ".copy", "a small number is needed");
+    }
+    block.id.copy = copy.get<std::uint8_t>();
+    if (out.find(block.id) != nullptr) {
+      return fail(path, fmt::format("{} is there twice", to_text(block.id)));
+    }
+    const BlockId id = block.id;
+    if (auto put = out.put(std::move(block)); !put) return fail(path, put.error().message);
+    const auto& kind = *detail::find_settings_kind(id.message);
+    check_fields(json, path, kind.to_json(out.find(id)->body));
+  }
+
+  /// The fields are for reading. One that was changed would not be restored, so it is an error; one
+  /// that another version of this library calls by another name is none.
+  void check_fields(const Json& json, const std::string& path, const Json& decoded) {
+    const auto fields = json.find("fields");
+    if (fields != json.end()) compare(*fields, decoded, path + ".fields");
+  }
+
+  void compare(const Json& said, const Json& decoded, const std::string& path) {
+    if (!error_.empty()) return;
+    if (decoded.is_object() && said.is_object()) {
+      for (const auto& item : decoded.items()) {
+        const auto found = said.find(item.key());
+        if (found != said.end()) compare(*found, item.value(), path + "." + item.key());
+      }
+    } else if (decoded.is_array() && said.is_array() && said.size() == decoded.size()) {
+      for (std::size_t i = 0; i < said.size(); ++i) {
+        compare(said[i], decoded[i], fmt::format("{}[{}]", path, i));
+      }
+    } else if (said != decoded) {
+      fail(path, "it is not what the body says; only the body would be restored");
+    }
+  }
+
+  const Json& member(const Json& object, const char* name, const std::string& path) {
+    static const Json nothing;
+    const auto found = object.is_object() ? object.find(name) : object.end();
+    if (object.is_object() && found != object.end()) return *found;
+    fail(join(path, name), "it is missing");
+    return nothing;
+  }
+
+  std::string text(const Json& object, const char* name, const std::string& path) {
+    const Json& value = member(object, name, path);
+    if (value.is_string()) return value.get<std::string>();
+    fail(join(path, name), "a text is needed");
+    return "";
+  }
+
+  ByteVector hex(const Json& object, const std::string& path) {
+    auto bytes = detail::from_hex(text(object, "body", path));
+    if (!bytes || bytes->size() > max_body_size) {
+      fail(join(path, "body"), "hex digits, two for each of at most 255 bytes, are needed");
+      return {};
+    }
+    return *std::move(bytes);
+  }
+
+  static std::string join(const std::string& path, const char* name) {
+    return path.empty() ? name : path + "." + name;
+  }
+
+  void fail(const std::string& path, const std::string& reason) {
+    if (error_.empty()) error_ = fmt::format("{}: {}", path, reason);
+  }
+
+  std::string error_{};
+};
+
+}  // namespace
+
+Result<Backup> make_backup(Client& client, const ReadOptions& options) {
+  Result<ParameterSet> settings = read_parameters(client, options);
+  if (!settings) return settings.error();
+  return Backup{client.board(), *std::move(settings), utc_now()};
+}
+
+std::string to_json_text(const Backup& backup) {
+  Json board = {{"model", backup.board.board()}, {"firmware", backup.board.firmware()}};
+  if (backup.board.details) board["serial_number"] = backup.board.serial_number();
+  board["info"] = message_json(backup.board.info);
+  if (backup.board.details) board["details"] = message_json(*backup.board.details);
+  Json settings = Json::array();
+  for (const Block& block : backup.settings.blocks()) {
+    settings.push_back(
+        {{"message", block.id.message},
+         {"copy", block.id.copy},
+         {"body", detail::to_hex(block.body)},
+         {"fields", detail::find_settings_kind(block.id.message)->to_json(block.body)}});
+  }
+  const Json document = {{"format", format_name},
+                         {"version", format_version},
+                         {"created", backup.created},
+                         {"board", std::move(board)},
+                         {"settings", std::move(settings)}};
+  return document.dump(1) + "\n";
+}
+
+Result<Backup> parse_backup(std::string_view text) {
+  const ParsedJson document = parse_json(text);
+  if (!document) return ClientError{ErrorCode::bad_file, to_string(*document.problem)};
+  return Reader().read(document.value);
+}
+
+Result<void> save_backup(const Backup& backup, const std::filesystem::path& file,
+                         Existing existing) {
+  return detail::write_file_atomically(file, to_json_text(backup), existing);
+}
+
+Result<Backup> load_backup(const std::filesystem::path& file) {
+  const Result<std::string> content = detail::read_whole_file(file, largest_file);
+  if (!content) return content.error();
+  Result<Backup> backup = parse_backup(*content);
+  if (!backup) return detail::during(file.string(), backup.error());
+  return backup;
+}
+
+namespace {
+
+std::string other_model(const BoardIdentity& board, const BoardIdentity& backup) {
+  if (board.info.board_ver == backup.info.board_ver) return "";
+  return fmt::format("the board is a {}, the backup is of a {}", board.board(), backup.board());
+}
+
+std::string other_firmware(const BoardIdentity& board, const BoardIdentity& backup) {
+  const bool is_other = board.info.firmware_ver != backup.info.firmware_ver;
+  const bool is_special = board.info.frw_extra_id != backup.info.frw_extra_id;
+  if (is_other) {
+    return fmt::format("the board has the firmware {}, the backup is of {}", board.firmware(),
+                       backup.firmware());
+  }
+  if (!is_special) return "";
+  return fmt::format("the board has the special firmware {:#x}, the backup is of {:#x}",
+                     board.info.frw_extra_id, backup.info.frw_extra_id);
+}
+
+}  // namespace
+
+std::vector<std::string> mismatches(const BoardIdentity& board, const BoardIdentity& backup) {
+  std::vector<std::string> result{other_model(board, backup), other_firmware(board, backup)};
+  std::erase(result, "");
+  return result;
+}
+
+WriteReport restore(Client& client, const Backup& backup, const RestoreOptions& options) {
+  const auto failed = [](ClientError error) { return WriteReport{std::move(error), {}}; };
+  const Deadline deadline(options.clock, options.timeout);
+  std::string refused = options.other_model ? "" : other_model(client.board(), backup.board);
+  if (refused.empty() && !options.other_firmware) {
+    refused = other_firmware(client.board(), backup.board);
+  }
+  if (!refused.empty()) return failed({ErrorCode::incompatible, refused});
+  if (!options.dry_run) {
+    if (options.present.empty()) {
+      return failed({ErrorCode::invalid, "restoring needs a file for the present settings"});
+    }
+    if (std::error_code unknown; std::filesystem::exists(options.present, unknown)) {
+      return failed({ErrorCode::invalid, options.present.string() + " is there already"});
+    }
+    const ReadOptions reading{deadline.left(), options.progress, options.clock};
+    const Result<Backup> present = make_backup(client, reading);
+    if (!present) return failed(detail::during("saving the present settings", present.error()));
+    const Result<void> saved = save_backup(*present, options.present);
+    if (!saved) return failed(detail::during("saving the present settings", saved.error()));
+  }
+  WriteOptions writing{.timeout = deadline.left(),
+                       .dry_run = options.dry_run,
+                       .validate = false,
+                       .progress = options.progress,
+                       .clock = options.clock};
+  return write_parameters(client, backup.settings, writing);
+}
+
+}  // namespace sbgc

@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <sbgc/client/client.hpp>
+#include <sbgc/client/variables.hpp>
+#include <sbgc/detail/meta_limits.hpp>
+#include <sbgc/messages/adjustable_variables.hpp>
+#include <sbgc/messages/parameters.hpp>
+#include <sbgc/meta/adjustable_variables.hpp>
+
+#include "task.hpp"
+
+namespace sbgc {
+namespace {
+
+/// Most variables in one message.
+constexpr std::size_t most_set = detail::highest<msg::SetAdjVarsVal>("num_vars");
+constexpr std::size_t most_asked = detail::highest<msg::GetAdjVarsVal>("num_vars");
+
+std::string upper_case(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    result += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  return result;
+}
+
+/// Names that share a word with this one, for a hint.
+std::string similar_names(std::string_view name) {
+  const std::string wanted = upper_case(name);
+  const std::string word = wanted.substr(0, wanted.find('_'));
+  std::string result;
+  for (const VariableInfo& variable : variables) {
+    const std::string_view known = variable.name;
+    if (known == wanted) return fmt::format("; it is written {}", known);
+    const bool is_similar = !word.empty() && known.find(word) != std::string_view::npos;
+    if (is_similar) result += fmt::format("{}{}", result.empty() ? "; there are " : ", ", known);
+  }
+  return result;
+}
+
+std::string number_with_unit(const VariableInfo& variable, double value) {
+  return *variable.unit == '\0' ? fmt::format("{:.6g}", value)
+                                : fmt::format("{:.6g} {}", value, variable.unit);
+}
+
+}  // namespace
+
+Result<const VariableInfo*> find_variable(std::string_view name) {
+  const auto* const found = std::ranges::find(variables, name, &VariableInfo::name);
+  if (found != std::end(variables)) return found;
+  return ClientError{ErrorCode::not_found, fmt::format("there is no adjustable variable {}{}", name,
+                                                       similar_names(name))};
+}
+
+double variable_value(const VariableInfo& variable, std::int32_t raw) noexcept {
+  return raw * variable.numerator / variable.denominator + variable.offset;
+}
+
+Result<std::int32_t> variable_raw(const VariableInfo& variable, double value) {
+  const double raw =
+      std::round((value - variable.offset) * variable.denominator / variable.numerator);
+  // Written so that NaN fails, too.
+  if (raw >= variable.range.lowest && raw <= variable.range.highest) {
+    return static_cast<std::int32_t>(raw);
+  }
+  const auto limit = [&](double number) {
+    return number_with_unit(variable, variable_value(variable, static_cast<std::int32_t>(number)));
+  };
+  return ClientError{ErrorCode::invalid,
+                     fmt::format("{} can not be {}: it lies between {} and {}", variable.name,
+                                 number_with_unit(variable, value), limit(variable.range.lowest),
+                                 limit(variable.range.highest))};
+}
+
+Result<std::vector<double>> get_variables(Client& client, std::span<const std::string_view> names) {
+  std::vector<const VariableInfo*> wanted;
+  for (const std::string_view name : names) {
+    const Result<const VariableInfo*> found = find_variable(name);
+    if (!found) return found.error();
+    wanted.push_back(*found);
+  }
+  std::vector<double> result;
+  while (result.size() < wanted.size()) {
+    const std::span<const VariableInfo* const> rest(
+        wanted.begin() + static_cast<std::ptrdiff_t>(result.size()), wanted.end());
+    const auto part = rest.first(std::min(most_asked, rest.size()));
+    msg::GetAdjVarsVal request;
+    for (const VariableInfo* const variable : part) request.param_id.push_back(variable->id);
+    const Result<msg::SetAdjVarsVal> answer = client.call(request);
+    if (!answer) return answer.error();
+    if (answer->params.size() != part.size()) {
+      return ClientError{ErrorCode::mismatch,
+                         fmt::format("{} variables were asked for, {} came back", part.size(),
+                                     answer->params.size())};
+    }
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const msg::AdjVarValue& value = answer->params[i];
+      if (value.param_id != part[i]->id) {
+        return ClientError{ErrorCode::mismatch,
+                           fmt::format("{} was asked for, the variable {} came back", part[i]->name,
+                                       static_cast<unsigned>(value.param_id))};
+      }
+      result.push_back(variable_value(*part[i], value.param_value));
+    }
+  }
+  return result;
+}
+
+Result<double> get_variable(Client& client, std::string_view name) {
+  const Result<std::vector<double>> values = get_variables(client, {&name, 1});
+  if (!values) return values.error();
+  return values->front();
+}
+
+Result<void> set_variables(Client& client, std::span<const VariableValue> values) {
+  std::vector<msg::AdjVarValue> wanted;
+  for (const VariableValue& value : values) {
+    const Result<const VariableInfo*> found = find_variable(value.name);
+    if (!found) return found.error();
+    const Result<std::int32_t> raw = variable_raw(**found, value.value);
+    if (!raw) return raw.error();
+    wanted.push_back({(*found)->id, *raw});
+  }
+  for (std::size_t sent = 0; sent < wanted.size();) {
+    msg::SetAdjVarsVal request;
+    for (; sent < wanted.size() && request.params.size() < most_set; ++sent) {
+      request.params.push_back(wanted[sent]);
+    }
+    Result<void> done = client.call(request);
+    if (done) continue;
+    const std::size_t before = sent - request.params.size();
+    if (wanted.size() <= most_set) return done;
+    return detail::during(fmt::format("after {} of {} variables", before, wanted.size()),
+                          done.error());
+  }
+  return {};
+}
+
+Result<void> set_variable(Client& client, std::string_view name, double value) {
+  const VariableValue one{std::string(name), value};
+  return set_variables(client, {&one, 1});
+}
+
+Result<void> save_variables(Client& client) {
+  CallOptions options;
+  options.expect_confirmation = true;
+  return client.call(msg::SaveParams3{}, options);
+}
+
+}  // namespace sbgc

@@ -1,0 +1,280 @@
+/// Checks the values of a message against what the specification allows.
+///
+/// Decoding never rejects a value for its range; this does, and names every violation. Include the
+/// tables of the messages to check, <sbgc/meta/control.hpp> or <sbgc/meta/all.hpp>.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include <sbgc/meta.hpp>
+#include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/variables.hpp>
+
+namespace sbgc {
+
+/// A place in a message: a chain of members and indices, from the inside out, kept on the stack.
+struct FieldPath {
+  const FieldPath* parent{};
+  const char* name = "";  ///< of a member, or of an axis
+  std::size_t index{};    ///< of an element, when `name` is ""
+
+  /// Writes the path, such as "params[3].param_id", with a final NUL; cut off if it does not fit.
+  /// Returns the length written.
+  constexpr std::size_t write(char* out, std::size_t space) const noexcept {
+    std::size_t length = parent != nullptr ? parent->write(out, space) : 0;
+    const auto add = [&](char c) {
+      if (length + 1 < space) out[length++] = c;
+    };
+    if (*name != '\0') {
+      if (length != 0) add('.');
+      for (const char* c = name; *c != '\0'; ++c) add(*c);
+    } else {
+      add('[');
+      std::size_t unit = 1;
+      while (index / unit >= 10) unit *= 10;
+      for (; unit != 0; unit /= 10) add(static_cast<char>('0' + index / unit % 10));
+      add(']');
+    }
+    if (space != 0) out[length] = '\0';
+    return length;
+  }
+};
+
+/// What a value violates.
+enum class Rule : std::uint8_t {
+  minimum,    ///< below `limit`
+  maximum,    ///< above `limit`
+  alignment,  ///< no multiple of `limit`
+  count,      ///< more than `limit` elements
+  firmware,   ///< exists only since the firmware version `limit`, such as 2590
+  board,      ///< exists only since the board version `limit`, such as 30
+};
+
+/// The name of a rule, e.g. "minimum".
+constexpr const char* name(Rule rule) noexcept {
+  switch (rule) {
+    case Rule::minimum: return "minimum";
+    case Rule::maximum: return "maximum";
+    case Rule::alignment: return "alignment";
+    case Rule::count: return "count";
+    case Rule::firmware: return "firmware";
+    case Rule::board: return "board";
+  }
+  return "unknown_rule";
+}
+
+/// One value that the specification does not allow. `path` is valid during the report only.
+struct Violation {
+  const FieldPath& path;
+  const FieldInfo& field;
+  double value{};  ///< raw, as on the wire
+  double limit{};
+  Rule rule{};
+};
+
+namespace detail {
+
+/// Walks over a value and reports what its field's limits do not allow.
+template <class Report>
+class Validator {
+ public:
+  constexpr Validator(const Availability& versions, Report& report) noexcept
+      : versions_(versions), report_(report) {}
+
+  constexpr bool valid() const noexcept { return valid_; }
+
+  template <class T>
+  constexpr void members(const T& value, const FieldPath* parent) {
+    Meta<T>::visit(value, Members{*this, parent});
+  }
+
+ private:
+  /// Looks at the members of some struct. Not a lambda, which would be another type for each T.
+  struct Members {
+    Validator& validator;
+    const FieldPath* parent = nullptr;       ///< of the struct itself
+    const VariableInfo* variable = nullptr;  ///< that the last member has named
+
+    template <class Member>
+    constexpr void operator()(const FieldInfo& field, const Member& member) {
+      const FieldPath path{parent, field.name};
+      if constexpr (std::is_same_v<Member, msg::VariableId>) variable = find_variable(member);
+      if constexpr (std::is_integral_v<Member>) {
+        if (field.is_variable_value && variable != nullptr) {
+          return validator.limits(member, variable->range, field, path);
+        }
+      }
+      validator.value(member, field, path);
+    }
+  };
+
+  template <class T>
+  constexpr void value(const T& value, const FieldInfo& field, const FieldPath& path) {
+    if constexpr (std::is_enum_v<T>) {
+      number(static_cast<std::underlying_type_t<T>>(value), field, path);
+      named(EnumMeta<T>::info, static_cast<std::int64_t>(value), field, path);
+    } else if constexpr (std::is_arithmetic_v<T>) {
+      number(value, field, path);
+    } else if constexpr (requires { typename T::flag_type; }) {
+      number(value.raw(), field, path);
+      flags(EnumMeta<typename T::flag_type>::info, value.raw(), field, path);
+    } else if constexpr (requires { PackedMeta<T>::info; }) {
+      number(value.raw(), field, path);
+      for (const PartInfo& part : PackedMeta<T>::parts) {
+        if (part.values == nullptr) continue;
+        const auto bits = static_cast<std::uint32_t>(value.raw()) & part.mask;
+        if (part.values->is_flags) {
+          flags(*part.values, bits, field, path);
+        } else {
+          named(*part.values, bits >> part.shift, field, path);
+        }
+      }
+    } else if constexpr (RawValue<T>) {
+      number(value.raw(), field, path);
+    } else if constexpr (requires { Meta<T>::fields; }) {
+      members(value, &path);
+    }
+  }
+
+  constexpr void value(Counter counter, const FieldInfo& field, const FieldPath& path) {
+    number(counter.count, field, path);
+  }
+
+  template <class T>
+  constexpr void value(const Axes<T>& axes, const FieldInfo& field, const FieldPath& path) {
+    value(axes.roll, field, FieldPath{&path, "roll"});
+    value(axes.pitch, field, FieldPath{&path, "pitch"});
+    value(axes.yaw, field, FieldPath{&path, "yaw"});
+  }
+  template <class T>
+  constexpr void value(const Xyz<T>& xyz, const FieldInfo& field, const FieldPath& path) {
+    value(xyz.x, field, FieldPath{&path, "x"});
+    value(xyz.y, field, FieldPath{&path, "y"});
+    value(xyz.z, field, FieldPath{&path, "z"});
+  }
+  template <class T, std::size_t n>
+  constexpr void value(const std::array<T, n>& array, const FieldInfo& field,
+                       const FieldPath& path) {
+    for (std::size_t i = 0; i < n; ++i) value(array[i], field, FieldPath{&path, "", i});
+  }
+  template <std::size_t n>
+  constexpr void value(const Bytes<n>&, const FieldInfo&, const FieldPath&) {}
+  template <class T, std::size_t n>
+  constexpr void value(const BoundedArray<T, n>& array, const FieldInfo& field,
+                       const FieldPath& path) {
+    count(array.size(), field, path);
+    for (std::size_t i = 0; i < array.size(); ++i) value(array[i], field, FieldPath{&path, "", i});
+  }
+  template <std::size_t n>
+  constexpr void value(const BoundedBytes<n>& bytes, const FieldInfo& field,
+                       const FieldPath& path) {
+    count(bytes.size(), field, path);
+    if (bytes.size() % field.align != 0) {
+      fail(field, path, static_cast<double>(bytes.size()), field.align, Rule::alignment);
+    }
+  }
+  template <class T>
+  constexpr void value(const Optional<T>& optional, const FieldInfo& field, const FieldPath& path) {
+    if (optional) value(*optional, field, path);
+  }
+
+  constexpr void count(std::size_t size, const FieldInfo& field, const FieldPath& path) {
+    if (size < field.min_count) {
+      fail(field, path, static_cast<double>(size), field.min_count, Rule::count);
+    }
+    if (field.max_count != 0 && size > field.max_count) {
+      fail(field, path, static_cast<double>(size), field.max_count, Rule::count);
+    }
+  }
+
+  template <class T>
+  constexpr void number(T raw, const FieldInfo& field, const FieldPath& path) {
+    const auto value = static_cast<double>(raw);
+    if (value != 0) existence(field.since, value, field, path);
+    for (const Special& special : field.special) {
+      if (value == static_cast<double>(special.value)) return;
+    }
+    if constexpr (std::is_integral_v<T>) {
+      if (static_cast<std::uint32_t>(raw) % field.align != 0) {
+        fail(field, path, value, field.align, Rule::alignment);
+      }
+    }
+    if (field.range != nullptr) limits(value, *field.range, field, path);
+  }
+
+  constexpr void limits(double value, const Range& range, const FieldInfo& field,
+                        const FieldPath& path) {
+    // Written so that NaN is a violation.
+    if (!(value >= range.lowest)) {
+      fail(field, path, value, range.lowest, Rule::minimum);
+    } else if (value > range.highest) {
+      fail(field, path, value, range.highest, Rule::maximum);
+    }
+  }
+
+  /// A named value that came with a later version.
+  constexpr void named(const EnumInfo& info, std::int64_t raw, const FieldInfo& field,
+                       const FieldPath& path) {
+    for (const ValueInfo& known : info.values) {
+      if (known.value == raw) existence(known.since, static_cast<double>(raw), field, path);
+    }
+  }
+  constexpr void flags(const EnumInfo& info, std::uint32_t raw, const FieldInfo& field,
+                       const FieldPath& path) {
+    for (const ValueInfo& flag : info.values) {
+      const auto mask = static_cast<std::uint32_t>(flag.value);
+      if (mask != 0 && (raw & mask) == mask) existence(flag.since, raw, field, path);
+    }
+  }
+  constexpr void existence(const Availability& since, double value, const FieldInfo& field,
+                           const FieldPath& path) {
+    if (since.firmware > versions_.firmware) {
+      fail(field, path, value, since.firmware, Rule::firmware);
+    }
+    if (since.board > versions_.board) fail(field, path, value, since.board, Rule::board);
+  }
+
+  constexpr void fail(const FieldInfo& field, const FieldPath& path, double value, double limit,
+                      Rule rule) {
+    valid_ = false;
+    report_(Violation{path, field, value, limit, rule});
+  }
+
+  Availability versions_;
+  Report& report_;
+  bool valid_ = true;
+};
+
+}  // namespace detail
+
+/// Versions that know everything.
+inline constexpr Availability newest{0xFFFF, 0xFF};
+
+/// Calls `report(const Violation&)` for everything in `message` that the specification does not
+/// allow on a board with these versions (see versions_of()); true if there was nothing.
+///
+/// Special values are allowed; reserved bytes, unknown flags and unknown enum values are not looked
+/// at, because later firmware gives them a meaning. What came with a later version is reported when
+/// it is used, that is not 0. The message as a whole is the matter of is_supported().
+template <class M, class Report>
+constexpr bool validate(const M& message, const Availability& versions, Report&& report) {
+  detail::Validator<std::remove_reference_t<Report>> validator(versions, report);
+  validator.members(message, nullptr);
+  return validator.valid();
+}
+
+/// As above, for the newest board.
+template <class M, class Report>
+constexpr bool validate(const M& message, Report&& report) {
+  return validate(message, newest, report);
+}
+
+/// True if the specification allows every value of `message`.
+template <class M>
+constexpr bool is_valid(const M& message) {
+  return validate(message, [](const Violation&) {});
+}
+
+}  // namespace sbgc

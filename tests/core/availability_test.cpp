@@ -1,0 +1,99 @@
+// What a board understands, by the versions it has told.
+
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/availability.hpp>
+#include <sbgc/messages.hpp>
+#include <sbgc/meta/all.hpp>
+#include <sbgc/validate.hpp>
+
+namespace sbgc {
+namespace {
+
+msg::BoardInfo board(std::uint8_t board_ver, std::uint16_t firmware_ver) {
+  msg::BoardInfo info;
+  info.board_ver = msg::BoardVersion(board_ver);
+  info.firmware_ver = msg::FirmwareVersion(firmware_ver);
+  return info;
+}
+
+/// "rule path" of everything that a board with these versions does not know.
+template <class M>
+std::set<std::string> unknown(const M& message, const msg::BoardInfo& info) {
+  std::set<std::string> result;
+  validate(message, versions_of(info), [&](const Violation& violation) {
+    std::array<char, 100> path{};
+    violation.path.write(path.data(), path.size());
+    result.insert(std::string(name(violation.rule)) + " " + path.data());
+  });
+  return result;
+}
+
+// The specification says "ver. 2.59+" of these, and "firmware ver. 2.55b5" of the longer
+// CMD_CONTROL.
+TEST(Availability, OfMessages) {
+  EXPECT_TRUE(is_supported<msg::BeepSound>(board(31, 2590)));
+  EXPECT_FALSE(is_supported<msg::BeepSound>(board(31, 2589)));
+  EXPECT_FALSE(is_supported<msg::DataStreamInterval>(board(31, 2439)));
+  EXPECT_TRUE(is_supported<msg::ControlExt>(board(31, 2555)));
+  EXPECT_FALSE(is_supported<msg::ControlExt>(board(31, 2554)));
+  EXPECT_TRUE(is_supported<msg::Control>(board(10, 2200)));
+  EXPECT_TRUE(is_supported<msg::RealtimeData4>(board(30, 2400)));
+  EXPECT_FALSE(is_supported<msg::RealtimeData4>(board(10, 2400)));
+}
+
+static_assert(is_supported<msg::BeepSound>(Availability{2590, 30}));
+static_assert(!is_supported<msg::BeepSound>(Availability{2580, 30}));
+
+// One form ends with the version with which another takes its place.
+TEST(Availability, OfFormsThatTakeEachOthersPlace) {
+  EXPECT_TRUE(is_supported<msg::MotorsOff>(board(31, 2686)));
+  EXPECT_FALSE(is_supported<msg::MotorsOff>(board(31, 2687)));
+  EXPECT_FALSE(is_supported<msg::MotorsOffExt>(board(31, 2686)));
+  EXPECT_TRUE(is_supported<msg::MotorsOffExt>(board(31, 2687)));
+  for (const int firmware : {2590, 2694, 2695, 2700}) {
+    const auto info = board(31, static_cast<std::uint16_t>(firmware));
+    EXPECT_EQ(is_supported<msg::AhrsHelperRequest>(info), firmware < 2695);
+    EXPECT_EQ(is_supported<msg::AhrsHelperRequestExt>(info), firmware < 2695);
+    EXPECT_EQ(is_supported<msg::AhrsHelperRequestWide>(info), firmware >= 2695);
+    EXPECT_EQ(is_supported<msg::AhrsHelperRequestExtWide>(info), firmware >= 2695);
+  }
+  EXPECT_EQ(Meta<msg::MotorsOff>::info.until.firmware, 2687);
+  EXPECT_EQ(newest_firmware, 2599);
+}
+
+TEST(Availability, ALaterFormSaysTheSame) {
+  msg::AhrsHelperRequestExt request;
+  request.mode = msg::AhrsHelperMode(0xA7);  // with bits that have no name
+  request.z1_vector = {0, 0, 1};
+  request.h1_vector = {1, 0, 0};
+  const msg::AhrsHelperRequestExtWide later = later_form(request);
+  EXPECT_EQ(later.mode.raw(), 0xA7);
+  EXPECT_EQ(later.z1_vector, request.z1_vector);
+  EXPECT_EQ(later.h1_vector, request.h1_vector);
+  EXPECT_EQ(later_form(msg::AhrsHelperRequest{msg::AhrsHelperModeBit::frame_imu}).mode.raw(), 2);
+  EXPECT_EQ(later_form(msg::MotorsOff{}).mode, msg::MotorsOffMode::normal);
+}
+
+TEST(Availability, OfAFlagInsideAPackedByte) {
+  msg::Control control;
+  control.control_mode.set_flags(msg::ControlFlag::high_res_speed);
+  EXPECT_EQ(unknown(control, board(31, 2550)), std::set<std::string>{"firmware control_mode"});
+  EXPECT_TRUE(unknown(control, board(31, 2590)).empty());
+}
+
+TEST(Availability, OfEnumValuesAndFields) {
+  msg::RealtimeData3 data;
+  for (auto* signal : {&data.rc.roll, &data.rc.pitch, &data.rc.yaw, &data.rc_cmd}) {
+    *signal = msg::RcSignal(1500);
+  }
+  data.cur_imu = msg::SelectedImu::main;
+  EXPECT_EQ(unknown(data, board(10, 2200)), std::set<std::string>{"board cur_imu"});
+  EXPECT_TRUE(unknown(data, board(31, 2200)).empty());
+}
+
+}  // namespace
+}  // namespace sbgc

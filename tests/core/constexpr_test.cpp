@@ -1,0 +1,166 @@
+// The codec at compile time: a wrong byte here does not compile.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/message.hpp>
+#include <sbgc/messages.hpp>
+#include <sbgc/meta/all.hpp>
+#include <sbgc/validate.hpp>
+#include <sbgc/visit.hpp>
+
+namespace sbgc::test {
+namespace {
+
+/// Whether `message` encodes to exactly these bytes, and these bytes decode to an equal message.
+template <class M, std::size_t n, class... Context>
+constexpr bool round_trips(const M& message, const std::array<std::uint8_t, n>& body,
+                           const Context&... context) {
+  std::array<std::uint8_t, max_body_size> out{};
+  const WriteResult written = encode(message, out);
+  if (!written || written.size != n || !std::equal(body.begin(), body.end(), out.begin())) {
+    return false;
+  }
+  M copy{};
+  return decode(body, copy, context...) && copy == message;
+}
+
+// Packed bytes, groups per axis, quantities.
+constexpr msg::Control control = [] {
+  msg::Control message;
+  message.control_mode.set_mode(msg::ControlModeKind::angle);
+  message.control_mode.set_flags(msg::ControlFlag::high_res_speed);
+  message.axes.roll.speed = msg::ControlSpeed::from_degrees_per_second(-0.25);
+  message.axes.pitch.angle = msg::Angle14::from_degrees(-30);
+  message.axes.yaw.angle = msg::Angle14(0x1234);
+  return message;
+}();
+static_assert(round_trips(control, std::to_array<std::uint8_t>({0x82, 0xFE, 0xFF, 0, 0, 0, 0, 0xAB,
+                                                                0xFA, 0, 0, 0x34, 0x12})));
+
+// A counted list.
+constexpr msg::SetAdjVarsVal variables = [] {
+  msg::SetAdjVarsVal message;
+  message.params.push_back({msg::VariableId(19), 100});
+  message.params.push_back({msg::VariableId(20), -2});
+  return message;
+}();
+static_assert(round_trips(variables, std::to_array<std::uint8_t>({2, 19, 100, 0, 0, 0, 20, 0xFE,
+                                                                  0xFF, 0xFF, 0xFF})));
+
+// A list that takes the rest of the body, flags, reserved bytes.
+constexpr msg::BeepSound melody = [] {
+  msg::BeepSound message;
+  message.mode = msg::BeepMode::custom_melody;
+  message.note_length = msg::NoteLength::from_milliseconds(40);
+  message.reserved[7] = 9;
+  message.note_freq_hz.push_back(msg::NoteFrequency::from_hertz(987));
+  message.note_freq_hz.push_back(msg::NoteFrequency(21000));
+  return message;
+}();
+static_assert(round_trips(melody, std::to_array<std::uint8_t>({0, 0x80, 5, 0, 0, 0, 0, 0, 0, 0, 0,
+                                                               9, 0xDB, 0x03, 0x08, 0x52})));
+
+// Fields that another field of the body decides about.
+constexpr msg::Confirm eeprom_written = [] {
+  msg::Confirm message;
+  message.cmd = msg::CommandId::eeprom_write;
+  message.addr = 0x01020304;
+  return message;
+}();
+static_assert(round_trips(eeprom_written, std::to_array<std::uint8_t>({47, 4, 3, 2, 1})));
+
+constexpr msg::Confirm contradiction = [] {
+  msg::Confirm message;
+  message.cmd = msg::CommandId::control;
+  message.addr = 1;
+  return message;
+}();
+constexpr Status contradiction_status = [] {
+  std::array<std::uint8_t, max_body_size> out{};
+  return encode(contradiction, out).status;
+}();
+static_assert(contradiction_status.code == Code::presence_mismatch);
+
+// Fields that the request decides about; floats.
+constexpr msg::RealtimeDataCustom custom = [] {
+  msg::RealtimeDataCustom message;
+  message.timestamp_ms = msg::MillisecondClock(0x0102);
+  message.target_angles = Axes<msg::Angle14>{msg::Angle14(1), msg::Angle14(2), msg::Angle14(-3)};
+  message.z1_vector = Xyz<float>{0, 1, -2};
+  message.h1_vector = Xyz<float>{};
+  return message;
+}();
+constexpr msg::RealtimeDataCustom::Context custom_context{
+    msg::RealtimeDataCustomFlag::target_angles | msg::RealtimeDataCustomFlag::z1_h1_vectors};
+static_assert(round_trips(custom,
+                          std::to_array<std::uint8_t>({2, 1, 1, 0, 2, 0, 0xFD, 0xFF,  //
+                                                       0, 0, 0, 0, 0, 0, 0x80, 0x3F, 0, 0, 0, 0xC0,
+                                                       0, 0, 0, 0, 0, 0, 0,    0,    0, 0, 0, 0}),
+                          custom_context));
+
+// What later firmware appends is kept.
+static_assert([] {
+  std::array<std::uint8_t, 20> body{};
+  body[18] = 7;
+  body[19] = 8;
+  msg::BoardInfo message;
+  std::array<std::uint8_t, 20> out{};
+  return decode(body, message) && message.tail.size() == 2 && message.tail[1] == 8 &&
+         encode(message, out).size == 20 && out == body;
+}());
+
+// Texts.
+static_assert([] {
+  std::array<std::uint8_t, 12> body{2, 2, 'o', 'k', 1, 4, 0, 1, 'x', 2, 0, 0};
+  msg::DebugVarsInfo3 message;
+  std::array<std::uint8_t, 12> out{};
+  return decode(body, message) && message.vars.size() == 2 &&
+         message.vars[0].var_name.size() == 2 && message.vars[0].arr_size == 4 &&
+         encode(message, out).size == 12 && out == body;
+}());
+
+// A whole frame, found by its id again.
+constexpr auto control_frame = [] {
+  std::array<std::uint8_t, 18> frame{};
+  const WriteResult written = encode_frame(control, frame);
+  return written.size == frame.size() ? frame : std::array<std::uint8_t, 18>{};
+}();
+static_assert(control_frame[0] == '>' && control_frame[1] == 67 && control_frame[2] == 13 &&
+              control_frame[3] == 80);
+static_assert(control_frame[17] == (0x82 + 0xFE + 0xFF + 0xAB + 0xFA + 0x34 + 0x12) % 256);
+static_assert(visit(67, std::span(control_frame).subspan(4, 13), Direction::to_board,
+                    []<class M>(const M& message) {
+                      if constexpr (std::is_same_v<M, msg::Control>) {
+                        if (message == control) return;
+                      }
+                      throw "another message";
+                    }));
+
+// Validation and errors.
+static_assert(is_valid(melody));
+static_assert(!is_valid([] {
+  msg::BeepSound message = melody;
+  message.note_freq_hz[0] = msg::NoteFrequency(553);
+  return message;
+}()));
+static_assert([] {
+  msg::Control message;
+  const Status status = decode(std::span(control_frame).subspan(4, 12), message);
+  return status.code == Code::too_short && status.offset == 12;
+}());
+
+TEST(Constexpr, WhatWasProvenAtCompileTimeHoldsAtRunTime) {
+  EXPECT_TRUE(round_trips(control, std::to_array<std::uint8_t>({0x82, 0xFE, 0xFF, 0, 0, 0, 0, 0xAB,
+                                                                0xFA, 0, 0, 0x34, 0x12})));
+  msg::Control copy;
+  ASSERT_TRUE(decode(std::span(control_frame).subspan(4, 13), copy));
+  EXPECT_EQ(copy, control);
+}
+
+}  // namespace
+}  // namespace sbgc::test

@@ -1,0 +1,175 @@
+// From a frame to a message: which one it is, by id, direction and size.
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "any_message.hpp"
+
+namespace sbgc::test {
+namespace {
+
+const Json& model() {
+  static const Json json = [] {
+    std::ifstream file(SBGC_GENERATED "/simplebgc.json");
+    return Json::parse(file);
+  }();
+  return json;
+}
+
+std::string name_of(Direction direction) {
+  return direction == Direction::to_board ? "to_board" : "from_board";
+}
+
+std::string name_of(const Visited& visited) {
+  return visited.info == nullptr ? name(visited.status.code) : visited.info->name;
+}
+
+/// The forms of a command in one direction, as the exported model has them.
+std::vector<Json> forms(Direction direction, int id) {
+  std::vector<Json> result;
+  for (const Json& message : model()["messages"]) {
+    const auto its = message["direction"].get<std::string>();
+    if (message["id"] == id && (its == name_of(direction) || its == "both")) {
+      result.push_back(message);
+    }
+  }
+  return result;
+}
+
+/// What select() has to say, worked out from the exported model.
+std::string expected(const std::vector<Json>& forms, std::size_t size) {
+  if (forms.empty()) return name(Code::unknown_command);
+  if (forms.size() == 1) return forms[0]["name"];
+  for (const Json& form : forms) {
+    if (size >= form["min_size"] && size <= form["max_size"]) return form["name"];
+  }
+  // Decoding knows no limit of a list but the body's; it is validation that does.
+  for (const Json& form : forms) {
+    const Json& layout = form["layout"];
+    const bool open =
+        form["keeps_tail"].get<bool>() || (!layout.empty() && layout.back()["count"].is_null());
+    if (open && size > form["max_size"]) return form["name"];
+  }
+  return name(Code::unknown_form);
+}
+
+class EveryDirection : public testing::TestWithParam<Direction> {};
+
+TEST_P(EveryDirection, SelectKnowsEveryIdAndSize) {
+  for (int id = 0; id < 256; ++id) {
+    const std::vector<Json> its_forms = forms(GetParam(), id);
+    for (std::size_t size = 0; size <= max_body_size; ++size) {
+      const Selected result = selected(GetParam(), static_cast<std::uint8_t>(id), size);
+      const std::string actual = result.info == nullptr ? name(result.code) : result.info->name;
+      ASSERT_EQ(actual, expected(its_forms, size)) << "id " << id << ", " << size << " bytes";
+      ASSERT_EQ(result.code == Code::ok, result.info != nullptr);
+    }
+  }
+}
+
+TEST_P(EveryDirection, VisitHandsOverEveryMessage) {
+  for (const MessageType& type : message_types()) {
+    SCOPED_TRACE(type.info->name);
+    if (type.info->direction != GetParam() && type.info->direction != Direction::both) continue;
+    ByteVector body = type.make()->body();
+    body.resize(std::max(body.size(), type.info->min_size));  // a list may have a least length
+    const Visited result = visited(type.info->id, body, GetParam());
+    ASSERT_TRUE(result.status) << name(result.status.code);
+    EXPECT_EQ(result.calls, 1);
+    EXPECT_EQ(result.info, type.info);
+  }
+}
+
+TEST_P(EveryDirection, VisitIsSilentWhenABodyDoesNotDecode) {
+  for (const MessageType& type : message_types()) {
+    SCOPED_TRACE(type.info->name);
+    if (type.info->direction != GetParam() && type.info->direction != Direction::both) continue;
+    for (std::size_t size = 0; size <= max_body_size; ++size) {
+      const ByteVector body(size, 0xFF);
+      const Visited result = visited(type.info->id, body, GetParam());
+      ASSERT_EQ(result.calls, result.status ? 1 : 0) << size << " bytes";
+      if (size >= type.info->min_size || result.status.code == Code::unknown_form) continue;
+      ASSERT_TRUE(result.calls == 1 || result.status.code == Code::too_short) << size;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Directions, EveryDirection,
+                         testing::Values(Direction::to_board, Direction::from_board),
+                         [](const auto& test) { return name_of(test.param); });
+
+TEST(Dispatch, TheModelAndTheCodecHaveTheSameMessages) {
+  std::set<std::string> in_model;
+  for (const Json& message : model()["messages"]) in_model.insert(message["name"]);
+  std::set<std::string> in_codec;
+  for (const MessageType& type : message_types()) in_codec.emplace(type.info->name);
+  EXPECT_EQ(in_codec, in_model);
+}
+
+TEST(Dispatch, Id67IsControlOrConfirmByDirection) {
+  const ByteVector body(13);
+  EXPECT_EQ(name_of(visited(67, body, Direction::to_board)), "Control");
+  EXPECT_EQ(name_of(visited(67, body, Direction::from_board)), "Confirm");
+  EXPECT_EQ(name_of(visited(67, ByteVector(15), Direction::to_board)), "ControlExt");
+  EXPECT_EQ(visited(67, ByteVector(14), Direction::to_board).status.code, Code::unknown_form);
+}
+
+TEST(Dispatch, OneByteOfAFileIsAnError) {
+  EXPECT_EQ(name_of(visited(53, ByteVector(1), Direction::from_board)), "ReadFileError");
+  EXPECT_EQ(name_of(visited(53, ByteVector(5), Direction::from_board)), "ReadFile");
+  EXPECT_EQ(visited(53, ByteVector(2), Direction::from_board).status.code, Code::unknown_form);
+}
+
+TEST(Dispatch, UnknownCommand) {
+  for (const Direction direction : {Direction::to_board, Direction::from_board}) {
+    EXPECT_EQ(visited(0, {}, direction).status.code, Code::unknown_command);
+    EXPECT_EQ(visited(252, {}, direction).status.code, Code::unknown_command);
+    EXPECT_EQ(visited(252, {}, direction).calls, 0);
+  }
+}
+
+// Only the request says which blocks the answer has.
+TEST(Dispatch, LiveDataAreReadAsTheyWereAskedFor) {
+  msg::RealtimeDataCustomRequest request;
+  request.flags =
+      msg::RealtimeDataCustomFlag::target_speed | msg::RealtimeDataCustomFlag::gyro_data;
+  const ByteVector body = from_hex("1027 0100 0200 0300 0400 0500 0600");
+
+  Contexts contexts;
+  contexts.learn(msg::Control{});
+  EXPECT_EQ(visited(88, body, Direction::from_board, contexts).fields.dump(),
+            R"({"timestamp_ms":10000,"tail":"010002000300040005000600"})");
+
+  contexts.learn(request);
+  EXPECT_EQ(visited(88, body, Direction::from_board, contexts).fields.dump(),
+            R"({"timestamp_ms":10000,"target_speed":{"roll":1,"pitch":2,"yaw":3},)"
+            R"("gyro_data":{"roll":4,"pitch":5,"yaw":6}})");
+
+  const std::span<const std::uint8_t> cut = std::span(body).first(13);
+  const Visited result = visited(88, cut, Direction::from_board, contexts);
+  EXPECT_EQ(result.status.code, Code::too_short);
+  EXPECT_STREQ(result.status.field, "gyro_data");
+}
+
+// A request for a stream says the same, if it is about this message.
+TEST(Dispatch, StreamsTeachToo) {
+  msg::DataStreamInterval request;
+  request.cmd_id = msg::CommandId::realtime_data_custom;
+  request.config.flags = msg::RealtimeDataCustomFlags(msg::RealtimeDataCustomFlag::imu_angles);
+  Contexts contexts;
+  contexts.learn(request);
+  EXPECT_TRUE(contexts.realtime_data_custom.flags.has(msg::RealtimeDataCustomFlag::imu_angles));
+
+  msg::DataStreamInterval other;
+  other.cmd_id = msg::CommandId::realtime_data_4;
+  contexts.learn(other);
+  EXPECT_TRUE(contexts.realtime_data_custom.flags.has(msg::RealtimeDataCustomFlag::imu_angles));
+}
+
+}  // namespace
+}  // namespace sbgc::test

@@ -1,0 +1,40 @@
+// What the tables say about the effects of requests.
+
+#include <gtest/gtest.h>
+
+#include <sbgc/messages.hpp>
+#include <sbgc/meta/all.hpp>
+
+namespace sbgc::test {
+namespace {
+
+template <class M>
+constexpr Effects effects_of = Meta<M>::info.effects;
+
+TEST(Effects, AreThoseOfTheRequest) {
+  EXPECT_EQ(effects_of<msg::GetAnglesRequest>, Effects(Effect::reads));
+  EXPECT_EQ(effects_of<msg::Control>, Effects(Effect::moves));
+  EXPECT_EQ(effects_of<msg::WriteParams3>, Effects(Effect::stores) | Effect::moves);
+  EXPECT_EQ(effects_of<msg::UseDefaults>, Effects(Effect::stores) | Effect::moves | Effect::erases);
+  EXPECT_EQ(effects_of<msg::ResetRequest>, Effects(Effect::restarts));
+  EXPECT_EQ(effects_of<msg::SystemStateRequest>, Effects(Effect::unknown));
+}
+
+TEST(Effects, OfAllCasesAreTakenTogether) {
+  EXPECT_TRUE(effects_of<msg::ExecuteMenu>.has(Effect::moves));
+  EXPECT_TRUE(effects_of<msg::ExecuteMenu>.has(Effect::restarts));
+  EXPECT_FALSE(effects_of<msg::ExecuteMenu>.has(Effect::reads));
+  EXPECT_FALSE(effects_of<msg::ExecuteMenu>.has(Effect::unknown));
+}
+
+TEST(Effects, OfAMessageInBothDirectionsAreThoseToTheBoard) {
+  EXPECT_EQ(effects_of<msg::SetAdjVarsVal>, Effects(Effect::sets) | Effect::moves);
+}
+
+TEST(Effects, AMessageFromTheBoardHasNone) {
+  EXPECT_EQ(effects_of<msg::ReadParams3>, Effects());
+  EXPECT_EQ(effects_of<msg::GetAngles>, Effects());
+}
+
+}  // namespace
+}  // namespace sbgc::test

@@ -1,0 +1,166 @@
+"""The headers for microcontrollers: each compiles alone, freestanding, without exceptions and RTTI,
+includes nothing that needs an operating system, and its code needs nothing but memcpy and the like.
+
+JSON is the one part of the library that is not for microcontrollers.
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+INCLUDES = [*ROOT.glob("runtime/*/include"), ROOT / "generated/include"]
+HOSTED = re.compile(r"^sbgc/(json|parse_json|to_json|io/|client/)")
+FLAGS = [
+    "-std=c++20",
+    "-ffreestanding",
+    "-fno-exceptions",
+    "-fno-rtti",
+    "-Wall",
+    "-Wextra",
+    "-Werror",
+]
+FLAGS += [f"-I{folder}" for folder in INCLUDES]
+
+# What the headers may include. Whatever these include in turn is the standard library's own business.
+ALLOWED = {
+    "array",
+    "bit",
+    "compare",
+    "concepts",
+    "cstddef",
+    "cstdint",
+    "initializer_list",
+    "limits",
+    "span",
+    "type_traits",
+    "utility",
+}
+# What a compiler may call by itself in freestanding code; the last from its own library.
+RUNTIME_CALLS = {"memcpy", "memmove", "memset", "memcmp", "bcmp", "__popcountdi2"}
+
+COMPILERS = [name for name in ("g++", "clang++") if shutil.which(name)]
+
+
+def headers() -> list[str]:
+    found = [
+        path.relative_to(folder).as_posix() for folder in INCLUDES for path in folder.rglob("*.hpp")
+    ]
+    return sorted(name for name in found if not HOSTED.match(name))
+
+
+def compile_text(compiler: str, source: str, *options: str) -> str:
+    """Compiles and returns the standard output; fails with the compiler's messages."""
+    command = [compiler, *FLAGS, "-x", "c++", *options, "-"]
+    done = subprocess.run(command, input=source, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, f"{' '.join(command)}\n{source}\n{done.stderr}"
+    return done.stdout
+
+
+def read_files(compiler: str, source: str) -> set[str]:
+    """The files that compiling `source` reads."""
+    rule = compile_text(compiler, source, "-M").replace("\\\n", " ")
+    names = [name.replace("\\ ", " ") for name in re.findall(r"(?:\\.|\S)+", rule)]
+    return {str(Path(name).resolve()) for name in names[1:] if name != "-"}
+
+
+def is_own(path: str) -> bool:
+    return any(Path(path).is_relative_to(folder) for folder in INCLUDES)
+
+
+def test_there_are_headers() -> None:
+    assert {"sbgc/codec.hpp", "sbgc/parser.hpp", "sbgc/dispatch.hpp"} <= set(headers())
+
+
+def test_direct_includes() -> None:
+    wrong = []
+    for name in headers():
+        path = next(folder / name for folder in INCLUDES if (folder / name).exists())
+        for include in re.findall(
+            r'^\s*#\s*include\s*[<"]([^>"]+)', path.read_text(encoding="utf-8"), re.MULTILINE
+        ):
+            if include not in ALLOWED and not (
+                include.startswith("sbgc/") and not HOSTED.match(include)
+            ):
+                wrong.append(f"{name} includes {include}")
+    assert not wrong
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_each_header_alone(compiler: str) -> None:
+    def check(name: str) -> None:
+        compile_text(compiler, f"#include <{name}>\n", "-fsyntax-only")
+
+    with ThreadPoolExecutor(2) as pool:
+        list(pool.map(check, headers()))
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_nothing_else_is_read(compiler: str) -> None:
+    """Beside sbgc's own headers nothing is read that the allowed headers do not read themselves."""
+    allowed = read_files(compiler, "".join(f"#include <{name}>\n" for name in sorted(ALLOWED)))
+    everything = read_files(compiler, "".join(f"#include <{name}>\n" for name in headers()))
+    assert any(is_own(path) for path in everything)
+    assert {path for path in everything if not is_own(path)} <= allowed
+
+
+USE_EVERYTHING = """
+#include <sbgc/detector.hpp>
+#include <sbgc/exchanges/all.hpp>
+#include <sbgc/meta/all.hpp>
+#include <sbgc/parser.hpp>
+#include <sbgc/message.hpp>
+#include <sbgc/session.hpp>
+#include <sbgc/validate.hpp>
+#include <sbgc/visit.hpp>
+
+unsigned talk(const std::uint8_t* bytes, std::size_t size, std::int64_t now) {
+  static constinit sbgc::Session session;
+  unsigned result = 0;
+  const auto sink = [&](const sbgc::Event& event) { result += event.frame.id; };
+  result += static_cast<unsigned>(session.send(sbgc::ReadParams3Request{}).status);
+  session.feed({bytes, size}, {now}, sink);
+  result += static_cast<unsigned>(session.poll({now}, sink).bytes.size());
+  session.cancel({result}, sink);
+  session.abandon(sink);
+  return result + static_cast<unsigned>(session.statistics().timeouts);
+}
+
+unsigned search(const std::uint8_t* bytes, std::size_t size, std::int64_t now) {
+  static constinit sbgc::Detector detector;
+  detector.feed({bytes, size});
+  return static_cast<unsigned>(detector.next({now}).kind) + detector.introduction().id;
+}
+
+unsigned use(const std::uint8_t* bytes, std::size_t size, std::span<std::uint8_t> out) {
+  unsigned result = 0;
+  sbgc::Contexts contexts;
+  static constinit sbgc::Parser parser;
+  parser.feed({bytes, size}, [&](const sbgc::Frame& frame) {
+    sbgc::visit(frame, sbgc::Direction::from_board, [&](const auto& message) {
+      contexts.learn(message);
+      result += sbgc::is_valid(message);
+      result += static_cast<unsigned>(sbgc::encode_frame(message, out).size);
+    }, contexts);
+  });
+  return result;
+}
+"""
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_code_needs_nothing(compiler: str, tmp_path: Path) -> None:
+    """No allocation, no exceptions, no library: only what every freestanding compiler expects."""
+    program = tmp_path / "use.o"
+    compile_text(compiler, USE_EVERYTHING, "-Os", "-c", "-o", str(program))
+    listing = subprocess.run(
+        ["nm", "-u", program], capture_output=True, text=True, check=True
+    ).stdout
+    undefined = {line.split()[-1] for line in listing.splitlines()}
+    assert undefined - {"_GLOBAL_OFFSET_TABLE_"} <= RUNTIME_CALLS

@@ -1,0 +1,252 @@
+// Messages as JSON and back: nothing is lost, nothing wrong gets in.
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/meta/all.hpp>
+
+#include "any_message.hpp"
+
+namespace sbgc::test {
+namespace {
+
+class JsonOfMessage : public testing::TestWithParam<MessageType> {};
+
+TEST_P(JsonOfMessage, ComesBackAsTheSameBytes) {
+  RandomBodies bodies(17);
+  const std::size_t min_size = GetParam().info->min_size;
+  int checked = 0;
+  for (std::size_t i = 0; i < 3000 && checked < 60; ++i) {
+    const std::size_t more = GetParam().fixed_size() && i % 4 != 0 ? 0 : i % 200;
+    const ByteVector body = bodies.next(std::min(min_size + more, max_body_size));
+    const auto message = GetParam().make();
+    if (!message->decode(body, random_contexts(bodies))) continue;
+    ++checked;
+    // Through text, as it is stored.
+    const std::string text = message->to_json().dump();
+    const auto copy = GetParam().make();
+    copy->from_json(Json::parse(text));
+    ASSERT_EQ(copy->body(), body) << text;
+  }
+  EXPECT_GE(checked, 10);
+}
+
+TEST_P(JsonOfMessage, HasEveryMemberOrIsRefused) {
+  const auto message = GetParam().make();
+  const Json full = message->to_json();
+  ASSERT_TRUE(full.is_object());
+  message->from_json(full);
+
+  Json extra = full;
+  extra["nonsense"] = 1;
+  EXPECT_THROW(message->from_json(extra), JsonError);
+  EXPECT_THROW(message->from_json(Json::array()), JsonError);
+  EXPECT_THROW(message->from_json(Json()), JsonError);
+
+  for (const auto& item : full.items()) {
+    Json missing = full;
+    missing.erase(item.key());
+    Json wrong = full;
+    wrong[item.key()] = true;
+    EXPECT_THROW(message->from_json(wrong), JsonError) << item.key();
+    try {
+      message->from_json(missing);
+      // Only a counter follows from something else.
+      EXPECT_TRUE(item.value().is_number_unsigned()) << item.key();
+    } catch (const JsonError& error) {
+      EXPECT_EQ(error.field(), item.key());
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Messages, JsonOfMessage, testing::ValuesIn(message_types()),
+                         [](const auto& test) { return test.param.info->name; });
+
+Json control_json() {
+  return Json::parse(R"({"control_mode": 2, "axes": {
+      "roll": {"speed": 1, "angle": -2}, "pitch": {"speed": 3, "angle": -4},
+      "yaw": {"speed": 5, "angle": -6}}})");
+}
+
+/// The message and the field of the error that `json` is refused with.
+template <class M>
+std::string refusal(const Json& json) {
+  M message{};
+  const M before = message;
+  try {
+    from_json(json, message);
+  } catch (const JsonError& error) {
+    EXPECT_EQ(message, before) << "half of it has been taken over";
+    EXPECT_EQ(std::string(error.what()).find(error.field()), 0U);
+    return error.field() + "|" + error.what();
+  }
+  return "accepted";
+}
+
+std::string refused_control(const std::string& pointer, const Json& value) {
+  Json json = control_json();
+  json[Json::json_pointer(pointer)] = value;
+  return refusal<msg::Control>(json);
+}
+
+bool is_about(const std::string& refusal, const std::string& field, const std::string& words) {
+  return refusal.starts_with(field + "|") && refusal.find(words) != std::string::npos;
+}
+
+TEST(Json, NestsAsTheStructDoes) {
+  msg::Control message;
+  from_json(control_json(), message);
+  EXPECT_EQ(message.control_mode.raw(), 2);
+  EXPECT_EQ(message.axes.roll.speed.raw(), 1);
+  EXPECT_EQ(message.axes.yaw.angle.raw(), -6);
+  EXPECT_EQ(to_json(message), control_json());
+}
+
+TEST(Json, NamesTheFieldAndTheReason) {
+  EXPECT_PRED3(is_about, refused_control("/axes/pitch/angle", 32768), "axes.pitch.angle",
+               "32768 does not fit: -32768 to 32767");
+  EXPECT_PRED3(is_about, refused_control("/axes/pitch/angle", -32769), "axes.pitch.angle",
+               "does not fit");
+  EXPECT_PRED3(is_about, refused_control("/control_mode", -1), "control_mode", "does not fit");
+  EXPECT_PRED3(is_about, refused_control("/control_mode", 256), "control_mode", "does not fit");
+  EXPECT_PRED3(is_about, refused_control("/control_mode", ~std::uint64_t{0}), "control_mode",
+               "18446744073709551615 does not fit");
+  EXPECT_PRED3(is_about, refused_control("/control_mode", 1.0), "control_mode", "integer");
+  EXPECT_PRED3(is_about, refused_control("/control_mode", "2"), "control_mode", "integer");
+  EXPECT_PRED3(is_about, refused_control("/axes/roll", 1), "axes.roll", "object");
+  EXPECT_PRED3(is_about, refused_control("/axes/rol", 1), "axes.rol", "unknown");
+  Json json = control_json();
+  json["axes"]["yaw"].erase("speed");
+  EXPECT_PRED3(is_about, refusal<msg::Control>(json), "axes.yaw.speed", "missing");
+}
+
+TEST(Json, Bytes) {
+  Json json = to_json(msg::BeepSound{});
+  EXPECT_EQ(json["reserved"], "0000000000000000");
+  json["reserved"] = "0123456789ABCDEF";
+  msg::BeepSound message;
+  from_json(json, message);
+  EXPECT_EQ(message.reserved[7], 0xEF);
+  EXPECT_EQ(to_json(message)["reserved"], "0123456789abcdef");
+  for (const char* const wrong :
+       {"", "0", "00", "0123456789abcde", "0123456789abcdefab", "0123456789abcdeg",
+        " 123456789abcdef", "-123456789abcdef", "0x23456789abcdef"}) {
+    json["reserved"] = wrong;
+    EXPECT_PRED3(is_about, refusal<msg::BeepSound>(json), "reserved", "hex") << wrong;
+  }
+  Json tail = to_json(msg::BoardInfo{});
+  EXPECT_FALSE(tail.contains("tail"));
+  tail["tail"] = std::string(474, 'f');
+  msg::BoardInfo info;
+  from_json(tail, info);
+  EXPECT_EQ(info.tail.size(), 237U);
+  tail["tail"] = std::string(476, 'f');
+  EXPECT_PRED3(is_about, refusal<msg::BoardInfo>(tail), "tail", "at most 237");
+}
+
+TEST(Json, Lists) {
+  Json json = to_json(msg::BeepSound{});
+  json["note_freq_hz"] = std::vector<int>(121, 1000);
+  msg::BeepSound message;
+  from_json(json, message);
+  EXPECT_EQ(message.note_freq_hz.size(), 121U);
+  json["note_freq_hz"] = std::vector<int>(122, 1000);
+  EXPECT_PRED3(is_about, refusal<msg::BeepSound>(json), "note_freq_hz", "at most 121");
+  json["note_freq_hz"] = {1, "2"};
+  EXPECT_PRED3(is_about, refusal<msg::BeepSound>(json), "note_freq_hz[1]", "integer");
+  json["note_freq_hz"] = Json::object();
+  EXPECT_PRED3(is_about, refusal<msg::BeepSound>(json), "note_freq_hz", "list");
+}
+
+TEST(Json, CountersAgreeWithTheirLists) {
+  const Json params = Json::parse(R"([{"param_id": 1, "param_value": -5}])");
+  msg::SetAdjVarsVal message;
+  from_json(Json{{"num_vars", 1}, {"params", params}}, message);
+  EXPECT_EQ(message.params.size(), 1U);
+  EXPECT_EQ(to_json(message), (Json{{"num_vars", 1}, {"params", params}}));
+  from_json(Json{{"params", params}}, message);
+  const Json wrong{{"num_vars", 2}, {"params", params}};
+  EXPECT_PRED3(is_about, refusal<msg::SetAdjVarsVal>(wrong), "num_vars", "2 is announced");
+}
+
+TEST(Json, OptionalMembersAreLeftOut) {
+  msg::Confirm message;
+  message.cmd = msg::CommandId::eeprom_write;
+  EXPECT_EQ(to_json(message).dump(), R"({"cmd":47,"data":""})");
+  message.addr = 64;
+  EXPECT_EQ(to_json(message).dump(), R"({"cmd":47,"addr":64,"data":""})");
+  msg::Confirm copy;
+  from_json(to_json(message), copy);
+  EXPECT_EQ(copy, message);
+}
+
+TEST(Json, FloatsKeepEveryBit) {
+  for (const std::uint32_t bits :
+       {0x00000000U, 0x80000000U, 0x00000001U, 0x807FFFFFU, 0x7F7FFFFFU, 0x3DCCCCCDU, 0x7F800000U,
+        0xFF800000U, 0x7FC00000U, 0xFFC00001U, 0x7F800001U, 0xFFFFFFFFU}) {
+    msg::RealtimeDataCustom message;
+    message.z1_vector = Xyz<float>{std::bit_cast<float>(bits), 0, 0};
+    message.h1_vector = Xyz<float>{};
+    msg::RealtimeDataCustom copy;
+    from_json(Json::parse(to_json(message).dump()), copy);
+    ASSERT_TRUE(copy.z1_vector);
+    EXPECT_EQ(std::bit_cast<std::uint32_t>(copy.z1_vector->x), bits) << to_json(message).dump();
+  }
+}
+
+TEST(Json, FloatsThatAreNone) {
+  Json json = Json::parse(R"({"timestamp_ms": 0, "z1_vector": {"x": 0, "y": 0, "z": 0}})");
+  EXPECT_EQ(refusal<msg::RealtimeDataCustom>(json), "accepted") << "an integer is a number";
+  for (const Json& wrong :
+       {Json(1e39), Json(-1e39), Json("NaN"), Json("nan"), Json("nan:7f800000"),
+        Json("nan:7fc0000"), Json("nan:7fc0000g"), Json(""), Json(), Json(true)}) {
+    json["z1_vector"]["x"] = wrong;
+    EXPECT_PRED3(is_about, refusal<msg::RealtimeDataCustom>(json), "z1_vector.x", "number")
+        << wrong;
+  }
+}
+
+std::string text_after_round_trip(const std::string& bytes) {
+  msg::ReadProfileNames message;
+  EXPECT_TRUE(message.profile_name[0].assign(bytes));
+  const std::string printed = to_json(message).dump();  // throws for what is not UTF-8
+  msg::ReadProfileNames copy;
+  from_json(Json::parse(printed), copy);
+  return {copy.profile_name[0].data(), copy.profile_name[0].size()};
+}
+
+TEST(Json, TextsKeepEveryByte) {
+  for (const std::string& bytes :
+       {std::string("plain"), std::string("\xC3\xA4\xE2\x82\xAC\xF0\x9F\x98\x80"),  //
+        std::string("\xFF\xFE"), std::string("\x80"), std::string("\xC3"), std::string("\xC0\x80"),
+        std::string("\xED\xA0\x80"), std::string("\xF4\x90\x80\x80"), std::string("\xE2\x82"),
+        std::string("\xEF\x9E\x80"), std::string("\xEF\x9F\xBF"), std::string("\xEF\x9E"),
+        std::string("a\0b", 3), std::string("\"\\\n\x01")}) {
+    EXPECT_EQ(text_after_round_trip(bytes), bytes);
+  }
+  std::string all;
+  for (int byte = 255; byte > 0; --byte) all += static_cast<char>(byte);
+  for (std::size_t at = 0; at < all.size(); at += 48) {
+    EXPECT_EQ(text_after_round_trip(all.substr(at, 48)), all.substr(at, 48));
+  }
+}
+
+TEST(Json, TextsThatDoNotFit) {
+  Json json = to_json(msg::ReadProfileNames{});
+  json["profile_name"][2] = std::string(48, 'x');
+  EXPECT_EQ(refusal<msg::ReadProfileNames>(json), "accepted");
+  json["profile_name"][2] = std::string(49, 'x');
+  EXPECT_PRED3(is_about, refusal<msg::ReadProfileNames>(json), "profile_name[2]", "at most 48");
+  json["profile_name"][2] = 7;
+  EXPECT_PRED3(is_about, refusal<msg::ReadProfileNames>(json), "profile_name[2]", "string");
+  json["profile_name"].erase(4);
+  EXPECT_PRED3(is_about, refusal<msg::ReadProfileNames>(json), "profile_name", "list of 5");
+}
+
+}  // namespace
+}  // namespace sbgc::test

@@ -1,0 +1,187 @@
+// Physical quantities: exact both ways, rounded to nearest, and never mixed.
+
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <string>
+#include <type_traits>
+#include <typeindex>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/dispatch.hpp>
+#include <sbgc/meta/all.hpp>
+
+namespace sbgc::test {
+namespace {
+
+template <class T>
+concept IsQuantity = RawValue<T> && requires {
+  T::unit;
+};
+
+/// Raw values to try: all of 8 and 16 bits, a sample of more.
+template <class Raw, class Use>
+void for_raw_values(const Use& use) {
+  constexpr std::int64_t lowest = std::numeric_limits<Raw>::min();
+  constexpr std::int64_t highest = std::numeric_limits<Raw>::max();
+  constexpr std::int64_t step = sizeof(Raw) > 2 ? 999983 : 1;
+  for (std::int64_t raw = lowest; raw <= highest; raw += step) use(static_cast<Raw>(raw));
+  use(static_cast<Raw>(highest));
+}
+
+template <class Q>
+void check_quantity() {
+  using Raw = typename Q::raw_type;
+  const double step = Q(Raw{1}).real() - Q(Raw{0}).real();
+  ASSERT_GT(step, 0);
+  for_raw_values<Raw>([&](Raw raw) {
+    const double real = Q(raw).real();
+    const auto same = Q::from_real(real);
+    ASSERT_TRUE(same) << +raw;
+    ASSERT_EQ((*same).raw(), raw);
+    const auto above = Q::from_real(real + 0.49 * step);
+    const auto below = Q::from_real(real - 0.49 * step);
+    ASSERT_TRUE(above && below) << +raw;
+    ASSERT_EQ((*above).raw(), raw) << "not the nearest";
+    ASSERT_EQ((*below).raw(), raw) << "not the nearest";
+  });
+  const double lowest = Q(std::numeric_limits<Raw>::min()).real();
+  const double highest = Q(std::numeric_limits<Raw>::max()).real();
+  EXPECT_FALSE(Q::from_real(lowest - 0.51 * step));
+  EXPECT_FALSE(Q::from_real(highest + 0.51 * step));
+  EXPECT_FALSE(Q::from_real(std::nan("")));
+  EXPECT_FALSE(Q::from_real(std::numeric_limits<double>::infinity()));
+  EXPECT_FALSE(Q::from_real(-std::numeric_limits<double>::infinity()));
+  EXPECT_FALSE(Q::from_real(1e300));
+  EXPECT_EQ(Q::from_real(1e300).value_or(Q(Raw{7})), Q(Raw{7}));
+  EXPECT_LT(Q(Raw{1}), Q(Raw{2}));
+}
+
+/// Finds the quantities in the members of all messages.
+class Finder {
+ public:
+  template <class T>
+  void look_at(std::type_identity<T>) {
+    if (!seen_.insert(typeid(T)).second) return;
+    if constexpr (IsQuantity<T>) {
+      SCOPED_TRACE(T::unit);
+      ++quantities_;
+      check_quantity<T>();
+    } else if constexpr (requires { Meta<T>::fields; }) {
+      const T value{};
+      Meta<T>::visit(value, [&](const FieldInfo&, const auto& member) {
+        look_at(std::type_identity<std::remove_cvref_t<decltype(member)>>{});
+      });
+    }
+  }
+  template <class T, std::size_t n>
+  void look_at(std::type_identity<std::array<T, n>>) {
+    look_at(std::type_identity<T>{});
+  }
+  template <class T, std::size_t n>
+  void look_at(std::type_identity<BoundedArray<T, n>>) {
+    look_at(std::type_identity<T>{});
+  }
+  template <class T>
+  void look_at(std::type_identity<Optional<T>>) {
+    look_at(std::type_identity<T>{});
+  }
+
+  int quantities() const { return quantities_; }
+
+ private:
+  std::set<std::type_index> seen_;
+  int quantities_ = 0;
+};
+
+TEST(Quantity, EveryQuantityOfEveryMessageIsExactAndRoundsToNearest) {
+  Finder finder;
+  AllMessages::for_each([&]<class M>(Type<M>) { finder.look_at(std::type_identity<M>{}); });
+  EXPECT_GE(finder.quantities(), 20);
+}
+
+TEST(Quantity, ValuesOfTheSpecification) {
+  EXPECT_EQ(msg::Angle14(2048).degrees(), 45);
+  EXPECT_EQ(msg::Angle14(-16384).degrees(), -360);
+  EXPECT_EQ(msg::ControlSpeed(32767).degrees_per_second(), 4000);
+  EXPECT_EQ(msg::Voltage(1234).volts(), 12.34);
+  EXPECT_EQ(msg::Pages(3).bytes(), 192);
+  EXPECT_EQ(msg::BalanceError(-512).percent(), -100);
+  EXPECT_EQ(msg::NoteLength(125).milliseconds(), 1000);
+  EXPECT_EQ((*msg::Angle14::from_degrees(0.0109)).raw(), 0);
+  EXPECT_EQ((*msg::Angle14::from_degrees(0.0111)).raw(), 1);
+  EXPECT_EQ((*msg::Angle14::from_degrees(-0.0109)).raw(), 0);
+  EXPECT_EQ((*msg::Angle14::from_degrees(-0.0111)).raw(), -1);
+}
+
+// ---- what compiles and what does not ----
+
+template <class To, class From>
+concept Assignable = requires(To to, From from) {
+  to = from;
+};
+template <class A, class B>
+concept Comparable = requires(A a, B b) {
+  a == b;
+}
+|| requires(A a, B b) { a < b; };
+
+// A quantity takes neither another unit nor a bare number.
+static_assert(Assignable<msg::Angle14&, msg::Angle14>);
+static_assert(!Assignable<msg::Angle14&, msg::Degrees>);
+static_assert(!Assignable<msg::Angle14&, msg::LongAngle14>);
+static_assert(!Assignable<msg::Angle14&, msg::ControlSpeed>);
+static_assert(!Assignable<msg::Angle14&, int>);
+static_assert(!Assignable<msg::Angle14&, double>);
+static_assert(!std::constructible_from<msg::Angle14, msg::Degrees>);
+static_assert(!std::constructible_from<msg::Voltage, msg::VoltageThreshold>);
+static_assert(!std::convertible_to<msg::Angle14, int>);
+static_assert(!std::convertible_to<msg::Angle14, double>);
+static_assert(Comparable<msg::Angle14, msg::Angle14>);
+static_assert(!Comparable<msg::Angle14, msg::Degrees>);
+static_assert(!Comparable<msg::Angle14, msg::LongAngle14>);
+static_assert(!Comparable<msg::Angle14, int>);
+static_assert(!Comparable<msg::ControlSpeed, msg::GyroRate>);
+
+// A constant converts by itself.
+constexpr msg::Angle14 thirty = msg::Angle14::from_degrees(-30);
+static_assert(thirty.raw() == -1365);
+
+// One that does not fit is no constant expression.
+template <int degrees>
+concept FitsIntoAngle = requires {
+  typename std::integral_constant<int, msg::Angle14(msg::Angle14::from_degrees(degrees)).raw()>;
+};
+static_assert(FitsIntoAngle<719>);
+static_assert(!FitsIntoAngle<721>);
+static_assert(!FitsIntoAngle<-721>);
+
+/// A quantity over a float: not rounded, but it has to fit.
+class Radians : public detail::Quantity<Radians, float, 1, 2> {
+ public:
+  using Quantity::Quantity;
+};
+static_assert(Radians(3.0F).real() == 1.5);
+static_assert((*Radians::from_real(1.5)).raw() == 3.0F);
+static_assert((*Radians::from_real(-0.125)).raw() == -0.25F);
+static_assert(!Radians::from_real(1e39));
+
+TEST(Conversion, OfARunTimeValueHasToBeAsked) {
+  const auto convert = [](double degrees) { return msg::Angle14::from_degrees(degrees); };
+  volatile double degrees = 45;
+  if (const auto angle = convert(degrees)) {
+    EXPECT_EQ((*angle).raw(), 2048);
+  } else {
+    ADD_FAILURE();
+  }
+  degrees = 4500;
+  EXPECT_FALSE(convert(degrees));
+  EXPECT_EQ(convert(degrees).value_or(msg::Angle14(3)), msg::Angle14(3));
+  EXPECT_FALSE(Conversion<msg::Angle14>{});
+}
+
+}  // namespace
+}  // namespace sbgc::test

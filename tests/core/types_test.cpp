@@ -1,0 +1,199 @@
+// The small value types that messages are made of.
+
+#include <cstdint>
+#include <string_view>
+#include <type_traits>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/enums.hpp>
+#include <sbgc/flags.hpp>
+#include <sbgc/types.hpp>
+
+namespace sbgc::test {
+namespace {
+
+TEST(Axes, NamesAndIndices) {
+  Axes<int> axes{1, 2, 3};
+  EXPECT_EQ(axes[0], 1);
+  EXPECT_EQ(axes[1], 2);
+  EXPECT_EQ(axes[2], 3);
+  axes[0] = 10;
+  axes[1] = 20;
+  axes[2] = 30;
+  EXPECT_EQ(axes, (Axes<int>{10, 20, 30}));
+  EXPECT_NE(axes, (Axes<int>{10, 20, 31}));
+}
+
+TEST(Xyz, NamesAndIndices) {
+  Xyz<int> xyz{1, 2, 3};
+  xyz[2] = xyz[0] + xyz[1] + 10;
+  EXPECT_EQ(xyz, (Xyz<int>{1, 2, 13}));
+}
+
+TEST(BoundedArray, GrowsUpToItsCapacity) {
+  BoundedArray<int, 3> list;
+  EXPECT_TRUE(list.empty());
+  EXPECT_EQ(list.capacity(), 3U);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(list.push_back(i));
+  EXPECT_FALSE(list.push_back(3));
+  EXPECT_EQ(list.size(), 3U);
+  EXPECT_EQ(list[2], 2);
+  EXPECT_FALSE(list.resize(4));
+  EXPECT_EQ(list.size(), 3U);
+  EXPECT_TRUE(list.resize(1));
+  int sum = 0;
+  for (const int value : list) sum += value + 1;
+  EXPECT_EQ(sum, 1);
+}
+
+TEST(BoundedArray, ComparesWhatIsInUse) {
+  BoundedArray<int, 3> a;
+  BoundedArray<int, 3> b;
+  a.push_back(1);
+  a.push_back(2);
+  b.push_back(1);
+  EXPECT_NE(a, b);
+  a.resize(1);
+  EXPECT_EQ(a, b);
+  a.clear();
+  b.clear();
+  EXPECT_EQ(a, b);
+  a.push_back(1);
+  EXPECT_NE(a, b) << "what lies behind the end is the same, the size is not";
+  EXPECT_NE(b, a);
+}
+
+TEST(BoundedArray, HoldsAFullBody) {
+  BoundedBytes<255> bytes;
+  EXPECT_TRUE(bytes.resize(255));
+  EXPECT_EQ(bytes.size(), 255U);
+  EXPECT_FALSE(bytes.push_back(1));
+}
+
+TEST(Text, IsPaddedWithNul) {
+  using std::string_view_literals::operator""sv;
+  Text<4> text;
+  EXPECT_EQ(text.size(), 0U);
+  EXPECT_TRUE(text.assign("abc"sv));
+  EXPECT_EQ(text.size(), 3U);
+  EXPECT_TRUE(text.assign("abcd"sv));
+  EXPECT_EQ(text.size(), 4U);
+  EXPECT_FALSE(text.assign("abcde"sv));
+  EXPECT_EQ(std::string_view(text.data(), text.size()), "abcd");
+  EXPECT_TRUE(text.assign("x"sv));
+  EXPECT_EQ(text.bytes, (std::array<char, 4>{'x', 0, 0, 0}));
+  // Only what follows the last other character is padding.
+  EXPECT_TRUE(text.assign("a\0b"sv));
+  EXPECT_EQ(text.size(), 3U);
+}
+
+TEST(BoundedText, GrowsUpToItsCapacity) {
+  using std::string_view_literals::operator""sv;
+  BoundedText<2> text;
+  EXPECT_TRUE(text.push_back('a'));
+  EXPECT_TRUE(text.assign("bc"sv));
+  EXPECT_FALSE(text.push_back('d'));
+  EXPECT_FALSE(text.assign("def"sv));
+  EXPECT_EQ(std::string_view(text.data(), text.size()), "bc");
+  BoundedText<2> other;
+  EXPECT_NE(text, other);
+  text.clear();
+  EXPECT_EQ(text, other);
+}
+
+TEST(Optional, IsThereOrNot) {
+  Optional<int> value;
+  EXPECT_FALSE(value);
+  EXPECT_FALSE(value.has_value());
+  value = 7;
+  ASSERT_TRUE(value);
+  EXPECT_EQ(*value, 7);
+  EXPECT_NE(value, Optional<int>());
+  EXPECT_EQ(value, Optional<int>(7));
+  value.reset();
+  EXPECT_EQ(value, Optional<int>());
+  value.emplace() = 8;
+  EXPECT_EQ(value, Optional<int>(8));
+  EXPECT_NE(value, Optional<int>(9));
+  EXPECT_EQ(Optional<Axes<int>>(Axes<int>{1, 2, 3})->pitch, 2);
+}
+
+TEST(Flags, SetAndAsked) {
+  msg::BeepModes modes;
+  EXPECT_FALSE(modes.has(msg::BeepMode::click));
+  modes.set(msg::BeepMode::click).set(msg::BeepMode::intro);
+  EXPECT_EQ(modes.raw(), 0x50);
+  EXPECT_EQ(modes, msg::BeepMode::click | msg::BeepMode::intro);
+  modes.set(msg::BeepMode::click, false);
+  EXPECT_EQ(modes, msg::BeepModes(msg::BeepMode::intro));
+  EXPECT_EQ((msg::BeepMode::click | msg::BeepMode::intro | msg::BeepMode::error).raw(), 0x54);
+}
+
+TEST(Flags, KeepWhatHasNoName) {
+  msg::BeepModes modes(0x4000);
+  modes.set(msg::BeepMode::click);
+  EXPECT_EQ(modes.raw(), 0x4010);
+  modes.set(msg::BeepMode::click, false);
+  EXPECT_EQ(modes.raw(), 0x4000);
+}
+
+template <class A, class B>
+concept Combinable = requires(A a, B b) {
+  a | b;
+};
+static_assert(Combinable<msg::BeepMode, msg::BeepMode>);
+static_assert(!Combinable<msg::BeepMode, msg::BeeperMode>);
+static_assert(!Combinable<msg::FollowMode, msg::FollowMode>, "an enum is no flag");
+static_assert(!std::is_convertible_v<msg::BeepModes, int>);
+
+TEST(Packed, PartsDoNotTouchEachOther) {
+  msg::ControlMode mode(0x45);
+  EXPECT_EQ(mode.mode(), static_cast<msg::ControlModeKind>(5));
+  EXPECT_EQ(mode.flags().raw(), 0x40);
+  EXPECT_TRUE(mode.set_mode(msg::ControlModeKind::angle));
+  EXPECT_EQ(mode.raw(), 0x42);
+  EXPECT_TRUE(mode.set_flags(msg::ControlFlag::high_res_speed));
+  EXPECT_EQ(mode.raw(), 0x82);
+  EXPECT_FALSE(mode.set_mode(static_cast<msg::ControlModeKind>(16)));
+  EXPECT_FALSE(mode.set_flags(msg::ControlFlags(0x01)));
+  EXPECT_EQ(mode.raw(), 0x82);
+}
+
+TEST(Packed, ShiftedParts) {
+  msg::RcMix mix;
+  EXPECT_TRUE(mix.set_rate(63));
+  EXPECT_TRUE(mix.set_target(msg::MixTarget::yaw));
+  EXPECT_EQ(mix.raw(), 0xFF);
+  EXPECT_FALSE(mix.set_rate(64));
+  EXPECT_FALSE(mix.set_target(static_cast<msg::MixTarget>(4)));
+  EXPECT_TRUE(mix.set_rate(0));
+  EXPECT_EQ(mix.raw(), 0xC0);
+  EXPECT_EQ(mix.target(), msg::MixTarget::yaw);
+}
+
+TEST(Packed, SwitchesAndNamedValues) {
+  msg::RcMode mode(0xF0);
+  mode.set_inverted(true);
+  EXPECT_TRUE(mode.inverted());
+  EXPECT_EQ(mode.raw(), 0xF8);
+  mode.set_inverted(false);
+  EXPECT_EQ(mode.raw(), 0xF0);
+
+  const msg::RcMap map = msg::RcInput::adc2;
+  EXPECT_EQ(map.raw(), 34);
+  EXPECT_EQ(map.named(), msg::RcInput::adc2);
+  EXPECT_EQ(map.source(), msg::RcSource::analog);
+  EXPECT_EQ(map.channel(), 2);
+}
+
+TEST(Packed, DecimalDigits) {
+  const msg::FirmwareVersion version(2439);
+  EXPECT_EQ(version.major(), 2);
+  EXPECT_EQ(version.minor(), 43);
+  EXPECT_EQ(version.beta(), 9);
+  EXPECT_LT(version, msg::FirmwareVersion(2440));
+}
+
+}  // namespace
+}  // namespace sbgc::test

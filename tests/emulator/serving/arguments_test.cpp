@@ -1,0 +1,133 @@
+// What stands in the arguments of `sbgc emulate`, and files of motion.
+
+#include "serving/arguments.hpp"
+
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "serving/motion_file.hpp"
+
+namespace sbgc::emulate {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+TEST(Arguments, Listen) {
+  const ListenAddress port = parse_listen("5000");
+  EXPECT_EQ(port.host, "127.0.0.1");
+  EXPECT_EQ(port.port, 5000);
+  EXPECT_EQ(parse_listen("0").port, 0);
+  EXPECT_EQ(parse_listen("0.0.0.0:65535").host, "0.0.0.0");
+  EXPECT_EQ(parse_listen("[::1]:1").host, "::1");
+  for (const char* text : {"", "65536", "-1", "x", "::1:5", ":5", "[]:5", "a:", "1.5", " 5",
+                           "gimbal.example:5", "[127.0.0.1.1]:5"}) {
+    EXPECT_THROW(parse_listen(text), std::invalid_argument) << text;
+  }
+}
+
+TEST(Arguments, Shares) {
+  EXPECT_DOUBLE_EQ(parse_share("0.01"), 0.01);
+  EXPECT_DOUBLE_EQ(parse_share("1%"), 0.01);
+  EXPECT_DOUBLE_EQ(parse_share("1e-5"), 1e-5);
+  EXPECT_DOUBLE_EQ(parse_share("100%"), 1);
+  EXPECT_DOUBLE_EQ(parse_share("0"), 0);
+  for (const char* text : {"", "1.01", "101%", "-0.1", "-0", "nan", "inf", "%", "1 %"}) {
+    EXPECT_THROW(parse_share(text), std::invalid_argument) << text;
+  }
+}
+
+TEST(Arguments, Delay) {
+  EXPECT_EQ(parse_delay("0.1").delay, milliseconds(20));
+  EXPECT_EQ(parse_delay("0.1:2.5").delay, microseconds(2500));
+  EXPECT_DOUBLE_EQ(parse_delay("5%:1").share, 0.05);
+  for (const char* text : {"", "0.1:", ":5", "2:5", "0.1:-5", "0.1:5:5"}) {
+    EXPECT_THROW(parse_delay(text), std::invalid_argument) << text;
+  }
+}
+
+TEST(Arguments, Times) {
+  EXPECT_EQ(parse_seconds("0.0015"), microseconds(1500));
+  EXPECT_EQ(parse_silence("1:0.5").from, seconds(1));
+  EXPECT_EQ(parse_silence("1:0.5").length, milliseconds(500));
+  for (const char* text : {"", "-1", "1e7", "nan", "1s"}) {
+    EXPECT_THROW(parse_seconds(text), std::invalid_argument) << text;
+    EXPECT_THROW(parse_silence(text), std::invalid_argument) << text;
+  }
+  EXPECT_EQ(parse_interval("0.001"), milliseconds(1));
+  for (const char* text : {"", "-1", "0", "0.0009", "1e-7", "1e7", "nan"}) {
+    EXPECT_THROW(parse_interval(text), std::invalid_argument) << text;
+  }
+  EXPECT_THROW(parse_silence("1"), std::invalid_argument);
+  EXPECT_THROW(parse_silence("1:2:3"), std::invalid_argument);
+}
+
+TEST(Arguments, Versions) {
+  EXPECT_EQ(parse_firmware("2.43b9"), msg::FirmwareVersion(2439));
+  EXPECT_EQ(parse_firmware("2.59"), msg::FirmwareVersion(2590));
+  EXPECT_EQ(parse_firmware("2.59").minor(), 59);
+  EXPECT_EQ(parse_firmware("2.59b0"), msg::FirmwareVersion(2590)) << "as decode prints it";
+  EXPECT_EQ(parse_firmware("2.59b9"), msg::FirmwareVersion(2599)) << "the newest that is modelled";
+  for (const char* text : {"2.60", "2.62b5", "2.69b5", "9.99"}) {
+    try {
+      parse_firmware(text);
+      ADD_FAILURE() << text;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_THAT(error.what(), StartsWith(std::string("firmware ") + text + " is not emulated"));
+      EXPECT_THAT(error.what(), HasSubstr("only up to 2.59b9"));
+    }
+  }
+  EXPECT_EQ(parse_board("3.2"), msg::BoardVersion(32));
+  for (const char* text :
+       {"", "2", "2.5", "2.590", "2.59b", "2.59.", "2.59b10", "2.5.9", "x.59", "2.59 "}) {
+    EXPECT_THROW(parse_firmware(text), std::invalid_argument) << text;
+  }
+  for (const char* text : {"", "3", "3.", "3.10", "30.0", "3.0b1"}) {
+    EXPECT_THROW(parse_board(text), std::invalid_argument) << text;
+  }
+}
+
+std::vector<board::FrameAngles> motion(const std::string& text) {
+  std::istringstream stream(text);
+  return read_motion(stream, "m.csv");
+}
+
+TEST(Motion, Lines) {
+  const auto angles = motion("time,roll,pitch,yaw\r\n# why\n\n5,1,2,3\n 5.02 , -1 , 2.5 ,1e1\r\n");
+  ASSERT_EQ(angles.size(), 2U);
+  EXPECT_EQ(angles[0].at, Instant{});
+  EXPECT_EQ(angles[1].at, Instant{} + milliseconds(20));
+  EXPECT_DOUBLE_EQ(angles[1].angles.roll, -1);
+  EXPECT_DOUBLE_EQ(angles[1].angles.pitch, 2.5);
+  EXPECT_DOUBLE_EQ(angles[1].angles.yaw, 10);
+}
+
+void expect_problem(const std::string& text, const std::string& place, const std::string& what) {
+  try {
+    motion(text);
+    FAIL() << "taken: " << text;
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), StartsWith(place));
+    EXPECT_THAT(error.what(), HasSubstr(what));
+  }
+}
+
+TEST(Motion, ProblemsHaveALineNumber) {
+  expect_problem("0,1,2,3\n1,2,3\n", "m.csv:2:", "four numbers");
+  expect_problem("0,1,2,3\n1,2,3,4,5\n", "m.csv:2:", "four numbers");
+  expect_problem("# a\n0,1,x,3\n", "m.csv:2:", "'x' is not a number");
+  expect_problem("0,1,2,nan\n", "m.csv:1:", "'nan' is not a number");
+  expect_problem("0,1,2,\n", "m.csv:1:", "'' is not a number");
+  expect_problem("0,1,2,1e9\n", "m.csv:1:", "too large");
+  expect_problem("0,1,2,3\n\n0,1,2,3\n", "m.csv:3:", "later");
+  expect_problem("0,1,2,3\n", "m.csv:", "two lines");
+  expect_problem("", "m.csv:", "two lines");
+  expect_problem("time,roll,pitch,yaw\ntime,roll,pitch,yaw\n", "m.csv:2:", "'time'");
+}
+
+}  // namespace
+}  // namespace sbgc::emulate

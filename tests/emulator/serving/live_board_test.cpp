@@ -1,0 +1,87 @@
+// The board in real time: whoever has something to take is told.
+
+#include "serving/live_board.hpp"
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <asio/io_context.hpp>
+#include <gtest/gtest.h>
+
+#include <sbgc/message.hpp>
+#include <sbgc/messages/system.hpp>
+
+namespace sbgc::emulate {
+namespace {
+
+std::vector<std::uint8_t> request() {
+  std::array<std::uint8_t, max_frame_size> frame{};
+  const std::size_t size = encode_frame(msg::BoardInfoRequest{}, frame).size;
+  return {frame.begin(), frame.begin() + static_cast<std::ptrdiff_t>(size)};
+}
+
+/// Longer than the board and its line need for all that is asked here.
+void let_time_pass(const LiveBoard& board) {
+  const Instant end = board.now() + milliseconds(5);
+  while (board.now() < end) {
+  }
+}
+
+struct Rig {
+  asio::io_context context{1};
+  LiveBoard board{context.get_executor(), {}, {}};
+  std::size_t told = 0;  // that there is output for the first host
+  std::size_t first =
+      *board.connect(false, [this] { told += board.output(first).empty() ? 0U : 1U; });
+};
+
+TEST(LiveBoard, AnotherHostConnectsWhenAnAnswerIsDue) {
+  Rig rig;
+  rig.context.poll();
+  rig.context.restart();
+  rig.board.receive(rig.first, request());
+  let_time_pass(rig.board);
+  ASSERT_TRUE(rig.board.connect(false, [] {}));
+  EXPECT_FALSE(rig.board.output(rig.first).empty());
+  EXPECT_EQ(rig.told, 0U);  // not from inside connect()
+  rig.context.poll();
+  EXPECT_GT(rig.told, 0U);
+}
+
+TEST(LiveBoard, AHostSetsItsLineWhenAnAnswerIsDue) {
+  Rig rig;
+  rig.context.poll();
+  rig.context.restart();
+  rig.board.receive(rig.first, request());
+  let_time_pass(rig.board);
+  rig.board.set_host_line(rig.first, LineSettings{9600});
+  EXPECT_EQ(rig.told, 0U);
+  rig.context.poll();
+  EXPECT_GT(rig.told, 0U);
+}
+
+TEST(LiveBoard, AnAnswerThatComesWhileAnotherHostIsServed) {
+  Rig rig;
+  bool is_slow = true;
+  std::size_t second = 0;
+  second = *rig.board.connect(false, [&] {
+    if (std::exchange(is_slow, false)) let_time_pass(rig.board);
+    const std::size_t size = rig.board.output(second).size();
+    if (size > 0) rig.board.take(second, size);
+  });
+  is_slow = false;
+  rig.context.poll();
+  rig.context.restart();
+  rig.board.receive(second, request());
+  let_time_pass(rig.board);
+  is_slow = true;
+  rig.board.receive(rig.first, request());  // it is carried out while the second one is told
+  rig.context.poll();
+  EXPECT_TRUE(rig.board.output(second).empty());
+  EXPECT_GT(rig.told, 0U);
+}
+
+}  // namespace
+}  // namespace sbgc::emulate
