@@ -167,7 +167,7 @@ def test_no_module_outside_names_a_target(name: str) -> None:
             if isinstance(node, ast.Constant) and isinstance(node.value, str):
                 words = node.value.replace("/", " ").replace(".", " ").split()
                 # docs/ of the project has the guides, whatever a target is called.
-                is_other = len(words) > 2 or (name == "docs" and path.name == "main.py")
+                is_other = len(words) > 2 or name == "docs"
                 assert is_other or name not in words, f"{path.name}:{node.lineno} says {name}"
 
 
