@@ -5,19 +5,20 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from sbgcgen.diagnostics import Diagnostics
-from sbgcgen.lint import lint
-from sbgcgen.lint_bodies import lint_bodies
-from sbgcgen.lint_effects import lint_effects
-from sbgcgen.lint_main import lint_main
-from sbgcgen.lint_spelling import lint_spelling
-from sbgcgen.lint_usage import lint_names, lint_unused
-from sbgcgen.load import Spec, load
 from sbgcgen.model import Layout
-from sbgcgen.recovery import recover_shape, recover_syntax
-from sbgcgen.resolve import resolve
-from sbgcgen.schema import check_shape
-from sbgcgen.syntax import check_syntax
+from sbgcgen.spec.diagnostics import Diagnostics
+from sbgcgen.spec.lint.bodies import lint_bodies
+from sbgcgen.spec.lint.effects import lint_effects
+from sbgcgen.spec.lint.main import lint_main
+from sbgcgen.spec.lint.protocol import lint
+from sbgcgen.spec.lint.spelling import lint_spelling
+from sbgcgen.spec.lint.usage import lint_names, lint_unused
+from sbgcgen.spec.load import Spec, load
+from sbgcgen.spec.recovery import recover_shape, recover_syntax
+from sbgcgen.spec.resolve.protocol import resolve
+from sbgcgen.spec.schema import check_shape
+from sbgcgen.spec.syntax import check_syntax
+from sbgcgen.targets import targets
 
 
 @dataclass(frozen=True)
@@ -57,6 +58,8 @@ def _checked(spec: Spec, found: Diagnostics) -> Layout:
     lint_names(spec, found)
     lint_spelling(spec, found)
     lint_main(spec, found)
+    for target in targets():
+        target.lint(spec, layout, found)
     return layout
 
 

@@ -8,10 +8,11 @@ import sys
 from pathlib import Path
 
 from sbgcgen.build import load_protocol
-from sbgcgen.diagnostics import SpecError
-from sbgcgen import compat_report
-from sbgcgen.emit import Output, inputs, outputs
+from sbgcgen.spec.diagnostics import SpecError
+from sbgcgen.compat import report
 from sbgcgen.model import Layout
+from sbgcgen.output import Output
+from sbgcgen.targets import Target, outputs, targets
 
 _ROOT = Path(__file__).resolve().parents[2]
 
@@ -24,7 +25,7 @@ def _parser() -> argparse.ArgumentParser:
     for name, text in (
         ("generate", "write generated/; files that do not change are left alone"),
         ("check", "tell whether generated/ is what spec/ and generator/ say; exit status 1 if not"),
-        ("site", "write the reference site; it is not part of generated/"),
+        *((target.name, target.help) for target in _apart()),
         ("lint", "check spec/ only"),
         ("compat", "tell what changed since another version of the spec; exit status 1 for breaks"),
     ):
@@ -34,13 +35,26 @@ def _parser() -> argparse.ArgumentParser:
         if name == "compat":
             sub.add_argument("old", metavar="OLD", help="spec folder, or git revision")
             sub.add_argument("new", metavar="NEW", nargs="?", help="the same; default: spec/ as is")
-        if name == "site":
-            sub.add_argument("--output", type=Path, help="output folder, if not <root>/build/site")
         if name == "generate":
             sub.add_argument("--output", type=Path, help="output folder, if not <root>/generated")
             sub.add_argument("--depfile", type=Path, help="write what was read, as a Make rule")
             sub.add_argument("--stamp", type=Path, help="touch this file when done")
+        elif name in (target.name for target in _apart()):
+            text = f"output folder, if not <root>/build/{name}"
+            sub.add_argument("--output", type=Path, help=text)
     return parser
+
+
+def _apart() -> list[Target]:
+    """The targets that are not part of generated/: each has a command of its own."""
+    return [target for target in targets() if not target.committed]
+
+
+def inputs() -> list[Path]:
+    """Every file of the generator that its output depends on."""
+    here = Path(__file__).resolve().parent
+    files = [*here.rglob("*"), *(here.parent / "schema").glob("*.json")]
+    return [path for path in files if path.is_file() and "__pycache__" not in path.parts]
 
 
 def _write_depfile(depfile: Path, stamp: Path, read: list[Path]) -> None:
@@ -55,12 +69,11 @@ def _escape(path: Path) -> str:
 
 def _output(options: argparse.Namespace, root: Path, layout: Layout) -> Output:
     chosen: Path | None = getattr(options, "output", None)
-    if options.command == "site":
-        from sbgcgen import site  # needs more modules than everything else
-
-        folder = (chosen or root / "build" / "site").resolve()
-        return Output(folder, site.outputs(layout, root / "docs"), site.MARK)
-    return Output((chosen or root / "generated").resolve(), outputs(layout))
+    for target in _apart():
+        if target.name == options.command:
+            folder = (chosen or root / "build" / target.name).resolve()
+            return Output(folder, dict(target.files(layout, root)), target.mark)
+    return Output((chosen or root / "generated").resolve(), outputs(layout, root))
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -72,7 +85,7 @@ def main(arguments: list[str] | None = None) -> int:
     root: Path = options.root.resolve()
     spec_dir: Path = (options.spec or root / "spec").resolve()
     if options.command == "compat":
-        return compat_report.run(options.old, options.new, root, spec_dir)
+        return report.run(options.old, options.new, root, spec_dir)
     try:
         protocol = load_protocol(spec_dir)
     except SpecError as error:

@@ -1,4 +1,4 @@
-// The vectors of the reference codec (generator/sbgcgen/vectors.py), which knows the model but none
+// The vectors of the reference codec (generator/sbgcgen/targets/vectors), which knows the model but none
 // of the templates: every one of them both ways, to the byte.
 
 #include <algorithm>

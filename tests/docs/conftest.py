@@ -11,9 +11,9 @@ PROJECT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(PROJECT / "generator"))
 sys.path.append(str(PROJECT / "tests/random_schemas"))
 
-from sbgcgen import site  # noqa: E402
 from sbgcgen.build import load_protocol  # noqa: E402
 from sbgcgen.model import Layout  # noqa: E402
+from sbgcgen.targets import target  # noqa: E402
 
 from pages import Page, read  # noqa: E402
 
@@ -26,7 +26,7 @@ def layout() -> Layout:
 @pytest.fixture(scope="session")
 def files(layout: Layout) -> dict[str, bytes]:
     """All files of the site by their path."""
-    return site.outputs(layout, PROJECT / "docs")
+    return dict(target("site").files(layout, PROJECT))
 
 
 @pytest.fixture(scope="session")

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Protocol, Union
 
-from sbgcgen.filters import versions
+from sbgcgen.views.words import versions
 from sbgcgen.model import (
     EFFECTS,
     Answer,

@@ -9,7 +9,7 @@ from html.parser import HTMLParser
 
 from facts import Place
 
-from sbgcgen.names import slug
+from sbgcgen.model.names import slug
 
 _EMPTY = {"area", "base", "br", "col", "hr", "img", "input", "link", "meta", "source", "wbr"}
 _APART = {"td", "th", "li", "p", "dd", "dt", "div", "br", "h1", "h2", "h3", "tr", "small"}

@@ -15,15 +15,15 @@ sys.path.insert(0, str(PROJECT / "tests" / "random_schemas"))
 
 from spec_maker import write_spec  # noqa: E402
 
-from sbgcgen import site  # noqa: E402
 from sbgcgen.build import load_protocol  # noqa: E402
+from sbgcgen.targets import target  # noqa: E402
 
 
 @pytest.mark.parametrize("seed", range(1, 9))
 def test_random_spec(seed: int, tmp_path: Path) -> None:
     write_spec(tmp_path / "spec", seed, 6)
     layout = load_protocol(tmp_path / "spec").layout
-    files = site.outputs(layout, tmp_path)
+    files = dict(target("site").files(layout, tmp_path))
     pages = {
         path: read(path, content.decode())
         for path, content in files.items()

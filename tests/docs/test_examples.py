@@ -16,9 +16,9 @@ from typing import Any
 import pytest
 
 from sbgcgen.build import load_protocol
-from sbgcgen.example import Piece, example_of, real
+from sbgcgen.oracle.example import Piece, example_of, real
 from sbgcgen.model import Enum, Layout, Message, Quantity, Scalar
-from sbgcgen.names import slug
+from sbgcgen.model.names import slug
 
 from conftest import PROJECT
 from pages import Element, Page

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from markdown_pages import plain
 
-from sbgcgen.markdown_text import anchor
+from sbgcgen.targets.docs.markdown_text import anchor
 
 ROOT = Path(__file__).resolve().parents[2]
 GUIDES = sorted((ROOT / "docs").glob("*.md"))

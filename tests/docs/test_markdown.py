@@ -13,12 +13,11 @@ from facts import Fact, all_facts, kind_of, missing, one_of_each_kind, shapes_of
 from markdown_pages import MarkdownPages, plain
 from spec_maker import write_spec
 
-from sbgcgen import docs_model
 from sbgcgen.build import load_protocol
-from sbgcgen.emit import render
-from sbgcgen.example import example_of
-from sbgcgen.example_cpp import code_of
-from sbgcgen.markdown_text import anchor, escape
+from sbgcgen.oracle.example import example_of
+from sbgcgen.targets.cpp.example import code_of
+from sbgcgen.targets import target
+from sbgcgen.targets.docs.markdown_text import anchor, escape
 
 ROOT = Path(__file__).resolve().parents[2]
 DOCS = ROOT / "generated/docs"
@@ -94,11 +93,8 @@ def test_any_other_protocol_is_told_as_well(seed: int, tmp_path: Path) -> None:
     """Random protocols use all that the spec language has, this one does not."""
     write_spec(tmp_path, seed, 8)
     layout = load_protocol(tmp_path).layout
-    names = docs_model.names(layout)
-    pages = {
-        name.removeprefix("docs/"): data.decode()
-        for name, data in render("docs", layout, names=names)
-    }
+    made = target("docs").files(layout, tmp_path)
+    pages = {name.removeprefix("docs/"): data.decode() for name, data in made}
     facts = list(all_facts(layout))
     assert len(facts) > 500
     absent = missing(facts, MarkdownPages(pages))

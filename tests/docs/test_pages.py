@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from urllib.parse import urljoin
 
-from sbgcgen.filters import versions
 from sbgcgen.model import Availability, Layout
-from sbgcgen.site_model import page_of_message, page_of_type
+from sbgcgen.targets.site.uses import page_of_message, page_of_type
+from sbgcgen.views.words import versions
 
 from pages import Element, Page, search_index
 

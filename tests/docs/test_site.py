@@ -14,9 +14,9 @@ from facts import Fact, all_facts, kind_of, missing, one_of_each_kind, shapes_of
 from html_pages import HtmlPages
 
 from sbgcgen.build import load_protocol
+from sbgcgen.targets import target
 
 pytest.importorskip("markdown", reason="the site needs python3-markdown")
-site = pytest.importorskip("sbgcgen.site")
 
 ROOT = Path(__file__).resolve().parents[2]
 LAYOUT = load_protocol(ROOT / "spec").layout
@@ -28,8 +28,8 @@ FAMILIES = {command.name: command.family for command in LAYOUT.commands}
 @pytest.fixture(scope="module", name="files")
 def rendered() -> dict[str, str]:
     """The pages by their path."""
-    outputs = site.outputs(LAYOUT, ROOT / "docs")
-    return {name: data.decode() for name, data in outputs.items() if name.endswith(".html")}
+    files = target("site").files(LAYOUT, ROOT)
+    return {name: data.decode() for name, data in files if name.endswith(".html")}
 
 
 def test_every_fact_stands_where_it_belongs(files: dict[str, str]) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from sbgcgen.example import example_of
+from sbgcgen.oracle.example import example_of
 from sbgcgen.model import Layout
 
 from conftest import PROJECT

@@ -6,7 +6,7 @@ import shutil
 from pathlib import Path
 
 from sbgcgen.build import load_protocol
-from sbgcgen.diagnostics import Diagnostic, SpecError
+from sbgcgen.spec.diagnostics import Diagnostic, SpecError
 from sbgcgen.model import Layout, Message
 
 HERE = Path(__file__).resolve().parent

@@ -10,8 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from sbgcgen.cli import main
-from sbgcgen.emit import inputs
+from sbgcgen.cli import inputs, main
 from support import GENERATOR, write_spec
 
 Capture = pytest.CaptureFixture[str]

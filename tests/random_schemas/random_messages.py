@@ -1,4 +1,4 @@
-"""Random messages of a protocol, as lines of a vector file (see sbgcgen/vectors.py).
+"""Random messages of a protocol, as lines of a vector file (see sbgcgen/oracle/vector_line.py).
 
 Bodies as they may come: right ones, with bytes changed, cut off or added, and nothing but noise; and
 fields with something changed, as a program may fill them in.
@@ -12,9 +12,8 @@ import random
 from collections.abc import Iterator
 from typing import Any, Optional
 
-from sbgcgen.compose import Choice, Places, compose, full_context, variable_parts
 from sbgcgen.model import Announced, Blob, Enum, Field, Layout, Message, Struct
-from sbgcgen.reference_codec import (
+from sbgcgen.oracle.codec import (
     LISTS,
     CodecError,
     Fields,
@@ -25,8 +24,9 @@ from sbgcgen.reference_codec import (
     is_bytes,
     scalar_of,
 )
-from sbgcgen.vectors import line
-from sbgcgen.vectors_of_message import Vector
+from sbgcgen.oracle.compose import Choice, Places, compose, full_context, variable_parts
+from sbgcgen.oracle.vector_line import line
+from sbgcgen.oracle.vectors import Vector
 
 MAX_BODY = 255
 

@@ -26,8 +26,9 @@ import random_settings
 from spec_maker import write_spec
 
 from sbgcgen.build import load_protocol
-from sbgcgen.diagnostics import SpecError
-from sbgcgen.emit import Output, outputs
+from sbgcgen.spec.diagnostics import SpecError
+from sbgcgen.output import Output
+from sbgcgen.targets import outputs
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = [
@@ -71,7 +72,7 @@ class Trial:
         """Run the generator, and add vectors of random messages to its own, and random settings."""
         try:
             layout = load_protocol(self.spec).layout
-            Output(self.folder / "generated", outputs(layout)).write()
+            Output(self.folder / "generated", outputs(layout, self.folder)).write()
             lines = list(random_messages.lines_of(layout, self.seed, self.options.messages))
             settings = list(random_settings.lines_of(layout, self.seed, self.options.messages))
         except SpecError as error:

@@ -16,7 +16,7 @@ from typing import Any
 from random_messages import RandomMessages
 
 from sbgcgen.model import Layout, Settings, copy_field
-from sbgcgen.reference_codec import Fields, encode
+from sbgcgen.oracle.codec import Fields, encode
 
 
 def lines_of(layout: Layout, seed: int, count: int) -> Iterator[str]:

@@ -174,7 +174,7 @@ TEST(Session, RefusesWhatItCanNotHold) {
   const sbgc::SendResult refused = line.session.send(sbgc::msg::MotorsOn{});
   EXPECT_EQ(refused.status, SendStatus::queue_full);
   EXPECT_FALSE(refused.handle);
-  EXPECT_EQ(line.session.send(77, {}, msg::exchange_of(sbgc::msg::MotorsOn{})).status,
+  EXPECT_EQ(line.session.send(77, {}, sbgc::msg::exchange_of(sbgc::msg::MotorsOn{})).status,
             SendStatus::queue_full);
   EXPECT_EQ(line.session.statistics().refused, 2U);
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
@@ -216,7 +216,7 @@ TEST(Session, TakesEncodedBodies) {
   sbgc::msg::EepromReadRequest request;
   request.addr = 64;
   const Body body = body_of(6, {64, 0, 0, 0, 64, 0});
-  const auto result = line.session.send(eeprom_read, body, msg::exchange_of(request));
+  const auto result = line.session.send(eeprom_read, body, sbgc::msg::exchange_of(request));
   line.run();
   EXPECT_EQ(line.outcome(result.handle), Outcome::answered);
   EXPECT_EQ(line.written[0].body, body);

@@ -4,6 +4,7 @@ Every size, offset, name and reference is decided here, once. Targets print it; 
 computes a layout again.
 """
 
+from sbgcgen.model.position import NOWHERE, Position
 from sbgcgen.model.values import (
     Availability,
     Deprecation,
@@ -25,15 +26,18 @@ from sbgcgen.model.bodies import (
     Constant,
     Context,
     Field,
+    Identifier,
     Leaf,
     Special,
     Struct,
     Type,
     constants,
+    element_of,
+    scalar_of,
 )
 from sbgcgen.model.answers import Answer, AnswerCase, Echo, Growth, Reply, Result, Role
 from sbgcgen.model.effects import EFFECTS, Effect, EffectCase
-from sbgcgen.model.messages import Command, Family, Message, Settings, copy_field
+from sbgcgen.model.messages import Command, Family, Message, Settings, conditions, copy_field
 from sbgcgen.model.variables import Variable, VariableSetting
 from sbgcgen.model.protocol import Erratum, Framing, Layout, Line
 from sbgcgen.model.revisions import Addition, Revision
@@ -63,12 +67,15 @@ __all__ = [
     "Field",
     "Framing",
     "Growth",
+    "Identifier",
     "Layout",
     "Leaf",
     "Line",
     "Message",
+    "NOWHERE",
     "Packed",
     "Part",
+    "Position",
     "Quantity",
     "Reply",
     "Result",
@@ -83,6 +90,9 @@ __all__ = [
     "Until",
     "Variable",
     "VariableSetting",
+    "conditions",
     "constants",
     "copy_field",
+    "element_of",
+    "scalar_of",
 ]

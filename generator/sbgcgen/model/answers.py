@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from sbgcgen.diagnostics import NOWHERE, Position
+from sbgcgen.model.position import NOWHERE, Position
 from sbgcgen.model.bodies import Condition, Field
 from sbgcgen.model.values import EnumValue
 

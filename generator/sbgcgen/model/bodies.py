@@ -6,8 +6,9 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any, Union
 
-from sbgcgen.diagnostics import NOWHERE, Position
+from sbgcgen.model.position import NOWHERE, Position
 from sbgcgen.model.values import (
+    SCALARS,
     Availability,
     Deprecation,
     Enum,
@@ -16,6 +17,14 @@ from sbgcgen.model.values import (
     Quantity,
     Scalar,
 )
+
+
+@dataclass(frozen=True)
+class Identifier:
+    """A word that becomes a name in code, and where it comes from."""
+
+    name: str
+    at: Position = field(default=NOWHERE, compare=False, repr=False)
 
 
 @dataclass(frozen=True)
@@ -58,6 +67,13 @@ class Announced:
 
 
 Type = Union[Scalar, Quantity, Enum, Packed, Blob, Struct, Announced]
+
+
+def scalar_of(type_: Type) -> Scalar | None:
+    """The number on the wire behind a type, None for bytes and structs."""
+    if isinstance(type_, Scalar):
+        return type_
+    return type_.scalar if isinstance(type_, (Quantity, Enum, Packed)) else None
 
 
 @dataclass(frozen=True)
@@ -196,6 +212,13 @@ class Leaf:
     cases: tuple[Leaf, ...] = ()
     optional: bool = False
 
+    @property
+    def size(self) -> int | None:
+        """The bytes that it takes, None if that varies."""
+        if self.count is None or self.type == "string":
+            return None
+        return self.count * (SCALARS[self.type].size if self.type in SCALARS else 1)
+
 
 @dataclass(frozen=True)
 class Announcement:
@@ -224,3 +247,12 @@ class Context:
     summary: str
     sources: tuple[tuple[str, str], ...]
     announced: Announcement | None = None
+
+
+def element_of(typical: Any, path: str) -> Any:
+    """What a typical value says about the element that a path ends with, or about all of them."""
+    if isinstance(typical, dict):
+        return typical.get(path.rpartition(".")[2], typical)
+    if isinstance(typical, list) and path.endswith("]"):
+        return typical[int(path.rpartition("[")[2].rstrip("]") or 0)]
+    return typical

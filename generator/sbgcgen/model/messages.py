@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from sbgcgen.diagnostics import NOWHERE, Position
+from sbgcgen.model.position import NOWHERE, Position
 from sbgcgen.model.answers import Answer, Role
-from sbgcgen.model.bodies import Context, Field, Leaf, Struct
+from sbgcgen.model.bodies import Condition, Context, Field, Leaf, Struct
 from sbgcgen.model.effects import Effect
 from sbgcgen.model.values import Availability, Deprecation, Until
-from sbgcgen.names import form_suffix, snake_case
+from sbgcgen.model.names import form_suffix, snake_case
 
 
 @dataclass(frozen=True)
@@ -145,3 +145,10 @@ class Settings:
 def copy_field(message: Message) -> Field | None:
     """The field that says which of several copies of its settings a message is about."""
     return next((f for f in message.fields if f.role == "copy"), None)
+
+
+def conditions(message: Message) -> list[Condition]:
+    """All conditions about what the message as a whole says: those of its fields and regions."""
+    regions = [m.type for m in message.fields if isinstance(m.type, Struct) and m.type.is_region]
+    inner = [member for region in regions for member in region.fields]
+    return [member.when for member in (*message.fields, *inner) if member.when]

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from sbgcgen.diagnostics import NOWHERE, Position
+from sbgcgen.model.position import NOWHERE, Position
+from sbgcgen.model.bodies import Identifier
 from sbgcgen.model.messages import Command, Family, Message, Settings
 from sbgcgen.model.revisions import Revision
 from sbgcgen.model.values import Enum, Packed, Quantity
 from sbgcgen.model.variables import Variable
-from sbgcgen.names import KNOWN_FORMS, parse_version
+from sbgcgen.model.names import KNOWN_FORMS, parse_version
 
 
 @dataclass(frozen=True)
@@ -59,7 +60,8 @@ class Layout:
     """The whole protocol.
 
     `timeout_errata` tell where the times for an answer come from; `guides` are files of docs/ by what
-    they are about; `synonyms` are groups of words for the same thing.
+    they are about; `synonyms` are groups of words for the same thing; `identifiers` are all the words
+    that become names in code, those of fields that could not be resolved, too.
     """
 
     protocol: dict[str, str]
@@ -77,6 +79,7 @@ class Layout:
     timeout_errata: tuple[str, ...] = ()
     guides: dict[str, str] = field(default_factory=dict)
     synonyms: tuple[tuple[str, ...], ...] = ()
+    identifiers: tuple[Identifier, ...] = field(default=(), compare=False, repr=False)
 
     @property
     def messages(self) -> tuple[Message, ...]:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from math import floor, lcm
 
-from sbgcgen.diagnostics import NOWHERE, Position
+from sbgcgen.model.position import NOWHERE, Position
 from sbgcgen.model.values import Quantity, Scalar
 
 

@@ -1,0 +1,90 @@
+"""What changed between two versions of the protocol, and whom it hurts."""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from sbgcgen.model import Availability, Position
+
+
+class Level(enum.Enum):
+    """Classes of changes, the worst first."""
+
+    WIRE = "wire-breaking"
+    MEANING = "meaning-breaking"
+    SOURCE = "source-breaking"
+    COMPATIBLE = "compatible"
+
+
+@dataclass(frozen=True)
+class Change:
+    """One change. It stands at `at` in the new spec, or in the old one if it is a deletion."""
+
+    level: Level
+    what: str
+    old: str
+    new: str
+    at: Position
+    in_old: bool
+
+
+@dataclass
+class Changes:
+    """Collects changes; `what` says which thing they are about."""
+
+    found: list[Change] = field(default_factory=list)
+
+    def add(self, level: Level, what: str, old: object, new: object, at: Position) -> None:
+        """Something that is in both versions and differs."""
+        self._append(Change(level, what, text(old), text(new), at, False))
+
+    def deleted(self, level: Level, what: str, at: Position, old: object = "there") -> None:
+        """Something that the new version has no more."""
+        self._append(Change(level, what, text(old), "deleted", at, True))
+
+    def added(
+        self, what: str, at: Position, new: object = "added", level: Level = Level.COMPATIBLE
+    ) -> None:
+        """Something that the old version had not."""
+        self._append(Change(level, what, "none", text(new), at, False))
+
+    def compare(self, level: Level, what: str, old: object, new: object, at: Position) -> None:
+        """Record a change unless both values are the same."""
+        if old != new:
+            self.add(level, what, old, new, at)
+
+    def since(self, what: str, old: Availability, new: Availability, at: Position) -> None:
+        """A later version than before excludes somebody, an earlier one does not."""
+        later = new.firmware > old.firmware or new.board > old.board
+        level = Level.MEANING if later else Level.COMPATIBLE
+        self.compare(level, f"{what}: since", versions(old), versions(new), at)
+
+    def _append(self, change: Change) -> None:
+        if change not in self.found:
+            self.found.append(change)
+
+
+def versions(since: Availability) -> str:
+    """The versions of an availability in words."""
+    parts = []
+    if since.firmware:
+        beta = f"b{since.firmware % 10}" if since.firmware % 10 else ""
+        parts.append(f"firmware {since.firmware // 1000}.{since.firmware // 10 % 100:02}{beta}")
+    if since.board:
+        parts.append(f"board {since.board // 10}.{since.board % 10}")
+    return ", ".join(parts) or "always"
+
+
+def text(value: object) -> str:
+    """A value as the report shows it."""
+    if value is None or value == "":
+        return "none"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, (tuple, list)):
+        return ", ".join(text(item) for item in value) or "none"
+    if isinstance(value, Fraction):
+        return str(value)
+    return str(value)

@@ -1,0 +1,361 @@
+"""Compares two lists of fields: what is where on the wire, what it means, what C++ calls it.
+
+Reserved bytes are no part of the C++ interface: they are members only so that nothing is lost. So
+fields that later firmware keeps where reserved bytes were are a compatible addition, although the
+member `reserved` gets smaller, moves or goes away.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+from sbgcgen.compat.changes import Changes, Level
+from sbgcgen.compat.types import compare_parts, compare_unit, compare_values
+from sbgcgen.model import (
+    scalar_of,
+    Blob,
+    Condition,
+    Enum,
+    Field,
+    Packed,
+    Quantity,
+    Scalar,
+    Struct,
+    Type,
+)
+
+Fields = tuple[Field, ...]
+Place = tuple[Any, ...]
+
+
+# What is on the wire
+
+
+def wire_type(type_: Type) -> Any:
+    """What a type is on the wire, whatever it means."""
+    scalar = scalar_of(type_)
+    if scalar is not None:
+        return scalar.name
+    if isinstance(type_, Blob):
+        return ("string",) if type_.kind == "string" else ("bytes", type_.size)
+    if isinstance(type_, Struct):
+        return ("struct", type_.is_region and type_.size, places(type_.fields)[-1])
+    return ("bytes", None)  # whose types a context knows
+
+
+def wire_form(field: Field) -> Any:
+    """What a field is on the wire: its type, how often it stands, and when."""
+    return (wire_type(field.type), _times(field), _condition(field.when))
+
+
+def _times(field: Field) -> Any:
+    return field.dim if field.dim in ("counted", "rest") else field.count
+
+
+def _condition(when: Condition | None) -> Any:
+    if when is None:
+        return None
+    numbers = sorted(value.value for value in when.values)
+    return (when.from_context, when.mask, numbers, when.may_be_missing)
+
+
+def places(fields: Fields) -> list[Place]:
+    """Where each field begins, and where the last one ends.
+
+    A place is a number of bytes, or a list of numbers with the variable parts between them.
+    """
+    found: list[Place] = [(0,)]
+    for field in fields:
+        *before, last = found[-1]
+        if field.is_variable or field.size is None:
+            found.append((*before, last, wire_form(field), 0))
+        else:
+            found.append((*before, last + field.size))
+    return found
+
+
+def _place_text(place: Place) -> str:
+    if len(place) == 1:
+        return f"byte {place[0]}"
+    return f"byte {place[-1]} behind {len(place) // 2} variable parts"
+
+
+# Which field is which
+
+
+def _is_padding(field: Field) -> bool:
+    return field.reserved and isinstance(field.type, Blob)
+
+
+def _pairs(old: Fields, new: Fields) -> list[tuple[Field, Field]]:
+    """Fields that are the same: by the protocol's name, or by place and form."""
+    by_name = _by_name(new)
+    pairs = []
+    left = []
+    for name, field in _by_name(old).items():
+        twin = by_name.pop(name, None)
+        if twin is None:
+            left.append(field)
+        else:
+            pairs.append((field, twin))
+    where_old = dict(zip((id(f) for f in old), places(old)))
+    where_new = dict(zip((id(f) for f in new), places(new)))
+    for field in left:
+        for name, twin in by_name.items():
+            same_place = where_old[id(field)] == where_new[id(twin)]
+            if same_place and wire_form(field) == wire_form(twin):
+                pairs.append((field, by_name.pop(name)))
+                break
+    return pairs
+
+
+def _by_name(fields: Fields) -> dict[tuple[str, int], Field]:
+    """Fields by the protocol's name, and a number where several have the same one."""
+    found: dict[tuple[str, int], Field] = {}
+    for field in fields:
+        if not _is_padding(field):
+            number = sum(name == field.spec_name for name, _ in found)
+            found[(field.spec_name, number)] = field
+    return found
+
+
+def compare_fields(
+    owner: str, old: Fields, new: Fields, changes: Changes, open_ended: bool = False
+) -> None:
+    """Compare two lists of fields; `open_ended` if the old one takes a longer body."""
+    pairs = _pairs(old, new)
+    for before, now in pairs:
+        _compare_field(owner, before, now, pairs, changes)
+    kept = {id(before) for before, _ in pairs}
+    gone = [f for f in old if id(f) not in kept and not _is_padding(f)]
+    for field in gone:
+        label = f"{owner}.{field.spec_name}"
+        changes.deleted(Level.WIRE, label, field.at, _form_text(field))
+    explained = _compare_additions(owner, old, new, pairs, changes, open_ended)
+    explained = _compare_places(owner, old, new, pairs, changes) or explained
+    explained = explained or bool(gone) or any(wire_form(f) != wire_form(g) for f, g in pairs)
+    end_old, end_new = places(old)[-1], places(new)[-1]
+    if end_old != end_new and not explained:  # so only reserved bytes differ, at the end
+        longer = end_old[:-1] == end_new[:-1] and end_new[-1] > end_old[-1]
+        level = Level.COMPATIBLE if longer and open_ended else Level.WIRE
+        at = (new or old)[-1].at
+        changes.add(level, f"{owner}: end", _place_text(end_old), _place_text(end_new), at)
+
+
+def _compare_additions(
+    owner: str,
+    old: Fields,
+    new: Fields,
+    pairs: list[tuple[Field, Field]],
+    changes: Changes,
+    open_ended: bool,
+) -> bool:
+    """New fields: in place of reserved bytes, at the end, or in between.
+
+    The result is whether that changes where the list ends.
+    """
+    known = {id(now) for _, now in pairs}
+    end = places(old)[-1]
+    begins = places(new)
+    longer = False
+    for index, field in enumerate(new):
+        if id(field) in known or _is_padding(field):
+            continue
+        label = f"{owner}.{field.spec_name}"
+        form = _form_text(field)
+        at_the_end = begins[index][: len(end) - 1] == end[:-1] and (
+            len(begins[index]) > len(end) or begins[index][-1] >= end[-1]
+        )
+        if _takes_reserved(field, old):
+            changes.added(label, field.at, f"{form} in reserved bytes")
+            continue
+        longer = True
+        if at_the_end and (open_ended or field.optional or _may_be_empty(field)):
+            changes.added(label, field.at, f"{form} at the end")
+        else:
+            where = "at the end, which took nothing more" if at_the_end else "in between"
+            changes.added(label, field.at, f"{form} {where}", Level.WIRE)
+    return longer
+
+
+def _may_be_empty(field: Field) -> bool:
+    return field.dim == "rest" or (field.when is not None and field.when.may_be_missing)
+
+
+def _takes_reserved(field: Field, old: Fields) -> bool:
+    if field.offset is None or field.size is None or field.when is not None:
+        return False
+    end = field.offset + field.size
+    return any(
+        _is_padding(f)
+        and f.offset is not None
+        and f.size is not None
+        and f.offset <= field.offset
+        and end <= f.offset + f.size
+        for f in old
+    )
+
+
+def _compare_places(
+    owner: str, old: Fields, new: Fields, pairs: list[tuple[Field, Field]], changes: Changes
+) -> bool:
+    """Fields that begin elsewhere; of several in a row, the first one is reported."""
+    where_old = dict(zip((id(f) for f in old), places(old)))
+    where_new = dict(zip((id(f) for f in new), places(new)))
+    moved = [(f, g) for f, g in pairs if where_old[id(f)] != where_new[id(g)]]
+    moved.sort(key=lambda pair: old.index(pair[0]))
+    for before, now in moved[:1]:
+        more = f" (and {len(moved) - 1} more fields)" if len(moved) > 1 else ""
+        was, is_ = _place_text(where_old[id(before)]), _place_text(where_new[id(now)])
+        label = f"{owner}.{now.spec_name}: place"
+        changes.add(Level.WIRE, label, was, f"{is_}{more}", now.at)
+    return bool(moved)
+
+
+# One field
+
+
+def _compare_field(
+    owner: str, old: Field, new: Field, pairs: list[tuple[Field, Field]], changes: Changes
+) -> None:
+    label = f"{owner}.{new.spec_name}"
+    at = new.at
+    changes.compare(Level.SOURCE, f"{label}: C++ name", old.name, new.name, at)
+    changes.compare(Level.COMPATIBLE, f"{label}: name", old.spec_name, new.spec_name, at)
+    _compare_types(label, old, new, changes)
+    names = {before.name: now.name for before, now in pairs}
+    if _times(old) != _times(new):
+        changes.add(Level.WIRE, f"{label}: elements", _times(old), _times(new), at)
+    elif (old.dim, old.index) != (new.dim, new.index):
+        changes.add(Level.SOURCE, f"{label}: index", _index(old), _index(new), at)
+    if names.get(old.counter, old.counter) != new.counter:
+        changes.add(Level.WIRE, f"{label}: counted by", old.counter, new.counter, at)
+    _compare_conditions(label, old, new, names, changes)
+    _compare_limits(label, old, new, changes)
+    _compare_alternatives(label, old, new, changes)
+    changes.compare(Level.MEANING, f"{label}: variable", old.variable, new.variable, at)
+    changes.compare(Level.MEANING, f"{label}: reserved", old.reserved, new.reserved, at)
+    changes.since(label, old.since, new.since, at)
+    marks = [bool(old.deprecated), bool(new.deprecated)]
+    changes.compare(Level.COMPATIBLE, f"{label}: deprecated", marks[0], marks[1], at)
+    changes.compare(Level.COMPATIBLE, f"{label}: summary", old.summary, new.summary, at)
+
+
+def _index(field: Field) -> str:
+    return ", ".join(field.index) or str(field.count)
+
+
+def type_text(type_: Type) -> str:
+    """A type as the report shows it."""
+    if isinstance(type_, Blob):
+        return type_.kind if type_.kind == "string" else f"{type_.kind}[{type_.size or ''}]"
+    name = str(getattr(type_, "name", type_.kind))
+    scalar = scalar_of(type_)
+    return f"{name} ({scalar.name})" if scalar is not None and scalar.name != name else name
+
+
+def _form_text(field: Field) -> str:
+    times = f"[{field.count or ''}]" if field.dim != "one" else ""
+    return type_text(field.type) + times
+
+
+def _compare_types(label: str, old: Field, new: Field, changes: Changes) -> None:
+    before, now, at = old.type, new.type, new.at
+    names = (getattr(before, "name", None), getattr(now, "name", None))
+    if names[0] is not None and names[0] == names[1] and type(before) is type(now):
+        return  # compared once, with the named types
+    same_wire = wire_type(before) == wire_type(now)
+    texts = (type_text(before), type_text(now))
+    if not same_wire:
+        changes.add(Level.WIRE, f"{label}: type", *texts, at)
+    elif texts[0] != texts[1]:
+        changes.add(Level.SOURCE, f"{label}: C++ type", *texts, at)
+    if isinstance(before, Struct) and isinstance(now, Struct):
+        compare_fields(label, before.fields, now.fields, changes)
+    elif isinstance(before, Quantity) and isinstance(now, Quantity):
+        compare_unit(label, before, now, changes)
+    elif isinstance(before, Quantity) and same_wire:
+        changes.add(Level.MEANING, f"{label}: unit", f"{before.scale} {before.unit}", None, at)
+    elif isinstance(before, Enum) and isinstance(now, Enum):
+        compare_values(label, before, now, changes)
+    elif isinstance(before, Packed) and isinstance(now, Packed):
+        compare_parts(label, before, now, changes)
+
+
+def _compare_conditions(
+    label: str, old: Field, new: Field, names: dict[str, str], changes: Changes
+) -> None:
+    before, now = old.when, new.when
+    sources = [names.get(before.source, before.source) if before else "", now.source if now else ""]
+    same = _condition(before) == _condition(now) and sources[0] == sources[1]
+    if not same:
+        changes.add(Level.WIRE, f"{label}: when", _when_text(before), _when_text(now), new.at)
+
+
+def _when_text(when: Condition | None) -> str:
+    if when is None:
+        return "always"
+    names = [f"{v.name} ({v.value:#x})" for v in (*when.flags, *when.values)]
+    missing = ", may be missing" if when.may_be_missing else ""
+    return f"{when.source} has {' '.join(names)}{missing}"
+
+
+def _compare_limits(label: str, old: Field, new: Field, changes: Changes) -> None:
+    """Range, alignment, role, least and most elements, and special values."""
+    before, now = _range(old), _range(new)
+    if before and now and before != now:
+        narrowed = now[0] > before[0] or now[1] < before[1]
+        level = Level.MEANING if narrowed else Level.COMPATIBLE
+        texts = (f"{before[0]}..{before[1]}", f"{now[0]}..{now[1]}")
+        changes.add(level, f"{label}: range", *texts, new.at)
+    if old.align != new.align:
+        level = Level.MEANING if old.align % new.align else Level.COMPATIBLE
+        changes.add(level, f"{label}: align", old.align, new.align, new.at)
+    changes.compare(Level.MEANING, f"{label}: role", old.role or None, new.role or None, new.at)
+    if old.dim == new.dim:
+        level = Level.COMPATIBLE if new.min_count < old.min_count else Level.WIRE
+        changes.compare(level, f"{label}: min_count", old.min_count, new.min_count, new.at)
+    counts = [f.capacity if f.max_count is None else f.max_count for f in (old, new)]
+    if old.max_count != new.max_count and old.dim == new.dim:
+        level = Level.MEANING if counts[1] < counts[0] else Level.COMPATIBLE
+        changes.add(level, f"{label}: max_count", old.max_count, new.max_count, new.at)
+    meanings = {special.value: special.meaning for special in new.special}
+    for special in old.special:
+        what = f"{label}: special {special.value}"
+        changes.compare(
+            Level.MEANING, what, special.meaning, meanings.pop(special.value, None), new.at
+        )
+        name = next((s.name for s in new.special if s.value == special.value), "")
+        level = Level.SOURCE if special.name else Level.COMPATIBLE
+        changes.compare(level, f"{what}: C++ name", special.name, name, new.at)
+    for value, meaning in meanings.items():
+        was_ordinary = before is not None and before[0] <= value <= before[1]
+        level = Level.MEANING if was_ordinary else Level.COMPATIBLE
+        changes.added(f"{label}: special {value}", new.at, meaning, level)
+
+
+def _range(field: Field) -> tuple[Fraction, Fraction] | None:
+    """The values that are allowed: the range, or all of the type."""
+    if field.minimum is not None and field.maximum is not None:
+        return (field.minimum, field.maximum)
+    scalar = scalar_of(field.type)
+    if scalar is None or scalar.minimum is None or scalar.maximum is None:
+        huge = Fraction(1 << 200)
+        return (-huge, huge) if scalar is not None else None
+    return (Fraction(scalar.minimum), Fraction(scalar.maximum))
+
+
+def _compare_alternatives(label: str, old: Field, new: Field, changes: Changes) -> None:
+    before, now = old.alternative, new.alternative
+    what = f"{label}: alternative unit"
+    if before is None and now is not None:
+        changes.added(what, new.at, f"{now.quantity.name} with {now.flag.name}")
+    elif before is not None and now is None:
+        changes.deleted(Level.MEANING, what, old.at, before.quantity.name)
+    elif before is not None and now is not None:
+        if before.quantity.name != now.quantity.name:
+            changes.add(Level.SOURCE, what, before.quantity.name, now.quantity.name, new.at)
+            compare_unit(what, before.quantity, now.quantity, changes)
+        flags = [f"{a.source} & {a.mask:#x}" for a in (before, now)]
+        changes.compare(Level.MEANING, f"{what}, chosen by", flags[0], flags[1], new.at)

@@ -1,0 +1,113 @@
+"""How the protocol's names become identifiers, and what a field's name says about its shape."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+_FIELD = re.compile(
+    r"(?P<head>[A-Za-z][A-Za-z0-9_]*?)"
+    r"(?P<expand>\{(?P<kind>[A-Z]+|[0-9]+\.\.[0-9]+)\})?"
+    r"(?P<rest>[A-Za-z0-9_]*)"
+    r"(?P<array>\[(?P<index>[A-Za-z0-9_]*)\])?\Z"
+)
+_VERSION = re.compile(r"(?P<major>[0-9])\.(?P<minor>[0-9]{2})(b(?P<beta>[0-9]))?\Z")
+
+
+@dataclass(frozen=True)
+class FieldName:
+    """A field's name taken apart.
+
+    `spec_name` keeps a placeholder ("SPEED_{AXIS}") where the protocol has one name an element;
+    `expand` is what stands in the braces, `index` what stands in the brackets (None: neither).
+    """
+
+    base: str
+    spec_name: str
+    expand: str | None
+    index: str | None
+
+
+def parse_field_name(text: str) -> FieldName | None:
+    """NAME, NAME[axis], NAME[6], NAME[COUNT], NAME[], NAME_{AXIS}, NAME{1..5}_MORE; else None."""
+    match = _FIELD.match(text)
+    if match is None or (match["expand"] and match["array"]):
+        return None
+    base = (match["head"] + match["rest"]).replace("__", "_").strip("_")
+    spec_name = match["head"] + ("{" + match["kind"] + "}" if match["expand"] else "")
+    return FieldName(base, spec_name + match["rest"], match["kind"], match["index"])
+
+
+_FOREIGN = re.compile(r"(?P<sign>u?)int(?P<bits>8|16|32)(_t)?\Z|(?P<size>[124])(?P<kind>[usf])\Z")
+
+
+def type_advice(text: str) -> str:
+    """What to write for a type in the notation of C or of the specification; or ""."""
+    array = re.match(r"(\w+)\[(.*)\]\Z", text)
+    if array and array[1] not in ("bytes", "text"):
+        return f"the count belongs to the name: 'NAME[{array[2]}]' with type: {array[1]}"
+    match = _FOREIGN.match(text)
+    if match and match["bits"]:
+        return f"write {'u' if match['sign'] else 'i'}{match['bits']}"
+    if match:
+        kind = {"u": "u", "s": "i", "f": "f"}[match["kind"]]
+        return f"write {kind}{8 * int(match['size'])}"
+    return {"float": "write f32", "char": "write i8 or text[N]", "bool": "write u8"}.get(text, "")
+
+
+def snake_case(name: str) -> str:
+    """deviceID -> device_id, RC_MIN_ANGLE -> rc_min_angle."""
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name).lower()
+
+
+def camel_case(name: str) -> str:
+    """BOARD_INFO_3 -> BoardInfo3, trigger_slots -> TriggerSlots."""
+    return "".join(word.capitalize() for word in name.split("_"))
+
+
+# The forms of a command that have a meaning of their own; any other name says how a form differs.
+KNOWN_FORMS = ("simple", "extended", "success", "error")
+_FORM_WORDS = {"simple": "", "success": "", "extended": "ext"}
+
+
+def form_suffix(form: str | None) -> str:
+    """What a form adds to the name of its command: simple -> "", extended_wide -> ext_wide."""
+    words = [_FORM_WORDS.get(word, word) for word in (form or "").split("_")]
+    return "_".join(word for word in words if word)
+
+
+def singular(plural: str) -> str:
+    """What one of the flags of a set is called: SystemErrors -> SystemError, Switches -> Switch."""
+    if re.search(r"(ch|sh|ss)es\Z", plural):
+        return plural[:-2]
+    return plural[:-1] if plural.endswith("s") else f"{plural}Bit"
+
+
+def slug(name: str) -> str:
+    """BoardInfo3Request -> board-info3-request, as it stands in paths."""
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "-", name).lower()
+
+
+def is_name(text: str) -> bool:
+    """Whether a name is made of letters, digits and underscores, as every language has them."""
+    return re.match(r"[A-Za-z][A-Za-z0-9_]*\Z", text) is not None
+
+
+def parse_version(text: str) -> int | None:
+    """2.55b5 -> 2555, 2.59 -> 2590 (as FIRMWARE_VER has it); None if it is not a version."""
+    match = _VERSION.match(text)
+    if match is None:
+        return None
+    return int(match["major"]) * 1000 + int(match["minor"]) * 10 + int(match["beta"] or 0)
+
+
+def parse_board(text: str) -> int | None:
+    """3.0 -> 30 (as BOARD_VER has it); None if it is not a version."""
+    match = re.match(r"([0-9]{1,2})\.([0-9])\Z", text)
+    return int(match[1]) * 10 + int(match[2]) if match else None
+
+
+def parse_lines(text: str) -> list[tuple[int, int]]:
+    """Line ranges that a source names: "Variables L1005-L1009, L12" -> [(1005, 1009), (12, 12)]."""
+    found = re.findall(r"L([0-9]+)(?:-L([0-9]+))?", text)
+    return [(int(first), int(last or first)) for first, last in found]

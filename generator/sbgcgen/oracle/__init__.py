@@ -1,0 +1,1 @@
+"""An independent implementation of the protocol, and the values that show and test it."""

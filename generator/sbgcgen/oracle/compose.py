@@ -1,0 +1,272 @@
+"""Puts together messages that have chosen values in all of their fields."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from sbgcgen.model import (
+    SCALARS,
+    Announced,
+    Blob,
+    Condition,
+    Context,
+    Field,
+    Message,
+    Struct,
+    Type,
+    conditions,
+    element_of,
+)
+from sbgcgen.oracle.codec import LISTS, CodecError, Fields, encode, holds, is_bytes, keys_of
+from sbgcgen.oracle.edges import Edge, counting, edges
+from sbgcgen.oracle.typical import typical
+
+
+def all_types(context: Context) -> list[str]:
+    """What may be announced, with something that is so more than once."""
+    assert context.announced is not None
+    known = [name for name in SCALARS if name in context.announced.types]
+    several = "i16" if "i16" in known else known[-1]
+    return [*known, several, several]
+
+
+@dataclass
+class Places:
+    """The places of a message that hold a value, numbered as they are met, and their edges."""
+
+    numbers: dict[str, int] = field(default_factory=dict)
+    edges: dict[str, list[Edge]] = field(default_factory=dict)
+
+    def at(self, path: str, member: Field, type_: Type) -> tuple[int, list[Edge]]:
+        """The number and the edges of a place."""
+        if path not in self.numbers:
+            self.numbers[path] = len(self.numbers)
+            self.edges[path] = edges(member, type_)
+        return self.numbers[path], self.edges[path]
+
+
+@dataclass
+class Choice:
+    """Which values to choose.
+
+    In each round every place is at another of its edges; the place's number is added, lest
+    neighbours are alike. `forced` has values of fields by path; `lengths` those of lists and
+    texts by path. Others have a length that shows their edges, or, if `short`, the least. If
+    `typical`, all values are ordinary ones instead, but for those that `example` has by path.
+    """
+
+    places: Places
+    round: int = 0
+    context: Fields = field(default_factory=dict)
+    forced: Fields = field(default_factory=dict)
+    lengths: dict[str, int] = field(default_factory=dict)
+    short: bool = False
+    leave_out: bool = False
+    typical: bool = False
+    example: Fields = field(default_factory=dict)
+    chosen: list[tuple[str, str]] = field(default_factory=list)
+    rounds_of_free: int = 1
+    rounds_of_conditional: int = 1
+
+    def why(self) -> str:
+        """What was chosen, if that is not too much to tell."""
+        text = ", ".join(f"{path} = {name}" for path, name in self.chosen)
+        if not text:
+            return "as it always is"
+        return text if len(text) <= 100 else f"round {self.round} through the edges of all fields"
+
+
+def compose(message: Message, choice: Choice) -> Fields:
+    """The fields of a message by choice."""
+    return compose_fields(message.fields, choice)
+
+
+def compose_fields(fields: tuple[Field, ...], choice: Choice) -> Fields:
+    """The same for a list of fields, such as those of a struct."""
+    return _Composer(choice).fields(fields, "", {})
+
+
+def first_that_fits(message: Message, *choices: Choice) -> bytes:
+    """The body that the first choice makes that fits into one; the last one must."""
+    for choice in choices[:-1]:
+        try:
+            return encode(message, compose(message, choice))
+        except CodecError:
+            pass
+    return encode(message, compose(message, choices[-1]))
+
+
+def full_context(message: Message) -> Fields:
+    """A context in which all that hangs on flags is there, and each type is announced."""
+    context: Fields = {}
+    for when in conditions(message):
+        if when.from_context:
+            known = context.get(when.source, 0)
+            context[when.source] = known | when.mask if when.mask else satisfying(when)[0]
+    context.update({c.name: all_types(c) for c in message.contexts if c.announced})
+    return context
+
+
+def typical_context(message: Message) -> Fields:
+    """A context in which some of what hangs on flags is there, and each type is announced."""
+    context: Fields = {}
+    for when in conditions(message):
+        if when.from_context and when.mask and bin(context.get(when.source, 0)).count("1") < 2:
+            context[when.source] = context.get(when.source, 0) | when.mask
+    return {**full_context(message), **context}
+
+
+def satisfying(when: Condition) -> list[int]:
+    """The values that make a condition hold, without more bits than needed."""
+    return [when.mask] if when.mask else [v.value for v in when.values]
+
+
+def variable_parts(
+    fields: tuple[Field, ...], path: str = ""
+) -> Iterator[tuple[str, Field, tuple[Field, ...]]]:
+    """The lists and length-prefixed texts: path, member, and the members beside it."""
+    for member in fields:
+        name = path + member.name
+        is_list = member.dim in ("counted", "rest")
+        if isinstance(member.type, Announced):
+            continue  # as long as its context says
+        if is_list:
+            yield name, member, fields
+        if isinstance(member.type, Blob) and member.type.kind == "string":
+            yield name + "[]" * is_list, member, fields
+        elif isinstance(member.type, Struct) and member.type.size is None:
+            yield from variable_parts(member.type.fields, f"{name}{'[]' * is_list}.")
+
+
+def documented_length(beside: tuple[Field, ...], member: Field) -> int:
+    """The most elements that the specification describes for a list."""
+    most = member.capacity if member.max_count is None else member.max_count
+    for counter in beside:
+        if counter.name == member.counter and counter.maximum is not None:
+            most = int(counter.maximum)
+    return min(most, member.capacity)
+
+
+class _Composer:
+    def __init__(self, choice: Choice) -> None:
+        self.choice = choice
+        self.conditional = False
+        self.element = 0  # in lists around the place
+
+    def fields(self, fields: tuple[Field, ...], path: str, around: Fields) -> Fields:
+        values: Fields = {}
+        for member in fields:
+            if member.when and not self._is_present(member.when, {**around, **values}):
+                continue
+            outside, self.conditional = self.conditional, self.conditional or bool(member.when)
+            values[member.name] = self._member(member, fields, path, values)
+            self.conditional = outside
+        for member in fields:
+            if member.counter:
+                value = values[member.name]
+                values[member.counter] = len(value) // 2 if is_bytes(member) else len(value)
+        return values
+
+    def _is_present(self, when: Condition, values: Fields) -> bool:
+        known = self.choice.context if when.from_context else values
+        if when.may_be_missing and self.choice.leave_out:
+            return False
+        return holds(when, known.get(when.source, 0 if when.from_context else None))
+
+    def _member(self, member: Field, fields: tuple[Field, ...], path: str, values: Fields) -> Any:
+        name = path + member.name
+        if name in self.choice.example:
+            return self._given(member, self.choice.example[name], f"{name}[]")
+        if self._is_typical(member, name):
+            return member.typical
+        if name in self.choice.forced:
+            return self.choice.forced[name]
+        if member.is_counter:
+            return 0  # known when its list is there
+        if member.dim == "one":
+            around = values if isinstance(member.type, Struct) and member.type.is_region else {}
+            return self._value(member, name, around)
+        if member.dim not in LISTS:
+            return {key: self._value(member, f"{name}.{key}") for key in keys_of(member)}
+        if isinstance(member.type, Announced):
+            return self._announced(member, member.type, name)
+        count = member.count if member.dim == "fixed" else self._length(member, fields, name)
+        if is_bytes(member):
+            return counting(count).hex()
+        if member.dim == "fixed":
+            return [self._value(member, f"{name}[{i}]") for i in range(count)]
+        return [self._element(member, f"{name}[]", i) for i in range(count)]
+
+    def _is_typical(self, member: Field, name: str) -> bool:
+        """Whether a field has its typical value as a whole."""
+        if not self.choice.typical or member.typical is None or name in self.choice.forced:
+            return False
+        return not any(path.startswith((f"{name}.", f"{name}[")) for path in self.choice.example)
+
+    def _given(self, member: Field, value: Any, path: str) -> Any:
+        """A value of the example; of elements that have members, the others are typical."""
+        if not isinstance(member.type, Struct):
+            return value
+        return [{**self._element(member, path, i), **one} for i, one in enumerate(value)]
+
+    def _announced(self, member: Field, type_: Announced, path: str) -> list[Fields]:
+        """A number of each announced type."""
+        outside, self.conditional = self.conditional, True
+        types = self.choice.context.get(type_.context, [])[: member.capacity]
+        numbers = [
+            {name: self._value(replace(member, type=SCALARS[name]), f"{path}[{i}].{name}")}
+            for i, name in enumerate(types)
+        ]
+        self.conditional = outside
+        return numbers
+
+    def _element(self, member: Field, path: str, number: int) -> Any:
+        """An element of a list; neighbours are at different edges, too."""
+        outside, self.element = self.element, self.element + number
+        value = self._value(member, path)
+        self.element = outside
+        return value
+
+    def _length(self, member: Field, fields: tuple[Field, ...], name: str) -> int:
+        choice = self.choice
+        if name in choice.lengths:
+            return choice.lengths[name]
+        if choice.short:
+            is_needed = any(path.startswith(f"{name}[]") for path in choice.lengths)
+            return max(member.min_count, int(is_needed))
+        if choice.typical:
+            usual = 0 if member.reserved else 4 if is_bytes(member) else 3
+            usual = max(usual, member.min_count)
+            return min(-(-usual // member.align) * member.align, documented_length(fields, member))
+        if member.index:
+            typical = len(member.index)
+        elif is_bytes(member) or isinstance(member.type, Struct):
+            typical = 2
+        else:
+            typical = len(choice.places.at(f"{name}[]", member, member.type)[1])
+        return min(max(typical, member.min_count), documented_length(fields, member))
+
+    def _value(self, member: Field, path: str, around: Any = None) -> Any:
+        type_, choice = member.type, self.choice
+        if isinstance(type_, Struct):
+            return self.fields(type_.fields, f"{path}.", around or {})
+        if isinstance(type_, Blob) and type_.kind == "string":
+            length = choice.lengths.get(path, 0 if choice.short else None)
+            if length is not None:
+                return "".join(chr(65 + i % 26) for i in range(length))
+        number, found = choice.places.at(path, member, type_)
+        if path in choice.example:
+            return choice.example[path]
+        if choice.typical and member.typical is not None:
+            return element_of(member.typical, path)
+        if choice.typical:
+            return typical(member, type_, number + self.element)
+        if self.conditional:
+            choice.rounds_of_conditional = max(choice.rounds_of_conditional, len(found))
+        else:
+            choice.rounds_of_free = max(choice.rounds_of_free, len(found))
+        name, value = found[(choice.round + number + self.element) % len(found)]
+        choice.chosen.append((path, name))
+        return value

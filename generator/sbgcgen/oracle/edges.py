@@ -1,0 +1,91 @@
+"""The values at which a codec is most likely to be wrong, for every kind of field."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+from sbgcgen.model import Blob, Enum, Field, Packed, Part, Scalar, Type
+from sbgcgen.oracle.codec import float_from_bits, float_to_bits, scalar_of, text_from_bytes
+
+# A name for people, and the value as it stands in JSON.
+Edge = tuple[str, Any]
+
+# Zeros of both signs, ordinary, largest, smallest, infinite; NaN quiet, signalling and negative.
+_FLOAT_BITS = (
+    *(0x00000000, 0x80000000, 0x3FC00000, 0xC0490FDB, 0x7F7FFFFF, 0xFF7FFFFF, 0x00000001),
+    *(0x7F800000, 0xFF800000, 0x7FC00000, 0x7F800001, 0xFFC12345),
+)
+# Empty, one, several bytes a character, no UTF-8, a NUL inside, what looks like an escaped byte.
+_TEXTS = (b"", b"A", "\u00e9\u20ac\U0001f4f7".encode(), b"a\xff\xc3", b"a\0b", "\uf7ff".encode())
+
+
+def edges(field: Field, type_: Type) -> list[Edge]:
+    """What a field shall hold in at least one vector; no value twice."""
+    if isinstance(type_, Blob):
+        return _blob_edges(type_)
+    scalar = scalar_of(type_)
+    found = _float_edges(field) if scalar.is_float else _integer_edges(field, type_, scalar)
+    unique: dict[str, Edge] = {}
+    for name, value in found:
+        unique.setdefault(repr(value), (name, value))
+    return list(unique.values())
+
+
+def _float_edges(field: Field) -> list[Edge]:
+    limits = [("min", field.minimum), ("max", field.maximum)]
+    found: list[Edge] = [
+        (name, float_from_bits(float_to_bits(float(value))))
+        for name, value in limits
+        if value is not None
+    ]
+    values = [float_from_bits(bits) for bits in _FLOAT_BITS]
+    return found + [(str(value), value) for value in values]
+
+
+def _integer_edges(field: Field, type_: Type, scalar: Scalar) -> list[Edge]:
+    found: list[Edge] = []
+    if isinstance(type_, Enum):
+        found = [(value.name, value.value) for value in type_.values]
+    elif isinstance(type_, Packed):
+        found = [edge for part in type_.parts if not part.is_digits for edge in _part_edges(part)]
+        found += [(v.name, v.value) for v in (type_.names.values if type_.names else ())]
+        found = [(name, _signed(value, scalar)) for name, value in found]
+    limits = [
+        ("min", field.minimum),
+        ("max", field.maximum),
+        ("lowest", scalar.minimum),
+        ("highest", scalar.maximum),
+    ]
+    found += [(name, int(Fraction(value))) for name, value in limits if value is not None]
+    found += [(special.meaning, special.value) for special in field.special]
+    return found + [("0", 0), ("1", 1)]
+
+
+def _part_edges(part: Part) -> list[Edge]:
+    found: list[Edge] = [(f"all bits of {part.name}", part.mask)]
+    if part.enum:
+        found += [(value.name, value.value << part.shift) for value in part.enum.values]
+    return found
+
+
+def _signed(value: int, scalar: Scalar) -> int:
+    """The bits as the number that stands in JSON."""
+    assert scalar.maximum is not None
+    return value if value <= scalar.maximum else value - (1 << 8 * scalar.size)
+
+
+def _blob_edges(type_: Blob) -> list[Edge]:
+    assert type_.size is not None, "the rest of a body is a list of bytes"
+    if type_.kind == "bytes":
+        contents = (counting(type_.size), bytes(type_.size), b"\xff" * type_.size)
+        return [(f"{data[:1].hex()}…", data.hex()) for data in contents]
+    texts = [data[: type_.size] for data in _TEXTS]
+    if type_.kind == "text":
+        texts.append(b"A" * type_.size)
+    return [(f"text of {len(data)} bytes", text_from_bytes(data)) for data in texts]
+
+
+def counting(size: int) -> bytes:
+    """Bytes that all differ, so that none can be taken for another."""
+    return bytes((7 * i + 3) % 256 for i in range(size))

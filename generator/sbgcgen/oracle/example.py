@@ -1,0 +1,338 @@
+"""A worked example of a message: an ordinary frame, taken apart into the values it holds."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Any
+
+from sbgcgen.model import (
+    SCALARS,
+    Announced,
+    Blob,
+    Enum,
+    Field,
+    Layout,
+    Message,
+    Packed,
+    Part,
+    Quantity,
+    Scalar,
+    Struct,
+    Type,
+)
+from sbgcgen.oracle.codec import (
+    LISTS,
+    Fields,
+    forms_of,
+    is_bytes,
+    keys_of,
+    scalar_of,
+    text_to_bytes,
+    write_frame,
+)
+from sbgcgen.oracle.vector_line import line
+from sbgcgen.oracle.vectors import typical_vector
+
+
+@dataclass(frozen=True)
+class Piece:
+    """One value of a body: where it stands, what it is, and what it means.
+
+    `path` has every index; `leaf` is the path of the Leaf of the model that it belongs to.
+    `access` is the path as C++ has it, with an arrow behind what may be missing; `may_be_missing`
+    tells that of the value itself. `data` are its bytes.
+    """
+
+    path: str
+    leaf: str
+    access: str
+    may_be_missing: bool
+    field: Field
+    type: Type
+    value: Any
+    offset: int
+    data: bytes
+    meaning: str
+
+    @property
+    def is_padding(self) -> bool:
+        return self.field.reserved
+
+    @property
+    def raw(self) -> str:
+        """The raw value as `sbgc decode` prints it."""
+        if isinstance(self.type, Blob) and self.type.kind in ("text", "string"):
+            return json.dumps(self.value, ensure_ascii=False)
+        if isinstance(self.value, float):
+            return f"{self.value:g}"
+        return str(self.value)
+
+
+@dataclass(frozen=True)
+class Example:
+    """An ordinary frame of a message, and the frames before it without which it can not be read.
+
+    Of a message that stores what another one delivers, `read` is the example of that one.
+    """
+
+    message: Message
+    fields: Fields
+    context: Fields
+    before: tuple[bytes, ...]
+    header: bytes
+    pieces: tuple[Piece, ...]
+    trailer: bytes
+    read: Example | None = None
+
+    @property
+    def changed(self) -> frozenset[str]:
+        """The paths of the values that differ from what was read."""
+        before = {piece.path: piece.data for piece in self.read.pieces} if self.read else {}
+        return frozenset(p.path for p in self.pieces if before.get(p.path) != p.data)
+
+    @property
+    def body(self) -> bytes:
+        return b"".join(piece.data for piece in self.pieces)
+
+    @property
+    def frame(self) -> bytes:
+        return self.header + self.body + self.trailer
+
+    @property
+    def json_line(self) -> str:
+        """What `sbgc encode` makes the frame of."""
+        names = {"message": self.message.name, "direction": self.message.direction}
+        return json.dumps({**names, "fields": self.fields})
+
+
+def example_of(message: Message, layout: Layout) -> Example:
+    """The example of a message; it is the first of its test vectors."""
+    vector = typical_vector(message)
+    assert vector.body is not None and vector.fields is not None
+    vector_line = json.loads(line(vector, forms_of(layout)))
+    framing = layout.framing
+    frame = write_frame(framing, message.id, vector.body)
+    taker = _Taker(layout, vector.body, vector.fields)
+    pieces = tuple(taker.fields(message.fields, vector.fields, _Place()))
+    assert taker.at == len(vector.body), f"{message.name}: {taker.at} of {len(vector.body)} bytes"
+    before = tuple(
+        write_frame(framing, told["id"], bytes.fromhex(told["hex"]))
+        for told in vector_line.get("after", ())
+    )
+    return Example(
+        message=message,
+        fields=vector.fields,
+        context=vector.context,
+        before=before,
+        header=frame[: framing.header_size],
+        pieces=pieces,
+        trailer=frame[len(frame) - framing.trailer_size :],
+        read=_read_before(message, layout),
+    )
+
+
+def _read_before(message: Message, layout: Layout) -> Example | None:
+    """The example of what a message stores, if it has the same body and nothing else is needed."""
+    if not message.stores or message.same_as != message.stores or message.contexts:
+        return None
+    board = [m for m in layout.messages if m.direction == "from_board"]
+    return next((example_of(m, layout) for m in board if m.name == message.stores), None)
+
+
+@dataclass(frozen=True)
+class _Place:
+    """Where a value stands: in the message, among the leaves of the model, in C++.
+
+    `arrow` is how C++ reaches what is in it.
+    """
+
+    path: str = ""
+    leaf: str = ""
+    access: str = "message"
+    arrow: str = "."
+
+    def member(self, field: Field) -> _Place:
+        dot = "." if self.path else ""
+        return _Place(
+            f"{self.path}{dot}{field.name}",
+            f"{self.leaf}{dot}{field.name}",
+            f"{self.access}{self.arrow}{field.name}",
+            "->" if field.when else ".",
+        )
+
+    def key(self, key: str) -> _Place:
+        return _Place(f"{self.path}.{key}", f"{self.leaf}.{key}", f"{self.access}{self.arrow}{key}")
+
+    def item(self, field: Field, i: int) -> _Place:
+        list_ = f"(*{self.access})" if self.arrow == "->" else self.access
+        return _Place(f"{self.path}[{i}]", self.leaf + _index(field, i), f"{list_}[{i}]")
+
+
+class _Taker:
+    """Takes the values of a body one behind the other."""
+
+    def __init__(self, layout: Layout, body: bytes, whole: Fields) -> None:
+        self.layout = layout
+        self.body = body
+        self.whole = whole
+        self.at = 0
+
+    def fields(self, fields: tuple[Field, ...], values: Fields, at: _Place) -> Iterator[Piece]:
+        variable: Any = None
+        for field in fields:
+            if field.name in values:
+                yield from self._field(field, values[field.name], at.member(field), variable)
+                if isinstance(field.type, Enum):
+                    variable = values[field.name]
+
+    def _field(self, field: Field, value: Any, at: _Place, variable: Any) -> Iterator[Piece]:
+        if field.dim == "one":
+            yield from self._one(field, field.type, value, at, variable)
+        elif field.dim not in LISTS:
+            for key in keys_of(field):
+                yield from self._one(field, field.type, value[key], at.key(key))
+        elif is_bytes(field):
+            yield self._piece(field, field.type, value, at, len(value) // 2)
+        elif isinstance(field.type, Announced):
+            for i, number in enumerate(value):
+                for word, item in number.items():
+                    yield from self._one(field, SCALARS[word], item, at.item(field, i))
+        else:
+            for i, item in enumerate(value):
+                yield from self._one(field, field.type, item, at.item(field, i))
+
+    def _one(
+        self, field: Field, type_: Type, value: Any, at: _Place, variable: Any = None
+    ) -> Iterator[Piece]:
+        if not isinstance(type_, Struct):
+            yield self._piece(field, type_, value, at, _size(type_, value), variable)
+            return
+        for piece in self.fields(type_.fields, value, at):
+            is_rest = type_.is_region and piece.field is type_.fields[-1]
+            yield replace(piece, leaf=at.leaf) if is_rest else piece  # it has no leaf of its own
+
+    def _piece(
+        self, field: Field, type_: Type, value: Any, at: _Place, size: int, variable: Any = None
+    ) -> Piece:
+        piece = Piece(
+            path=at.path,
+            leaf=at.leaf,
+            access=at.access,
+            may_be_missing=at.arrow == "->",
+            field=field,
+            type=type_,
+            value=value,
+            offset=self.at,
+            data=self.body[self.at : self.at + size],
+            meaning=self._meaning(field, type_, value, at.path, variable),
+        )
+        self.at += size
+        return piece
+
+    # What a value means
+
+    def _meaning(self, field: Field, type_: Type, value: Any, path: str, variable: Any) -> str:
+        for special in field.special:
+            if special.value == value:
+                return special.meaning
+        if field.variable:
+            return self._variable(value, variable)
+        if isinstance(field.type, Announced):
+            return type_.name if isinstance(type_, Scalar) else ""
+        if isinstance(type_, Quantity):
+            return physical(value, self._quantity(field, type_, path))
+        if isinstance(type_, Enum):
+            return flag_names(type_, value) if type_.kind == "flags" else self._name(type_, value)
+        return _packed_text(type_, value) if isinstance(type_, Packed) else ""
+
+    def _name(self, enum: Enum, value: int) -> str:
+        """The name of a value; of a command that has two, the one of the host."""
+        names = [v.name for v in enum.values if v.value == value]
+        to_board = {m.command for m in self.layout.messages if m.direction == "to_board"}
+        return next((name for name in names if name in to_board), names[0] if names else "")
+
+    def _variable(self, value: int, number: Any) -> str:
+        known = next((v for v in self.layout.variables if v.id == number), None)
+        if known is None or known.quantity is None:
+            return ""
+        is_plain = known.quantity.scale == 1 and not known.quantity.offset
+        return "" if is_plain and not known.quantity.unit else physical(value, known.quantity)
+
+    def _quantity(self, field: Field, type_: Quantity, path: str) -> Quantity:
+        other = field.alternative
+        if other is None:
+            return type_
+        axis = next((a for a in ("roll", "pitch", "yaw") if f".{a}." in f"{path}."), "")
+        flags: Any = self.whole
+        for word in other.source.replace("{axis}", axis).split("."):
+            flags = flags[word]
+        flags = flags[axis] if isinstance(flags, dict) else flags
+        return other.quantity if flags & other.mask else type_
+
+
+def _index(field: Field, i: int) -> str:
+    """The index of a list's element as the leaves of the model have it."""
+    is_single = not field.index and not isinstance(field.type, (Struct, Blob))
+    if field.dim == "fixed" or field.index:
+        return "" if is_single else f"[{i}]"
+    return "[]" if isinstance(field.type, Struct) else ""
+
+
+def _size(type_: Type, value: Any) -> int:
+    if isinstance(type_, Blob):
+        if type_.kind == "string":
+            return 1 + len(text_to_bytes(value))
+        assert type_.size is not None
+        return type_.size
+    return scalar_of(type_).size
+
+
+def physical(raw: int | float, quantity: Quantity) -> str:
+    """The real value with its unit: "-30 deg"."""
+    number = f"{float(real(raw, quantity)):.6g}"
+    return f"{number} {quantity.unit}" if quantity.unit else number
+
+
+def real(raw: int | float, quantity: Quantity) -> Fraction:
+    """The exact real value."""
+    return Fraction(raw) * quantity.scale + quantity.offset
+
+
+def flag_names(enum: Enum, bits: int) -> str:
+    """The flags that are set: "A | B | 0x40"; "" for none."""
+    names = []
+    bits &= (1 << 8 * enum.scalar.size) - 1
+    for value in enum.values:
+        if value.value and bits & value.value == value.value:
+            names.append(value.name)
+            bits &= ~value.value
+    return " | ".join(names + ([f"0x{bits:x}"] if bits else []))
+
+
+def part_of(part: Part, raw: int) -> int:
+    """What a part of a packed integer holds."""
+    number = ((raw & part.mask) >> part.shift) // part.divide
+    return number % part.modulo if part.modulo else number
+
+
+def _packed_text(packed: Packed, raw: int) -> str:
+    if packed.display:
+        values = {part.name: part_of(part, raw) for part in packed.parts}
+        return packed.display.format(**values)
+    named = [v.name for v in (packed.names.values if packed.names else ()) if v.value == raw]
+    if named:
+        return named[0]
+    return ", ".join(text for part in packed.parts if (text := _part_text(part, raw)))
+
+
+def _part_text(part: Part, raw: int) -> str:
+    value = part_of(part, raw)
+    if part.enum is None:
+        return f"{part.name} {value}"
+    if part.enum.kind == "flags":
+        return flag_names(part.enum, value)
+    named = [v.name for v in part.enum.values if v.value == value]
+    return named[0] if named else f"{part.name} {value}" if value else ""

@@ -1,0 +1,134 @@
+"""Ordinary values for every kind of field: inside its range, round in its unit, of no special meaning.
+
+They make the examples of the documentation. What stands at neighbouring places differs, so that it
+can be told apart.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+from sbgcgen.oracle.edges import counting
+from sbgcgen.model import Blob, Enum, EnumValue, Field, Packed, Part, Quantity, Scalar, Type
+from sbgcgen.oracle.codec import scalar_of
+
+_WORDS = ("Studio", "Tripod", "Handheld", "Crane", "Car", "Drone", "Walking")
+
+
+def typical(field: Field, type_: Type, place: int) -> Any:
+    """A value for a field, or for each element of one; `place` tells its neighbours apart."""
+    if isinstance(type_, Blob):
+        assert type_.size is not None, "the rest of a body is a list of bytes"
+        if type_.kind == "bytes":
+            return (bytes(type_.size) if field.reserved else counting(type_.size)).hex()
+        return _WORDS[place % len(_WORDS)][: type_.size]
+    if isinstance(type_, Enum):
+        return _enum(type_, place, field)
+    if isinstance(type_, Packed):
+        return _packed(type_, place)
+    scalar = scalar_of(type_)
+    if field.role == "copy" and field.minimum is not None:
+        return int(field.minimum)
+    return _float(field, place) if scalar.is_float else _integer(field, type_, scalar, place)
+
+
+def _enum(type_: Enum, place: int, field: Field | None = None) -> int:
+    """One of the named values, not the first if there are others; of flags, one or two."""
+    values = [v for v in type_.values if not v.since and _allows(field, v)]
+    if not values and type_.kind == "flags":
+        return 0  # of what only later firmware has
+    values = values or list(type_.values)
+    if not values:
+        return 0
+    if type_.kind == "flags":
+        first, second = values[place % len(values)], values[(place + 2) % len(values)]
+        return first.value | second.value
+    return (values[1:] or values)[place % max(1, len(values) - 1)].value
+
+
+def _allows(field: Field | None, value: EnumValue) -> bool:
+    if field is None or field.minimum is None or field.maximum is None:
+        return True
+    return field.minimum <= value.value <= field.maximum
+
+
+def _packed(type_: Packed, place: int) -> int:
+    digits = [part for part in type_.parts if part.is_digits]
+    if digits:  # a version: 2.60 and nothing behind it
+        tops = {part.divide: 2 if not part.modulo else part.modulo * 6 // 10 for part in digits}
+        tops[min(tops)] = 0
+        return sum(divide * number for divide, number in tops.items())
+    raw = 0
+    for number, part in enumerate(type_.parts):
+        raw |= _part(part, place + number) << part.shift
+    assert type_.scalar.maximum is not None
+    return raw if raw <= type_.scalar.maximum else raw - (1 << 8 * type_.scalar.size)
+
+
+def _part(part: Part, place: int) -> int:
+    most = part.mask >> part.shift
+    if part.enum:
+        return _enum(part.enum, place) & most
+    return min(most, 1 if part.is_bool else 2 + place % 3)
+
+
+def _share(place: int, low: int, high: int) -> Fraction:
+    """A share of a range, from `low` to `high` percent, another one for each place."""
+    return Fraction(low + 7 * place % (high - low), 100)
+
+
+def _float(field: Field, place: int) -> float:
+    if field.minimum is None or field.maximum is None:
+        return 1.5 + place % 8 / 4
+    middle, half = (field.maximum + field.minimum) / 2, (field.maximum - field.minimum) / 2
+    # Sixteenths have few digits in binary as well as in decimal.
+    share = Fraction(int(16 * _share(place, 10, 80)), 16)
+    return float(middle + half * share * (-1 if place % 2 else 1))
+
+
+def _integer(field: Field, type_: Type, scalar: Scalar, place: int) -> int:
+    assert scalar.minimum is not None and scalar.maximum is not None
+    if field.variable:  # whichever variable it is of, it hardly has a narrower range
+        return 10 + place % 7
+    low = Fraction(scalar.minimum) if field.minimum is None else field.minimum
+    high = Fraction(scalar.maximum) if field.maximum is None else field.maximum
+    is_narrow = low > scalar.minimum or high < scalar.maximum
+    number = _inside(low, high, is_narrow, type_, place)
+    number = -(-number // field.align) * field.align
+    number = min(max(number, int(low)), int(high))
+    step = field.align if number < (low + high) / 2 else -field.align
+    while any(special.value == number for special in field.special):
+        number += step
+    return number
+
+
+def typical_number(quantity: Quantity) -> int | float:
+    """An ordinary raw value of a quantity that may have any."""
+    low, high = quantity.scalar.minimum, quantity.scalar.maximum
+    if low is None or high is None:
+        return 1.5
+    number = _inside(Fraction(low), Fraction(high), False, quantity, 0)
+    return min(max(number, low), high)
+
+
+def _inside(low: Fraction, high: Fraction, is_narrow: bool, type_: Type, place: int) -> int:
+    """A number of a range that is round in its unit."""
+    # What may be anything is mostly far from its limits.
+    most = high if is_narrow else min(high, Fraction(65535))
+    share = _share(place, 40, 80) if is_narrow else _share(place, 2, 7)
+    if most <= 255 and not is_narrow:
+        share = max(share, _share(place, 4, 24))
+    if low < 0:
+        value = most * share / 2 * (-1 if place % 2 else 1)
+    else:
+        value = low + (most - low) * share
+    if not isinstance(type_, Quantity):
+        return round(value)
+    real = _round(value * type_.scale + type_.offset)
+    return round((real - type_.offset) / type_.scale)
+
+
+def _round(value: Fraction) -> Fraction:
+    """The value with two digits that count."""
+    return Fraction(f"{float(value):.1e}")

@@ -1,0 +1,78 @@
+"""A test vector as a line of a file, for codecs in any language.
+
+A line is {"message", "command", "id", "direction", "hex", "fields", "why"}. What else it may have: "context", raw values without which the body can
+not be read, with "after", the messages that tell them; and "error" in place of what there is none
+of: without "fields" the body does not decode, without "hex" the fields do not encode. Of bodies
+that are no message at all (`unknown.jsonl`) there is no "message" and no "command". Where the size
+of a body makes it another form of the command, "chosen" is that form's name, or null for none.
+"""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from sbgcgen.model import Context, Message
+from sbgcgen.oracle.announced import announced_types, announcing
+from sbgcgen.oracle.codec import CodecError, Forms, choose_message, encode
+from sbgcgen.oracle.compose import Choice, Places, compose
+from sbgcgen.oracle.vectors import Vector
+
+
+def line(vector: Vector, forms: Forms) -> str:
+    """A line of a vector file."""
+    message = vector.message
+    result: dict[str, Any] = {
+        "message": message.name,
+        "command": message.command,
+        "id": message.id,
+        "direction": message.direction,
+    }
+    if vector.context:
+        result["context"] = vector.context
+        result["after"] = [
+            _telling(context, vector.context[context.name], forms)
+            for context in message.contexts
+            if context.name in vector.context
+        ]
+    if vector.body is not None:
+        result["hex"] = vector.body.hex()
+        chosen = _chosen(forms, message, len(vector.body))
+        if chosen is not message:
+            result["chosen"] = chosen.name if chosen else None
+    if vector.fields is not None:
+        result["fields"] = vector.fields
+    if vector.error:
+        result["error"] = error_words(vector.error)
+    result["why"] = vector.why
+    return json.dumps(result, separators=(",", ":")) + "\n"
+
+
+def _chosen(forms: Forms, message: Message, size: int) -> Message | None:
+    try:
+        return choose_message(forms, message.direction, message.id, size)
+    except CodecError:
+        return None
+
+
+def error_words(error: CodecError) -> dict[str, Any]:
+    """What a line says of an error."""
+    return {"code": error.code, "field": error.field, "offset": error.offset}
+
+
+def _telling(context: Context, value: Any, forms: Forms) -> dict[str, Any]:
+    """A message that tells a context's value."""
+    name, path = context.sources[0] if context.sources else ("", "")
+    if context.announced:
+        name = context.announced.message
+    message = next(m for same_id in forms.values() for m in same_id if m.name == name)
+    if context.announced:
+        fields = announcing(context.announced, message, value)
+        assert announced_types(context.announced, message, fields) == value
+    else:
+        fields = compose(message, Choice(Places(), short=True, forced={path: value}))
+    return {
+        "id": message.id,
+        "direction": message.direction,
+        "hex": encode(message, fields).hex(),
+    }

@@ -1,0 +1,266 @@
+"""Finds the bodies of a message that a wrong codec is most likely to get wrong."""
+
+from __future__ import annotations
+
+import zlib
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from sbgcgen.model import Message, conditions
+from sbgcgen.oracle.codec import CodecError, Fields, decode, encode, holds
+from sbgcgen.oracle.compose import (
+    Choice,
+    Places,
+    all_types,
+    compose,
+    documented_length,
+    first_that_fits,
+    full_context,
+    satisfying,
+    typical_context,
+    variable_parts,
+)
+
+
+@dataclass(frozen=True)
+class Vector:
+    """What a body says or why it says nothing, or why fields have no body."""
+
+    message: Message
+    why: str
+    body: bytes | None
+    fields: Fields | None
+    context: Fields
+    error: CodecError | None = None
+
+
+def vectors_of(message: Message, is_known: bool = False) -> list[Vector]:
+    """The vectors of a message; only a few if another one has had all those of its body."""
+    maker = _Maker(message)
+    maker.typical()
+    maker.uniform()
+    if is_known:
+        maker.add(maker.choice(context=full_context(message)))
+    else:
+        maker.rounds()
+        maker.lengths()
+        maker.random()
+        maker.too_much()
+        maker.out_of_place()
+    maker.tails()
+    maker.truncated()
+    return maker.vectors
+
+
+def typical_vector(message: Message) -> Vector:
+    """The first of the vectors that can be read: what an ordinary message looks like."""
+    maker = _Maker(message)
+    maker.typical()
+    maker.uniform()
+    return next(v for v in maker.vectors if v.body is not None and v.fields is not None)
+
+
+class _Maker:
+    """Collects the vectors of one message, none twice."""
+
+    def __init__(self, message: Message) -> None:
+        self.message = message
+        self.vectors: list[Vector] = []
+        self.seen: set[str] = set()
+        self.places = Places()
+
+    # What is made
+
+    def typical(self) -> None:
+        """Ordinary values, with what the first condition about a field asks for."""
+        forced: Fields = next((case["forced"] for case in self.cases() if "forced" in case), {})
+        context = typical_context(self.message)
+        for short in (False, True):
+            choice = Choice(
+                Places(),
+                typical=True,
+                context=context,
+                forced=forced,
+                short=short,
+                example=self.message.example,
+            )
+            try:
+                body = encode(self.message, compose(self.message, choice))
+            except CodecError:
+                continue
+            if len(body) <= self.message.max_size:
+                self.add(choice, "typical values")
+                return
+
+    def uniform(self) -> None:
+        """Nothing but zeros, nothing but ones."""
+        for name, byte in (("zeros", b"\x00"), ("ones", b"\xff")):
+            self.add_body(byte * self.message.min_size, {}, f"all {name}")
+
+    def rounds(self) -> None:
+        """Every field at each of its edges, all fields of a message at once.
+
+        Neighbours are at different edges, so a field that is read from a wrong place shows. Then
+        each condition is made to hold, for as many rounds as what hangs on it needs.
+        """
+        last = self.choice()
+        self.add(last)
+        while last.round + 1 < last.rounds_of_free:
+            last = self.choice(round=last.round + 1)
+            self.add(last)
+        for case in self.cases():
+            last = self.choice(**case)
+            self.add(last)
+            while last.round + 1 < last.rounds_of_conditional:
+                last = self.choice(round=last.round + 1, **case)
+                self.add(last)
+            if any(when.may_be_missing for when in conditions(self.message)):
+                self.add(self.choice(short=True, leave_out=True, **case), "what may be missing is")
+        if self.message.contexts:
+            self.add(self.choice(context=full_context(self.message)))
+
+    def lengths(self) -> None:
+        """Lists and texts that are empty, of one element, as long as documented, as can be."""
+        for path, member, beside in variable_parts(self.message.fields):
+            case: dict[str, Any] = {"context": full_context(self.message)}
+            if member.when and not member.when.from_context:
+                case["forced"] = {member.when.source: satisfying(member.when)[0]}
+            if member.dim in ("counted", "rest") and not path.endswith("[]"):
+                documented = documented_length(beside, member)
+                least = member.min_count
+                lengths = {0, 1, max(0, least - 1), least, documented, member.capacity}
+            else:
+                empty = self.choice(short=True, lengths={path: 0}, **case)
+                lengths = {0, 1, 255 - len(first_that_fits(self.message, empty))}
+            for length in sorted(lengths):
+                choice = self.choice(short=True, lengths={path: length}, **case)
+                self.add(choice, f"{path} of length {length}")
+
+    def random(self) -> None:
+        """Bodies of any bytes, some of which mean nothing."""
+        numbers = _Random(zlib.crc32(f"{self.message.direction} {self.message.name}".encode()))
+        for number in (1, 2):
+            size = numbers.between(self.message.min_size, self.message.max_size)
+            body = bytes(numbers.between(0, 255) for _ in range(size))
+            self.add_body(body, full_context(self.message), f"random {number}")
+
+    def tails(self) -> None:
+        """What later firmware appends: one byte, and as much as fits."""
+        if not self.message.keeps_tail:
+            return
+        context = full_context(self.message)
+        short = [self.choice(short=True, context=c) for c in (context, {})]
+        body = first_that_fits(self.message, *short)
+        for size in sorted({1, 255 - len(body)}):
+            tail = bytes((251 * i + 165) % 256 for i in range(size))
+            self.add_body(body + tail, context, f"{size} more bytes than are known")
+
+    def truncated(self) -> None:
+        """Bodies that end too early, one for each way that is reported, and one too long."""
+        context = full_context(self.message)
+        choices = [self.choice(context=context), self.choice(short=True, context=context)]
+        whole = first_that_fits(self.message, *choices, self.choice(short=True))
+        reported: set[tuple[str, str]] = set()
+        for size in (len(whole) + 1, *range(len(whole) - 1, -1, -1)):
+            body = (whole + b"\x5a")[:size]
+            try:
+                decode(self.message, body, context)
+            except CodecError as error:
+                if (error.code, error.field) not in reported:
+                    reported.add((error.code, error.field))
+                    self.add_body(body, context, f"{size} bytes instead of {len(whole)}")
+
+    def too_much(self) -> None:
+        """Lists and tails that have room of their own, but too little beside everything else."""
+        context = full_context(self.message)
+        for path, member, _ in variable_parts(self.message.fields):
+            if member.dim in ("counted", "rest") and not path.endswith("[]") and not member.when:
+                choice = self.choice(context=context, lengths={path: member.capacity})
+                self.add_refused(compose(self.message, choice), f"too many {path}")
+        if self.message.keeps_tail:
+            fields = compose(self.message, self.choice(context=context))
+            tail = bytes(self.message.tail_capacity).hex()
+            self.add_refused({**fields, "tail": tail}, "too long a tail")
+
+    def out_of_place(self) -> None:
+        """Conditional fields that are there against their condition, or missing."""
+        for case in self.cases():
+            for source, value in case.get("forced", {}).items():
+                other = self.value_of_no_condition(source)
+                there = compose(self.message, self.choice(**case))
+                self.add_refused({**there, source: other}, f"with another {source}")
+                absent = compose(self.message, self.choice(forced={source: other}))
+                self.add_refused({**absent, source: value}, f"missing for this {source}")
+
+    # What it is made from
+
+    def value_of_no_condition(self, source: str) -> int:
+        """A value of a field for which no condition holds that is about it."""
+        asked = [when for when in conditions(self.message) if when.source == source]
+        return next(value for value in range(128) if not any(holds(w, value) for w in asked))
+
+    def choice(self, **options: Any) -> Choice:
+        """A choice for this message."""
+        return Choice(self.places, **options)
+
+    def cases(self) -> Iterator[dict[str, Any]]:
+        """For each condition, what makes it hold."""
+        seen = []
+        for when in conditions(self.message):
+            for value in satisfying(when):
+                key = "context" if when.from_context else "forced"
+                case = {key: {when.source: value}}
+                if case not in seen:
+                    seen.append(case)
+                    yield case
+        for context in self.message.contexts:
+            if context.announced:
+                known = all_types(context)
+                for types in (known, known[:1], known[:1] * 254):
+                    yield {"context": {context.name: types}}
+
+    # How it is added
+
+    def add(self, choice: Choice, why: str = "") -> None:
+        """Add what comes out of composing; if it does not fit into a body, as an error."""
+        fields = compose(self.message, choice)
+        why = why or choice.why()
+        try:
+            self.add_body(encode(self.message, fields), choice.context, why)
+        except CodecError:
+            self.add_refused(fields, why)
+
+    def add_body(self, body: bytes, context: Fields, why: str) -> None:
+        """Add a body and what it decodes to, be it an error."""
+        try:
+            fields = decode(self.message, body, context)
+        except CodecError as error:
+            self._add(Vector(self.message, why, body, None, context, error))
+        else:
+            self._add(Vector(self.message, why, body, fields, context))
+
+    def add_refused(self, fields: Fields, why: str) -> None:
+        """Add fields that do not encode, if so."""
+        try:
+            encode(self.message, fields)
+        except CodecError as error:
+            self._add(Vector(self.message, why, None, fields, {}, error))
+
+    def _add(self, vector: Vector) -> None:
+        key = repr((vector.body if vector.body is not None else vector.fields, vector.context))
+        if key not in self.seen:
+            self.seen.add(key)
+            self.vectors.append(vector)
+
+
+class _Random:
+    """A linear congruential generator, the same in every version of Python."""
+
+    def __init__(self, seed: int) -> None:
+        self.state = seed
+
+    def between(self, low: int, high: int) -> int:
+        """A number from low to high."""
+        self.state = (self.state * 6364136223846793005 + 1442695040888963407) % (1 << 64)
+        return low + (self.state >> 33) % (max(low, high) - low + 1)

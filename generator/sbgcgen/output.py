@@ -1,0 +1,62 @@
+"""Writes what has changed of a folder of output, and tells what differs."""
+
+from __future__ import annotations
+
+import errno
+from dataclasses import dataclass
+from pathlib import Path
+
+
+@dataclass(frozen=True)
+class Output:
+    """The content that a folder should have."""
+
+    folder: Path
+    files: dict[str, bytes]
+    # A file that every such output has; without it, a folder is not ours to clean.
+    mark: str = "simplebgc.json"
+
+    def _stale(self) -> list[str]:
+        if not self.folder.is_dir():
+            return []
+        there = (
+            p.relative_to(self.folder).as_posix() for p in self.folder.rglob("*") if p.is_file()
+        )
+        return sorted(name for name in there if name not in self.files)
+
+    def drift(self) -> list[str]:
+        """One line for each file that differs from what it should be."""
+        lines = [f"{name}: not generated from the spec" for name in self._stale()]
+        for name, content in sorted(self.files.items()):
+            path = self.folder / name
+            if not path.is_file():
+                lines.append(f"{name}: missing")
+            elif path.read_bytes() != content:
+                lines.append(f"{name}: differs")
+        return lines
+
+    def write(self) -> int:
+        """Make the folder so; returns how many files were written or deleted.
+
+        Raises OSError, also if the folder holds something else: files that are not generated are
+        deleted, so it must be empty or hold an earlier output.
+        """
+        stale = self._stale()
+        if stale and not (self.folder / self.mark).is_file():
+            raise FileExistsError(errno.EEXIST, "it holds other files", str(self.folder))
+        changed = 0
+        for name, content in self.files.items():
+            path = self.folder / name
+            if path.is_file() and path.read_bytes() == content:
+                continue
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(content)
+            changed += 1
+        for name in stale:
+            path = self.folder / name
+            path.unlink()
+            changed += 1
+            while path.parent != self.folder and not any(path.parent.iterdir()):
+                path = path.parent
+                path.rmdir()
+        return changed

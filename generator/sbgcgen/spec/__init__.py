@@ -1,0 +1,1 @@
+"""Reading the specification: YAML in, a checked model out."""

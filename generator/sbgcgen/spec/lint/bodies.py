@@ -1,0 +1,279 @@
+"""Rules over resolved bodies: what a decoder could not read or an encoder could not write."""
+
+from __future__ import annotations
+
+from sbgcgen.spec.diagnostics import Diagnostics
+from sbgcgen.model import (
+    Announced,
+    Blob,
+    Context,
+    Enum,
+    Field,
+    Layout,
+    Message,
+    Packed,
+    Quantity,
+    Scalar,
+    Struct,
+)
+from sbgcgen.model.names import is_name, parse_lines
+
+
+def lint_bodies(layout: Layout, found: Diagnostics) -> None:
+    """Check every message and struct; findings go into `found`."""
+    for family in layout.families:
+        for struct in family.structs:
+            _check_list(struct.fields, found)
+            _check_struct(struct, found)
+    _check_families(layout, found)
+    for message in layout.messages:
+        _check_list(message.fields, found)
+        _check_message(message, layout.framing.max_body, found)
+        _check_regions(message, found)
+        _check_same_as(message, layout, found)
+        _check_contexts(message, layout, found)
+        _check_alternatives(message, message.fields, found)
+        _check_source(message.source, message, found)
+    types: list[Enum | Packed] = [*layout.enums, *layout.packed]
+    for type_ in types:
+        _check_source(type_.source, type_, found)
+
+
+def _check_message(message: Message, max_body: int, found: Diagnostics) -> None:
+    if not is_name(message.name):
+        text = f"'{message.name}' can not be a name"
+        found.add(message.at, "SBGC022", text, "give the message another one with 'as'")
+    if not message.min_size <= message.max_size <= max_body and message.min_size <= max_body:
+        text = f"{message.name} has at least {message.min_size} bytes, at most {message.max_size}"
+        hint = f"'max_size' lies between the fields' least size and {max_body}"
+        found.add(message.at, "SBGC042", text, hint)
+
+
+def _check_same_as(message: Message, layout: Layout, found: Diagnostics) -> None:
+    """The codec of a body is the same for all messages that have it."""
+    owner = next(m for m in layout.messages if m.body is message.body)
+    if owner.keeps_tail != message.keeps_tail:
+        word = "keeps" if message.keeps_tail else "refuses"
+        text = f"{message.name} {word} a tail, {owner.name} with the same body does not"
+        found.add(message.at, "SBGC041", text, "give both of them the same 'tail'")
+
+
+def _check_families(layout: Layout, found: Diagnostics) -> None:
+    """The header of a family includes those of others that it uses, but not in a circle."""
+    uses = {family.name: set(family.uses) for family in layout.families}
+    for name in uses:
+        reached: set[str] = set()
+        following = uses[name]
+        while following - reached:
+            reached |= following
+            following = {n for other in following for n in uses[other]}
+        if name in reached:
+            family = next(f for f in layout.families if f.name == name)
+            at = [*(m.at for m in family.messages), *(s.at for s in family.structs)][0]
+            text = f"the family '{name}' uses bodies of others that use its own"
+            hint = "put what both of them need into a third family"
+            found.add(at, "SBGC029", text, hint)
+            return
+
+
+def _check_source(source: str, owner: Message | Enum | Packed, found: Diagnostics) -> None:
+    """Line ranges run forwards. (What came later than the specification names no lines.)"""
+    if any(last < first for first, last in parse_lines(source)):
+        text = f"the source of {owner.name} names lines backwards"
+        hint = "write it like 'Variables L1005-L1009'"
+        found.add(owner.at, "SBGC020", text, hint)
+
+
+# Lists of fields
+
+
+def _check_list(fields: tuple[Field, ...], found: Diagnostics) -> None:
+    by_name = {field.name: field for field in fields}
+    counted: set[str] = set()
+    for field in fields:
+        _check_varying(field, found)
+        most = field.capacity if field.max_count is None else field.max_count
+        if field.min_count > most:
+            text = f"'{field.name}' has at least {field.min_count} elements, at most {most}"
+            found.add(field.at, "SBGC042", text, "lower 'min_count'")
+        if field.max_count is not None and field.max_count > field.capacity:
+            text = f"{field.max_count} elements of '{field.name}' do not fit into a body"
+            found.add(field.at, "SBGC042", text, f"there is room for {field.capacity}")
+        if isinstance(field.type, Struct) and _takes_rest(field.type):
+            if field.dim != "one" or field is not fields[-1]:
+                text = f"{field.type.name} takes the rest of the body, but something follows it"
+                hint = "such a struct stands once, and last"
+                found.add(field.at, "SBGC027", text, hint)
+        if field.counter:
+            problem = _counter_problem(by_name.get(field.counter), counted)
+            if problem:
+                text = f"'{field.counter}' can not count '{field.name}': {problem}"
+                hint = "a counter is a u8, u16 or u32 of its own, in the same list of fields"
+                found.add(field.at, "SBGC043", text, hint)
+            counted.add(field.counter)
+
+
+def _check_varying(field: Field, found: Diagnostics) -> None:
+    """What nobody could find the end of."""
+    is_list = field.dim in ("counted", "rest")
+    varies = field.type.size is None if isinstance(field.type, (Blob, Struct)) else False
+    varies = varies or (isinstance(field.type, Blob) and field.type.kind == "string")
+    is_bytes = isinstance(field.type, Blob) and field.type.kind == "bytes"
+    if field.dim == "rest" and varies and not is_bytes:
+        text = f"the elements of '{field.name}', which takes the rest of the body, vary in size"
+        found.add(field.at, "SBGC043", text, "put a counter in front of it: NAME[COUNT]")
+    if field.when is not None and is_list:
+        text = f"the list '{field.name}' has a condition"
+        found.add(field.at, "SBGC043", text, "make it part of a struct, and give that the 'when'")
+    elif field.when is not None and field.when.may_be_missing and field.size is None:
+        text = f"'{field.name}' varies in size, so nobody can tell whether it is missing"
+        found.add(field.at, "SBGC026", text, "leave out 'may_be_missing'")
+    if isinstance(field.type, Announced) and field.dim != "rest":
+        text = f"'{field.name}' is announced, but does not take the rest of the body"
+        found.add(field.at, "SBGC043", text, "as many as are announced stand here: NAME[]")
+
+
+# Regions
+
+
+def _check_struct(struct: Struct, found: Diagnostics) -> None:
+    for field in struct.fields:
+        if isinstance(field.type, Announced):
+            text = f"the announced '{field.name}' stands in a struct"
+            found.add(field.at, "SBGC026", text, "contexts are known to messages only")
+        if isinstance(field.type, Struct) and field.type.is_region:
+            text = f"'{field.name}', which has a size of its own, stands in a struct"
+            found.add(field.at, "SBGC033", text, "move it into the message")
+        if struct.is_region and field.name == "rest" and not field.optional:
+            text = "'rest' is a member that everything with a size of its own has"
+            found.add(field.at, "SBGC022", text, "give the field another name with 'as'")
+
+
+def _check_regions(message: Message, found: Diagnostics) -> None:
+    """What has a size of its own stands once, at a fixed place, behind what it depends on."""
+    earlier: dict[str, Field] = {}
+    for field in message.fields:
+        if isinstance(field.type, Struct) and field.type.is_region:
+            counts = any(f.is_counter for f in message.fields)
+            if field.dim != "one" or field.offset is None or field.when or counts:
+                text = f"'{field.name}', which has a size of its own, does not always stand there"
+                hint = "it stands once, without a condition, in a message without counted lists"
+                found.add(field.at, "SBGC033", text, hint)
+            for when in (inner.when for inner in field.type.fields if inner.when):
+                source = earlier.get(when.source)
+                known = source is not None and source.type == when.enum and source.dim == "one"
+                if when.from_context or not known:
+                    text = f"'{field.name}' depends on '{when.source}', which is no earlier field"
+                    hint = "only fields of the message around it can tell what is in it"
+                    found.add(field.at, "SBGC033", text, hint)
+                    break
+        earlier[field.name] = field
+
+
+def _takes_rest(struct: Struct) -> bool:
+    if not struct.fields or struct.size is not None:
+        return False
+    last = struct.fields[-1]
+    return last.dim == "rest" or (isinstance(last.type, Struct) and _takes_rest(last.type))
+
+
+def _counter_problem(counter: Field | None, counted: set[str]) -> str:
+    if counter is None:
+        return "it stands elsewhere"
+    if counter.name in counted:
+        return "it counts another list"
+    if not isinstance(counter.type, Scalar) or counter.type.minimum != 0:
+        return "it is no unsigned number"
+    if counter.dim != "one":
+        return "there are several of it"
+    return "it is not always present" if counter.when is not None else ""
+
+
+# References to other fields and messages
+
+
+def _check_alternatives(message: Message, fields: tuple[Field, ...], found: Diagnostics) -> None:
+    by_name = {field.name: field for field in message.fields}
+    for field in fields:
+        if isinstance(field.type, Struct):
+            _check_alternatives(message, field.type.fields, found)
+        if field.alternative and not (
+            isinstance(field.type, Quantity)
+            and field.type.scalar == field.alternative.quantity.scalar
+        ):
+            text = f"{field.alternative.quantity.name} is no other unit of '{field.name}'"
+            found.add(field.at, "SBGC026", text, "both are quantities over the same number")
+        source = by_name.get(field.alternative.source) if field.alternative else None
+        if source is None or field.alternative is None:
+            continue
+        flag = field.alternative.flag
+        sets = [source.type] if isinstance(source.type, Enum) else []
+        if isinstance(source.type, Packed):
+            sets = [part.enum for part in source.type.parts if part.enum]
+        if not any(flag in enum.values for enum in sets):
+            text = f"'{source.name}' of {message.name} has no flag {flag.name}"
+            hint = "'of' names the field whose flags choose the unit"
+            found.add(field.at, "SBGC026", text, hint)
+
+
+def _check_contexts(message: Message, layout: Layout, found: Diagnostics) -> None:
+    messages = {m.name: m for m in layout.messages}
+    known = {context.name: context for context in message.contexts}
+    for field in message.fields:
+        wanted = field.type.context if isinstance(field.type, Announced) else ""
+        if field.when is not None and field.when.from_context:
+            wanted = field.when.source
+        context_type = field.when.enum if field.when else None
+        if wanted and (wanted not in known or known[wanted].type != context_type):
+            text = f"{message.name} has no context '{wanted.upper()}' for '{field.name}'"
+            hint = "list it under 'context' (with 'announced_by' for announced numbers)"
+            found.add(field.at, "SBGC026", text, hint)
+    used = {f.when.source for f in message.fields if f.when and f.when.from_context}
+    used |= {f.type.context for f in message.fields if isinstance(f.type, Announced)}
+    seen: set[str] = set()
+    for context in message.contexts:
+        if context.name not in used and (context.type or context.announced):
+            text = f"the context '{context.name}' of {message.name} is not used"
+            found.add(message.at, "SBGC050", text, "delete it, or let a field depend on it")
+        if context.name in seen:
+            text = f"duplicate context '{context.name}' in {message.name}"
+            found.add(message.at, "SBGC012", text, "one of them is enough")
+        seen.add(context.name)
+        for name, path in context.sources:
+            _check_source_of(context, name, path, messages.get(name), message, found)
+        if context.announced and not context.announced.types:
+            text = f"nothing announces the context '{context.name}' of {message.name}"
+            hint = (
+                "'announced_by' is a counted list of structs; its elements have 'kind' and 'count'"
+            )
+            found.add(message.at, "SBGC026", text, hint)
+
+
+def _check_source_of(
+    context: Context,
+    name: str,
+    path: str,
+    source: Message | None,
+    message: Message,
+    found: Diagnostics,
+) -> None:
+    field = _find(source.fields if source else (), path.split("."))
+    if field is None:
+        text = f"the context '{context.name}' of {message.name} comes from no field"
+        hint = f"there is no single '{name}.{path}'; write it like BoardInfo.FIRMWARE_VER"
+        found.add(message.at, "SBGC026", text, hint)
+    elif context.type is not None and field.type != context.type:
+        text = f"the context '{context.name}' of {message.name} comes from a field of another type"
+        hint = f"'{name}.{path}' must be of type {context.type.name}"
+        found.add(message.at, "SBGC026", text, hint)
+
+
+def _find(fields: tuple[Field, ...], path: list[str]) -> Field | None:
+    """The field of a path through structs that are always there."""
+    for field in fields:
+        if field.name == path[0] and field.dim == "one":
+            if len(path) == 1:
+                return field
+            if isinstance(field.type, Struct) and field.when is None:
+                return _find(field.type.fields, path[1:])
+    return None

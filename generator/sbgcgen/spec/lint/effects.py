@@ -1,0 +1,44 @@
+"""Rules about what requests do to the board, once nothing else is wrong."""
+
+from __future__ import annotations
+
+from sbgcgen.spec.diagnostics import Diagnostics
+from sbgcgen.model import EFFECTS, Effect, Layout, Message
+
+
+def lint_effects(layout: Layout, found: Diagnostics) -> None:
+    """Check the effect of every message; findings go into `found`."""
+    undocumented = {command.name for command in layout.commands if command.undocumented}
+    for message in layout.messages:
+        text, hint = "", ""
+        if message.direction == "from_board":
+            if message.effect is not None:
+                text = f"{message.name} comes from the board, so it does nothing to it"
+                hint = "'effect' belongs to 'to_board'"
+        elif message.effect is None:
+            text = f"{message.name} does not say what it does to the board"
+            hint = f"say 'effect:' with one or more of: {', '.join(EFFECTS)}"
+        else:
+            text, hint = _problem(message, message.effect, message.command in undocumented)
+        if text:
+            found.add(message.at, "SBGC062", text, hint)
+
+
+def _problem(message: Message, effect: Effect, is_undocumented: bool) -> tuple[str, str]:
+    """What is wrong with an effect, and what to do; two empty texts if nothing is."""
+    for index, case in enumerate(effect.cases):
+        is_last = index == len(effect.cases) - 1
+        if is_last and case.when is not None:
+            text = f"the last case of the effect of {message.name} has a condition"
+            return text, "the last case holds if no other does"
+        if not is_last and case.when is None:
+            text = f"a case of the effect of {message.name} has no condition"
+            return text, "each case has a 'when' but the last, which holds if none does"
+        for word in ("reads", "unknown"):
+            if word in case.words and len(case.words) > 1:
+                text = f"{message.name} says '{word}' beside another effect"
+                return text, f"'{word}' stands alone"
+    if "unknown" in effect.words and not is_undocumented:
+        text = f"{message.name} is described, so its effect is known"
+        return text, "'unknown' is for commands with 'undocumented: true'"
+    return "", ""

@@ -1,0 +1,104 @@
+"""Rules over the main file, and over what it says of all others."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any
+
+from sbgcgen.model import Position
+from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
+from sbgcgen.spec.load import List, Map, Spec
+
+_LINE = re.compile(r"\bL([0-9]+)\b")
+
+
+def lint_main(spec: Spec, found: Diagnostics) -> None:
+    """Check the main file and the lines that sources name; findings go into `found`."""
+    _check_units(spec, found)
+    _check_synonyms(spec, found)
+    _check_revisions(spec, found)
+    _check_lines(spec, found)
+    _check_guides(spec, found)
+
+
+def _check_units(spec: Spec, found: Diagnostics) -> None:
+    known = [str(unit) for unit in spec.main.get("units", ())]
+    for _, name, node, _ in spec.entries("quantities"):
+        unit = node.get("unit")
+        if known and unit is not None and str(unit) not in known:
+            hint = did_you_mean(str(unit), known) or "add it to 'units' in simplebgc.yaml"
+            found.add(node.at("unit"), "SBGC065", f"{name} is in '{unit}', no known unit", hint)
+
+
+def _check_synonyms(spec: Spec, found: Diagnostics) -> None:
+    seen: dict[str, Position] = {}
+    for group in spec.main.get("synonyms", ()):
+        for word, at in zip(group, group.items_at):
+            first = seen.setdefault(str(word), at)
+            if first is not at:
+                text = f"'{word}' stands in two groups of synonyms (first at {first})"
+                found.add(at, "SBGC066", text, "keep it in one, or make one group of both")
+
+
+def _check_revisions(spec: Spec, found: Diagnostics) -> None:
+    nodes = spec.main.get("revisions", Map())
+    before: tuple[tuple[int, ...], str] = ((), "")
+    for number, node in nodes.items():
+        this = (tuple(int(part) for part in number.split(".")), str(node["date"]))
+        if this[0] <= before[0]:
+            text = f"revision {number} stands behind a later one"
+            found.add(nodes.at(number), "SBGC067", text, "the first revision stands first")
+        elif this[1] < before[1]:
+            text = f"revision {number} is older than the one before it ({before[1]})"
+            found.add(node.at("date"), "SBGC067", text, "the first revision stands first")
+        before = this
+
+
+def _check_lines(spec: Spec, found: Diagnostics) -> None:
+    """Sources and errata name lines that the text of the specification has."""
+    count = spec.main.get("protocol", {}).get("lines")
+    if count is None:
+        return
+    for text, at in _places(spec):
+        numbers = [int(number) for number in _LINE.findall(text)]
+        wrong = [number for number in numbers if not 1 <= number <= count]
+        if wrong:
+            message = f"there is no line L{wrong[0]}"
+            found.add(at, "SBGC068", message, f"the specification has {count} lines")
+        for first, last in re.findall(r"\bL([0-9]+)-L([0-9]+)\b", text):
+            if int(last) < int(first):
+                message = f"'L{first}-L{last}' ends before it begins"
+                found.add(at, "SBGC068", message, "the first line stands first")
+
+
+def _places(spec: Spec) -> Iterator[tuple[str, Position]]:
+    for content in (spec.main, *spec.families.values()):
+        yield from _sources(content)
+    for node in spec.errata.get("errata", Map()).values():
+        lines = node.get("lines", List())
+        yield from zip(map(str, lines), lines.items_at if isinstance(lines, List) and lines else ())
+
+
+def _sources(node: Any) -> Iterator[tuple[str, Position]]:
+    if isinstance(node, Map):
+        if isinstance(node.get("source"), str):
+            yield node["source"], node.at("source")
+        for value in node.values():
+            yield from _sources(value)
+    elif isinstance(node, list):
+        for value in node:
+            yield from _sources(value)
+
+
+def _check_guides(spec: Spec, found: Diagnostics) -> None:
+    """Guides exist. A copy of the spec without the project's docs/ beside it may name any."""
+    nodes = spec.main.get("guides", Map())
+    root = spec.files[0].resolve().parent.parent if spec.files else None
+    if root is None or not (root / "docs").is_dir():
+        return
+    known = [f"docs/{path.name}" for path in sorted((root / "docs").glob("*.md"))]
+    for about, path in nodes.items():
+        if str(path) not in known:
+            hint = did_you_mean(str(path), known) or "name a file in docs/"
+            found.add(nodes.at(about), "SBGC021", f"there is no guide '{path}'", hint)

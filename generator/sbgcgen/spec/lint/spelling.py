@@ -1,0 +1,77 @@
+"""Rules over the spelling of the protocol's own names."""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Iterator
+from typing import Any
+
+from sbgcgen.model import Position
+from sbgcgen.spec.diagnostics import Diagnostics
+from sbgcgen.spec.load import Map, Spec
+from sbgcgen.spec.resolve.types import COMMAND_ID, VARIABLE_ID
+
+# Types of the spec begin with an upper-case letter, what is built in does not.
+_BUILT_IN = re.compile(r"[a-z]")
+# What does not belong to the protocol's name of a field: its index, a placeholder.
+_BRACKETS = re.compile(r"\[.*?\]|\{.*?\}")
+# From here on, a beginning that is not the prefix looks like it.
+_SIMILAR = 0.85
+
+
+def lint_spelling(spec: Spec, found: Diagnostics) -> None:
+    """Check the names of fields and of named values; findings go into `found`."""
+    leaf_types = {COMMAND_ID, VARIABLE_ID}
+    for section in ("quantities", "enums", "flags", "packed"):
+        leaf_types.update(name for _, name, _, _ in spec.entries(section))
+    for content in spec.families.values():
+        for field in _fields(content):
+            type_ = str(field.get("type", ""))
+            if type_ in leaf_types or _BUILT_IN.match(type_):
+                name = _BRACKETS.sub("", str(field["name"]))
+                _check_case(name, field, field.at("name"), found)
+    for section in ("enums", "flags"):
+        for _, name, node, _ in spec.entries(section):
+            for value, content in node["values"].items():
+                _check_case(value, content, node["values"].at(value), found)
+            _check_prefix(name, node, found)
+
+
+def _fields(node: Any) -> Iterator[Map]:
+    """The fields with a name in all lists of fields."""
+    if isinstance(node, Map):
+        for key, value in node.items():
+            if key == "fields" and isinstance(value, list):
+                yield from (item for item in value if isinstance(item, Map) and "name" in item)
+            yield from _fields(value)
+    elif isinstance(node, list):
+        for value in node:
+            yield from _fields(value)
+
+
+def _check_case(name: str, node: Map, at: Position, found: Diagnostics) -> None:
+    is_upper = name == name.upper()
+    if not is_upper and not node.get("verbatim"):
+        hint = f"write {name.upper()}, or 'verbatim: true' if the protocol spells it like this"
+        found.add(at, "SBGC053", f"'{name}' is not in upper case", hint)
+    elif is_upper and node.get("verbatim"):
+        message = f"'verbatim' beside {name}, which is in upper case like all names"
+        found.add(node.at("verbatim"), "SBGC053", message, "leave it out")
+
+
+def _check_prefix(name: str, node: Map, found: Diagnostics) -> None:
+    prefix = str(node.get("prefix", ""))
+    values = node["values"]
+    if not prefix:
+        return
+    if not any(value.startswith(prefix) for value in values):
+        message = f"no value of {name} begins with '{prefix}'"
+        found.add(node.at("prefix"), "SBGC054", message, "leave 'prefix' out, or mend it")
+        return
+    for value in values:
+        begin = value[: len(prefix)]
+        alike = difflib.SequenceMatcher(None, begin, prefix).ratio()
+        if begin != prefix and alike >= _SIMILAR:
+            message = f"{value} does not begin with '{prefix}', but nearly"
+            found.add(values.at(value), "SBGC054", message, "the other values do")

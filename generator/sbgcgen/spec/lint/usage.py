@@ -1,0 +1,102 @@
+"""Rules over the names in the whole spec: those of nothing, and those that nothing uses."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any
+
+from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
+from sbgcgen.spec.load import Map, Spec
+
+# Sections of types, and what one of their entries is called.
+_TYPES = {
+    "quantities": "quantity",
+    "enums": "enum",
+    "flags": "flag set",
+    "packed": "packed integer",
+    "structs": "struct",
+}
+_COMMAND = re.compile(r"\bCMD_[A-Z0-9_]*[A-Z0-9]\b")
+_NAME = re.compile(r"\b[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*\b")
+
+
+def lint_names(spec: Spec, found: Diagnostics) -> None:
+    """Check the names that texts of the spec use; findings go into `found`."""
+    nodes = _all_maps(spec)
+    _check_replacements(spec, nodes, found)
+    _check_texts(spec, nodes, found)
+
+
+def lint_unused(spec: Spec, found: Diagnostics) -> None:
+    """Report what nothing refers to, once nothing else is wrong."""
+    _check_unused(spec, _all_maps(spec), found)
+
+
+def _all_maps(spec: Spec) -> list[Map]:
+    return [node for content in (spec.main, *spec.families.values()) for node in _maps(content)]
+
+
+def _maps(node: Any) -> Iterator[Map]:
+    if isinstance(node, Map):
+        yield node
+        for value in node.values():
+            yield from _maps(value)
+    elif isinstance(node, list):
+        for value in node:
+            yield from _maps(value)
+
+
+def _check_unused(spec: Spec, nodes: list[Map], found: Diagnostics) -> None:
+    used = {
+        node[key] for node in nodes for key in ("type", "names", "extends") if _is_text(node, key)
+    }
+    for section, kind in _TYPES.items():
+        for _, name, _, at in spec.entries(section):
+            if name not in used:
+                found.add(
+                    at, "SBGC050", f"the {kind} {name} is not used", "delete it, or refer to it"
+                )
+    referred = {str(number) for node in nodes for number in node.get("errata") or ()}
+    errata = spec.errata.get("errata", Map())
+    for number in errata:
+        if number not in referred:
+            hint = "name it under 'errata' where it decides something, or delete it"
+            found.add(errata.at(number), "SBGC050", f"nothing refers to erratum {number}", hint)
+
+
+def _is_text(node: Map, key: str) -> bool:
+    return isinstance(node.get(key), str)
+
+
+def _check_replacements(spec: Spec, nodes: list[Map], found: Diagnostics) -> None:
+    """What `replaced_by` names must be a command, or a field."""
+    commands = {name for _, name, _, _ in spec.entries("commands")}
+    fields = {re.split(r"[\[{]", str(node["name"]))[0] for node in nodes if _is_text(node, "name")}
+    known = commands | fields
+    for node in nodes:
+        if not _is_text(node, "replaced_by"):
+            continue
+        names = _NAME.findall(node["replaced_by"])
+        for name in names:
+            if name not in known:
+                message = f"'replaced_by' names {name}, which does not exist"
+                hint = did_you_mean(name, known) or "name a command, or a field and its command"
+                found.add(node.at("replaced_by"), "SBGC051", message, hint)
+        if not names:
+            message = "'replaced_by' names nothing"
+            hint = "name a command, or a field and its command"
+            found.add(node.at("replaced_by"), "SBGC051", message, hint)
+
+
+def _check_texts(spec: Spec, nodes: list[Map], found: Diagnostics) -> None:
+    """Summaries and descriptions speak of commands that exist."""
+    commands = {name for _, name, _, _ in spec.entries("commands")}
+    fields = {node["name"] for node in nodes if _is_text(node, "name")}
+    for node in nodes:
+        for key in ("summary", "description"):
+            for name in _COMMAND.findall(node[key]) if _is_text(node, key) else ():
+                if name not in commands | fields:
+                    message = f"the {key} speaks of {name}, which does not exist"
+                    hint = did_you_mean(name, commands) or "name a command of this protocol"
+                    found.add(node.at(key), "SBGC052", message, hint)

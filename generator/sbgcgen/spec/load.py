@@ -1,0 +1,204 @@
+"""Reads spec/*.yaml into plain values that remember where they stand.
+
+YAML's own guesses are switched off where they hurt a protocol description: `2.50` stays the
+text "2.50" (a firmware version), `on` is a word, `010` is not octal, and a key may stand once.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Iterator
+
+import yaml
+
+from sbgcgen.model import Position
+from sbgcgen.spec.diagnostics import Diagnostics
+
+try:
+    from yaml import CSafeLoader as _Loader
+except ImportError:  # a PyYAML without libyaml: slower, same result
+    from yaml import SafeLoader as _Loader  # type: ignore[assignment]
+
+MAIN_FILE = "simplebgc.yaml"
+# Sections that a family file may contribute; they share one name space over all files.
+SECTIONS = ("quantities", "enums", "flags", "packed", "structs", "commands", "variables")
+
+_INT = re.compile(r"[-+]?(0|[1-9][0-9]{0,17})$")
+_HEX = re.compile(r"0x[0-9A-Fa-f]{1,16}$")
+
+
+class Map(dict[str, Any]):
+    """A mapping that knows its own position and those of its keys."""
+
+    position: Position
+    keys_at: dict[str, Position]
+
+    def at(self, key: str) -> Position:
+        """Where `key` stands, or the mapping itself if it has no such key."""
+        return self.keys_at.get(key, self.position)
+
+
+class List(list[Any]):
+    """A sequence that knows where its items stand."""
+
+    position: Position
+    items_at: list[Position]
+
+
+@dataclass
+class Spec:
+    """The specification as written: the main file and the sections of all families."""
+
+    main: Map
+    families: dict[str, Map] = field(default_factory=dict)
+    errata: Map = field(default_factory=lambda: _empty(Position("spec/errata.yaml")))
+    files: list[Path] = field(default_factory=list)
+
+    def entries(self, section: str) -> Iterator[tuple[str, str, Any, Position]]:
+        """Every (family, name, value, position) of one section, in file order."""
+        for family, content in self.families.items():
+            part = content.get(section)
+            if isinstance(part, Map):
+                for name, value in part.items():
+                    yield family, name, value, part.at(name)
+
+
+def _empty(position: Position) -> Map:
+    result = Map()
+    result.position = position
+    result.keys_at = {}
+    return result
+
+
+def _scalar(node: yaml.ScalarNode) -> Any:
+    if node.style in ("'", '"', "|", ">"):
+        return node.value
+    text = str(node.value)
+    if _INT.match(text):
+        return int(text)
+    if _HEX.match(text):
+        return int(text, 16)
+    return {"true": True, "false": False, "null": None, "~": None, "": None}.get(text, text)
+
+
+class _Builder:
+    def __init__(self, file: str, found: Diagnostics) -> None:
+        self.file = file
+        self.found = found
+        self.seen: set[int] = set()
+
+    def position(self, node: yaml.Node) -> Position:
+        return Position(self.file, node.start_mark.line + 1, node.start_mark.column + 1)
+
+    def build(self, node: yaml.Node) -> Any:
+        if id(node) in self.seen:  # composed once, referred to twice: it could contain itself
+            hint = "write it out, or make it a struct or 'same_as'"
+            self.found.add(
+                self.position(node), "SBGC001", "YAML anchors can not be used here", hint
+            )
+            return None
+        self.seen.add(id(node))
+        if isinstance(node, yaml.MappingNode):
+            return self.mapping(node)
+        if isinstance(node, yaml.SequenceNode):
+            result = List(self.build(item) for item in node.value)
+            result.position = self.position(node)
+            result.items_at = [self.position(item) for item in node.value]
+            return result
+        assert isinstance(node, yaml.ScalarNode)
+        return _scalar(node)
+
+    def mapping(self, node: yaml.MappingNode) -> Map:
+        result = _empty(self.position(node))
+        for key_node, value_node in node.value:
+            if not isinstance(key_node, yaml.ScalarNode):
+                hint = "put quotes around a name that contains brackets or braces"
+                self.found.add(self.position(key_node), "SBGC001", "a key is a single word", hint)
+                continue
+            key = str(key_node.value)
+            at = self.position(key_node)
+            if key in result:
+                first = result.keys_at[key]
+                message = f"key '{key}' stands twice (first at {first})"
+                self.found.add(at, "SBGC002", message, "keep one of them")
+                continue
+            result[key] = self.build(value_node)
+            result.keys_at[key] = at
+        return result
+
+
+def _read(path: Path, name: str, found: Diagnostics) -> Map:
+    at = Position(name)
+    try:
+        content = path.read_bytes()
+    except OSError as error:
+        found.add(at, "SBGC001", f"can not read the file: {error.strerror}")
+        return _empty(at)
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        at = _position_of(name, content[: error.start])
+        found.add(at, "SBGC001", "the file is not UTF-8", "save it as UTF-8 in your editor")
+        return _empty(at)
+    try:
+        root = yaml.compose(text, Loader=_Loader)  # type: ignore[no-untyped-call]
+    except yaml.reader.ReaderError as error:
+        at = _position_of(name, text.encode()[: error.position])
+        found.add(at, "SBGC001", f"not valid YAML: {error.reason}", "delete the character")
+        return _empty(at)
+    except yaml.YAMLError as error:
+        mark = getattr(error, "problem_mark", None)
+        if mark is not None:
+            at = Position(name, mark.line + 1, mark.column + 1)
+        problem = getattr(error, "problem", None) or str(error)
+        found.add(at, "SBGC001", f"not valid YAML: {problem}", "check indentation and quotes")
+        return _empty(at)
+    if not isinstance(root, yaml.MappingNode):
+        found.add(at, "SBGC001", "a spec file is a mapping", "start with 'family:' or 'protocol:'")
+        return _empty(at)
+    try:
+        built = _Builder(name, found).build(root)
+    except RecursionError:
+        found.add(at, "SBGC001", "not valid YAML: nested too deeply", "check brackets and braces")
+        return _empty(at)
+    assert isinstance(built, Map)
+    return built
+
+
+def _position_of(name: str, before: bytes) -> Position:
+    """The place behind the bytes `before`."""
+    lines = before.decode("utf-8", errors="replace").split("\n")
+    return Position(name, len(lines), len(lines[-1]) + 1)
+
+
+def load(spec_dir: Path, found: Diagnostics) -> Spec:
+    """Read the main file, the families it lists and the errata; findings go into `found`."""
+
+    def read(file: str) -> Map:
+        path = spec_dir / file
+        spec.files.append(path)
+        return _read(path, f"{spec_dir.name}/{file}", found)
+
+    spec = Spec(main=_empty(Position(f"{spec_dir.name}/{MAIN_FILE}")))
+    spec.main = read(MAIN_FILE)
+    families = spec.main.get("families", [])
+    for family in families if isinstance(families, list) else []:
+        if isinstance(family, str) and family.isidentifier():
+            spec.families[family] = read(f"{family}.yaml")
+    spec.errata = read("errata.yaml")
+    for family, content in spec.families.items():
+        if isinstance(content.get("family"), str) and content["family"] != family:
+            message = f"the family '{content['family']}' stands in {family}.yaml"
+            hint = "a family is named like its file"
+            found.add(content.at("family"), "SBGC003", message, hint)
+    for path in sorted(spec_dir.glob("*.y*ml")) if spec.families else []:
+        if path not in spec.files:
+            found.add(
+                Position(f"{spec_dir.name}/{path.name}"),
+                "SBGC003",
+                f"the file is not listed under 'families' in {MAIN_FILE}",
+                f"add '{path.stem}' there (files end in .yaml), or delete the file",
+            )
+    return spec

@@ -1,0 +1,1 @@
+"""From the YAML's words to the model: every reference, size and offset decided."""

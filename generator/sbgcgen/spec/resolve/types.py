@@ -1,0 +1,400 @@
+"""Resolves the named types of the spec: quantities, enums, flags and packed integers."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+from typing import Any
+
+from sbgcgen.model import (
+    SCALARS,
+    Availability,
+    Deprecation,
+    Enum,
+    EnumValue,
+    Identifier,
+    Packed,
+    Part,
+    Position,
+    Quantity,
+    Scalar,
+)
+from sbgcgen.model.names import (
+    is_name,
+    parse_board,
+    parse_version,
+    singular,
+    snake_case,
+)
+from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
+from sbgcgen.spec.load import List, Map, Spec
+
+# Enums that follow from other sections of the spec.
+COMMAND_ID = "CommandId"
+VARIABLE_ID = "VariableId"
+
+
+@dataclass
+class Types:
+    """Everything that a `type:` may name, but structs."""
+
+    quantities: dict[str, Quantity] = field(default_factory=dict)
+    enums: dict[str, Enum] = field(default_factory=dict)
+    packed: dict[str, Packed] = field(default_factory=dict)
+
+
+class TypeResolver:
+    """Turns the type sections of a spec into model types; findings go into `found`."""
+
+    def __init__(self, spec: Spec, found: Diagnostics) -> None:
+        self.spec = spec
+        self.found = found
+        self.types = Types()
+        self.identifiers: list[Identifier] = []
+        self.broken: set[str] = set()  # packed integers with a part whose type does not exist
+
+    def run(self) -> Types:
+        for _, name, value, at in self.spec.entries("quantities"):
+            self.types.quantities[name] = self._quantity(name, value, at)
+        self.types.enums[COMMAND_ID] = self._command_ids()
+        self.types.enums[VARIABLE_ID] = self._variable_ids()
+        for section, kind in (("enums", "enum"), ("flags", "flags")):
+            entries = {name: (value, at) for _, name, value, at in self.spec.entries(section)}
+            for name, (value, at) in entries.items():
+                values = self._enum_values(name, entries, ())
+                self.types.enums[name] = self._enum(name, value, at, kind, values)
+        for _, name, value, at in self.spec.entries("packed"):
+            self.types.packed[name] = self._packed(name, value, at)
+        self._check_unique_names()
+        return self.types
+
+    # Small pieces that every part of the spec shares
+
+    def errata(self, node: Map) -> tuple[str, ...]:
+        """The errata numbers of a node, each of which must exist."""
+        numbers = node.get("errata", [])
+        known = self.spec.errata.get("errata", {})
+        for index, number in enumerate(numbers):
+            if number not in known:
+                at = numbers.items_at[index] if isinstance(numbers, List) else node.position
+                hint = did_you_mean(str(number), known) or "add it to spec/errata.yaml"
+                self.found.add(at, "SBGC023", f"there is no erratum {number}", hint)
+        return tuple(str(n) for n in numbers)
+
+    def availability(self, node: Map, key: str = "since") -> Availability:
+        """The versions under `since`, as the wire has them."""
+        since = node.get(key)
+        if not isinstance(since, Map):
+            return Availability()
+        result = Availability()
+        for part, parse, example in (
+            ("firmware", parse_version, "2.55b5"),
+            ("board", parse_board, "3.0"),
+        ):
+            if part in since:
+                value = parse(str(since[part]))
+                if value is None:
+                    message = f"'{since[part]}' is not a {part} version"
+                    self.found.add(since.at(part), "SBGC030", message, f"write it like {example}")
+                else:
+                    result = replace(result, **{part: value})
+        return result
+
+    def deprecation(self, node: Map) -> Deprecation | None:
+        """What `deprecated` and `replaced_by` say."""
+        mark = node.get("deprecated")
+        if not mark:
+            return None
+        since = self.availability(mark) if isinstance(mark, Map) else Availability()
+        return Deprecation(since, str(node.get("replaced_by", "")))
+
+    def summary(self, node: Map, at: Position, what: str) -> str:
+        """The summary, which nothing may lack."""
+        text = " ".join(str(node.get("summary") or "").split())
+        if not text:
+            self.found.add(
+                at, "SBGC019", f"{what} has no summary", "say in one sentence what it is"
+            )
+        return text
+
+    def source(self, node: Map, at: Position, what: str) -> str:
+        """Where the specification describes it, which nothing that comes from it may lack."""
+        text = str(node.get("source") or "")
+        if not text:
+            hint = "name the section and lines, as in 'Variables L1005-L1009'"
+            self.found.add(at, "SBGC020", f"{what} does not say where it comes from", hint)
+        return text
+
+    def identifier(self, name: str, at: Position) -> str:
+        """`name`, after a check that it is one."""
+        self.identifiers.append(Identifier(name, at))
+        if not is_name(name):
+            message = f"'{name}' can not be a name"
+            self.found.add(at, "SBGC022", message, "give another one with 'as'")
+        return name
+
+    # The sections
+
+    def _quantity(self, name: str, node: Map, at: Position) -> Quantity:
+        accessor = str(node.get("accessor", "value"))
+        self.identifier(name, at)
+        self.identifier(accessor, node.at("accessor"))
+        scale = Fraction(str(node.get("scale", 1)))
+        offset = Fraction(str(node.get("offset", 0)))
+        for key, number in (("scale", scale), ("offset", offset)):
+            if max(abs(number.numerator), number.denominator) >= 1 << 63:
+                message = f"the {key} of {name} is no fraction of two 64-bit integers"
+                self.found.add(node.at(key), "SBGC017", message, "give it with fewer digits")
+        if scale <= 0:
+            message = f"the scale of {name} is not positive"
+            hint = "the real value is raw * scale + offset"
+            self.found.add(node.at("scale"), "SBGC017", message, hint)
+            scale = Fraction(1)
+        return Quantity(
+            name=name,
+            scalar=SCALARS[node["type"]],
+            unit=node.get("unit"),
+            accessor=accessor,
+            scale=scale,
+            scale_text=str(node.get("scale", 1)),
+            offset=offset,
+            summary=self.summary(node, at, name),
+            errata=self.errata(node),
+            at=at,
+        )
+
+    def _command_ids(self) -> Enum:
+        values = []
+        for _, name, value, at in self.spec.entries("commands"):
+            if value["id"] is None:
+                continue
+            identifier = self.identifier(snake_case(name.removeprefix("CMD_")), at)
+            summary = str(value.get("summary", ""))
+            values.append(
+                EnumValue(name, identifier, value["id"], summary, False, "", Availability(), (), at)
+            )
+        return Enum(
+            name=COMMAND_ID,
+            member=COMMAND_ID,
+            scalar=SCALARS["u8"],
+            kind="enum",
+            summary="The commands of the protocol. Some share an id in opposite directions.",
+            source="Command ID definitions L75-L154",
+            errata=(),
+            values=tuple(sorted(values, key=lambda v: (v.value, v.name))),
+        )
+
+    def _variable_ids(self) -> Enum:
+        values = []
+        for _, name, value, at in self.spec.entries("variables"):
+            identifier = self.identifier(snake_case(name), at)
+            summary = str(value.get("summary", ""))
+            values.append(
+                EnumValue(name, identifier, value["id"], summary, False, "", Availability(), (), at)
+            )
+        return Enum(
+            name=VARIABLE_ID,
+            member=VARIABLE_ID,
+            scalar=SCALARS["u8"],
+            kind="enum",
+            summary="The adjustable variables.",
+            source="Appendix B L1274-L1329",
+            errata=(),
+            values=tuple(sorted(values, key=lambda v: (v.value, v.name))),
+        )
+
+    def _enum_values(
+        self, name: str, entries: dict[str, tuple[Map, Position]], on_the_way: tuple[str, ...]
+    ) -> list[EnumValue]:
+        """The values of an enum or flag set, behind those of the one that it extends."""
+        node, _ = entries[name]
+        values = []
+        base = str(node.get("extends", ""))
+        if base and base not in entries:
+            hint = did_you_mean(base, entries) or "name one of the same section"
+            self.found.add(node.at("extends"), "SBGC010", f"there is no '{base}' to extend", hint)
+        elif base in (name, *on_the_way):
+            hint = "one of them must stand for itself"
+            self.found.add(node.at("extends"), "SBGC029", f"{name} extends itself", hint)
+        elif base:
+            values = self._enum_values(base, entries, (name, *on_the_way))
+        return values + [
+            self._enum_value(k, content, node) for k, content in node["values"].items()
+        ]
+
+    def _enum(self, name: str, node: Map, at: Position, kind: str, values: list[EnumValue]) -> Enum:
+        scalar = SCALARS[node["type"]]
+        self.identifier(name, at)
+        self._check_values(name, kind, scalar, values)
+        return Enum(
+            name=name,
+            member=singular(name) if kind == "flags" else name,
+            scalar=scalar,
+            kind=kind,
+            summary=self.summary(node, at, name),
+            source=self.source(node, at, name),
+            errata=self.errata(node),
+            values=tuple(values),
+            at=at,
+            success=self._success(name, node, values),
+        )
+
+    def _success(self, name: str, node: Map, values: list[EnumValue]) -> EnumValue | None:
+        by_name = {value.name: value for value in values}
+        wanted = str(node.get("success", ""))
+        if wanted and wanted not in by_name:
+            hint = did_you_mean(wanted, by_name) or "name one of the values below"
+            self.found.add(node.at("success"), "SBGC026", f"{name} has no value '{wanted}'", hint)
+        return by_name.get(wanted)
+
+    def _enum_value(self, key: str, content: Map, parent: Map) -> EnumValue:
+        at = parent["values"].at(key)
+        prefix = str(parent.get("prefix", ""))
+        identifier = str(content.get("as", snake_case(key.removeprefix(prefix))))
+        return EnumValue(
+            name=key,
+            identifier=self.identifier(identifier, at),
+            value=content["value"],
+            summary=self.summary(content, at, key),
+            ours=bool(content.get("ours", False)),
+            wire=str(content.get("wire", "")),
+            since=self.availability(content),
+            errata=self.errata(content),
+            at=at,
+            number=content.get("number"),
+        )
+
+    def _check_values(self, name: str, kind: str, scalar: Scalar, values: list[EnumValue]) -> None:
+        assert scalar.minimum is not None and scalar.maximum is not None
+        by_value: dict[int, EnumValue] = {}
+        by_identifier: dict[str, EnumValue] = {}
+        used = 0
+        for value in values:
+            if not scalar.minimum <= value.value <= scalar.maximum:
+                message = f"{value.name} = {value.value} does not fit into {scalar.name}"
+                self.found.add(value.at, "SBGC016", message, f"widen the type of {name}")
+            first = by_value.setdefault(value.value, value)
+            if first is not value:
+                message = f"{value.name} has the value {value.value} of {first.name}"
+                self.found.add(value.at, "SBGC024", message, f"see {first.at}")
+            elif kind == "flags" and used & value.value:
+                message = f"{value.name} shares bits with an earlier flag of {name}"
+                self.found.add(value.at, "SBGC015", message, "each flag has bits of its own")
+            used |= value.value
+            twin = by_identifier.setdefault(value.identifier, value)
+            if twin is not value:
+                message = f"{value.name} is called '{value.identifier}' in C++, as is {twin.name}"
+                self.found.add(value.at, "SBGC012", message, "give one of them a name with 'as'")
+
+    def enum_named(self, name: str, at: Position) -> Enum | None:
+        """The enum or flag set of this name; an unknown name is a finding."""
+        enum = self.types.enums.get(name)
+        if enum is None:
+            hint = did_you_mean(name, self.types.enums) or "name one under 'enums' or 'flags'"
+            self.found.add(at, "SBGC010", f"unknown enum or flag set '{name}'", hint)
+        return enum
+
+    def _packed(self, name: str, node: Map, at: Position) -> Packed:
+        self.identifier(name, at)
+        scalar = SCALARS[node["type"]]
+        parts = tuple(self._part(part, scalar) for part in node["parts"])
+        used = 0
+        seen: set[str] = set()
+        for part in parts:
+            if part.name in seen:
+                message = f"duplicate part '{part.name}' in {name}"
+                self.found.add(part.at, "SBGC012", message, "give one of them another name")
+            seen.add(part.name)
+            if part.is_digits:
+                continue
+            if used & part.mask:
+                message = f"part '{part.name}' of {name} overlaps an earlier one"
+                self.found.add(part.at, "SBGC015", message, "each bit belongs to one part")
+            used |= part.mask
+        display = str(node.get("display", ""))
+        if re.search(r"[{}]", re.sub(r"\{\w+(:[0-9]+)?\}", "", display)):
+            message = f"the display text of {name} is not written as it should be"
+            self.found.add(node.at("display"), "SBGC025", message, "write {part} or {part:02}")
+        for word in re.findall(r"\{(\w+)", display):
+            if word not in seen:
+                message = f"'{word}' in the display text is no part of {name}"
+                hint = did_you_mean(word, seen) or f"parts: {', '.join(sorted(seen))}"
+                self.found.add(node.at("display"), "SBGC025", message, hint)
+        names = self.enum_named(node["names"], node.at("names")) if "names" in node else None
+        wanted = [
+            ("names", node, names),
+            *(("type", n, p.enum) for n, p in zip(node["parts"], parts)),
+        ]
+        if any(key in owner and enum is None for key, owner, enum in wanted):
+            self.broken.add(name)
+        return Packed(
+            name=name,
+            scalar=scalar,
+            summary=self.summary(node, at, name),
+            source=self.source(node, at, name),
+            errata=self.errata(node),
+            display=display,
+            names=names,
+            parts=parts,
+            at=at,
+        )
+
+    def _part(self, node: Map, scalar: Scalar) -> Part:
+        name = self.identifier(str(node["name"]), node.at("name"))
+        whole = (1 << (8 * scalar.size)) - 1
+        mask, shift = whole, 0
+        if "bits" in node:
+            first, last = parse_bits(node["bits"])
+            mask, shift = ((1 << (last - first + 1)) - 1) << first, first
+        elif "mask" in node:
+            mask = node["mask"]
+        if mask & ~whole or mask == 0:
+            message = f"the bits of '{name}' do not lie in {scalar.name}"
+            at = node.at("bits" if "bits" in node else "mask")
+            self.found.add(
+                at, "SBGC016", message, f"they are counted from 0 to {8 * scalar.size - 1}"
+            )
+            mask &= whole
+        enum = self.enum_named(node["type"], node.at("type")) if "type" in node else None
+        for value in enum.values if enum else ():
+            if value.value < 0 or (value.value << shift) & ~mask:
+                message = f"{value.name} = {value.value} does not fit into the bits of '{name}'"
+                hint = "use 'mask' for values that stand in place, 'bits' for shifted ones"
+                self.found.add(node.at("type"), "SBGC016", message, hint)
+        return Part(
+            name=name,
+            mask=mask,
+            shift=shift,
+            divide=int(node.get("divide", 1)),
+            modulo=int(node.get("modulo", 0)),
+            enum=enum,
+            summary=self.summary(node, node.position, f"part '{name}'"),
+            at=node.position,
+        )
+
+    def _check_unique_names(self) -> None:
+        seen: dict[str, Position] = {}
+        for section in ("commands", "variables"):
+            own: dict[str, Position] = {}
+            for _, name, _, at in self.spec.entries(section):
+                first = own.setdefault(name, at)
+                if first is not at:
+                    hint = "give one of them another name"
+                    message = f"'{name}' is defined twice (first at {first})"
+                    self.found.add(at, "SBGC028", message, hint)
+        for section in ("quantities", "enums", "flags", "packed", "structs"):
+            for _, name, _, at in self.spec.entries(section):
+                if name in SCALARS or name in (COMMAND_ID, VARIABLE_ID):
+                    message = f"'{name}' is the name of a built-in type"
+                    self.found.add(at, "SBGC028", message, "choose another one")
+                first = seen.setdefault(name, at)
+                if first is not at:
+                    message = f"'{name}' is defined twice (first at {first})"
+                    self.found.add(at, "SBGC028", message, "all kinds of types share their names")
+
+
+def parse_bits(value: Any) -> tuple[int, int]:
+    """3 -> (3, 3) and "0..2" -> (0, 2)."""
+    first, _, last = str(value).partition("..")
+    return int(first), int(last or first)

@@ -1,0 +1,179 @@
+"""Resolves the adjustable variables, and the settings that they stand for."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+from sbgcgen.model import (
+    SCALARS,
+    Enum,
+    Leaf,
+    Message,
+    Position,
+    Quantity,
+    Scalar,
+    Variable,
+    VariableSetting,
+)
+from sbgcgen.model.names import snake_case
+from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
+from sbgcgen.spec.load import List, Map
+from sbgcgen.spec.resolve.types import TypeResolver
+
+_WIDEST = SCALARS["i32"]  # what a message tells a variable in
+_LIMIT = 1 << 62  # of a product of a count, in 64 bits
+
+
+class VariableResolver:
+    """Turns entries under `variables` into model variables; findings go into `found`."""
+
+    def __init__(self, types: TypeResolver, messages: list[Message], found: Diagnostics) -> None:
+        self.types = types
+        self.found = found
+        self.messages = {m.name: m for m in messages}
+        self.stored = {m.stores for m in messages if m.stores}
+
+    def variable(self, name: str, node: Map, at: Position) -> Variable:
+        """One entry."""
+        quantity = self.types.types.quantities.get(str(node["type"]))
+        scalar = quantity.scalar if quantity else SCALARS.get(str(node["type"]))
+        if scalar is None:
+            known = [*SCALARS, *self.types.types.quantities]
+            hint = did_you_mean(str(node["type"]), known)
+            hint = hint or "a variable is a number or a quantity"
+            self.found.add(node.at("type"), "SBGC010", f"unknown type '{node['type']}'", hint)
+            scalar = SCALARS["i32"]
+        low, _, high = str(node["range"]).partition("..")
+        minimum, maximum = int(low), int(high)
+        if minimum > maximum:
+            message = f"the range of {name} is upside down"
+            self.found.add(node.at("range"), "SBGC017", message, f"write {high}..{low}")
+        if not (_fits(scalar, min(minimum, maximum)) and _fits(scalar, max(minimum, maximum))):
+            message = f"the range of {name} goes beyond {scalar.name}"
+            hint = "the range is in raw wire values"
+            self.found.add(node.at("range"), "SBGC017", message, hint)
+        is_switch = bool(node.get("as_switch", False))
+        if is_switch and ((minimum, maximum) != (0, 1) or "sets" not in node):
+            message = f"{name} is no switch"
+            hint = "one has the range 0..1, and settings that it stands for"
+            self.found.add(node.at("as_switch"), "SBGC044", message, hint)
+        return Variable(
+            name=name,
+            identifier=self.types.identifier(snake_case(name), at),
+            id=node["id"],
+            scalar=scalar,
+            quantity=quantity,
+            minimum=minimum,
+            maximum=maximum,
+            summary=self.types.summary(node, at, name),
+            errata=self.types.errata(node),
+            settings=tuple(
+                setting
+                for path, place in _paths(node)
+                for setting in [self._setting(path, place, quantity, (minimum, maximum))]
+                if setting is not None
+            ),
+            is_switch=is_switch,
+            at=at,
+        )
+
+    def _setting(
+        self, text: str, at: Position, quantity: Quantity | None, limits: tuple[int, int]
+    ) -> VariableSetting | None:
+        """What `Message.path` leads to, if a variable in these units can stand for it."""
+        name, _, path = text.partition(".")
+        message = self.messages.get(name)
+        if message is None:
+            hint = did_you_mean(name, self.stored) or "name settings, such as ReadParams3"
+            self.found.add(at, "SBGC021", f"there is no message '{name}'", hint)
+            return None
+        leaf = next((leaf for leaf in message.leaves if leaf.path == path), None)
+        if leaf is None:
+            known = [leaf.path for leaf in message.leaves]
+            hint = did_you_mean(path, known) or f"write it like {name}.{known[0] if known else ''}"
+            self.found.add(at, "SBGC021", f"{name} has no value '{path}'", hint)
+            return None
+        scalar = _number(leaf)
+        problem = "is no integer that always stands there" if scalar is None else ""
+        if name not in self.stored:
+            problem = "is no setting: no message stores it"
+        elif leaf.field.role in ("copy", "state") or leaf.field.reserved or leaf.field.is_counter:
+            problem = "is no setting"
+        elif not _always_there(leaf, message):
+            problem = "does not always stand there"
+        if problem or scalar is None:
+            hint = "a variable stands for one number among the settings that a message stores"
+            self.found.add(at, "SBGC044", f"'{text}' {problem}", hint)
+            return None
+        ours = quantity
+        theirs = leaf.field.type if isinstance(leaf.field.type, Quantity) else None
+        units = [q.unit if q else None for q in (ours, theirs)]
+        if units[0] != units[1]:
+            words = " and ".join(unit or "a plain number" for unit in units)
+            hint = "give the variable a type of the same unit"
+            self.found.add(at, "SBGC044", f"'{text}' is in another unit: {words}", hint)
+            return None
+        scales = [q.scale if q else Fraction(1) for q in (ours, theirs)]
+        offsets = [q.offset if q else Fraction(0) for q in (ours, theirs)]
+        setting = VariableSetting(
+            message=name,
+            path=path,
+            scalar=scalar,
+            scale=scales[0] / scales[1],
+            offset=(offsets[0] - offsets[1]) / scales[1],
+        )
+        if setting.denominator != 1:
+            special = tuple(sorted(s.value for s in leaf.field.special))
+            setting = replace(setting, special=special)
+        if any(value + 1 in setting.special for value in setting.special):
+            text = f"a value between two special ones of '{text}' has no step of its own"
+            self.found.add(at, "SBGC044", text, "give the variable the type of the setting")
+        elif not all(_fits(scalar, setting.count(value)) for value in limits):
+            text = f"'{text}' can not hold every value of the range"
+            self.found.add(at, "SBGC044", text, f"it is of type {scalar.name}")
+        elif not _is_told(setting):
+            text = f"not every value of '{text}' can be told as a variable"
+            self.found.add(at, "SBGC044", text, f"a variable is told as {_WIDEST.name}")
+        return setting
+
+
+def _paths(node: Map) -> list[tuple[str, Position]]:
+    """What stands behind `sets`, each with its place."""
+    sets: Any = node.get("sets", [])
+    if isinstance(sets, List):
+        return [(str(path), at) for path, at in zip(sets, sets.items_at)]
+    return [(str(sets), node.at("sets"))] if sets else []
+
+
+def _fits(scalar: Scalar, value: int) -> bool:
+    if scalar.minimum is None or scalar.maximum is None:
+        return True
+    return scalar.minimum <= value <= scalar.maximum
+
+
+def _number(leaf: Leaf) -> Scalar | None:
+    """The integer of a leaf that is a single one."""
+    type_ = leaf.field.type
+    scalar = type_ if isinstance(type_, Scalar) else None
+    if isinstance(type_, Quantity) or (isinstance(type_, Enum) and type_.kind == "enum"):
+        scalar = type_.scalar
+    return scalar if scalar is not None and not scalar.is_float and leaf.count == 1 else None
+
+
+def _always_there(leaf: Leaf, message: Message) -> bool:
+    top = leaf.path.split(".")[0].split("[")[0]
+    field = next(f for f in message.fields if f.name == top)
+    return leaf.offset is not None and not field.is_variable
+
+
+def _is_told(setting: VariableSetting) -> bool:
+    """Whether every value that the setting can have is a variable's, and nothing overflows."""
+    scalar = setting.scalar
+    assert scalar.minimum is not None and scalar.maximum is not None
+    parts = (setting.numerator, setting.denominator, setting.addend)
+    largest = 1 << 32
+    return all(
+        _fits(_WIDEST, setting.value(raw)) for raw in (scalar.minimum, scalar.maximum)
+    ) and all(abs(part) * largest < _LIMIT for part in parts)

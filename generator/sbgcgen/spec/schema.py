@@ -1,0 +1,203 @@
+"""Checks the shape of the YAML against the JSON Schema that editors use, too."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+
+from sbgcgen.model import Position
+from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
+from sbgcgen.spec.load import List, Map, Spec
+
+SCHEMA_FILE = Path(__file__).resolve().parents[2] / "schema" / "sbgc-spec.schema.json"
+
+
+@dataclass(frozen=True)
+class ShapeError:
+    """One thing that the schema does not allow."""
+
+    error: Any  # as jsonschema has it
+    content: Map  # of the file
+    node: Any  # where it is, and what that stands in
+    parent: Map | List | None
+
+    @property
+    def validator(self) -> str:
+        return str(self.error.validator)
+
+    @property
+    def path(self) -> tuple[str, ...]:
+        """What leads to the node in the spec."""
+        return (self.content.position.file, *(str(step) for step in self.error.absolute_path))
+
+    @property
+    def step(self) -> Any:
+        """The last step to the node."""
+        return self.error.absolute_path[-1]
+
+    @property
+    def known(self) -> list[str]:
+        """The keys or values that are possible."""
+        if self.validator == "enum":
+            return [str(value) for value in self.error.validator_value]
+        return list(self.error.schema.get("properties", {}))
+
+    @property
+    def patterns(self) -> list[str]:
+        """What keys may look like that are not known by name."""
+        return list(self.error.schema.get("patternProperties", {}))
+
+    @property
+    def unknown(self) -> list[str]:
+        """The keys that are not possible."""
+        known, patterns = self.known, self.patterns
+        return [
+            key
+            for key in self.node
+            if key not in known and not any(re.search(pattern, key) for pattern in patterns)
+        ]
+
+    @property
+    def missing(self) -> str:
+        """The key that is required."""
+        return str(self.error.message).split(" is a required")[0].strip("'")
+
+
+def check_shape(spec: Spec, found: Diagnostics) -> None:
+    """Report whatever the schema does not allow, each at its place in the YAML."""
+    for error in shape_errors(spec):
+        add_shape_error(error, found)
+
+
+def shape_errors(spec: Spec) -> Iterator[ShapeError]:
+    """Whatever the schema does not allow."""
+    schema = json.loads(SCHEMA_FILE.read_text(encoding="utf-8"))
+    parts = [("main", spec.main), ("errata", spec.errata)]
+    parts += [("family", family) for family in spec.families.values()]
+    for kind, content in parts:
+        if not content:
+            continue  # the file could not be read, which is reported already
+        rules = {"$ref": f"#/$defs/{kind}", "$defs": schema["$defs"]}
+        checker = jsonschema.Draft202012Validator(rules)
+        yield from _meant(checker.iter_errors(content), content)
+
+
+def _meant(errors: Iterable[Any], content: Map) -> Iterator[ShapeError]:
+    """Errors of one file, of alternatives those of the one that fits best. A key that is missing is
+    none beside one that is misspelt: that may be it."""
+    errors = list(errors)
+    misspelt = [list(e.absolute_path) for e in errors if e.validator == "additionalProperties"]
+    for error in errors:
+        if error.validator == "required" and list(error.absolute_path) in misspelt:
+            continue
+        branch = _closest_branch(error)
+        if branch:
+            yield from _meant(branch, content)
+            continue
+        node: Any = content
+        parent: Any = None
+        for step in error.absolute_path:
+            node, parent = node[step], node
+        yield ShapeError(error, content, node, parent)
+
+
+def add_shape_error(shape: ShapeError, found: Diagnostics) -> None:
+    """Report one of them."""
+    error, node = shape.error, shape.node
+    at = shape.content.position
+    inner: Any = shape.content
+    for step in error.absolute_path:
+        at = _child_position(inner, step) or at
+        inner = inner[step]
+    if any(earlier.position == at and earlier.code == "SBGC001" for earlier in found.found):
+        return  # a value that could not be read is reported as such
+    hint = str(error.schema.get("description", ""))
+    message = str(error.message)
+    if error.validator == "additionalProperties" and isinstance(node, Map):
+        _report_unknown_keys(shape, found)
+        return
+    if error.validator == "required":
+        key = shape.missing
+        message = f"a key is missing: '{key}'"
+        hint = str(error.schema.get("properties", {}).get(key, {}).get("description", hint))
+    elif error.validator == "dependentRequired":
+        message = "'replaced_by' stands only beside 'deprecated'"
+    elif error.validator == "uniqueItems":
+        message = "something stands twice here"
+    elif error.validator in ("minProperties", "minItems", "minLength"):
+        message = "this must not be empty"
+    elif error.validator == "enum":
+        hint = did_you_mean(str(node), shape.known) or f"one of: {', '.join(shape.known)}"
+        message = f"'{node}' is not possible here"
+    elif error.validator == "pattern":
+        message = f"'{node}' is not written as it should be"
+    elif error.validator == "type":
+        message = f"this should be {_words(error.validator_value)}, not {_kind(node)}"
+        if node is None:
+            hint = "what belongs to a key stands behind it, or below it and further to the right"
+        elif error.validator_value == "array":
+            hint = "put each into a line of its own, behind '- '; or write [a, b]"
+        elif error.validator_value == "object" and isinstance(node, list):
+            hint = "write 'NAME:' without '- ' in front of it"
+    elif error.validator in ("anyOf", "oneOf"):
+        message = f"{_kind(node)} is none of the forms that are possible here"
+    found.add(at, "SBGC004", message, hint)
+
+
+def _closest_branch(error: Any) -> list[Any]:
+    """Of the alternatives of an anyOf, the errors of the one that was probably meant."""
+    branches: dict[Any, list[Any]] = {}
+    for inner in error.context or ():
+        branches.setdefault(inner.schema_path[0], []).append(inner)
+    here = len(error.absolute_path)
+    meant = [
+        errors
+        for errors in branches.values()
+        if not any(_is_of_another_kind(e) and len(e.absolute_path) == here for e in errors)
+    ]
+    return min(meant, key=len) if meant else []
+
+
+def _is_of_another_kind(error: Any) -> bool:
+    """Whether a value is not of the kind that is wanted: a list in place of a word, say."""
+    if error.validator == "enum":
+        return isinstance(error.instance, (dict, list))
+    return error.validator in ("type", "const")
+
+
+def _report_unknown_keys(shape: ShapeError, found: Diagnostics) -> None:
+    for key in shape.unknown:
+        hint = did_you_mean(key, shape.known) or f"known here: {', '.join(sorted(shape.known))}"
+        if ":" in key:
+            hint = "an ordinary blank belongs behind the colon"
+        elif shape.patterns:
+            hint = str(shape.error.schema.get("propertyNames", {}).get("description", ""))
+        found.add(shape.node.at(key), "SBGC004", f"unknown key '{key}'", hint)
+
+
+def _child_position(node: Any, step: Any) -> Position | None:
+    if isinstance(node, Map):
+        return node.at(str(step))
+    if isinstance(node, List):
+        return node.items_at[int(step)]
+    return None
+
+
+def _words(kind: Any) -> str:
+    kinds = kind if isinstance(kind, list) else [kind]
+    names = {"object": "a mapping", "array": "a list", "string": "text", "integer": "a number"}
+    return " or ".join(names.get(k, str(k)) for k in kinds)
+
+
+def _kind(node: Any) -> str:
+    if node is None:
+        return "empty"
+    if isinstance(node, dict):
+        return "a mapping"
+    return "a list" if isinstance(node, list) else f"'{node}'"

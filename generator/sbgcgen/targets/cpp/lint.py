@@ -1,0 +1,111 @@
+"""Names that C++, or the code around them, needs for itself."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from sbgcgen.model import Enum, Field, Layout, Packed, Position, Quantity
+from sbgcgen.spec.diagnostics import Diagnostics
+from sbgcgen.spec.load import Map, Spec
+
+WORDS = frozenset(
+    """alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t
+    char32_t char8_t class co_await co_return co_yield compl concept const const_cast consteval
+    constexpr constinit continue decltype default delete do double dynamic_cast else enum
+    explicit export extern false float for friend goto if inline int long mutable namespace new
+    noexcept not not_eq nullptr operator or or_eq private protected public register
+    reinterpret_cast requires return short signed sizeof static static_assert static_cast struct
+    switch template this thread_local throw true try typedef typeid typename union unsigned
+    using virtual void volatile wchar_t while xor xor_eq""".split()
+)
+# Members that every generated message, struct, packed integer and quantity has of its own.
+_MESSAGE = frozenset(
+    ("command", "direction", "form", "min_size", "max_size", "since", "tail", "until")
+)
+_STRUCT = frozenset(("wire_size",))
+_PACKED = frozenset(("raw", "raw_", "raw_type", "named"))
+_QUANTITY = frozenset(("raw", "real", "unit", "from_real"))
+
+
+def can_be_a_name(word: str) -> bool:
+    """Whether C++ takes `word`; two underscores belong to the compiler."""
+    return "__" not in word and word not in WORDS
+
+
+def check_names(spec: Spec, layout: Layout, found: Diagnostics) -> None:
+    """Report every name that the headers could not have; findings go into `found`."""
+    for at, name, hint in _all_names(spec, layout):
+        if not can_be_a_name(name):
+            found.add(at, "SBGC022", f"'{name}' can not be a name in C++", hint)
+    for form, at in _forms(spec):
+        if form == "only" or not can_be_a_name(form):
+            text = f"'{form}' can not be the name of a form"
+            found.add(at, "SBGC022", text, "it becomes an enumerator in C++")
+    types = _types(layout)
+    for struct in (s for family in layout.families for s in family.structs):
+        _check_members(struct.fields, "struct", _STRUCT, types, found)
+    for message in layout.messages:
+        _check_members(message.fields, "message", _MESSAGE, types, found)
+    for _, name, node, _ in spec.entries("quantities"):
+        if node.get("accessor") in _QUANTITY:
+            text = f"'{node['accessor']}' is a member that every quantity has"
+            hint = "call the conversion after its unit: degrees, volts"
+            found.add(node.at("accessor"), "SBGC022", text, hint)
+    for part in (part for packed in layout.packed for part in packed.parts):
+        if part.name in _PACKED:
+            text = f"'{part.name}' is a member that every packed integer has"
+            found.add(part.at, "SBGC022", text, "give the part another name")
+    _check_flags(layout.enums, types, found)
+
+
+def _all_names(spec: Spec, layout: Layout) -> Iterator[tuple[Position, str, str]]:
+    """Names with their places, and what to do if one of them can not stay."""
+    for words in spec.main.get("indices", {}).values():
+        for word, at in zip(words, words.items_at):
+            yield at, word.lower(), "call the element by another name"
+    for identifier in layout.identifiers:
+        yield identifier.at, identifier.name, "give another one with 'as'"
+    for message in layout.messages:
+        yield message.at, message.name, "give the message another one with 'as'"
+
+
+def _forms(spec: Spec) -> Iterator[tuple[str, Position]]:
+    for _, _, command, _ in spec.entries("commands"):
+        for direction in ("from_board", "to_board"):
+            forms = command.get(direction, Map()).get("forms", Map())
+            yield from ((form, forms.at(form)) for form in forms)
+
+
+def _types(layout: Layout) -> dict[str, Position]:
+    types: list[Quantity | Enum | Packed] = [*layout.quantities, *layout.enums, *layout.packed]
+    structs = (s for family in layout.families for s in family.structs)
+    return {thing.name: thing.at for thing in (*types, *structs)}
+
+
+def _check_members(
+    fields: tuple[Field, ...],
+    owner: str,
+    words: frozenset[str],
+    types: dict[str, Position],
+    found: Diagnostics,
+) -> None:
+    for field in fields:
+        if field.name in words:
+            text = f"'{field.name}' is a member that every {owner} has"
+            found.add(field.at, "SBGC022", text, "give the field another name with 'as'")
+        if field.name in types:
+            text = f"'{field.name}' is the name of a type"
+            found.add(field.at, "SBGC022", text, "a member's name begins with a lower-case letter")
+        for special in field.special:
+            if special.name in words:
+                text = f"'{special.name}' is the name of another member"
+                found.add(special.at, "SBGC012", text, "give the special value another name")
+
+
+def _check_flags(enums: Iterable[Enum], types: dict[str, Position], found: Diagnostics) -> None:
+    """A single flag is a type, too."""
+    for enum in enums:
+        if enum.member != enum.name and enum.member in types:
+            text = f"the single flag of {enum.name} is called {enum.member} in C++"
+            hint = f"that name is taken; give {enum.name} another one"
+            found.add(enum.at, "SBGC028", text, hint)

@@ -1,0 +1,104 @@
+"""Renders the templates of a target.
+
+A template's path says where its output goes: `templates/a/@family@.hpp.j2` makes `a/<family>.hpp` for
+each family. Files that end in .jinja are for templates to import; any other that does not end in .j2 is
+copied as it is. Templates name each other with the name of their target in front: "cpp/macros.jinja".
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import jinja2
+
+from sbgcgen.model import Layout
+from sbgcgen.model.export import export
+from sbgcgen.model.names import slug
+from sbgcgen.targets import Items, Target
+from sbgcgen.views.words import FILTERS, TESTS
+
+# What @family@ and the like in a path stand for.
+_EACH: dict[str, Callable[[Layout], Items]] = {
+    "family": lambda layout: [(f.name, f) for f in layout.families if f.messages or f.structs],
+    "message": lambda layout: [(slug(m.name), m) for m in layout.definitions],
+    "enum": lambda layout: [(slug(e.name), e) for e in layout.enums],
+    "packed": lambda layout: [(slug(p.name), p) for p in layout.packed],
+    "unit": lambda layout: [(slug(q.name), q) for q in layout.quantities],
+}
+
+
+def _fail(message: str) -> None:
+    raise ValueError(message)
+
+
+@cache
+def _environment(folder: Path) -> jinja2.Environment:
+    """The environment of a target, with its templates once they are compiled."""
+    loader = jinja2.FileSystemLoader(folder / "templates")
+    environment = jinja2.Environment(
+        loader=jinja2.PrefixLoader({folder.name: loader}),
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        autoescape=lambda name: (name or "").endswith((".html.j2", ".html.jinja")),
+        extensions=["jinja2.ext.do", "jinja2.ext.loopcontrols"],
+    )
+    environment.filters.update(FILTERS)
+    environment.tests.update(TESTS)
+    environment.globals["fail"] = _fail
+    return environment
+
+
+def environment(target: Target) -> jinja2.Environment:
+    """What compiles the templates of a target."""
+    return _environment(target.folder)
+
+
+def render(target: Target, layout: Layout, project: Path) -> Iterator[tuple[str, bytes]]:
+    """The output files of a target's templates.
+
+    Each template sees `layout`, its export as `model`, what the target's view adds, `here`, the path of
+    its output, and `root`, the way from there up.
+    """
+    view = target.view(layout, project)
+    made = environment(target)
+    made.globals.update(layout=layout, model=export(layout), **view.names)
+    made.filters.update(view.filters)
+    made.tests.update(view.tests)
+    for path, output, values in expand(sources_of(target), layout, view.each):
+        if path.suffix == ".j2":
+            name = f"{target.name}/{path.relative_to(target.templates).as_posix()}"
+            text = made.get_template(name).render(
+                here=output, root="../" * output.count("/"), **values
+            )
+            yield output, text.encode()
+        else:
+            yield output, path.read_bytes()
+
+
+def sources_of(target: Target) -> dict[str, Path]:
+    """The files of a target that have an output, by its path (as yet with @family@ and the like)."""
+    return {
+        path.relative_to(target.templates).as_posix().removesuffix(".j2"): path
+        for path in sorted(target.templates.rglob("*"))
+        if path.is_file() and path.suffix != ".jinja"
+    }
+
+
+def expand(
+    sources: Mapping[str, Path], layout: Layout, each: Mapping[str, Items]
+) -> Iterator[tuple[Path, str, dict[str, Any]]]:
+    """Each source with the paths of its outputs, and what its template gets to see for each."""
+    for output, path in sources.items():
+        placeholder = re.search(r"@(\w+)@", output)
+        if placeholder is None:
+            yield path, output, {}
+            continue
+        name = placeholder[1]
+        for word, item in each[name] if name in each else _EACH[name](layout):
+            yield path, output.replace(placeholder[0], word), {name: item}

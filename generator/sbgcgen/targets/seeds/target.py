@@ -1,0 +1,153 @@
+"""Seeds and a dictionary for the fuzzers, so that they begin with what the protocol knows.
+
+What an input means is up to fuzz/*_fuzz.cpp: for `messages`, a byte for the direction (0 is to the
+board), the id, and the body; for `framing`, steps of an opcode and the bytes it feeds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+from sbgcgen.oracle.compose import Choice, Places, first_that_fits, full_context
+from sbgcgen.oracle.edges import counting
+from sbgcgen.model import Field, Layout, Message, Struct
+from sbgcgen.oracle.codec import scalar_of, write_frame
+from sbgcgen.targets import Target
+
+_WRITE_FRAME = 240
+_FLUSH = 250
+_FEED_ALL = 255
+_LARGEST_CHUNK = 239
+_LARGEST_STREAM = 2000
+
+
+class Seeds(Target):
+    """The corpora that the fuzzers begin with, and their dictionary."""
+
+    def files(self, layout: Layout, project: Path) -> Iterator[tuple[str, bytes]]:
+        """The seeds and the dictionary by their path."""
+        yield "fuzz/sbgc.dict", _dictionary(layout).encode()
+        for message in layout.messages:
+            head = bytes((message.direction == "from_board", message.id))
+            name = f"fuzz/messages/{message.direction}_{message.identifier}"
+            for number, body in enumerate(_bodies(message)):
+                yield f"{name}_{number}", head + body
+        for family in layout.families:
+            if family.messages:
+                frames = [
+                    write_frame(layout.framing, message.id, _bodies(message)[0])
+                    for message in family.messages
+                ]
+                stream = b"".join(frames)[:_LARGEST_STREAM]
+                yield f"fuzz/framing/{family.name}_whole", bytes((_FEED_ALL,)) + stream
+                yield f"fuzz/framing/{family.name}_cut", b"".join(_cut(stream))
+                yield f"fuzz/framing/{family.name}_noise", b"".join(_cut(_noisy(layout, frames)))
+        yield "fuzz/framing/written", b"".join(_written(layout))
+        yield "fuzz/framing/no_frames", b"".join(_no_frames(layout))
+
+
+def _bodies(message: Message) -> list[bytes]:
+    """One body with the least that it can have, one with a bit of everything."""
+    places = Places()
+    short = Choice(places, short=True)
+    full = Choice(places, round=1, context=full_context(message))
+    bodies = [first_that_fits(message, full, short)]
+    bodies.append(first_that_fits(message, short))
+    return list(dict.fromkeys(bodies))
+
+
+# Streams
+
+
+def _chunk(data: bytes) -> bytes:
+    return bytes((len(data),)) + data
+
+
+def _cut(stream: bytes) -> Iterator[bytes]:
+    """The stream in chunks of all kinds of sizes."""
+    sizes = (1, 3, 4, 5, 17, 64, _LARGEST_CHUNK, 2)
+    at = step = 0
+    while at < len(stream):
+        size = sizes[step % len(sizes)]
+        yield _chunk(stream[at : at + size])
+        at += size
+        step += 1
+    yield bytes((_FLUSH,))
+
+
+def _noisy(layout: Layout, frames: Iterable[bytes]) -> bytes:
+    """Frames with noise between them, some of them broken or cut off."""
+    start = bytes((layout.framing.start,))
+    noise = (b"", start, b"\x00\xff", start * 3, counting(20))
+    result = b""
+    for number, frame in enumerate(frames):
+        result += noise[number % len(noise)]
+        if number % 3 == 1:
+            result += frame[:-1] + bytes(((frame[-1] + 1) % 256,))
+        elif number % 3 == 2:
+            result += frame[: len(frame) // 2]
+        else:
+            result += frame
+    return result[:_LARGEST_STREAM]
+
+
+def _written(layout: Layout) -> Iterator[bytes]:
+    """Frames that the fuzzer writes itself: id, body size and space, then the body."""
+    for size in (0, 1, 15, 16, 124, 250):
+        for space in (size + 4, 255):
+            yield bytes((_WRITE_FRAME, layout.messages[0].id if layout.messages else 1, size))
+            yield bytes((space,)) + counting(size)
+
+
+def _no_frames(layout: Layout) -> Iterator[bytes]:
+    """What looks like a frame at first: id 0, a header without its body, bad checksums."""
+    start = layout.framing.start
+    for header in ((start, 0, 0, 0), (start, 1, 255, 0), (start, 1, 0, 1), (start, 1, 0, 2)):
+        yield _chunk(bytes(header) + b"\xff")
+        yield bytes((_FLUSH,))
+
+
+# The dictionary
+
+
+def _dictionary(layout: Layout) -> str:
+    """Words that mean something, in libFuzzer's format."""
+    words: dict[str, bytes] = {"start": bytes((layout.framing.start,))}
+    for message in layout.messages:
+        size = message.min_size
+        header = bytes((layout.framing.start, message.id, size, (message.id + size) % 256))
+        words[f"header_{message.direction}_{message.identifier}"] = header
+    for message in layout.messages:
+        for size in (message.min_size, message.max_size):
+            words[f"size_{size}"] = bytes((size,))
+        for field in _fields(message.fields):
+            words.update(_words_of(field))
+    unique: dict[bytes, str] = {}
+    for name, word in words.items():
+        unique.setdefault(word, name)
+    return "".join(f'{name}="{_escaped(word)}"\n' for word, name in unique.items())
+
+
+def _fields(fields: tuple[Field, ...]) -> Iterator[Field]:
+    """The fields, and those of the structs among them."""
+    for field in fields:
+        yield field
+        if isinstance(field.type, Struct):
+            yield from _fields(field.type.fields)
+
+
+def _words_of(field: Field) -> Iterator[tuple[str, bytes]]:
+    """Special values of a field, and the values that its presence hangs on."""
+    for special in field.special:
+        scalar = scalar_of(field.type)
+        value = special.value % (1 << 8 * scalar.size)
+        yield f"{field.name}_{special.value}", value.to_bytes(scalar.size, "little")
+    if field.when:
+        size = field.when.enum.scalar.size
+        for named in (*field.when.values, *field.when.flags):
+            yield named.identifier, (named.value % (1 << 8 * size)).to_bytes(size, "little")
+
+
+def _escaped(word: bytes) -> str:
+    return "".join(f"\\x{byte:02X}" for byte in word)

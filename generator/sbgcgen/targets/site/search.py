@@ -1,0 +1,252 @@
+"""What the search of the site finds."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from html import unescape
+from typing import Any, Protocol
+
+from sbgcgen.model import Command, Layout, Message, Quantity
+from sbgcgen.targets.site.history import added
+from sbgcgen.targets.site.rows import Row, rows_of
+from sbgcgen.targets.site.uses import page_of_message, page_of_type
+from sbgcgen.views.words import title_of
+
+# Words of running text that nobody searches for.
+_COMMON = frozenset(
+    """about after again all also and another any are ask because been before behind below but can
+    does each else even every first for from had has have her here his how into its itself last less
+    like long made make many may more most much must neither next none nor not nothing now off once one
+    only other out own same say says see shall should since some still such take takes tell tells than
+    that the their them then there these they this those though through too two under until use used
+    very was way well were what when where whether which while who whole whose will with without you
+    your""".split()
+)
+
+# Pages that stand for themselves: file, title, what they are about, what else they are found by.
+_PAGES = (
+    (
+        "framing",
+        "Framing",
+        "How a frame is built, checked and found in a stream of bytes.",
+        "frame frames header body start byte id size checksum crc sync line serial baud parity",
+    ),
+    (
+        "decoder",
+        "Decoder",
+        "Shows the frames, fields, units and errors in bytes of the line.",
+        "decode parse inspect hex bytes capture log dump frame frames",
+    ),
+    (
+        "availability",
+        "Availability",
+        "What each version of firmware and board, and each revision, has added.",
+        "version versions firmware board revision revisions since history changes deprecated",
+    ),
+    (
+        "errata",
+        "Errata",
+        "Where the specification is contradictory, incomplete or wrong.",
+        "erratum mistakes contradictions assumptions specification",
+    ),
+)
+
+
+class Page(Protocol):
+    """A guide, as far as the search is concerned."""
+
+    @property
+    def title(self) -> str:
+        ...
+
+    @property
+    def page(self) -> str:
+        ...
+
+    @property
+    def html(self) -> str:
+        ...
+
+
+@dataclass(frozen=True)
+class Entry:
+    """Something that can be found: what it is, its name, what it is about, its page, other words.
+
+    `twins` are entries that are shown as one with it: what writes the settings that it reads.
+    """
+
+    kind: str
+    name: str
+    about: str
+    page: str
+    words: str = ""
+    twins: tuple[Entry, ...] = ()
+
+    @property
+    def data(self) -> list[Any]:
+        """As it stands in the index: kind, name, about, page, words, then twins without their kind."""
+        own = [self.kind, self.name, self.about, self.page, self.words]
+        return [*own, [twin.data[1:] for twin in self.twins]] if self.twins else own
+
+
+def search_index(layout: Layout, guides: Sequence[Page]) -> dict[str, Any]:
+    """Everything that can be found, the more important first, and words that stand for another."""
+    return {
+        "synonyms": [list(group) for group in layout.synonyms],
+        "entries": [entry.data for entry in _entries(layout, guides)],
+    }
+
+
+def _entries(layout: Layout, guides: Sequence[Page]) -> Iterator[Entry]:
+    yield from _messages(layout)
+    yield from _commands(layout)
+    yield from _pages(layout)
+    for family in layout.families:
+        if family.messages:
+            page = f"families/{family.name}.html"
+            yield Entry("family", title_of(family.name), family.summary, page)
+    for guide in guides:
+        yield from _guide(guide)
+    for enum in layout.enums:
+        kind = "flags" if enum.kind == "flags" else "enum"
+        yield Entry(kind, enum.name, enum.summary, page_of_type(enum), _lines(enum.source))
+    for packed in layout.packed:
+        words = _joined(*(part.name for part in packed.parts), _lines(packed.source))
+        yield Entry("packed", packed.name, packed.summary, page_of_type(packed), words)
+    for quantity in layout.quantities:
+        words = f"{_unit(quantity)} {quantity.scale_text}"
+        yield Entry("unit", quantity.name, quantity.summary, page_of_type(quantity), words)
+    for message in layout.definitions:
+        if not message.same_as:
+            yield from _fields(message, layout)
+    for enum in layout.enums:
+        for value in enum.values:
+            page = f"{page_of_type(enum)}#{value.name}"
+            words = f"{enum.name} {value.value} {value.identifier}"
+            yield Entry("value", value.name, value.summary, page, words)
+    for variable in layout.variables:
+        page = f"variables.html#{variable.name}"
+        yield Entry("variable", variable.name, variable.summary, page, str(variable.id))
+    for erratum in layout.errata:
+        page = f"errata.html#{erratum.number}"
+        about = f"{erratum.problem} {erratum.reading}"
+        yield Entry("erratum", erratum.number, about, page, _lines(*erratum.lines))
+
+
+def _pages(layout: Layout) -> Iterator[Entry]:
+    """The pages that are not about one thing, and what the one about versions has sections for."""
+    for name, title, about, words in _PAGES:
+        yield Entry("page", title, about, f"{name}.html", words)
+    for part in added(layout):
+        page = f"availability.html#{anchor_of(part.version)}"
+        words = f"version availability {part.version.split()[-1]}"
+        yield Entry("page", part.version.capitalize(), "What it has added.", page, words)
+    for revision in layout.revisions:
+        has_own = revision.adds or revision.changes
+        anchor = f"revision-{revision.number}" if has_own else "revisions"
+        words = _joined("rev", revision.number, revision.date, _lines(revision.source))
+        name = f"Revision {revision.number}"
+        yield Entry("page", name, f"Of {revision.date}.", f"availability.html#{anchor}", words)
+
+
+def anchor_of(text: str) -> str:
+    """A heading as the name of its place: "Firmware 2.59" -> "firmware-2.59"."""
+    return re.sub(r"[^a-z0-9.]+", "-", text.lower())
+
+
+def _joined(*words: str) -> str:
+    return " ".join(word for word in words if word)
+
+
+def _lines(*sources: str) -> str:
+    """The lines of the specification that sources name, each range a word: "L12 L20-L31"."""
+    ranges = (found for text in sources for found in re.findall(r"L([0-9]+)(?:-L?([0-9]+))?", text))
+    words = (f"L{first}-L{last}" if last else f"L{first}" for first, last in ranges)
+    return " ".join(dict.fromkeys(words))
+
+
+def _messages(layout: Layout) -> Iterator[Entry]:
+    def entry(message: Message, *twins: Message) -> Entry:
+        numbers = f"{message.command} {message.id} 0x{message.id:02x}"
+        words = _joined(numbers, _lines(message.source))
+        others = tuple(entry(twin) for twin in twins)
+        page = page_of_message(message)
+        return Entry("message", message.name, message.summary, page, words, others)
+
+    writers = {s.message.name: s.writers for s in layout.settings}
+    second = {twin.name for twins in writers.values() for twin in twins}
+    for message in layout.definitions:
+        if message.name not in second:
+            yield entry(message, *writers.get(message.name, ()))
+
+
+def _commands(layout: Layout) -> Iterator[Entry]:
+    by_name = {command.name: command for command in layout.commands}
+
+    def entry(command: Command, *twins: Command) -> Entry:
+        page = f"families/{command.family}.html#{command.name}"
+        number = "" if command.id is None else f"{command.id} 0x{command.id:02x}"
+        others = tuple(entry(twin) for twin in twins)
+        words = _joined(number, _lines(command.source))
+        return Entry("command", command.name, command.summary, page, words, others)
+
+    writers = {
+        s.message.command: [by_name[w.command] for w in s.writers if w.command != s.message.command]
+        for s in layout.settings
+    }
+    second = {twin.name for twins in writers.values() for twin in twins}
+    for command in layout.commands:
+        if command.name not in second:
+            yield entry(command, *writers.get(command.name, ()))
+
+
+def _unit(quantity: Quantity) -> str:
+    """The words for the unit of a quantity: "V volts", "deg/s degrees per second"."""
+    return f"{quantity.unit or ''} {quantity.accessor.replace('_', ' ')}".strip()
+
+
+def _fields(message: Message, layout: Layout) -> Iterator[Entry]:
+    twins = [m.name for m in layout.definitions if m.same_as == message.name]
+    for row in rows_of(message):
+        if row.field.reserved:
+            continue
+        anchor = row.leaves[0].path if row.leaves else row.path
+        page = f"{page_of_message(message)}#field-{anchor}"
+        words = " ".join([*_words_of(row), *twins])
+        yield Entry("field", f"{message.name}.{row.path}", row.field.summary, page, words)
+
+
+def _words_of(row: Row) -> Iterator[str]:
+    """What else a field is found by: its names in the specification, its paths, its unit."""
+    yield from dict.fromkeys(leaf.spec_name for leaf in row.leaves)
+    if len(row.leaves) <= 6:
+        yield from (leaf.path for leaf in row.leaves if leaf.path != row.path)
+    if isinstance(row.field.type, Quantity) and row.field.type.unit:
+        yield _unit(row.field.type)
+
+
+# Guides
+
+
+def _guide(guide: Page) -> Iterator[Entry]:
+    """A guide, and each of its sections."""
+    parts = re.split(r'<h2 id="([^"]*)">(.*?)</h2>', guide.html, flags=re.DOTALL)
+    first = re.search(r"<p>(.*?)</p>", parts[0], re.DOTALL)
+    about = _text(first[1]) if first else ""
+    yield Entry("guide", guide.title, about, guide.page, _vocabulary(parts[0]))
+    for anchor, heading, html in zip(parts[1::3], parts[2::3], parts[3::3]):
+        page = f"{guide.page}#{anchor}"
+        yield Entry("section", _text(heading), f"in {guide.title}", page, _vocabulary(html))
+
+
+def _text(html: str) -> str:
+    return " ".join(unescape(re.sub(r"<[^>]*>", "", html)).split())
+
+
+def _vocabulary(html: str) -> str:
+    """The words of a text, each once; code that is no part of a sentence is left out."""
+    prose = _text(re.sub(r"<pre.*?</pre>", " ", html, flags=re.DOTALL).replace("<", " <"))
+    words = re.findall(r"[a-z][a-z0-9_]{2,}", prose.lower())
+    return " ".join(dict.fromkeys(word for word in words if word not in _COMMON))

@@ -1,0 +1,134 @@
+"""Who uses what, with the pages that tell of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from sbgcgen.model import Enum, Layout, Message, Packed, Quantity, Type
+from sbgcgen.model.names import slug
+from sbgcgen.targets.site.rows import rows_of
+from sbgcgen.views.answers import asked_by
+
+
+@dataclass(frozen=True)
+class Use:
+    """A place that uses a type or an erratum: what it is called, and where to read of it."""
+
+    kind: str
+    name: str
+    page: str
+
+
+def page_of_message(message: Message) -> str:
+    """The path of a message's page."""
+    return f"messages/{slug(message.name)}.html"
+
+
+def page_of_type(type_: Enum | Packed | Quantity) -> str:
+    """The path of the page of an enum, a flag set, a packed integer or a quantity."""
+    folder = {Packed: "packed", Quantity: "units", Enum: "enums"}[type(type_)]
+    return f"{folder}/{slug(type_.name)}.html"
+
+
+@dataclass
+class References:
+    """Uses by the name of a type, the number of an erratum, or the name of a message."""
+
+    types: dict[str, list[Use]] = field(default_factory=dict)
+    errata: dict[str, list[Use]] = field(default_factory=dict)
+    answers: dict[str, list[Message]] = field(default_factory=dict)
+    storers: dict[str, list[Message]] = field(default_factory=dict)
+    contexts: dict[str, list[Message]] = field(default_factory=dict)
+
+    def of_type(self, name: str, use: Use) -> None:
+        _add(self.types, name, use)
+
+    def of_errata(self, numbers: Iterable[str], use: Use) -> None:
+        for number in numbers:
+            _add(self.errata, number, use)
+
+
+def _add(where: dict[str, list[Use]], name: str, use: Use) -> None:
+    uses = where.setdefault(name, [])
+    if use not in uses:
+        uses.append(use)
+
+
+def references(layout: Layout) -> References:
+    """Everything that is used anywhere, with its uses in the order of the protocol."""
+    found = References(answers=asked_by(layout))
+    for command in layout.commands:
+        page = f"families/{command.family}.html#{command.name}"
+        found.of_errata(command.errata, Use("command", command.name, page))
+    for message in layout.messages:
+        _of_message(message, found)
+    types: tuple[Enum | Packed | Quantity, ...] = (
+        *layout.enums,
+        *layout.packed,
+        *layout.quantities,
+    )
+    for type_ in types:
+        use = Use(_kind(type_), type_.name, page_of_type(type_))
+        found.of_errata(type_.errata, use)
+        if isinstance(type_, Enum):
+            for value in type_.values:
+                page = f"{page_of_type(type_)}#{value.name}"
+                found.of_errata(value.errata, Use("value", f"{type_.name} · {value.name}", page))
+        if isinstance(type_, Packed):
+            for part in type_.parts:
+                if part.enum:
+                    page = f"{page_of_type(type_)}#part-{part.name}"
+                    found.of_type(
+                        part.enum.name, Use("packed value", f"{type_.name} · {part.name}", page)
+                    )
+            if type_.names:
+                found.of_type(type_.names.name, use)
+    for variable in layout.variables:
+        use = Use("adjustable variable", variable.name, f"variables.html#{variable.name}")
+        found.of_errata(variable.errata, use)
+        if variable.quantity:
+            found.of_type(variable.quantity.name, use)
+    found.of_errata(layout.framing.errata, Use("framing", "framing", "framing.html"))
+    return found
+
+
+def _of_message(message: Message, found: References) -> None:
+    page = page_of_message(message)
+    here = Use("message", message.name, page)
+    found.of_errata(message.errata, here)
+    if message.answer:
+        found.of_errata(message.answer.errata, Use("message", message.name, f"{page}#answer"))
+    if message.stores:
+        found.storers.setdefault(message.stores, []).append(message)
+    for context in message.contexts:
+        names = [context.announced.message] if context.announced else []
+        for name in names + [source for source, _ in context.sources]:
+            found.contexts.setdefault(name, []).append(message)
+        if context.type:
+            found.of_type(context.type.name, Use("message", message.name, f"{page}#context"))
+    for row in rows_of(message):
+        anchor = row.leaves[0].path if row.leaves else row.path
+        use = Use("field", f"{message.name} · {row.path}", f"{page}#field-{anchor}")
+        found.of_errata(row.field.errata, use)
+        type_: Type = row.field.type
+        if isinstance(type_, (Enum, Packed, Quantity)):
+            found.of_type(type_.name, use)
+        if row.field.alternative:
+            found.of_type(row.field.alternative.quantity.name, use)
+
+
+def _kind(type_: Enum | Packed | Quantity) -> str:
+    if isinstance(type_, Enum):
+        return "flag set" if type_.kind == "flags" else "enum"
+    return "packed value" if isinstance(type_, Packed) else "unit"
+
+
+def siblings(message: Message, layout: Layout) -> list[Message]:
+    """All messages with the same id, in both directions."""
+    return [m for m in layout.messages if m.id == message.id]
+
+
+def instances(message: Message, layout: Layout) -> list[Message]:
+    """A message in each of its directions."""
+    return [m for m in layout.messages if m.name == message.name]

@@ -1,0 +1,308 @@
+"""The reference site: its guides, and what its templates may ask beyond the Layout."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+from typing import Any
+from urllib.parse import quote
+
+import markdown
+from markupsafe import Markup, escape
+
+from sbgcgen.model import Enum, Framing, Layout, Leaf, Message, Packed, Quantity
+from sbgcgen.oracle.example import Example, example_of, physical
+from sbgcgen.targets import Items, Target, View, codes_of, conversions_of
+from sbgcgen.targets.render import expand, sources_of
+from sbgcgen.targets.site import history, rows, uses
+from sbgcgen.targets.site.search import anchor_of, search_index
+from sbgcgen.views.answers import confirmation
+from sbgcgen.views.history import Revisions
+
+
+@dataclass(frozen=True)
+class Guide:
+    """A page that somebody has written: docs/<name>.md."""
+
+    name: str
+    title: str
+    html: Markup
+
+    @property
+    def page(self) -> str:
+        return f"guides/{self.name}.html"
+
+
+@dataclass(frozen=True)
+class Capture:
+    """Bytes to try the decoder with: docs/captures/<name>.hex, as `sbgc decode --hex` reads it."""
+
+    title: str
+    text: str
+
+
+def captures_in(folder: Path) -> list[Capture]:
+    """The captures in the order of their file names, whose words are the titles."""
+    return [
+        Capture(_guide_name(path.stem).replace("-", " ").capitalize(), path.read_text("utf-8"))
+        for path in sorted(folder.glob("*.hex"))
+    ]
+
+
+def guides_in(folder: Path) -> list[Guide]:
+    """The guides in the order of the numbers that their file names begin with."""
+    return [_guide(path) for path in sorted(folder.glob("*.md"), key=_guide_order)]
+
+
+def _guide_order(path: Path) -> tuple[int, str]:
+    number = re.match(r"[0-9]*", path.stem)
+    return (int(number[0] or 0) if number else 0, path.stem)
+
+
+def _guide(path: Path) -> Guide:
+    text = path.read_text(encoding="utf-8")
+    title = re.search(r"^# (.+)$", text, re.MULTILINE)
+    html = markdown.markdown(
+        text, extensions=["tables", "fenced_code", "toc"], output_format="html"
+    )
+    # Guides link each other as files, so that they can be read where they lie, too.
+    html = re.sub(r'href="([\w-]+)\.md', lambda m: f'href="{_guide_name(m[1])}.html', html)
+    html = re.sub(
+        r'href="\.\./generated/docs/([^"]+)', lambda m: f'href="{_page_of_doc(m[1])}', html
+    )
+    html = html.replace("<table>", '<div class="table free" tabindex="0"><table>')
+    html = html.replace("</table>", "</table></div>").replace("<pre>", '<pre tabindex="0">')
+    name = _guide_name(path.stem)
+    return Guide(name, title[1].strip() if title else name, Markup(html))
+
+
+def _page_of_doc(link: str) -> str:
+    """The way from a guide to the page that has what a file of generated/docs/ has."""
+    name = link.partition("#")[0].removesuffix(".md")
+    name = {"README": "messages"}.get(name, name.replace("messages/", "families/"))
+    return f"../{name}.html"
+
+
+def _guide_name(stem: str) -> str:
+    return re.sub(r"^[0-9]+[-_]", "", stem)
+
+
+def view_of(site: Target, layout: Layout, docs: Path) -> View:
+    """What the templates see; `docs` is the folder of the guides.
+
+    Raises ValueError if two files of the site had the same path.
+    """
+    guides = guides_in(docs)
+    each: dict[str, Items] = {"guide": [(guide.name, guide) for guide in guides]}
+    pages = [path for _, path, _ in expand(sources_of(site), layout, each)]
+    twice = {page for page in pages if pages.count(page) > 1}
+    if twice:
+        raise ValueError(f"several things have the page {min(twice)}")
+    names: dict[str, Any] = {
+        "pages": frozenset(pages),
+        "guides": guides,
+        "captures": captures_in(docs / "captures"),
+        "uses": uses.references(layout),
+        "errata": {erratum.number: erratum for erratum in layout.errata},
+        "added": history.added(layout),
+        "revisions": Revisions(layout),
+        "guide_pages": {
+            about: f"guides/{_guide_name(Path(path).stem)}.html"
+            for about, path in layout.guides.items()
+            if f"guides/{_guide_name(Path(path).stem)}.html" in pages
+        },
+        "deprecated_always": history.deprecated_always(layout),
+        "confirmation": confirmation(layout),
+        "search_index": search_index(layout, guides),
+    }
+    return View(names=names, filters=_filters(layout), each=each)
+
+
+def _filters(layout: Layout) -> dict[str, Callable[..., Any]]:
+    """What templates of the site may do to parts of the model."""
+    prose = _Prose(layout)
+    undocumented = {command.name for command in layout.commands if command.undocumented}
+    rows_of = cache(rows.rows_of)
+
+    def all_errata(message: Message) -> list[str]:
+        numbers = {*message.errata, *(n for row in rows_of(message) for n in row.field.errata)}
+        for instance in uses.instances(message, layout):
+            numbers.update(instance.errata)
+            numbers.update(instance.answer.errata if instance.answer else ())
+        return sorted(numbers)
+
+    return {
+        "page": page_of,
+        "prose": prose,
+        "rows": rows_of,
+        "siblings": lambda message: uses.siblings(message, layout),
+        "instances": lambda message: uses.instances(message, layout),
+        "sizes": lambda message: rows.sizes_of(message, layout),
+        "byte_map": rows.byte_map,
+        "bits": bits_of,
+        "all_errata": all_errata,
+        "is_undocumented": lambda name: name in undocumented,
+        "example": lambda message: example_for_page(message, layout),
+        "codes": codes_of,
+        "conversions": conversions_of,
+        "hex_bytes": lambda data: data.hex(" ").upper(),
+        "plain": plain,
+        "physical": lambda raw, quantity: physical(int(raw), quantity),
+        "fragment": fragment,
+        "breakable": lambda name: escape(name).replace("_", Markup("_<wbr>")),
+        "frame_parts": frame_parts,
+        "hex_list": lambda numbers: bytes(numbers).hex(" ").upper(),
+        "slug_of": anchor_of,
+        "with_unit": lambda quantities: [q for q in quantities if q.unit],
+        "bits_hex": lambda value, size: f"0x{value & ((1 << 8 * size) - 1):0{2 * size}X}",
+        "short": short,
+        "label": label,
+        "size_words": size_words,
+        "offset_words": offset_words,
+    }
+
+
+def example_for_page(message: Message, layout: Layout) -> Example:
+    """The example of a message; of one in both directions that of the host's."""
+    instances = uses.instances(message, layout)
+    return example_of(next((m for m in instances if m.direction == "to_board"), message), layout)
+
+
+def page_of(item: Message | Enum | Packed | Quantity) -> str:
+    """The path of the page that something has."""
+    if isinstance(item, Message):
+        return uses.page_of_message(item)
+    return uses.page_of_type(item)
+
+
+def fragment(link: str) -> str:
+    """A link whose fragment may have any characters."""
+    page, mark, name = link.partition("#")
+    return page + mark + quote(name)
+
+
+class _Prose:
+    """Text with links to the commands and errata that it names."""
+
+    def __init__(self, layout: Layout) -> None:
+        pages = {c.name: f"families/{c.family}.html#{c.name}" for c in layout.commands}
+        pages.update({e.number: f"errata.html#{e.number}" for e in layout.errata})
+        self.pages = pages
+        self.known = re.compile(r"\b(CMD_[A-Z0-9_]+|E[0-9]{3})\b")
+
+    def __call__(self, text: str, root: str) -> Markup:
+        parts = self.known.split(text)
+        result = Markup()
+        for part in parts:
+            page = self.pages.get(part)
+            result += (
+                Markup('<a href="{}">{}</a>').format(root + page, part) if page else escape(part)
+            )
+        return result
+
+
+# Words
+
+
+def plain(value: Fraction) -> str:
+    """An exact number as people write it: 255, -0.5, else a fraction."""
+    if value.denominator == 1:
+        return str(value.numerator)
+    text = f"{float(value):.10g}"
+    return text if Fraction(text) == value else str(value)
+
+
+def short(path: str) -> str:
+    """The end of a path that fits into a cell: axes.roll.speed -> roll.speed."""
+    words = path.split(".")
+    return ".".join(words[-2:])
+
+
+def label(row: rows.Row) -> str:
+    """What a row is called: its name, with what it is repeated over."""
+    return row.path.rpartition(".")[2] if row.path[-1] != "*" else row.path.split(".")[-2] + ".*"
+
+
+def size_words(leaf: Leaf) -> str:
+    """How many bytes a leaf of varying place takes."""
+    size = leaf.size
+    if size is not None:
+        return f"{size} byte" + "s" * (size != 1)
+    return "each " + leaf.type if leaf.type not in ("bytes", "text", "string") else leaf.type
+
+
+def offset_words(leaf: Leaf, row: rows.Row) -> str:
+    """Where a leaf begins, as far as that is fixed."""
+    if leaf.offset is None:
+        return "varies"
+    return f"{leaf.offset}…" if "[]" in leaf.path and "[]" in row.path else str(leaf.offset)
+
+
+@dataclass(frozen=True)
+class FramePart:
+    """A part of a frame: where, what, how long, and what it is for."""
+
+    at: str
+    name: str
+    size: str
+    text: str
+
+
+def frame_parts(framing: Framing) -> list[FramePart]:
+    """The parts of a frame in the order of the line."""
+    body, most = framing.header_size, framing.max_body
+    return [
+        FramePart(
+            "0",
+            "start",
+            "1 byte",
+            f"Always 0x{framing.start:02X}, the character {framing.start:c}.",
+        ),
+        FramePart("1", "id", "1 byte", "The command, 1 to 255."),
+        FramePart("2", "size", "1 byte", f"How many bytes the body has, 0 to {most}."),
+        FramePart("3", "header checksum", "1 byte", "The sum of id and size, modulo 256."),
+        FramePart(str(body), "body", f"0 to {most} bytes", "What the command has to say."),
+        FramePart(
+            f"{body} + size",
+            "body checksum",
+            f"{framing.trailer_size} byte",
+            "The sum of all bytes of the body, modulo 256; 0 for an empty one.",
+        ),
+    ]
+
+
+@dataclass(frozen=True)
+class Bits:
+    """Neighbouring bits of a packed integer with one meaning; "" for none."""
+
+    name: str
+    label: str
+    width: int
+    number: int
+
+
+def bits_of(packed: Packed) -> list[Bits]:
+    """The bits of a packed integer, highest first; those cut out of decimal digits as a whole."""
+    total = 8 * packed.scalar.size
+    if any(part.is_digits for part in packed.parts):
+        names = ", ".join(part.name for part in packed.parts)
+        return [Bits(names, f"{total - 1}..0, decimal digits", total, 0)]
+    owner = [
+        next((i for i, part in enumerate(packed.parts) if part.mask >> bit & 1), None)
+        for bit in range(total)
+    ]
+    result: list[Bits] = []
+    high = total - 1
+    for bit in range(total - 1, -1, -1):
+        if bit and owner[bit - 1] == owner[bit]:
+            continue
+        number = owner[bit]
+        name = packed.parts[number].name if number is not None else ""
+        text = str(bit) if high == bit else f"{high}..{bit}"
+        result.append(Bits(name, text, high - bit + 1, number or 0))
+        high = bit - 1
+    return result

@@ -1,0 +1,63 @@
+"""Test vectors: bodies and what they say, by the reference codec.
+
+`vectors/<family>.jsonl` has one vector a line, as `oracle/vector_line.py` describes it;
+`vectors/unknown.jsonl` has bodies that are no message at all.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+from sbgcgen.model import Layout
+from sbgcgen.oracle.codec import CodecError, Forms, choose_message, forms_of
+from sbgcgen.oracle.vector_line import error_words, line
+from sbgcgen.oracle.vectors import vectors_of
+from sbgcgen.targets import Target
+
+
+class Vectors(Target):
+    """A file for each family, and one of what is no message."""
+
+    def files(self, layout: Layout, project: Path) -> Iterator[tuple[str, bytes]]:
+        """The vector files by their path."""
+        forms = forms_of(layout)
+        bodies: set[int] = set()
+        for family in layout.families:
+            lines = []
+            for message in family.messages:
+                vectors = vectors_of(message, id(message.body) in bodies)
+                bodies.add(id(message.body))
+                lines += [line(vector, forms) for vector in vectors]
+            if lines:
+                yield f"vectors/{family.name}.jsonl", "".join(lines).encode()
+        yield "vectors/unknown.jsonl", "".join(_of_no_message(forms)).encode()
+
+
+def _of_no_message(forms: Forms) -> Iterator[str]:
+    """Bodies that are no message: of sizes that fit no form, with ids that a direction has not."""
+    for direction in ("from_board", "to_board"):
+        known = {id_ for way, id_ in forms if way == direction}
+        other = {id_ for way, id_ in forms if way != direction} - known
+        unused = set(range(1, 256)) - known - other
+        for number in (*sorted(other)[:1], *sorted(unused)[:1], *sorted(unused)[-1:]):
+            yield from _refused(forms, direction, number, [0])
+        for number in sorted(known):
+            if len(forms[direction, number]) > 1:
+                yield from _refused(forms, direction, number, range(256))
+
+
+def _refused(forms: Forms, direction: str, number: int, sizes: Iterable[int]) -> Iterator[str]:
+    """The shortest and the longest body of these sizes that is no message."""
+    refused = []
+    for size in sizes:
+        try:
+            choose_message(forms, direction, number, size)
+        except CodecError as error:
+            refused.append((size, error))
+    for size, refusal in refused[:1] + refused[1:][-1:]:
+        result: dict[str, Any] = {"id": number, "direction": direction, "hex": bytes(size).hex()}
+        result.update(error=error_words(refusal), why=f"no message of {size} bytes")
+        yield json.dumps(result, separators=(",", ":")) + "\n"

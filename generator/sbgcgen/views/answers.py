@@ -1,0 +1,24 @@
+"""Which requests a message answers."""
+
+from __future__ import annotations
+
+from sbgcgen.model import Layout, Message
+
+
+def confirmation(layout: Layout) -> Message | None:
+    """The message that confirms, if the protocol has one."""
+    return next(iter(layout.having_role("confirmation")), None)
+
+
+def asked_by(layout: Layout) -> dict[str, list[Message]]:
+    """The requests that a message answers or confirms, by its name."""
+    found: dict[str, list[Message]] = {}
+    for message in layout.messages:
+        if message.answer is None:
+            continue
+        for name in message.answer.messages:
+            found.setdefault(name, []).append(message)
+        if message.answer.confirm != "never":
+            for confirming in layout.having_role("confirmation"):
+                found.setdefault(confirming.name, []).append(message)
+    return found

@@ -1,0 +1,90 @@
+"""Words for values of the model: what templates of all targets may do beyond Jinja's own filters."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from fractions import Fraction
+from typing import Any
+
+from sbgcgen.model import (
+    EFFECTS,
+    Announced,
+    Availability,
+    Blob,
+    Effect,
+    Enum,
+    Packed,
+    Quantity,
+    Scalar,
+    Struct,
+)
+from sbgcgen.model.names import slug
+
+
+def to_json(value: Any) -> str:
+    """Value as JSON, two spaces deep, in the order it was made."""
+    return json.dumps(value, indent=2, ensure_ascii=False)
+
+
+def number(value: Fraction) -> str:
+    """A number in digits, as many as a double holds: 255, -0.5."""
+    is_exact = value.denominator == 1 and abs(value.numerator) <= 1 << 53
+    return str(value.numerator) if is_exact else repr(float(value))
+
+
+def versions(since: Availability) -> str:
+    """'firmware 2.59, board 3.0', or ''."""
+    words = []
+    if since.firmware:
+        beta = since.firmware % 10
+        text = f"firmware {since.firmware // 1000}.{since.firmware // 10 % 100:02}"
+        words.append(f"{text}b{beta}" if beta else text)
+    if since.board:
+        words.append(f"board {since.board // 10}.{since.board % 10}")
+    return ", ".join(words)
+
+
+def effect_text(word: str) -> str:
+    """What a word about the effect of a request means."""
+    return EFFECTS[word]
+
+
+def is_dangerous(effect: Effect | None) -> bool:
+    """Whether somebody had better read about safety before sending a request."""
+    return effect is not None and not {"moves", "restarts"}.isdisjoint(effect.words)
+
+
+def hexadecimal(value: int, digits: int = 2) -> str:
+    """0x3E."""
+    return f"0x{value:0{digits}X}"
+
+
+def title_of(name: str) -> str:
+    """adjustable_variables -> Adjustable variables; a short name is an abbreviation: imu -> IMU."""
+    return name.upper() if len(name) <= 3 else name.replace("_", " ").capitalize()
+
+
+FILTERS: dict[str, Callable[..., Any]] = {
+    "to_json": to_json,
+    "number": number,
+    "versions": versions,
+    "effect_text": effect_text,
+    "is_dangerous": is_dangerous,
+    "hex": hexadecimal,
+    "slug": slug,
+    "title_of": title_of,
+}
+
+TESTS: dict[str, Callable[..., bool]] = {
+    "a_scalar": lambda t: isinstance(t, Scalar),
+    "a_quantity": lambda t: isinstance(t, Quantity),
+    "an_enum": lambda t: isinstance(t, Enum) and t.kind == "enum",
+    "a_flag_set": lambda t: isinstance(t, Enum) and t.kind == "flags",
+    "a_packed": lambda t: isinstance(t, Packed),
+    "a_blob": lambda t: isinstance(t, Blob),
+    "in_region": lambda f: isinstance(f.type, Struct) and f.type.is_region,
+    "announced": lambda t: isinstance(t, Announced),
+    "a_region": lambda t: isinstance(t, Struct) and t.is_region,
+    "a_struct": lambda t: isinstance(t, Struct),
+}

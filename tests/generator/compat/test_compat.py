@@ -1,0 +1,200 @@
+"""Every class of change between two versions of a spec is found and put into its class."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from compat_cases import BASE, CASES, COUNT, MORE_BYTE, MOVE, OLD
+from sbgcgen.build import load_layout
+from sbgcgen.cli import main
+from sbgcgen.compat.compare import compare
+from sbgcgen.compat.report import describe
+from support import PROJECT, write_spec
+
+
+def old_spec(folder: Path) -> Path:
+    return write_spec(folder, OLD)
+
+
+def edited_spec(folder: Path, edits: list[tuple[str, str]]) -> Path:
+    """The old spec with some words replaced, in whichever file they are."""
+    spec = old_spec(folder)
+    for before, after in edits:
+        files = [path for path in spec.glob("*.yaml") if before in path.read_text(encoding="utf-8")]
+        assert files, f"nothing to edit: {before}"
+        for path in files:
+            text = path.read_text(encoding="utf-8")
+            path.write_text(text.replace(before, after), encoding="utf-8")
+    return spec
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_a_change_is_found_and_put_into_its_class(name: str, tmp_path: Path) -> None:
+    edits, level, words = CASES[name]
+    old, new = old_spec(tmp_path / "old"), edited_spec(tmp_path / "new", edits)
+    changes = compare(load_layout(old), load_layout(new))
+    found = [(change.level, describe(change)) for change in changes]
+    assert any(at is level and words in text for at, text in found), found
+    assert found[0][0] is level, "it breaks more than it should"
+
+
+def test_nothing_changed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    old, new = old_spec(tmp_path / "old"), old_spec(tmp_path / "new")
+    assert main(["compat", str(old), str(new)]) == 0
+    nothing = "0 wire-breaking, 0 meaning-breaking, 0 source-breaking, 0 compatible\n"
+    assert capsys.readouterr().out == nothing
+
+
+def test_every_class_has_its_line_and_position(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    edits = [
+        ("id: 11", "id: 21"),
+        ("unit: deg,", "unit: rad,"),
+        ("name: COUNT,  ", "name: TIMES,  "),
+    ]
+    old = old_spec(tmp_path / "old")
+    new = edited_spec(tmp_path / "new", [*edits, ("range: -100..100", "range: -110..110")])
+    assert main(["compat", str(old), str(new)]) == 1
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.partition(": ")[0] for line in lines[:2]] == ["wire-breaking", "meaning-breaking"]
+    line = 1 + OLD.splitlines().index("  CMD_MOVE:")
+    assert lines[0].endswith(f"command CMD_MOVE: id: 11 → 21  [{new}/probe.yaml:{line}:3]")
+    assert lines[-1] == "1 wire-breaking, 1 meaning-breaking, 1 source-breaking, 2 compatible"
+
+
+def test_a_deletion_has_its_position_in_the_old_spec(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    old, new = old_spec(tmp_path / "old"), edited_spec(tmp_path / "new", [(MOVE, "")])
+    assert main(["compat", str(old), str(new)]) == 1
+    line = 1 + OLD.splitlines().index("  CMD_MOVE:")
+    assert f"[{old}/probe.yaml:{line}:3]" in capsys.readouterr().out
+
+
+def test_a_compatible_change_passes(tmp_path: Path) -> None:
+    old, new = old_spec(tmp_path / "old"), edited_spec(
+        tmp_path / "new", [(COUNT, COUNT + MORE_BYTE)]
+    )
+    assert main(["compat", str(old), str(new)]) == 0
+
+
+def test_a_spec_that_does_not_load(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    old = old_spec(tmp_path / "old")
+    new = edited_spec(tmp_path / "new", [("type: AxisState", "type: AxisStat")])
+    assert main(["compat", str(old), str(new)]) == 1
+    error = capsys.readouterr().err
+    assert f"{new}/probe.yaml:" in error and "SBGC010 unknown type 'AxisStat'" in error
+
+
+# Revisions
+
+
+@pytest.fixture(autouse=True)
+def git_as_it_comes(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without the settings of whoever runs the tests, and not in the repository of a hook."""
+    for name in list(os.environ):
+        if name.startswith("GIT_"):
+            monkeypatch.delenv(name)
+    monkeypatch.setenv("GIT_CONFIG_GLOBAL", os.devnull)
+    monkeypatch.setenv("GIT_CONFIG_SYSTEM", os.devnull)
+
+
+def git(folder: Path, *arguments: str) -> None:
+    user = ["-c", "user.name=Test", "-c", "user.email=test@example.org"]
+    command = ["git", *user, "-C", str(folder), *arguments]
+    subprocess.run(command, check=True, capture_output=True)
+
+
+@pytest.fixture
+def repository(tmp_path: Path) -> Path:
+    """A repository with two revisions of the spec, and one before them without any."""
+    root = tmp_path / "project"
+    root.mkdir()
+    git(root, "init", "--quiet")
+    (root / "README").write_text("nothing yet\n", encoding="utf-8")
+    git(root, "add", ".")
+    git(root, "commit", "--quiet", "-m", "start")
+    git(root, "tag", "v0")
+    old_spec(root)
+    git(root, "add", ".")
+    git(root, "commit", "--quiet", "-m", "spec")
+    git(root, "tag", "v1")
+    edited_spec(root, [("unit: deg,", "unit: rad,")])
+    git(root, "commit", "--quiet", "-a", "-m", "radians")
+    git(root, "tag", "v2")
+    return root
+
+
+def test_two_revisions(repository: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["compat", "--root", str(repository), "v1", "v2"]) == 1
+    line = 1 + BASE.splitlines().index("  Angle:")
+    words = f"meaning-breaking: quantity Angle: unit: deg → rad  [v2:spec/base.yaml:{line}:3]"
+    assert words in capsys.readouterr().out
+
+
+def test_a_revision_and_the_working_tree(
+    repository: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["compat", "--root", str(repository), "HEAD"]) == 0
+    edited_spec(repository, [(MOVE, "")])
+    assert main(["compat", "--root", str(repository), "v1"]) == 1
+    output = capsys.readouterr().out
+    line = 1 + OLD.splitlines().index("  CMD_MOVE:")
+    assert f"command CMD_MOVE: 11 → deleted  [v1:spec/probe.yaml:{line}:3]" in output
+
+
+def test_the_project_lies_in_a_folder_of_the_repository(tmp_path: Path) -> None:
+    project = tmp_path / "some" / "project"
+    project.mkdir(parents=True)
+    git(tmp_path, "init", "--quiet")
+    old_spec(project)
+    git(tmp_path, "add", ".")
+    git(tmp_path, "commit", "--quiet", "-m", "spec")
+    assert main(["compat", "--root", str(project), "HEAD"]) == 0
+    edited_spec(project, [("id: 11", "id: 21")])
+    assert main(["compat", "--root", str(project), "HEAD"]) == 1
+
+
+def test_a_spec_folder_of_another_name(
+    repository: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    git(repository, "mv", "spec", "protocol")
+    git(repository, "commit", "--quiet", "-m", "moved")
+    options = ["--root", str(repository), "--spec", str(repository / "protocol")]
+    assert main(["compat", *options, "HEAD"]) == 0
+    assert main(["compat", *options, "v1"]) == 2
+    assert "revision v1 has no folder protocol/" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("revision", "words"),
+    [
+        ("v9", "'v9' is neither a folder nor a revision"),
+        ("", "'' is neither a folder nor a revision"),
+        ("v0", "revision v0 has no folder spec/"),
+        ("v1 --output=x", "is neither a folder nor a revision"),
+    ],
+)
+def test_an_unknown_revision(
+    repository: Path, capsys: pytest.CaptureFixture[str], revision: str, words: str
+) -> None:
+    assert main(["compat", "--root", str(repository), revision]) == 2
+    assert words in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("arguments", [[], ["a", "b", "c"], ["--depth", "1"]])
+def test_wrong_usage(arguments: list[str]) -> None:
+    with pytest.raises(SystemExit) as stopped:
+        main(["compat", *arguments])
+    assert stopped.value.code == 2
+
+
+def test_the_real_spec_is_compatible_with_itself(tmp_path: Path) -> None:
+    shutil.copytree(PROJECT / "spec", tmp_path / "spec")
+    assert main(["compat", str(tmp_path / "spec"), str(PROJECT / "spec")]) == 0

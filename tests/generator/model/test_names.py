@@ -1,0 +1,158 @@
+"""How names are taken apart and put together."""
+
+from __future__ import annotations
+
+import pytest
+
+from sbgcgen.model.names import (
+    camel_case,
+    is_name,
+    parse_board,
+    parse_field_name,
+    parse_lines,
+    parse_version,
+    singular,
+    snake_case,
+    type_advice,
+)
+
+
+@pytest.mark.parametrize(
+    ("plural", "expected"),
+    [
+        ("SystemErrors", "SystemError"),
+        ("Switches", "Switch"),
+        ("Pushes", "Push"),
+        ("Losses", "Loss"),
+        ("Modes", "Mode"),
+        ("Presence", "PresenceBit"),
+    ],
+)
+def test_singular(plural: str, expected: str) -> None:
+    assert singular(plural) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("2.59", 2590),
+        ("2.55b5", 2555),
+        ("2.50", 2500),
+        ("2.5", None),  # 2.05 or 2.50?
+        ("2.43b9", 2439),
+        ("0.00", 0),
+        ("2", None),
+        ("2.590", None),
+        ("2.59b", None),
+        ("2.59b10", None),
+        ("v2.59", None),
+        ("2.59 ", None),
+        ("2,59", None),
+        ("", None),
+    ],
+)
+def test_firmware_version(text: str, value: int | None) -> None:
+    assert parse_version(text) == value
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [("3.0", 30), ("3.6", 36), ("10.1", 101), ("3", None), ("3.10", None), ("a.b", None)],
+)
+def test_board_version(text: str, value: int | None) -> None:
+    assert parse_board(text) == value
+
+
+@pytest.mark.parametrize(
+    ("text", "base", "spec_name", "expand", "index"),
+    [
+        ("ACC_DATA", "ACC_DATA", "ACC_DATA", None, None),
+        ("axes[axis]", "axes", "axes", None, "axis"),
+        ("RC_DATA[6]", "RC_DATA", "RC_DATA", None, "6"),
+        ("params[NUM_VARS]", "params", "params", None, "NUM_VARS"),
+        ("NOTE_FREQ_HZ[]", "NOTE_FREQ_HZ", "NOTE_FREQ_HZ", None, ""),
+        ("SPEED_{AXIS}", "SPEED", "SPEED_{AXIS}", "AXIS", None),
+        ("SERVO{1..4}_OUT", "SERVO_OUT", "SERVO{1..4}_OUT", "1..4", None),
+        ("MENU_CMD_{1..5}", "MENU_CMD", "MENU_CMD_{1..5}", "1..5", None),
+        ("A_{AXIS}_B", "A_B", "A_{AXIS}_B", "AXIS", None),
+        ("deviceID", "deviceID", "deviceID", None, None),
+    ],
+)
+def test_field_name(
+    text: str, base: str, spec_name: str, expand: str | None, index: str | None
+) -> None:
+    name = parse_field_name(text)
+    assert name is not None
+    assert (name.base, name.spec_name, name.expand, name.index) == (base, spec_name, expand, index)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "3D",
+        "A B",
+        "A-B",
+        "A[",
+        "A]",
+        "A[1][2]",
+        "A[-1]",
+        "A_{axis}",
+        "A_{AXIS}[3]",
+        "Größe",
+        "A\n",
+    ],
+)
+def test_no_field_name(text: str) -> None:
+    assert parse_field_name(text) is None
+
+
+@pytest.mark.parametrize(
+    ("name", "snake"),
+    [
+        ("FIRMWARE_VER", "firmware_ver"),
+        ("deviceID", "device_id"),
+        ("RC_MIN_ANGLE", "rc_min_angle"),
+        ("BoardInfo", "board_info"),
+        ("RealtimeData3", "realtime_data3"),
+        ("I2C_ERROR_COUNT", "i2c_error_count"),
+    ],
+)
+def test_snake_case(name: str, snake: str) -> None:
+    assert snake_case(name) == snake
+
+
+@pytest.mark.parametrize(
+    ("name", "camel"),
+    [("BOARD_INFO_3", "BoardInfo3"), ("I2C_READ_REG_BUF", "I2cReadRegBuf"), ("ERROR", "Error")],
+)
+def test_camel_case(name: str, camel: str) -> None:
+    assert camel_case(name) == camel
+
+
+def test_names() -> None:
+    assert is_name("acc_limiter3") and is_name("Limit_3")
+    assert not any(is_name(word) for word in ("", "3d", "a b", "a-b", "größe", "_a", "a\n"))
+
+
+def test_lines_of_a_source() -> None:
+    assert parse_lines("Variables L1005-L1009, L12") == [(1005, 1009), (12, 12)]
+    assert parse_lines("Appendix B") == []
+
+
+@pytest.mark.parametrize(
+    ("text", "advice"),
+    [
+        ("uint16_t", "write u16"),
+        ("int8", "write i8"),
+        ("2u", "write u16"),
+        ("1s", "write i8"),
+        ("4f", "write f32"),
+        ("float", "write f32"),
+        ("u8[3]", "the count belongs to the name: 'NAME[3]' with type: u8"),
+        ("bytes[3]", ""),
+        ("Angle", ""),
+    ],
+)
+def test_advice_for_types_from_elsewhere(text: str, advice: str) -> None:
+    assert type_advice(text) == advice

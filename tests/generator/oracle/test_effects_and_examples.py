@@ -1,0 +1,197 @@
+"""What requests do, what is typical, worked examples and the history: from YAML to the model."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+from sbgcgen.build import load_protocol
+from sbgcgen.model import EFFECTS
+from sbgcgen.model.export import export
+from sbgcgen.oracle.example import example_of
+from sbgcgen.oracle.vectors import typical_vector, vectors_of
+from sbgcgen.targets.cpp.example import code_of
+from sbgcgen.views.history import Revisions
+from support import GENERATOR, PROJECT, layout_of, message_of, write_spec
+
+PROBE = """\
+family: probe
+summary: Requests.
+
+packed:
+  Setup:
+    type: u8
+    summary: Two things in one byte.
+    source: L22
+    parts:
+      - {name: mode, bits: 0..3, type: Mode, summary: What to do.}
+      - {name: level, bits: 4..6, summary: How much.}
+
+commands:
+  CMD_MOVE:
+    id: 20
+    summary: Move.
+    to_board:
+      source: L1
+      effect:
+        - {when: {field: MODE, is: MODE_ON}, does: [stores, moves]}
+        - {does: reads}
+      answer: none
+      example: {axes.pitch.angle: -10, list: LIST}
+      fields:
+        - {name: MODE, type: Mode, typical: MODE_ON, summary: What to do.}
+        - {name: OPTIONS, type: Options, typical: [OPTION_FAST, OPTION_FINE], summary: How.}
+        - {name: SETUP, type: Setup, typical: {mode: MODE_ON, level: 5}, summary: How.}
+        - name: "axes[axis]"
+          struct: Axis
+          summary: Axes.
+          fields:
+            - {name: SPEED, type: Speed, typical: 12.5, summary: How fast.}
+            - {name: ANGLE, type: Angle, typical: 0, summary: Where.}
+        - {name: "OFFSET[xyz]", type: i8, typical: [1, -2, 3], summary: Three numbers.}
+        - {name: KEY, type: "bytes[4]", typical: "beef", summary: A key.}
+        - {name: NUM, type: u8, summary: How many.}
+        - {name: "list[NUM]", type: Pair, summary: Pairs.}
+"""
+SETTINGS = """\
+family: probe
+summary: Settings.
+commands:
+  CMD_READ:
+    id: 20
+    summary: Settings.
+    from_board:
+      source: L1
+      example: {"limits[1].max": 40}
+      fields:
+        - {name: COPY, type: u8, range: 0..4, role: copy, summary: Which.}
+        - {name: VOLUME, type: u8, typical: 100, summary: How loud.}
+        - name: "limits[2]"
+          struct: Limits
+          summary: Limits.
+          fields:
+            - {name: MIN, type: i8, typical: -20, summary: Lowest.}
+            - {name: MAX, type: i8, typical: 20, summary: Highest.}
+    to_board:
+      source: L1
+      effect: reads
+      summary: Ask.
+      answer: {message: Read}
+      fields:
+        - {name: COPY, type: u8, range: 0..4, role: copy, summary: Which.}
+  CMD_WRITE:
+    id: 21
+    summary: Store them.
+    to_board:
+      source: L1
+      effect: stores
+      answer: {confirm: always}
+      same_as: Read
+      stores: Read
+      example: {volume: 0, "limits[0].min": -30}
+"""
+
+
+def typical_fields(layout: Any, name: str) -> Any:
+    return typical_vector(message_of(layout, name)).fields
+
+
+def test_effect_by_case_and_as_a_whole(tmp_path: Path) -> None:
+    layout = layout_of(tmp_path, PROBE.replace("LIST", "[{first: 7}]"))
+    effect = message_of(layout, "Move").effect
+    assert effect is not None
+    assert effect.words == ("stores", "moves")
+    assert [case.words for case in effect.cases] == [("stores", "moves"), ("reads",)]
+    exported = next(m for m in export(layout)["messages"] if m["name"] == "Move")
+    assert exported["effect"]["does"] == ["stores", "moves"]
+    assert exported["effect"]["cases"][0]["when"]["is"] == ["MODE_ON"]
+    assert next(m for m in export(layout)["messages"] if m["name"] == "Ping")["effect"] is None
+
+
+def test_typical_values_are_written_as_people_say_them(tmp_path: Path) -> None:
+    layout = layout_of(tmp_path, PROBE.replace("LIST", "[{first: 7}, {second: 9}]"))
+    fields = typical_fields(layout, "Move")
+    assert fields["mode"] == 1 and fields["options"] == 0x81 and fields["setup"] == 0x51
+    assert fields["axes"]["roll"] == {"speed": 125, "angle": 0}
+    assert fields["axes"]["pitch"] == {"speed": 125, "angle": -455}
+    assert fields["offset"] == {"x": 1, "y": -2, "z": 3}
+    assert fields["key"] == "beef0000"
+    assert fields["num"] == 2
+    assert fields["list"][0]["first"] == 7 and fields["list"][1]["second"] == 9
+    leaves = {leaf["path"]: leaf for leaf in export(layout)["messages"][-1]["layout"]}
+    assert leaves["offset.y"]["typical"] == -2
+    assert leaves["axes.yaw.speed"]["typical"] == 125
+
+
+def test_vectors_still_go_to_the_edges(tmp_path: Path) -> None:
+    layout = layout_of(tmp_path, PROBE.replace("LIST", "[{first: 7}]"))
+    bodies = [v.fields for v in vectors_of(message_of(layout, "Move")) if v.fields]
+    speeds = {fields["axes"]["roll"]["speed"] for fields in bodies}
+    assert {-32768, 32767, 0, 125} <= speeds
+
+
+def test_what_is_written_is_what_was_read_but_for_the_example(tmp_path: Path) -> None:
+    layout = layout_of(tmp_path, SETTINGS)
+    read, write = typical_fields(layout, "Read"), typical_fields(layout, "Write")
+    assert read == {
+        "copy": 0,
+        "volume": 100,
+        "limits": [{"min": -20, "max": 20}, {"min": -20, "max": 40}],
+    }
+    assert write == {
+        "copy": 0,
+        "volume": 0,
+        "limits": [{"min": -30, "max": 20}, {"min": -20, "max": 40}],
+    }
+    example = example_of(message_of(layout, "Write"), layout)
+    assert example.changed == {"volume", "limits[0].min"}
+    lines = code_of(example).text.splitlines()
+    assert "sbgc::Write message{read};" in lines
+    assert [line for line in lines if line.startswith("message.")] == [
+        "message.volume = 0;",
+        "message.limits[0].min = -30;",
+    ]
+
+
+def test_single_bytes_of_what_was_read_are_changed(tmp_path: Path) -> None:
+    old = "        - {name: VOLUME, type: u8, typical: 100, summary: How loud.}\n"
+    new = '        - {name: KEY, type: "bytes[16]", typical: "0a0b0c", summary: A key.}\n'
+    changes = 'example: {key: "0a0b0d", "limits[0].min": -30}'
+    text = SETTINGS.replace(old, new).replace('example: {volume: 0, "limits[0].min": -30}', changes)
+    layout = layout_of(tmp_path, text)
+    lines = code_of(example_of(message_of(layout, "Write"), layout)).text.splitlines()
+    assert [line for line in lines if line.startswith("message.")] == [
+        "message.key[2] = 0x0D;",
+        "message.limits[0].min = -30;",
+    ]
+
+
+def test_history_names_what_came(tmp_path: Path) -> None:
+    spec = write_spec(tmp_path, SETTINGS)
+    main = (spec / "simplebgc.yaml").read_text(encoding="utf-8")
+    history = (
+        'revisions:\n  "0.9": {date: 2026-01-30, source: L1}\n'
+        '  "0.10": {date: 2026-01-31, source: L2, adds: [CMD_WRITE, Read.limits, Mode.MODE_ON],'
+        " changes: [More of it.]}\n\n"
+    )
+    (spec / "simplebgc.yaml").write_text(main.replace("families:", history + "families:"))
+    layout = load_protocol(spec).layout
+    assert [r.number for r in layout.revisions] == ["0.9", "0.10"]
+    revisions = Revisions(layout)
+    found = revisions.of("field", "Read", "limits[0].min")
+    assert found is not None and found.number == "0.10"
+    assert revisions.of_message(message_of(layout, "Write")) is found
+    assert revisions.of("value", "Mode", "MODE_OFF") is None
+    assert export(layout)["revisions"][1]["adds"] == ["CMD_WRITE", "Read.limits", "Mode.MODE_ON"]
+
+
+def test_the_words_for_effects_are_the_same_everywhere() -> None:
+    schema = json.loads((GENERATOR / "schema" / "sbgc-spec.schema.json").read_text("utf-8"))
+    assert schema["$defs"]["effect"]["anyOf"][0]["enum"] == list(EFFECTS)
+    header = (PROJECT / "runtime/core/include/sbgc/meta.hpp").read_text("utf-8")
+    enum = header[header.index("enum class Effect ") : header.index("using Effects")]
+    assert re.findall(r"^  (\w+) = 0x", enum, re.MULTILINE) == list(EFFECTS)
+    guide = (PROJECT / "docs/2-safety.md").read_text("utf-8")
+    assert re.findall(r"^\| ([a-z]+) \| [A-Z]", guide, re.MULTILINE) == list(EFFECTS)

@@ -1,0 +1,429 @@
+"""The reference codec by itself, and that its vectors leave nothing out."""
+
+from __future__ import annotations
+
+import json
+from collections import defaultdict
+from collections.abc import Iterator
+from fractions import Fraction
+from functools import lru_cache
+from typing import Any
+
+import pytest
+
+from sbgcgen.build import load_protocol
+from sbgcgen.model import Announced, Blob, Enum, Field, Layout, Leaf, Message, Packed, Struct
+from sbgcgen.oracle.codec import (
+    CodecError,
+    choose_message,
+    decode,
+    encode,
+    float_from_bits,
+    float_to_bits,
+    forms_of,
+    read_frames,
+    text_from_bytes,
+    text_to_bytes,
+    write_frame,
+)
+from sbgcgen.targets import target
+from support import PROJECT, layout_of, message_of
+
+Line = dict[str, Any]
+
+
+@lru_cache(maxsize=None)
+def protocol() -> Layout:
+    """The real protocol."""
+    return load_protocol(PROJECT / "spec").layout
+
+
+@lru_cache(maxsize=None)
+def lines() -> tuple[Line, ...]:
+    """Every vector of the real protocol."""
+    return tuple(
+        json.loads(line)
+        for content in dict(target("vectors").files(protocol(), PROJECT)).values()
+        for line in content.splitlines()
+    )
+
+
+@lru_cache(maxsize=None)
+def messages() -> dict[tuple[str, str], Message]:
+    """The messages by direction and name."""
+    return {(m.direction, m.name): m for m in protocol().messages}
+
+
+def message_in(line: Line) -> Message:
+    """The message that a vector is about."""
+    return messages()[line["direction"], line["message"]]
+
+
+# The codec by itself
+
+FAMILY = """
+family: probe
+summary: Probes.
+enums:
+  Kind:
+    type: u8
+    summary: Kinds.
+    source: L1
+    values:
+      SMALL: {value: 1, summary: Small.}
+      LARGE: {value: 2, summary: Large.}
+commands:
+  CMD_PROBE:
+    id: 9
+    summary: A probe.
+    from_board:
+      source: L1
+      fields:
+        - {name: KIND, type: Kind, summary: Kind.}
+        - {name: "ANGLE[axis]", type: i16, summary: Angles.}
+        - {name: SMALL_ONE, type: u16, when: {field: KIND, is: SMALL}, summary: One.}
+        - {name: LARGE_ONE, type: f32, when: {field: KIND, is: LARGE, may_be_missing: true}, summary: One.}
+        - {name: NAME, type: "text[4]", summary: Name.}
+        - {name: NUM, type: u8, summary: Count.}
+        - {name: "VALUES[NUM]", type: i16, summary: Values.}
+    to_board:
+      source: L1
+      effect: reads
+      summary: Asks.
+      answer: none
+      forms:
+        simple:
+          summary: Short.
+        extended:
+          summary: Long.
+          fields:
+            - {name: NOTE, type: string, summary: Note.}
+            - {name: "DATA[]", type: u8, summary: Data.}
+"""
+
+
+@pytest.fixture(name="layout")
+def _layout(tmp_path: Any) -> Layout:
+    return layout_of(tmp_path, FAMILY)
+
+
+def test_a_body_decodes_by_the_model(layout: Layout) -> None:
+    probe = message_of(layout, "Probe")
+    body = bytes.fromhex("01 0100 ffff 0080 3412 41ff0000 02 0500 faff 99")
+    fields = decode(probe, body)
+    assert fields == {
+        "kind": 1,
+        "angle": {"roll": 1, "pitch": -1, "yaw": -32768},
+        "small_one": 0x1234,
+        "name": "A\uf7ff",
+        "num": 2,
+        "values": [5, -6],
+        "tail": "99",
+    }
+    assert list(fields)[:3] == ["kind", "angle", "small_one"]
+    assert encode(probe, fields) == body
+
+
+def test_what_may_be_missing_is_there_if_it_fits(layout: Layout) -> None:
+    probe = message_of(layout, "Probe")
+    start = bytes.fromhex("02 0000 0000 0000")
+    whole = start + bytes.fromhex("0000803f 00000000 00")
+    assert decode(probe, whole)["large_one"] == 1.0
+    assert encode(probe, decode(probe, whole)) == whole
+
+
+@pytest.mark.parametrize(
+    ("body", "code", "field", "offset"),
+    [
+        ("", "too_short", "kind", 0),
+        ("01 0100", "too_short", "angle", 3),
+        ("01 010002000300 34", "too_short", "small_one", 8),
+        ("01 010002000300 3412 00000000 02 0500 fa", "too_short", "values", 17),
+        ("01 010002000300 3412 00000000 ff 0500 fa", "too_short", "values", 14),
+    ],
+)
+def test_decoding_says_what_is_wrong(
+    layout: Layout, body: str, code: str, field: str, offset: int
+) -> None:
+    with pytest.raises(CodecError) as caught:
+        decode(message_of(layout, "Probe"), bytes.fromhex(body))
+    error = caught.value
+    assert (error.code, error.field, error.offset) == (code, field, offset)
+
+
+GOOD = {
+    "kind": 1,
+    "angle": {"roll": 1, "pitch": 2, "yaw": 3},
+    "small_one": 4,
+    "name": "ABCD",
+    "num": 1,
+    "values": [5],
+}
+
+
+@pytest.mark.parametrize(
+    ("change", "code", "field"),
+    [
+        ({"kind": 256}, "value_out_of_range", "kind"),
+        ({"kind": 3}, "presence_mismatch", "small_one"),
+        ({"small_one": None}, "presence_mismatch", "small_one"),
+        ({"angle": {"roll": 1, "pitch": 40000, "yaw": 0}}, "value_out_of_range", "angle"),
+        ({"angle": {"roll": 1}}, "presence_mismatch", "angle"),
+        ({"name": "ABCDE"}, "text_too_long", "name"),
+        ({"num": 2}, "count_mismatch", "num"),
+        ({"values": None}, "presence_mismatch", "values"),
+        ({"name": None}, "presence_mismatch", "name"),
+        ({"nam": ""}, "presence_mismatch", "nam"),
+        ({"tail": "00" * 240}, "buffer_too_small", "tail"),
+    ],
+)
+def test_encoding_says_what_is_wrong(layout: Layout, change: Line, code: str, field: str) -> None:
+    fields = {k: v for k, v in {**GOOD, **change}.items() if v is not None}
+    with pytest.raises(CodecError) as caught:
+        encode(message_of(layout, "Probe"), fields)
+    assert (caught.value.code, caught.value.field) == (code, field)
+
+
+def test_the_form_follows_from_the_size(layout: Layout) -> None:
+    forms = forms_of(layout)
+    assert choose_message(forms, "to_board", 9, 0).form == "simple"
+    assert choose_message(forms, "to_board", 9, 7).form == "extended"
+    assert choose_message(forms, "from_board", 9, 200).form is None
+    with pytest.raises(CodecError, match="unknown_command"):
+        choose_message(forms, "to_board", 10, 0)
+
+
+def test_floats_and_texts_lose_nothing() -> None:
+    for bits in (0, 0x80000000, 1, 0x3F800000, 0x7F800000, 0xFF800000, 0x7FC00000, 0x7F800001):
+        assert float_to_bits(float_from_bits(bits)) == bits
+    for data in (b"", bytes(range(256)), "\u20ac\uf780\U0001f4f7".encode(), b"\xed\xa0\x80"):
+        assert text_to_bytes(text_from_bytes(data)) == data
+    wrong: Any
+    for wrong in ("1", None, [], 1e39):
+        with pytest.raises(ValueError):
+            float_to_bits(wrong)
+
+
+def test_frames_are_found_behind_false_starts(layout: Layout) -> None:
+    frame = write_frame(layout.framing, 67, b"\x01\x02")
+    assert frame == bytes.fromhex("3e 43 02 45 01 02 03")
+    stream = b"\x3e\x3e\x00\x00\x00" + frame + frame[:-1] + b"\x09" + frame
+    found = list(read_frames(layout.framing, stream))
+    assert found == [(5, 67, b"\x01\x02"), (19, 67, b"\x01\x02")]
+    with pytest.raises(CodecError, match="invalid_id"):
+        write_frame(layout.framing, 0, b"")
+
+
+# The vectors
+
+
+def test_vectors_hold_both_ways() -> None:
+    for line in lines():
+        if "message" not in line:
+            continue
+        message = message_in(line)
+        if "hex" in line:
+            body, context = bytes.fromhex(line["hex"]), line.get("context")
+            if "error" in line:
+                with pytest.raises(CodecError) as caught:
+                    decode(message, body, context)
+            else:
+                assert json.dumps(decode(message, body, context)) == json.dumps(line["fields"])
+                assert encode(message, line["fields"]) == body, line["why"]
+        else:
+            with pytest.raises(CodecError) as caught:
+                encode(message, line["fields"])
+        if "error" in line:
+            error = caught.value
+            assert line["error"] == {
+                "code": error.code,
+                "field": error.field,
+                "offset": error.offset,
+            }
+
+
+def test_vectors_are_small_and_always_the_same() -> None:
+    first, second = (dict(target("vectors").files(protocol(), PROJECT)) for _ in range(2))
+    assert first == second
+    assert sum(map(len, first.values())) < 3_000_000
+
+
+# The ratchet
+
+
+def everything_said() -> dict[int, tuple[list[Message], list[Line]]]:
+    """Of each body (some messages share one): its messages, and the fields of its vectors."""
+    found: dict[int, tuple[list[Message], list[Line]]] = defaultdict(lambda: ([], []))
+    for message in protocol().messages:
+        found[id(message.body)][0].append(message)
+    for line in lines():
+        if "message" in line and "fields" in line and "hex" in line:
+            found[id(message_in(line).body)][1].append(line["fields"])
+    return found
+
+
+def all_leaves(leaves: tuple[Leaf, ...]) -> Iterator[Leaf]:
+    """The leaves, and those of what regions may hold."""
+    for leaf in leaves:
+        yield leaf
+        yield from all_leaves(leaf.cases)
+
+
+def values_at(fields: Any, path: str) -> list[Any]:
+    """Every value that stands at a leaf's path in a message, of all elements of its lists."""
+    found = [fields]
+    for step in path.replace("[", ".[").split("."):
+        found = [value for inner in found for value in step_into(inner, step)]
+    return found
+
+
+def step_into(value: Any, step: str) -> list[Any]:
+    """What one step of a path leads to; nothing where an optional member is not there."""
+    if step == "[]":
+        return list(value)
+    if step.startswith("["):
+        index = int(step[1:-1])
+        return [value[index]] if index < len(value) else []
+    return [value[step]] if step in value else []
+
+
+def numbers_of(values: list[Any]) -> list[Any]:
+    """The single numbers of a leaf, which may be a list."""
+    result: list[Any] = []
+    for value in values:
+        result += value if isinstance(value, list) else [value]
+    return result
+
+
+LIMITS = {
+    "u8": (0, 255),
+    "i8": (-128, 127),
+    "u16": (0, 65535),
+    "i16": (-32768, 32767),
+    "u32": (0, 2**32 - 1),
+    "i32": (-(2**31), 2**31 - 1),
+    "f32": ("inf", "-inf", 0.0),
+}
+
+
+def wanted_of(field: Field, leaf: Leaf) -> Iterator[tuple[str, Any]]:
+    """What a leaf must be in some vector, and why."""
+    if field.is_counter:
+        return  # as many as fit: test_nothing_is_without_a_vector looks at the lengths of lists
+    for number in LIMITS.get(leaf.type, ()):
+        yield "limit of the type", number
+    for limit in (field.minimum, field.maximum):
+        if limit is not None:
+            value = float_from_bits(float_to_bits(float(limit)))
+            yield "limit of the range", value if leaf.type == "f32" else int(Fraction(limit))
+    for special in field.special:
+        yield "special value", special.value
+    for name, number in named_values(field):
+        yield name, number
+
+
+def named_values(field: Field) -> Iterator[tuple[str, int]]:
+    """The values of an enum; those of packed parts in their place."""
+    if isinstance(field.type, Enum) and field.type.kind == "enum":
+        for value in field.type.values:
+            yield value.name, value.value
+    if isinstance(field.type, Packed):
+        for part in field.type.parts:
+            for value in part.enum.values if part.enum else ():
+                yield f"{part.name} {value.name}", value.value << part.shift
+
+
+def missing_of(leaf: Leaf, said: list[Line]) -> Iterator[str]:
+    """What of a leaf is in no vector."""
+    values = [value for fields in said for value in values_at(fields, leaf.path)]
+    field = leaf.field
+    if not values:
+        yield f"{leaf.path}: nothing at all"
+    if leaf.type in ("text", "string"):
+        yield from missing_lengths(leaf, {len(text_to_bytes(value)) for value in values})
+    if isinstance(field.type, (Blob, Struct)):
+        return
+    if isinstance(field.type, Announced):
+        pairs = {pair for number in numbers_of(values) for pair in number.items()}
+        missing = {(name, limit) for name in LIMITS for limit in LIMITS[name]} - pairs
+        yield from (f"{leaf.path}: {name} {limit}" for name, limit in missing)
+        return
+    numbers = set(numbers_of(values))
+    for why, number in wanted_of(field, leaf):
+        if number not in numbers:
+            yield f"{leaf.path}: {why} {number}"
+    if isinstance(field.type, Enum) and field.type.kind == "flags":
+        for flag in field.type.values:
+            hits = {number & flag.value == flag.value for number in numbers}
+            if hits != ({True, False} if flag.value else {True}):
+                yield f"{leaf.path}: flag {flag.name} set and not set"
+
+
+def missing_lengths(leaf: Leaf, lengths: set[int]) -> Iterator[str]:
+    """What of the lengths of a text is in no vector."""
+    assert isinstance(leaf.field.type, Blob)
+    full = leaf.field.type.size if leaf.type == "text" else 200
+    if not {0, 1} <= lengths or max(lengths) < (full or 0):
+        yield f"{leaf.path}: a text that is empty, or of one byte, or full"
+
+
+def lengths_of(field: Field, said: list[Line]) -> set[int]:
+    """The lengths that a list has in the vectors, bytes as bytes."""
+    lists = [fields[field.name] for fields in said if field.name in fields]
+    return {len(value) // 2 if isinstance(value, str) else len(value) for value in lists}
+
+
+def missing_of_message(message: Message, said: list[Line]) -> Iterator[str]:
+    """What of a message as a whole is in no vector."""
+    for field in message.fields:
+        present = {field.name in fields for fields in said}
+        if field.when and present != {True, False}:
+            yield f"{field.name}: there and not there"
+        if field.dim in ("counted", "rest"):
+            lengths = lengths_of(field, said)
+            least = field.min_count
+            short = {least, max(1, least)}
+            if not short <= lengths or max(lengths) < min(field.max_count or 2, field.capacity):
+                yield f"{field.name}: no list that is as short as can be, of one element, or long"
+    if message.keeps_tail and not {2, 0} <= {len(fields.get("tail", "")) for fields in said}:
+        yield "a tail, and none"
+
+
+def test_nothing_is_without_a_vector() -> None:
+    missing = []
+    for of_body, said in everything_said().values():
+        name = of_body[0].name
+        missing += [f"{name}: {m}" for m in missing_of_message(of_body[0], said)]
+        for leaf in all_leaves(of_body[0].leaves):
+            missing += [f"{name}.{m}" for m in missing_of(leaf, said)]
+    assert not missing, "\n".join(missing)
+
+
+def test_every_message_has_vectors_of_its_own() -> None:
+    good = {(l["direction"], l["message"]) for l in lines() if "message" in l and "error" not in l}
+    assert good == set(messages())
+
+
+def test_bodies_that_are_no_message_have_vectors() -> None:
+    codes = {(l["direction"], l["error"]["code"]) for l in lines() if "message" not in l}
+    assert codes == {
+        (direction, code)
+        for direction in ("to_board", "from_board")
+        for code in ("unknown_command", "unknown_form")
+    }
+
+
+# The seeds of the fuzzers
+
+
+def test_every_message_has_a_seed_that_decodes() -> None:
+    layout = protocol()
+    forms = forms_of(layout)
+    found = set()
+    for name, content in target("seeds").files(layout, PROJECT):
+        if name.startswith("fuzz/messages/"):
+            direction = "from_board" if content[0] else "to_board"
+            message = choose_message(forms, direction, content[1], len(content) - 2)
+            decode(message, content[2:])
+            found.add((message.direction, message.name))
+    assert found == set(messages())

@@ -1,0 +1,289 @@
+"""The specification's text against the model: every fact is there, or an erratum says why not.
+
+The facts are in tests/data/specification_facts.json, made by tests/data/extract_facts.py from the
+text. Set SBGC_SPECIFICATION to the text's path to check that they are still what the script makes.
+"""
+
+from __future__ import annotations
+
+import copy
+import json
+import os
+import subprocess
+import sys
+from collections import Counter
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+
+from fidelity import Check, Comparison, Table
+from sbgcgen.build import load_protocol
+from sbgcgen.model.names import parse_lines
+from support import PROJECT
+
+DATA = PROJECT / "tests" / "data"
+Json = dict[str, Any]
+
+
+@pytest.fixture(scope="module")
+def facts() -> Json:
+    loaded: Json = json.loads((DATA / "specification_facts.json").read_text(encoding="utf-8"))
+    return loaded
+
+
+@pytest.fixture(scope="module")
+def model() -> Json:
+    text = (PROJECT / "generated" / "simplebgc.json").read_text(encoding="utf-8")
+    loaded: Json = json.loads(text)
+    return loaded
+
+
+@pytest.fixture(scope="module")
+def accepted() -> Json:
+    text = (DATA / "fidelity_exceptions.yaml").read_text(encoding="utf-8")
+    loaded: Json = yaml.safe_load(text)
+    return loaded
+
+
+@pytest.fixture(scope="module")
+def exceptions(accepted: Json) -> Table:
+    return Table(accepted["exceptions"], set())
+
+
+@pytest.fixture(scope="module")
+def not_checked(accepted: Json) -> Table:
+    return Table(accepted["not_checked"], set())
+
+
+@pytest.fixture(scope="module")
+def checks(facts: Json, model: Json, exceptions: Table) -> list[Check]:
+    return list(Comparison(facts, model, exceptions).run())
+
+
+def _unexplained(checks: list[Check], exceptions: Table, not_checked: Table) -> Iterator[str]:
+    for check in checks:
+        if check.holds and check.kind != "extra command":
+            continue
+        entry = exceptions.find(check.kind, check.line, check.name)
+        if entry is None and not_checked.find(check.kind, check.line, check.name) is None:
+            yield f"{check}; no exception says why"
+        elif entry is not None and str(entry["ours"]) != str(check.ours):
+            yield f"{check}; the exception says {entry['ours']} ({entry['errata']})"
+
+
+def test_every_fact_is_in_the_model_or_has_an_erratum(
+    checks: list[Check], exceptions: Table, not_checked: Table
+) -> None:
+    assert list(_unexplained(checks, exceptions, not_checked)) == []
+
+
+def test_every_exception_is_needed(
+    checks: list[Check], exceptions: Table, not_checked: Table
+) -> None:
+    list(_unexplained(checks, exceptions, not_checked))
+    for table in (exceptions, not_checked):
+        assert [e for i, e in enumerate(table.entries) if i not in table.used] == []
+
+
+def test_every_exception_names_an_erratum_about_its_lines(accepted: Json, model: Json) -> None:
+    errata = {e["number"]: e for e in model["errata"]}
+    for entry in accepted["exceptions"]:
+        assert entry["errata"] in errata, f"{entry}: there is no such erratum"
+        line = entry.get("line")
+        known = [int(text[1:]) for text in errata[entry["errata"]]["lines"]]
+        if line is not None and known:
+            first, last = line if isinstance(line, list) else (line, line)
+            near = any(first - 3 <= number <= last + 3 for number in known)
+            assert near, f"{entry}: {entry['errata']} is about other lines"
+
+
+def test_every_line_is_understood_or_accounted_for(facts: Json, accepted: Json) -> None:
+    left_over = {fact["line"] for fact in facts["not_parsed"]}
+    explained = [line for entry in accepted["not_parsed"] for line in entry["lines"]]
+    assert all(entry["reason"] for entry in accepted["not_parsed"])
+    assert [line for line, times in Counter(explained).items() if times > 1] == []
+    assert left_over - set(explained) == set(), "lines with facts that nobody looked at"
+    assert set(explained) - left_over == set(), "entries that are not needed any more"
+
+
+def test_no_fact_is_lost(
+    checks: list[Check], accepted: Json, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The number of facts may rise, and then the recorded ones should, too; it may not sink."""
+    distinct = {check.fact for check in checks if not check.is_addition}
+    counts = Counter(kind for kind, *_ in distinct)
+    with capsys.disabled():
+        words = ", ".join(f"{kind} {number}" for kind, number in counts.most_common())
+        additions = sum(check.is_addition for check in checks)
+        print(f"\n{len(distinct)} facts of the specification in {len(checks)} comparisons")
+        print(f"  {words}; and {additions} additions with an erratum")
+    recorded = accepted["facts"]
+    assert set(counts) == set(recorded)
+    assert {k: n for k, n in recorded.items() if counts[k] < n} == {}
+
+
+def test_the_facts_are_what_the_script_makes(facts: Json, tmp_path: Path) -> None:
+    text = os.environ.get("SBGC_SPECIFICATION")
+    if not text:
+        pytest.skip("SBGC_SPECIFICATION does not say where the text is")
+    script = DATA / "extract_facts.py"
+    target = tmp_path / "facts.json"
+    subprocess.run([sys.executable, str(script), text, str(target)], check=True)
+    assert json.loads(target.read_text(encoding="utf-8")) == facts
+
+
+# Where the spec says that it has things from
+
+
+def test_the_source_of_a_message_is_about_its_command(facts: Json, model: Json) -> None:
+    """Each range of lines names the command, or lies in its list, its table or its errata."""
+    mentioned = {name: set(lines) for name, lines in facts["mentions"].items()}
+    lines: dict[str, set[int]] = {}
+    for body in facts["bodies"]:
+        own = lines.setdefault(body["command"].removesuffix("_3"), set())
+        own.update(field["line"] for field in body["fields"])
+        own.add(body["line"])
+    for row in facts["rows"]:
+        for command in row["commands"]:
+            lines.setdefault(command.removesuffix("_3"), set()).add(row["line"])
+    codes = {code["line"] for code in facts["codes"]}
+    errata = {e["number"]: e["lines"] for e in model["errata"]}
+    with_codes = {
+        message["command"]
+        for message in model["messages"]
+        if any(leaf["spec_name"] == "ERR_CODE" for leaf in message["layout"])
+    } | {code["command"] for code in facts["codes"]}
+    for message in model["messages"]:
+        name = message["command"]
+        about = mentioned.get(name, set()) | mentioned.get(f"{name}_3", set())
+        ranges = parse_lines(message["source"])
+        assert ranges, f"{message['name']}: no lines in '{message['source']}'"
+        wanted = about | lines.get(name.removesuffix("_3"), set())
+        if name in with_codes:
+            wanted |= codes
+        for number in message["errata"]:
+            wanted = wanted | {int(line[1:]) for line in errata[number]}
+        for first, last in ranges:
+            inside = any(first <= line <= last for line in wanted)
+            assert inside, f"{message['name']}: nothing about {name} in L{first}-L{last}"
+        assert any(
+            first <= line <= last for first, last in ranges for line in about
+        ), f"{message['name']}: no line of its source names {name}"
+
+
+def test_the_source_of_an_enum_holds_its_values(facts: Json, model: Json) -> None:
+    """Some line of it has a named value, or the field that has the enum as its type."""
+    constants: dict[str, set[int]] = {}
+    fields: dict[str, set[int]] = {}
+    for row in facts["rows"]:
+        spans = [row["line"], *row.get("more_lines", [])]
+        for name in row["names"]:
+            fields.setdefault(name.partition("[")[0], set()).update(spans)
+        for constant in row.get("constants", []):
+            constants.setdefault(constant["name"], set()).add(constant["line"])
+    for code in facts["codes"]:
+        constants.setdefault(code["name"], set()).add(code["line"])
+    for body in facts["bodies"]:
+        for field in body["fields"]:
+            spans = [field["line"], *field.get("more_lines", [])]
+            fields.setdefault(field["name"], set()).update(spans)
+    for variable in facts["variables"]:
+        constants.setdefault(variable["name"], set()).add(variable["line"])
+    for define in facts["defines"]:
+        constants.setdefault(define["name"], set()).add(define["line"])
+    users = _fields_by_enum(model)
+    for enum in model["enums"]:
+        about: set[int] = set()
+        for value in enum["values"]:
+            about |= constants.get(value["name"], set())
+        for name in users.get(enum["name"], set()):
+            about |= fields.get(name, set())
+        ranges = parse_lines(enum["source"])
+        if not ranges:  # it came later than the specification
+            assert enum["errata"], enum["name"]
+            continue
+        inside = any(first <= line <= last for first, last in ranges for line in about)
+        assert inside, f"{enum['name']}: none of its values in '{enum['source']}'"
+
+
+def _fields_by_enum(model: Json) -> dict[str, set[str]]:
+    """The names of the fields that have an enum as their type, or as the type of a part."""
+    users: dict[str, set[str]] = {}
+    parts = {p["name"]: p for p in model["packed"]}
+    for message in model["messages"]:
+        leaves = [leaf for top in message["layout"] for leaf in [top, *top.get("cases", [])]]
+        for leaf in leaves:
+            packed = parts.get(leaf.get("packed", ""), {"parts": []})
+            names = {leaf["enum"], *(part["enum"] for part in packed["parts"])}
+            for name in names - {None}:
+                users.setdefault(name, set()).add(leaf["spec_name"])
+                if leaf["path"].startswith("config."):
+                    users[name].add("CONFIG")
+    return users
+
+
+def test_every_source_lies_in_the_text(facts: Json) -> None:
+    layout = load_protocol(PROJECT / "spec").layout
+    last = facts["specification"]["lines"]
+    things: list[tuple[str, str]] = [
+        *((m.name, m.source) for m in layout.messages),
+        *((e.name, e.source) for e in layout.enums),
+        *((p.name, p.source) for p in layout.packed),
+        *((c.name, c.source) for c in layout.commands),
+    ]
+    for name, source in things:
+        for first, end in parse_lines(source):
+            assert 1 <= first <= end <= last, f"{name}: L{first}-L{end}"
+
+
+# Whether the comparison would notice
+
+
+def _leaf(model: Json, message: str, name: str) -> Json:
+    owner = next(m for m in model["messages"] if m["name"] == message)
+    leaf: Json = next(f for f in owner["layout"] if f["spec_name"] == name)
+    return leaf
+
+
+def _value(model: Json, enum: str, name: str) -> Json:
+    owner = next(e for e in model["enums"] if e["name"] == enum)
+    value: Json = next(v for v in owner["values"] if v["name"] == name)
+    return value
+
+
+MUTATIONS: dict[str, Callable[[Json], object]] = {
+    "id": lambda m: m["commands"][0].update(id=200),
+    "type": lambda m: _leaf(m, "BoardInfo", "FIRMWARE_VER").update(type="i16"),
+    "offset": lambda m: _leaf(m, "RealtimeData3", "CYCLE_TIME").update(offset=99),
+    "name": lambda m: _leaf(m, "ReadParams3", "GYRO_SENS").update(spec_name="GYRO_SENSE"),
+    "axis": lambda m: _leaf(m, "ReadParams3", "P").update(path="axes.yaw.p"),
+    "order": lambda m: m["messages"][0]["layout"].reverse(),
+    "missing field": lambda m: m["messages"][0]["layout"].pop(),
+    "missing message": lambda m: m["messages"].pop(0),
+    "minimum": lambda m: _leaf(m, "ReadParams3", "SERVO_RATE").update(min=4),
+    "maximum": lambda m: _leaf(m, "CalibInfo", "PROGRESS").update(max=101),
+    "invented range": lambda m: _leaf(m, "ReadParams3", "GYRO_SENS").update(min=0, max=9),
+    "scale": lambda m: _leaf(m, "RealtimeData3", "BAT_LEVEL").update(scale=0.1),
+    "unit": lambda m: _leaf(m, "RealtimeData4", "CURRENT").update(unit="A"),
+    "invented unit": lambda m: _leaf(m, "ReadParams3", "POWER").update(scale=0.5, quantity="W"),
+    "enum value": lambda m: _value(m, "MenuCommand", "MENU_CMD_RUN_SCRIPT3").update(value=99),
+    "enum value's name": lambda m: _value(m, "SystemErrors", "ERR_SYSTEM").update(name="ERR_SYS"),
+    "special value": lambda m: _leaf(m, "ApiVirtChControl", "VAL_CH7").update(special={}),
+    "answer": lambda m: [x.update(response=None) for x in m["messages"] if x["id"] == 25],
+    "version": lambda m: [x.update(since=None) for x in m["messages"] if x["id"] == 89],
+    "variable": lambda m: m["adjustable_variables"][37].update(max=1801),
+}
+
+
+@pytest.mark.parametrize("mutation", MUTATIONS)
+def test_a_changed_model_is_noticed(
+    mutation: str, facts: Json, model: Json, accepted: Json, not_checked: Table
+) -> None:
+    changed = copy.deepcopy(model)
+    MUTATIONS[mutation](changed)
+    table = Table(accepted["exceptions"], set())
+    found = list(Comparison(facts, changed, table).run())
+    assert list(_unexplained(found, table, not_checked))

@@ -1,0 +1,20 @@
+"""Which words C++ takes as names."""
+
+from __future__ import annotations
+
+from sbgcgen.targets.cpp.lint import WORDS, can_be_a_name
+
+
+def test_names_of_cpp() -> None:
+    assert can_be_a_name("acc_limiter3")
+    assert not any(can_be_a_name(word) for word in WORDS)
+    assert not can_be_a_name("a__b")
+
+
+def test_words_of_cpp20_are_complete() -> None:
+    """[lex.key], [lex.digraph] of C++20; a missing one breaks the build of whoever uses it."""
+    for word in ("concept", "requires", "co_await", "char8_t", "char16_t", "char32_t", "consteval"):
+        assert word in WORDS
+    for word in ("and_eq", "not_eq", "or_eq", "xor_eq", "const_cast"):
+        assert word in WORDS
+    assert "final" not in WORDS, "it has a meaning only in some places"

@@ -1,0 +1,78 @@
+"""Where the output of a template goes, and what the template sees."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from sbgcgen.model import Layout
+from sbgcgen.targets import Target, View
+from sbgcgen.targets.render import expand, render
+from support import layout_of
+
+MESSAGE = """\
+family: probe
+summary: One message.
+commands:
+  CMD_PROBE:
+    id: 9
+    summary: The message.
+    to_board:
+      source: L1
+      effect: reads
+      answer: none
+      fields:
+        - {name: A, type: u8, summary: A number.}
+"""
+
+
+class Toy(Target):
+    """A target with words of its own."""
+
+    def view(self, layout: Layout, project: Path) -> View:
+        things = [("x", 1), ("y", 2)]
+        return View(
+            names={"more": "!", "x": "a < b"},
+            filters={"twice": lambda text: text * 2},
+            tests={"short": lambda text: len(text) < 2},
+            each={"thing": list(things)},
+        )
+
+
+def made(folder: Path, files: dict[str, str]) -> dict[str, bytes]:
+    """What a target with these templates makes."""
+    for name, text in files.items():
+        path = folder / "toy" / "templates" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    return dict(render(Toy(folder / "toy"), layout_of(folder, MESSAGE), folder))
+
+
+def test_paths_name_what_they_are_rendered_for(tmp_path: Path) -> None:
+    files = {
+        "a/@message@.txt.j2": "{{ root }}{{ here }} {{ message.id }}\n",
+        "@thing@.md.j2": "{{ thing }}{{ more | twice }}{{ more is short }}\n",
+        "plain.bin": "{{ as it is }}",
+        "part.jinja": "imported",
+        "whole.txt.j2": '{% include "toy/part.jinja" %}',
+    }
+    found = made(tmp_path, files)
+    assert found.pop("a/probe.txt") == b"../a/probe.txt 9\n"
+    assert {k: v for k, v in found.items() if not k.startswith("a/")} == {
+        "x.md": b"1!!True\n",
+        "y.md": b"2!!True\n",
+        "plain.bin": b"{{ as it is }}",
+        "whole.txt": b"imported",
+    }
+
+
+def test_unknown_word_in_a_path_fails(tmp_path: Path) -> None:
+    layout = layout_of(tmp_path, MESSAGE)
+    with pytest.raises(KeyError, match="nothing"):
+        list(expand({"@nothing@.txt": tmp_path}, layout, {}))
+
+
+def test_only_html_is_escaped(tmp_path: Path) -> None:
+    found = made(tmp_path, {"a.html.j2": "{{ x }}", "a.hpp.j2": "{{ x }}"})
+    assert found == {"a.html": b"a &lt; b", "a.hpp": b"a < b"}

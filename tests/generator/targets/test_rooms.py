@@ -1,0 +1,197 @@
+"""A target is a folder: it comes and goes with its folder, and nothing outside knows its name."""
+
+from __future__ import annotations
+
+import ast
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from sbgcgen.targets import HERE, targets
+from support import GENERATOR, PROJECT, write_spec
+
+NAMES = [target.name for target in targets()]
+# Rooms from the lowest to the highest; a module uses its own room and lower ones. Those without a folder
+# (the command line, and what is under it) use all of them.
+ROOMS = ("model", "spec", "oracle", "views", "targets")
+
+TOY = '''
+from pathlib import Path
+from typing import Optional
+
+from sbgcgen.model import Layout
+from sbgcgen.oracle.example import Example
+from sbgcgen.spec.diagnostics import Diagnostics
+from sbgcgen.spec.load import Spec
+from sbgcgen.targets import Code, Target, View
+
+
+class Toy(Target):
+    """A list of messages, and a language in which every example is the name of its message."""
+
+    def view(self, layout: Layout, project: Path) -> View:
+        longest = max(layout.messages, key=lambda message: message.max_size)
+        return View(names={"longest": longest}, filters={"shout": str.upper})
+
+    def lint(self, spec: Spec, layout: Layout, found: Diagnostics) -> None:
+        for message in layout.messages:
+            if message.name == "Toy":
+                found.add(message.at, "SBGC022", "'Toy' can not be a name in toys", "take another")
+
+    def example(self, example: Example) -> Optional[Code]:
+        return Code("Toys", "toy", f"play({example.message.name})")
+'''
+TEMPLATES = {
+    "toys/@family@.txt.j2": '{% import "toy/macros.jinja" as m %}'
+    "{% for message in family.messages %}{{ m.line(message) }}{% endfor %}\n{{ longest.name | shout }}\n",
+    "macros.jinja": "{% macro line(message) %}{{ message.name }} {{ message.id }}\n{% endmacro %}",
+}
+
+
+@pytest.fixture(name="generator")
+def copied(tmp_path: Path) -> Path:
+    """A copy of the generator."""
+    copy = tmp_path / "generator"
+    shutil.copytree(GENERATOR, copy, ignore=shutil.ignore_patterns("__pycache__"))
+    return copy
+
+
+def run(generator: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    """Run a copy of the generator in a process of its own."""
+    return subprocess.run(
+        [sys.executable, "-m", "sbgcgen", *arguments],
+        env={**os.environ, "PYTHONPATH": str(generator), "PYTHONDONTWRITEBYTECODE": "1"},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+def output_of(generator: Path, spec: Path, folder: Path) -> dict[str, bytes]:
+    done = run(generator, "generate", "--spec", str(spec), "--output", str(folder))
+    assert done.returncode == 0, done.stderr
+    return {
+        path.relative_to(folder).as_posix(): path.read_bytes()
+        for path in folder.rglob("*")
+        if path.is_file()
+    }
+
+
+@pytest.fixture(name="before", scope="module")
+def as_it_is(tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
+    """The output of the generator as it is."""
+    folder = tmp_path_factory.mktemp("before")
+    return output_of(GENERATOR, write_spec(folder), folder / "out")
+
+
+def add_toy(generator: Path) -> None:
+    toy = generator / "sbgcgen" / "targets" / "toy"
+    for name, text in TEMPLATES.items():
+        path = toy / "templates" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    (toy / "target.py").write_text(TOY, encoding="utf-8")
+
+
+def test_a_folder_is_all_that_a_target_takes(
+    before: dict[str, bytes], generator: Path, tmp_path: Path
+) -> None:
+    spec = write_spec(tmp_path)
+    add_toy(generator)
+    after = output_of(generator, spec, tmp_path / "after")
+    assert after.keys() - before.keys() == {"toys/base.txt"}
+    assert after["toys/base.txt"].endswith(b"\nUSE\n") and b"Ping 1\n" in after["toys/base.txt"]
+    # Who shows examples shows those of any language; all else is as it was.
+    changed = {name for name, content in before.items() if after[name] != content}
+    assert changed == {"docs/messages/base.md"}
+    assert b"In Toys:\n\n```toy\nplay(Use)\n```\n" in after["docs/messages/base.md"]
+
+
+def test_rules_of_a_target_are_checked(generator: Path, tmp_path: Path) -> None:
+    spec = write_spec(
+        tmp_path,
+        "family: probe\nsummary: Toys.\ncommands:\n  CMD_TOY:\n    id: 9\n    summary: A toy.\n"
+        "    from_board:\n      source: L1\n"
+        "      fields:\n        - {name: A, type: u8, summary: A number.}\n",
+    )
+    assert run(generator, "lint", "--spec", str(spec)).returncode == 0
+    add_toy(generator)
+    done = run(generator, "lint", "--spec", str(spec))
+    assert done.returncode == 1
+    assert "SBGC022 'Toy' can not be a name in toys" in done.stderr
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_target_goes_with_its_folder(
+    name: str, before: dict[str, bytes], generator: Path, tmp_path: Path
+) -> None:
+    """The others are still made; what they show of it is gone, too."""
+    spec = write_spec(tmp_path)
+    shutil.rmtree(generator / "sbgcgen" / "targets" / name)
+    after = output_of(generator, spec, tmp_path / "after")
+    assert after.items() <= before.items() or name == "cpp"
+    assert after.keys() < before.keys() or name == "site"
+
+
+# What the modules say
+
+
+def modules() -> Iterator[tuple[Path, ast.Module]]:
+    for path in sorted((GENERATOR / "sbgcgen").rglob("*.py")):
+        yield path, ast.parse(path.read_text(encoding="utf-8"))
+
+
+def imports(tree: ast.Module) -> Iterator[str]:
+    """The modules, and what is taken from them."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from (name.name for name in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            yield from (f"{node.module}.{name.name}" for name in node.names)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_no_module_outside_names_a_target(name: str) -> None:
+    folder = HERE / name
+    for path, tree in modules():
+        if folder in path.parents:
+            continue
+        for module in imports(tree):
+            assert f"{module}.".find(f".targets.{name}.") < 0, f"{path.name} imports {module}"
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Constant) and isinstance(node.value, str):
+                words = node.value.replace("/", " ").replace(".", " ").split()
+                # docs/ of the project has the guides, whatever a target is called.
+                is_other = len(words) > 2 or name == "docs"
+                assert is_other or name not in words, f"{path.name}:{node.lineno} says {name}"
+
+
+def test_templates_of_a_target_use_no_other_one() -> None:
+    for target in targets():
+        for path in target.templates.rglob("*.j*"):
+            text = path.read_text(encoding="utf-8")
+            for other in NAMES:
+                assert other == target.name or f'"{other}/' not in text, path
+
+
+def test_rooms_use_lower_ones_only() -> None:
+    root = GENERATOR / "sbgcgen"
+    for path, tree in modules():
+        room = path.relative_to(root).parts[0]
+        if room not in ROOMS:
+            continue
+        higher = ROOMS[ROOMS.index(room) + 1 :]
+        for module in imports(tree):
+            used = f"{module}.".removeprefix("sbgcgen.").split(".")[0]
+            assert not module.startswith("sbgcgen.") or used not in higher, f"{path}: {module}"
+
+
+def test_the_project_says_no_name_of_a_target_to_the_build() -> None:
+    text = (PROJECT / "CMakeLists.txt").read_text(encoding="utf-8")
+    assert "targets/*/templates/*" in text
+    assert not any(f"targets/{name}" in text for name in NAMES)

@@ -1,0 +1,197 @@
+"""Output is reproducible to the byte, written only where it changes, and cleaned up."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from sbgcgen.build import load_protocol
+from sbgcgen.cli import inputs
+from sbgcgen.output import Output
+from sbgcgen.targets import outputs, targets
+from support import GENERATOR, PROJECT, layout_of, write_spec
+
+MESSAGE = """\
+family: probe
+summary: One message.
+commands:
+  CMD_PROBE:
+    id: 9
+    summary: The message.
+    from_board:
+      source: L1
+      fields:
+        - {name: A, type: u8, summary: A number.}
+"""
+
+
+def snapshot(folder: Path) -> dict[str, str]:
+    """Every file below a folder with the hash of its content."""
+    return {
+        path.relative_to(folder).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
+        for path in sorted(folder.rglob("*"))
+        if path.is_file()
+    }
+
+
+def times(folder: Path) -> dict[str, int]:
+    return {str(p): p.stat().st_mtime_ns for p in folder.rglob("*") if p.is_file()}
+
+
+def age(folder: Path) -> None:
+    """Make every file old, so that a rewritten one can be told."""
+    for path in folder.rglob("*"):
+        if path.is_file():
+            os.utime(path, ns=(10**18, 10**18))
+
+
+def output(folder: Path, text: str = MESSAGE) -> Output:
+    return Output(folder / "out", outputs(layout_of(folder, text), folder))
+
+
+def generate(root: Path, folder: Path, seed: str, zone: str) -> dict[str, str]:
+    """Run the generator as a program of its own, in another environment."""
+    environment = {
+        **os.environ,
+        "PYTHONPATH": str(GENERATOR),
+        "PYTHONHASHSEED": seed,
+        "TZ": zone,
+        "LC_ALL": "C",
+    }
+    command = [sys.executable, "-m", "sbgcgen", "generate", "--root", str(root)]
+    folder.mkdir(parents=True)
+    subprocess.run(
+        [*command, "--output", str(folder / "out")],
+        check=True,
+        env=environment,
+        cwd=folder,
+        stdout=subprocess.DEVNULL,
+    )
+    return snapshot(folder / "out")
+
+
+def test_same_bytes_whatever_run_folder_hash_seed_zone_and_locale(tmp_path: Path) -> None:
+    first = generate(PROJECT, tmp_path / "one", "1", "UTC")
+    moved = tmp_path / "a place with blanks"
+    (moved / "spec").mkdir(parents=True)
+    for path in (PROJECT / "spec").glob("*.yaml"):
+        (moved / "spec" / path.name).write_bytes(path.read_bytes())
+    second = generate(moved, tmp_path / "two", "4711", "Pacific/Auckland")
+    assert first == second
+    assert "simplebgc.json" in first
+
+
+def test_output_holds_no_dates_no_paths_and_unix_lines() -> None:
+    year = re.compile(rb"20[2-9][0-9]-[0-9]{2}")
+    for name, content in outputs(load_protocol(PROJECT / "spec").layout, PROJECT).items():
+        if name.startswith("fuzz/"):
+            continue  # bytes, not text
+        assert str(PROJECT).encode() not in content, name
+        assert b"/usr/" not in content and b"/home/" not in content, name
+        assert b"\r" not in content, name
+        assert content.endswith(b"\n"), name
+        assert not re.search(rb"[ \t]\n", content), f"{name} has blanks at the end of a line"
+        assert not year.search(content), f"{name} has a date"
+        content.decode("utf-8")
+
+
+def test_second_run_leaves_every_file_alone(tmp_path: Path) -> None:
+    made = output(tmp_path)
+    assert made.write() == len(made.files)
+    age(made.folder)
+    before = times(made.folder)
+    assert made.write() == 0
+    assert times(made.folder) == before
+
+
+def test_only_what_changes_is_written(tmp_path: Path) -> None:
+    output(tmp_path / "a").write()
+    folder = tmp_path / "a" / "out"
+    age(folder)
+    changed = Output(folder, output(tmp_path / "b", MESSAGE.replace("A number", "Its age")).files)
+    written = changed.write()
+    young = [path for path, at in times(folder).items() if at != 10**18]
+    assert 0 < len(young) == written < len(changed.files)
+    assert snapshot(folder) == {
+        name: hashlib.sha256(content).hexdigest() for name, content in changed.files.items()
+    }
+
+
+def test_stale_files_and_their_empty_folders_go(tmp_path: Path) -> None:
+    made = output(tmp_path)
+    made.write()
+    stale = made.folder / "old" / "family" / "gone.hpp"
+    stale.parent.mkdir(parents=True)
+    stale.write_text("// from an earlier spec\n")
+    assert made.write() == 1
+    assert not (made.folder / "old").exists()
+    assert set(snapshot(made.folder)) == set(made.files)
+
+
+def test_family_that_goes_takes_its_files_with_it(tmp_path: Path) -> None:
+    made = output(tmp_path)
+    made.write()
+    less = output(tmp_path / "less", "family: probe\nsummary: Nothing left.\n")
+    gone = set(made.files) - set(less.files)
+    assert any("probe" in name for name in gone)
+    Output(made.folder, less.files).write()
+    assert set(snapshot(made.folder)) == set(less.files)
+
+
+def test_a_folder_with_other_files_is_not_cleaned(tmp_path: Path) -> None:
+    """`--output .` in the wrong place must not delete somebody's work."""
+    precious = tmp_path / "out" / "thesis.txt"
+    precious.parent.mkdir()
+    precious.write_text("years of work")
+    with pytest.raises(FileExistsError):
+        output(tmp_path).write()
+    assert snapshot(tmp_path / "out").keys() == {"thesis.txt"}
+
+
+def test_drift_names_what_differs_is_missing_or_stale(tmp_path: Path) -> None:
+    made = output(tmp_path)
+    assert made.drift() == [f"{name}: missing" for name in sorted(made.files)]
+    made.write()
+    assert made.drift() == []
+    first, second = sorted(made.files)[:2]
+    (made.folder / first).write_bytes(made.files[first] + b"\n")
+    (made.folder / second).unlink()
+    (made.folder / "stray.hpp").write_text("")
+    assert made.drift() == [
+        "stray.hpp: not generated from the spec",
+        f"{first}: differs",
+        f"{second}: missing",
+    ]
+
+
+def test_inputs_are_all_files_that_decide(tmp_path: Path) -> None:
+    names = set(inputs())
+    assert set((GENERATOR / "sbgcgen").rglob("*.py")) <= names
+    templates = {path for target in targets() for path in target.templates.rglob("*")}
+    assert {path for path in templates if path.is_file()} <= names
+    assert set((GENERATOR / "schema").glob("*.json")) <= names
+    assert all(path.is_absolute() and path.is_file() for path in names)
+
+
+def test_family_without_messages_gets_no_header(tmp_path: Path) -> None:
+    files = output(tmp_path, "family: probe\nsummary: Only words.\n").files
+    assert not any("probe" in name for name in files)
+
+
+def test_a_text_with_marks_of_cpp_and_templates_is_only_text(tmp_path: Path) -> None:
+    text = MESSAGE.replace("A number.", "'A */ ?? /* {{ x }} {% y %} \\ \"quoted\" ° end\\'")
+    files = output(tmp_path, text).files
+    header = next(c.decode() for name, c in files.items() if name.endswith("messages/probe.hpp"))
+    comments = [line for line in header.splitlines() if "{{ x }}" in line]
+    assert comments and all(line.lstrip().startswith("//") for line in comments)
+    assert not any(line.endswith("\\") for line in header.splitlines()), "it would join two lines"
+
+
+def test_spec_next_to_nothing_else_is_enough(tmp_path: Path) -> None:
+    assert load_protocol(write_spec(tmp_path)).layout.messages
