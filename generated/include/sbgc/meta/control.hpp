@@ -6,21 +6,24 @@
 #include <sbgc/messages/control.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/units.hpp>
 
 namespace sbgc {
 
 template <>
 struct Meta<msg::ControlAxis> {
-  static constexpr AlternativeUnit speed_alternative{"control_mode", 0x80, "deg/s", 1, 1000};
+  static constexpr AlternativeUnit speed_alternative{"control_mode", 0x80, &UnitMeta<msg::FineSpeed>::info};
   static constexpr Range angle_range{-32768, 32767};
   static constexpr FieldInfo fields[] = {
       {.name = "speed",
        .spec_name = "SPEED_{AXIS}",
        .summary = "Speed to move with; an acceleration limit of the settings may hold it back.",
+       .unit = &UnitMeta<msg::ControlSpeed>::info,
        .alternative = &speed_alternative},
       {.name = "angle",
        .spec_name = "ANGLE_{AXIS}",
        .summary = "Angle to reach; in MODE_RC the RC signal, -500 to 500.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &angle_range},
   };
 
@@ -40,14 +43,17 @@ struct Meta<msg::AxisState> {
       {.name = "imu_angle",
        .spec_name = "IMU_ANGLE",
        .summary = "Measured angle; starts again after two full turns.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &imu_angle_range},
       {.name = "rc_target_angle",
        .spec_name = "RC_TARGET_ANGLE",
        .summary = "Angle that the gimbal should hold, set by RC or by control commands.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &rc_target_angle_range},
       {.name = "rc_speed",
        .spec_name = "RC_SPEED",
-       .summary = "Speed that the gimbal should hold; 0 once the target is reached."},
+       .summary = "Speed that the gimbal should hold; 0 once the target is reached.",
+       .unit = &UnitMeta<msg::ControlSpeed>::info},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -67,14 +73,17 @@ struct Meta<msg::AxisStateExt> {
       {.name = "imu_angle",
        .spec_name = "IMU_ANGLE",
        .summary = "Measured angle; starts again after two full turns.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &imu_angle_range},
       {.name = "rc_target_angle",
        .spec_name = "RC_TARGET_ANGLE",
        .summary = "Angle that the gimbal should hold.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &rc_target_angle_range},
       {.name = "stator_rotor_angle",
        .spec_name = "STATOR_ROTOR_ANGLE",
-       .summary = "Angle of the joint, from an encoder or the second IMU; 0 in normal position, and it counts on over full turns."},
+       .summary = "Angle of the joint, from an encoder or the second IMU; 0 in normal position, and it counts on over full turns.",
+       .unit = &UnitMeta<msg::LongAngle14>::info},
       {.name = "reserved",
        .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
@@ -374,15 +383,18 @@ struct Meta<msg::HelperData> {
   static constexpr FieldInfo fields[] = {
       {.name = "frame_acc",
        .spec_name = "FRAME_ACC_{XYZ}",
-       .summary = "Linear acceleration of the frame; keeps the horizon level in accelerated motion."},
+       .summary = "Linear acceleration of the frame; keeps the horizon level in accelerated motion.",
+       .unit = &UnitMeta<msg::Acceleration>::info},
       {.name = "frame_angle_roll",
        .spec_name = "FRAME_ANGLE_ROLL",
        .summary = "Inclination of the frame to the side.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &frame_angle_roll_range,
        .special = frame_angle_roll_special},
       {.name = "frame_angle_pitch",
        .spec_name = "FRAME_ANGLE_PITCH",
        .summary = "Inclination of the frame forwards.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &frame_angle_pitch_range,
        .special = frame_angle_pitch_special},
   };
@@ -422,15 +434,18 @@ struct Meta<msg::HelperDataExt> {
   static constexpr FieldInfo fields[] = {
       {.name = "frame_acc",
        .spec_name = "FRAME_ACC",
-       .summary = "Linear acceleration of the frame; keeps the horizon level in accelerated motion."},
+       .summary = "Linear acceleration of the frame; keeps the horizon level in accelerated motion.",
+       .unit = &UnitMeta<msg::Acceleration>::info},
       {.name = "frame_angle_roll",
        .spec_name = "FRAME_ANGLE_ROLL",
        .summary = "Inclination of the frame to the side.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &frame_angle_roll_range,
        .special = frame_angle_roll_special},
       {.name = "frame_angle_pitch",
        .spec_name = "FRAME_ANGLE_PITCH",
        .summary = "Inclination of the frame forwards.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &frame_angle_pitch_range,
        .special = frame_angle_pitch_special},
       {.name = "coord_sys",
@@ -439,6 +454,7 @@ struct Meta<msg::HelperDataExt> {
       {.name = "frame_speed",
        .spec_name = "FRAME_SPEED",
        .summary = "Angular speed of the frame; helps without encoders and without a second IMU.",
+       .unit = &UnitMeta<msg::GyroRate>::info,
        .special = frame_speed_special},
       {.name = "reserved",
        .spec_name = "RESERVED",
