@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "decoded_frame.hpp"
-#include "text.hpp"
+#include "command_lookup.hpp"
+#include "wording.hpp"
 
 namespace sbgc::emulate {
 
