@@ -184,10 +184,10 @@ TEST(Violations, OfVersionsNameTheVersion) {
   EXPECT_EQ(violations_in(control, {2439, 30}),
             Sentences{"control_mode: CONTROL_FLAG_HIGH_RES_SPEED needs firmware 2.59"});
   msg::WriteParams3 params;
-  params.pwm_freq = static_cast<msg::PwmFrequency>(1);
-  const Sentences old = violations_in(params, {2439, 12});
-  EXPECT_TRUE(std::ranges::count(old, "pwm_freq: 1 needs board 3.0"))
-      << testing::PrintToString(old);
+  params.pwm_freq = msg::PwmFrequency::ultra_high;
+  const Sentences found = violations_in(params, {2439, 12});
+  EXPECT_EQ(std::ranges::count(found, "pwm_freq: PWM_FREQ_ULTRA_HIGH needs board 3.0"), 1)
+      << testing::PrintToString(found);
 }
 
 TEST(Violations, NaNIsNoNumber) {
