@@ -39,7 +39,7 @@ int main() {
   };
   const sbgc::Status status =
       sbgc::visit(140, std::span(frame + 4, written.size - 5), sbgc::Direction::to_board, check);
-  lights.period = sbgc::Milliseconds(10);
+  lights.period = sbgc::msg::Milliseconds(10);
   return status && same && !sbgc::is_valid(lights) ? 0 : 2;
 }
 """
