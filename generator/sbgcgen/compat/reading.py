@@ -30,7 +30,7 @@ Facts = dict[str, Any]
 
 
 class UnreadableRevision(Exception):
-    """The generator of a revision can not read its own spec."""
+    """The generator of a revision cannot read its own spec."""
 
 
 def layout_of(version: Version) -> Layout:

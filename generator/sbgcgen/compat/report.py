@@ -38,7 +38,7 @@ def _report(old: Version, new: Version, is_working_tree: bool) -> int:
             checked = is_working_tree and side is new
             layouts.append(load_protocol(side.folder).layout if checked else layout_of(side))
         except UnreadableRevision as error:
-            print(f"{side.prefix}: its own generator can not read it: {error}", file=sys.stderr)
+            print(f"{side.prefix}: its own generator cannot read it: {error}", file=sys.stderr)
         except SpecError as error:
             for diagnostic in error.diagnostics:
                 where = side.where(diagnostic.position)

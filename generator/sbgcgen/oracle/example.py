@@ -23,16 +23,9 @@ from sbgcgen.model import (
     Struct,
     Type,
 )
-from sbgcgen.oracle.codec import (
-    LISTS,
-    Fields,
-    forms_of,
-    is_bytes,
-    keys_of,
-    scalar_of,
-    text_to_bytes,
-    write_frame,
-)
+from sbgcgen.oracle.codec import LISTS, Fields, is_bytes, keys_of, scalar_of
+from sbgcgen.oracle.frames import forms_of, write_frame
+from sbgcgen.oracle.json_values import text_to_bytes
 from sbgcgen.oracle.vector_line import line
 from sbgcgen.oracle.vectors import typical_vector
 

@@ -151,5 +151,5 @@ def test_a_revision_that_its_own_generator_refuses(
     write_spec(project, OLD)
     assert main(["compat", "--root", str(project), "v2"]) == 1
     error = capsys.readouterr().err
-    assert error.startswith("v2:spec/: its own generator can not read it: SpecError: ")
+    assert error.startswith("v2:spec/: its own generator cannot read it: SpecError: ")
     assert "SBGC010 unknown type 'AxisStat'" in error and "Traceback" not in error
