@@ -15,8 +15,7 @@ from spec_maker import write_spec
 
 from sbgcgen.build import load_protocol
 from sbgcgen.oracle.example import example_of
-from sbgcgen.targets.cpp.example import code_of
-from sbgcgen.targets import target
+from sbgcgen.targets import codes_of, target
 from sbgcgen.targets.docs.markdown_text import anchor, escape
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -113,9 +112,9 @@ def anchors(page: str) -> list[str]:
 def test_every_example_stands_there_as_the_code_of_the_site() -> None:
     for message in LAYOUT.messages:
         example = example_of(message, LAYOUT)
-        code = code_of(example).text.strip()
+        (code,) = codes_of(example)
         page = FILES[f"messages/{message.family}.md"]
-        assert not example.fields or f"```cpp\n{code}\n```" in page, message.name
+        assert not example.fields or f"```cpp\n{code.text}\n```" in page, message.name
 
 
 @pytest.mark.parametrize("name", FILES)

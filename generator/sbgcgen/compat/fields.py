@@ -20,7 +20,6 @@ from sbgcgen.model import (
     Field,
     Packed,
     Quantity,
-    Scalar,
     Struct,
     Type,
 )

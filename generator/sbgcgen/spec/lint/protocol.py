@@ -11,7 +11,6 @@ from sbgcgen.model import (
     Layout,
     Message,
     Packed,
-    Position,
     Quantity,
     Scalar,
     Settings,

@@ -3,32 +3,25 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
 from sbgcgen.model import (
     SCALARS,
     Availability,
-    Deprecation,
     Enum,
     EnumValue,
-    Identifier,
     Packed,
     Part,
     Position,
     Quantity,
     Scalar,
 )
-from sbgcgen.model.names import (
-    is_name,
-    parse_board,
-    parse_version,
-    singular,
-    snake_case,
-)
+from sbgcgen.model.names import singular, snake_case
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
-from sbgcgen.spec.load import List, Map, Spec
+from sbgcgen.spec.load import Map, Spec
+from sbgcgen.spec.resolve.entries import Entries
 
 # Enums that follow from other sections of the spec.
 COMMAND_ID = "CommandId"
@@ -44,14 +37,12 @@ class Types:
     packed: dict[str, Packed] = field(default_factory=dict)
 
 
-class TypeResolver:
+class TypeResolver(Entries):
     """Turns the type sections of a spec into model types; findings go into `found`."""
 
     def __init__(self, spec: Spec, found: Diagnostics) -> None:
-        self.spec = spec
-        self.found = found
+        super().__init__(spec, found)
         self.types = Types()
-        self.identifiers: list[Identifier] = []
         self.broken: set[str] = set()  # packed integers with a part whose type does not exist
 
     def run(self) -> Types:
@@ -68,73 +59,6 @@ class TypeResolver:
             self.types.packed[name] = self._packed(name, value, at)
         self._check_unique_names()
         return self.types
-
-    # Small pieces that every part of the spec shares
-
-    def errata(self, node: Map) -> tuple[str, ...]:
-        """The errata numbers of a node, each of which must exist."""
-        numbers = node.get("errata", [])
-        known = self.spec.errata.get("errata", {})
-        for index, number in enumerate(numbers):
-            if number not in known:
-                at = numbers.items_at[index] if isinstance(numbers, List) else node.position
-                hint = did_you_mean(str(number), known) or "add it to spec/errata.yaml"
-                self.found.add(at, "SBGC023", f"there is no erratum {number}", hint)
-        return tuple(str(n) for n in numbers)
-
-    def availability(self, node: Map, key: str = "since") -> Availability:
-        """The versions under `since`, as the wire has them."""
-        since = node.get(key)
-        if not isinstance(since, Map):
-            return Availability()
-        result = Availability()
-        for part, parse, example in (
-            ("firmware", parse_version, "2.55b5"),
-            ("board", parse_board, "3.0"),
-        ):
-            if part in since:
-                value = parse(str(since[part]))
-                if value is None:
-                    message = f"'{since[part]}' is not a {part} version"
-                    self.found.add(since.at(part), "SBGC030", message, f"write it like {example}")
-                else:
-                    result = replace(result, **{part: value})
-        return result
-
-    def deprecation(self, node: Map) -> Deprecation | None:
-        """What `deprecated` and `replaced_by` say."""
-        mark = node.get("deprecated")
-        if not mark:
-            return None
-        since = self.availability(mark) if isinstance(mark, Map) else Availability()
-        return Deprecation(since, str(node.get("replaced_by", "")))
-
-    def summary(self, node: Map, at: Position, what: str) -> str:
-        """The summary, which nothing may lack."""
-        text = " ".join(str(node.get("summary") or "").split())
-        if not text:
-            self.found.add(
-                at, "SBGC019", f"{what} has no summary", "say in one sentence what it is"
-            )
-        return text
-
-    def source(self, node: Map, at: Position, what: str) -> str:
-        """Where the specification describes it, which nothing that comes from it may lack."""
-        text = str(node.get("source") or "")
-        if not text:
-            hint = "name the section and lines, as in 'Variables L1005-L1009'"
-            self.found.add(at, "SBGC020", f"{what} does not say where it comes from", hint)
-        return text
-
-    def identifier(self, name: str, at: Position) -> str:
-        """`name`, after a check that it is one."""
-        self.identifiers.append(Identifier(name, at))
-        if not is_name(name):
-            message = f"'{name}' can not be a name"
-            self.found.add(at, "SBGC022", message, "give another one with 'as'")
-        return name
-
-    # The sections
 
     def _quantity(self, name: str, node: Map, at: Position) -> Quantity:
         accessor = str(node.get("accessor", "value"))
