@@ -480,7 +480,7 @@ using CallAnswer = typename CallAnswerOf<M>::type;
 template <class Self>
 class Calls {
  public:
-  /// Ask for the version of board and firmware.
+  /// Request the board and firmware version.
   /// Effect: reads.
   template <class M = BoardInfoRequest>
   Result<detail::CallAnswer<M>> board_info(
@@ -488,7 +488,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the version of board and firmware, with a byte that means nothing.
+  /// Request the board and firmware version, with a byte that has no meaning.
   /// Effect: reads.
   template <class M = BoardInfoRequestOneByte>
   Result<detail::CallAnswer<M>> board_info_one_byte(
@@ -496,7 +496,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the version of board and firmware, and configure this serial port.
+  /// Request the board and firmware version, and configure this serial port.
   /// Effect: sets.
   template <class M = BoardInfoRequestExt>
   Result<detail::CallAnswer<M>> board_info_ext(
@@ -504,7 +504,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for serial numbers, memory and scripts of the board.
+  /// Request serial numbers, memory and scripts of the board.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = BoardInfo3Request>
@@ -513,7 +513,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Restart at once and without notice.
+  /// Restart immediately, without notification.
   /// Effect: restarts.
   template <class M = ResetRequest>
   Result<detail::CallAnswer<M>> reset(
@@ -521,7 +521,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Restart after a while, with notice if that is asked for.
+  /// Restart after a delay, with an optional notification.
   /// Effect: restarts.
   template <class M = ResetRequestExt>
   Result<detail::CallAnswer<M>> reset_ext(
@@ -529,7 +529,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Enter the bootloader at once and without notice.
+  /// Enter the bootloader immediately, without notification.
   /// Effect: restarts.
   /// Since board 3.0.
   template <class M = BootMode3>
@@ -538,7 +538,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Enter the bootloader after a while, with notice if that is asked for.
+  /// Enter the bootloader after a delay, with an optional notification.
   /// Effect: restarts.
   /// Since board 3.0.
   template <class M = BootMode3Ext>
@@ -547,7 +547,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Body to the board, not documented.
+  /// Undocumented body to the board.
   /// Effect: unknown.
   /// Since board 3.0.
   template <class M = QueueParamsInfo3Request>
@@ -556,7 +556,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Body to the board, not documented.
+  /// Undocumented body to the board.
   /// Effect: unknown.
   /// Since board 3.0.
   template <class M = SystemStateRequest>
@@ -565,7 +565,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Body to the board, not documented.
+  /// Undocumented body to the board.
   /// Effect: unknown.
   /// Since board 3.0.
   template <class M = MavlinkInfoRequest>
@@ -574,7 +574,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Body to the board, not documented.
+  /// Undocumented body to the board.
   /// Effect: unknown.
   /// Since board 3.0.
   template <class M = MavlinkDebugRequest>
@@ -583,7 +583,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the settings of one profile.
+  /// Request the parameters of one profile.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = ReadParams3Request>
@@ -592,7 +592,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Store the settings of one profile and the general ones.
+  /// Store the parameters of one profile and the general parameters.
   /// Effect: stores, moves.
   /// Since board 3.0.
   template <class M = WriteParams3>
@@ -601,7 +601,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the settings of one profile, with the older id.
+  /// Request the parameters of one profile, with the older id.
   /// Effect: reads.
   template <class M = ReadParams>
   Result<detail::CallAnswer<M>> read_params(
@@ -609,7 +609,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Store the settings of one profile and the general ones, with the older id.
+  /// Store the parameters of one profile and the general parameters, with the older id.
   /// Effect: stores, moves.
   template <class M = WriteParams>
   Result<detail::CallAnswer<M>> write_params(
@@ -617,7 +617,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for further settings of one profile.
+  /// Request more parameters of one profile.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = ReadParamsExtRequest>
@@ -626,7 +626,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Store further settings of one profile.
+  /// Store more parameters of one profile.
   /// Effect: stores, moves.
   /// Since board 3.0.
   template <class M = WriteParamsExt>
@@ -635,7 +635,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for still further settings of one profile.
+  /// Request the third set of parameters of one profile.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = ReadParamsExt2Request>
@@ -644,7 +644,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Store still further settings of one profile.
+  /// Store the third set of parameters of one profile.
   /// Effect: stores, moves.
   /// Since board 3.0.
   template <class M = WriteParamsExt2>
@@ -653,7 +653,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the names of the profiles.
+  /// Request the profile names.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = ReadProfileNamesRequest>
@@ -662,7 +662,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Store the names of the profiles.
+  /// Store the profile names.
   /// Effect: stores.
   /// Since board 3.0.
   template <class M = WriteProfileNames>
@@ -671,8 +671,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Save the settings that are in use, with all changes to adjustable variables, to the active
-  /// profile.
+  /// Save the parameters in use, with all changes to adjustable variables, to the active profile.
   /// Effect: stores.
   /// Since board 3.0.
   template <class M = SaveParams3>
@@ -681,7 +680,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Return to the factory settings.
+  /// Restore the factory defaults.
   /// Effect: stores, moves, erases.
   template <class M = UseDefaults>
   Result<detail::CallAnswer<M>> use_defaults(
@@ -689,7 +688,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for live data, with the older id.
+  /// Request live data, with the older id.
   /// Effect: reads.
   template <class M = RealtimeData>
   Result<detail::CallAnswer<M>> realtime_data(
@@ -697,7 +696,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for live data.
+  /// Request live data.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = RealtimeData3Request>
@@ -706,7 +705,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the longer live data.
+  /// Request the longer live data.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = RealtimeData4Request>
@@ -715,7 +714,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for live data of the blocks that FLAGS names.
+  /// Request live data of the blocks in FLAGS.
   /// Effect: reads.
   /// Since firmware 2.59, board 3.0.
   template <class M = RealtimeDataCustomRequest>
@@ -724,7 +723,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Start, change or end a data stream: messages that the board sends at a fixed rate, unasked.
+  /// Start, change or end a data stream: messages that the board sends at a fixed rate.
   /// Effect: sets.
   /// Since firmware 2.59, board 3.0.
   template <class M = DataStreamInterval>
@@ -733,7 +732,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Move the camera, one mode for all axes.
+  /// Move the camera, with one mode for all axes.
   /// Effect: moves.
   template <class M = Control>
   Result<detail::CallAnswer<M>> control(
@@ -750,7 +749,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the angles and targets of the camera.
+  /// Request camera angles and targets.
   /// Effect: reads.
   template <class M = GetAnglesRequest>
   Result<detail::CallAnswer<M>> get_angles(
@@ -758,7 +757,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for angles, targets and joint angles.
+  /// Request angles, targets and joint angles.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = GetAnglesExtRequest>
@@ -793,7 +792,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Carry out an action of the menu.
+  /// Execute a menu action.
   /// Effect: sets, stores, moves, restarts.
   template <class M = ExecuteMenu>
   Result<detail::CallAnswer<M>> execute_menu(
@@ -801,7 +800,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Carry out an action of the menu, with a parameter that later firmware takes.
+  /// Execute a menu action, with a parameter of later firmware.
   /// Effect: sets, stores, moves, restarts.
   template <class M = ExecuteMenuExt>
   Result<detail::CallAnswer<M>> execute_menu_ext(
@@ -809,7 +808,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Tell the board how the frame accelerates and leans.
+  /// Report acceleration and tilt of the frame to the board.
   /// Effect: moves.
   template <class M = HelperData>
   Result<detail::CallAnswer<M>> helper_data(
@@ -817,7 +816,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Tell the board how the frame accelerates, leans and turns.
+  /// Report acceleration, tilt and rotation of the frame to the board.
   /// Effect: moves.
   /// Since firmware 2.59.
   template <class M = HelperDataExt>
@@ -867,7 +866,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Calibrate the gains of the signals from a flight controller.
+  /// Calibrate the gains of a flight controller's signals.
   /// Effect: stores, moves.
   template <class M = CalibExtGain>
   Result<detail::CallAnswer<M>> calib_ext_gain(
@@ -875,7 +874,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Find out poles and direction of the motors.
+  /// Detect the poles and the direction of the motors.
   /// Effect: stores, moves.
   template <class M = CalibPoles>
   Result<detail::CallAnswer<M>> calib_poles(
@@ -883,7 +882,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Calibrate the offset of the follow mode.
+  /// Calibrate the follow mode offset.
   /// Effect: stores, moves.
   template <class M = CalibOffset>
   Result<detail::CallAnswer<M>> calib_offset(
@@ -891,7 +890,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Calibrate the measurement of the battery voltage.
+  /// Calibrate the battery voltage measurement.
   /// Effect: stores.
   template <class M = CalibBat>
   Result<detail::CallAnswer<M>> calib_bat(
@@ -899,7 +898,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for what to show while sensors are calibrated.
+  /// Request the calibration status.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = CalibInfoRequest>
@@ -908,7 +907,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Body to the board, not documented.
+  /// Undocumented body to the board.
   /// Effect: unknown.
   /// Since board 3.0.
   template <class M = CalibMotorMagLinkRequest>
@@ -944,7 +943,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Choose the IMU that is configured and calibrated.
+  /// Select the IMU to configure and calibrate.
   /// Effect: sets.
   /// Since board 3.0.
   template <class M = SelectImu3>
@@ -953,7 +952,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Choose an IMU, with parameters that later firmware takes.
+  /// Select an IMU, with parameters of later firmware.
   /// Effect: sets.
   /// Since board 3.0.
   template <class M = SelectImu3Ext>
@@ -962,7 +961,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the attitude of an IMU.
+  /// Query the attitude of an IMU.
   /// Effect: reads.
   /// Since board 3.0.
   /// Firmware 2.69b5 and later takes AhrsHelperRequestWide instead, which is then sent.
@@ -972,7 +971,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the attitude of an IMU, with a mode of two bytes.
+  /// Query the attitude of an IMU, with a two-byte mode.
   /// Effect: reads.
   /// Since firmware 2.69b5.
   template <class M = AhrsHelperRequestWide>
@@ -981,7 +980,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the attitude of an IMU or set it.
+  /// Query or set the attitude of an IMU.
   /// Effect: moves.
   /// Since board 3.0.
   /// Firmware 2.69b5 and later takes AhrsHelperRequestExtWide instead, which is then sent.
@@ -991,7 +990,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the attitude of an IMU or set it, with a mode of two bytes.
+  /// Query or set the attitude of an IMU, with a two-byte mode.
   /// Effect: moves.
   /// Since firmware 2.69b5.
   template <class M = AhrsHelperRequestExtWide>
@@ -1000,7 +999,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Correct the zero of a gyroscope by hand; the camera drifts if the correction is wrong.
+  /// Correct the zero of a gyroscope manually; the camera drifts if the correction is wrong.
   /// Effect: stores, moves.
   /// Since board 3.0.
   template <class M = GyroCorrection>
@@ -1009,7 +1008,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Play a melody through the motors, or one of the standard sounds.
+  /// Play a melody through the motors, or a standard sound.
   /// Effect: sets.
   /// Since firmware 2.59, board 3.0.
   template <class M = BeepSound>
@@ -1053,7 +1052,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Set the virtual RC channels that the host provides; they can control the camera and more.
+  /// Set the host's virtual RC channels, which can control the camera and more.
   /// Effect: sets, stores, moves, restarts.
   /// Since board 3.0.
   template <class M = ApiVirtChControl>
@@ -1062,7 +1061,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Set adjustable variables; they are lost at the next start unless CMD_SAVE_PARAMS_3 follows.
+  /// Set adjustable variables; the next restart discards them unless CMD_SAVE_PARAMS_3 follows.
   /// Effect: sets, moves.
   /// Since board 3.0.
   template <class M = SetAdjVarsVal>
@@ -1071,7 +1070,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the values of adjustable variables.
+  /// Request the values of adjustable variables.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = GetAdjVarsVal>
@@ -1080,7 +1079,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask which RC signals start actions and which ones change adjustable variables.
+  /// Request the RC signals that trigger actions or change adjustable variables.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = ReadAdjVarsCfgRequest>
@@ -1089,7 +1088,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Store which RC signals start actions and which ones change adjustable variables.
+  /// Store the RC signals that trigger actions or change adjustable variables.
   /// Effect: stores, moves.
   /// Since board 3.0.
   template <class M = WriteAdjVarsCfg>
@@ -1098,7 +1097,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask what one trigger slot and one analog slot do.
+  /// Request the state of one trigger slot and one analog slot.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = AdjVarsStateRequest>
@@ -1107,7 +1106,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the state of adjustable variables, as later firmware does it.
+  /// Request the state of adjustable variables, in the form of later firmware.
   /// Effect: reads.
   /// Since firmware 2.62b5.
   template <class M = AdjVarsStateRequestExt>
@@ -1134,7 +1133,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Write part of a file; without data the file is deleted.
+  /// Write part of a file; without data, delete it.
   /// Effect: stores, erases.
   /// Since board 3.0.
   template <class M = WriteFile>
@@ -1161,7 +1160,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the data of the user in the EEPROM.
+  /// Request the user data in the EEPROM.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = ReadExternalDataRequest>
@@ -1170,7 +1169,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Store data of the user in the EEPROM.
+  /// Store user data in the EEPROM.
   /// Effect: stores.
   /// Since board 3.0.
   template <class M = WriteExternalData>
@@ -1188,7 +1187,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for names and types of the debug variables.
+  /// Request the names and types of the debug variables.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = DebugVarsInfo3Request>
@@ -1197,7 +1196,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the values of the debug variables.
+  /// Request the values of the debug variables.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = DebugVars3Request>
