@@ -175,7 +175,7 @@ struct BoardInfoRequestExt {
   /// On a UART, the pause between the 20-byte packets of a Bluetooth LE link; no meaning on USB.
   /// Unit: ms. Errata: E008.
   Milliseconds cfg{};
-  /// Undefined size; send it empty. Errata: E009.
+  /// Of undefined size; send it empty. Errata: E009.
   BoundedBytes<253> reserved{};
 
   constexpr bool operator==(const BoardInfoRequestExt&) const = default;

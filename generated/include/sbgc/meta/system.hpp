@@ -128,7 +128,7 @@ struct Meta<BoardInfoRequestExt> {
        .summary = "On a UART, the pause between the 20-byte packets of a Bluetooth LE link; no meaning on USB."},
       {.name = "reserved",
        .spec_name = "RESERVED",
-       .summary = "Undefined size; send it empty.",
+       .summary = "Of undefined size; send it empty.",
        .reserved = true},
   };
 
