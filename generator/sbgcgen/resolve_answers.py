@@ -112,9 +112,7 @@ class AnswerResolver:
             return None
         kind = str(node["is"])
         if (kind == "stream_request") != (direction == "to_board"):
-            message = (
-                f"a message {'to' if direction == 'to_board' else 'from'} the board is no {kind}"
-            )
+            message = f"a message {'to' if direction == 'to_board' else 'from'} the board is not a valid {kind}"
             self.found.add(node.at("is"), "SBGC037", message, "move it to the other direction")
             return None
         self.nodes[node.position] = node
@@ -122,7 +120,7 @@ class AnswerResolver:
         words = _WORDS.get(kind, ())
         for word in node:
             if word not in ("is", *needed, *possible, *words):
-                message = f"'{word}' says nothing about a role of kind {kind}"
+                message = f"'{word}' does not belong to a role of kind {kind}"
                 known = ", ".join((*needed, *possible, *words)) or "nothing else"
                 self.found.add(node.at(word), "SBGC037", message, f"it has: {known}")
         parts: dict[str, Field] = {}
@@ -145,9 +143,9 @@ class AnswerResolver:
         field = by_name.get(wanted)
         if field is None:
             hint = did_you_mean(wanted, by_name) or f"known here: {', '.join(by_name) or 'none'}"
-            self.found.add(node.at(part), "SBGC037", f"'{wanted}' is no field here", hint)
+            self.found.add(node.at(part), "SBGC037", f"'{wanted}' is not a field here", hint)
             return None
-        problem = "" if field.offset is not None and field.when is None else "has no fixed place"
+        problem = "" if field.offset is not None and field.when is None else "has no fixed offset"
         if not problem and part == "config":
             is_bytes = isinstance(field.type, (Struct, Blob)) and field.dim == "one"
             if not is_bytes or field.size is None or field.size > MAX_CONFIG:
@@ -176,7 +174,7 @@ class AnswerResolver:
             self.found.add(node.at("interval"), "SBGC037", message, hint)
             return None
         if "messages" not in node or ("cycle" in node) != ("cycle_us" in node):
-            hint = "messages: [NAME, …]; cycle and cycle_us stand together or not at all"
+            hint = "messages: [NAME, …]; cycle and cycle_us come together or not at all"
             self.found.add(node.position, "SBGC037", "a stream_request lacks something", hint)
             return None
         return replace(
@@ -283,7 +281,7 @@ class AnswerResolver:
                         found, confirmed = True, Echo(field, offset, field.size or 0)
             if not found:
                 text = f"what answers {request.name} does not have '{name}' in a fixed place"
-                hint = "a field of the same name and size, in front of what varies"
+                hint = "a field of the same name and size, before the fields of varying size"
                 self.found.add(at, "SBGC036", text, hint)
         if len(case.echoes) > MAX_ECHOES:
             text = f"{len(case.echoes)} fields of {request.name} are repeated"
@@ -312,7 +310,7 @@ class AnswerResolver:
                 self.found.add(node.at("more_baud_rates"), "SBGC038", text, "leave it out")
         low, _, high = str(node["pause_ms"]).partition("..")
         if int(low) > int(high):
-            text = "the break behind each command is upside down"
+            text = "the pause after each command has its limits reversed"
             self.found.add(node.at("pause_ms"), "SBGC017", text, f"write {high}..{low}")
         return Line(
             baud_rates=(*named, *node.get("more_baud_rates", ())),

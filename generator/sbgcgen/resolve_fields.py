@@ -338,7 +338,7 @@ class FieldResolver:
         names = {f.spec_name: f for f in earlier}
         if name.index not in names:
             hint = did_you_mean(name.index, [*names, *self.indices])
-            hint = hint or "a list is counted by a field that stands in front of it"
+            hint = hint or "a list is counted by a field before it"
             message = f"'{name.index}' is neither an index nor an earlier field"
             self.found.add(at, "SBGC025", message, hint)
             return "fixed", 1, (), ""
@@ -399,7 +399,7 @@ class FieldResolver:
             if wanted and field.spec_name == wanted and field.type == self._variable_ids:
                 return field.name
         if wanted:
-            message = f"'{wanted}' is no earlier field of type {VARIABLE_ID}"
+            message = f"'{wanted}' is not an earlier field of type {VARIABLE_ID}"
             self.found.add(node.at("variable"), "SBGC026", message)
         return ""
 
@@ -425,7 +425,7 @@ class FieldResolver:
             return None  # its type is reported where it is named
         if wanted not in found:
             hint = did_you_mean(wanted, found) or f"known here: {', '.join(found) or 'none'}"
-            self.found.add(when.at(key), "SBGC026", f"'{wanted}' is no earlier {key}", hint)
+            self.found.add(when.at(key), "SBGC026", f"'{wanted}' is not an earlier {key}", hint)
             return None
         source, type_, conditional = found[wanted]
         if not isinstance(type_, Enum):
@@ -493,7 +493,7 @@ class FieldResolver:
         for field, following in zip(fields, fields[1:]):
             if field.dim == "rest":
                 message = f"'{field.name}' of {owner} takes the rest of the body but is not last"
-                self.found.add(following.at, "SBGC027", message, "move it behind everything else")
+                self.found.add(following.at, "SBGC027", message, "move it to the end")
 
 
 def _inline_structs(spec: Spec) -> Iterator[tuple[str, Map]]:
