@@ -47,7 +47,9 @@ int main() {
 def guide_block(language: str) -> str:
     """The fenced block of the guide in this language."""
     text = (ROOT / "docs/10-new-commands.md").read_text(encoding="utf-8")
-    found = re.findall(rf"^```{re.escape(language)}\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+    found: list[str] = re.findall(
+        rf"^```{re.escape(language)}\n(.*?)^```", text, re.MULTILINE | re.DOTALL
+    )
     assert len(found) == 1
     return found[0]
 
