@@ -79,7 +79,7 @@ def _extract(root: Path, tree: str, target: Path) -> None:
     top = _git(root, "rev-parse", "--show-toplevel")
     content = _git(Path(top.decode().strip()) if top else root, "archive", "--format=tar", tree)
     if content is None:
-        raise UnknownRevision(f"git can not read the tree {tree}")
+        raise UnknownRevision(f"git cannot read the tree {tree}")
     with tarfile.open(fileobj=io.BytesIO(content)) as archive:
         for member in archive:
             stream = archive.extractfile(member) if member.isfile() else None

@@ -68,7 +68,7 @@ class Piece:
 
 @dataclass(frozen=True)
 class Example:
-    """An ordinary frame of a message, and the frames before it without which it can not be read.
+    """An ordinary frame of a message, and the frames before it without which it cannot be read.
 
     Of a message that stores what another one delivers, `read` is the example of that one.
     """

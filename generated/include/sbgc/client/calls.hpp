@@ -482,7 +482,7 @@ using CallAnswer = typename CallAnswerOf<M>::type;
 template <class Self>
 class Calls {
  public:
-  /// Ask for the version of board and firmware.
+  /// Request the board and firmware version.
   /// Effect: reads.
   template <class M = msg::BoardInfoRequest>
   Result<detail::CallAnswer<M>> board_info(
@@ -490,7 +490,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the version of board and firmware, with a byte that means nothing.
+  /// Request the board and firmware version, with a byte that has no meaning.
   /// Effect: reads.
   template <class M = msg::BoardInfoRequestOneByte>
   Result<detail::CallAnswer<M>> board_info_one_byte(
@@ -498,7 +498,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the version of board and firmware, and configure this serial port.
+  /// Request the board and firmware version, and configure this serial port.
   /// Effect: sets.
   template <class M = msg::BoardInfoRequestExt>
   Result<detail::CallAnswer<M>> board_info_ext(
@@ -506,7 +506,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for serial numbers, memory and scripts of the board.
+  /// Request serial numbers, memory and scripts of the board.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = msg::BoardInfo3Request>
@@ -515,7 +515,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Restart at once and without notice.
+  /// Restart immediately, without notification.
   /// Effect: restarts.
   template <class M = msg::ResetRequest>
   Result<detail::CallAnswer<M>> reset(
@@ -523,7 +523,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Restart after a while, with notice if that is asked for.
+  /// Restart after a delay, with an optional notification.
   /// Effect: restarts.
   template <class M = msg::ResetRequestExt>
   Result<detail::CallAnswer<M>> reset_ext(
@@ -531,7 +531,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Enter the bootloader at once and without notice.
+  /// Enter the bootloader immediately, without notification.
   /// Effect: restarts.
   /// Since board 3.0.
   template <class M = msg::BootMode3>
@@ -540,7 +540,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Enter the bootloader after a while, with notice if that is asked for.
+  /// Enter the bootloader after a delay, with an optional notification.
   /// Effect: restarts.
   /// Since board 3.0.
   template <class M = msg::BootMode3Ext>
@@ -549,7 +549,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Body to the board, not documented.
+  /// Undocumented body to the board.
   /// Effect: unknown.
   /// Since board 3.0.
   template <class M = msg::QueueParamsInfo3Request>
@@ -558,7 +558,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Body to the board, not documented.
+  /// Undocumented body to the board.
   /// Effect: unknown.
   /// Since board 3.0.
   template <class M = msg::SystemStateRequest>
@@ -567,7 +567,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Body to the board, not documented.
+  /// Undocumented body to the board.
   /// Effect: unknown.
   /// Since board 3.0.
   template <class M = msg::MavlinkInfoRequest>
@@ -576,7 +576,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Body to the board, not documented.
+  /// Undocumented body to the board.
   /// Effect: unknown.
   /// Since board 3.0.
   template <class M = msg::MavlinkDebugRequest>
@@ -585,7 +585,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the settings of one profile.
+  /// Request the parameters of one profile.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = msg::ReadParams3Request>
@@ -594,7 +594,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Store the settings of one profile and the general ones.
+  /// Store the parameters of one profile and the general parameters.
   /// Effect: stores, moves.
   /// Since board 3.0.
   template <class M = msg::WriteParams3>
@@ -603,7 +603,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the settings of one profile, with the older id.
+  /// Request the parameters of one profile, with the older id.
   /// Effect: reads.
   template <class M = msg::ReadParams>
   Result<detail::CallAnswer<M>> read_params(
@@ -611,7 +611,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Store the settings of one profile and the general ones, with the older id.
+  /// Store the parameters of one profile and the general parameters, with the older id.
   /// Effect: stores, moves.
   template <class M = msg::WriteParams>
   Result<detail::CallAnswer<M>> write_params(
@@ -619,7 +619,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for further settings of one profile.
+  /// Request more parameters of one profile.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = msg::ReadParamsExtRequest>
@@ -628,7 +628,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Store further settings of one profile.
+  /// Store more parameters of one profile.
   /// Effect: stores, moves.
   /// Since board 3.0.
   template <class M = msg::WriteParamsExt>
@@ -637,7 +637,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for still further settings of one profile.
+  /// Request the third set of parameters of one profile.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = msg::ReadParamsExt2Request>
@@ -646,7 +646,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Store still further settings of one profile.
+  /// Store the third set of parameters of one profile.
   /// Effect: stores, moves.
   /// Since board 3.0.
   template <class M = msg::WriteParamsExt2>
@@ -655,7 +655,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the names of the profiles.
+  /// Request the profile names.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = msg::ReadProfileNamesRequest>
@@ -664,7 +664,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Store the names of the profiles.
+  /// Store the profile names.
   /// Effect: stores.
   /// Since board 3.0.
   template <class M = msg::WriteProfileNames>
@@ -673,8 +673,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Save the settings that are in use, with all changes to adjustable variables, to the active
-  /// profile.
+  /// Save the parameters in use, with all changes to adjustable variables, to the active profile.
   /// Effect: stores.
   /// Since board 3.0.
   template <class M = msg::SaveParams3>
@@ -683,7 +682,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Return to the factory settings.
+  /// Restore the factory defaults.
   /// Effect: stores, moves, erases.
   template <class M = msg::UseDefaults>
   Result<detail::CallAnswer<M>> use_defaults(
@@ -691,7 +690,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for live data, with the older id.
+  /// Request live data, with the older id.
   /// Effect: reads.
   template <class M = msg::RealtimeData>
   Result<detail::CallAnswer<M>> realtime_data(
@@ -699,7 +698,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for live data.
+  /// Request live data.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = msg::RealtimeData3Request>
@@ -708,7 +707,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the longer live data.
+  /// Request the longer live data.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = msg::RealtimeData4Request>
@@ -717,7 +716,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for live data of the blocks that FLAGS names.
+  /// Request live data of the blocks in FLAGS.
   /// Effect: reads.
   /// Since firmware 2.59, board 3.0.
   template <class M = msg::RealtimeDataCustomRequest>
@@ -726,7 +725,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Start, change or end a data stream: messages that the board sends at a fixed rate, unasked.
+  /// Start, change or end a data stream: messages that the board sends at a fixed rate.
   /// Effect: sets.
   /// Since firmware 2.59, board 3.0.
   template <class M = msg::DataStreamInterval>
@@ -735,7 +734,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Move the camera, one mode for all axes.
+  /// Move the camera, with one mode for all axes.
   /// Effect: moves.
   template <class M = msg::Control>
   Result<detail::CallAnswer<M>> control(
@@ -752,7 +751,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the angles and targets of the camera.
+  /// Request camera angles and targets.
   /// Effect: reads.
   template <class M = msg::GetAnglesRequest>
   Result<detail::CallAnswer<M>> get_angles(
@@ -760,7 +759,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for angles, targets and joint angles.
+  /// Request angles, targets and joint angles.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = msg::GetAnglesExtRequest>
@@ -795,7 +794,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Carry out an action of the menu.
+  /// Execute a menu action.
   /// Effect: sets, stores, moves, restarts.
   template <class M = msg::ExecuteMenu>
   Result<detail::CallAnswer<M>> execute_menu(
@@ -803,7 +802,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Carry out an action of the menu, with a parameter that later firmware takes.
+  /// Execute a menu action, with a parameter of later firmware.
   /// Effect: sets, stores, moves, restarts.
   template <class M = msg::ExecuteMenuExt>
   Result<detail::CallAnswer<M>> execute_menu_ext(
@@ -811,7 +810,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Tell the board how the frame accelerates and leans.
+  /// Report acceleration and tilt of the frame to the board.
   /// Effect: moves.
   template <class M = msg::HelperData>
   Result<detail::CallAnswer<M>> helper_data(
@@ -819,7 +818,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Tell the board how the frame accelerates, leans and turns.
+  /// Report acceleration, tilt and rotation of the frame to the board.
   /// Effect: moves.
   /// Since firmware 2.59.
   template <class M = msg::HelperDataExt>
@@ -869,7 +868,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Calibrate the gains of the signals from a flight controller.
+  /// Calibrate the gains of a flight controller's signals.
   /// Effect: stores, moves.
   template <class M = msg::CalibExtGain>
   Result<detail::CallAnswer<M>> calib_ext_gain(
@@ -877,7 +876,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Find out poles and direction of the motors.
+  /// Detect the poles and the direction of the motors.
   /// Effect: stores, moves.
   template <class M = msg::CalibPoles>
   Result<detail::CallAnswer<M>> calib_poles(
@@ -885,7 +884,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Calibrate the offset of the follow mode.
+  /// Calibrate the follow mode offset.
   /// Effect: stores, moves.
   template <class M = msg::CalibOffset>
   Result<detail::CallAnswer<M>> calib_offset(
@@ -893,7 +892,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Calibrate the measurement of the battery voltage.
+  /// Calibrate the battery voltage measurement.
   /// Effect: stores.
   template <class M = msg::CalibBat>
   Result<detail::CallAnswer<M>> calib_bat(
@@ -901,7 +900,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for what to show while sensors are calibrated.
+  /// Request the calibration status.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = msg::CalibInfoRequest>
@@ -910,7 +909,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Body to the board, not documented.
+  /// Undocumented body to the board.
   /// Effect: unknown.
   /// Since board 3.0.
   template <class M = msg::CalibMotorMagLinkRequest>
@@ -946,7 +945,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Choose the IMU that is configured and calibrated.
+  /// Select the IMU to configure and calibrate.
   /// Effect: sets.
   /// Since board 3.0.
   template <class M = msg::SelectImu3>
@@ -955,7 +954,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Choose an IMU, with parameters that later firmware takes.
+  /// Select an IMU, with parameters of later firmware.
   /// Effect: sets.
   /// Since board 3.0.
   template <class M = msg::SelectImu3Ext>
@@ -964,7 +963,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the attitude of an IMU.
+  /// Query the attitude of an IMU.
   /// Effect: reads.
   /// Since board 3.0.
   /// Firmware 2.69b5 and later takes AhrsHelperRequestWide instead, which is then sent.
@@ -974,7 +973,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the attitude of an IMU, with a mode of two bytes.
+  /// Query the attitude of an IMU, with a two-byte mode.
   /// Effect: reads.
   /// Since firmware 2.69b5.
   template <class M = msg::AhrsHelperRequestWide>
@@ -983,7 +982,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the attitude of an IMU or set it.
+  /// Query or set the attitude of an IMU.
   /// Effect: moves.
   /// Since board 3.0.
   /// Firmware 2.69b5 and later takes AhrsHelperRequestExtWide instead, which is then sent.
@@ -993,7 +992,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the attitude of an IMU or set it, with a mode of two bytes.
+  /// Query or set the attitude of an IMU, with a two-byte mode.
   /// Effect: moves.
   /// Since firmware 2.69b5.
   template <class M = msg::AhrsHelperRequestExtWide>
@@ -1002,7 +1001,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Correct the zero of a gyroscope by hand; the camera drifts if the correction is wrong.
+  /// Correct the zero of a gyroscope manually; the camera drifts if the correction is wrong.
   /// Effect: stores, moves.
   /// Since board 3.0.
   template <class M = msg::GyroCorrection>
@@ -1011,7 +1010,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Play a melody through the motors, or one of the standard sounds.
+  /// Play a melody through the motors, or a standard sound.
   /// Effect: sets.
   /// Since firmware 2.59, board 3.0.
   template <class M = msg::BeepSound>
@@ -1055,7 +1054,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Set the virtual RC channels that the host provides; they can control the camera and more.
+  /// Set the host's virtual RC channels, which can control the camera and more.
   /// Effect: sets, stores, moves, restarts.
   /// Since board 3.0.
   template <class M = msg::ApiVirtChControl>
@@ -1064,7 +1063,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Set adjustable variables; they are lost at the next start unless CMD_SAVE_PARAMS_3 follows.
+  /// Set adjustable variables; the next restart discards them unless CMD_SAVE_PARAMS_3 follows.
   /// Effect: sets, moves.
   /// Since board 3.0.
   template <class M = msg::SetAdjVarsVal>
@@ -1073,7 +1072,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the values of adjustable variables.
+  /// Request the values of adjustable variables.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = msg::GetAdjVarsVal>
@@ -1082,7 +1081,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask which RC signals start actions and which ones change adjustable variables.
+  /// Request the RC signals that trigger actions or change adjustable variables.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = msg::ReadAdjVarsCfgRequest>
@@ -1091,7 +1090,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Store which RC signals start actions and which ones change adjustable variables.
+  /// Store the RC signals that trigger actions or change adjustable variables.
   /// Effect: stores, moves.
   /// Since board 3.0.
   template <class M = msg::WriteAdjVarsCfg>
@@ -1100,7 +1099,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask what one trigger slot and one analog slot do.
+  /// Request the state of one trigger slot and one analog slot.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = msg::AdjVarsStateRequest>
@@ -1109,7 +1108,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the state of adjustable variables, as later firmware does it.
+  /// Request the state of adjustable variables, in the form of later firmware.
   /// Effect: reads.
   /// Since firmware 2.62b5.
   template <class M = msg::AdjVarsStateRequestExt>
@@ -1136,7 +1135,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Write part of a file; without data the file is deleted.
+  /// Write part of a file; without data, delete it.
   /// Effect: stores, erases.
   /// Since board 3.0.
   template <class M = msg::WriteFile>
@@ -1163,7 +1162,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the data of the user in the EEPROM.
+  /// Request the user data in the EEPROM.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = msg::ReadExternalDataRequest>
@@ -1172,7 +1171,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Store data of the user in the EEPROM.
+  /// Store user data in the EEPROM.
   /// Effect: stores.
   /// Since board 3.0.
   template <class M = msg::WriteExternalData>
@@ -1190,7 +1189,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for names and types of the debug variables.
+  /// Request the names and types of the debug variables.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = msg::DebugVarsInfo3Request>
@@ -1199,7 +1198,7 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Ask for the values of the debug variables.
+  /// Request the values of the debug variables.
   /// Effect: reads.
   /// Since board 3.0.
   template <class M = msg::DebugVars3Request>

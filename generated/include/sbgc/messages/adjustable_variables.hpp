@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// Settings that can be changed on the fly, without saving them.
+/// Parameters that can be changed on the fly, without saving them.
 #pragma once
 
 #include <array>
@@ -24,9 +24,9 @@ static_assert(codec_version == 1, "generated code and runtime do not belong toge
 struct AdjVarValue {
   static constexpr std::size_t wire_size = 5;
 
-  /// Which variable (Appendix B).
+  /// The variable (Appendix B).
   VariableId param_id{};
-  /// The value, widened to 32 bits whatever the variable's own type is. Errata: E007.
+  /// The value, extended to 32 bits whatever the type of the variable. Errata: E007.
   std::int32_t param_value{};
 
   constexpr bool operator==(const AdjVarValue&) const = default;
@@ -43,13 +43,13 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   put(to + 1, in.param_value);
 }
 
-/// RC signals that start actions; the range of a signal is split into five levels.
+/// RC signals that trigger actions; the range of a signal is split into five levels.
 struct TriggerSlot {
   static constexpr std::size_t wire_size = 6;
 
   /// RC signal. Errata: E104.
   RcMap src_ch{};
-  /// Action that each level of the signal starts.
+  /// Action of each signal level.
   std::array<MenuCommand, 5> action{};
 
   constexpr bool operator==(const TriggerSlot&) const = default;
@@ -72,11 +72,11 @@ struct AnalogSlot {
 
   /// RC signal. Errata: E104.
   RcMap src_ch{};
-  /// Variable that it changes (Appendix B).
+  /// Variable to change (Appendix B).
   VariableId param_id{};
-  /// Begin of the working range, as a share of the variable's own range. Errata: E073.
+  /// Start of the working range, as a fraction of the variable's range. Errata: E073.
   std::uint8_t min_val{};
-  /// End of the working range, as a share of the variable's own range. Errata: E073.
+  /// End of the working range, as a fraction of the variable's range. Errata: E073.
   std::uint8_t max_val{};
 
   constexpr bool operator==(const AnalogSlot&) const = default;
@@ -150,7 +150,7 @@ struct SetAdjVarsVal {
   return writer.end();
 }
 
-/// Ask for the values of adjustable variables.
+/// Request the values of adjustable variables.
 ///
 /// CMD_GET_ADJ_VARS_VAL (64), to the board; 1 to 41 bytes.
 /// Effect: reads.
@@ -164,7 +164,7 @@ struct GetAdjVarsVal {
   static constexpr std::size_t max_size = 41;
   static constexpr Availability since{0, 30};
 
-  /// Which variables (Appendix B). Errata: E042.
+  /// The variables (Appendix B). Errata: E042.
   BoundedArray<VariableId, 254> param_id{};
 
   constexpr bool operator==(const GetAdjVarsVal&) const = default;
@@ -187,7 +187,7 @@ struct GetAdjVarsVal {
   return writer.end();
 }
 
-/// Which RC signals start actions and which ones change adjustable variables.
+/// RC signals that trigger actions or change adjustable variables.
 ///
 /// CMD_READ_ADJ_VARS_CFG (43), from the board; 128 bytes, and later firmware may append more.
 /// Since board 3.0.
@@ -200,7 +200,7 @@ struct ReadAdjVarsCfg {
   static constexpr std::size_t max_size = 128;
   static constexpr Availability since{0, 30};
 
-  /// RC signals that start actions; the range of a signal is split into five levels.
+  /// RC signals that trigger actions; the range of a signal is split into five levels.
   std::array<TriggerSlot, 10> trigger_slots{};
   /// RC signals that change adjustable variables.
   std::array<AnalogSlot, 15> analog_slots{};
@@ -262,7 +262,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return true;
 }
 
-/// Ask which RC signals start actions and which ones change adjustable variables.
+/// Request the RC signals that trigger actions or change adjustable variables.
 ///
 /// CMD_READ_ADJ_VARS_CFG (43), to the board; 0 bytes.
 /// Effect: reads.
@@ -293,8 +293,8 @@ struct ReadAdjVarsCfgRequest {
   return {0, {}};
 }
 
-/// What one trigger slot and one analog slot do at the moment. From firmware 2.62b5 on a request of
-/// 7 bytes gives these bytes other meanings.
+/// Current state of one trigger slot and one analog slot. From firmware 2.62b5 on, a 7-byte request
+/// gives these bytes other meanings.
 ///
 /// CMD_ADJ_VARS_STATE (46), from the board; 15 bytes, and later firmware may append more.
 /// Since board 3.0.
@@ -310,7 +310,7 @@ struct AdjVarsState {
   /// RC signal of the trigger slot. Unit: no unit, one count is 1/500. Range: -500 to 500. Errata:
   /// E070.
   CentredRcSignal trigger_rc_data{};
-  /// Action that it has started. Range: 0 to 255.
+  /// Action that the slot triggered. Range: 0 to 255.
   MenuCommand trigger_action{};
   /// RC signal of the analog slot. Unit: no unit, one count is 1/500. Range: -500 to 500. Errata:
   /// E070.
@@ -358,7 +358,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {size, {}};
 }
 
-/// Ask what one trigger slot and one analog slot do.
+/// Request the state of one trigger slot and one analog slot.
 ///
 /// CMD_ADJ_VARS_STATE (46), to the board, simple form; 2 bytes.
 /// Effect: reads.
@@ -405,7 +405,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {2, {}};
 }
 
-/// Ask for the state of adjustable variables, as later firmware does it.
+/// Request the state of adjustable variables, in the form of later firmware.
 ///
 /// CMD_ADJ_VARS_STATE (46), to the board, extended form; 7 bytes.
 /// Effect: reads.
@@ -419,7 +419,7 @@ struct AdjVarsStateRequestExt {
   static constexpr std::size_t max_size = 7;
   static constexpr Availability since{2625, 0};
 
-  /// Not documented. Errata: E208.
+  /// Undocumented. Errata: E208.
   Bytes<7> params{};
 
   constexpr bool operator==(const AdjVarsStateRequestExt&) const = default;
@@ -448,7 +448,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {7, {}};
 }
 
-/// Store which RC signals start actions and which ones change adjustable variables.
+/// Store the RC signals that trigger actions or change adjustable variables.
 ///
 /// CMD_WRITE_ADJ_VARS_CFG (44), to the board; 128 bytes, and later firmware may append more.
 /// Effect: stores, moves.

@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// Calibrating sensors, motors and encoders, and tuning the controller.
+/// Calibration of sensors, motors and encoders, and tuning of the controller.
 #pragma once
 
 #include <array>
@@ -20,11 +20,11 @@ using sbgc::put;
 
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
 
-/// Result of each axis so far.
+/// Current result of each axis.
 struct AxisTuning {
   static constexpr std::size_t wire_size = 10;
 
-  /// How badly the axis holds its target. Errata: E013, E015.
+  /// Tracking error of the axis. Errata: E013, E015.
   float tracking_error{};
   /// Reserved; kept as it is.
   Bytes<6> reserved{};
@@ -43,8 +43,8 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   put(to + 4, in.reserved);
 }
 
-/// Calibrate the accelerometer of the active IMU. Confirmed on reception and once more at the end;
-/// not at all if a parameter is wrong.
+/// Calibrate the accelerometer of the active IMU. Confirmed on reception and again at the end; not
+/// at all if a parameter is wrong.
 ///
 /// CMD_CALIB_ACC (65), to the board, simple form; 0 bytes.
 /// Effect: stores.
@@ -75,7 +75,7 @@ struct CalibAcc {
 }
 
 /// Calibrate the accelerometer of an IMU, or manage its calibrations. Confirmed on reception and
-/// once more at the end; not at all if a parameter is wrong.
+/// again at the end; not at all if a parameter is wrong.
 ///
 /// CMD_CALIB_ACC (65), to the board, extended form; 12 bytes.
 /// Effect: stores, restarts, erases.
@@ -88,9 +88,9 @@ struct CalibAccExt {
   static constexpr std::size_t max_size = 12;
   static constexpr Availability since{};
 
-  /// Which IMU. Errata: E051, E053.
+  /// The IMU. Errata: E051, E053.
   CalibImu imu_idx{};
-  /// What to do.
+  /// Operation.
   CalibAction action{};
   /// Reserved; kept as it is.
   Bytes<10> reserved{};
@@ -145,8 +145,8 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return true;
 }
 
-/// Calibrate the gyroscope of the active IMU. Confirmed on reception and once more at the end; not
-/// at all if a parameter is wrong.
+/// Calibrate the gyroscope of the active IMU. Confirmed on reception and again at the end; not at
+/// all if a parameter is wrong.
 ///
 /// CMD_CALIB_GYRO (103), to the board, simple form; 0 bytes.
 /// Effect: stores.
@@ -176,8 +176,8 @@ struct CalibGyro {
   return {0, {}};
 }
 
-/// Calibrate the gyroscope of an IMU, or manage its calibrations. Confirmed on reception and once
-/// more at the end; not at all if a parameter is wrong.
+/// Calibrate the gyroscope of an IMU, or manage its calibrations. Confirmed on reception and again
+/// at the end; not at all if a parameter is wrong.
 ///
 /// CMD_CALIB_GYRO (103), to the board, extended form; 12 bytes.
 /// Effect: stores, restarts, erases.
@@ -190,9 +190,9 @@ struct CalibGyroExt {
   static constexpr std::size_t max_size = 12;
   static constexpr Availability since{};
 
-  /// Which IMU. Errata: E051, E053.
+  /// The IMU. Errata: E051, E053.
   CalibImu imu_idx{};
-  /// What to do.
+  /// Operation.
   CalibAction action{};
   /// Reserved; kept as it is.
   Bytes<10> reserved{};
@@ -278,7 +278,7 @@ struct CalibMag {
   return {0, {}};
 }
 
-/// Calibrate the gains of the signals from a flight controller.
+/// Calibrate the gains of a flight controller's signals.
 ///
 /// CMD_CALIB_EXT_GAIN (71), to the board; 0 bytes.
 /// Effect: stores, moves.
@@ -308,7 +308,7 @@ struct CalibExtGain {
   return {0, {}};
 }
 
-/// Find out poles and direction of the motors.
+/// Detect the poles and the direction of the motors.
 ///
 /// CMD_CALIB_POLES (80), to the board; 0 bytes.
 /// Effect: stores, moves.
@@ -338,7 +338,7 @@ struct CalibPoles {
   return {0, {}};
 }
 
-/// Calibrate the offset of the follow mode.
+/// Calibrate the follow mode offset.
 ///
 /// CMD_CALIB_OFFSET (79), to the board; 0 bytes.
 /// Effect: stores, moves.
@@ -368,7 +368,7 @@ struct CalibOffset {
   return {0, {}};
 }
 
-/// Calibrate the measurement of the battery voltage.
+/// Calibrate the battery voltage measurement.
 ///
 /// CMD_CALIB_BAT (66), to the board; 2 bytes.
 /// Effect: stores.
@@ -381,7 +381,7 @@ struct CalibBat {
   static constexpr std::size_t max_size = 2;
   static constexpr Availability since{};
 
-  /// The true voltage, measured by other means. Unit: V, one count is 1/100. Errata: E077.
+  /// Actual voltage, measured externally. Unit: V, one count is 1/100. Errata: E077.
   Voltage actual_voltage{};
 
   constexpr bool operator==(const CalibBat&) const = default;
@@ -410,7 +410,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {2, {}};
 }
 
-/// What a host shows while sensors are calibrated.
+/// Calibration status for display.
 ///
 /// CMD_CALIB_INFO (49), from the board; 33 bytes, and later firmware may append more.
 /// Since board 3.0.
@@ -423,21 +423,21 @@ struct CalibInfo {
   static constexpr std::size_t max_size = 33;
   static constexpr Availability since{0, 30};
 
-  /// How much of the calibration is done. Unit: %. Range: 0 to 100.
+  /// Progress of the calibration. Unit: %. Range: 0 to 100.
   Percent progress{};
-  /// IMU that this is about. Errata: E053.
+  /// The IMU. Errata: E053.
   SelectedImu imu_type{};
   /// Accelerometer, as in CMD_REALTIME_DATA_3. Unit: g, one count is 1/512. Errata: E105, E108.
   Xyz<Acceleration> acc_data{};
-  /// Strength of the gyroscope's signal.
+  /// Magnitude of the gyroscope signal.
   std::uint16_t gyro_abs_val{};
-  /// Axis of the accelerometer that is calibrated next. Range: 0 to 2.
+  /// Accelerometer axis to calibrate next. Range: 0 to 2.
   std::uint8_t acc_cur_axis{};
-  /// Directions of the accelerometer that are calibrated. Errata: E054.
+  /// Calibrated directions of the accelerometer. Errata: E054.
   CalibratedLimits acc_limits_info{};
   /// Temperature of the IMU. Unit: degC. Range: -127 to 127.
   Temperature imu_temp_cels{};
-  /// 1 if the gyroscope's calibration over temperature is used. Range: 0 to 1. Errata: E047.
+  /// 1 if the gyroscope's calibration over temperature is enabled. Range: 0 to 1. Errata: E047.
   std::uint8_t temp_calib_gyro_enabled{};
   /// Lowest temperature of the gyroscope's calibration. Unit: degC. Range: -127 to 127. Errata:
   /// E047.
@@ -445,10 +445,10 @@ struct CalibInfo {
   /// Highest temperature of the gyroscope's calibration. Unit: degC. Range: -127 to 127. Errata:
   /// E047.
   Temperature temp_calib_gyro_t_max_cels{};
-  /// 1 if the accelerometer's calibration over temperature is used. Range: 0 to 1. Errata: E047.
+  /// 1 if the accelerometer's calibration over temperature is enabled. Range: 0 to 1. Errata: E047.
   std::uint8_t temp_calib_acc_enabled{};
-  /// Calibrated temperatures of the accelerometer in the directions +X, +Y, +Z, -X, -Y, -Z. Range:
-  /// 0 to 3. Errata: E047, E054, E108.
+  /// Number of calibrated temperatures of the accelerometer in the directions +X, +Y, +Z, -X, -Y,
+  /// -Z. Range: 0 to 3. Errata: E047, E054, E108.
   std::array<std::uint8_t, 6> temp_calib_acc_slot_num{};
   /// Lowest temperature of the accelerometer's calibration. Unit: degC. Range: -127 to 127. Errata:
   /// E047.
@@ -456,8 +456,8 @@ struct CalibInfo {
   /// Highest temperature of the accelerometer's calibration. Unit: degC. Range: -127 to 127.
   /// Errata: E047.
   Temperature temp_calib_acc_t_max_cels{};
-  /// Length of the difference between the estimated and the reference heading vector; the vectors
-  /// have length 1. Unit: no unit, one count is 1/100. Range: 0 to 255.
+  /// Length of the difference between the estimated and the reference heading vector, both of
+  /// length 1. Unit: no unit, one count is 1/100. Range: 0 to 255.
   Hundredths h1_err_length{};
   /// Reserved; kept as it is.
   Bytes<7> reserved{};
@@ -543,7 +543,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return true;
 }
 
-/// Ask for what to show while sensors are calibrated.
+/// Request the calibration status.
 ///
 /// CMD_CALIB_INFO (49), to the board; 12 bytes.
 /// Effect: reads.
@@ -557,7 +557,7 @@ struct CalibInfoRequest {
   static constexpr std::size_t max_size = 12;
   static constexpr Availability since{0, 30};
 
-  /// Which IMU. Errata: E051, E053.
+  /// The IMU. Errata: E051, E053.
   SelectedImu imu_type{};
   /// Reserved; kept as it is.
   Bytes<11> reserved{};
@@ -590,7 +590,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {12, {}};
 }
 
-/// Body from the board, not documented.
+/// Undocumented body from the board.
 ///
 /// CMD_CALIB_MOTOR_MAG_LINK (74), from the board; 0 to 255 bytes.
 /// Since board 3.0.
@@ -603,7 +603,7 @@ struct CalibMotorMagLink {
   static constexpr std::size_t max_size = 255;
   static constexpr Availability since{0, 30};
 
-  /// Whatever it holds.
+  /// Undocumented content.
   BoundedBytes<255> data{};
 
   constexpr bool operator==(const CalibMotorMagLink&) const = default;
@@ -623,7 +623,7 @@ struct CalibMotorMagLink {
   return writer.end();
 }
 
-/// Body to the board, not documented.
+/// Undocumented body to the board.
 ///
 /// CMD_CALIB_MOTOR_MAG_LINK (74), to the board; 0 to 255 bytes.
 /// Effect: unknown.
@@ -637,7 +637,7 @@ struct CalibMotorMagLinkRequest {
   static constexpr std::size_t max_size = 255;
   static constexpr Availability since{0, 30};
 
-  /// Whatever it holds.
+  /// Undocumented content.
   BoundedBytes<255> data{};
 
   constexpr bool operator==(const CalibMotorMagLinkRequest&) const = default;
@@ -740,9 +740,9 @@ struct AutoPid {
   Axes<std::uint8_t> d{};
   /// Low-pass filter of each axis, as stored. Errata: E105.
   Axes<std::uint16_t> lpf_freq{};
-  /// How many rounds are done.
+  /// Number of completed iterations.
   std::uint16_t iter_num{};
-  /// Result of each axis so far. Errata: E012.
+  /// Current result of each axis. Errata: E012.
   Axes<AxisTuning> axes{};
   /// Reserved; kept as it is.
   Bytes<10> reserved{};
@@ -790,7 +790,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 }
 
 /// Start or stop the automatic tuning. With AUTO_PID_CFG_SEND_GUI the board sends CMD_AUTO_PID
-/// again and again while it tunes.
+/// repeatedly while it tunes.
 ///
 /// CMD_AUTO_PID (35), to the board; 19 bytes.
 /// Effect: stores, moves.
@@ -809,9 +809,9 @@ struct AutoPidRequest {
 
   /// Profile to switch to first. Range: 0 to 4. Errata: E062.
   std::uint8_t profile_id{};
-  /// What to tune and how. stop_tuning (0): stops the tuning. Errata: E056.
+  /// What to tune, and options. stop_tuning (0): stops the tuning. Errata: E056.
   AutoPidFlags cfg_flags{};
-  /// How far to go for high gains, at the cost of stability. Range: 0 to 255.
+  /// Preference for high gains at the cost of stability. Range: 0 to 255.
   std::uint8_t gain_vs_stability{};
   /// Reserved; kept as it is.
   Bytes<16> reserved{};

@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// Moving the camera and asking where it looks.
+/// Moving the camera and querying its orientation.
 #pragma once
 
 #include <array>
@@ -24,12 +24,12 @@ static_assert(codec_version == 1, "generated code and runtime do not belong toge
 struct ControlAxis {
   static constexpr std::size_t wire_size = 4;
 
-  /// Speed to move with; an acceleration limit of the settings may hold it back. Unit: deg/s, one
-  /// count is 4000/32767. With CONTROL_FLAG_HIGH_RES_SPEED it is FineSpeed instead. Errata: E071,
-  /// E109.
+  /// Speed of the motion; the acceleration limit in the parameters may restrict it. Unit: deg/s,
+  /// one count is 4000/32767. With CONTROL_FLAG_HIGH_RES_SPEED it is FineSpeed instead. Errata:
+  /// E071, E109.
   ControlSpeed speed{};
-  /// Angle to reach; in MODE_RC the RC signal, -500 to 500. Unit: deg, one count is 360/16384.
-  /// Range: -32768 to 32767.
+  /// Target angle; in MODE_RC the RC signal, -500 to 500. Unit: deg, one count is 360/16384. Range:
+  /// -32768 to 32767.
   Angle14 angle{};
 
   constexpr bool operator==(const ControlAxis&) const = default;
@@ -50,14 +50,14 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 struct AxisState {
   static constexpr std::size_t wire_size = 6;
 
-  /// Measured angle; starts again after two full turns. Unit: deg, one count is 360/16384. Range:
-  /// -32768 to 32767.
+  /// Measured angle; wraps after two full turns. Unit: deg, one count is 360/16384. Range: -32768
+  /// to 32767.
   Angle14 imu_angle{};
-  /// Angle that the gimbal should hold, set by RC or by control commands. Unit: deg, one count is
-  /// 360/16384. Range: -32768 to 32767.
+  /// Target angle, set by RC or by control commands. Unit: deg, one count is 360/16384. Range:
+  /// -32768 to 32767.
   Angle14 rc_target_angle{};
-  /// Speed that the gimbal should hold; 0 once the target is reached. Unit: deg/s, one count is
-  /// 4000/32767. Errata: E071, E105, E109.
+  /// Target speed; 0 once the target is reached. Unit: deg/s, one count is 4000/32767. Errata:
+  /// E071, E105, E109.
   ControlSpeed rc_speed{};
 
   constexpr bool operator==(const AxisState&) const = default;
@@ -92,12 +92,12 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 struct AxisStateExt {
   static constexpr std::size_t wire_size = 18;
 
-  /// Measured angle; starts again after two full turns. Unit: deg, one count is 360/16384. Range:
-  /// -32768 to 32767.
+  /// Measured angle; wraps after two full turns. Unit: deg, one count is 360/16384. Range: -32768
+  /// to 32767.
   Angle14 imu_angle{};
-  /// Angle that the gimbal should hold. Unit: deg, one count is 360/16384. Range: -32768 to 32767.
+  /// Target angle. Unit: deg, one count is 360/16384. Range: -32768 to 32767.
   Angle14 rc_target_angle{};
-  /// Angle of the joint, from an encoder or the second IMU; 0 in normal position, and it counts on
+  /// Angle of the joint, from an encoder or the second IMU; 0 in the normal position, accumulated
   /// over full turns. Unit: deg, one count is 360/16384. Errata: E039.
   LongAngle14 stator_rotor_angle{};
   /// Reserved; kept as it is.
@@ -133,9 +133,9 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   put(to + 8, in.reserved);
 }
 
-/// Move the camera, one mode for all axes. Overrides RC until a command with MODE_NO_CONTROL and
-/// zeros is sent. At most 50 a second. A board keeps the last speed when the link is lost. It tells
-/// a target or a speed, never a step, so the same one may be sent again; the last one counts.
+/// Move the camera, with one mode for all axes. Overrides RC until a command with MODE_NO_CONTROL
+/// and zeros. Send at most 50 per second. A board keeps the last speed when the link is lost. The
+/// command sets a target or a speed, never a step, so it may be repeated; the last one counts.
 ///
 /// CMD_CONTROL (67), to the board, simple form; 13 bytes.
 /// Effect: moves.
@@ -182,8 +182,8 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 }
 
 /// Move the camera, with a mode for each axis. Overrides RC until a command with MODE_NO_CONTROL
-/// and zeros is sent. At most 50 a second. A board keeps the last speed when the link is lost. It
-/// tells a target or a speed, never a step, so the same one may be sent again; the last one counts.
+/// and zeros. Send at most 50 per second. A board keeps the last speed when the link is lost. The
+/// command sets a target or a speed, never a step, so it may be repeated; the last one counts.
 ///
 /// CMD_CONTROL (67), to the board, extended form; 15 bytes.
 /// Effect: moves.
@@ -230,7 +230,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {15, {}};
 }
 
-/// Angles and targets of the camera.
+/// Camera angles and targets.
 ///
 /// CMD_GET_ANGLES (73), from the board; 18 bytes, and later firmware may append more.
 /// Source: Incoming commands L428-L434; Variables L1156-L1161.
@@ -275,7 +275,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {size, {}};
 }
 
-/// Ask for the angles and targets of the camera.
+/// Request camera angles and targets.
 ///
 /// CMD_GET_ANGLES (73), to the board; 0 bytes.
 /// Effect: reads.
@@ -305,7 +305,7 @@ struct GetAnglesRequest {
   return {0, {}};
 }
 
-/// Angles, targets and joint angles of the gimbal.
+/// Camera angles, targets and joint angles.
 ///
 /// CMD_GET_ANGLES_EXT (61), from the board; 54 bytes, and later firmware may append more.
 /// Since board 3.0.
@@ -351,7 +351,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {size, {}};
 }
 
-/// Ask for angles, targets and joint angles.
+/// Request angles, targets and joint angles.
 ///
 /// CMD_GET_ANGLES_EXT (61), to the board; 0 bytes.
 /// Effect: reads.
@@ -487,7 +487,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {1, {}};
 }
 
-/// Carry out an action of the menu.
+/// Execute a menu action.
 ///
 /// CMD_EXECUTE_MENU (69), to the board, simple form; 1 byte.
 /// Effect: sets, stores, moves, restarts.
@@ -529,7 +529,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {1, {}};
 }
 
-/// Carry out an action of the menu, with a parameter that later firmware takes.
+/// Execute a menu action, with a parameter of later firmware.
 ///
 /// CMD_EXECUTE_MENU (69), to the board, extended form; 2 bytes.
 /// Effect: sets, stores, moves, restarts.
@@ -575,7 +575,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {2, {}};
 }
 
-/// Tell the board how the frame accelerates and leans.
+/// Report acceleration and tilt of the frame to the board.
 ///
 /// CMD_HELPER_DATA (72), to the board, simple form; 10 bytes.
 /// Effect: moves.
@@ -588,14 +588,14 @@ struct HelperData {
   static constexpr std::size_t max_size = 10;
   static constexpr Availability since{};
 
-  /// Linear acceleration of the frame; keeps the horizon level in accelerated motion. Unit: g, one
+  /// Linear acceleration of the frame; keeps the horizon level during acceleration. Unit: g, one
   /// count is 1/512. Errata: E042, E074, E109.
   Xyz<Acceleration> frame_acc{};
-  /// Inclination of the frame to the side. Unit: deg, one count is 360/16384. Range: -32768 to
-  /// 32767. 0: with FRAME_ANGLE_PITCH 0 too, not used.
+  /// Sideways tilt of the frame. Unit: deg, one count is 360/16384. Range: -32768 to 32767. 0: with
+  /// FRAME_ANGLE_PITCH 0 too, not used.
   Angle14 frame_angle_roll{};
-  /// Inclination of the frame forwards. Unit: deg, one count is 360/16384. Range: -32768 to 32767.
-  /// 0: with FRAME_ANGLE_ROLL 0 too, not used.
+  /// Forward tilt of the frame. Unit: deg, one count is 360/16384. Range: -32768 to 32767. 0: with
+  /// FRAME_ANGLE_ROLL 0 too, not used.
   Angle14 frame_angle_pitch{};
 
   constexpr bool operator==(const HelperData&) const = default;
@@ -648,7 +648,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return true;
 }
 
-/// Tell the board how the frame accelerates, leans and turns.
+/// Report acceleration, tilt and rotation of the frame to the board.
 ///
 /// CMD_HELPER_DATA (72), to the board, extended form; 20 bytes.
 /// Effect: moves.
@@ -662,19 +662,19 @@ struct HelperDataExt {
   static constexpr std::size_t max_size = 20;
   static constexpr Availability since{2590, 0};
 
-  /// Linear acceleration of the frame; keeps the horizon level in accelerated motion. Unit: g, one
+  /// Linear acceleration of the frame; keeps the horizon level during acceleration. Unit: g, one
   /// count is 1/512. Errata: E042, E074, E109.
   Xyz<Acceleration> frame_acc{};
-  /// Inclination of the frame to the side. Unit: deg, one count is 360/16384. Range: -32768 to
-  /// 32767. 0: with FRAME_ANGLE_PITCH 0 too, not used.
+  /// Sideways tilt of the frame. Unit: deg, one count is 360/16384. Range: -32768 to 32767. 0: with
+  /// FRAME_ANGLE_PITCH 0 too, not used.
   Angle14 frame_angle_roll{};
-  /// Inclination of the frame forwards. Unit: deg, one count is 360/16384. Range: -32768 to 32767.
-  /// 0: with FRAME_ANGLE_ROLL 0 too, not used.
+  /// Forward tilt of the frame. Unit: deg, one count is 360/16384. Range: -32768 to 32767. 0: with
+  /// FRAME_ANGLE_ROLL 0 too, not used.
   Angle14 frame_angle_pitch{};
-  /// Coordinates that all the vectors are given in. Errata: E080.
+  /// Coordinate system of all the vectors. Errata: E080.
   CoordinateSystem coord_sys{};
-  /// Angular speed of the frame; helps without encoders and without a second IMU. Unit: deg/s, one
-  /// count is 2000/32767. 0: with all three 0, not used. Errata: E071, E109.
+  /// Angular speed of the frame; useful without encoders and a second IMU. Unit: deg/s, one count
+  /// is 2000/32767. 0: with all three 0, not used. Errata: E071, E109.
   Xyz<GyroRate> frame_speed{};
   /// Reserved; kept as it is.
   Bytes<3> reserved{};

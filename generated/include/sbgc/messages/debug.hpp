@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// Variables inside the firmware that show the state of the system.
+/// Firmware variables that show the state of the system.
 #pragma once
 
 #include <array>
@@ -26,8 +26,8 @@ struct DebugVarInfo {
   BoundedText<255> var_name{};
   /// Its type. Errata: E055.
   DebugVarType var_type{};
-  /// How many elements it has; no board is known to send arrays. 0: a scalar. 1: a scalar. Errata:
-  /// E006, E113, E218.
+  /// Number of elements; no board is known to send arrays. 0: a scalar. 1: a scalar. Errata: E006,
+  /// E113, E218.
   std::uint16_t arr_size{};
 
   constexpr bool operator==(const DebugVarInfo&) const = default;
@@ -83,7 +83,7 @@ struct DebugVarsInfo3 {
   return writer.end();
 }
 
-/// Ask for names and types of the debug variables.
+/// Request the names and types of the debug variables.
 ///
 /// CMD_DEBUG_VARS_INFO_3 (253), to the board; 0 bytes.
 /// Effect: reads.
@@ -129,13 +129,12 @@ struct DebugVars3 {
 
   /// What has to be known from earlier messages to read the body.
   struct Context {
-    /// The types that CMD_DEBUG_VARS_INFO_3 has announced; without them the values are not read.
+    /// The types announced by CMD_DEBUG_VARS_INFO_3; the values cannot be decoded without them.
     NumberTypes types{};
   };
 
-  /// The values one behind the other, each with the type and the number of elements that
-  /// CMD_DEBUG_VARS_INFO_3 announces; which variables there are differs between firmwares. Errata:
-  /// E113.
+  /// The values in sequence, each with the type and the number of elements announced by
+  /// CMD_DEBUG_VARS_INFO_3. The set of variables depends on the firmware. Errata: E113.
   BoundedArray<Number, 255> var_value{};
   /// What later firmware appends; kept, and written back.
   BoundedBytes<255> tail{};
@@ -159,7 +158,7 @@ struct DebugVars3 {
   return writer.end();
 }
 
-/// Ask for the values of the debug variables.
+/// Request the values of the debug variables.
 ///
 /// CMD_DEBUG_VARS_3 (254), to the board; 0 bytes.
 /// Effect: reads.

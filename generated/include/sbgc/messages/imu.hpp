@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// Choosing, correcting and replacing the sensors of the board.
+/// Selecting, correcting and replacing the board's sensors.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ using sbgc::put;
 
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
 
-/// Choose the IMU that is configured and calibrated.
+/// Select the IMU to configure and calibrate.
 ///
 /// CMD_SELECT_IMU_3 (24), to the board, simple form; 1 byte.
 /// Effect: sets.
@@ -34,7 +34,7 @@ struct SelectImu3 {
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{0, 30};
 
-  /// Which IMU. Errata: E051, E053.
+  /// The IMU. Errata: E051, E053.
   SelectedImu imu_type{};
 
   constexpr bool operator==(const SelectImu3&) const = default;
@@ -63,7 +63,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {1, {}};
 }
 
-/// Choose an IMU, with parameters that later firmware takes.
+/// Select an IMU, with parameters of later firmware.
 ///
 /// CMD_SELECT_IMU_3 (24), to the board, extended form; 2 to 12 bytes.
 /// Effect: sets.
@@ -77,11 +77,11 @@ struct SelectImu3Ext {
   static constexpr std::size_t max_size = 12;
   static constexpr Availability since{0, 30};
 
-  /// Which IMU. Errata: E051, E053.
+  /// The IMU. Errata: E051, E053.
   SelectedImu imu_type{};
-  /// Its meaning is not documented. Errata: E206.
+  /// Undocumented. Errata: E206.
   std::uint8_t param{};
-  /// Further parameters; not documented. At most 10. Errata: E206.
+  /// Further undocumented parameters. At most 10. Errata: E206.
   BoundedBytes<253> params{};
 
   constexpr bool operator==(const SelectImu3Ext&) const = default;
@@ -129,8 +129,8 @@ struct AhrsHelper {
   static constexpr std::size_t max_size = 24;
   static constexpr Availability since{0, 30};
 
-  /// Unit vector that points up (the Z axis in the normal position); later sources say down. Range:
-  /// -1 to 1. Errata: E015, E038, E108, E216.
+  /// Unit vector that points up (the Z axis in the normal position); down according to later
+  /// sources. Range: -1 to 1. Errata: E015, E038, E108, E216.
   Xyz<float> z1_vector{};
   /// Unit vector that points north (the Y axis in the normal position). Range: -1 to 1. Errata:
   /// E015, E038, E108.
@@ -168,7 +168,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {size, {}};
 }
 
-/// Ask for the attitude of an IMU. MODE 0 asks for the main IMU, 2 for the frame IMU.
+/// Query the attitude of an IMU. MODE 0 queries the main IMU, 2 the frame IMU.
 ///
 /// CMD_AHRS_HELPER (56), to the board, simple form; 1 byte.
 /// Effect: reads.
@@ -184,7 +184,7 @@ struct AhrsHelperRequest {
   static constexpr Availability since{0, 30};
   static constexpr Availability until{2695, 0};
 
-  /// Which IMU; without SET. Errata: E023.
+  /// The IMU to query; without SET. Errata: E023.
   AhrsHelperMode mode{};
 
   constexpr bool operator==(const AhrsHelperRequest&) const = default;
@@ -213,8 +213,8 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {1, {}};
 }
 
-/// Ask for the attitude of an IMU, with a mode of two bytes. MODE 0 asks for the main IMU, 2 for
-/// the frame IMU.
+/// Query the attitude of an IMU, with a two-byte mode. MODE 0 queries the main IMU, 2 the frame
+/// IMU.
 ///
 /// CMD_AHRS_HELPER (56), to the board, wide form; 2 bytes.
 /// Effect: reads.
@@ -228,7 +228,7 @@ struct AhrsHelperRequestWide {
   static constexpr std::size_t max_size = 2;
   static constexpr Availability since{2695, 0};
 
-  /// Which IMU; without SET. Errata: E023, E209.
+  /// The IMU to query; without SET. Errata: E023, E209.
   AhrsHelperWideMode mode{};
 
   constexpr bool operator==(const AhrsHelperRequestWide&) const = default;
@@ -257,11 +257,11 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {2, {}};
 }
 
-/// Ask for the attitude of an IMU or set it. An IMU of higher grade can replace or correct the
-/// board's own: send 50 to 100 of these a second. From a sensor on the camera, MODE 1 replaces its
-/// attitude and 5 corrects it. From a sensor on the frame, 3 replaces the attitude of the frame and
-/// 7 corrects it; 11 replaces it and corrects that of the camera; 15 corrects both. Z1_ONLY and
-/// H1_ONLY may be added to any of these. MODE 0 asks for the main IMU, 2 for the frame IMU.
+/// Query or set the attitude of an IMU. A higher-grade IMU can replace or correct the board's own:
+/// send 50 to 100 of these messages per second. For a sensor on the camera, MODE 1 replaces the
+/// camera's attitude and 5 corrects it. For a sensor on the frame, 3 replaces the attitude of the
+/// frame and 7 corrects it; 11 replaces it and corrects that of the camera; 15 corrects both.
+/// Z1_ONLY and H1_ONLY may be added to each. MODE 0 queries the main IMU, 2 the frame IMU.
 ///
 /// CMD_AHRS_HELPER (56), to the board, extended form; 25 bytes.
 /// Effect: moves.
@@ -277,13 +277,13 @@ struct AhrsHelperRequestExt {
   static constexpr Availability since{0, 30};
   static constexpr Availability until{2695, 0};
 
-  /// What to do.
+  /// Operation.
   AhrsHelperMode mode{};
-  /// Unit vector that points up (the Z axis in the normal position), or down by later sources; not
-  /// used when asking. Range: -1 to 1. Errata: E015, E038, E108, E216.
+  /// Unit vector that points up (the Z axis in the normal position), or down according to later
+  /// sources; unused in a query. Range: -1 to 1. Errata: E015, E038, E108, E216.
   Xyz<float> z1_vector{};
-  /// Unit vector that points north (the Y axis in the normal position); not used when asking.
-  /// Range: -1 to 1. Errata: E015, E038, E108.
+  /// Unit vector that points north (the Y axis in the normal position); unused in a query. Range:
+  /// -1 to 1. Errata: E015, E038, E108.
   Xyz<float> h1_vector{};
 
   constexpr bool operator==(const AhrsHelperRequestExt&) const = default;
@@ -316,8 +316,8 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {25, {}};
 }
 
-/// Ask for the attitude of an IMU or set it, with a mode of two bytes. The values of MODE that are
-/// useful are those of AhrsHelperRequestExt.
+/// Query or set the attitude of an IMU, with a two-byte mode. The useful values of MODE are those
+/// of AhrsHelperRequestExt.
 ///
 /// CMD_AHRS_HELPER (56), to the board, extended_wide form; 26 bytes.
 /// Effect: moves.
@@ -331,13 +331,13 @@ struct AhrsHelperRequestExtWide {
   static constexpr std::size_t max_size = 26;
   static constexpr Availability since{2695, 0};
 
-  /// What to do. Errata: E209.
+  /// Operation. Errata: E209.
   AhrsHelperWideMode mode{};
-  /// Unit vector that points up (the Z axis in the normal position), or down by later sources; not
-  /// used when asking. Range: -1 to 1. Errata: E015, E038, E108, E216.
+  /// Unit vector that points up (the Z axis in the normal position), or down according to later
+  /// sources; unused in a query. Range: -1 to 1. Errata: E015, E038, E108, E216.
   Xyz<float> z1_vector{};
-  /// Unit vector that points north (the Y axis in the normal position); not used when asking.
-  /// Range: -1 to 1. Errata: E015, E038, E108.
+  /// Unit vector that points north (the Y axis in the normal position); unused in a query. Range:
+  /// -1 to 1. Errata: E015, E038, E108.
   Xyz<float> h1_vector{};
 
   constexpr bool operator==(const AhrsHelperRequestExtWide&) const = default;
@@ -370,7 +370,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {26, {}};
 }
 
-/// Correct the zero of a gyroscope by hand; the camera drifts if the correction is wrong.
+/// Correct the zero of a gyroscope manually; the camera drifts if the correction is wrong.
 ///
 /// CMD_GYRO_CORRECTION (75), to the board; 9 bytes.
 /// Effect: stores, moves.
@@ -384,12 +384,12 @@ struct GyroCorrection {
   static constexpr std::size_t max_size = 9;
   static constexpr Availability since{0, 30};
 
-  /// Which IMU. Errata: E051, E053.
+  /// The IMU. Errata: E051, E053.
   ImuIndex imu_type{};
-  /// Offset of the zero of each axis. Unit: gyro unit, one count is 1/1000. Errata: E042.
+  /// Zero offset of each axis. Unit: gyro unit, one count is 1/1000. Errata: E042.
   Xyz<GyroOffset> gyro_zero_corr{};
-  /// Offset of the rotation about the vertical, to correct the heading; the board spreads it over
-  /// the axes. Unit: gyro unit, one count is 1/1000.
+  /// Offset of the rotation about the vertical, to correct the heading; the board distributes it
+  /// over the axes. Unit: gyro unit, one count is 1/1000.
   GyroOffset gyro_zero_heading_corr{};
 
   constexpr bool operator==(const GyroCorrection&) const = default;

@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// Settings of the board and of its five profiles.
+/// Parameters of the board and of its five profiles.
 #pragma once
 
 #include <array>
@@ -32,9 +32,9 @@ struct AxisPid {
   std::uint8_t d{};
   /// Power of the motor. Range: 0 to 255.
   std::uint8_t power{};
-  /// 1 if the motor's direction is inverted. Range: 0 to 1.
+  /// 1 inverts the motor's direction. Range: 0 to 1.
   std::uint8_t invert{};
-  /// Number of the motor's poles. Range: 0 to 255.
+  /// Number of motor poles. Range: 0 to 255.
   std::uint8_t poles{};
 
   constexpr bool operator==(const AxisPid&) const = default;
@@ -83,10 +83,10 @@ struct AxisRc {
   RcMode rc_mode{};
   /// Low-pass filter of the signal. Range: 0 to 16.
   std::uint8_t rc_lpf{};
-  /// Speed of the control. Range: 0 to 255.
+  /// Control speed. Range: 0 to 255.
   std::uint8_t rc_speed{};
-  /// Roll and pitch: how much to follow the flight controller. Yaw: not 0 follows the motor. Range:
-  /// -127 to 127. Errata: E003, E067.
+  /// Roll and pitch: how much to follow the flight controller. Yaw: any value but 0 follows the
+  /// motor. Range: -127 to 127. Errata: E003, E067.
   std::int8_t rc_follow{};
 
   constexpr bool operator==(const AxisRc&) const = default;
@@ -127,7 +127,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 struct AxisNotches {
   static constexpr std::size_t wire_size = 6;
 
-  /// Middle frequency of each of the three filters. Unit: Hz, one count is 2. Range: 0 to 255.
+  /// Centre frequency of each of the three filters. Unit: Hz, one count is 2. Range: 0 to 255.
   /// Errata: E011.
   std::array<EvenFrequency, 3> notch_freq{};
   /// Width of each filter, between its -3 dB points. Unit: Hz. Range: 0 to 255. Errata: E011.
@@ -147,7 +147,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   put(to + 3, in.notch_width);
 }
 
-/// Settings of one profile together with the general settings.
+/// Parameters of one profile and general parameters.
 ///
 /// CMD_READ_PARAMS_3 (21), from the board; 134 bytes, and later firmware may append more.
 /// Since board 3.0.
@@ -167,12 +167,12 @@ struct ReadParams3 {
   /// For servo_out: disabled.
   static constexpr std::uint8_t servo_disabled = 0;
 
-  /// Profile that the settings belong to. Range: 0 to 4. active_profile (255): the active profile.
-  /// Errata: E062.
+  /// Profile of the parameters. Range: 0 to 4. active_profile (255): the active profile. Errata:
+  /// E062.
   std::uint8_t profile_id{};
   /// Controller and motor of each axis.
   Axes<AxisPid> axes{};
-  /// Limit of the acceleration of all axes. Unit: deg/s^2, one count is 5. Range: 0 to 255.
+  /// Acceleration limit of all axes. Unit: deg/s^2, one count is 5. Range: 0 to 255.
   /// acc_limiter_disabled (0): disabled. Deprecated since firmware 2.59: use ACC_LIMITER3 of
   /// CMD_READ_PARAMS_EXT2. Errata: E066.
   AngularAcceleration acc_limiter_all{};
@@ -182,9 +182,9 @@ struct ReadParams3 {
   std::int8_t ext_fc_gain_pitch{};
   /// Remote control of each axis.
   Axes<AxisRc> rc{};
-  /// Trust in the gyroscope against the accelerometer. Range: 0 to 255.
+  /// Trust in the gyroscope relative to the accelerometer. Range: 0 to 255.
   std::uint8_t gyro_trust{};
-  /// 1 if the model of the motors is used. Range: 0 to 1.
+  /// 1 enables the motor model. Range: 0 to 1.
   std::uint8_t use_model{};
   /// PWM frequency of the motors.
   PwmFrequency pwm_freq{};
@@ -192,13 +192,13 @@ struct ReadParams3 {
   SerialSpeed serial_speed{};
   /// Trim of the RC signals. Range: -127 to 127.
   Axes<std::int8_t> rc_trim{};
-  /// Dead band around the middle of the RC signals. Range: 0 to 255.
+  /// Dead band around the centre of the RC signals. Range: 0 to 255.
   std::uint8_t rc_deadband{};
-  /// Curvature of the RC signals. Range: 0 to 100.
+  /// Expo rate of the RC signals. Range: 0 to 100.
   std::uint8_t rc_expo_rate{};
-  /// What the RC_ROLL pin receives.
+  /// Signal at the RC_ROLL pin.
   RcVirtualMode rc_virt_mode{};
-  /// Source of control of each axis. Errata: E058, E069.
+  /// Control source of each axis. Errata: E058, E069.
   Axes<RcMap> rc_map{};
   /// Source of the command channel. Errata: E058, E069.
   RcMap rc_map_cmd{};
@@ -206,15 +206,15 @@ struct ReadParams3 {
   RcMap rc_map_fc_roll{};
   /// Source of the flight controller's pitch signal. Errata: E058, E069.
   RcMap rc_map_fc_pitch{};
-  /// Where the flight controller's roll signal is mixed in.
+  /// Mix of the flight controller's roll signal.
   RcMix rc_mix_fc_roll{};
-  /// Where the flight controller's pitch signal is mixed in.
+  /// Mix of the flight controller's pitch signal.
   RcMix rc_mix_fc_pitch{};
   /// What the camera follows.
   FollowMode follow_mode{};
   /// Dead band of the follow mode. Range: 0 to 255.
   std::uint8_t follow_deadband{};
-  /// Curvature of the follow mode. Range: 0 to 100.
+  /// Expo rate of the follow mode. Range: 0 to 100.
   std::uint8_t follow_expo_rate{};
   /// Offset of the follow mode. Range: -127 to 127.
   Axes<std::int8_t> follow_offset{};
@@ -226,21 +226,21 @@ struct ReadParams3 {
   SensorAxis frame_axis_top{};
   /// Axis of the frame IMU that points right. General: the same in all copies. Errata: E087.
   SensorAxis frame_axis_right{};
-  /// Where the frame IMU is mounted. General: the same in all copies. Errata: E087.
+  /// Location of the frame IMU. General: the same in all copies. Errata: E087.
   FrameImuPosition frame_imu_pos{};
   /// Dead band of the gyroscope. Unit: gyro unit, one count is 1/10. Range: 0 to 255.
   GyroDeadband gyro_deadband{};
   /// Sensitivity of the gyroscope. Errata: E114.
   std::uint8_t gyro_sens{};
-  /// 1 if the I2C bus uses the controller's pull-ups. Range: 0 to 1.
+  /// 1 enables the controller's I2C pull-ups. Range: 0 to 1.
   std::uint8_t i2c_internal_pullups{};
-  /// Calibration of the gyroscope at start-up.
+  /// Gyroscope calibration at start-up.
   SkipGyroCalibration skip_gyro_calib{};
-  /// Action at a low signal of the command channel.
+  /// Action for a low signal on the command channel.
   MenuCommand rc_cmd_low{};
-  /// Action at a middle signal of the command channel.
+  /// Action for a middle signal on the command channel.
   MenuCommand rc_cmd_mid{};
-  /// Action at a high signal of the command channel.
+  /// Action for a high signal on the command channel.
   MenuCommand rc_cmd_high{};
   /// Actions for 1 to 5 presses of the menu button.
   std::array<MenuCommand, 5> menu_cmd{};
@@ -248,47 +248,47 @@ struct ReadParams3 {
   MenuCommand menu_cmd_long{};
   /// Motor output of each axis.
   Axes<MotorOutput> output{};
-  /// Battery voltage that sounds the alarm; negative turns it off. Unit: V, one count is 1/100.
+  /// Battery voltage that triggers the alarm; negative disables it. Unit: V, one count is 1/100.
   /// Range: -3000 to 3000.
   VoltageThreshold bat_threshold_alarm{};
-  /// Battery voltage that stops the motors; negative turns it off. Unit: V, one count is 1/100.
+  /// Battery voltage that stops the motors; negative disables it. Unit: V, one count is 1/100.
   /// Range: -3000 to 3000.
   VoltageThreshold bat_threshold_motors{};
-  /// Battery voltage that the motor power is compensated to; negative turns it off. Unit: V, one
-  /// count is 1/100. Range: -3000 to 3000.
+  /// Reference voltage of the motor power compensation; negative disables it. Unit: V, one count is
+  /// 1/100. Range: -3000 to 3000.
   VoltageThreshold bat_comp_ref{};
   /// When the board makes a sound. Errata: E049, E111.
   BeeperModes beeper_modes{};
-  /// Angle at which pitch begins to follow roll. Unit: deg. Range: 0 to 90. Errata: E047, E115.
+  /// Angle at which pitch starts to follow roll. Unit: deg. Range: 0 to 90. Errata: E047, E115.
   SmallDegrees follow_roll_mix_start{};
-  /// Angle over which pitch goes on to follow roll. Unit: deg. Range: 0 to 90. Errata: E047, E115.
+  /// Angle over which pitch continues to follow roll. Unit: deg. Range: 0 to 90. Errata: E047,
+  /// E115.
   SmallDegrees follow_roll_mix_range{};
-  /// Additional power that corrects a lost synchronisation. Range: 0 to 255.
+  /// Additional power to recover lost synchronisation. Range: 0 to 255.
   Axes<std::uint8_t> booster_power{};
   /// Speed of the follow mode. Range: 0 to 255.
   Axes<std::uint8_t> follow_speed{};
-  /// 1 if the frame's angle is estimated from the motors. Range: 0 to 1.
+  /// 1 estimates the frame angle from the motors. Range: 0 to 1.
   std::uint8_t frame_angle_from_motors{};
   /// Angle at start-up. Unit: deg, one count is 360/16384. Range: -32768 to 32767. Errata: E052.
   Axes<Angle14> rc_memory{};
-  /// Virtual channel that is output at each servo pin. Range: 1 to 32. servo_disabled (0):
-  /// disabled. Errata: E069.
+  /// Virtual channel on each servo pin. Range: 1 to 32. servo_disabled (0): disabled. Errata: E069.
   std::array<std::uint8_t, 4> servo_out{};
   /// PWM frequency of the servo outputs. Unit: Hz, one count is 10. Range: 5 to 40.
   ServoRate servo_rate{};
   /// Axes with adaptive control.
   AdaptivePidAxes adaptive_pid_enabled{};
-  /// Vibration that starts the adaptation. Range: 0 to 255.
+  /// Vibration level that starts the adaptation. Range: 0 to 255.
   std::uint8_t adaptive_pid_threshold{};
   /// Speed of the adaptation. Range: 1 to 255.
   std::uint8_t adaptive_pid_rate{};
-  /// How slowly the gains come back. Range: 0 to 10.
+  /// How slowly the gains recover. Range: 0 to 10.
   std::uint8_t adaptive_pid_recovery_factor{};
   /// Low-pass filter of the follow mode. Range: 0 to 16.
   Axes<std::uint8_t> follow_lpf{};
-  /// Settings of the whole board. General: the same in all copies. Errata: E087.
+  /// Options of the whole board. General: the same in all copies. Errata: E087.
   GeneralFlags general_flags1{};
-  /// Settings of the profile.
+  /// Options of the profile.
   ProfileFlags profile_flags1{};
   /// Protocol of a Spektrum satellite.
   SpektrumMode spektrum_mode{};
@@ -296,9 +296,9 @@ struct ReadParams3 {
   AxisOrder order_of_axes{};
   /// Order of the Euler angles. Errata: E005.
   EulerOrder euler_order{};
-  /// Currently selected IMU; written back as it was read. Errata: E088.
+  /// Selected IMU; write it back unchanged. Errata: E088.
   SelectedImu cur_imu{};
-  /// Active profile; written back as it was read. Range: 0 to 4. Errata: E034, E061, E088.
+  /// Active profile; write it back unchanged. Range: 0 to 4. Errata: E034, E061, E088.
   std::uint8_t cur_profile_id{};
   /// What later firmware appends; kept, and written back.
   BoundedBytes<121> tail{};
@@ -482,7 +482,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return true;
 }
 
-/// Ask for the settings of one profile.
+/// Request the parameters of one profile.
 ///
 /// CMD_READ_PARAMS_3 (21), to the board; 1 byte.
 /// Effect: reads.
@@ -528,7 +528,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {1, {}};
 }
 
-/// Ask for the settings of one profile, with the older id.
+/// Request the parameters of one profile, with the older id.
 ///
 /// CMD_READ_PARAMS (82), to the board; 1 byte.
 /// Effect: reads.
@@ -574,7 +574,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {1, {}};
 }
 
-/// Further settings of one profile: filters, encoders, magnetometer.
+/// More parameters of one profile: filters, encoders, magnetometer.
 ///
 /// CMD_READ_PARAMS_EXT (33), from the board; 104 bytes, and later firmware may append more.
 /// Since board 3.0.
@@ -590,57 +590,56 @@ struct ReadParamsExt {
   /// For profile_id: the active profile.
   static constexpr std::uint8_t active_profile = 255;
 
-  /// Profile that the settings belong to. Range: 0 to 4. active_profile (255): the active profile.
-  /// Errata: E062.
+  /// Profile of the parameters. Range: 0 to 4. active_profile (255): the active profile. Errata:
+  /// E062.
   std::uint8_t profile_id{};
   /// Notch filters of each axis. Errata: E011.
   Axes<AxisNotches> notches{};
-  /// Low-pass filter of each axis, at its -3 dB point. Unit: Hz. Range: 0 to 1000. Errata: E065,
+  /// Low-pass cut-off of each axis, at its -3 dB point. Unit: Hz. Range: 0 to 1000. Errata: E065,
   /// E105.
   Axes<Frequency> lpf_freq{};
-  /// Filters that are on.
+  /// Enabled filters.
   Axes<FilterSwitches> filters_en{};
-  /// Angle of the encoder in zero position. Unit: deg, one count is 360/16384. Errata: E074.
+  /// Encoder angle in the zero position. Unit: deg, one count is 360/16384. Errata: E074.
   Axes<Angle14> encoder_offset{};
   /// Angle between the encoder and the motor's magnetic field. Unit: deg, one count is 360/16384.
   /// Errata: E074.
   Axes<Angle14> encoder_fld_offset{};
-  /// Time for setting the encoder by hand. Unit: ms, one count is 10. Range: 0 to 255. Errata:
-  /// E047.
+  /// Time to set the encoder by hand. Unit: ms, one count is 10. Range: 0 to 255. Errata: E047.
   Axes<TensOfMilliseconds> encoder_manual_set_time{};
-  /// Warming in the model of the motor's temperature. Range: 0 to 255. Errata: E047.
+  /// Heating factor of the motor temperature model. Range: 0 to 255. Errata: E047.
   Axes<std::uint8_t> motor_heating_factor{};
-  /// Cooling in the model of the motor's temperature. Range: 0 to 255. Errata: E047.
+  /// Cooling factor of the motor temperature model. Range: 0 to 255. Errata: E047.
   Axes<std::uint8_t> motor_cooling_factor{};
   /// Reserved; kept as it is.
   Bytes<2> reserved{};
-  /// How much to follow inside the dead band of the follow mode. Range: 0 to 255. Errata: E047.
+  /// How much to follow inside the follow mode's dead band. Range: 0 to 255. Errata: E047.
   std::uint8_t follow_inside_deadband{};
   /// Magnetic linkage of the motor. Range: 0 to 255. Deprecated: use MOTOR_MAG_LINK_FINE of
   /// CMD_READ_PARAMS_EXT2.
   Axes<std::uint8_t> motor_mag_link{};
-  /// Ratio of the gear behind the motor. Unit: no unit, one count is 1/256.
+  /// Ratio of the gear after the motor. Unit: no unit, one count is 1/256.
   Axes<FixedPoint8> motor_gearing{};
   /// Lowest angle of the joint. Unit: deg, one count is 3. Range: -127 to 127.
   Axes<EncoderLimit> encoder_limit_min{};
   /// Highest angle of the joint. Unit: deg, one count is 3. Range: -127 to 127.
   Axes<EncoderLimit> encoder_limit_max{};
-  /// Depth of the first notch filter; below 0 it makes a peak. Unit: dB. Range: -100 to 100.
-  /// Errata: E004.
+  /// Depth of the first notch filter; a negative value makes a peak filter. Unit: dB. Range: -100
+  /// to 100. Errata: E004.
   Axes<Decibels> notch1_gain{};
-  /// Depth of the second notch filter; below 0 it makes a peak. Unit: dB. Range: -100 to 100.
-  /// Errata: E004.
+  /// Depth of the second notch filter; a negative value makes a peak filter. Unit: dB. Range: -100
+  /// to 100. Errata: E004.
   Axes<Decibels> notch2_gain{};
-  /// Depth of the third notch filter; below 0 it makes a peak. Unit: dB. Range: -100 to 100.
-  /// Errata: E004.
+  /// Depth of the third notch filter; a negative value makes a peak filter. Unit: dB. Range: -100
+  /// to 100. Errata: E004.
   Axes<Decibels> notch3_gain{};
-  /// Volume of the sounds. Range: 0 to 255.
+  /// Sound volume. Range: 0 to 255.
   std::uint8_t beeper_volume{};
   /// Ratio of the gear between motor and encoder. Unit: no unit, one count is 1/1000.
   Axes<Thousandths> encoder_gear_ratio{};
-  /// Kind of the encoder. Errata: E057.
+  /// Kind and options of the encoder. Errata: E057.
   Axes<EncoderType> encoder_type{};
-  /// SPI clock, or the kind of encoder inside an I2C driver. Errata: E118.
+  /// SPI clock, or the kind of encoder in an I2C driver. Errata: E118.
   Axes<EncoderConfig> encoder_cfg{};
   /// Proportional gain of the outer loop. Range: 0 to 255.
   Axes<std::uint8_t> outer_p{};
@@ -787,7 +786,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return true;
 }
 
-/// Ask for further settings of one profile.
+/// Request more parameters of one profile.
 ///
 /// CMD_READ_PARAMS_EXT (33), to the board; 1 byte.
 /// Effect: reads.
@@ -833,7 +832,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {1, {}};
 }
 
-/// Still further settings of one profile.
+/// The third set of parameters of one profile.
 ///
 /// CMD_READ_PARAMS_EXT2 (62), from the board; 151 bytes, and later firmware may append more.
 /// Since board 3.0.
@@ -851,27 +850,27 @@ struct ReadParamsExt2 {
   /// For acc_limiter3: disabled.
   static constexpr std::uint8_t acc_limiter3_disabled = 0;
 
-  /// Profile that the settings belong to. Range: 0 to 4. active_profile (255): the active profile.
-  /// Errata: E001, E062.
+  /// Profile of the parameters. Range: 0 to 4. active_profile (255): the active profile. Errata:
+  /// E001, E062.
   std::uint8_t profile_id{};
   /// Reserved; kept as it is.
   Bytes<16> reserved_1{};
   /// Magnetic linkage of the motor. Unit: no unit, one count is 1/100. Range: 0 to 65535. Errata:
   /// E047.
   Axes<LongHundredths> motor_mag_link_fine{};
-  /// Limit of the acceleration of each axis. Unit: deg/s^2, one count is 5. Range: 0 to 200.
+  /// Acceleration limit of each axis. Unit: deg/s^2, one count is 5. Range: 0 to 200.
   /// acc_limiter3_disabled (0): disabled. Since firmware 2.59. Errata: E035, E066, E108.
   Axes<AngularAcceleration> acc_limiter3{};
-  /// Factor on P, I and D of each axis. Unit: no unit, one count is 1/50, counted from 1/10. Range:
-  /// 0 to 255. Errata: E108.
+  /// Factor for P, I and D of each axis. Unit: no unit, one count is 1/50, counted from 1/10.
+  /// Range: 0 to 255. Errata: E108.
   Axes<PidGain> pid_gain{};
   /// Low-pass filter of the frame IMU. Unit: Hz. Range: 0 to 255.
   SmallFrequency frame_imu_lpf_freq{};
-  /// CFG_FLAGS that CMD_AUTO_PID is started with. Errata: E056.
+  /// CFG_FLAGS for CMD_AUTO_PID. Errata: E056.
   AutoPidFlags auto_pid_cfg{};
-  /// GAIN_VS_STABILITY that CMD_AUTO_PID is started with. Range: 0 to 255.
+  /// GAIN_VS_STABILITY for CMD_AUTO_PID. Range: 0 to 255.
   std::uint8_t auto_pid_gain{};
-  /// Later firmware keeps settings in all of these.
+  /// Later firmware holds parameters in all of these bytes.
   Bytes<119> reserved_2{};
   /// What later firmware appends; kept, and written back.
   BoundedBytes<104> tail{};
@@ -947,7 +946,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return true;
 }
 
-/// Ask for still further settings of one profile.
+/// Request the third set of parameters of one profile.
 ///
 /// CMD_READ_PARAMS_EXT2 (62), to the board; 1 byte.
 /// Effect: reads.
@@ -993,7 +992,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {1, {}};
 }
 
-/// Names of the profiles.
+/// Profile names.
 ///
 /// CMD_READ_PROFILE_NAMES (28), from the board; 240 bytes, and later firmware may append more.
 /// Since board 3.0.
@@ -1039,7 +1038,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {size, {}};
 }
 
-/// Ask for the names of the profiles.
+/// Request the profile names.
 ///
 /// CMD_READ_PROFILE_NAMES (28), to the board; 0 bytes.
 /// Effect: reads.
@@ -1070,8 +1069,7 @@ struct ReadProfileNamesRequest {
   return {0, {}};
 }
 
-/// Save the settings that are in use, with all changes to adjustable variables, to the active
-/// profile.
+/// Save the parameters in use, with all changes to adjustable variables, to the active profile.
 ///
 /// CMD_SAVE_PARAMS_3 (32), to the board; 0 bytes.
 /// Effect: stores.
@@ -1102,8 +1100,8 @@ struct SaveParams3 {
   return {0, {}};
 }
 
-/// Return to the factory settings. The settings of the profile are gone; 253 erases the EEPROM with
-/// all that it holds. Save the settings first.
+/// Restore the factory defaults. The parameters of the profile are lost; 253 erases the whole
+/// EEPROM. Back up the parameters first.
 ///
 /// CMD_USE_DEFAULTS (70), to the board; 1 byte.
 /// Effect: stores, moves, erases.
@@ -1148,8 +1146,8 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {1, {}};
 }
 
-/// Store the settings of one profile and the general ones. Also saved to the EEPROM. Write back
-/// what was read, changed where it must be: bytes that are not understood are settings too.
+/// Store the parameters of one profile and the general parameters. Also saves to the EEPROM. Write
+/// back what you read and change only what you need: unknown bytes are parameters too.
 ///
 /// CMD_WRITE_PARAMS_3 (22), to the board; 134 bytes, and later firmware may append more.
 /// Effect: stores, moves.
@@ -1166,7 +1164,7 @@ struct WriteParams3 : ReadParams3 {
   constexpr bool operator==(const WriteParams3&) const = default;
 };
 
-/// Store the settings of one profile and the general ones, with the older id.
+/// Store the parameters of one profile and the general parameters, with the older id.
 ///
 /// CMD_WRITE_PARAMS (87), to the board; 134 bytes, and later firmware may append more.
 /// Effect: stores, moves.
@@ -1183,7 +1181,7 @@ struct WriteParams : ReadParams3 {
   constexpr bool operator==(const WriteParams&) const = default;
 };
 
-/// Store further settings of one profile.
+/// Store more parameters of one profile.
 ///
 /// CMD_WRITE_PARAMS_EXT (34), to the board; 104 bytes, and later firmware may append more.
 /// Effect: stores, moves.
@@ -1200,7 +1198,7 @@ struct WriteParamsExt : ReadParamsExt {
   constexpr bool operator==(const WriteParamsExt&) const = default;
 };
 
-/// Store still further settings of one profile.
+/// Store the third set of parameters of one profile.
 ///
 /// CMD_WRITE_PARAMS_EXT2 (63), to the board; 151 bytes, and later firmware may append more.
 /// Effect: stores, moves.
@@ -1217,7 +1215,7 @@ struct WriteParamsExt2 : ReadParamsExt2 {
   constexpr bool operator==(const WriteParamsExt2&) const = default;
 };
 
-/// Store the names of the profiles.
+/// Store the profile names.
 ///
 /// CMD_WRITE_PROFILE_NAMES (29), to the board; 240 bytes, and later firmware may append more.
 /// Effect: stores.

@@ -20,7 +20,7 @@ using sbgc::put;
 
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
 
-/// Play a melody through the motors, or one of the standard sounds.
+/// Play a melody through the motors, or a standard sound.
 ///
 /// CMD_BEEP_SOUND (89), to the board; 12 to 72 bytes.
 /// Effect: sets.
@@ -39,12 +39,12 @@ struct BeepSound {
   /// For note_freq_hz: pause, then the envelope starts again.
   static constexpr std::uint16_t pause = 21000;
 
-  /// Which sound to make. Errata: E111.
+  /// Sound to play. Errata: E111.
   BeepModes mode{};
   /// Length of each note of a custom melody. Unit: ms, one count is 8. Range: 1 to 255. 0: without
   /// meaning unless a custom melody is played. Errata: E063.
   NoteLength note_length{};
-  /// How slowly a note fades after each pause; 0 turns the envelope off. Heard only with encoder
+  /// How slowly a note fades after each pause; 0 disables the envelope. Audible only with encoder
   /// firmware or while the motors are off. Range: 0 to 15. no_envelope (0): no envelope.
   std::uint8_t decay_factor{};
   /// Reserved; kept as it is.
@@ -101,8 +101,8 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return writer.end();
 }
 
-/// Switch an output pin. Confirmed only if the pin was switched, which it is not while it serves as
-/// an input.
+/// Switch an output pin. Confirmed only if the pin was switched. A pin in use as an input is not
+/// switched.
 ///
 /// CMD_TRIGGER_PIN (84), to the board; 2 bytes.
 /// Effect: sets.
@@ -115,9 +115,9 @@ struct TriggerPin {
   static constexpr std::size_t max_size = 2;
   static constexpr Availability since{};
 
-  /// Which pin.
+  /// The pin.
   OutputPin pin_id{};
-  /// What to switch it to.
+  /// New state of the pin.
   PinState state{};
 
   constexpr bool operator==(const TriggerPin&) const = default;
@@ -149,8 +149,8 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 }
 
 /// Send PWM signals to servos. Outputs 1 to 4 share their pins with FC_ROLL, FC_PITCH, RC_PITCH and
-/// AUX1; 5 to 8 are reserved. A board may have fewer. Servos mostly take 500 to 2500 us, 1500 us is
-/// their middle; a pulse must be shorter than the period that SERVO_RATE sets.
+/// AUX1; 5 to 8 are reserved. A board may have fewer. Most servos take 500 to 2500 us, with 1500 us
+/// as their centre. A pulse must be shorter than the period that SERVO_RATE sets.
 ///
 /// CMD_SERVO_OUT (36), to the board; 16 bytes.
 /// Effect: moves.
@@ -200,8 +200,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 }
 
 /// Write to a device on an I2C bus. The sensors and the EEPROM are on these buses, too. Write only
-/// to a device of your own, as the example does: what is written to a sensor can make the camera
-/// move.
+/// to your own device, as the example does: a write to a sensor can make the camera move.
 ///
 /// CMD_I2C_WRITE_REG_BUF (39), to the board; 2 to 255 bytes.
 /// Effect: sets, stores.
@@ -215,11 +214,11 @@ struct I2cWriteRegBuf {
   static constexpr std::size_t max_size = 255;
   static constexpr Availability since{0, 30};
 
-  /// Which device.
+  /// The device.
   I2cDevice device_addr{};
-  /// Register to begin with.
+  /// First register.
   std::uint8_t reg_addr{};
-  /// What to write.
+  /// Data to write.
   BoundedBytes<253> data{};
 
   constexpr bool operator==(const I2cWriteRegBuf&) const = default;
@@ -254,7 +253,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return writer.end();
 }
 
-/// Data of a device on an I2C bus.
+/// Data from a device on an I2C bus.
 ///
 /// CMD_I2C_READ_REG_BUF (40), from the board; 0 to 255 bytes.
 /// Since board 3.0.
@@ -267,7 +266,7 @@ struct I2cReadRegBuf {
   static constexpr std::size_t max_size = 255;
   static constexpr Availability since{0, 30};
 
-  /// What was read, 1 to 255 bytes: as many as were asked for. At most 255.
+  /// The data, 1 to 255 bytes: as many as requested. At most 255.
   BoundedBytes<255> data{};
 
   constexpr bool operator==(const I2cReadRegBuf&) const = default;
@@ -301,11 +300,11 @@ struct I2cReadRegBufRequest {
   static constexpr std::size_t max_size = 3;
   static constexpr Availability since{0, 30};
 
-  /// Which device.
+  /// The device.
   I2cDevice device_addr{};
-  /// Register to begin with.
+  /// First register.
   std::uint8_t reg_addr{};
-  /// How much to read. Unit: byte. Range: 1 to 255. Errata: E116.
+  /// Number of bytes to read. Unit: byte. Range: 1 to 255. Errata: E116.
   SmallByteCount data_len{};
 
   constexpr bool operator==(const I2cReadRegBufRequest&) const = default;
@@ -358,8 +357,8 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return true;
 }
 
-/// Set the virtual RC channels that the host provides; they can control the camera and more. Send
-/// all 32 channels to firmware before 2.70b5.
+/// Set the host's virtual RC channels, which can control the camera and more. Send all 32 channels
+/// to firmware before 2.70b5.
 ///
 /// CMD_API_VIRT_CH_CONTROL (45), to the board; 2 to 64 bytes.
 /// Effect: sets, stores, moves, restarts.
@@ -376,9 +375,9 @@ struct ApiVirtChControl {
   /// For val_ch: undefined, as if the signal were lost.
   static constexpr std::int16_t undefined = -10000;
 
-  /// Signal of each channel from the first on; the board clips what goes beyond. Unit: no unit, one
-  /// count is 1/500. Range: -500 to 500. undefined (-10000): undefined, as if the signal were lost.
-  /// At least 1. At most 32. Errata: E042, E069, E070, E217.
+  /// Signal of each channel, starting with the first; the board clips values beyond the range.
+  /// Unit: no unit, one count is 1/500. Range: -500 to 500. undefined (-10000): undefined, as if
+  /// the signal were lost. At least 1. At most 32. Errata: E042, E069, E070, E217.
   BoundedArray<CentredRcSignal, 32> val_ch{};
 
   constexpr bool operator==(const ApiVirtChControl&) const = default;

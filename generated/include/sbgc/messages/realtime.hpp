@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// Live data from the sensors and from the controller.
+/// Live data from the sensors and the controller.
 #pragma once
 
 #include <array>
@@ -43,13 +43,13 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   put(to + 2, in.gyro_data);
 }
 
-/// What the message needs to know; unused bytes are 0.
+/// Options of the message; unused bytes are 0.
 struct StreamConfig {
   static constexpr std::size_t wire_size = 8;
 
-  /// Which blocks to send. Present when cmd_id is CMD_REALTIME_DATA_CUSTOM.
+  /// Blocks to send. Present when cmd_id is CMD_REALTIME_DATA_CUSTOM.
   Optional<RealtimeDataCustomFlags> flags{};
-  /// Which IMU's attitude to send. Present when cmd_id is CMD_AHRS_HELPER. Errata: E053.
+  /// IMU whose attitude to send. Present when cmd_id is CMD_AHRS_HELPER. Errata: E053.
   Optional<ImuIndex> imu_type{};
   /// What is not used of the 8 bytes; filled up with zeros.
   BoundedBytes<8> rest{};
@@ -58,7 +58,7 @@ struct StreamConfig {
 };
 
 
-/// Ask for live data, with the older id.
+/// Request live data, with the older id.
 ///
 /// CMD_REALTIME_DATA (68), to the board; 0 bytes.
 /// Effect: reads.
@@ -106,11 +106,11 @@ struct RealtimeData3 {
 
   /// Sensors of each axis.
   Axes<AxisSensors> axes{};
-  /// Errors counted on the serial line.
+  /// Number of errors on the serial line.
   std::uint16_t serial_error_cnt{};
-  /// Errors that are present; 0 is none. Errata: E048.
+  /// Present errors; 0 is none. Errata: E048.
   SystemErrors system_error{};
-  /// Reason of an emergency stop. Errata: E033.
+  /// Reason for an emergency stop. Errata: E033.
   SystemSubError system_sub_error{};
   /// Reserved; kept as it is.
   Bytes<3> reserved{};
@@ -118,31 +118,31 @@ struct RealtimeData3 {
   Axes<RcSignal> rc{};
   /// RC command channel. Unit: us. Range: 1000 to 2000. Errata: E070.
   RcSignal rc_cmd{};
-  /// Signal of an external flight controller for roll. Unit: us. Range: 1000 to 2000. ext_fc_unused
+  /// Roll signal of an external flight controller. Unit: us. Range: 1000 to 2000. ext_fc_unused
   /// (0): the input serves RC control or commands. Errata: E060.
   RcSignal ext_fc_roll{};
-  /// Signal of an external flight controller for pitch. Unit: us. Range: 1000 to 2000.
-  /// ext_fc_unused (0): the input serves RC control or commands. Errata: E060.
+  /// Pitch signal of an external flight controller. Unit: us. Range: 1000 to 2000. ext_fc_unused
+  /// (0): the input serves RC control or commands. Errata: E060.
   RcSignal ext_fc_pitch{};
-  /// Angles of the camera. Unit: deg, one count is 360/16384. Range: -32768 to 32767.
+  /// Camera angles. Unit: deg, one count is 360/16384. Range: -32768 to 32767.
   Axes<Angle14> angle{};
-  /// Angles of the frame, from the second IMU if there is one. Unit: deg, one count is 360/16384.
-  /// Range: -32768 to 32767. Errata: E040.
+  /// Frame angles, from the second IMU if present. Unit: deg, one count is 360/16384. Range: -32768
+  /// to 32767. Errata: E040.
   Axes<Angle14> frame_imu_angle{};
-  /// Angles that RC asks for. Unit: deg, one count is 360/16384. Range: -32768 to 32767. Errata:
+  /// Target angles from RC. Unit: deg, one count is 360/16384. Range: -32768 to 32767. Errata:
   /// E041.
   Axes<Angle14> rc_angle{};
-  /// Duration of one cycle of the controller. Unit: us. Errata: E078.
+  /// Duration of one control cycle. Unit: us. Errata: E078.
   Microseconds cycle_time{};
-  /// Errors counted on the I2C bus.
+  /// Number of errors on the I2C bus.
   std::uint16_t i2c_error_count{};
-  /// Older form of SYSTEM_ERROR. Deprecated: use SYSTEM_ERROR. Errata: E075.
+  /// Predecessor of SYSTEM_ERROR. Deprecated: use SYSTEM_ERROR. Errata: E075.
   std::uint8_t error_code{};
   /// Battery voltage. Unit: V, one count is 1/100.
   Voltage bat_level{};
   /// State of the motors.
   OtherFlags other_flags{};
-  /// Currently selected IMU. Since board 3.0.
+  /// Selected IMU. Since board 3.0.
   SelectedImu cur_imu{};
   /// Active profile. Range: 0 to 4. Errata: E061.
   std::uint8_t cur_profile{};
@@ -244,7 +244,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return true;
 }
 
-/// Ask for live data.
+/// Request live data.
 ///
 /// CMD_REALTIME_DATA_3 (23), to the board; 0 bytes.
 /// Effect: reads.
@@ -293,11 +293,11 @@ struct RealtimeData4 {
 
   /// Sensors of each axis.
   Axes<AxisSensors> axes{};
-  /// Errors counted on the serial line.
+  /// Number of errors on the serial line.
   std::uint16_t serial_error_cnt{};
-  /// Errors that are present; 0 is none. Errata: E048.
+  /// Present errors; 0 is none. Errata: E048.
   SystemErrors system_error{};
-  /// Reason of an emergency stop. Errata: E033.
+  /// Reason for an emergency stop. Errata: E033.
   SystemSubError system_sub_error{};
   /// Reserved; kept as it is.
   Bytes<3> reserved_1{};
@@ -305,46 +305,46 @@ struct RealtimeData4 {
   Axes<RcSignal> rc{};
   /// RC command channel. Unit: us. Range: 1000 to 2000. Errata: E070.
   RcSignal rc_cmd{};
-  /// Signal of an external flight controller for roll. Unit: us. Range: 1000 to 2000. ext_fc_unused
+  /// Roll signal of an external flight controller. Unit: us. Range: 1000 to 2000. ext_fc_unused
   /// (0): the input serves RC control or commands. Errata: E060.
   RcSignal ext_fc_roll{};
-  /// Signal of an external flight controller for pitch. Unit: us. Range: 1000 to 2000.
-  /// ext_fc_unused (0): the input serves RC control or commands. Errata: E060.
+  /// Pitch signal of an external flight controller. Unit: us. Range: 1000 to 2000. ext_fc_unused
+  /// (0): the input serves RC control or commands. Errata: E060.
   RcSignal ext_fc_pitch{};
-  /// Angles of the camera. Unit: deg, one count is 360/16384. Range: -32768 to 32767.
+  /// Camera angles. Unit: deg, one count is 360/16384. Range: -32768 to 32767.
   Axes<Angle14> angle{};
-  /// Angles of the frame, from the second IMU if there is one. Unit: deg, one count is 360/16384.
-  /// Range: -32768 to 32767. Errata: E040.
+  /// Frame angles, from the second IMU if present. Unit: deg, one count is 360/16384. Range: -32768
+  /// to 32767. Errata: E040.
   Axes<Angle14> frame_imu_angle{};
-  /// Angles that RC asks for. Unit: deg, one count is 360/16384. Range: -32768 to 32767. Errata:
+  /// Target angles from RC. Unit: deg, one count is 360/16384. Range: -32768 to 32767. Errata:
   /// E041.
   Axes<Angle14> rc_angle{};
-  /// Duration of one cycle of the controller. Unit: us. Errata: E078.
+  /// Duration of one control cycle. Unit: us. Errata: E078.
   Microseconds cycle_time{};
-  /// Errors counted on the I2C bus.
+  /// Number of errors on the I2C bus.
   std::uint16_t i2c_error_count{};
-  /// Older form of SYSTEM_ERROR. Deprecated: use SYSTEM_ERROR. Errata: E075.
+  /// Predecessor of SYSTEM_ERROR. Deprecated: use SYSTEM_ERROR. Errata: E075.
   std::uint8_t error_code{};
   /// Battery voltage. Unit: V, one count is 1/100.
   Voltage bat_level{};
   /// State of the motors.
   OtherFlags other_flags{};
-  /// Currently selected IMU. Since board 3.0.
+  /// Selected IMU. Since board 3.0.
   SelectedImu cur_imu{};
   /// Active profile. Range: 0 to 4. Errata: E061.
   std::uint8_t cur_profile{};
   /// Power of each motor.
   Axes<std::uint8_t> motor_power{};
-  /// Angle of each joint, from an encoder, the second IMU or an estimate; 0 in normal position.
+  /// Angle of each joint, from an encoder, the second IMU or an estimate; 0 in the normal position.
   /// Unit: deg, one count is 360/16384. Errata: E039, E044.
   Axes<Angle14> rotor_angle{};
   /// Reserved; kept as it is.
   Bytes<1> reserved_2{};
-  /// Motor power that imbalance costs. Unit: %, one count is 100/512. Range: -512 to 512.
+  /// Motor power lost to imbalance. Unit: %, one count is 100/512. Range: -512 to 512.
   Axes<BalanceError> balance_error{};
-  /// Current that the board draws. Unit: mA.
+  /// Current drawn by the board. Unit: mA.
   Current current{};
-  /// Magnetometer, raw.
+  /// Raw magnetometer data.
   Axes<std::int16_t> mag_data{};
   /// Temperature of the main IMU. Unit: degC. Range: -127 to 127.
   Temperature imu_temperature{};
@@ -480,7 +480,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return true;
 }
 
-/// Ask for the longer live data.
+/// Request the longer live data.
 ///
 /// CMD_REALTIME_DATA_4 (25), to the board; 0 bytes.
 /// Effect: reads.
@@ -511,7 +511,7 @@ struct RealtimeData4Request {
   return {0, {}};
 }
 
-/// Live data of the blocks that the request names.
+/// Live data of the requested blocks.
 ///
 /// CMD_REALTIME_DATA_CUSTOM (88), from the board; 2 to 110 bytes, and later firmware may append
 /// more.
@@ -530,7 +530,7 @@ struct RealtimeDataCustom {
 
   /// What has to be known from earlier messages to read the body.
   struct Context {
-    /// The FLAGS of the request: they are not in the answer, and decide which blocks it has.
+    /// FLAGS of the request. The response does not repeat them, but they determine its blocks.
     RealtimeDataCustomFlags flags{};
   };
 
@@ -539,11 +539,11 @@ struct RealtimeDataCustom {
   /// Angles of the main IMU (Euler). Unit: deg, one count is 360/16384. Present when flags has
   /// IMU_ANGLES.
   Optional<Axes<Angle14>> imu_angles{};
-  /// Angles that the gimbal should hold (Euler). Unit: deg, one count is 360/16384. Present when
-  /// flags has TARGET_ANGLES.
+  /// Target angles (Euler). Unit: deg, one count is 360/16384. Present when flags has
+  /// TARGET_ANGLES.
   Optional<Axes<Angle14>> target_angles{};
-  /// Speeds that the gimbal should hold over the Euler axes. Unit: deg/s, one count is 2000/32767.
-  /// Present when flags has TARGET_SPEED. Errata: E071.
+  /// Target speeds over the Euler axes. Unit: deg/s, one count is 2000/32767. Present when flags
+  /// has TARGET_SPEED. Errata: E071.
   Optional<Axes<GyroRate>> target_speed{};
   /// Joint angles. Unit: deg, one count is 360/16384. Present when flags has STATOR_ROTOR_ANGLE.
   /// Errata: E039.
@@ -558,7 +558,7 @@ struct RealtimeDataCustom {
   /// Gravity row of the rotation matrix. Range: -1 to 1. Present when flags has Z1_H1_VECTORS.
   /// Errata: E038, E216.
   Optional<Xyz<float>> z1_vector{};
-  /// Heading row of the rotation matrix; the cross product of both is the third row. Range: -1 to
+  /// Heading row of the rotation matrix; the cross product of both rows is the third. Range: -1 to
   /// 1. Present when flags has Z1_H1_VECTORS. Errata: E038.
   Optional<Xyz<float>> h1_vector{};
   /// All captured RC channels. Unit: no unit, one count is 1/16384. Range: -16384 to 16384.
@@ -630,7 +630,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return writer.end();
 }
 
-/// Ask for live data of the blocks that FLAGS names.
+/// Request live data of the blocks in FLAGS.
 ///
 /// CMD_REALTIME_DATA_CUSTOM (88), to the board; 10 bytes.
 /// Effect: reads.
@@ -644,7 +644,7 @@ struct RealtimeDataCustomRequest {
   static constexpr std::size_t max_size = 10;
   static constexpr Availability since{2590, 30};
 
-  /// Which blocks to send.
+  /// Blocks to send.
   RealtimeDataCustomFlags flags{};
   /// Reserved; kept as it is.
   Bytes<6> reserved{};
@@ -677,10 +677,10 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {10, {}};
 }
 
-/// Start, change or end a data stream: messages that the board sends at a fixed rate, unasked.
-/// CMD_ID and CONFIG together name the stream on this port: a second request with the same ones
-/// changes its interval. Single samples come within 1 ms of their time, their average rate is
-/// exact; what does not fit through the port is left out.
+/// Start, change or end a data stream: messages that the board sends at a fixed rate. CMD_ID and
+/// CONFIG together identify the stream on this port; a second request with the same values changes
+/// its interval. Each sample is within 1 ms of its time, and the average rate is exact. Samples
+/// that exceed the capacity of the port are dropped.
 ///
 /// CMD_DATA_STREAM_INTERVAL (85), to the board; 21 bytes.
 /// Effect: sets.
@@ -701,10 +701,10 @@ struct DataStreamInterval {
 
   /// Message to send. Errata: E089.
   CommandId cmd_id{};
-  /// Time between two samples. Unit: ms. end_stream (0): ends the stream. every_cycle (1): a sample
-  /// in every cycle, 0.8 ms. Errata: E072.
+  /// Time between samples. Unit: ms. end_stream (0): ends the stream. every_cycle (1): a sample in
+  /// every cycle, 0.8 ms. Errata: E072.
   Milliseconds interval_ms{};
-  /// What the message needs to know; unused bytes are 0. Errata: E100.
+  /// Options of the message; unused bytes are 0. Errata: E100.
   StreamConfig config{};
   /// Reserved; kept as it is.
   Bytes<10> reserved{};

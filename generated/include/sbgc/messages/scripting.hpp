@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// Scripts that the user writes and the board runs.
+/// User scripts that the board runs.
 #pragma once
 
 #include <array>
@@ -34,9 +34,9 @@ struct RunScript {
   static constexpr std::size_t max_size = 34;
   static constexpr Availability since{0, 30};
 
-  /// What to do. Errata: E105.
+  /// Operation. Errata: E105.
   ScriptMode mode{};
-  /// Slot of the script; whether slots count from 0 or from 1 is unknown. Errata: E079.
+  /// Script slot; whether it counts from 0 or from 1 is unknown. Errata: E079.
   std::uint8_t slot{};
   /// Reserved; kept as it is.
   Bytes<32> reserved{};
@@ -91,7 +91,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return true;
 }
 
-/// Progress of a script that was started with debugging.
+/// Progress of a script started with debugging.
 ///
 /// CMD_SCRIPT_DEBUG (58), from the board; 3 bytes, and later firmware may append more.
 /// Since board 3.0.
@@ -104,9 +104,9 @@ struct ScriptDebug {
   static constexpr std::size_t max_size = 3;
   static constexpr Availability since{0, 30};
 
-  /// Number of the script's command that runs now.
+  /// Number of the running script command.
   std::uint16_t cmd_count{};
-  /// What went wrong; codes that are not listed are possible. Errata: E110.
+  /// Error code; unlisted codes are possible. Errata: E110.
   FileError err_code{};
   /// What later firmware appends; kept, and written back.
   BoundedBytes<252> tail{};

@@ -20,9 +20,9 @@ using sbgc::put;
 
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
 
-/// Write a block to the EEPROM. Settings and calibrations lie in the EEPROM. Write only what has
-/// been read from the same place of the same board: anything else may make it useless, or the
-/// camera move. The example writes back what the one of CMD_EEPROM_READ has read.
+/// Write a block to the EEPROM. The EEPROM holds parameters and calibrations. Write only what you
+/// read from the same address of the same board: anything else may make the board unusable or move
+/// the camera. The example writes back what the example of CMD_EEPROM_READ reads.
 ///
 /// CMD_EEPROM_WRITE (47), to the board; 4 to 196 bytes.
 /// Effect: stores, moves.
@@ -36,9 +36,9 @@ struct EepromWrite {
   static constexpr std::size_t max_size = 196;
   static constexpr Availability since{0, 30};
 
-  /// Where to write. A multiple of 64.
+  /// Address to write to. A multiple of 64.
   std::uint32_t addr{};
-  /// What to write. At most 192. A multiple of 64. Errata: E026.
+  /// Data to write. At most 192. A multiple of 64. Errata: E026.
   BoundedBytes<251> data{};
 
   constexpr bool operator==(const EepromWrite&) const = default;
@@ -86,9 +86,9 @@ struct ReadFile {
 
   /// Size of the whole file. Unit: byte.
   ByteCount file_size{};
-  /// Where in the file the data begin; as in the request. Unit: byte, one count is 64.
+  /// Offset of the data in the file, as in the request. Unit: byte, one count is 64.
   Pages page_offset{};
-  /// As many bytes as were asked for, or less at the end of the file. At most 251. Errata: E026.
+  /// As many bytes as requested, or fewer at the end of the file. At most 251. Errata: E026.
   BoundedBytes<251> data{};
 
   constexpr bool operator==(const ReadFile&) const = default;
@@ -136,7 +136,7 @@ struct ReadFileError {
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{0, 30};
 
-  /// What went wrong.
+  /// Error code.
   FileError err_code{};
 
   constexpr bool operator==(const ReadFileError&) const = default;
@@ -179,11 +179,11 @@ struct ReadFileRequest {
   static constexpr std::size_t max_size = 20;
   static constexpr Availability since{0, 30};
 
-  /// Which file.
+  /// File id.
   std::uint16_t file_id{};
-  /// Where to begin. Unit: byte, one count is 64.
+  /// Start of the block. Unit: byte, one count is 64.
   Pages page_offset{};
-  /// How many bytes to read at most; they must fit into one message. Unit: byte. Range: 0 to 251.
+  /// Maximum number of bytes to read; they must fit into one message. Unit: byte. Range: 0 to 251.
   /// Errata: E026.
   ByteCount max_data_size{};
   /// Reserved; kept as it is.
@@ -241,7 +241,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return true;
 }
 
-/// Write part of a file; without data the file is deleted.
+/// Write part of a file; without data, delete it.
 ///
 /// CMD_WRITE_FILE (54), to the board; 6 to 255 bytes.
 /// Effect: stores, erases.
@@ -255,13 +255,13 @@ struct WriteFile {
   static constexpr std::size_t max_size = 255;
   static constexpr Availability since{0, 30};
 
-  /// Which file; it is made if there is none.
+  /// File id; a missing file is created.
   std::uint16_t file_id{};
-  /// Size that the whole file shall have. Unit: byte.
+  /// Size of the whole file. Unit: byte.
   ByteCount file_size{};
-  /// Where to begin. Unit: byte, one count is 64. Errata: E092.
+  /// Start of the block. Unit: byte, one count is 64. Errata: E092.
   Pages page_offset{};
-  /// What to write; empty deletes the file. At most 249. Errata: E026.
+  /// Data to write; empty deletes the file. At most 249. Errata: E026.
   BoundedBytes<249> data{};
 
   constexpr bool operator==(const WriteFile&) const = default;
@@ -354,9 +354,9 @@ struct EepromRead {
   static constexpr std::size_t max_size = 196;
   static constexpr Availability since{0, 30};
 
-  /// Where the block lies. A multiple of 64. Errata: E014.
+  /// Address of the block. A multiple of 64. Errata: E014.
   std::uint32_t addr{};
-  /// What it holds, as many bytes as were asked for. At most 192. Errata: E026.
+  /// Content of the block, as many bytes as requested. At most 192. Errata: E026.
   BoundedBytes<251> data{};
 
   constexpr bool operator==(const EepromRead&) const = default;
@@ -403,10 +403,10 @@ struct EepromReadRequest {
   static constexpr std::size_t max_size = 6;
   static constexpr Availability since{0, 30};
 
-  /// Where to begin. A multiple of 64. Errata: E014.
+  /// Start of the block. A multiple of 64. Errata: E014.
   std::uint32_t addr{};
-  /// How much to read; it must fit into one message. Unit: byte. Range: 0 to 192. A multiple of 64.
-  /// Errata: E026, E116.
+  /// Number of bytes to read; they must fit into one message. Unit: byte. Range: 0 to 192. A
+  /// multiple of 64. Errata: E026, E116.
   ByteCount size{};
 
   constexpr bool operator==(const EepromReadRequest&) const = default;
@@ -437,7 +437,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {6, {}};
 }
 
-/// Data of the user in the EEPROM.
+/// User data in the EEPROM.
 ///
 /// CMD_READ_EXTERNAL_DATA (42), from the board; 128 bytes, and later firmware may append more.
 /// Since board 3.0.
@@ -450,7 +450,7 @@ struct ReadExternalData {
   static constexpr std::size_t max_size = 128;
   static constexpr Availability since{0, 30};
 
-  /// Whatever the user stored.
+  /// The user data.
   Bytes<128> data{};
   /// What later firmware appends; kept, and written back.
   BoundedBytes<127> tail{};
@@ -483,7 +483,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {size, {}};
 }
 
-/// Ask for the data of the user in the EEPROM.
+/// Request the user data in the EEPROM.
 ///
 /// CMD_READ_EXTERNAL_DATA (42), to the board; 0 bytes.
 /// Effect: reads.
@@ -514,7 +514,7 @@ struct ReadExternalDataRequest {
   return {0, {}};
 }
 
-/// Store data of the user in the EEPROM.
+/// Store user data in the EEPROM.
 ///
 /// CMD_WRITE_EXTERNAL_DATA (41), to the board; 128 bytes, and later firmware may append more.
 /// Effect: stores.

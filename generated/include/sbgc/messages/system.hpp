@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// Identity of the board, confirmations and errors, restarting.
+/// Board identity, confirmations, errors and restarts.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ using sbgc::put;
 
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
 
-/// Version and features of the board.
+/// Board version and features.
 ///
 /// CMD_BOARD_INFO (86), from the board; 18 bytes, and later firmware may append more.
 /// Source: Incoming commands L158-L166; Variables L1005-L1009.
@@ -36,15 +36,15 @@ struct BoardInfo {
   BoardVersion board_ver{};
   /// Firmware version.
   FirmwareVersion firmware_ver{};
-  /// Whether debugging output is wanted. 0: a host should hide its debug output.
+  /// Whether debug output is enabled. 0: a host should hide its debug output.
   std::uint8_t debug_mode{};
-  /// What the board can do.
+  /// Features of the board.
   BoardFeatures board_features{};
   /// How this host is connected. Errata: E032.
   ConnectionFlags connection_flags{};
-  /// Identifies special builds of the firmware.
+  /// Identifies special firmware builds.
   std::uint32_t frw_extra_id{};
-  /// Later firmware keeps more feature bits, IMU models and a base firmware version here. Errata:
+  /// Later firmware holds more feature bits, IMU models and a base firmware version here. Errata:
   /// E201.
   Bytes<7> reserved{};
   /// What later firmware appends; kept, and written back.
@@ -90,7 +90,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {size, {}};
 }
 
-/// Ask for the version of board and firmware.
+/// Request the board and firmware version.
 ///
 /// CMD_BOARD_INFO (86), to the board, simple form; 0 bytes.
 /// Effect: reads.
@@ -120,7 +120,7 @@ struct BoardInfoRequest {
   return {0, {}};
 }
 
-/// Ask for the version of board and firmware, with a byte that means nothing.
+/// Request the board and firmware version, with a byte that has no meaning.
 ///
 /// CMD_BOARD_INFO (86), to the board, one_byte form; 1 byte.
 /// Effect: reads.
@@ -162,7 +162,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {1, {}};
 }
 
-/// Ask for the version of board and firmware, and configure this serial port.
+/// Request the board and firmware version, and configure this serial port.
 ///
 /// CMD_BOARD_INFO (86), to the board, extended form; 2 to 255 bytes.
 /// Effect: sets.
@@ -175,8 +175,8 @@ struct BoardInfoRequestExt {
   static constexpr std::size_t max_size = 255;
   static constexpr Availability since{};
 
-  /// On a UART, the pause between the 20-byte packets of a Bluetooth LE link; without meaning on
-  /// USB. Unit: ms. Errata: E008.
+  /// On a UART, the pause between the 20-byte packets of a Bluetooth LE link; no meaning on USB.
+  /// Unit: ms. Errata: E008.
   Milliseconds cfg{};
   /// Of undefined size; send it empty. Errata: E009.
   BoundedBytes<253> reserved{};
@@ -211,7 +211,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return writer.end();
 }
 
-/// The board has carried out a command.
+/// The board executed a command.
 ///
 /// CMD_CONFIRM (67), from the board; 1 to 6 bytes.
 /// Source: Incoming commands L412-L419. Errata: E021, E081, E203.
@@ -223,13 +223,13 @@ struct Confirm {
   static constexpr std::size_t max_size = 6;
   static constexpr Availability since{};
 
-  /// The command that is confirmed.
+  /// The confirmed command.
   CommandId cmd{};
-  /// Address of the block that was written. Present when cmd is CMD_EEPROM_WRITE. Errata: E022.
+  /// Address of the written block. Present when cmd is CMD_EEPROM_WRITE. Errata: E022.
   Optional<std::uint32_t> addr{};
-  /// How the file operation ended. Present when cmd is CMD_WRITE_FILE or CMD_FS_CLEAR_ALL.
+  /// Result of the file operation. Present when cmd is CMD_WRITE_FILE or CMD_FS_CLEAR_ALL.
   Optional<FileError> err_code{};
-  /// Data of other commands; mostly empty. At most 5.
+  /// Data of other commands; usually empty. At most 5.
   BoundedBytes<254> data{};
 
   constexpr bool operator==(const Confirm&) const = default;
@@ -270,7 +270,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return writer.end();
 }
 
-/// An error, as the specification describes it.
+/// An error as the specification describes it.
 ///
 /// CMD_ERROR (255), from the board, simple form; 5 bytes.
 /// Since board 3.0.
@@ -283,7 +283,7 @@ struct Error {
   static constexpr std::size_t max_size = 5;
   static constexpr Availability since{0, 30};
 
-  /// What went wrong. Errata: E086.
+  /// Error code. Errata: E086.
   BoardErrorCode error_code{};
   /// Details that depend on the code.
   Bytes<4> error_data{};
@@ -316,7 +316,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {5, {}};
 }
 
-/// An error, as real boards send it: with the command that failed.
+/// An error as real boards send it, with the failed command.
 ///
 /// CMD_ERROR (255), from the board, extended form; 6 bytes, and later firmware may append more.
 /// Since board 3.0.
@@ -329,9 +329,9 @@ struct ErrorExt {
   static constexpr std::size_t max_size = 6;
   static constexpr Availability since{0, 30};
 
-  /// The command that failed. Errata: E086.
+  /// The failed command. Errata: E086.
   CommandId cmd_id{};
-  /// What went wrong. Errata: E086.
+  /// Error code. Errata: E086.
   BoardErrorCode error_code{};
   /// Details that depend on the code.
   Bytes<4> error_data{};
@@ -413,8 +413,8 @@ struct BoardInfo3 {
   Bytes<12> mcu_id{};
   /// Size of the EEPROM. Unit: byte. Errata: E014, E116.
   LongByteCount eeprom_size{};
-  /// Size of the user-written script in each slot. Unit: byte. empty_slot (0): the slot is empty.
-  /// Errata: E097, E116.
+  /// Size of the user script in each slot. Unit: byte. empty_slot (0): the slot is empty. Errata:
+  /// E097, E116.
   std::array<ByteCount, 5> script_slot_size{};
   /// Reserved; kept as it is.
   Bytes<34> reserved{};
@@ -484,7 +484,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return true;
 }
 
-/// Ask for serial numbers, memory and scripts of the board.
+/// Request serial numbers, memory and scripts of the board.
 ///
 /// CMD_BOARD_INFO_3 (20), to the board; 0 bytes.
 /// Effect: reads.
@@ -515,8 +515,8 @@ struct BoardInfo3Request {
   return {0, {}};
 }
 
-/// The board is about to restart. Time to close the serial port: the board restarts 1000 ms later,
-/// or after the DELAY_MS of the host that asked for the restart.
+/// The board is about to restart. Leaves time to close the serial port: the board restarts 1000 ms
+/// later, or after the DELAY_MS of the host that requested the restart.
 ///
 /// CMD_RESET (114), from the board; 0 bytes, and later firmware may append more.
 /// Source: Incoming commands L537-L539. Errata: E083, E119.
@@ -546,7 +546,7 @@ struct Reset {
   return {size, {}};
 }
 
-/// Restart at once and without notice.
+/// Restart immediately, without notification.
 ///
 /// CMD_RESET (114), to the board, simple form; 0 bytes.
 /// Effect: restarts.
@@ -576,7 +576,7 @@ struct ResetRequest {
   return {0, {}};
 }
 
-/// Restart after a while, with notice if that is asked for.
+/// Restart after a delay, with an optional notification.
 ///
 /// CMD_RESET (114), to the board, extended form; 3 bytes.
 /// Effect: restarts.
@@ -591,7 +591,7 @@ struct ResetRequestExt {
 
   /// Whether CMD_RESET is sent back first. Errata: E204.
   ResetOptions confirm{};
-  /// How long to wait before the restart. Unit: ms. Errata: E083.
+  /// Delay before the restart. Unit: ms. Errata: E083.
   Milliseconds delay_ms{};
 
   constexpr bool operator==(const ResetRequestExt&) const = default;
@@ -622,9 +622,9 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {3, {}};
 }
 
-/// Enter the bootloader at once and without notice. The bootloader takes new firmware and none of
-/// these commands, and the motors have no power. Nothing says that the board comes back by itself:
-/// send this only with new firmware at hand.
+/// Enter the bootloader immediately, without notification. The bootloader accepts new firmware and
+/// none of these commands, and the motors have no power. The board may not return on its own: send
+/// this only with new firmware at hand.
 ///
 /// CMD_BOOT_MODE_3 (51), to the board, simple form; 0 bytes.
 /// Effect: restarts.
@@ -655,9 +655,9 @@ struct BootMode3 {
   return {0, {}};
 }
 
-/// Enter the bootloader after a while, with notice if that is asked for. The bootloader takes new
-/// firmware and none of these commands, and the motors have no power. Nothing says that the board
-/// comes back by itself: send this only with new firmware at hand.
+/// Enter the bootloader after a delay, with an optional notification. The bootloader accepts new
+/// firmware and none of these commands, and the motors have no power. The board may not return on
+/// its own: send this only with new firmware at hand.
 ///
 /// CMD_BOOT_MODE_3 (51), to the board, extended form; 3 bytes.
 /// Effect: restarts.
@@ -673,7 +673,7 @@ struct BootMode3Ext {
 
   /// Whether CMD_RESET is sent back first. Errata: E082, E204.
   ResetOptions confirm{};
-  /// How long to wait before the bootloader starts. Unit: ms.
+  /// Delay before the bootloader starts. Unit: ms.
   Milliseconds delay_ms{};
 
   constexpr bool operator==(const BootMode3Ext&) const = default;
@@ -704,7 +704,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   return {3, {}};
 }
 
-/// Body from the board, not documented.
+/// Undocumented body from the board.
 ///
 /// CMD_QUEUE_PARAMS_INFO_3 (30), from the board; 0 to 255 bytes.
 /// Since board 3.0.
@@ -717,7 +717,7 @@ struct QueueParamsInfo3 {
   static constexpr std::size_t max_size = 255;
   static constexpr Availability since{0, 30};
 
-  /// Whatever it holds.
+  /// Undocumented content.
   BoundedBytes<255> data{};
 
   constexpr bool operator==(const QueueParamsInfo3&) const = default;
@@ -737,7 +737,7 @@ struct QueueParamsInfo3 {
   return writer.end();
 }
 
-/// Body to the board, not documented.
+/// Undocumented body to the board.
 ///
 /// CMD_QUEUE_PARAMS_INFO_3 (30), to the board; 0 to 255 bytes.
 /// Effect: unknown.
@@ -751,7 +751,7 @@ struct QueueParamsInfo3Request {
   static constexpr std::size_t max_size = 255;
   static constexpr Availability since{0, 30};
 
-  /// Whatever it holds.
+  /// Undocumented content.
   BoundedBytes<255> data{};
 
   constexpr bool operator==(const QueueParamsInfo3Request&) const = default;
@@ -771,7 +771,7 @@ struct QueueParamsInfo3Request {
   return writer.end();
 }
 
-/// Body from the board, not documented.
+/// Undocumented body from the board.
 ///
 /// CMD_SYSTEM_STATE (52), from the board; 0 to 255 bytes.
 /// Since board 3.0.
@@ -784,7 +784,7 @@ struct SystemState {
   static constexpr std::size_t max_size = 255;
   static constexpr Availability since{0, 30};
 
-  /// Whatever it holds.
+  /// Undocumented content.
   BoundedBytes<255> data{};
 
   constexpr bool operator==(const SystemState&) const = default;
@@ -804,7 +804,7 @@ struct SystemState {
   return writer.end();
 }
 
-/// Body to the board, not documented.
+/// Undocumented body to the board.
 ///
 /// CMD_SYSTEM_STATE (52), to the board; 0 to 255 bytes.
 /// Effect: unknown.
@@ -818,7 +818,7 @@ struct SystemStateRequest {
   static constexpr std::size_t max_size = 255;
   static constexpr Availability since{0, 30};
 
-  /// Whatever it holds.
+  /// Undocumented content.
   BoundedBytes<255> data{};
 
   constexpr bool operator==(const SystemStateRequest&) const = default;
@@ -838,7 +838,7 @@ struct SystemStateRequest {
   return writer.end();
 }
 
-/// Body from the board, not documented.
+/// Undocumented body from the board.
 ///
 /// CMD_MAVLINK_INFO (250), from the board; 0 to 255 bytes.
 /// Since board 3.0.
@@ -851,7 +851,7 @@ struct MavlinkInfo {
   static constexpr std::size_t max_size = 255;
   static constexpr Availability since{0, 30};
 
-  /// Whatever it holds.
+  /// Undocumented content.
   BoundedBytes<255> data{};
 
   constexpr bool operator==(const MavlinkInfo&) const = default;
@@ -871,7 +871,7 @@ struct MavlinkInfo {
   return writer.end();
 }
 
-/// Body to the board, not documented.
+/// Undocumented body to the board.
 ///
 /// CMD_MAVLINK_INFO (250), to the board; 0 to 255 bytes.
 /// Effect: unknown.
@@ -885,7 +885,7 @@ struct MavlinkInfoRequest {
   static constexpr std::size_t max_size = 255;
   static constexpr Availability since{0, 30};
 
-  /// Whatever it holds.
+  /// Undocumented content.
   BoundedBytes<255> data{};
 
   constexpr bool operator==(const MavlinkInfoRequest&) const = default;
@@ -905,7 +905,7 @@ struct MavlinkInfoRequest {
   return writer.end();
 }
 
-/// Body from the board, not documented.
+/// Undocumented body from the board.
 ///
 /// CMD_MAVLINK_DEBUG (251), from the board; 0 to 255 bytes.
 /// Since board 3.0.
@@ -918,7 +918,7 @@ struct MavlinkDebug {
   static constexpr std::size_t max_size = 255;
   static constexpr Availability since{0, 30};
 
-  /// Whatever it holds.
+  /// Undocumented content.
   BoundedBytes<255> data{};
 
   constexpr bool operator==(const MavlinkDebug&) const = default;
@@ -938,7 +938,7 @@ struct MavlinkDebug {
   return writer.end();
 }
 
-/// Body to the board, not documented.
+/// Undocumented body to the board.
 ///
 /// CMD_MAVLINK_DEBUG (251), to the board; 0 to 255 bytes.
 /// Effect: unknown.
@@ -952,7 +952,7 @@ struct MavlinkDebugRequest {
   static constexpr std::size_t max_size = 255;
   static constexpr Availability since{0, 30};
 
-  /// Whatever it holds.
+  /// Undocumented content.
   BoundedBytes<255> data{};
 
   constexpr bool operator==(const MavlinkDebugRequest&) const = default;

@@ -14,7 +14,7 @@ struct Meta<msg::SelectImu3> {
   static constexpr MessageInfo info{
       .name = "SelectImu3",
       .command = "CMD_SELECT_IMU_3",
-      .summary = "Choose the IMU that is configured and calibrated.",
+      .summary = "Select the IMU to configure and calibrate.",
       .id = 24,
       .direction = Direction::to_board,
       .min_size = 1,
@@ -24,7 +24,7 @@ struct Meta<msg::SelectImu3> {
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type",
        .spec_name = "IMU_TYPE",
-       .summary = "Which IMU."},
+       .summary = "The IMU."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -39,7 +39,7 @@ struct Meta<msg::SelectImu3Ext> {
   static constexpr MessageInfo info{
       .name = "SelectImu3Ext",
       .command = "CMD_SELECT_IMU_3",
-      .summary = "Choose an IMU, with parameters that later firmware takes.",
+      .summary = "Select an IMU, with parameters of later firmware.",
       .id = 24,
       .direction = Direction::to_board,
       .min_size = 2,
@@ -49,13 +49,13 @@ struct Meta<msg::SelectImu3Ext> {
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type",
        .spec_name = "IMU_TYPE",
-       .summary = "Which IMU."},
+       .summary = "The IMU."},
       {.name = "param",
        .spec_name = "PARAM",
-       .summary = "Its meaning is not documented."},
+       .summary = "Undocumented."},
       {.name = "params",
        .spec_name = "PARAMS",
-       .summary = "Further parameters; not documented.",
+       .summary = "Further undocumented parameters.",
        .max_count = 10},
   };
 
@@ -84,7 +84,7 @@ struct Meta<msg::AhrsHelper> {
   static constexpr FieldInfo fields[] = {
       {.name = "z1_vector",
        .spec_name = "Z1_VECTOR",
-       .summary = "Unit vector that points up (the Z axis in the normal position); later sources say down.",
+       .summary = "Unit vector that points up (the Z axis in the normal position); down according to later sources.",
        .range = &z1_vector_range},
       {.name = "h1_vector",
        .spec_name = "H1_VECTOR",
@@ -107,7 +107,7 @@ struct Meta<msg::AhrsHelperRequest> {
   static constexpr MessageInfo info{
       .name = "AhrsHelperRequest",
       .command = "CMD_AHRS_HELPER",
-      .summary = "Ask for the attitude of an IMU.",
+      .summary = "Query the attitude of an IMU.",
       .id = 56,
       .direction = Direction::to_board,
       .min_size = 1,
@@ -119,7 +119,7 @@ struct Meta<msg::AhrsHelperRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "mode",
        .spec_name = "MODE",
-       .summary = "Which IMU; without SET."},
+       .summary = "The IMU to query; without SET."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -135,7 +135,7 @@ struct Meta<msg::AhrsHelperRequestWide> {
   static constexpr MessageInfo info{
       .name = "AhrsHelperRequestWide",
       .command = "CMD_AHRS_HELPER",
-      .summary = "Ask for the attitude of an IMU, with a mode of two bytes.",
+      .summary = "Query the attitude of an IMU, with a two-byte mode.",
       .id = 56,
       .direction = Direction::to_board,
       .min_size = 2,
@@ -146,7 +146,7 @@ struct Meta<msg::AhrsHelperRequestWide> {
   static constexpr FieldInfo fields[] = {
       {.name = "mode",
        .spec_name = "MODE",
-       .summary = "Which IMU; without SET."},
+       .summary = "The IMU to query; without SET."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -162,7 +162,7 @@ struct Meta<msg::AhrsHelperRequestExt> {
   static constexpr MessageInfo info{
       .name = "AhrsHelperRequestExt",
       .command = "CMD_AHRS_HELPER",
-      .summary = "Ask for the attitude of an IMU or set it.",
+      .summary = "Query or set the attitude of an IMU.",
       .id = 56,
       .direction = Direction::to_board,
       .min_size = 25,
@@ -176,14 +176,14 @@ struct Meta<msg::AhrsHelperRequestExt> {
   static constexpr FieldInfo fields[] = {
       {.name = "mode",
        .spec_name = "MODE",
-       .summary = "What to do."},
+       .summary = "Operation."},
       {.name = "z1_vector",
        .spec_name = "Z1_VECTOR",
-       .summary = "Unit vector that points up (the Z axis in the normal position), or down by later sources; not used when asking.",
+       .summary = "Unit vector that points up (the Z axis in the normal position), or down according to later sources; unused in a query.",
        .range = &z1_vector_range},
       {.name = "h1_vector",
        .spec_name = "H1_VECTOR",
-       .summary = "Unit vector that points north (the Y axis in the normal position); not used when asking.",
+       .summary = "Unit vector that points north (the Y axis in the normal position); unused in a query.",
        .range = &h1_vector_range},
   };
 
@@ -202,7 +202,7 @@ struct Meta<msg::AhrsHelperRequestExtWide> {
   static constexpr MessageInfo info{
       .name = "AhrsHelperRequestExtWide",
       .command = "CMD_AHRS_HELPER",
-      .summary = "Ask for the attitude of an IMU or set it, with a mode of two bytes.",
+      .summary = "Query or set the attitude of an IMU, with a two-byte mode.",
       .id = 56,
       .direction = Direction::to_board,
       .min_size = 26,
@@ -215,14 +215,14 @@ struct Meta<msg::AhrsHelperRequestExtWide> {
   static constexpr FieldInfo fields[] = {
       {.name = "mode",
        .spec_name = "MODE",
-       .summary = "What to do."},
+       .summary = "Operation."},
       {.name = "z1_vector",
        .spec_name = "Z1_VECTOR",
-       .summary = "Unit vector that points up (the Z axis in the normal position), or down by later sources; not used when asking.",
+       .summary = "Unit vector that points up (the Z axis in the normal position), or down according to later sources; unused in a query.",
        .range = &z1_vector_range},
       {.name = "h1_vector",
        .spec_name = "H1_VECTOR",
-       .summary = "Unit vector that points north (the Y axis in the normal position); not used when asking.",
+       .summary = "Unit vector that points north (the Y axis in the normal position); unused in a query.",
        .range = &h1_vector_range},
   };
 
@@ -240,7 +240,7 @@ struct Meta<msg::GyroCorrection> {
   static constexpr MessageInfo info{
       .name = "GyroCorrection",
       .command = "CMD_GYRO_CORRECTION",
-      .summary = "Correct the zero of a gyroscope by hand; the camera drifts if the correction is wrong.",
+      .summary = "Correct the zero of a gyroscope manually; the camera drifts if the correction is wrong.",
       .id = 75,
       .direction = Direction::to_board,
       .min_size = 9,
@@ -250,13 +250,13 @@ struct Meta<msg::GyroCorrection> {
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type",
        .spec_name = "IMU_TYPE",
-       .summary = "Which IMU."},
+       .summary = "The IMU."},
       {.name = "gyro_zero_corr",
        .spec_name = "GYRO_ZERO_CORR",
-       .summary = "Offset of the zero of each axis."},
+       .summary = "Zero offset of each axis."},
       {.name = "gyro_zero_heading_corr",
        .spec_name = "GYRO_ZERO_HEADING_CORR",
-       .summary = "Offset of the rotation about the vertical, to correct the heading; the board spreads it over the axes."},
+       .summary = "Offset of the rotation about the vertical, to correct the heading; the board distributes it over the axes."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.

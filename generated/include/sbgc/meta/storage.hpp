@@ -24,11 +24,11 @@ struct Meta<msg::EepromWrite> {
   static constexpr FieldInfo fields[] = {
       {.name = "addr",
        .spec_name = "ADDR",
-       .summary = "Where to write.",
+       .summary = "Address to write to.",
        .align = 64},
       {.name = "data",
        .spec_name = "DATA",
-       .summary = "What to write.",
+       .summary = "Data to write.",
        .max_count = 192,
        .align = 64},
   };
@@ -58,10 +58,10 @@ struct Meta<msg::ReadFile> {
        .summary = "Size of the whole file."},
       {.name = "page_offset",
        .spec_name = "PAGE_OFFSET",
-       .summary = "Where in the file the data begin; as in the request."},
+       .summary = "Offset of the data in the file, as in the request."},
       {.name = "data",
        .spec_name = "DATA",
-       .summary = "As many bytes as were asked for, or less at the end of the file.",
+       .summary = "As many bytes as requested, or fewer at the end of the file.",
        .max_count = 251},
   };
 
@@ -88,7 +88,7 @@ struct Meta<msg::ReadFileError> {
   static constexpr FieldInfo fields[] = {
       {.name = "err_code",
        .spec_name = "ERR_CODE",
-       .summary = "What went wrong."},
+       .summary = "Error code."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -116,13 +116,13 @@ struct Meta<msg::ReadFileRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "file_id",
        .spec_name = "FILE_ID",
-       .summary = "Which file."},
+       .summary = "File id."},
       {.name = "page_offset",
        .spec_name = "PAGE_OFFSET",
-       .summary = "Where to begin."},
+       .summary = "Start of the block."},
       {.name = "max_data_size",
        .spec_name = "MAX_SIZE",
-       .summary = "How many bytes to read at most; they must fit into one message.",
+       .summary = "Maximum number of bytes to read; they must fit into one message.",
        .range = &max_data_size_range},
       {.name = "reserved",
        .spec_name = "RESERVED",
@@ -145,7 +145,7 @@ struct Meta<msg::WriteFile> {
   static constexpr MessageInfo info{
       .name = "WriteFile",
       .command = "CMD_WRITE_FILE",
-      .summary = "Write part of a file; without data the file is deleted.",
+      .summary = "Write part of a file; without data, delete it.",
       .id = 54,
       .direction = Direction::to_board,
       .min_size = 6,
@@ -155,16 +155,16 @@ struct Meta<msg::WriteFile> {
   static constexpr FieldInfo fields[] = {
       {.name = "file_id",
        .spec_name = "FILE_ID",
-       .summary = "Which file; it is made if there is none."},
+       .summary = "File id; a missing file is created."},
       {.name = "file_size",
        .spec_name = "FILE_SIZE",
-       .summary = "Size that the whole file shall have."},
+       .summary = "Size of the whole file."},
       {.name = "page_offset",
        .spec_name = "PAGE_OFFSET",
-       .summary = "Where to begin."},
+       .summary = "Start of the block."},
       {.name = "data",
        .spec_name = "DATA",
-       .summary = "What to write; empty deletes the file.",
+       .summary = "Data to write; empty deletes the file.",
        .max_count = 249},
   };
 
@@ -211,11 +211,11 @@ struct Meta<msg::EepromRead> {
   static constexpr FieldInfo fields[] = {
       {.name = "addr",
        .spec_name = "ADDR",
-       .summary = "Where the block lies.",
+       .summary = "Address of the block.",
        .align = 64},
       {.name = "data",
        .spec_name = "DATA",
-       .summary = "What it holds, as many bytes as were asked for.",
+       .summary = "Content of the block, as many bytes as requested.",
        .max_count = 192},
   };
 
@@ -245,11 +245,11 @@ struct Meta<msg::EepromReadRequest> {
   static constexpr FieldInfo fields[] = {
       {.name = "addr",
        .spec_name = "ADDR",
-       .summary = "Where to begin.",
+       .summary = "Start of the block.",
        .align = 64},
       {.name = "size",
        .spec_name = "SIZE",
-       .summary = "How much to read; it must fit into one message.",
+       .summary = "Number of bytes to read; they must fit into one message.",
        .range = &size_range,
        .align = 64},
   };
@@ -267,7 +267,7 @@ struct Meta<msg::ReadExternalData> {
   static constexpr MessageInfo info{
       .name = "ReadExternalData",
       .command = "CMD_READ_EXTERNAL_DATA",
-      .summary = "Data of the user in the EEPROM.",
+      .summary = "User data in the EEPROM.",
       .id = 42,
       .direction = Direction::from_board,
       .min_size = 128,
@@ -276,7 +276,7 @@ struct Meta<msg::ReadExternalData> {
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "data",
-       .summary = "Whatever the user stored."},
+       .summary = "The user data."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -293,7 +293,7 @@ struct Meta<msg::ReadExternalDataRequest> {
   static constexpr MessageInfo info{
       .name = "ReadExternalDataRequest",
       .command = "CMD_READ_EXTERNAL_DATA",
-      .summary = "Ask for the data of the user in the EEPROM.",
+      .summary = "Request the user data in the EEPROM.",
       .id = 42,
       .direction = Direction::to_board,
       .min_size = 0,
@@ -313,7 +313,7 @@ struct Meta<msg::WriteExternalData> : Meta<msg::ReadExternalData> {
   static constexpr MessageInfo info{
       .name = "WriteExternalData",
       .command = "CMD_WRITE_EXTERNAL_DATA",
-      .summary = "Store data of the user in the EEPROM.",
+      .summary = "Store user data in the EEPROM.",
       .id = 41,
       .direction = Direction::to_board,
       .min_size = 128,

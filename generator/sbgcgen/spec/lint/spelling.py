@@ -66,8 +66,8 @@ def _check_prefix(name: str, node: Map, found: Diagnostics) -> None:
     if not prefix:
         return
     if not any(value.startswith(prefix) for value in values):
-        message = f"no value of {name} begins with '{prefix}'"
-        found.add(node.at("prefix"), "SBGC054", message, "leave 'prefix' out, or mend it")
+        message = f"no value of {name} starts with '{prefix}'"
+        found.add(node.at("prefix"), "SBGC054", message, "leave 'prefix' out, or correct it")
         return
     for value in values:
         begin = value[: len(prefix)]

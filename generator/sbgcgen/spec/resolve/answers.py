@@ -156,7 +156,7 @@ class AnswerResolver:
                         found, confirmed = True, Echo(field, offset, field.size or 0)
             if not found:
                 text = f"what answers {request.name} does not have '{name}' in a fixed place"
-                hint = "a field of the same name and size, in front of what varies"
+                hint = "a field of the same name and size, before the fields of varying size"
                 self.found.add(at, "SBGC036", text, hint)
         if len(case.echoes) > MAX_ECHOES:
             text = f"{len(case.echoes)} fields of {request.name} are repeated"

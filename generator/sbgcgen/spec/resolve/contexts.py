@@ -1,4 +1,4 @@
-"""Resolves what a message can not be read without, and what announces it."""
+"""Resolves what a message cannot be read without, and what announces it."""
 
 from __future__ import annotations
 

@@ -60,9 +60,7 @@ class Entries:
         """The summary, which nothing may lack."""
         text = " ".join(str(node.get("summary") or "").split())
         if not text:
-            self.found.add(
-                at, "SBGC019", f"{what} has no summary", "say in one sentence what it is"
-            )
+            self.found.add(at, "SBGC019", f"{what} has no summary", "describe it in one sentence")
         return text
 
     def source(self, node: Map, at: Position, what: str) -> str:
@@ -77,6 +75,6 @@ class Entries:
         """`name`, after a check that it is one."""
         self.identifiers.append(Identifier(name, at))
         if not is_name(name):
-            message = f"'{name}' can not be a name"
+            message = f"'{name}' cannot be a name"
             self.found.add(at, "SBGC022", message, "give another one with 'as'")
         return name

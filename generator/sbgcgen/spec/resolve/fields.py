@@ -311,7 +311,7 @@ class FieldResolver:
         names = {f.spec_name: f for f in earlier}
         if name.index not in names:
             hint = did_you_mean(name.index, [*names, *self.indices])
-            hint = hint or "a list is counted by a field that stands in front of it"
+            hint = hint or "a list is counted by a field before it"
             message = f"'{name.index}' is neither an index nor an earlier field"
             self.found.add(at, "SBGC025", message, hint)
             return "fixed", 1, (), ""
@@ -333,7 +333,7 @@ class FieldResolver:
         for field, following in zip(fields, fields[1:]):
             if field.dim == "rest":
                 message = f"'{field.name}' of {owner} takes the rest of the body but is not last"
-                self.found.add(following.at, "SBGC027", message, "move it behind everything else")
+                self.found.add(following.at, "SBGC027", message, "move it to the end")
 
 
 def _inline_structs(spec: Spec) -> Iterator[tuple[str, Map]]:

@@ -27,7 +27,7 @@ def line_of(node: Any, types: TypeResolver, found: Diagnostics) -> Line:
             found.add(node.at("more_baud_rates"), "SBGC038", text, "leave it out")
     low, _, high = str(node["pause_ms"]).partition("..")
     if int(low) > int(high):
-        text = "the break behind each command is upside down"
+        text = "the pause after each command has its limits reversed"
         found.add(node.at("pause_ms"), "SBGC017", text, f"write {high}..{low}")
     return Line(
         baud_rates=(*named, *node.get("more_baud_rates", ())),

@@ -41,7 +41,7 @@ class ReferenceResolver:
             return None  # its type is reported where it is named
         if wanted not in found:
             hint = did_you_mean(wanted, found) or f"known here: {', '.join(found) or 'none'}"
-            self.found.add(when.at(key), "SBGC026", f"'{wanted}' is no earlier {key}", hint)
+            self.found.add(when.at(key), "SBGC026", f"'{wanted}' is not an earlier {key}", hint)
             return None
         source, type_, conditional = found[wanted]
         if not isinstance(type_, Enum):
@@ -101,6 +101,6 @@ class ReferenceResolver:
             if wanted and field.spec_name == wanted and field.type == self._ids:
                 return field.name
         if wanted:
-            message = f"'{wanted}' is no earlier field of type {VARIABLE_ID}"
+            message = f"'{wanted}' is not an earlier field of type {VARIABLE_ID}"
             self.found.add(node.at("variable"), "SBGC026", message)
         return ""

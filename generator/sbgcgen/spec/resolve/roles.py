@@ -44,9 +44,7 @@ class RoleResolver:
             return None
         kind = str(node["is"])
         if (kind == "stream_request") != (direction == "to_board"):
-            message = (
-                f"a message {'to' if direction == 'to_board' else 'from'} the board is no {kind}"
-            )
+            message = f"a message {'to' if direction == 'to_board' else 'from'} the board is not a valid {kind}"
             self.found.add(node.at("is"), "SBGC037", message, "move it to the other direction")
             return None
         self.nodes[node.position] = node
@@ -54,7 +52,7 @@ class RoleResolver:
         words = _WORDS.get(kind, ())
         for word in node:
             if word not in ("is", *needed, *possible, *words):
-                message = f"'{word}' says nothing about a role of kind {kind}"
+                message = f"'{word}' does not belong to a role of kind {kind}"
                 known = ", ".join((*needed, *possible, *words)) or "nothing else"
                 self.found.add(node.at(word), "SBGC037", message, f"it has: {known}")
         parts: dict[str, Field] = {}
@@ -77,9 +75,9 @@ class RoleResolver:
         field = by_name.get(wanted)
         if field is None:
             hint = did_you_mean(wanted, by_name) or f"known here: {', '.join(by_name) or 'none'}"
-            self.found.add(node.at(part), "SBGC037", f"'{wanted}' is no field here", hint)
+            self.found.add(node.at(part), "SBGC037", f"'{wanted}' is not a field here", hint)
             return None
-        problem = "" if field.offset is not None and field.when is None else "has no fixed place"
+        problem = "" if field.offset is not None and field.when is None else "has no fixed offset"
         if not problem and part == "config":
             is_bytes = isinstance(field.type, (Struct, Blob)) and field.dim == "one"
             if not is_bytes or field.size is None or field.size > MAX_CONFIG:
@@ -108,7 +106,7 @@ class RoleResolver:
             self.found.add(node.at("interval"), "SBGC037", message, hint)
             return None
         if "messages" not in node or ("cycle" in node) != ("cycle_us" in node):
-            hint = "messages: [NAME, …]; cycle and cycle_us stand together or not at all"
+            hint = "messages: [NAME, …]; cycle and cycle_us come together or not at all"
             self.found.add(node.position, "SBGC037", "a stream_request lacks something", hint)
             return None
         return replace(

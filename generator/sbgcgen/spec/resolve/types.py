@@ -68,7 +68,7 @@ class TypeResolver(Entries):
         offset = Fraction(str(node.get("offset", 0)))
         for key, number in (("scale", scale), ("offset", offset)):
             if max(abs(number.numerator), number.denominator) >= 1 << 63:
-                message = f"the {key} of {name} is no fraction of two 64-bit integers"
+                message = f"the {key} of {name} is not a fraction of two 64-bit integers"
                 self.found.add(node.at(key), "SBGC017", message, "give it with fewer digits")
         if scale <= 0:
             message = f"the scale of {name} is not positive"
@@ -139,7 +139,7 @@ class TypeResolver(Entries):
             hint = did_you_mean(base, entries) or "name one of the same section"
             self.found.add(node.at("extends"), "SBGC010", f"there is no '{base}' to extend", hint)
         elif base in (name, *on_the_way):
-            hint = "one of them must stand for itself"
+            hint = "one of them must not extend another"
             self.found.add(node.at("extends"), "SBGC029", f"{name} extends itself", hint)
         elif base:
             values = self._enum_values(base, entries, (name, *on_the_way))
@@ -238,11 +238,11 @@ class TypeResolver(Entries):
             used |= part.mask
         display = str(node.get("display", ""))
         if re.search(r"[{}]", re.sub(r"\{\w+(:[0-9]+)?\}", "", display)):
-            message = f"the display text of {name} is not written as it should be"
+            message = f"the display text of {name} has the wrong syntax"
             self.found.add(node.at("display"), "SBGC025", message, "write {part} or {part:02}")
         for word in re.findall(r"\{(\w+)", display):
             if word not in seen:
-                message = f"'{word}' in the display text is no part of {name}"
+                message = f"'{word}' in the display text is not a part of {name}"
                 hint = did_you_mean(word, seen) or f"parts: {', '.join(sorted(seen))}"
                 self.found.add(node.at("display"), "SBGC025", message, hint)
         names = self.enum_named(node["names"], node.at("names")) if "names" in node else None
@@ -284,7 +284,7 @@ class TypeResolver(Entries):
         for value in enum.values if enum else ():
             if value.value < 0 or (value.value << shift) & ~mask:
                 message = f"{value.name} = {value.value} does not fit into the bits of '{name}'"
-                hint = "use 'mask' for values that stand in place, 'bits' for shifted ones"
+                hint = "use 'mask' for values in place, 'bits' for shifted ones"
                 self.found.add(node.at("type"), "SBGC016", message, hint)
         return Part(
             name=name,

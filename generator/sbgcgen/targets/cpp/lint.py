@@ -36,10 +36,10 @@ def check_names(spec: Spec, layout: Layout, found: Diagnostics) -> None:
     """Report every name that the headers could not have; findings go into `found`."""
     for at, name, hint in _all_names(spec, layout):
         if not can_be_a_name(name):
-            found.add(at, "SBGC022", f"'{name}' can not be a name in C++", hint)
+            found.add(at, "SBGC022", f"'{name}' cannot be a name in C++", hint)
     for form, at in _forms(spec):
         if form == "only" or not can_be_a_name(form):
-            text = f"'{form}' can not be the name of a form"
+            text = f"'{form}' cannot be the name of a form"
             found.add(at, "SBGC022", text, "it becomes an enumerator in C++")
     types = _types(layout)
     for struct in (s for family in layout.families for s in family.structs):
@@ -59,7 +59,7 @@ def check_names(spec: Spec, layout: Layout, found: Diagnostics) -> None:
 
 
 def _all_names(spec: Spec, layout: Layout) -> Iterator[tuple[Position, str, str]]:
-    """Names with their places, and what to do if one of them can not stay."""
+    """Names with their places, and what to do if one of them cannot stay."""
     for words in spec.main.get("indices", {}).values():
         for word, at in zip(words, words.items_at):
             yield at, word.lower(), "call the element by another name"
@@ -95,7 +95,7 @@ def _check_members(
             found.add(field.at, "SBGC022", text, "give the field another name with 'as'")
         if field.name in types:
             text = f"'{field.name}' is the name of a type"
-            found.add(field.at, "SBGC022", text, "a member's name begins with a lower-case letter")
+            found.add(field.at, "SBGC022", text, "a member's name starts with a lower-case letter")
         for special in field.special:
             if special.name in words:
                 text = f"'{special.name}' is the name of another member"

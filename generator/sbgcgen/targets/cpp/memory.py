@@ -24,7 +24,7 @@ class Run:
 
 
 def _size_and_alignment(type_: Type) -> tuple[int, int] | None:
-    """Size and alignment in memory; None for what has no fixed place on the wire."""
+    """Size and alignment in memory; None for what has no fixed offset on the wire."""
     if isinstance(type_, Announced):
         return None
     if isinstance(type_, Blob):

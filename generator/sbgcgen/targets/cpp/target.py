@@ -17,7 +17,7 @@ from sbgcgen.targets.render import environment
 
 
 class Cpp(Target):
-    """The headers, C++ in worked examples, and names that C++ can not have."""
+    """The headers, C++ in worked examples, and names that C++ cannot have."""
 
     def view(self, layout: Layout, project: Path) -> View:
         return View(filters=FILTERS, tests=TESTS)
