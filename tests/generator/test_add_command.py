@@ -25,9 +25,9 @@ PROGRAM = """
 
 int main() {
 %s
-  static_assert(sbgc::SetLights::max_size == 5);
-  static_assert(!sbgc::is_supported<sbgc::SetLights>(sbgc::Availability{2690, 30}));
-  static_assert(sbgc::is_supported<sbgc::SetLights>(sbgc::Availability{2700, 30}));
+  static_assert(sbgc::msg::SetLights::max_size == 5);
+  static_assert(!sbgc::is_supported<sbgc::msg::SetLights>(sbgc::Availability{2690, 30}));
+  static_assert(sbgc::is_supported<sbgc::msg::SetLights>(sbgc::Availability{2700, 30}));
   if (!sbgc::is_valid(lights)) return 1;
   std::uint8_t frame[sbgc::max_frame_size];
   const sbgc::WriteResult written = sbgc::encode_frame(lights, frame);
