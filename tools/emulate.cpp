@@ -24,7 +24,7 @@
 #include "commands.hpp"
 #include "serving/arguments.hpp"
 #include "serving/service.hpp"
-#include "serving/told_lines.hpp"
+#include "serving/nonblocking_lines.hpp"
 
 namespace sbgc::tools {
 

@@ -21,7 +21,7 @@
 #include <sbgc/messages/realtime.hpp>
 #include <sbgc/parser.hpp>
 
-#include "service.hpp"
+#include "serving/service.hpp"
 
 namespace {
 

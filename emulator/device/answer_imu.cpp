@@ -1,6 +1,6 @@
 /// Requests that choose and correct IMUs.
-#include "handlers.hpp"
-#include "machine.hpp"
+#include "device/handlers.hpp"
+#include "device/device.hpp"
 
 namespace sbgc::board {
 namespace {

@@ -7,10 +7,10 @@
 #include <sbgc/exchanges/all.hpp>
 #include <sbgc/settings.hpp>
 
-#include "default_answer.hpp"
-#include "handlers.hpp"
-#include "machine.hpp"
-#include "settings_access.hpp"
+#include "device/default_response.hpp"
+#include "device/handlers.hpp"
+#include "device/device.hpp"
+#include "device/parameter_access.hpp"
 
 namespace sbgc::board {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <sbgc/messages.hpp>
 
-#include "turn.hpp"
+#include "device/request_context.hpp"
 
 namespace sbgc::board {
 

@@ -1,4 +1,4 @@
-#include "attitude.hpp"
+#include "physics/attitude.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
-#include "battery.hpp"
+#include "physics/battery.hpp"
 
 #include <algorithm>
 
-#include "physics_limits.hpp"
+#include "physics/limits.hpp"
 
 namespace sbgc::board {
 

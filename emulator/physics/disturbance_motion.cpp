@@ -1,11 +1,11 @@
-#include "disturbance_motion.hpp"
+#include "physics/disturbance_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "noise.hpp"
-#include "physics_limits.hpp"
+#include "physics/noise.hpp"
+#include "physics/limits.hpp"
 
 namespace sbgc::board {
 

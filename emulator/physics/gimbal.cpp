@@ -3,12 +3,12 @@
 
 #include <sbgc/emulator/gimbal.hpp>
 
-#include "attitude.hpp"
-#include "battery.hpp"
-#include "disturbance_motion.hpp"
-#include "gimbal_axis.hpp"
-#include "physics_limits.hpp"
-#include "sensors.hpp"
+#include "physics/attitude.hpp"
+#include "physics/battery.hpp"
+#include "physics/disturbance_motion.hpp"
+#include "physics/axis_state.hpp"
+#include "physics/limits.hpp"
+#include "physics/sensors.hpp"
 
 namespace sbgc::board {
 

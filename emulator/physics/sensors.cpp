@@ -1,9 +1,9 @@
-#include "sensors.hpp"
+#include "physics/sensors.hpp"
 
 #include <cmath>
 
-#include "noise.hpp"
-#include "physics_limits.hpp"
+#include "physics/noise.hpp"
+#include "physics/limits.hpp"
 
 namespace sbgc::board {
 

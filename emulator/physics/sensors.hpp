@@ -5,7 +5,7 @@
 
 #include <sbgc/emulator/gimbal.hpp>
 
-#include "attitude.hpp"
+#include "physics/attitude.hpp"
 
 namespace sbgc::board {
 

@@ -1,4 +1,4 @@
-#include "arguments.hpp"
+#include "serving/arguments.hpp"
 
 #include <array>
 #include <charconv>
@@ -12,8 +12,8 @@
 
 #include <sbgc/protocol.hpp>
 
-#include "listen.hpp"
-#include "motion_file.hpp"
+#include "serving/listen.hpp"
+#include "serving/motion_file.hpp"
 
 namespace sbgc::emulate {
 

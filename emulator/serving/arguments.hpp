@@ -8,7 +8,7 @@
 #include <sbgc/emulator/line.hpp>
 #include <sbgc/enums.hpp>
 
-#include "endpoint.hpp"
+#include "serving/endpoint.hpp"
 
 namespace sbgc::emulate {
 

@@ -9,7 +9,7 @@
 
 #include <asio/any_io_executor.hpp>
 
-#include "live_board.hpp"
+#include "serving/live_board.hpp"
 
 namespace sbgc::emulate {
 

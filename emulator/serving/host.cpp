@@ -1,4 +1,4 @@
-#include "host.hpp"
+#include "serving/host.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -13,7 +13,7 @@
 #include <sbgc/io/clock.hpp>
 #include <sbgc/io/transport.hpp>
 
-#include "live_board.hpp"
+#include "serving/live_board.hpp"
 
 namespace sbgc::emulate {
 

@@ -8,7 +8,7 @@
 #include <asio/ip/udp.hpp>
 #include <fmt/format.h>
 
-#include "endpoint.hpp"
+#include "serving/endpoint.hpp"
 
 namespace sbgc::emulate {
 

@@ -1,4 +1,4 @@
-#include "live_board.hpp"
+#include "serving/live_board.hpp"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "memory_file.hpp"
+#include "serving/memory_file.hpp"
 
 #include <algorithm>
 #include <array>

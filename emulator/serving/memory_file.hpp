@@ -6,7 +6,7 @@
 
 #include <sbgc/client/result.hpp>
 #include <sbgc/emulator/memory.hpp>
-#include <sbgc/emulator/options.hpp>
+#include <sbgc/emulator/board_options.hpp>
 
 namespace sbgc::tools {
 

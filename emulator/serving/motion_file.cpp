@@ -1,4 +1,4 @@
-#include "motion_file.hpp"
+#include "serving/motion_file.hpp"
 
 #include <array>
 #include <charconv>

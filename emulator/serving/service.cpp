@@ -1,4 +1,4 @@
-#include "service.hpp"
+#include "serving/service.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "arguments.hpp"
-#include "state_file.hpp"
-#include "traffic.hpp"
+#include "serving/arguments.hpp"
+#include "serving/state_file.hpp"
+#include "serving/frame_log.hpp"
 
 namespace sbgc::emulate {
 

@@ -9,9 +9,9 @@
 #include <asio/io_context.hpp>
 #include <asio/thread_pool.hpp>
 
-#include "endpoint.hpp"
-#include "live_board.hpp"
-#include "state_keeper.hpp"
+#include "serving/endpoint.hpp"
+#include "serving/live_board.hpp"
+#include "serving/state_keeper.hpp"
 
 namespace sbgc::emulate {
 

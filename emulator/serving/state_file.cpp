@@ -1,4 +1,4 @@
-#include "state_file.hpp"
+#include "serving/state_file.hpp"
 
 #include <cerrno>
 #include <stdexcept>

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "memory_file.hpp"
+#include "serving/memory_file.hpp"
 
 namespace sbgc::emulate {
 

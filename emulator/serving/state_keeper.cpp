@@ -1,4 +1,4 @@
-#include "state_keeper.hpp"
+#include "serving/state_keeper.hpp"
 
 #include <stdexcept>
 #include <utility>

@@ -9,9 +9,9 @@
 #include <asio/any_io_executor.hpp>
 #include <asio/thread_pool.hpp>
 
-#include "endpoint.hpp"
-#include "live_board.hpp"
-#include "memory_file.hpp"
+#include "serving/endpoint.hpp"
+#include "serving/live_board.hpp"
+#include "serving/memory_file.hpp"
 
 namespace sbgc::emulate {
 

@@ -12,8 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "endpoint.hpp"
-#include "host.hpp"
+#include "serving/endpoint.hpp"
+#include "serving/host.hpp"
 
 namespace sbgc::emulate {
 

@@ -10,9 +10,9 @@
 #include <netinet/tcp.h>
 #include <sys/socket.h>
 
-#include "host.hpp"
-#include "listen.hpp"
-#include "stream_transport.hpp"
+#include "serving/host.hpp"
+#include "serving/listen.hpp"
+#include <sbgc/io/detail/stream_transport.hpp>
 
 namespace sbgc::emulate {
 

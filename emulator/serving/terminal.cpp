@@ -10,9 +10,9 @@
 
 #include <sbgc/io/pseudo_terminal.hpp>
 
-#include "endpoint.hpp"
-#include "host.hpp"
-#include "terminal_link.hpp"
+#include "serving/endpoint.hpp"
+#include "serving/host.hpp"
+#include "serving/terminal_link.hpp"
 
 namespace sbgc::emulate {
 

@@ -1,4 +1,4 @@
-#include "terminal_link.hpp"
+#include "serving/terminal_link.hpp"
 
 #include <cerrno>
 #include <filesystem>

@@ -9,8 +9,8 @@
 #include <asio/buffer.hpp>
 #include <asio/steady_timer.hpp>
 
-#include "datagram_hosts.hpp"
-#include "listen.hpp"
+#include "serving/datagram_hosts.hpp"
+#include "serving/listen.hpp"
 
 namespace sbgc::emulate {
 

@@ -17,8 +17,8 @@
 #include <sbgc/meta/variables.hpp>
 #include <sbgc/wire.hpp>
 
-#include "device/files.hpp"
-#include "device/settings.hpp"
+#include "device/parts/file_system.hpp"
+#include "device/parts/parameters.hpp"
 
 namespace {
 

@@ -10,8 +10,8 @@
 #include <span>
 #include <string>
 
-#include "device/files.hpp"
-#include "device/settings.hpp"
+#include "device/parts/file_system.hpp"
+#include "device/parts/parameters.hpp"
 #include "serving/memory_file.hpp"
 
 namespace {

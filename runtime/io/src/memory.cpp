@@ -11,7 +11,7 @@
 #include <asio/prefer.hpp>
 
 #include <sbgc/io/memory.hpp>
-#include <sbgc/session/uart.hpp>
+#include <sbgc/emulator/uart.hpp>
 
 namespace sbgc::io {
 

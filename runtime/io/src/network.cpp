@@ -15,7 +15,7 @@
 
 #include <sbgc/io/network.hpp>
 
-#include "stream_transport.hpp"
+#include <sbgc/io/detail/stream_transport.hpp>
 
 namespace sbgc::io {
 

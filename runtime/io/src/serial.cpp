@@ -19,7 +19,7 @@
 #include <sbgc/io/serial.hpp>
 
 #include "descriptor.hpp"
-#include "stream_transport.hpp"
+#include <sbgc/io/detail/stream_transport.hpp>
 #include "termios.hpp"
 
 namespace sbgc::io {

@@ -9,7 +9,7 @@
 #include <span>
 
 #include <sbgc/emulator/memory.hpp>
-#include <sbgc/emulator/options.hpp>
+#include <sbgc/emulator/board_options.hpp>
 #include <sbgc/frame.hpp>
 #include <sbgc/time.hpp>
 

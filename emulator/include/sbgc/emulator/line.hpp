@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <sbgc/line.hpp>
-#include <sbgc/session/uart.hpp>
+#include <sbgc/emulator/uart.hpp>
 #include <sbgc/time.hpp>
 
 namespace sbgc::board {
