@@ -5,56 +5,56 @@
 #include <sbgc/meta/adjustable_variables.hpp>
 #include <sbgc/validate.hpp>
 
-#include "device/handlers.hpp"
 #include "device/device.hpp"
+#include "device/handlers.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 namespace {
 
-Outcome report(Turn& turn, std::uint8_t trigger, std::uint8_t analog) {
+Outcome report(RequestContext& context, std::uint8_t trigger, std::uint8_t analog) {
   if (trigger >= Slots::triggers || analog >= Slots::analogs) {
-    return turn.refuse(msg::BoardErrorCode::wrong_params);
+    return context.refuse(msg::BoardErrorCode::wrong_params);
   }
-  return turn.answer(turn.machine.slots.state(turn.machine, trigger, analog));
+  return context.answer(context.device.slots.state(context.device, trigger, analog));
 }
 
 }  // namespace
 
-Outcome handle(Turn& turn, const msg::GetAdjVarsVal& request) {
-  if (!is_valid(request)) return turn.refuse(msg::BoardErrorCode::wrong_params);
+Outcome handle(RequestContext& context, const msg::GetAdjVarsVal& request) {
+  if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   msg::SetAdjVarsVal answer;
   for (const msg::VariableId id : request.param_id) {
-    const auto value = turn.machine.settings.variable(id);
+    const auto value = context.device.parameters.variable(id);
     if (!value)
-      return turn.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint8_t>(id));
+      return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint8_t>(id));
     answer.params.push_back({id, *value});
   }
-  return turn.answer(answer);
+  return context.answer(answer);
 }
 
 /// All of them or none.
-Outcome handle(Turn& turn, const msg::SetAdjVarsVal& request) {
-  Machine& machine = turn.machine;
-  if (!is_valid(request)) return turn.refuse(msg::BoardErrorCode::wrong_params);
+Outcome handle(RequestContext& context, const msg::SetAdjVarsVal& request) {
+  Device& device = context.device;
+  if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
   const auto refused =
-      machine.settings.set_variables(std::span(request.params.data(), request.params.size()));
+      device.parameters.set_variables(std::span(request.params.data(), request.params.size()));
   if (refused)
-    return turn.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint8_t>(*refused));
-  machine.apply_settings(turn.now);
-  return turn.confirm();
+    return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint8_t>(*refused));
+  device.apply_parameters(context.now);
+  return context.confirm();
 }
 
-Outcome handle(Turn& turn, const msg::SaveParams3&) {
-  turn.machine.settings.save();
-  return turn.confirm();
+Outcome handle(RequestContext& context, const msg::SaveParams3&) {
+  context.device.parameters.save();
+  return context.confirm();
 }
 
-Outcome handle(Turn& turn, const msg::AdjVarsStateRequest& request) {
-  return report(turn, request.trigger_slot, request.analog_slot);
+Outcome handle(RequestContext& context, const msg::AdjVarsStateRequest& request) {
+  return report(context, request.trigger_slot, request.analog_slot);
 }
 /// Ours, because these parameters are not documented: the first two are those of the simple form.
-Outcome handle(Turn& turn, const msg::AdjVarsStateRequestExt& request) {
-  return report(turn, request.params[0], request.params[1]);
+Outcome handle(RequestContext& context, const msg::AdjVarsStateRequestExt& request) {
+  return report(context, request.params[0], request.params[1]);
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

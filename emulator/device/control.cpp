@@ -7,11 +7,11 @@
 
 #include <sbgc/meta/enums.hpp>
 
-#include "device/known_values.hpp"
-#include "device/handlers.hpp"
 #include "device/device.hpp"
+#include "device/handlers.hpp"
+#include "device/known_values.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 namespace {
 
 std::optional<AxisMode> mode_of(msg::ControlModeKind kind) {
@@ -47,35 +47,35 @@ std::optional<AxisCommand> command_of(const Availability& versions, msg::Control
   return command;
 }
 
-Outcome control(Turn& turn, const Axes<msg::ControlMode>& modes,
+Outcome control(RequestContext& context, const Axes<msg::ControlMode>& modes,
                 const Axes<msg::ControlAxis>& targets) {
   Axes<AxisCommand> commands;
   for (std::size_t axis = 0; axis < commands.size(); ++axis) {
-    const auto command = command_of(turn.versions(), modes[axis], targets[axis]);
-    if (!command) return turn.refuse(msg::BoardErrorCode::wrong_params, modes[axis].raw());
+    const auto command = command_of(context.versions(), modes[axis], targets[axis]);
+    if (!command) return context.refuse(msg::BoardErrorCode::wrong_params, modes[axis].raw());
     commands[axis] = *command;
     if (command->mode == AxisMode::signal) {
-      commands[axis].signal =
-          Remote::bent(turn.machine.settings.of<msg::ReadParams3>(), axis, command->signal);
+      commands[axis].signal = RemoteControl::bent(context.device.parameters.of<msg::ReadParams3>(),
+                                                  axis, command->signal);
     }
   }
   for (std::size_t axis = 0; axis < commands.size(); ++axis) {
-    turn.machine.gimbal.command(axis, commands[axis], turn.now);
+    context.device.gimbal.command(axis, commands[axis], context.now);
   }
-  return turn.confirm();
+  return context.confirm();
 }
 
-Outcome turn_motors(Turn& turn, bool on) {
-  turn.machine.set_motors(on, turn.now);
+Outcome turn_motors(RequestContext& context, bool on) {
+  context.device.set_motors(on, context.now);
   // An empty battery keeps them off.
-  if (on && turn.machine.gimbal.stopped_by_battery())
-    return turn.refuse(msg::BoardErrorCode::wrong_state);
-  return turn.confirm();
+  if (on && context.device.gimbal.stopped_by_battery())
+    return context.refuse(msg::BoardErrorCode::wrong_state);
+  return context.confirm();
 }
 
-Outcome execute(Turn& turn, msg::MenuCommand action) {
-  if (turn.machine.execute(action, turn.now)) return turn.confirm();
-  return turn.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint32_t>(action));
+Outcome execute(RequestContext& context, msg::MenuCommand action) {
+  if (context.device.execute(action, context.now)) return context.confirm();
+  return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint32_t>(action));
 }
 
 /// Zeros are not used, so that a message of zeros is no help. Nothing else of what it tells matters
@@ -92,51 +92,60 @@ bool is_help(const Data& data) {
 
 /// Ours: an unknown COORD_SYS counts as the usual one.
 template <class Data>
-Outcome help(Turn& turn, const Data& data) {
-  if (is_help(data)) turn.machine.gimbal.help(turn.now);
-  return turn.confirm();
+Outcome help(RequestContext& context, const Data& data) {
+  if (is_help(data)) context.device.gimbal.help(context.now);
+  return context.confirm();
 }
 
 }  // namespace
 
-Outcome handle(Turn& turn, const msg::Control& request) {
+Outcome handle(RequestContext& context, const msg::Control& request) {
   const msg::ControlMode mode = request.control_mode;
-  return control(turn, {mode, mode, mode}, request.axes);
+  return control(context, {mode, mode, mode}, request.axes);
 }
 
-Outcome handle(Turn& turn, const msg::ControlExt& request) {
-  return control(turn, request.control_mode, request.axes);
+Outcome handle(RequestContext& context, const msg::ControlExt& request) {
+  return control(context, request.control_mode, request.axes);
 }
 
-Outcome handle(Turn& turn, const msg::MotorsOn& /*request*/) { return turn_motors(turn, true); }
+Outcome handle(RequestContext& context, const msg::MotorsOn& /*request*/) {
+  return turn_motors(context, true);
+}
 
-Outcome handle(Turn& turn, const msg::MotorsOff& /*request*/) { return turn_motors(turn, false); }
+Outcome handle(RequestContext& context, const msg::MotorsOff& /*request*/) {
+  return turn_motors(context, false);
+}
 
 // Ours: braking and a safe stop end as turning them off does, with motors without current.
-Outcome handle(Turn& turn, const msg::MotorsOffExt& request) {
+Outcome handle(RequestContext& context, const msg::MotorsOffExt& request) {
   switch (request.mode) {
     case msg::MotorsOffMode::normal:
     case msg::MotorsOffMode::brake:
-    case msg::MotorsOffMode::safe_stop: return turn_motors(turn, false);
+    case msg::MotorsOffMode::safe_stop: return turn_motors(context, false);
   }
-  return turn.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint32_t>(request.mode));
+  return context.refuse(msg::BoardErrorCode::wrong_params,
+                        static_cast<std::uint32_t>(request.mode));
 }
 
-Outcome handle(Turn& turn, const msg::ExecuteMenu& request) {
-  return execute(turn, request.cmd_id);
+Outcome handle(RequestContext& context, const msg::ExecuteMenu& request) {
+  return execute(context, request.cmd_id);
 }
 
-Outcome handle(Turn& turn, const msg::ExecuteMenuExt& request) {
-  return execute(turn, request.cmd_id);
+Outcome handle(RequestContext& context, const msg::ExecuteMenuExt& request) {
+  return execute(context, request.cmd_id);
 }
 
-Outcome handle(Turn& turn, const msg::HelperData& request) { return help(turn, request); }
-
-Outcome handle(Turn& turn, const msg::HelperDataExt& request) { return help(turn, request); }
-
-Outcome handle(Turn& turn, const msg::ApiVirtChControl& request) {
-  turn.machine.remote.set_channels(turn.machine, request, turn.now);
-  return turn.confirm();
+Outcome handle(RequestContext& context, const msg::HelperData& request) {
+  return help(context, request);
 }
 
-}  // namespace sbgc::board
+Outcome handle(RequestContext& context, const msg::HelperDataExt& request) {
+  return help(context, request);
+}
+
+Outcome handle(RequestContext& context, const msg::ApiVirtChControl& request) {
+  context.device.remote.set_channels(context.device, request, context.now);
+  return context.confirm();
+}
+
+}  // namespace sbgc::emulator

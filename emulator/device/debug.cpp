@@ -1,15 +1,15 @@
 /// Requests about debug variables.
-#include "device/handlers.hpp"
 #include "device/device.hpp"
+#include "device/handlers.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
-Outcome handle(Turn& turn, const msg::DebugVarsInfo3Request&) {
-  return turn.answer(DebugVariables::info());
+Outcome handle(RequestContext& context, const msg::DebugVarsInfo3Request&) {
+  return context.answer(DebugVariables::info());
 }
 
-Outcome handle(Turn& turn, const msg::DebugVars3Request&) {
-  return turn.answer(DebugVariables::values(turn.machine, turn.now));
+Outcome handle(RequestContext& context, const msg::DebugVars3Request&) {
+  return context.answer(DebugVariables::values(context.device, context.now));
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -13,7 +13,7 @@
 
 #include "device/request_context.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 namespace detail {
 
@@ -45,7 +45,7 @@ inline constexpr bool is_documented = Request::min_size != 0 || Request::max_siz
 /// Sends the empty answer that belongs to the request, with what it repeats of it; or confirms the
 /// request where that is possible; or says nothing.
 template <class Request>
-Outcome default_answer(Turn& turn, const Request& request) {
+Outcome default_answer(RequestContext& context, const Request& request) {
   if constexpr (!is_documented<Request>) {
     // Ours: a board that knows more than the specification would do something; this one does not.
     return Outcome::carried_out;
@@ -55,12 +55,12 @@ Outcome default_answer(Turn& turn, const Request& request) {
     if constexpr (requires { detail::FirstOf<AnswerOf<Request>>::type::command; }) {
       using Answer = typename detail::FirstOf<AnswerOf<Request>>::type;
       if (exchange.replies.answer_count != 0) {
-        if (!is_supported<Answer>(turn.versions())) return Outcome::carried_out;
+        if (!is_supported<Answer>(context.versions())) return Outcome::carried_out;
         const AnswerForm& form = exchange.replies.answers[0];
         const WriteResult written = encode(Answer{}, body);
         std::size_t size = std::max<std::size_t>(written.size, form.min_size);
         for (const Echo& echo : form.echoes) size = std::max(size, detail::put_echo(echo, body));
-        turn.answer_body(form.id, std::span(body).first(size));
+        context.answer_body(form.id, std::span(body).first(size));
       }
     }
     if (exchange.replies.confirmed != Confirmed::never) {
@@ -69,10 +69,11 @@ Outcome default_answer(Turn& turn, const Request& request) {
       size = std::max(size, detail::put_echo({result.offset, result.size, result.success}, body));
       // Offsets count from the command that is confirmed.
       const auto data = size > 1 ? std::span(body).subspan(1, size - 1) : std::span(body).first(0);
-      for (unsigned i = 0; i < exchange.confirmations; ++i) static_cast<void>(turn.confirm(data));
+      for (unsigned i = 0; i < exchange.confirmations; ++i)
+        static_cast<void>(context.confirm(data));
     }
     return Outcome::carried_out;
   }
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

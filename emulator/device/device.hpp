@@ -15,33 +15,33 @@
 #include "device/parts/file_system.hpp"
 #include "device/parts/i2c_bus.hpp"
 #include "device/parts/outputs.hpp"
+#include "device/parts/parameters.hpp"
 #include "device/parts/ports.hpp"
 #include "device/parts/remote_control.hpp"
 #include "device/parts/restarts.hpp"
 #include "device/parts/scripts.hpp"
-#include "device/parts/parameters.hpp"
 #include "device/parts/slots.hpp"
 #include "device/parts/streams.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// What goes on by itself in a part P of the board:
 ///     Instant next() const;                        // Instant::never if nothing does
-///     void advance(Machine& machine, Instant now); // does what is due at `now`
-///     void restart(Machine& machine, Instant now); // the board has restarted
+///     void advance(Device& device, Instant now); // does what is due at `now`
+///     void restart(Device& device, Instant now); // the board has restarted
 /// Parts keep ports by number; Ports::send() to one that has closed does nothing.
-struct Machine {
-  Machine(Options of, Memory kept, Instant now);
+struct Device {
+  Device(BoardOptions of, Memory kept, Instant now);
 
-  Options options;
+  BoardOptions options;
   Memory memory;
   Eeprom eeprom;
-  Settings settings;
+  Parameters parameters;
   FileSystem files;
   Gimbal gimbal;
   Ports ports;                ///< of hosts: buffers, sending
   Streams streams;            ///< CMD_DATA_STREAM_INTERVAL
-  Remote remote;              ///< RC inputs and virtual channels, and what they control
+  RemoteControl remote;       ///< RC inputs and virtual channels, and what they control
   Slots slots;                ///< RC signals that start actions and change variables
   Calibrations calibrations;  ///< those that take time
   AutoTuning auto_tuning;     ///< CMD_AUTO_PID
@@ -54,9 +54,9 @@ struct Machine {
   bool execute(msg::MenuCommand action, Instant now);
   /// Switches to another profile. Precondition: there is one.
   void select_profile(std::uint8_t profile, Instant now);
-  /// Hands the settings in use to gimbal and inputs; after each change of them.
-  void apply_settings(Instant now);
-  /// Those in the main EEPROM, which has been erased. Settings are to be applied then.
+  /// Hands the parameters in use to gimbal and inputs; after each change of them.
+  void apply_parameters(Instant now);
+  /// Those in the main EEPROM, which has been erased. Parameters are to be applied then.
   void forget_calibrations();
   /// Hands the corrections of the gyroscopes to the gimbal; after each change of them.
   void correct_gyros(Instant now);
@@ -66,7 +66,7 @@ struct Machine {
 
   /// What the board is.
   Availability versions() const;
-  /// Whether there is an IMU on the frame, and the settings use it.
+  /// Whether there is an IMU on the frame, and the parameters use it.
   bool has_frame_imu() const;
   /// Of the controller.
   static Duration cycle();
@@ -80,7 +80,7 @@ struct Machine {
   double battery_factor() const;
   /// Volts, as the calibrated sensor shows them; 0 without it.
   double measured_battery(const Sample& sample) const;
-  /// The gyroscopes find their zero when the board starts, if the settings want that.
+  /// The gyroscopes find their zero when the board starts, if the parameters want that.
   void calibrate_at_start(Instant now);
 
   std::uint32_t baud_rate{};  ///< that SERIAL_SPEED has set at the last start
@@ -95,16 +95,16 @@ struct Machine {
 
 /// Calls `use(part)` for each part that does something by itself, in a fixed order.
 template <class Use>
-void for_each_part(Machine& machine, Use&& use) {
-  use(machine.remote);
-  use(machine.slots);
-  use(machine.calibrations);
-  use(machine.auto_tuning);
-  use(machine.scripts);
-  use(machine.outputs);
-  use(machine.i2c);
-  use(machine.debug_variables);
-  use(machine.streams);
+void for_each_part(Device& device, Use&& use) {
+  use(device.remote);
+  use(device.slots);
+  use(device.calibrations);
+  use(device.auto_tuning);
+  use(device.scripts);
+  use(device.outputs);
+  use(device.i2c);
+  use(device.debug_variables);
+  use(device.streams);
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

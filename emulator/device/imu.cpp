@@ -5,12 +5,12 @@
 
 #include <sbgc/meta/enums.hpp>
 
+#include "device/device.hpp"
 #include "device/handlers.hpp"
 #include "device/parts/live_data.hpp"
-#include "device/device.hpp"
 #include "physics/attitude.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 namespace {
 
 /// Nothing if its length is not near 1.
@@ -24,23 +24,23 @@ std::optional<Vector> direction(const Xyz<float>& from) {
 }
 
 template <class Mode>
-Outcome tell(Turn& turn, Mode mode) {
+Outcome tell(RequestContext& context, Mode mode) {
   const bool of_frame = mode.has(Mode::flag_type::frame_imu);
-  if (of_frame && !knows_frame(turn.machine, turn.now))
-    return turn.refuse(msg::BoardErrorCode::not_supported);
+  if (of_frame && !knows_frame(context.device, context.now))
+    return context.refuse(msg::BoardErrorCode::not_supported);
   msg::AhrsHelper answer;
-  measure(turn.machine, of_frame, turn.now, answer);
-  return turn.answer(answer);
+  measure(context.device, of_frame, context.now, answer);
+  return context.answer(answer);
 }
 
 /// Without vectors there is nothing to set.
 template <class Request>
-Outcome tell_only(Turn& turn, const Request& request) {
+Outcome tell_only(RequestContext& context, const Request& request) {
   using Bit = typename decltype(request.mode)::flag_type;
   if (request.mode.has(Bit::set)) {
-    return turn.refuse(msg::BoardErrorCode::wrong_params, request.mode.raw());
+    return context.refuse(msg::BoardErrorCode::wrong_params, request.mode.raw());
   }
-  return tell(turn, request.mode);
+  return tell(context, request.mode);
 }
 
 /// The bits of a mode that the simulation understands: those of the earlier form.
@@ -53,45 +53,45 @@ constexpr unsigned known_bits = [] {
 }();
 
 template <class Request>
-Outcome tell_or_set(Turn& turn, const Request& request) {
+Outcome tell_or_set(RequestContext& context, const Request& request) {
   const auto mode = request.mode;
   using Bit = typename decltype(request.mode)::flag_type;
-  if (!mode.has(Bit::set)) return tell(turn, mode);
+  if (!mode.has(Bit::set)) return tell(context, mode);
   if ((mode.raw() & ~known_bits) != 0) {
-    return turn.refuse(msg::BoardErrorCode::not_supported, mode.raw());
+    return context.refuse(msg::BoardErrorCode::not_supported, mode.raw());
   }
   if (mode.has(Bit::z1_only) && mode.has(Bit::h1_only)) {
-    return turn.refuse(msg::BoardErrorCode::wrong_params, mode.raw());
+    return context.refuse(msg::BoardErrorCode::wrong_params, mode.raw());
   }
   Gimbal::Attitude attitude;
   attitude.of_frame = mode.has(Bit::frame_imu);
   attitude.reference_only = mode.has(Bit::reference_only);
-  attitude.translates = mode.has(Bit::translate) && knows_joints(turn.machine);
+  attitude.translates = mode.has(Bit::translate) && knows_joints(context.device);
   if (!mode.has(Bit::h1_only)) {
     attitude.up = direction(request.z1_vector);
-    if (!attitude.up) return turn.refuse(msg::BoardErrorCode::wrong_params, mode.raw());
+    if (!attitude.up) return context.refuse(msg::BoardErrorCode::wrong_params, mode.raw());
   }
   if (!mode.has(Bit::z1_only)) {
     attitude.north = direction(request.h1_vector);
-    if (!attitude.north) return turn.refuse(msg::BoardErrorCode::wrong_params, mode.raw());
+    if (!attitude.north) return context.refuse(msg::BoardErrorCode::wrong_params, mode.raw());
   }
-  turn.machine.gimbal.correct(attitude, turn.now);
-  return turn.confirm();
+  context.device.gimbal.correct(attitude, context.now);
+  return context.confirm();
 }
 
 }  // namespace
 
-Outcome handle(Turn& turn, const msg::AhrsHelperRequest& request) {
-  return tell_only(turn, request);
+Outcome handle(RequestContext& context, const msg::AhrsHelperRequest& request) {
+  return tell_only(context, request);
 }
-Outcome handle(Turn& turn, const msg::AhrsHelperRequestWide& request) {
-  return tell_only(turn, request);
+Outcome handle(RequestContext& context, const msg::AhrsHelperRequestWide& request) {
+  return tell_only(context, request);
 }
-Outcome handle(Turn& turn, const msg::AhrsHelperRequestExt& request) {
-  return tell_or_set(turn, request);
+Outcome handle(RequestContext& context, const msg::AhrsHelperRequestExt& request) {
+  return tell_or_set(context, request);
 }
-Outcome handle(Turn& turn, const msg::AhrsHelperRequestExtWide& request) {
-  return tell_or_set(turn, request);
+Outcome handle(RequestContext& context, const msg::AhrsHelperRequestExtWide& request) {
+  return tell_or_set(context, request);
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

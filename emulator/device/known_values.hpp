@@ -6,7 +6,7 @@
 #include <sbgc/availability.hpp>
 #include <sbgc/meta.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// Whether boards with these versions know a value of an enum or flag set.
 template <class E>
@@ -17,4 +17,4 @@ constexpr bool knows(const Availability& versions, E value) {
   return false;
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -1,63 +1,63 @@
 // Live data, asked for or streamed.
 
+#include "device/device.hpp"
 #include "device/handlers.hpp"
 #include "device/parts/live_data.hpp"
-#include "device/device.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 namespace {
 
-msg::RealtimeData3 data_3(Turn& turn) {
+msg::RealtimeData3 data_3(RequestContext& context) {
   msg::RealtimeData3 data;
-  measure(turn.machine, turn.port, turn.now, data);
+  measure(context.device, context.port, context.now, data);
   return data;
 }
 
 }  // namespace
 
-Outcome handle(Turn& turn, const msg::RealtimeData& /*request*/) {
-  return turn.answer_anyway(data_3(turn));
+Outcome handle(RequestContext& context, const msg::RealtimeData& /*request*/) {
+  return context.answer_anyway(data_3(context));
 }
 
-Outcome handle(Turn& turn, const msg::RealtimeData3Request& /*request*/) {
-  return turn.answer(data_3(turn));
+Outcome handle(RequestContext& context, const msg::RealtimeData3Request& /*request*/) {
+  return context.answer(data_3(context));
 }
 
-Outcome handle(Turn& turn, const msg::RealtimeData4Request& /*request*/) {
+Outcome handle(RequestContext& context, const msg::RealtimeData4Request& /*request*/) {
   msg::RealtimeData4 data;
-  measure(turn.machine, turn.port, turn.now, data);
-  return turn.answer(data);
+  measure(context.device, context.port, context.now, data);
+  return context.answer(data);
 }
 
-Outcome handle(Turn& turn, const msg::RealtimeDataCustomRequest& request) {
+Outcome handle(RequestContext& context, const msg::RealtimeDataCustomRequest& request) {
   msg::RealtimeDataCustom data;
-  measure(turn.machine, request.flags, turn.now, data);
-  return turn.answer(data);
+  measure(context.device, request.flags, context.now, data);
+  return context.answer(data);
 }
 
-Outcome handle(Turn& turn, const msg::GetAnglesRequest& /*request*/) {
+Outcome handle(RequestContext& context, const msg::GetAnglesRequest& /*request*/) {
   msg::GetAngles data;
-  measure(turn.machine, turn.now, data);
-  return turn.answer(data);
+  measure(context.device, context.now, data);
+  return context.answer(data);
 }
 
-Outcome handle(Turn& turn, const msg::GetAnglesExtRequest& /*request*/) {
+Outcome handle(RequestContext& context, const msg::GetAnglesExtRequest& /*request*/) {
   msg::GetAnglesExt data;
-  measure(turn.machine, turn.now, data);
-  return turn.answer(data);
+  measure(context.device, context.now, data);
+  return context.answer(data);
 }
 
-Outcome handle(Turn& turn, const msg::DataStreamInterval& request) {
-  switch (turn.machine.streams.change(turn.machine, turn.port, request, turn.now)) {
+Outcome handle(RequestContext& context, const msg::DataStreamInterval& request) {
+  switch (context.device.streams.change(context.device, context.port, request, context.now)) {
     case Streams::Change::done: break;
     case Streams::Change::no_room:
-      return turn.refuse(msg::BoardErrorCode::temporary,
-                         static_cast<std::uint32_t>(request.cmd_id));
+      return context.refuse(msg::BoardErrorCode::temporary,
+                            static_cast<std::uint32_t>(request.cmd_id));
     case Streams::Change::bad_command:
-      return turn.refuse(msg::BoardErrorCode::wrong_params,
-                         static_cast<std::uint32_t>(request.cmd_id));
+      return context.refuse(msg::BoardErrorCode::wrong_params,
+                            static_cast<std::uint32_t>(request.cmd_id));
   }
-  return turn.confirm();
+  return context.confirm();
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -4,7 +4,7 @@
 
 #include "device/device.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 namespace {
 
 /// CMD_ERROR in the form that real boards send: with the command that failed (E086).
@@ -32,20 +32,20 @@ std::vector<std::uint8_t> refusal_instead(Availability versions,
   return result;
 }
 
-Availability Turn::versions() const { return machine.versions(); }
+Availability RequestContext::versions() const { return device.versions(); }
 
-void Turn::send_frame(std::span<const std::uint8_t> frame) {
-  machine.ports.send_frame(port, frame);
+void RequestContext::send_frame(std::span<const std::uint8_t> frame) {
+  device.ports.send_frame(port, frame);
 }
 
-void Turn::answer_body(std::uint8_t id, std::span<const std::uint8_t> body) {
+void RequestContext::answer_body(std::uint8_t id, std::span<const std::uint8_t> body) {
   std::array<std::uint8_t, max_frame_size> frame{};
   if (const WriteResult written = write_frame(id, body, frame)) {
     send_frame(std::span(frame).first(written.size));
   }
 }
 
-Outcome Turn::confirm(std::span<const std::uint8_t> data) {
+Outcome RequestContext::confirm(std::span<const std::uint8_t> data) {
   if (!confirms()) return Outcome::carried_out;
   std::array<std::uint8_t, max_body_size> body{command};
   std::size_t size = 1;
@@ -56,15 +56,15 @@ Outcome Turn::confirm(std::span<const std::uint8_t> data) {
   return Outcome::carried_out;
 }
 
-Outcome Turn::confirm(roles::Confirmation confirmation) {
+Outcome RequestContext::confirm(roles::Confirmation confirmation) {
   if (!confirms()) return Outcome::carried_out;
   confirmation.cmd = static_cast<msg::CommandId>(command);
   return answer(confirmation);
 }
 
-Outcome Turn::refuse(msg::BoardErrorCode reason, std::uint32_t detail) {
+Outcome RequestContext::refuse(msg::BoardErrorCode reason, std::uint32_t detail) {
   static_cast<void>(answer(error_about(command, reason, detail)));
   return Outcome::refused;
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

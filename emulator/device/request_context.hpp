@@ -15,9 +15,9 @@
 #include <sbgc/roles.hpp>
 #include <sbgc/time.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
-struct Machine;
+struct Device;
 
 /// The frame to send instead of one that tells of a change to the memory, which can not be saved:
 /// CMD_ERROR instead of a confirmation, other frames as they are. Empty if this board and firmware
@@ -26,15 +26,15 @@ std::vector<std::uint8_t> refusal_instead(Availability versions,
                                           std::span<const std::uint8_t> frame);
 
 /// One request while it is carried out. A handler is
-///     Outcome handle(Turn& turn, const M& request);
+///     Outcome handle(RequestContext& context, const M& request);
 /// found by overload (handlers.hpp). It answers through the turn and says what has come of it. A
 /// message without a handler is answered as the model says (default_answer.hpp).
-class Turn {
+class RequestContext {
  public:
-  Turn(Machine& of, std::size_t from, std::uint8_t id, Confirmed confirmed, Instant at)
-      : machine(of), port(from), command(id), now(at), confirmed_(confirmed) {}
+  RequestContext(Device& of, std::size_t from, std::uint8_t id, Confirmed confirmed, Instant at)
+      : device(of), port(from), command(id), now(at), confirmed_(confirmed) {}
 
-  Machine& machine;
+  Device& device;
   const std::size_t port;
   const std::uint8_t command;  ///< id of the request
   const Instant now;
@@ -82,4 +82,4 @@ class Turn {
   Confirmed confirmed_;
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -1,24 +1,24 @@
 /// Requests about scripts.
-#include "device/handlers.hpp"
 #include "device/device.hpp"
+#include "device/handlers.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
-Outcome handle(Turn& turn, const msg::RunScript& request) {
-  Machine& machine = turn.machine;
-  if (!Scripts::are_known(machine)) return turn.refuse(msg::BoardErrorCode::not_supported);
+Outcome handle(RequestContext& context, const msg::RunScript& request) {
+  Device& device = context.device;
+  if (!Scripts::are_known(device)) return context.refuse(msg::BoardErrorCode::not_supported);
   std::optional<std::size_t> debug_port;
   switch (request.mode) {
     case msg::ScriptMode::stop:
-      if (request.slot >= Scripts::slots) return turn.refuse(msg::BoardErrorCode::wrong_params);
-      if (machine.scripts.running() == request.slot) machine.scripts.stop();
-      return turn.confirm();
+      if (request.slot >= Scripts::slots) return context.refuse(msg::BoardErrorCode::wrong_params);
+      if (device.scripts.running() == request.slot) device.scripts.stop();
+      return context.confirm();
     case msg::ScriptMode::start: break;
-    case msg::ScriptMode::start_debug: debug_port = turn.port; break;
-    default: return turn.refuse(msg::BoardErrorCode::wrong_params);
+    case msg::ScriptMode::start_debug: debug_port = context.port; break;
+    default: return context.refuse(msg::BoardErrorCode::wrong_params);
   }
-  const auto refusal = machine.scripts.start(machine, request.slot, debug_port, turn.now);
-  return refusal ? turn.refuse(*refusal) : turn.confirm();
+  const auto refusal = device.scripts.start(device, request.slot, debug_port, context.now);
+  return refusal ? context.refuse(*refusal) : context.confirm();
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

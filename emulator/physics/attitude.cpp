@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 namespace {
 
@@ -144,4 +144,4 @@ Axes<double> angles_of(const Rotation& rotation, const RotationOrder& order,
   return other.first < one.first ? other.second : one.second;
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -5,7 +5,7 @@
 
 #include "physics/limits.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 namespace {
 
@@ -92,4 +92,4 @@ void AxisMotion::stick(const AxisSurroundings& around) {
   speed = around.frame_speed + around.error_speed;
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

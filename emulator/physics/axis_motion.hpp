@@ -5,7 +5,7 @@
 
 #include "physics/path.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// What the settings make of an axis. Accelerations stand for torques: the camera's inertia is 1.
 struct AxisGains {
@@ -45,4 +45,4 @@ struct AxisMotion {
   void stick(const AxisSurroundings& around);
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

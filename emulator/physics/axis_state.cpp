@@ -7,7 +7,7 @@
 #include "physics/limits.hpp"
 #include "physics/quantities.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 namespace {
 
@@ -251,4 +251,4 @@ void AxisState::restart(const AxisSurroundings& around) {
   stay();
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

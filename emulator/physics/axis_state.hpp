@@ -9,7 +9,7 @@
 #include "physics/axis_motion.hpp"
 #include "physics/path.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// What is asked of an axis; changes only when somebody asks.
 struct AxisOrders {
@@ -64,4 +64,4 @@ struct AxisState {
   std::optional<Room> room(const AxisTuning& tuning, const AxisSurroundings& around) const;
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

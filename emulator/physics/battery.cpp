@@ -4,7 +4,7 @@
 
 #include "physics/limits.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 namespace {
 
@@ -30,4 +30,4 @@ double Battery::voltage(double current) const {
 
 void Battery::set(double volts) { set_ = within(volts, 0, 1000); }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "physics/noise.hpp"
 #include "physics/limits.hpp"
+#include "physics/noise.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 namespace {
 
@@ -227,4 +227,4 @@ FrameMotion::State FrameMotion::ahead(std::int64_t us) const {
   return state;
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

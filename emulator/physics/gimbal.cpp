@@ -4,13 +4,13 @@
 #include <sbgc/emulator/gimbal.hpp>
 
 #include "physics/attitude.hpp"
+#include "physics/axis_state.hpp"
 #include "physics/battery.hpp"
 #include "physics/disturbance_motion.hpp"
-#include "physics/axis_state.hpp"
 #include "physics/limits.hpp"
 #include "physics/sensors.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 namespace {
 
@@ -404,4 +404,4 @@ Sample Gimbal::sample(Instant now) {
   return sample;
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// The simulation's step.
 inline constexpr std::int64_t step_us = 4000;
@@ -20,4 +20,4 @@ constexpr double within(double value, double low, double high) noexcept {
   return value < low ? low : value > high ? high : value;
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 namespace {
 
@@ -68,4 +68,4 @@ void pull(Path& path, double angle, double speed, double top_pull, double accele
   turn(path, wanted, acceleration, seconds);
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -1,7 +1,7 @@
 /// How a target moves: speed and acceleration have limits.
 #pragma once
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// A point on its way. Degrees, seconds.
 struct Path {
@@ -21,4 +21,4 @@ void go(Path& path, double goal, double fastest, double acceleration, double sec
 void pull(Path& path, double angle, double speed, double top_pull, double acceleration,
           double seconds);
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -1,30 +1,36 @@
-/// Frames as lines for people.
+/// Frames between hosts and a board, as lines of a log.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <sbgc/emulator/board.hpp>
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
-/// "    1.2340  host 0 > CMD_BOARD_INFO (86), 0 bytes  carried out", with `>` for frames to the
-/// board and `<` for frames from it.
-std::string to_text(const board::Board::Traffic& traffic);
+/// Puts a frame into words. The caller of this library provides it: names of commands and fields
+/// are its business.
+using DescribeFrame = std::function<std::string(const emulator::Board::Traffic&)>;
 
-/// Puts lines into the order in which people expect them: the board tells what has come of a
-/// request after it has answered.
-class TrafficLines {
+/// Collects one line per frame, a request before its responses: the board reports the outcome of a
+/// request after it has sent the responses.
+class FrameLog {
  public:
-  void add(const board::Board::Traffic& traffic);
-  /// Takes the lines since the last call. Not while a request is being dealt with.
+  explicit FrameLog(DescribeFrame describe) : describe_(std::move(describe)) {}
+
+  void add(const emulator::Board::Traffic& traffic);
+  /// Takes the lines since the last call. Not while the board carries out a request.
   std::vector<std::string> take();
 
  private:
+  DescribeFrame describe_;
   std::vector<std::string> lines_{};
-  std::size_t answers_ = 0;  // at the end of lines_, without the request that they may answer
+  std::size_t responses_ = 0;  // at the end of lines_, whose request has not been reported yet
   Instant at_{};
   std::size_t port_ = 0;
 };
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

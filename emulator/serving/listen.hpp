@@ -10,7 +10,7 @@
 
 #include "serving/endpoint.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 /// A numeric address, or "localhost": names of other hosts are not asked for.
 inline asio::ip::address address_of(const ListenAddress& listen) {
@@ -52,4 +52,4 @@ void bind_to(Socket& socket, const AsioEndpoint& endpoint, const char* protocol,
   }
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

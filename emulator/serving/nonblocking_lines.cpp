@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 namespace {
 
@@ -24,14 +24,15 @@ int open_again(int descriptor) {
 
 }  // namespace
 
-ToldLines::ToldLines(int descriptor) : descriptor_(descriptor), own_(open_again(descriptor)) {}
+NonblockingLines::NonblockingLines(int descriptor)
+    : descriptor_(descriptor), own_(open_again(descriptor)) {}
 
-ToldLines::~ToldLines() {
+NonblockingLines::~NonblockingLines() {
   catch_up();
   if (own_ >= 0) ::close(own_);
 }
 
-void ToldLines::tell(const std::string& line) {
+void NonblockingLines::write_line(const std::string& line) {
   if (!catch_up()) {
     ++left_out_;
     return;
@@ -42,7 +43,7 @@ void ToldLines::tell(const std::string& line) {
   if (!write(text)) ++left_out_;
 }
 
-bool ToldLines::catch_up() {
+bool NonblockingLines::catch_up() {
   if (!rest_.empty() && (!write(std::string(rest_)) || !rest_.empty())) return false;
   if (left_out_ == 0) return true;
   if (!write(fmt::format("... {} lines were left out: nobody read them\n", left_out_)))
@@ -51,7 +52,7 @@ bool ToldLines::catch_up() {
   return rest_.empty();
 }
 
-bool ToldLines::write(std::string_view text) {
+bool NonblockingLines::write(std::string_view text) {
   const int to = own_ >= 0 ? own_ : descriptor_;
   pollfd room{to, POLLOUT, 0};
   if (::poll(&room, 1, 0) <= 0 || (room.revents & POLLOUT) == 0) return false;
@@ -61,4 +62,4 @@ bool ToldLines::write(std::string_view text) {
   return true;
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

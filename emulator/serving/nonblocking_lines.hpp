@@ -5,21 +5,21 @@
 #include <string>
 #include <string_view>
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 /// Writes lines to a file descriptor, and never waits: a line for which there is no room is left
 /// out, and once there is room again, a line says how many were. What can not be written at all is
 /// nobody's business either.
-class ToldLines {
+class NonblockingLines {
  public:
   /// Of the descriptor's file, which stays open.
-  explicit ToldLines(int descriptor);
-  ToldLines(const ToldLines&) = delete;
-  ToldLines& operator=(const ToldLines&) = delete;
+  explicit NonblockingLines(int descriptor);
+  NonblockingLines(const NonblockingLines&) = delete;
+  NonblockingLines& operator=(const NonblockingLines&) = delete;
   /// Says how many were left out, if it can be said now.
-  ~ToldLines();
+  ~NonblockingLines();
 
-  void tell(const std::string& line);
+  void write_line(const std::string& line);
 
  private:
   /// Whether nothing waits any more of a line that was written in part, and nothing that is left
@@ -34,4 +34,4 @@ class ToldLines {
   std::size_t left_out_ = 0;
 };
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

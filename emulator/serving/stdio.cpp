@@ -15,7 +15,7 @@
 #include "serving/endpoint.hpp"
 #include "serving/host.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 namespace {
 
@@ -139,4 +139,4 @@ std::unique_ptr<Endpoint> use_stdio(const asio::any_io_executor& executor, LiveB
   return std::make_unique<StdioEndpoint>(host);
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

@@ -14,7 +14,7 @@
 #include "serving/host.hpp"
 #include "serving/terminal_link.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 namespace {
 
@@ -98,4 +98,4 @@ std::unique_ptr<Endpoint> open_terminal(const asio::any_io_executor& executor, L
   return std::make_unique<Terminal>(executor, board, link, has_rate, logs.warning);
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

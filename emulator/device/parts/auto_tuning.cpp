@@ -9,7 +9,7 @@
 #include "device/device.hpp"
 #include "physics/noise.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 namespace {
 
 constexpr std::array axis_flags{msg::AutoPidFlag::roll, msg::AutoPidFlag::pitch,
@@ -22,9 +22,7 @@ constexpr unsigned rounds_for_filter = 5;
 /// Degrees; how far the board shakes the camera to see what it does.
 constexpr double shake = 0.3;
 
-constexpr std::uint64_t seed_of(const Machine& machine) {
-  return machine.options.gimbal.seed + 0xA1D;
-}
+constexpr std::uint64_t seed_of(const Device& device) { return device.options.gimbal.seed + 0xA1D; }
 
 /// What is left of the way to the goal: 1 at the begin, 0 behind the last round.
 double rest_of_way(unsigned round, unsigned rounds) {
@@ -38,25 +36,25 @@ std::uint8_t byte(double value) {
 
 }  // namespace
 
-bool AutoTuning::start(Machine& machine, std::uint8_t profile, msg::AutoPidFlags config,
+bool AutoTuning::start(Device& device, std::uint8_t profile, msg::AutoPidFlags config,
                        std::uint8_t gain, std::optional<std::size_t> port, Instant now) {
-  if (run_ || machine.calibrations.under_way() || !machine.gimbal.motors_on()) return false;
-  if (profile != machine.settings.profile()) machine.select_profile(profile, now);
+  if (run_ || device.calibrations.under_way() || !device.gimbal.motors_on()) return false;
+  if (profile != device.parameters.profile()) device.select_profile(profile, now);
 
   Run run{.profile = profile, .config = config};
   if (config.has(msg::AutoPidFlag::send_gui)) run.port = port;
-  const auto settings = machine.settings.read<msg::ReadParams3>(profile);
-  const auto filters = machine.settings.read<msg::ReadParamsExt>(profile);
+  const auto parameters = device.parameters.read<msg::ReadParams3>(profile);
+  const auto filters = device.parameters.read<msg::ReadParamsExt>(profile);
   const bool tunes_filter = config.has(msg::AutoPidFlag::tune_lpf_freq);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const msg::AxisPid& pid = settings.axes[axis];
+    const msg::AxisPid& pid = parameters.axes[axis];
     const Gains present{static_cast<double>(pid.p), static_cast<double>(pid.i.raw()),
                         static_cast<double>(pid.d),
                         static_cast<double>(filters.lpf_freq[axis].raw())};
     run.begin[axis] = run.goal[axis] = present;
     if (!config.has(axis_flags[axis])) continue;
     const auto random = [&](std::uint64_t counter) {
-      return 0.8 + 0.4 * random_share(seed_of(machine), 4 * axis + counter);
+      return 0.8 + 0.4 * random_share(seed_of(device), 4 * axis + counter);
     };
     // Ours: gains that suit this gimbal, higher the less stability is asked for.
     const double courage = 0.6 + 0.8 * gain / 255;
@@ -70,7 +68,7 @@ bool AutoTuning::start(Machine& machine, std::uint8_t profile, msg::AutoPidFlags
     run.rounds += rounds_per_axis + (tunes_filter ? rounds_for_filter : 0);
   }
   const Duration length =
-      Calibrations::scaled(machine.options, round_time * static_cast<std::int32_t>(run.rounds));
+      Calibrations::scaled(device.options, round_time * static_cast<std::int32_t>(run.rounds));
   run.rounds = static_cast<unsigned>(std::max<std::int64_t>(1, length.us / round_time.us));
   run.interval = microseconds(std::max<std::int64_t>(1, length.us / run.rounds));
   run.due = now + run.interval;
@@ -78,12 +76,12 @@ bool AutoTuning::start(Machine& machine, std::uint8_t profile, msg::AutoPidFlags
   return true;
 }
 
-bool AutoTuning::start(Machine& machine, Instant now) {
-  const auto& settings = machine.settings.of<msg::ReadParamsExt2>();
-  const msg::AutoPidFlags config = settings.auto_pid_cfg;
+bool AutoTuning::start(Device& device, Instant now) {
+  const auto& parameters = device.parameters.of<msg::ReadParamsExt2>();
+  const msg::AutoPidFlags config = parameters.auto_pid_cfg;
   const bool names_axis = std::any_of(axis_flags.begin(), axis_flags.end(),
                                       [&](msg::AutoPidFlag axis) { return config.has(axis); });
-  return names_axis && start(machine, machine.settings.profile(), config, settings.auto_pid_gain,
+  return names_axis && start(device, device.parameters.profile(), config, parameters.auto_pid_gain,
                              std::nullopt, now);
 }
 
@@ -91,21 +89,21 @@ void AutoTuning::stop() { run_.reset(); }
 
 Instant AutoTuning::next() const { return run_ ? run_->due : Instant::never; }
 
-void AutoTuning::advance(Machine& machine, Instant now) {
+void AutoTuning::advance(Device& device, Instant now) {
   while (run_ && run_->due <= now) {
     // Without motors there is nothing to tune.
-    if (!machine.gimbal.motors_on()) return run_.reset();
+    if (!device.gimbal.motors_on()) return run_.reset();
     ++run_->round;
     run_->due = run_->due + run_->interval;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!run_->config.has(axis_flags[axis])) continue;
-      const double noise = 0.8 + 0.4 * random_share(seed_of(machine), 100 + shakes_++);
+      const double noise = 0.8 + 0.4 * random_share(seed_of(device), 100 + shakes_++);
       run_->error[axis] = (0.1 + 1.9 * rest_of_way(run_->round, run_->rounds)) * noise;
-      machine.gimbal.push(axis, shakes_ % 2 == 0 ? shake : -shake, now);
+      device.gimbal.push(axis, shakes_ % 2 == 0 ? shake : -shake, now);
     }
-    report(machine, *run_);
+    report(device, *run_);
     if (run_->round == run_->rounds) {
-      store(machine, *run_, now);
+      store(device, *run_, now);
       run_.reset();
     }
   }
@@ -115,7 +113,7 @@ void AutoTuning::forget_port(std::size_t port) {
   if (run_ && run_->port == port) run_->port.reset();
 }
 
-void AutoTuning::restart(Machine&, Instant) { run_.reset(); }
+void AutoTuning::restart(Device&, Instant) { run_.reset(); }
 
 AutoTuning::Gains AutoTuning::gains(const Run& run, std::size_t axis) const {
   const double rest = rest_of_way(run.round, run.rounds);
@@ -126,7 +124,7 @@ AutoTuning::Gains AutoTuning::gains(const Run& run, std::size_t axis) const {
           between(begin.lpf, goal.lpf)};
 }
 
-void AutoTuning::report(Machine& machine, const Run& run) const {
+void AutoTuning::report(Device& device, const Run& run) const {
   if (!run.port) return;
   msg::AutoPid progress;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -138,36 +136,37 @@ void AutoTuning::report(Machine& machine, const Run& run) const {
     progress.axes[axis].tracking_error = static_cast<float>(run.error[axis]);
   }
   progress.iter_num = static_cast<std::uint16_t>(run.round);
-  machine.ports.send(*run.port, progress);
+  device.ports.send(*run.port, progress);
 }
 
 /// Into the profile that was tuned, or into all; only what was tuned.
-void AutoTuning::store(Machine& machine, const Run& run, Instant now) const {
-  const auto set_gains = [&](msg::ReadParams3& settings) {
+void AutoTuning::store(Device& device, const Run& run, Instant now) const {
+  const auto set_gains = [&](msg::ReadParams3& parameters) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!run.config.has(axis_flags[axis])) continue;
       const Gains found = gains(run, axis);
-      settings.axes[axis].p = byte(found.p);
-      settings.axes[axis].i = msg::Hundredths(byte(found.i));
-      settings.axes[axis].d = byte(found.d);
+      parameters.axes[axis].p = byte(found.p);
+      parameters.axes[axis].i = msg::Hundredths(byte(found.i));
+      parameters.axes[axis].d = byte(found.d);
     }
   };
-  const auto set_filters = [&](msg::ReadParamsExt& settings) {
+  const auto set_filters = [&](msg::ReadParamsExt& parameters) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!run.config.has(axis_flags[axis])) continue;
       const double frequency = gains(run, axis).lpf;
-      settings.lpf_freq[axis] = msg::Frequency(static_cast<std::uint16_t>(std::lround(frequency)));
+      parameters.lpf_freq[axis] =
+          msg::Frequency(static_cast<std::uint16_t>(std::lround(frequency)));
     }
   };
   for (std::uint8_t profile = 0; profile < SettingsOf<msg::ReadParams3>::copies; ++profile) {
     if (profile != run.profile && !run.config.has(msg::AutoPidFlag::all_profiles)) continue;
     // As long as before, so there is room for them.
-    static_cast<void>(machine.settings.change<msg::ReadParams3>(profile, set_gains));
+    static_cast<void>(device.parameters.change<msg::ReadParams3>(profile, set_gains));
     if (run.config.has(msg::AutoPidFlag::tune_lpf_freq)) {
-      static_cast<void>(machine.settings.change<msg::ReadParamsExt>(profile, set_filters));
+      static_cast<void>(device.parameters.change<msg::ReadParamsExt>(profile, set_filters));
     }
   }
-  machine.apply_settings(now);
+  device.apply_parameters(now);
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

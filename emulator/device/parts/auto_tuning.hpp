@@ -10,9 +10,9 @@
 #include <sbgc/time.hpp>
 #include <sbgc/types.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
-struct Machine;
+struct Device;
 
 /// CMD_AUTO_PID: looks for gains in rounds, shakes the camera meanwhile, and stores what it found.
 class AutoTuning {
@@ -20,10 +20,10 @@ class AutoTuning {
   /// Precondition: the profile exists, `config` names an axis. `port` gets the progress, if the
   /// flags say so. False, and nothing happens, if something is being calibrated or tuned or the
   /// motors are off.
-  bool start(Machine& machine, std::uint8_t profile, msg::AutoPidFlags config, std::uint8_t gain,
+  bool start(Device& device, std::uint8_t profile, msg::AutoPidFlags config, std::uint8_t gain,
              std::optional<std::size_t> port, Instant now);
-  /// As the settings say: MENU_CMD_AUTO_PID. False as well if they name no axis.
-  bool start(Machine& machine, Instant now);
+  /// As the parameters say: MENU_CMD_AUTO_PID. False as well if they name no axis.
+  bool start(Device& device, Instant now);
   /// Nothing of what it found is kept.
   void stop();
   bool is_running() const { return run_.has_value(); }
@@ -32,8 +32,8 @@ class AutoTuning {
   void forget_port(std::size_t port);
 
   Instant next() const;
-  void advance(Machine& machine, Instant now);
-  void restart(Machine& machine, Instant now);
+  void advance(Device& device, Instant now);
+  void restart(Device& device, Instant now);
 
  private:
   /// All values of one axis that are looked for.
@@ -52,11 +52,11 @@ class AutoTuning {
   };
 
   Gains gains(const Run& run, std::size_t axis) const;
-  void report(Machine& machine, const Run& run) const;
-  void store(Machine& machine, const Run& run, Instant now) const;
+  void report(Device& device, const Run& run) const;
+  void store(Device& device, const Run& run, Instant now) const;
 
   std::optional<Run> run_{};
   std::uint64_t shakes_{};  ///< counter of the random numbers
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -9,11 +9,11 @@
 #include <sbgc/meta/parameters.hpp>
 
 #include "device/device.hpp"
+#include "device/request_context.hpp"
 #include "physics/noise.hpp"
 #include "physics/quantities.hpp"
-#include "device/request_context.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 namespace {
 
 using Kind = Calibrations::Kind;
@@ -111,42 +111,42 @@ void copy_acc(const ImuCalibration& from, ImuCalibration& to) {
 }
 
 /// What corrected the gyroscope by hand is of no more use.
-void gyro_calibrated(Machine& machine, std::size_t imu, Instant now) {
-  machine.gimbal.gyro_calibrated(imu == 1, now);
-  machine.memory.imus[imu].gyro_offset = {};
-  machine.gyro_headings[imu] = 0;
-  machine.correct_gyros(now);
+void gyro_calibrated(Device& device, std::size_t imu, Instant now) {
+  device.gimbal.gyro_calibrated(imu == 1, now);
+  device.memory.imus[imu].gyro_offset = {};
+  device.gyro_headings[imu] = 0;
+  device.correct_gyros(now);
 }
 
-/// Changes settings of a profile and stores them.
+/// Changes parameters of a profile and stores them.
 template <class M, class Edit>
-bool change_settings(Machine& machine, std::uint8_t profile, Instant now, const Edit& edit) {
-  const bool changed = machine.settings.change<M>(profile, edit);
-  if (changed) machine.apply_settings(now);
+bool change_parameters(Device& device, std::uint8_t profile, Instant now, const Edit& edit) {
+  const bool changed = device.parameters.change<M>(profile, edit);
+  if (changed) device.apply_parameters(now);
   return changed;
 }
 
 }  // namespace
 
-Duration Calibrations::scaled(const Options& options, Duration length) {
+Duration Calibrations::scaled(const BoardOptions& options, Duration length) {
   const std::int64_t us = length.us / 100 * options.calibration_time;
-  return std::max(Machine::cycle(), microseconds(us));
+  return std::max(Device::cycle(), microseconds(us));
 }
 
-bool Calibrations::start(Machine& machine, Kind kind, std::size_t imu, std::optional<Asker> asker,
-                         Instant now) {
-  if (run_ || machine.auto_tuning.is_running()) return false;
-  Run run{.kind = kind, .imu = imu, .profile = machine.settings.profile(), .asker = asker};
-  const Duration length = scaled(machine.options, length_of(kind));
-  const Duration cycle = Machine::cycle();
+bool Calibrations::start(Device& device, Kind kind, std::size_t imu,
+                         std::optional<Requester> requester, Instant now) {
+  if (run_ || device.auto_tuning.is_running()) return false;
+  Run run{.kind = kind, .imu = imu, .profile = device.parameters.profile(), .requester = requester};
+  const Duration length = scaled(device.options, length_of(kind));
+  const Duration cycle = Device::cycle();
   run.steps_needed = length <= cycle ? 1 : steps;
   run.steps_left = patience * run.steps_needed;
   run.step = std::max(cycle, microseconds(length.us / run.steps_needed));
   run.due = now + run.step;
   run.temperature_min = run.temperature_max =
-      whole_celsius(temperature_of(machine.gimbal.sample(now), imu));
+      whole_celsius(temperature_of(device.gimbal.sample(now), imu));
   run_ = run;
-  machine.outputs.signal(machine, msg::BeeperMode::calibrate, now);
+  device.outputs.signal(device, msg::BeeperMode::calibrate, now);
   return true;
 }
 
@@ -156,10 +156,10 @@ std::optional<Kind> Calibrations::under_way() const {
 
 Instant Calibrations::next() const { return run_ ? run_->due : Instant::never; }
 
-void Calibrations::advance(Machine& machine, Instant now) {
+void Calibrations::advance(Device& device, Instant now) {
   while (run_ && run_->due <= now) {
     const Instant at = run_->due;
-    const Sample sample = machine.gimbal.sample(now);
+    const Sample sample = device.gimbal.sample(now);
     const int temperature = whole_celsius(temperature_of(sample, run_->imu));
     run_->temperature_min = std::min(run_->temperature_min, temperature);
     run_->temperature_max = std::max(run_->temperature_max, temperature);
@@ -169,37 +169,37 @@ void Calibrations::advance(Machine& machine, Instant now) {
     --run_->steps_left;
     if (run_->steps_at_rest == run_->steps_needed) {
       const Run run = *run_;
-      finish(machine, store(machine, run, now), now);
+      finish(device, store(device, run, now), now);
     } else if (run_->steps_left == 0) {
-      finish(machine, false, now);
+      finish(device, false, now);
     }
   }
 }
 
 void Calibrations::forget_port(std::size_t port) {
-  if (run_ && run_->asker && run_->asker->port == port) run_->asker.reset();
+  if (run_ && run_->requester && run_->requester->port == port) run_->requester.reset();
 }
 
-void Calibrations::restart(Machine&, Instant) {
+void Calibrations::restart(Device&, Instant) {
   run_.reset();
   last_progress_ = 0;
   errors_ = {};
 }
 
 /// Keeps what has been found. False if that is not possible.
-bool Calibrations::store(Machine& machine, const Run& run, Instant now) {
-  const Sample sample = machine.gimbal.sample(now);
-  ImuCalibration& imu = machine.memory.imus[run.imu];
-  ImuCalibration& sensor = machine.memory.sensors[run.imu];
+bool Calibrations::store(Device& device, const Run& run, Instant now) {
+  const Sample sample = device.gimbal.sample(now);
+  ImuCalibration& imu = device.memory.imus[run.imu];
+  ImuCalibration& sensor = device.memory.sensors[run.imu];
   const auto minimum = static_cast<std::int8_t>(run.temperature_min);
   const auto maximum = static_cast<std::int8_t>(run.temperature_max);
   const auto random = [&](std::uint64_t counter) {
-    return random_share(machine.options.gimbal.seed + 0xCA11B, counter);
+    return random_share(device.options.gimbal.seed + 0xCA11B, counter);
   };
   switch (run.kind) {
     case Kind::gyro:
       imu.gyro_is_calibrated = true;
-      gyro_calibrated(machine, run.imu, now);
+      gyro_calibrated(device, run.imu, now);
       break;
     case Kind::acc: {
       const Direction direction = up(acceleration_of(sample, run.imu));
@@ -211,7 +211,7 @@ bool Calibrations::store(Machine& machine, const Run& run, Instant now) {
       imu.gyro_temperature_enabled = true;
       imu.gyro_temperature_min = minimum;
       imu.gyro_temperature_max = maximum;
-      gyro_calibrated(machine, run.imu, now);
+      gyro_calibrated(device, run.imu, now);
       break;
     case Kind::acc_temperature: {
       const Direction direction = up(acceleration_of(sample, run.imu));
@@ -228,7 +228,7 @@ bool Calibrations::store(Machine& machine, const Run& run, Instant now) {
     }
     case Kind::gyro_from_sensor:
       copy_gyro(sensor, imu);
-      machine.correct_gyros(now);
+      device.correct_gyros(now);
       break;
     case Kind::acc_from_sensor: copy_acc(sensor, imu); break;
     case Kind::gyro_to_sensor: copy_gyro(imu, sensor); break;
@@ -236,37 +236,37 @@ bool Calibrations::store(Machine& machine, const Run& run, Instant now) {
     case Kind::mag: break;  // the emulated magnetometer needs no correction
     case Kind::ext_gain:
       // Ours: gains of a flight controller that differs a little from board to board.
-      return change_settings<msg::ReadParams3>(machine, run.profile, now, [&](auto& settings) {
-        settings.ext_fc_gain_roll = static_cast<std::int8_t>(40 + std::lround(20 * random(0)));
-        settings.ext_fc_gain_pitch = static_cast<std::int8_t>(40 + std::lround(20 * random(1)));
+      return change_parameters<msg::ReadParams3>(device, run.profile, now, [&](auto& parameters) {
+        parameters.ext_fc_gain_roll = static_cast<std::int8_t>(40 + std::lround(20 * random(0)));
+        parameters.ext_fc_gain_pitch = static_cast<std::int8_t>(40 + std::lround(20 * random(1)));
       });
     case Kind::poles:
       // Ours: motors of 14 poles that turn the right way round, common in gimbals.
-      return change_settings<msg::ReadParams3>(machine, run.profile, now, [](auto& settings) {
+      return change_parameters<msg::ReadParams3>(device, run.profile, now, [](auto& parameters) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          settings.axes[axis].poles = 14;
-          settings.axes[axis].invert = 0;
+          parameters.axes[axis].poles = 14;
+          parameters.axes[axis].invert = 0;
         }
       });
     case Kind::encoder_offset:
-      return change_settings<msg::ReadParamsExt>(machine, run.profile, now, [&](auto& settings) {
+      return change_parameters<msg::ReadParamsExt>(device, run.profile, now, [&](auto& parameters) {
         // The present position becomes the zero.
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          settings.encoder_offset[axis] = wire_angle(std::remainder(sample.joints[axis], 360.0));
+          parameters.encoder_offset[axis] = wire_angle(std::remainder(sample.joints[axis], 360.0));
         }
       });
     case Kind::encoder_field:
-      return change_settings<msg::ReadParamsExt>(machine, run.profile, now, [&](auto& settings) {
+      return change_parameters<msg::ReadParamsExt>(device, run.profile, now, [&](auto& parameters) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          settings.encoder_fld_offset[axis] = wire_angle(360 * random(2 + axis) - 180);
+          parameters.encoder_fld_offset[axis] = wire_angle(360 * random(2 + axis) - 180);
         }
       });
   }
-  ++machine.memory.revision;
+  ++device.memory.revision;
   return true;
 }
 
-void Calibrations::finish(Machine& machine, bool is_success, Instant now) {
+void Calibrations::finish(Device& device, bool is_success, Instant now) {
   const Run run = *run_;
   run_.reset();
   last_progress_ = is_success ? 100 : 0;
@@ -274,21 +274,22 @@ void Calibrations::finish(Machine& machine, bool is_success, Instant now) {
     errors_.set(msg::SystemError::calib_acc, !is_success);
   }
   if (run.kind == Kind::poles) errors_.set(msg::SystemError::calib_poles, !is_success);
-  machine.outputs.signal(machine, is_success ? msg::BeeperMode::confirm : msg::BeeperMode::error,
+  device.outputs.signal(device, is_success ? msg::BeeperMode::confirm : msg::BeeperMode::error,
+                        now);
+  if (!run.requester) return;
+  RequestContext context(device, run.requester->port, run.requester->command, Confirmed::always,
                          now);
-  if (!run.asker) return;
-  Turn turn(machine, run.asker->port, run.asker->command, Confirmed::always, now);
   if (is_success) {
-    turn.confirm();
+    context.confirm();
   } else {
     // Ours: the specification has no other answer to a calibration that failed.
-    turn.refuse(msg::BoardErrorCode::operation_failed);
+    context.refuse(msg::BoardErrorCode::operation_failed);
   }
 }
 
-msg::CalibInfo Calibrations::info(Machine& machine, std::size_t imu, Instant now) const {
-  const Sample sample = machine.gimbal.sample(now);
-  const ImuCalibration& memory = machine.memory.imus[imu];
+msg::CalibInfo Calibrations::info(Device& device, std::size_t imu, Instant now) const {
+  const Sample sample = device.gimbal.sample(now);
+  const ImuCalibration& memory = device.memory.imus[imu];
   const Vector& acceleration = acceleration_of(sample, imu);
   msg::CalibInfo info;
   // Ours: what was calibrated last counts until the next one begins.
@@ -321,8 +322,8 @@ msg::CalibInfo Calibrations::info(Machine& machine, std::size_t imu, Instant now
   return info;
 }
 
-bool Calibrations::store_follow_offsets(Machine& machine, Instant now) {
-  const Sample sample = machine.gimbal.sample(now);
+bool Calibrations::store_follow_offsets(Device& device, Instant now) {
+  const Sample sample = device.gimbal.sample(now);
   Axes<std::int8_t> offsets;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     // Ours: FOLLOW_OFFSET counts degrees; its unit is not published.
@@ -334,9 +335,9 @@ bool Calibrations::store_follow_offsets(Machine& machine, Instant now) {
     }
     offsets[axis] = (*degrees).raw();
   }
-  return change_settings<msg::ReadParams3>(
-      machine, machine.settings.profile(), now,
-      [&](msg::ReadParams3& settings) { settings.follow_offset = offsets; });
+  return change_parameters<msg::ReadParams3>(
+      device, device.parameters.profile(), now,
+      [&](msg::ReadParams3& parameters) { parameters.follow_offset = offsets; });
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

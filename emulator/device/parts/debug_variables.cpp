@@ -9,12 +9,12 @@
 #include "device/device.hpp"
 #include "physics/quantities.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 namespace {
 
 /// What values are taken from.
 struct View {
-  Machine& machine;
+  Device& device;
   Sample sample;
   Instant now;
 };
@@ -37,7 +37,7 @@ using Axis = msg::DebugVarAxis;
 constexpr std::array<Variable, 18> variables{{
     {"UPTIME_MS", msg::DebugVarKind::uint32,
      [](const View& v) {
-       return std::floor(static_cast<double>((v.now - v.machine.restarts.started()).us) / 1000);
+       return std::floor(static_cast<double>((v.now - v.device.restarts.started()).us) / 1000);
      }},
     {"ROLL", msg::DebugVarKind::int16, [](const View& v) { return counts(v.sample.angles.roll); },
      Axis::roll, true},
@@ -61,21 +61,21 @@ constexpr std::array<Variable, 18> variables{{
     {"POWER_YAW", msg::DebugVarKind::uint8, [](const View& v) { return v.sample.power.yaw * 255; },
      Axis::yaw},
     {"BATTERY", msg::DebugVarKind::float32,
-     [](const View& v) { return v.machine.measured_battery(v.sample); }},
+     [](const View& v) { return v.device.measured_battery(v.sample); }},
     {"TEMPERATURE", msg::DebugVarKind::int8, [](const View& v) { return v.sample.temperature; }},
     {"ERRORS", msg::DebugVarKind::uint16,
-     [](const View& v) -> double { return v.machine.errors(v.now).raw(); }},
+     [](const View& v) -> double { return v.device.errors(v.now).raw(); }},
     {"PROFILE", msg::DebugVarKind::uint8,
-     [](const View& v) -> double { return v.machine.settings.profile(); }},
+     [](const View& v) -> double { return v.device.parameters.profile(); }},
     {"SCRIPT_CMD", msg::DebugVarKind::uint16,
-     [](const View& v) -> double { return v.machine.scripts.command(); }},
+     [](const View& v) -> double { return v.device.scripts.command(); }},
     {"SOUND", msg::DebugVarKind::uint16,
      [](const View& v) -> double {
-       const auto sound = v.machine.outputs.sound();
+       const auto sound = v.device.outputs.sound();
        return sound ? sound->mode.raw() : 0;
      }},
     {"HIGH_PINS", msg::DebugVarKind::uint16,
-     [](const View& v) -> double { return v.machine.outputs.high_pins(); }},
+     [](const View& v) -> double { return v.device.outputs.high_pins(); }},
 }};
 
 /// The nearest number of that type; integers beyond its ends go round.
@@ -103,8 +103,8 @@ msg::DebugVarsInfo3 DebugVariables::info() {
   return info;
 }
 
-msg::DebugVars3 DebugVariables::values(Machine& machine, Instant now) {
-  const View view{machine, machine.gimbal.sample(now), now};
+msg::DebugVars3 DebugVariables::values(Device& device, Instant now) {
+  const View view{device, device.gimbal.sample(now), now};
   msg::DebugVars3 values;
   for (const Variable& variable : variables) {
     values.var_value.push_back(number(number_type(variable.kind), variable.value(view)));
@@ -112,4 +112,4 @@ msg::DebugVars3 DebugVariables::values(Machine& machine, Instant now) {
   return values;
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -4,20 +4,20 @@
 #include <sbgc/messages/debug.hpp>
 #include <sbgc/time.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
-struct Machine;
+struct Device;
 
 class DebugVariables {
  public:
   /// Names and types, always the same.
   static msg::DebugVarsInfo3 info();
   /// Values, in the order of info().
-  static msg::DebugVars3 values(Machine& machine, Instant now);
+  static msg::DebugVars3 values(Device& device, Instant now);
 
   static Instant next() { return Instant::never; }
-  static void advance(Machine&, Instant) {}
-  static void restart(Machine&, Instant) {}
+  static void advance(Device&, Instant) {}
+  static void restart(Device&, Instant) {}
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

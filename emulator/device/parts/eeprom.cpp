@@ -5,7 +5,7 @@
 #include <sbgc/detail/meta_limits.hpp>
 #include <sbgc/meta/storage.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 namespace {
 
 constexpr std::size_t page = sbgc::detail::field_info<msg::EepromWrite>("addr").align;
@@ -60,4 +60,4 @@ void Eeprom::erase() {
   write(0, empty);
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

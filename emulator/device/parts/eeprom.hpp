@@ -9,12 +9,12 @@
 
 #include <sbgc/emulator/memory.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// Where things stand. Ours: the specification says nothing of the order.
 namespace layout {
-inline constexpr std::size_t settings = 0x0000;  ///< records of Settings
-inline constexpr std::size_t files = 0x4000;     ///< FileSystem, up to the end
+inline constexpr std::size_t parameters = 0x0000;  ///< records of Parameters
+inline constexpr std::size_t files = 0x4000;       ///< FileSystem, up to the end
 }  // namespace layout
 
 /// What erased bytes are.
@@ -49,4 +49,4 @@ class Eeprom {
   Memory& memory_;
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

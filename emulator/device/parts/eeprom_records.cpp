@@ -4,7 +4,7 @@
 #include <sbgc/framing.hpp>
 #include <sbgc/wire.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 namespace {
 
 // Ours: id of the message, number of the copy, length of the body, body, CRC-32 of all of that.
@@ -45,4 +45,4 @@ bool write_record(Eeprom& eeprom, std::size_t address, RecordId id,
   return true;
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -11,7 +11,7 @@
 
 #include "device/parts/eeprom.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// What a record holds. It stands in the record as well, so that one that lies at a wrong place is
 /// no record there.
@@ -32,4 +32,4 @@ std::optional<std::vector<std::uint8_t>> read_record(const Eeprom& eeprom, std::
 bool write_record(Eeprom& eeprom, std::size_t address, RecordId id,
                   std::span<const std::uint8_t> body);
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

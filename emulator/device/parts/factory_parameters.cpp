@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 namespace {
 
 constexpr std::size_t axes = Axes<int>::size();
@@ -59,7 +59,7 @@ void set_sensors(msg::ReadParams3& out) {
 }  // namespace
 
 template <>
-msg::ReadParams3 factory_settings(std::uint8_t copy) {
+msg::ReadParams3 factory_parameters(std::uint8_t copy) {
   msg::ReadParams3 out;
   out.profile_id = copy;
   set_motors(out);
@@ -81,7 +81,7 @@ msg::ReadParams3 factory_settings(std::uint8_t copy) {
 }
 
 template <>
-msg::ReadParamsExt factory_settings(std::uint8_t copy) {
+msg::ReadParamsExt factory_parameters(std::uint8_t copy) {
   msg::ReadParamsExt out;
   out.profile_id = copy;
   for (std::size_t axis = 0; axis < axes; ++axis) {
@@ -103,7 +103,7 @@ msg::ReadParamsExt factory_settings(std::uint8_t copy) {
 }
 
 template <>
-msg::ReadParamsExt2 factory_settings(std::uint8_t copy) {
+msg::ReadParamsExt2 factory_parameters(std::uint8_t copy) {
   msg::ReadParamsExt2 out;
   out.profile_id = copy;
   for (std::size_t axis = 0; axis < axes; ++axis) {
@@ -118,7 +118,7 @@ msg::ReadParamsExt2 factory_settings(std::uint8_t copy) {
 }
 
 template <>
-msg::ReadProfileNames factory_settings(std::uint8_t) {
+msg::ReadProfileNames factory_parameters(std::uint8_t) {
   msg::ReadProfileNames out;
   std::size_t number = 1;
   for (auto& name : out.profile_name) {
@@ -128,15 +128,15 @@ msg::ReadProfileNames factory_settings(std::uint8_t) {
 }
 
 template <>
-msg::ReadAdjVarsCfg factory_settings(std::uint8_t) {
+msg::ReadAdjVarsCfg factory_parameters(std::uint8_t) {
   return {};
 }
 
 template <>
-msg::ReadExternalData factory_settings(std::uint8_t) {
+msg::ReadExternalData factory_parameters(std::uint8_t) {
   msg::ReadExternalData out;
   out.data.fill(0xFF);  // as erased memory
   return out;
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -6,7 +6,7 @@
 #include <sbgc/units.hpp>
 #include <sbgc/wire.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 namespace {
 
 constexpr auto page_size = static_cast<std::size_t>(msg::Pages(1).bytes());
@@ -127,4 +127,4 @@ std::uint16_t FileSystem::size(std::uint16_t file) const {
   return part.file_size;
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

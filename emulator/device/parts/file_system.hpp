@@ -11,7 +11,7 @@
 
 #include "device/parts/eeprom.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// Files by number, in pages of 64 bytes, with a table and checksums in the EEPROM; so damage by
 /// CMD_EEPROM_WRITE shows as FileError::fat (of the table) or ::crc (of one file).
@@ -57,4 +57,4 @@ class FileSystem {
   Eeprom eeprom_;
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -2,7 +2,7 @@
 
 #include <sbgc/detail/meta_limits.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 namespace {
 
 /// First rotation first, as the name of the order says. The orders for two axes have no yaw of
@@ -20,18 +20,18 @@ std::array<std::uint8_t, 3> rotation_order(msg::EulerOrder order) {
   return {pitch, roll, yaw};
 }
 
-bool follows(const msg::ReadParams3& settings, std::size_t axis) {
+bool follows(const msg::ReadParams3& parameters, std::size_t axis) {
   constexpr std::size_t yaw = 2;
-  if (axis == yaw) return settings.rc.yaw.rc_follow != 0;
-  return settings.follow_mode == msg::FollowMode::pitch;
+  if (axis == yaw) return parameters.rc.yaw.rc_follow != 0;
+  return parameters.follow_mode == msg::FollowMode::pitch;
 }
 
-msg::AngularAcceleration acceleration_limit(const Settings& settings, const Availability& versions,
-                                            std::size_t axis) {
+msg::AngularAcceleration acceleration_limit(const Parameters& parameters,
+                                            const Availability& versions, std::size_t axis) {
   constexpr Availability since =
       sbgc::detail::field_info<msg::ReadParamsExt2>("acc_limiter3").since;
-  return is_available(since, versions) ? settings.of<msg::ReadParamsExt2>().acc_limiter3[axis]
-                                       : settings.of<msg::ReadParams3>().acc_limiter_all;
+  return is_available(since, versions) ? parameters.of<msg::ReadParamsExt2>().acc_limiter3[axis]
+                                       : parameters.of<msg::ReadParams3>().acc_limiter_all;
 }
 
 /// Ours: the specification gives no unit for these speeds, for the dead band and for FOLLOW_OFFSET;
@@ -43,19 +43,19 @@ double deadband_of(std::uint8_t setting) {
 
 }  // namespace
 
-Axes<double> home_angles(const Settings& settings) {
-  const auto& main = settings.of<msg::ReadParams3>();
+Axes<double> home_angles(const Parameters& parameters) {
+  const auto& main = parameters.of<msg::ReadParams3>();
   if (main.profile_flags1.has(msg::ProfileFlag::start_neutral_position)) return {};
   const auto& angles = main.rc_memory;
   return {angles.roll.degrees(), angles.pitch.degrees(), angles.yaw.degrees()};
 }
 
-Tuning tuning_of(const Settings& settings, const Availability& versions, bool has_encoders,
+Tuning tuning_of(const Parameters& parameters, const Availability& versions, bool has_encoders,
                  double battery_factor) {
-  const auto& main = settings.of<msg::ReadParams3>();
-  const auto& joints = settings.of<msg::ReadParamsExt>();
-  const auto& more = settings.of<msg::ReadParamsExt2>();
-  const Axes<double> start = home_angles(settings);
+  const auto& main = parameters.of<msg::ReadParams3>();
+  const auto& joints = parameters.of<msg::ReadParamsExt>();
+  const auto& more = parameters.of<msg::ReadParamsExt2>();
+  const Axes<double> start = home_angles(parameters);
   Tuning tuning;
   for (std::size_t axis = 0; axis < tuning.axes.size(); ++axis) {
     AxisTuning& out = tuning.axes[axis];
@@ -66,7 +66,7 @@ Tuning tuning_of(const Settings& settings, const Availability& versions, bool ha
     out.i = pid.i.real() * gain;
     out.d = pid.d * gain;
     out.power = main.output[axis] == msg::MotorOutput::disabled ? 0 : pid.power;
-    out.acceleration = acceleration_limit(settings, versions, axis).real();
+    out.acceleration = acceleration_limit(parameters, versions, axis).real();
     out.speed = out.remote_speed = speed_of(rc.rc_speed);
     out.follow_speed = speed_of(main.follow_speed[axis]);
     out.follow_deadband = deadband_of(main.follow_deadband);
@@ -77,7 +77,7 @@ Tuning tuning_of(const Settings& settings, const Availability& versions, bool ha
     out.remote_max = rc.rc_max_angle.degrees();
     out.start_angle = start[axis];
     if (has_encoders) {
-      // Ours: where both limits are equal, as in factory settings, there are none.
+      // Ours: where both limits are equal, as in factory parameters, there are none.
       out.joint_min = joints.encoder_limit_min[axis].degrees();
       out.joint_max = joints.encoder_limit_max[axis].degrees();
     }
@@ -90,4 +90,4 @@ Tuning tuning_of(const Settings& settings, const Availability& versions, bool ha
   return tuning;
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

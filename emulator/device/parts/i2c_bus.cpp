@@ -7,7 +7,7 @@
 
 #include "device/device.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 namespace {
 
 using Bus = I2cBus;
@@ -47,7 +47,7 @@ constexpr double per_field = 545;
 }  // namespace hmc
 
 bool is_imu(std::uint8_t address) { return address == Bus::main_imu || address == Bus::frame_imu; }
-bool is_eeprom(msg::I2cDevice device) { return device.port() == msg::I2cPort::second; }
+bool is_eeprom(msg::I2cDevice chip) { return chip.port() == msg::I2cPort::second; }
 std::size_t registers_of(std::uint8_t address) { return is_imu(address) ? mpu::size : hmc::size; }
 
 bool can_be_written(std::uint8_t address, std::size_t reg) {
@@ -61,8 +61,8 @@ bool can_be_written(std::uint8_t address, std::size_t reg) {
 }
 
 /// All registers, without those that hosts have written.
-std::vector<std::uint8_t> measured(Machine& machine, std::uint8_t address, Instant now) {
-  const Sample sample = machine.gimbal.sample(now);
+std::vector<std::uint8_t> measured(Device& device, std::uint8_t address, Instant now) {
+  const Sample sample = device.gimbal.sample(now);
   std::vector<std::uint8_t> registers(registers_of(address));
   if (is_imu(address)) {
     const bool is_main = address == Bus::main_imu;
@@ -97,52 +97,52 @@ std::uint16_t key(std::uint8_t address, std::size_t reg) {
 
 /// Where a register of the EEPROM begins. Ours: REG_ADDR is the upper byte of the address, so
 /// blocks of 256 bytes can be reached.
-std::size_t eeprom_address(const Machine& machine, std::uint8_t reg) {
-  return reg * std::size_t{256} % machine.eeprom.size();
+std::size_t eeprom_address(const Device& device, std::uint8_t reg) {
+  return reg * std::size_t{256} % device.eeprom.size();
 }
 
 }  // namespace
 
-bool I2cBus::answers(const Machine& machine, msg::I2cDevice device) {
-  const std::uint8_t address = device.address();
-  if (is_eeprom(device)) return address == eeprom;
+bool I2cBus::answers(const Device& device, msg::I2cDevice chip) {
+  const std::uint8_t address = chip.address();
+  if (is_eeprom(chip)) return address == eeprom;
   return address == main_imu || address == magnetometer ||
-         (address == frame_imu && machine.options.has_frame_imu);
+         (address == frame_imu && device.options.has_frame_imu);
 }
 
-std::vector<std::uint8_t> I2cBus::read(Machine& machine, msg::I2cDevice device,
-                                       std::uint8_t address, std::size_t size, Instant now) const {
+std::vector<std::uint8_t> I2cBus::read(Device& device, msg::I2cDevice chip, std::uint8_t address,
+                                       std::size_t size, Instant now) const {
   std::vector<std::uint8_t> result;
   result.reserve(size);
-  if (is_eeprom(device)) {
-    const std::size_t begin = eeprom_address(machine, address);
+  if (is_eeprom(chip)) {
+    const std::size_t begin = eeprom_address(device, address);
     for (std::size_t i = 0; i < size; ++i) {
-      result.push_back(machine.eeprom.bytes((begin + i) % machine.eeprom.size(), 1).front());
+      result.push_back(device.eeprom.bytes((begin + i) % device.eeprom.size(), 1).front());
     }
     return result;
   }
-  const auto registers = measured(machine, device.address(), now);
+  const auto registers = measured(device, chip.address(), now);
   for (std::size_t i = 0; i < size; ++i) {
     const std::size_t reg = (address + i) % registers.size();
-    const auto written = written_.find(key(device.address(), reg));
+    const auto written = written_.find(key(chip.address(), reg));
     result.push_back(written != written_.end() ? written->second : registers[reg]);
   }
   return result;
 }
 
-void I2cBus::write(Machine& machine, msg::I2cDevice device, std::uint8_t address,
+void I2cBus::write(Device& device, msg::I2cDevice chip, std::uint8_t address,
                    std::span<const std::uint8_t> data) {
-  if (is_eeprom(device)) {
-    const std::size_t begin = eeprom_address(machine, address);
-    const std::size_t before_end = std::min(data.size(), machine.eeprom.size() - begin);
-    if (before_end != 0) machine.eeprom.write(begin, data.first(before_end));
-    if (before_end != data.size()) machine.eeprom.write(0, data.subspan(before_end));
+  if (is_eeprom(chip)) {
+    const std::size_t begin = eeprom_address(device, address);
+    const std::size_t before_end = std::min(data.size(), device.eeprom.size() - begin);
+    if (before_end != 0) device.eeprom.write(begin, data.first(before_end));
+    if (before_end != data.size()) device.eeprom.write(0, data.subspan(before_end));
     return;
   }
   for (std::size_t i = 0; i < data.size(); ++i) {
-    const std::size_t reg = (address + i) % registers_of(device.address());
-    if (can_be_written(device.address(), reg)) written_[key(device.address(), reg)] = data[i];
+    const std::size_t reg = (address + i) % registers_of(chip.address());
+    if (can_be_written(chip.address(), reg)) written_[key(chip.address(), reg)] = data[i];
   }
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

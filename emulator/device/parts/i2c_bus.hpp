@@ -10,9 +10,9 @@
 #include <sbgc/enums.hpp>
 #include <sbgc/time.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
-struct Machine;
+struct Device;
 
 /// Register spaces of devices: two IMUs and a magnetometer on the bus of the sensors, the EEPROM on
 /// the other one (ours: real boards differ).
@@ -24,19 +24,19 @@ class I2cBus {
   static constexpr std::uint8_t eeprom = 0x50;  ///< on the second bus
 
   /// Whether something acknowledges this address.
-  static bool answers(const Machine& machine, msg::I2cDevice device);
+  static bool answers(const Device& device, msg::I2cDevice chip);
   /// Addresses of registers count up and begin again behind the last one. Precondition for both:
   /// the device answers.
-  std::vector<std::uint8_t> read(Machine& machine, msg::I2cDevice device, std::uint8_t address,
+  std::vector<std::uint8_t> read(Device& device, msg::I2cDevice chip, std::uint8_t address,
                                  std::size_t size, Instant now) const;
   /// Registers that cannot be written stay as they are.
-  void write(Machine& machine, msg::I2cDevice device, std::uint8_t address,
+  void write(Device& device, msg::I2cDevice chip, std::uint8_t address,
              std::span<const std::uint8_t> data);
 
   static Instant next() { return Instant::never; }
-  static void advance(Machine&, Instant) {}
+  static void advance(Device&, Instant) {}
   /// The devices keep their power, and so their registers.
-  static void restart(Machine&, Instant) {}
+  static void restart(Device&, Instant) {}
   /// They lose what hosts have written.
   void power_off() { written_.clear(); }
 
@@ -45,4 +45,4 @@ class I2cBus {
   std::map<std::uint16_t, std::uint8_t> written_{};
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -10,7 +10,7 @@
 #include "device/device.hpp"
 #include "physics/quantities.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 namespace {
 
 /// An axis turns about one direction of its sensor: roll about y, which points forward, pitch about
@@ -30,8 +30,8 @@ msg::RcSignal pulse(std::optional<double> signal) {
 }
 
 /// A flight controller's signal; 0 if its input does not serve that.
-msg::RcSignal controller_pulse(const Machine& machine, msg::RcMap source) {
-  const auto signal = machine.remote.signal(source);
+msg::RcSignal controller_pulse(const Device& device, msg::RcMap source) {
+  const auto signal = device.remote.signal(source);
   return signal ? pulse(signal) : msg::RcSignal(msg::RealtimeData3::ext_fc_unused);
 }
 
@@ -59,39 +59,38 @@ Axes<msg::Angle14> angles(const Axes<double>& from) {
 
 /// What both long messages begin with.
 template <class M>
-void measure_common(Machine& machine, std::size_t port, Instant now, const Sample& sample,
-                    M& data) {
-  const auto& settings = machine.settings.of<msg::ReadParams3>();
+void measure_common(Device& device, std::size_t port, Instant now, const Sample& sample, M& data) {
+  const auto& parameters = device.parameters.of<msg::ReadParams3>();
   for (std::size_t axis = 0; axis < data.axes.size(); ++axis) {
     data.axes[axis].acc_data = saturated<msg::Acceleration>(sample.acceleration[sensor_axis(axis)]);
     data.axes[axis].gyro_data = saturated<msg::GyroRate>(sample.gyro[sensor_axis(axis)]);
-    data.rc[axis] = pulse(machine.remote.own(machine, axis));
+    data.rc[axis] = pulse(device.remote.own(device, axis));
     data.motor_power[axis] =
         saturated_raw<std::uint8_t>(sample.power[axis] * std::numeric_limits<std::uint8_t>::max());
   }
   // Counters begin again when they overflow.
-  data.serial_error_cnt = static_cast<std::uint16_t>(machine.ports.errors(port));
-  data.system_error = machine.errors(now);
+  data.serial_error_cnt = static_cast<std::uint16_t>(device.ports.errors(port));
+  data.system_error = device.errors(now);
   data.error_code = static_cast<std::uint8_t>(data.system_error.raw());
-  data.rc_cmd = pulse(machine.remote.signal(settings.rc_map_cmd));
-  data.ext_fc_roll = controller_pulse(machine, settings.rc_map_fc_roll);
-  data.ext_fc_pitch = controller_pulse(machine, settings.rc_map_fc_pitch);
+  data.rc_cmd = pulse(device.remote.signal(parameters.rc_map_cmd));
+  data.ext_fc_roll = controller_pulse(device, parameters.rc_map_fc_roll);
+  data.ext_fc_pitch = controller_pulse(device, parameters.rc_map_fc_pitch);
   data.angle = angles(sample.angles);
   data.rc_angle = angles(sample.targets);
-  if (machine.has_frame_imu()) data.frame_imu_angle = angles(sample.frame);
-  data.cycle_time = saturated<msg::Microseconds>(static_cast<double>(machine.cycle().us));
-  data.bat_level = saturated<msg::Voltage>(machine.measured_battery(sample));
-  if (machine.gimbal.motors_on()) data.other_flags.set(msg::OtherFlag::motors_on);
-  data.cur_imu = machine.cur_imu;
-  data.cur_profile = machine.settings.profile();
+  if (device.has_frame_imu()) data.frame_imu_angle = angles(sample.frame);
+  data.cycle_time = saturated<msg::Microseconds>(static_cast<double>(device.cycle().us));
+  data.bat_level = saturated<msg::Voltage>(device.measured_battery(sample));
+  if (device.gimbal.motors_on()) data.other_flags.set(msg::OtherFlag::motors_on);
+  data.cur_imu = device.cur_imu;
+  data.cur_profile = device.parameters.profile();
 }
 
 template <class M, class Use>
-bool use_if(const Machine& machine, const msg::DataStreamInterval& request, Use&& use) {
+bool use_if(const Device& device, const msg::DataStreamInterval& request, Use&& use) {
   if (static_cast<std::uint8_t>(request.cmd_id) != static_cast<std::uint8_t>(M::command)) {
     return false;
   }
-  return is_supported<M>(machine.versions()) && use();
+  return is_supported<M>(device.versions()) && use();
 }
 
 bool is_of_frame(const msg::DataStreamInterval& request) {
@@ -100,49 +99,47 @@ bool is_of_frame(const msg::DataStreamInterval& request) {
 
 }  // namespace
 
-bool knows_frame(Machine& machine, Instant now) {
-  return machine.has_frame_imu() || machine.gimbal.is_frame_told(now);
+bool knows_frame(Device& device, Instant now) {
+  return device.has_frame_imu() || device.gimbal.is_frame_told(now);
 }
 
-bool knows_joints(const Machine& machine) {
-  return machine.has_encoders() || machine.has_frame_imu();
+bool knows_joints(const Device& device) { return device.has_encoders() || device.has_frame_imu(); }
+
+void measure(Device& device, std::size_t port, Instant now, msg::RealtimeData3& data) {
+  measure_common(device, port, now, device.gimbal.sample(now), data);
 }
 
-void measure(Machine& machine, std::size_t port, Instant now, msg::RealtimeData3& data) {
-  measure_common(machine, port, now, machine.gimbal.sample(now), data);
-}
-
-void measure(Machine& machine, std::size_t port, Instant now, msg::RealtimeData4& data) {
-  const Sample sample = machine.gimbal.sample(now);
-  measure_common(machine, port, now, sample, data);
-  if (knows_joints(machine)) data.rotor_angle = angles(sample.joints);
+void measure(Device& device, std::size_t port, Instant now, msg::RealtimeData4& data) {
+  const Sample sample = device.gimbal.sample(now);
+  measure_common(device, port, now, sample, data);
+  if (knows_joints(device)) data.rotor_angle = angles(sample.joints);
   for (std::size_t axis = 0; axis < data.mag_data.size(); ++axis) {
     data.balance_error[axis] = saturated<msg::BalanceError>(100 * sample.imbalance[axis]);
     // Ours: the scale of the raw data depends on the sensor.
     data.mag_data[axis] = saturated_raw<std::int16_t>(1000 * sample.magnetic[sensor_axis(axis)]);
   }
-  if (machine.options.features.has(msg::BoardFeature::current_sensor)) {
+  if (device.options.features.has(msg::BoardFeature::current_sensor)) {
     data.current = saturated<msg::Current>(1000 * sample.current);
   }
   data.imu_temperature = saturated<msg::Temperature>(sample.temperature);
-  if (machine.has_frame_imu()) {
+  if (device.has_frame_imu()) {
     data.frame_imu_temperature = saturated<msg::Temperature>(sample.frame_temperature);
   }
-  const bool is_frame = machine.cur_imu == msg::SelectedImu::frame;
+  const bool is_frame = device.cur_imu == msg::SelectedImu::frame;
   data.imu_g_err =
       saturated<msg::AngleError>(is_frame ? sample.frame_gravity_error : sample.gravity_error);
   data.imu_h_err =
       saturated<msg::AngleError>(is_frame ? sample.frame_heading_error : sample.heading_error);
 }
 
-void measure(Machine& machine, msg::RealtimeDataCustomFlags blocks, Instant now,
+void measure(Device& device, msg::RealtimeDataCustomFlags blocks, Instant now,
              msg::RealtimeDataCustom& data) {
   using Flag = msg::RealtimeDataCustomFlag;
-  const Sample sample = machine.gimbal.sample(now);
-  const auto& settings = machine.settings.of<msg::ReadParams3>();
+  const Sample sample = device.gimbal.sample(now);
+  const auto& parameters = device.parameters.of<msg::ReadParams3>();
   // The clock has 16 bits and begins again every 65.5 s.
   data.timestamp_ms = msg::MillisecondClock(
-      static_cast<std::uint16_t>((now - machine.restarts.started()).us / 1000));
+      static_cast<std::uint16_t>((now - device.restarts.started()).us / 1000));
   if (blocks.has(Flag::imu_angles)) data.imu_angles = angles(sample.angles);
   if (blocks.has(Flag::target_angles)) data.target_angles = angles(sample.targets);
   if (blocks.has(Flag::target_speed)) {
@@ -152,17 +149,17 @@ void measure(Machine& machine, msg::RealtimeDataCustomFlags blocks, Instant now,
     }
   }
   if (blocks.has(Flag::stator_rotor_angle)) {
-    data.stator_rotor_angle = knows_joints(machine) ? angles(sample.joints) : Axes<msg::Angle14>{};
+    data.stator_rotor_angle = knows_joints(device) ? angles(sample.joints) : Axes<msg::Angle14>{};
   }
   if (blocks.has(Flag::gyro_data)) data.gyro_data = sensor<msg::GyroRate>(sample.gyro);
   if (blocks.has(Flag::rc_data)) {
     auto& signals = data.rc_data.emplace();
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      signals[axis] = fine(machine.remote.own(machine, axis));
+      signals[axis] = fine(device.remote.own(device, axis));
     }
-    signals[3] = fine(machine.remote.signal(settings.rc_map_cmd));
-    signals[4] = fine(machine.remote.signal(settings.rc_map_fc_roll));
-    signals[5] = fine(machine.remote.signal(settings.rc_map_fc_pitch));
+    signals[3] = fine(device.remote.signal(parameters.rc_map_cmd));
+    signals[4] = fine(device.remote.signal(parameters.rc_map_fc_roll));
+    signals[5] = fine(device.remote.signal(parameters.rc_map_fc_pitch));
   }
   if (blocks.has(Flag::z1_h1_vectors)) {
     data.z1_vector = vector(sample.up);
@@ -173,8 +170,8 @@ void measure(Machine& machine, msg::RealtimeDataCustomFlags blocks, Instant now,
   if (blocks.has(Flag::acc_data)) data.acc_data = sensor<msg::Acceleration>(sample.acceleration);
 }
 
-void measure(Machine& machine, Instant now, msg::GetAngles& data) {
-  const Sample sample = machine.gimbal.sample(now);
+void measure(Device& device, Instant now, msg::GetAngles& data) {
+  const Sample sample = device.gimbal.sample(now);
   for (std::size_t axis = 0; axis < data.axes.size(); ++axis) {
     data.axes[axis].imu_angle = wire_angle(sample.angles[axis]);
     data.axes[axis].rc_target_angle = wire_angle(sample.targets[axis]);
@@ -182,56 +179,56 @@ void measure(Machine& machine, Instant now, msg::GetAngles& data) {
   }
 }
 
-void measure(Machine& machine, Instant now, msg::GetAnglesExt& data) {
-  const Sample sample = machine.gimbal.sample(now);
+void measure(Device& device, Instant now, msg::GetAnglesExt& data) {
+  const Sample sample = device.gimbal.sample(now);
   for (std::size_t axis = 0; axis < data.axes.size(); ++axis) {
     data.axes[axis].imu_angle = wire_angle(sample.angles[axis]);
     data.axes[axis].rc_target_angle = wire_angle(sample.targets[axis]);
-    if (knows_joints(machine)) {
+    if (knows_joints(device)) {
       data.axes[axis].stator_rotor_angle = saturated<msg::LongAngle14>(sample.joints[axis]);
     }
   }
 }
 
-void measure(Machine& machine, bool of_frame, Instant now, msg::AhrsHelper& data) {
-  const Sample sample = machine.gimbal.sample(now);
+void measure(Device& device, bool of_frame, Instant now, msg::AhrsHelper& data) {
+  const Sample sample = device.gimbal.sample(now);
   data.z1_vector = vector(of_frame ? sample.frame_up : sample.up);
   data.h1_vector = vector(of_frame ? sample.frame_north : sample.north);
 }
 
-bool can_stream(Machine& machine, const msg::DataStreamInterval& request, Instant now) {
+bool can_stream(Device& device, const msg::DataStreamInterval& request, Instant now) {
   const auto yes = [] { return true; };
-  return use_if<msg::RealtimeData3>(machine, request, yes) ||
-         use_if<msg::RealtimeData4>(machine, request, yes) ||
-         use_if<msg::RealtimeDataCustom>(machine, request, yes) ||
-         use_if<msg::AhrsHelper>(machine, request, [&] {
-           if (is_of_frame(request)) return knows_frame(machine, now);
+  return use_if<msg::RealtimeData3>(device, request, yes) ||
+         use_if<msg::RealtimeData4>(device, request, yes) ||
+         use_if<msg::RealtimeDataCustom>(device, request, yes) ||
+         use_if<msg::AhrsHelper>(device, request, [&] {
+           if (is_of_frame(request)) return knows_frame(device, now);
            return !request.config.imu_type || *request.config.imu_type == msg::ImuIndex::main;
          });
 }
 
-bool offer_sample(Machine& machine, std::size_t port, const msg::DataStreamInterval& request,
+bool offer_sample(Device& device, std::size_t port, const msg::DataStreamInterval& request,
                   Instant now) {
   // To measure costs more than to look first.
   const std::size_t size = Framing::frame_size(stream_change(request).size);
-  if (machine.ports.room(port) < size) return false;
+  if (device.ports.room(port) < size) return false;
   const auto offer = [&]<class M>(M data, auto&&... what) {
-    measure(machine, what..., now, data);
-    return machine.ports.offer(port, data);
+    measure(device, what..., now, data);
+    return device.ports.offer(port, data);
   };
-  return use_if<msg::RealtimeData3>(machine, request,
+  return use_if<msg::RealtimeData3>(device, request,
                                     [&] { return offer(msg::RealtimeData3{}, port); }) ||
-         use_if<msg::RealtimeData4>(machine, request,
+         use_if<msg::RealtimeData4>(device, request,
                                     [&] { return offer(msg::RealtimeData4{}, port); }) ||
-         use_if<msg::RealtimeDataCustom>(machine, request,
+         use_if<msg::RealtimeDataCustom>(device, request,
                                          [&] {
                                            return offer(msg::RealtimeDataCustom{},
                                                         request.config.flags
                                                             ? *request.config.flags
                                                             : msg::RealtimeDataCustomFlags{});
                                          }) ||
-         use_if<msg::AhrsHelper>(machine, request,
+         use_if<msg::AhrsHelper>(device, request,
                                  [&] { return offer(msg::AhrsHelper{}, is_of_frame(request)); });
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

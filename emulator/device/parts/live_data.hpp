@@ -8,29 +8,29 @@
 #include <sbgc/messages/realtime.hpp>
 #include <sbgc/time.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
-struct Machine;
+struct Device;
 
 /// Sets `data` to what the board measures now. Precondition for the attitude: the board knows it.
-void measure(Machine& machine, std::size_t port, Instant now, msg::RealtimeData3& data);
-void measure(Machine& machine, std::size_t port, Instant now, msg::RealtimeData4& data);
-void measure(Machine& machine, msg::RealtimeDataCustomFlags blocks, Instant now,
+void measure(Device& device, std::size_t port, Instant now, msg::RealtimeData3& data);
+void measure(Device& device, std::size_t port, Instant now, msg::RealtimeData4& data);
+void measure(Device& device, msg::RealtimeDataCustomFlags blocks, Instant now,
              msg::RealtimeDataCustom& data);
-void measure(Machine& machine, Instant now, msg::GetAngles& data);
-void measure(Machine& machine, Instant now, msg::GetAnglesExt& data);
-void measure(Machine& machine, bool of_frame, Instant now, msg::AhrsHelper& data);
+void measure(Device& device, Instant now, msg::GetAngles& data);
+void measure(Device& device, Instant now, msg::GetAnglesExt& data);
+void measure(Device& device, bool of_frame, Instant now, msg::AhrsHelper& data);
 
 /// Whether the frame's attitude is known: its IMU measures it, or a host tells it.
-bool knows_frame(Machine& machine, Instant now);
+bool knows_frame(Device& device, Instant now);
 /// Without encoders and a second IMU nothing knows the joints.
-bool knows_joints(const Machine& machine);
+bool knows_joints(const Device& device);
 
 /// Whether this board can send the stream that a request asks for. That of the frame's attitude
 /// goes on when no host tells it any more: ours.
-bool can_stream(Machine& machine, const msg::DataStreamInterval& request, Instant now);
+bool can_stream(Device& device, const msg::DataStreamInterval& request, Instant now);
 /// Sends a sample of it, if there is room. Precondition: can_stream().
-bool offer_sample(Machine& machine, std::size_t port, const msg::DataStreamInterval& request,
+bool offer_sample(Device& device, std::size_t port, const msg::DataStreamInterval& request,
                   Instant now);
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

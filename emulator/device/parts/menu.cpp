@@ -3,12 +3,12 @@
 #include <cmath>
 #include <optional>
 
-#include "device/handlers.hpp"
 #include "device/device.hpp"
-#include "physics/quantities.hpp"
+#include "device/handlers.hpp"
 #include "device/parts/gimbal_tuning.hpp"
+#include "physics/quantities.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 namespace {
 
 constexpr std::size_t roll = 0, pitch = 1, yaw = 2;
@@ -31,50 +31,50 @@ std::optional<std::uint8_t> script_of(msg::MenuCommand action) {
 }
 
 /// The present angles of the camera, as the ones to start with.
-Axes<msg::Angle14> present_angles(Machine& machine, Instant now) {
-  const Sample sample = machine.gimbal.sample(now);
+Axes<msg::Angle14> present_angles(Device& device, Instant now) {
+  const Sample sample = device.gimbal.sample(now);
   return {wire_angle(sample.angles.roll), wire_angle(sample.angles.pitch),
           wire_angle(sample.angles.yaw)};
 }
 
-void set_angle(Machine& machine, bool is_saved, Instant now) {
-  Settings& settings = machine.settings;
-  const Axes<msg::Angle14> angles = present_angles(machine, now);
+void set_angle(Device& device, bool is_saved, Instant now) {
+  Parameters& parameters = device.parameters;
+  const Axes<msg::Angle14> angles = present_angles(device, now);
   const auto edit = [&](msg::ReadParams3& changed) { changed.rc_memory = angles; };
   if (is_saved) {
     // As long as before, so there is room for it.
-    static_cast<void>(settings.change<msg::ReadParams3>(settings.profile(), edit));
+    static_cast<void>(parameters.change<msg::ReadParams3>(parameters.profile(), edit));
   } else {
-    settings.change_in_use<msg::ReadParams3>(edit);
+    parameters.change_in_use<msg::ReadParams3>(edit);
   }
-  machine.apply_settings(now);
+  device.apply_parameters(now);
 }
 
-void go_to(Machine& machine, std::size_t axis, double angle, Instant now) {
-  machine.gimbal.command(axis, {.mode = AxisMode::angle, .angle = angle}, now);
+void go_to(Device& device, std::size_t axis, double angle, Instant now) {
+  device.gimbal.command(axis, {.mode = AxisMode::angle, .angle = angle}, now);
 }
 
-void go_home(Machine& machine, Instant now) {
-  const Axes<double> angles = home_angles(machine.settings);
-  for (std::size_t axis = 0; axis < angles.size(); ++axis) go_to(machine, axis, angles[axis], now);
+void go_home(Device& device, Instant now) {
+  const Axes<double> angles = home_angles(device.parameters);
+  for (std::size_t axis = 0; axis < angles.size(); ++axis) go_to(device, axis, angles[axis], now);
 }
 
 /// Towards the frame's heading, without turning back full turns.
-void center_yaw(Machine& machine, Instant now) {
-  const double joint = machine.gimbal.sample(now).joints[yaw];
+void center_yaw(Device& device, Instant now) {
+  const double joint = device.gimbal.sample(now).joints[yaw];
   constexpr double turn = 360;
-  machine.gimbal.command(
+  device.gimbal.command(
       yaw, {.mode = AxisMode::relative_angle, .angle = turn * std::round(joint / turn)}, now);
 }
 
-void calibrate(Machine& machine, Calibrations::Kind kind, Instant now) {
-  const std::size_t imu = machine.cur_imu == msg::SelectedImu::frame ? 1 : 0;
-  static_cast<void>(machine.calibrations.start(machine, kind, imu, {}, now));
+void calibrate(Device& device, Calibrations::Kind kind, Instant now) {
+  const std::size_t imu = device.cur_imu == msg::SelectedImu::frame ? 1 : 0;
+  static_cast<void>(device.calibrations.start(device, kind, imu, {}, now));
 }
 
 }  // namespace
 
-bool Machine::execute(msg::MenuCommand action, Instant now) {
+bool Device::execute(msg::MenuCommand action, Instant now) {
   using Kind = Calibrations::Kind;
   if (const auto profile = profile_of(action)) {
     select_profile(*profile, now);
@@ -122,7 +122,7 @@ bool Machine::execute(msg::MenuCommand action, Instant now) {
     case msg::MenuCommand::rc_bind: break;
     case msg::MenuCommand::button_press: {
       // One press. A button that presses itself does nothing.
-      const msg::MenuCommand pressed = settings.of<msg::ReadParams3>().menu_cmd[0];
+      const msg::MenuCommand pressed = parameters.of<msg::ReadParams3>().menu_cmd[0];
       return pressed == msg::MenuCommand::button_press || execute(pressed, now);
     }
     default: return false;
@@ -130,4 +130,4 @@ bool Machine::execute(msg::MenuCommand action, Instant now) {
   return true;
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -7,10 +7,10 @@
 #include <sbgc/meta/peripherals.hpp>
 #include <sbgc/validate.hpp>
 
-#include "device/known_values.hpp"
 #include "device/device.hpp"
+#include "device/known_values.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 namespace {
 
 /// Ours: the standard sounds take this long.
@@ -28,29 +28,29 @@ std::optional<std::size_t> index_of(E value) {
 }
 
 /// Whether a source of RC signals is this pin: RC_MAP_* name pins with the numbers of OutputPin.
-bool is_at(const Machine& machine, msg::RcMap source, msg::OutputPin pin) {
+bool is_at(const Device& device, msg::RcMap source, msg::OutputPin pin) {
   // Boards without analog inputs of their own read analog signals at the pins for PWM.
   const bool reads_pin =
       source.source() == msg::RcSource::pwm ||
-      (source.source() == msg::RcSource::analog && !knows(machine.versions(), msg::RcInput::adc1));
+      (source.source() == msg::RcSource::analog && !knows(device.versions(), msg::RcInput::adc1));
   return reads_pin && source.channel() == static_cast<std::uint8_t>(pin);
 }
 
-bool is_input(const Machine& machine, msg::OutputPin pin) {
-  const auto& settings = machine.settings.of<msg::ReadParams3>();
-  const msg::RcVirtualMode mode = settings.rc_virt_mode;
+bool is_input(const Device& device, msg::OutputPin pin) {
+  const auto& parameters = device.parameters.of<msg::ReadParams3>();
+  const msg::RcVirtualMode mode = parameters.rc_virt_mode;
   const bool has_receiver = mode == msg::RcVirtualMode::cppm || mode == msg::RcVirtualMode::sbus ||
                             mode == msg::RcVirtualMode::spektrum;
   if (has_receiver && pin == msg::OutputPin::rc_input_roll) return true;
-  const auto is_pin = [&](msg::RcMap source) { return is_at(machine, source, pin); };
+  const auto is_pin = [&](msg::RcMap source) { return is_at(device, source, pin); };
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (is_pin(settings.rc_map[axis])) return true;
+    if (is_pin(parameters.rc_map[axis])) return true;
   }
-  if (is_pin(settings.rc_map_cmd) || is_pin(settings.rc_map_fc_roll) ||
-      is_pin(settings.rc_map_fc_pitch)) {
+  if (is_pin(parameters.rc_map_cmd) || is_pin(parameters.rc_map_fc_roll) ||
+      is_pin(parameters.rc_map_fc_pitch)) {
     return true;
   }
-  const auto& slots = machine.settings.of<msg::ReadAdjVarsCfg>();
+  const auto& slots = device.parameters.of<msg::ReadAdjVarsCfg>();
   const auto reads_pin = [&](const auto& slot) { return is_pin(slot.src_ch); };
   return std::any_of(slots.trigger_slots.begin(), slots.trigger_slots.end(), reads_pin) ||
          std::any_of(slots.analog_slots.begin(), slots.analog_slots.end(), reads_pin);
@@ -63,7 +63,7 @@ constexpr std::array<msg::OutputPin, Outputs::servo_pins> servo_pin{
 
 constexpr msg::ServoPulse floating{msg::ServoOut::floating};
 
-/// The sound of an event that the settings choose from; they are two sets (E111).
+/// The sound of an event that the parameters choose from; they are two sets (E111).
 std::optional<msg::BeepMode> sound_of(msg::BeeperMode event) {
   switch (event) {
     case msg::BeeperMode::calibrate: return msg::BeepMode::calibrate;
@@ -83,12 +83,12 @@ std::array<msg::ServoPulse, Outputs::servos> Outputs::free_servos() {
   return result;
 }
 
-bool Outputs::set_pin(const Machine& machine, msg::OutputPin pin, msg::PinState state) {
-  if (!knows(machine.versions(), pin) || !index_of(state) || is_input(machine, pin)) return false;
-  const auto& settings = machine.settings.of<msg::ReadParams3>();
+bool Outputs::set_pin(const Device& device, msg::OutputPin pin, msg::PinState state) {
+  if (!knows(device.versions(), pin) || !index_of(state) || is_input(device, pin)) return false;
+  const auto& parameters = device.parameters.of<msg::ReadParams3>();
   for (std::size_t i = 0; i < servo_pin.size(); ++i) {
     const bool is_servo =
-        servos_[i] != floating || settings.servo_out[i] != msg::ReadParams3::servo_disabled;
+        servos_[i] != floating || parameters.servo_out[i] != msg::ReadParams3::servo_disabled;
     if (servo_pin[i] == pin && is_servo) return false;
   }
   pins_[*index_of(pin)] = state;
@@ -108,14 +108,14 @@ std::uint16_t Outputs::high_pins() const {
   return static_cast<std::uint16_t>(bits);
 }
 
-bool Outputs::set_servos(const Machine& machine, const msg::ServoOut& request) {
+bool Outputs::set_servos(const Device& device, const msg::ServoOut& request) {
   msg::ServoOut wanted = request;
   // All that is negative says so.
   for (msg::ServoPulse& pulse : wanted.servo_time) {
     if (pulse < msg::ServoPulse(msg::ServoOut::low)) pulse = floating;
   }
   if (!is_valid(wanted)) return false;
-  const double rate = machine.settings.of<msg::ReadParams3>().servo_rate.hertz();
+  const double rate = device.parameters.of<msg::ReadParams3>().servo_rate.hertz();
   constexpr auto second = static_cast<double>(seconds(1).us);
   for (const msg::ServoPulse pulse : wanted.servo_time) {
     if (pulse.microseconds() * rate >= second) return false;
@@ -141,20 +141,20 @@ bool Outputs::play(const msg::BeepSound& sound, Instant now) {
   return true;
 }
 
-void Outputs::signal(const Machine& machine, msg::BeeperMode event, Instant now) {
-  if (!machine.settings.of<msg::ReadParams3>().beeper_modes.has(event)) return;
+void Outputs::signal(const Device& device, msg::BeeperMode event, Instant now) {
+  if (!device.parameters.of<msg::ReadParams3>().beeper_modes.has(event)) return;
   if (const auto sound = sound_of(event)) sound_ = Sound{*sound, now + standard_sound};
 }
 
 Instant Outputs::next() const { return sound_ ? sound_->end : Instant::never; }
 
-void Outputs::advance(Machine&, Instant now) {
+void Outputs::advance(Device&, Instant now) {
   if (sound_ && sound_->end <= now) sound_.reset();
 }
 
-void Outputs::restart(Machine&, Instant) {
+void Outputs::restart(Device&, Instant) {
   static_assert(std::size(EnumMeta<msg::OutputPin>::values) == pin_count);
   *this = {};
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -11,9 +11,9 @@
 #include <sbgc/messages/peripherals.hpp>
 #include <sbgc/time.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
-struct Machine;
+struct Device;
 
 /// Nothing is connected to it: the state of the outputs can be asked for.
 class Outputs {
@@ -29,7 +29,7 @@ class Outputs {
   };
 
   /// False, and nothing happens, if there is no such pin or it serves another purpose now.
-  bool set_pin(const Machine& machine, msg::OutputPin pin, msg::PinState state);
+  bool set_pin(const Device& device, msg::OutputPin pin, msg::PinState state);
   /// What a host has set it to; nothing if it has not.
   std::optional<msg::PinState> pin(msg::OutputPin pin) const;
   /// A set of bits, one for each pin in the order of OutputPin: those that are high.
@@ -37,20 +37,20 @@ class Outputs {
 
   /// False, and nothing changes, if a pulse does not fit into the period of SERVO_RATE. Ours: it
   /// takes the pin from any other purpose.
-  bool set_servos(const Machine& machine, const msg::ServoOut& request);
+  bool set_servos(const Device& device, const msg::ServoOut& request);
   /// As in CMD_SERVO_OUT. Precondition: index < servos.
   msg::ServoPulse servo(std::size_t index) const { return servos_[index]; }
 
   /// Plays a melody or a standard sound, instead of what it plays. False, and nothing happens, if
   /// the message does not describe one.
   bool play(const msg::BeepSound& sound, Instant now);
-  /// Plays the standard sound of an event, if it has one and the settings want it.
-  void signal(const Machine& machine, msg::BeeperMode event, Instant now);
+  /// Plays the standard sound of an event, if it has one and the parameters want it.
+  void signal(const Device& device, msg::BeeperMode event, Instant now);
   std::optional<Sound> sound() const { return sound_; }
 
   Instant next() const;
-  void advance(Machine& machine, Instant now);
-  void restart(Machine& machine, Instant now);
+  void advance(Device& device, Instant now);
+  void restart(Device& device, Instant now);
 
  private:
   static constexpr std::size_t pin_count = 10;
@@ -62,4 +62,4 @@ class Outputs {
   static std::array<msg::ServoPulse, servos> free_servos();
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

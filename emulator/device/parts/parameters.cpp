@@ -3,21 +3,21 @@
 #include <sbgc/meta/variables.hpp>
 #include <sbgc/variable_settings.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
-Settings::Settings(Memory& memory) : memory_(memory), eeprom_(memory) { reload(); }
+Parameters::Parameters(Memory& memory) : memory_(memory), eeprom_(memory) { reload(); }
 
-void Settings::reload() {
+void Parameters::reload() {
   variables_.clear();
   StoredMessages::for_each([this]<class M>(Type<M>) { use(stored<M>(copy_in_use<M>())); });
 }
 
-std::uint8_t Settings::profile() const {
+std::uint8_t Parameters::profile() const {
   constexpr std::uint8_t profiles = SettingsOf<msg::ReadParams3>::copies;
   return memory_.profile < profiles ? memory_.profile : std::uint8_t{0};
 }
 
-void Settings::select_profile(std::uint8_t profile) {
+void Parameters::select_profile(std::uint8_t profile) {
   if (memory_.is_unsaved || memory_.profile != profile) ++memory_.revision;
   memory_.profile = profile;
   StoredMessages::for_each([&]<class M>(Type<M>) {
@@ -25,7 +25,7 @@ void Settings::select_profile(std::uint8_t profile) {
   });
 }
 
-std::optional<std::int32_t> Settings::variable(msg::VariableId id) const {
+std::optional<std::int32_t> Parameters::variable(msg::VariableId id) const {
   if (find_variable(id) == nullptr) return std::nullopt;
   const Optional<std::int32_t> now = variable_value(in_use_, id);
   // Another variable may have changed the same setting since.
@@ -34,7 +34,7 @@ std::optional<std::int32_t> Settings::variable(msg::VariableId id) const {
   return now ? *now : 0;
 }
 
-bool Settings::set_variable(msg::VariableId id, std::int32_t value) {
+bool Parameters::set_variable(msg::VariableId id, std::int32_t value) {
   const VariableInfo* const known = find_variable(id);
   if (known == nullptr || value < known->range.lowest || value > known->range.highest) {
     return false;
@@ -44,7 +44,7 @@ bool Settings::set_variable(msg::VariableId id, std::int32_t value) {
   return true;
 }
 
-std::optional<msg::VariableId> Settings::set_variables(std::span<const msg::AdjVarValue> values) {
+std::optional<msg::VariableId> Parameters::set_variables(std::span<const msg::AdjVarValue> values) {
   const auto in_use = in_use_;
   const auto variables = variables_;
   for (const msg::AdjVarValue& one : values) {
@@ -57,11 +57,11 @@ std::optional<msg::VariableId> Settings::set_variables(std::span<const msg::AdjV
   return {};
 }
 
-void Settings::forget_variables() {
+void Parameters::forget_variables() {
   std::erase_if(variables_, [](const auto& entry) { return entry.second.made.has_value(); });
 }
 
-void Settings::save() {
+void Parameters::save() {
   StoredMessages::for_each([this]<class M>(Type<M>) {
     // What is in use has been stored or loaded before, so it is not too long.
     if constexpr (is_of_profile<M>) static_cast<void>(store(profile(), of<M>()));
@@ -69,21 +69,21 @@ void Settings::save() {
   forget_variables();
 }
 
-void Settings::use_defaults(std::uint8_t profile) {
+void Parameters::use_defaults(std::uint8_t profile) {
   StoredMessages::for_each([&]<class M>(Type<M>) {
     if constexpr (is_of_profile<M>) {
-      M defaults = factory_settings<M>(profile);
+      M defaults = factory_parameters<M>(profile);
       share(record<M>(0), defaults);
       static_cast<void>(write(profile, defaults));
     }
   });
 }
 
-void Settings::erase() {
+void Parameters::erase() {
   eeprom_.erase();
   if (memory_.profile != 0) ++memory_.revision;
   memory_.profile = 0;
   reload();
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

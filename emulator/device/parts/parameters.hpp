@@ -1,4 +1,4 @@
-/// The settings of the board: those in use, and those in the EEPROM.
+/// The parameters of the board: those in use, and those in the EEPROM.
 #pragma once
 
 #include <array>
@@ -22,10 +22,10 @@
 #include <sbgc/types.hpp>
 
 #include "device/parts/eeprom.hpp"
-#include "device/parts/factory_parameters.hpp"
 #include "device/parts/eeprom_records.hpp"
+#include "device/parts/factory_parameters.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// One message of each type of a TypeList.
 template <class List>
@@ -44,7 +44,7 @@ struct OneOfEach<TypeList<Messages...>> {
   }
 };
 
-/// Settings are bodies of StoredMessages. Those of the active profile are in use: they can differ
+/// Parameters are bodies of StoredMessages. Those of the active profile are in use: they can differ
 /// from the EEPROM by what has been changed in use only, as by adjustable variables, until save()
 /// or a restart.
 ///
@@ -53,18 +53,18 @@ struct OneOfEach<TypeList<Messages...>> {
 ///
 /// General ones (FieldRole::general) count in the record of the first copy: whichever copy is
 /// written, they are stored there and in use at once.
-class Settings {
+class Parameters {
  public:
-  /// Loads what the EEPROM has; what is missing or damaged there becomes the factory settings, in
+  /// Loads what the EEPROM has; what is missing or damaged there becomes the factory parameters, in
   /// use but not in the EEPROM.
-  explicit Settings(Memory& memory);
+  explicit Parameters(Memory& memory);
 
   /// As after a restart.
   void reload();
 
   /// The active one. A number in the memory that no profile has counts as 0.
   std::uint8_t profile() const;
-  /// Takes the settings of another profile into use. Precondition: there is such a profile.
+  /// Takes the parameters of another profile into use. Precondition: there is such a profile.
   void select_profile(std::uint8_t profile);
 
   /// In use.
@@ -82,8 +82,8 @@ class Settings {
   /// Stores in the EEPROM, reserved bytes and tail with it, and takes into use what is of the
   /// active profile. False if the EEPROM has no room for so long a body. Same precondition.
   template <class M>
-  bool write(std::uint8_t copy, const M& settings) {
-    M numbered = settings;
+  bool write(std::uint8_t copy, const M& parameters) {
+    M numbered = parameters;
     set_copy(numbered, copy);
     if (!store(copy, numbered)) return false;
     if (copy == copy_in_use<M>()) {
@@ -93,18 +93,18 @@ class Settings {
     }
     return true;
   }
-  /// Changes some of the settings, in the EEPROM and in use: `edit(M&)` is called for both. What
+  /// Changes some of the parameters, in the EEPROM and in use: `edit(M&)` is called for both. What
   /// else is in use and not saved stays as it is. Otherwise as write().
   template <class M, class Edit>
   bool change(std::uint8_t copy, const Edit& edit) {
-    auto settings = stored<M>(copy);
-    edit(settings);
-    if (!store(copy, settings)) return false;
+    auto parameters = stored<M>(copy);
+    edit(parameters);
+    if (!store(copy, parameters)) return false;
     auto& in_use = in_use_.template of<M>();
     if (copy == copy_in_use<M>()) {
       edit(in_use);
     } else {
-      share(settings, in_use);
+      share(parameters, in_use);
     }
     return true;
   }
@@ -118,17 +118,17 @@ class Settings {
   /// The variable's value; nothing if it is none of this board's.
   std::optional<std::int32_t> variable(msg::VariableId id) const;
   /// Until restart or save(). False if there is no such variable or its range forbids the value.
-  /// variable() is this value then, even where the settings can only come near to it.
+  /// variable() is this value then, even where the parameters can only come near to it.
   bool set_variable(msg::VariableId id, std::int32_t value);
   /// Sets all of them, or none if one cannot be set: then it returns that one.
   std::optional<msg::VariableId> set_variables(std::span<const msg::AdjVarValue> values);
   /// Stores what is in use in the active profile.
   void save();
 
-  /// Factory settings for one profile, in the EEPROM and in use; general ones stay as they are.
+  /// Factory parameters for one profile, in the EEPROM and in use; general ones stay as they are.
   /// Precondition: there is one.
   void use_defaults(std::uint8_t profile);
-  /// Erases the whole EEPROM, files and user data with it; factory settings are in use, the first
+  /// Erases the whole EEPROM, files and user data with it; factory parameters are in use, the first
   /// profile is active.
   void erase();
 
@@ -136,7 +136,7 @@ class Settings {
   /// A variable that has been set.
   struct Variable {
     std::int32_t given{};
-    Optional<std::int32_t> made{};  ///< what the settings have made of it; nothing without one
+    Optional<std::int32_t> made{};  ///< what the parameters have made of it; nothing without one
   };
 
   /// Messages that each profile has a copy of; all others are there once.
@@ -164,7 +164,7 @@ class Settings {
       found = found || std::is_same_v<M, Other>;
       if (!found) before += SettingsOf<Other>::copies;
     });
-    return layout::settings + (before + copy) * record_size();
+    return layout::parameters + (before + copy) * record_size();
   }
   template <class M>
   M stored(std::uint8_t copy) const {
@@ -172,12 +172,12 @@ class Settings {
     if (copy != 0) share(record<M>(0), message);
     return message;
   }
-  /// What the EEPROM has for one copy, or else the factory settings.
+  /// What the EEPROM has for one copy, or else the factory parameters.
   template <class M>
   M record(std::uint8_t copy) const {
     M message{};
     const auto body = read_record(eeprom_, place<M>(copy), {M::command, copy});
-    if (!body || !decode(std::span(*body), message)) message = factory_settings<M>(copy);
+    if (!body || !decode(std::span(*body), message)) message = factory_parameters<M>(copy);
     set_copy(message, copy);
     return message;
   }
@@ -202,7 +202,7 @@ class Settings {
     if (is_of_profile<M>) forget_variables();
     in_use_.template of<M>() = message;
   }
-  /// Those that stand for settings have the settings' values again.
+  /// Those that stand for parameters have the parameters' values again.
   void forget_variables();
 
   Memory& memory_;
@@ -211,4 +211,4 @@ class Settings {
   std::map<msg::VariableId, Variable> variables_{};  ///< that have been set
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

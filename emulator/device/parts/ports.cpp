@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 namespace {
 
 std::size_t limit(std::size_t size) {
@@ -13,7 +13,7 @@ std::size_t limit(std::size_t size) {
 
 }  // namespace
 
-Ports::Ports(const Options& options)
+Ports::Ports(const BoardOptions& options)
     : input_limit_(std::min(limit(options.input_buffer), max_input)),
       output_limit_(limit(options.output_buffer)),
       holds_(options.waits_for_saving) {}
@@ -189,4 +189,4 @@ void Ports::sent(std::size_t port, std::size_t size) {
   }
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -14,7 +14,7 @@
 #include <sbgc/message.hpp>
 #include <sbgc/parser.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// A request that waits for its turn.
 struct Waiting {
@@ -28,7 +28,7 @@ class Ports {
   /// No port has this number; sending to it does nothing.
   static constexpr std::size_t none = Board::max_ports;
 
-  explicit Ports(const Options& options);
+  explicit Ports(const BoardOptions& options);
 
   /// Frames that tell of a change to the memory wait for release() or fail(): each step of the
   /// board's work ends with end_step(), with the revision if the step has changed the memory. What
@@ -140,4 +140,4 @@ class Ports {
   bool is_silent_{};
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -6,9 +6,9 @@
 
 #include <sbgc/time.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
-struct Machine;
+struct Device;
 
 /// Off and on again: what is not in the memory is lost, and hosts are not heard for a while.
 class Restarts {
@@ -16,15 +16,15 @@ class Restarts {
   enum class State : std::uint8_t { starting, running, in_bootloader };
 
   /// The board is switched on.
-  Restarts(Machine& machine, Instant now);
+  Restarts(Device& device, Instant now);
 
   /// At that time. A restart that comes earlier anyway stays.
   void schedule(Instant at, bool to_bootloader);
   /// The board restarts by itself: it tells all hosts, and gives them time.
-  void announce(Machine& machine, Instant now);
+  void announce(Device& device, Instant now);
   /// At once. `power_off`: what waits to be sent is lost too, and what is in the devices on the
   /// bus.
-  void restart_now(Machine& machine, Instant now, bool to_bootloader, bool power_off);
+  void restart_now(Device& device, Instant now, bool to_bootloader, bool power_off);
 
   State state() const { return state_; }
   bool is_listening() const { return state_ == State::running; }
@@ -32,7 +32,7 @@ class Restarts {
   Instant started() const { return started_; }
 
   Instant next() const;
-  void advance(Machine& machine, Instant now);
+  void advance(Device& device, Instant now);
 
  private:
   struct Scheduled {
@@ -40,8 +40,8 @@ class Restarts {
     bool to_bootloader{};
   };
 
-  void begin_start(Machine& machine, Instant now);
-  void begin_running(Machine& machine, Instant now);
+  void begin_start(Device& device, Instant now);
+  void begin_running(Device& device, Instant now);
 
   State state_ = State::starting;
   Instant changes_ = Instant::never;  ///< when the state does
@@ -49,4 +49,4 @@ class Restarts {
   std::optional<Scheduled> scheduled_{};
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -6,7 +6,7 @@
 
 #include "device/device.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 namespace {
 
 /// Ours: what a command takes.
@@ -31,17 +31,17 @@ std::uint16_t count_commands(std::string_view text) {
 
 }  // namespace
 
-bool Scripts::are_known(const Machine& machine) {
-  return machine.options.features.has(msg::BoardFeature::scripting);
+bool Scripts::are_known(const Device& device) {
+  return device.options.features.has(msg::BoardFeature::scripting);
 }
 
-std::optional<msg::BoardErrorCode> Scripts::start(Machine& machine, std::uint8_t slot,
+std::optional<msg::BoardErrorCode> Scripts::start(Device& device, std::uint8_t slot,
                                                   std::optional<std::size_t> port, Instant now) {
-  if (!are_known(machine)) return msg::BoardErrorCode::not_supported;
+  if (!are_known(device)) return msg::BoardErrorCode::not_supported;
   if (slot >= slots) return msg::BoardErrorCode::wrong_params;
-  const std::uint16_t size = machine.files.size(slot);
+  const std::uint16_t size = device.files.size(slot);
   if (size == 0) return msg::BoardErrorCode::operation_failed;
-  const FileSystem::Part file = machine.files.read(slot, 0, size);
+  const FileSystem::Part file = device.files.read(slot, 0, size);
   if (file.error != msg::FileError::no_error) return msg::BoardErrorCode::operation_failed;
   Run run{.slot = slot, .port = port};
   run.commands = count_commands(
@@ -58,18 +58,18 @@ std::optional<std::uint8_t> Scripts::running() const {
 
 Instant Scripts::next() const { return run_ ? run_->due : Instant::never; }
 
-void Scripts::advance(Machine& machine, Instant now) {
+void Scripts::advance(Device& device, Instant now) {
   while (run_ && run_->due <= now) {
     // The board reads the script while it runs, so it can vanish.
-    const bool is_gone = machine.files.size(run_->slot) == 0;
+    const bool is_gone = device.files.size(run_->slot) == 0;
     if (is_gone || run_->command >= run_->commands) {
-      report(machine, is_gone ? msg::FileError::file_not_found : msg::FileError::no_error);
+      report(device, is_gone ? msg::FileError::file_not_found : msg::FileError::no_error);
       run_.reset();
       return;
     }
     ++run_->command;
     run_->due = run_->due + command_time;
-    report(machine, msg::FileError::no_error);
+    report(device, msg::FileError::no_error);
   }
 }
 
@@ -77,15 +77,15 @@ void Scripts::forget_port(std::size_t port) {
   if (run_ && run_->port == port) run_->port.reset();
 }
 
-void Scripts::restart(Machine&, Instant) { run_.reset(); }
+void Scripts::restart(Device&, Instant) { run_.reset(); }
 
-void Scripts::report(Machine& machine, msg::FileError error) const {
+void Scripts::report(Device& device, msg::FileError error) const {
   if (run_->port) {
     msg::ScriptDebug state;
     state.cmd_count = run_->command;
     state.err_code = error;
-    machine.ports.send(*run_->port, state);
+    device.ports.send(*run_->port, state);
   }
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

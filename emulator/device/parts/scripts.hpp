@@ -12,7 +12,7 @@
 
 #include "device/request_context.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// Runs one script at a time. The language of scripts is not published, so a script is a text
 /// whose lines are commands that take their time and do nothing else (ours). The script of a slot
@@ -24,10 +24,10 @@ class Scripts {
       std::tuple_size_v<decltype(msg::BoardInfo3::script_slot_size)>;
 
   /// Whether this board runs scripts at all.
-  static bool are_known(const Machine& machine);
+  static bool are_known(const Device& device);
   /// Starts it; another one that runs ends. With a port, that gets CMD_SCRIPT_DEBUG with each
   /// command, and once more at the end. Says why it could not start.
-  std::optional<msg::BoardErrorCode> start(Machine& machine, std::uint8_t slot,
+  std::optional<msg::BoardErrorCode> start(Device& device, std::uint8_t slot,
                                            std::optional<std::size_t> port, Instant now);
   void stop() { run_.reset(); }
   /// Slot of the script that runs.
@@ -39,8 +39,8 @@ class Scripts {
   void forget_port(std::size_t port);
 
   Instant next() const;
-  void advance(Machine& machine, Instant now);
-  void restart(Machine& machine, Instant now);
+  void advance(Device& device, Instant now);
+  void restart(Device& device, Instant now);
 
  private:
   struct Run {
@@ -51,9 +51,9 @@ class Scripts {
     Instant due{};  ///< end of the command
   };
 
-  void report(Machine& machine, msg::FileError error) const;
+  void report(Device& device, msg::FileError error) const;
 
   std::optional<Run> run_{};
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

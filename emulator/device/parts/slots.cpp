@@ -9,7 +9,7 @@
 
 #include "device/device.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 namespace {
 
 /// Ours: the board looks at the signals so often.
@@ -50,19 +50,19 @@ msg::CentredRcSignal rc_data(std::optional<double> signal) {
 
 }  // namespace
 
-void Slots::apply_settings(const Machine& machine, Instant now) {
-  const auto& settings = machine.settings.of<msg::ReadAdjVarsCfg>();
-  if (std::exchange(profile_, machine.settings.profile()) != machine.settings.profile()) {
+void Slots::apply_parameters(const Device& device, Instant now) {
+  const auto& parameters = device.parameters.of<msg::ReadAdjVarsCfg>();
+  if (std::exchange(profile_, device.parameters.profile()) != device.parameters.profile()) {
     for (Analog& slot : analogs_) slot.value.reset();
   }
   bool is_any_used = false;
   for (std::size_t i = 0; i < triggers; ++i) {
-    const msg::TriggerSlot& config = settings.trigger_slots[i];
+    const msg::TriggerSlot& config = parameters.trigger_slots[i];
     if (!(triggers_[i].config == config)) triggers_[i] = {.config = config};
     is_any_used = is_any_used || is_used(config);
   }
   for (std::size_t i = 0; i < analogs; ++i) {
-    const msg::AnalogSlot& config = settings.analog_slots[i];
+    const msg::AnalogSlot& config = parameters.analog_slots[i];
     if (!(analogs_[i].config == config)) analogs_[i] = {.config = config};
     is_any_used = is_any_used || is_used(config);
   }
@@ -73,51 +73,51 @@ void Slots::apply_settings(const Machine& machine, Instant now) {
   }
 }
 
-void Slots::advance(Machine& machine, Instant now) {
+void Slots::advance(Device& device, Instant now) {
   if (now < next_) return;
   next_ = next_ + period;
   if (next_ <= now) next_ = now + period;  // a signal has no value in the past to look at
   // Actions first: they may switch to another profile.
   for (Trigger& slot : triggers_) {
     const auto signal =
-        is_used(slot.config) ? machine.remote.signal(slot.config.src_ch) : std::nullopt;
+        is_used(slot.config) ? device.remote.signal(slot.config.src_ch) : std::nullopt;
     const auto level = signal ? std::optional(level_of(*signal)) : std::nullopt;
     if (level == slot.level) continue;
     slot.level = level;
     if (!level) continue;
     const msg::MenuCommand action = slot.config.action[*level];
     slot.action = action;
-    if (action != msg::MenuCommand::none) machine.execute(action, now);
+    if (action != msg::MenuCommand::none) device.execute(action, now);
   }
   bool is_changed = false;
   for (Analog& slot : analogs_) {
-    const auto signal = machine.remote.signal(slot.config.src_ch);
+    const auto signal = device.remote.signal(slot.config.src_ch);
     const VariableInfo* variable = find_variable(slot.config.param_id);
     if (!is_used(slot.config) || !signal || variable == nullptr) continue;
     const std::int32_t value = value_of(slot.config, *variable, *signal);
     // A host may set the variable too: the signal wins when it changes, or the profile.
     if (slot.value == value) continue;
     slot.value = value;
-    is_changed = machine.settings.set_variable(slot.config.param_id, value) || is_changed;
+    is_changed = device.parameters.set_variable(slot.config.param_id, value) || is_changed;
   }
-  if (is_changed) machine.apply_settings(now);
+  if (is_changed) device.apply_parameters(now);
 }
 
-msg::AdjVarsState Slots::state(const Machine& machine, std::size_t trigger,
+msg::AdjVarsState Slots::state(const Device& device, std::size_t trigger,
                                std::size_t analog) const {
   const Trigger& one = triggers_[trigger];
   const Analog& other = analogs_[analog];
   msg::AdjVarsState state;
-  state.trigger_rc_data = rc_data(machine.remote.signal(one.config.src_ch));
+  state.trigger_rc_data = rc_data(device.remote.signal(one.config.src_ch));
   state.trigger_action = one.action;
-  state.analog_rc_data = rc_data(machine.remote.signal(other.config.src_ch));
+  state.analog_rc_data = rc_data(device.remote.signal(other.config.src_ch));
   if (is_used(other.config)) {
-    state.analog_value = machine.settings.variable(other.config.param_id).value_or(0);
+    state.analog_value = device.parameters.variable(other.config.param_id).value_or(0);
   }
   return state;
 }
 
-/// The settings come when the board has started.
-void Slots::restart(Machine& /*machine*/, Instant /*now*/) { *this = {}; }
+/// The parameters come when the board has started.
+void Slots::restart(Device& /*device*/, Instant /*now*/) { *this = {}; }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -10,9 +10,9 @@
 #include <sbgc/messages/adjustable_variables.hpp>
 #include <sbgc/time.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
-struct Machine;
+struct Device;
 
 /// Carries out what CMD_WRITE_ADJ_VARS_CFG has configured.
 class Slots {
@@ -22,14 +22,14 @@ class Slots {
   static constexpr std::size_t analogs =
       std::tuple_size_v<decltype(msg::ReadAdjVarsCfg::analog_slots)>;
 
-  /// Takes the configuration from the settings; for Machine::apply_settings().
-  void apply_settings(const Machine& machine, Instant now);
+  /// Takes the configuration from the parameters; for Device::apply_parameters().
+  void apply_parameters(const Device& device, Instant now);
   /// What the slots do now. Precondition: trigger < triggers, analog < analogs.
-  msg::AdjVarsState state(const Machine& machine, std::size_t trigger, std::size_t analog) const;
+  msg::AdjVarsState state(const Device& device, std::size_t trigger, std::size_t analog) const;
 
   Instant next() const { return next_; }
-  void advance(Machine& machine, Instant now);
-  void restart(Machine& machine, Instant now);
+  void advance(Device& device, Instant now);
+  void restart(Device& device, Instant now);
 
  private:
   struct Trigger {
@@ -48,4 +48,4 @@ class Slots {
   Instant next_ = Instant::never;
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -10,27 +10,27 @@
 #include <sbgc/messages/realtime.hpp>
 #include <sbgc/time.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
-struct Machine;
+struct Device;
 
 class Streams {
  public:
   enum class Change : std::uint8_t { done, no_room, bad_command };
 
   /// Starts, changes or ends a stream of a port.
-  Change change(Machine& machine, std::size_t port, const msg::DataStreamInterval& request,
+  Change change(Device& device, std::size_t port, const msg::DataStreamInterval& request,
                 Instant now);
-  void forget(Machine& machine, std::size_t port, Instant now);
+  void forget(Device& device, std::size_t port, Instant now);
   /// The output buffer of a port may have room again.
-  void has_room(Machine& machine, std::size_t port, Instant now);
+  void has_room(Device& device, std::size_t port, Instant now);
   /// Counts the samples that were left out until now.
-  void count_skipped(Machine& machine, Instant now);
+  void count_skipped(Device& device, Instant now);
 
   /// When the next sample is due for which there is room.
   Instant next() const;
-  void advance(Machine& machine, Instant now);
-  void restart(Machine& machine, Instant now);
+  void advance(Device& device, Instant now);
+  void restart(Device& device, Instant now);
 
  private:
   struct Stream {
@@ -45,9 +45,9 @@ class Streams {
     Instant due() const;
   };
 
-  static void skip(Machine& machine, Stream& stream, Instant now);
+  static void skip(Device& device, Stream& stream, Instant now);
 
   std::vector<Stream> streams_{};
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -89,14 +89,14 @@ TEST(Variables, AllOrNone) {
 
 TEST(Variables, NoneAlsoWhereTheSettingsGoBeyondTheVariable) {
   Host host;
-  auto settings = host.get<msg::ReadParamsExt>(msg::ReadParamsExtRequest{});
-  settings.lpf_freq.pitch = msg::Frequency::from_hertz(800);
-  host.ask(msg::WriteParamsExt{settings});
+  auto parameters = host.get<msg::ReadParamsExt>(msg::ReadParamsExtRequest{});
+  parameters.lpf_freq.pitch = msg::Frequency::from_hertz(800);
+  host.ask(msg::WriteParamsExt{parameters});
   EXPECT_EQ(
       refusal(host, setting({{msg::VariableId::lpf_freq_pitch, 100}, {msg::VariableId{200}, 1}})),
       msg::BoardErrorCode::wrong_params);
   EXPECT_EQ(host.get<msg::ReadParamsExt>(msg::ReadParamsExtRequest{}).lpf_freq.pitch,
-            settings.lpf_freq.pitch);
+            parameters.lpf_freq.pitch);
   EXPECT_EQ(value(host, msg::VariableId::lpf_freq_pitch), 800);
 }
 
@@ -124,7 +124,7 @@ TEST(Variables, OnlyKnownOnesAreAnswered) {
 }
 
 TEST(Variables, TheHeadingDriftsAsTheyCorrectIt) {
-  board::Options options;
+  emulator::BoardOptions options;
   options.gimbal.noise = 0;
   Host plain(options), corrected(options);
   plain.ask(setting({{msg::VariableId::gyro_heading_correction, 0}}));

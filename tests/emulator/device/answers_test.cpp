@@ -54,7 +54,7 @@ Duration patience(const Exchange& exchange) {
 
 Table::Table() {
   add_system();
-  add_settings();
+  add_parameters();
   add_live_data();
   add_control();
   add_calibration();
@@ -96,7 +96,7 @@ TEST(Answers, EveryCheckIsOfARequest) {
 }
 
 TEST(Answers, AnOldBoardRefusesWhatItDoesNotKnow) {
-  board::Options old;
+  emulator::BoardOptions old;
   old.board = msg::BoardVersion(30);
   old.firmware = msg::FirmwareVersion(2439);
   const Availability versions{2439, 30};

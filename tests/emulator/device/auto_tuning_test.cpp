@@ -22,7 +22,7 @@ msg::AutoPidRequest tune(msg::AutoPidFlags flags, std::uint8_t profile = 0,
   return {.profile_id = profile, .cfg_flags = flags, .gain_vs_stability = gain};
 }
 
-msg::ReadParams3 settings(Host& host, std::uint8_t profile) {
+msg::ReadParams3 parameters(Host& host, std::uint8_t profile) {
   return host.get<msg::ReadParams3>(msg::ReadParams3Request{.profile_id = profile});
 }
 msg::ReadParamsExt filters(Host& host, std::uint8_t profile) {
@@ -31,12 +31,12 @@ msg::ReadParamsExt filters(Host& host, std::uint8_t profile) {
 
 TEST(AutoTuning, ReportsTwiceASecondAndStoresWhatItFound) {
   Host host;
-  const msg::ReadParams3 before = settings(host, 0);
+  const msg::ReadParams3 before = parameters(host, 0);
   EXPECT_TRUE(is_confirmed(host, tune(pitch_with_progress)));
   EXPECT_EQ(all<msg::AutoPid>(host.listen(seconds(4))).size(), 8U);
   const auto rest = all<msg::AutoPid>(host.listen(seconds(30)));
   ASSERT_FALSE(rest.empty());
-  const msg::ReadParams3 after = settings(host, 0);
+  const msg::ReadParams3 after = parameters(host, 0);
   EXPECT_NE(after.axes.pitch, before.axes.pitch);
   EXPECT_EQ(after.axes.pitch.p, rest.back().p.pitch);
   EXPECT_EQ(after.axes.pitch.i.raw(), rest.back().i.pitch);
@@ -66,10 +66,10 @@ TEST(AutoTuning, GainsConverge) {
 
 TEST(AutoTuning, NothingIsReportedUnlessAskedFor) {
   Host host;
-  const msg::ReadParams3 before = settings(host, 0);
+  const msg::ReadParams3 before = parameters(host, 0);
   EXPECT_TRUE(is_confirmed(host, tune(msg::AutoPidFlag::roll)));
   EXPECT_THAT(host.listen(seconds(30)), IsEmpty());
-  EXPECT_NE(settings(host, 0).axes.roll, before.axes.roll);
+  EXPECT_NE(parameters(host, 0).axes.roll, before.axes.roll);
 }
 
 TEST(AutoTuning, MoreGainForLessStability) {
@@ -78,12 +78,12 @@ TEST(AutoTuning, MoreGainForLessStability) {
   bold.ask(tune(msg::AutoPidFlag::yaw, 0, 255));
   calm.listen(seconds(30));
   bold.listen(seconds(30));
-  EXPECT_LT(settings(calm, 0).axes.yaw.p, settings(bold, 0).axes.yaw.p);
+  EXPECT_LT(parameters(calm, 0).axes.yaw.p, parameters(bold, 0).axes.yaw.p);
 }
 
 TEST(AutoTuning, CanBeginWithThePresentGains) {
   Host host;
-  const msg::ReadParams3 before = settings(host, 0);
+  const msg::ReadParams3 before = parameters(host, 0);
   host.ask(tune(pitch_with_progress | msg::AutoPidFlag::keep_current));
   const auto rounds = all<msg::AutoPid>(host.listen(seconds(1)));
   ASSERT_FALSE(rounds.empty());
@@ -102,34 +102,34 @@ TEST(AutoTuning, FiltersAreTunedOnDemand) {
 
 TEST(AutoTuning, SwitchesToTheProfileAndTunesNoOther) {
   Host host;
-  const msg::ReadParams3 first = settings(host, 0);
-  const msg::ReadParams3 third = settings(host, 2);
+  const msg::ReadParams3 first = parameters(host, 0);
+  const msg::ReadParams3 third = parameters(host, 2);
   EXPECT_TRUE(is_confirmed(host, tune(msg::AutoPidFlag::pitch, 2)));
   EXPECT_EQ(host.board.memory().profile, 2);
   host.listen(seconds(30));
-  EXPECT_NE(settings(host, 2).axes.pitch, third.axes.pitch);
-  EXPECT_EQ(settings(host, 0).axes.pitch, first.axes.pitch);
+  EXPECT_NE(parameters(host, 2).axes.pitch, third.axes.pitch);
+  EXPECT_EQ(parameters(host, 0).axes.pitch, first.axes.pitch);
 }
 
 TEST(AutoTuning, AllProfilesGetTheResultOnDemand) {
   Host host;
   host.ask(tune(msg::AutoPidFlag::pitch | msg::AutoPidFlag::all_profiles, 1));
   host.listen(seconds(30));
-  const auto found = settings(host, 1).axes.pitch;
+  const auto found = parameters(host, 1).axes.pitch;
   for (std::uint8_t profile = 0; profile < 5; ++profile) {
-    EXPECT_EQ(settings(host, profile).axes.pitch.p, found.p);
-    EXPECT_EQ(settings(host, profile).axes.pitch.d, found.d);
+    EXPECT_EQ(parameters(host, profile).axes.pitch.p, found.p);
+    EXPECT_EQ(parameters(host, profile).axes.pitch.d, found.d);
   }
 }
 
 TEST(AutoTuning, StopKeepsNothing) {
   Host host;
-  const msg::ReadParams3 before = settings(host, 0);
+  const msg::ReadParams3 before = parameters(host, 0);
   host.ask(tune(pitch_with_progress));
   host.listen(seconds(3));
   EXPECT_EQ(confirmations<msg::AutoPidRequest>(host.ask(tune({}))), 1);
   EXPECT_THAT(host.listen(seconds(30)), IsEmpty());
-  EXPECT_EQ(settings(host, 0), before);
+  EXPECT_EQ(parameters(host, 0), before);
 }
 
 TEST(AutoTuning, WhatMakesNoSenseIsRefused) {
@@ -150,20 +150,20 @@ TEST(AutoTuning, NeedsMotors) {
 
 TEST(AutoTuning, EndsWithoutMotors) {
   Host host;
-  const msg::ReadParams3 before = settings(host, 0);
+  const msg::ReadParams3 before = parameters(host, 0);
   host.ask(tune(pitch_with_progress));
   host.listen(seconds(2));
   host.ask(msg::MotorsOff{});
   EXPECT_THAT(host.listen(seconds(30)), IsEmpty());
-  EXPECT_EQ(settings(host, 0), before);
+  EXPECT_EQ(parameters(host, 0), before);
 }
 
 TEST(AutoTuning, TheMenuTunesAsTheSettingsSay) {
   Host host;
-  const msg::ReadParams3 before = settings(host, 0);
+  const msg::ReadParams3 before = parameters(host, 0);
   host.ask(msg::ExecuteMenu{.cmd_id = msg::MenuCommand::auto_pid});
   EXPECT_THAT(host.listen(seconds(60)), IsEmpty());
-  const msg::ReadParams3 after = settings(host, 0);
+  const msg::ReadParams3 after = parameters(host, 0);
   for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NE(after.axes[axis], before.axes[axis]);
 }
 
@@ -181,13 +181,13 @@ TEST(AutoTuning, TheSameSeedFindsTheSame) {
     host->ask(tune(msg::AutoPidFlag::pitch));
     host->listen(seconds(30));
   }
-  EXPECT_EQ(settings(one, 0), settings(two, 0));
-  board::Options other;
+  EXPECT_EQ(parameters(one, 0), parameters(two, 0));
+  emulator::BoardOptions other;
   other.gimbal.seed = 77;
   Host three(other);
   three.ask(tune(msg::AutoPidFlag::pitch));
   three.listen(seconds(30));
-  EXPECT_NE(settings(one, 0), settings(three, 0));
+  EXPECT_NE(parameters(one, 0), parameters(three, 0));
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ namespace {
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-board::Options versions(std::uint8_t board, std::uint16_t firmware) {
-  board::Options options;
+emulator::BoardOptions versions(std::uint8_t board, std::uint16_t firmware) {
+  emulator::BoardOptions options;
   options.board = msg::BoardVersion(board);
   options.firmware = msg::FirmwareVersion(firmware);
   return options;
@@ -96,9 +96,9 @@ TEST(Availability, AccelerationLimitsAreThoseThatTheFirmwareHas) {
   // The camera is as fast as the limit in force allows.
   const auto moved = [](std::uint16_t firmware) {
     Host host(versions(30, firmware));
-    auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-    settings.acc_limiter_all = msg::AngularAcceleration(200);
-    host.ask(msg::WriteParams3{settings});
+    auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+    parameters.acc_limiter_all = msg::AngularAcceleration(200);
+    host.ask(msg::WriteParams3{parameters});
     auto more = host.get<msg::ReadParamsExt2>(msg::ReadParamsExt2Request{});
     more.acc_limiter3 = {msg::AngularAcceleration(1), msg::AngularAcceleration(1),
                          msg::AngularAcceleration(1)};

@@ -28,19 +28,19 @@ TEST(Board, KnowsWhichPortsAreUsb) {
 }
 
 TEST(Board, HasAsManyPortsAsItSays) {
-  board::Board board({}, {}, {});
-  for (std::size_t i = 0; i < board::Board::max_ports; ++i) EXPECT_TRUE(board.open_port());
+  emulator::Board board({}, {}, {});
+  for (std::size_t i = 0; i < emulator::Board::max_ports; ++i) EXPECT_TRUE(board.open_port());
   EXPECT_FALSE(board.open_port());
   board.close_port(3);
   EXPECT_EQ(board.open_port(), 3U);
 }
 
 TEST(Board, WorksOnAfterItHasBeenMoved) {
-  board::Board first({}, {}, {});
+  emulator::Board first({}, {}, {});
   int told = 0;
-  first.on_traffic = [&](const board::Board::Traffic&) { ++told; };
+  first.on_traffic = [&](const emulator::Board::Traffic&) { ++told; };
   const auto port = first.open_port().value();
-  board::Board second = std::move(first);
+  emulator::Board second = std::move(first);
   second.advance(Instant{} + seconds(1));
   second.receive(port, frame_of(86, {}), Instant{} + seconds(1));
   second.advance(Instant{} + seconds(2));
@@ -77,11 +77,11 @@ std::vector<Event> random_events(std::uint32_t seed) {
 /// How advance() is called between the events.
 enum class Cut { never, as_next_says, at_random };
 
-Bytes run(std::uint32_t seed, Cut cut, board::Options options = {}) {
+Bytes run(std::uint32_t seed, Cut cut, emulator::BoardOptions options = {}) {
   // There are many restarts among the requests.
   options.start_time = milliseconds(5);
   options.bootloader_time = milliseconds(20);
-  board::Board board(options, {}, {});
+  emulator::Board board(options, {}, {});
   const auto port = board.open_port().value();
   RandomRequests cuts(seed + 1);
   Bytes output;
@@ -105,7 +105,7 @@ Bytes run(std::uint32_t seed, Cut cut, board::Options options = {}) {
 TEST(Board, DoesTheSameHoweverTimeIsCut) {
   for (std::uint32_t seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE(seed);
-    board::Options options;
+    emulator::BoardOptions options;
     if (seed % 2 == 0) options.output_buffer = options.input_buffer = 300;
     const Bytes once = run(seed, Cut::never, options);
     EXPECT_FALSE(once.empty());
@@ -133,21 +133,21 @@ TEST(Board, SendsFramesOnlyWhateverItIsSent) {
 
 TEST(Board, TellsOfTraffic) {
   Host host;
-  std::vector<board::Board::Traffic> traffic;
-  host.board.on_traffic = [&](const board::Board::Traffic& one) { traffic.push_back(one); };
+  std::vector<emulator::Board::Traffic> traffic;
+  host.board.on_traffic = [&](const emulator::Board::Traffic& one) { traffic.push_back(one); };
   host.ask(msg::BoardInfoRequest{});
   host.send_bytes(frame_of(200, {}));
   host.send_bytes(frame_of(67, Bytes(3)));
   host.ask(msg::UseDefaults{.profile_id = 99});
   ASSERT_EQ(traffic.size(), 8U);
   EXPECT_FALSE(traffic[0].outcome);
-  EXPECT_EQ(traffic[1].outcome, board::Outcome::carried_out);
+  EXPECT_EQ(traffic[1].outcome, emulator::Outcome::carried_out);
   EXPECT_FALSE(traffic[2].outcome);
-  EXPECT_EQ(traffic[3].outcome, board::Outcome::unknown);
+  EXPECT_EQ(traffic[3].outcome, emulator::Outcome::unknown);
   EXPECT_FALSE(traffic[4].outcome);
-  EXPECT_EQ(traffic[5].outcome, board::Outcome::malformed);
+  EXPECT_EQ(traffic[5].outcome, emulator::Outcome::malformed);
   EXPECT_FALSE(traffic[6].outcome);
-  EXPECT_EQ(traffic[7].outcome, board::Outcome::refused);
+  EXPECT_EQ(traffic[7].outcome, emulator::Outcome::refused);
   EXPECT_EQ(host.board.counters().requests, 4U);
   EXPECT_EQ(host.board.counters().unknown, 2U);
   EXPECT_EQ(host.board.counters().refused, 1U);
@@ -193,11 +193,11 @@ TEST(Board, NamesTheCommandThatItRefuses) {
 TEST(Board, ReadsTheActiveProfile) {
   Host host;
   host.ask(msg::ExecuteMenu{.cmd_id = msg::MenuCommand::profile4});
-  const auto settings = host.get<msg::ReadParams3>(
+  const auto parameters = host.get<msg::ReadParams3>(
       msg::ReadParams3Request{.profile_id = msg::ReadParams3Request::active_profile});
-  EXPECT_EQ(settings.profile_id, 3);
-  EXPECT_EQ(settings.cur_profile_id, 3);
-  EXPECT_EQ(settings.cur_imu, msg::SelectedImu::main);
+  EXPECT_EQ(parameters.profile_id, 3);
+  EXPECT_EQ(parameters.cur_profile_id, 3);
+  EXPECT_EQ(parameters.cur_imu, msg::SelectedImu::main);
 }
 
 TEST(Board, SaysInItsAnswerThatAFileCannotBeRead) {

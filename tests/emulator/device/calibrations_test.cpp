@@ -8,8 +8,8 @@
 namespace sbgc::test {
 namespace {
 
-using board::Memory;
-using board::Options;
+using emulator::BoardOptions;
+using emulator::Memory;
 using ::testing::IsEmpty;
 
 msg::CalibAccExt acc(msg::CalibAction action, msg::CalibImu imu = msg::CalibImu::main) {
@@ -65,7 +65,7 @@ TEST(Calibrations, TheActiveImuIsTheOneThatWasSelected) {
 }
 
 TEST(Calibrations, AWrongParameterIsMetWithSilence) {
-  Options options;
+  BoardOptions options;
   options.has_frame_imu = false;
   Host host(options);
   EXPECT_THAT(host.ask(acc(msg::CalibAction{0})), IsEmpty());
@@ -76,7 +76,7 @@ TEST(Calibrations, AWrongParameterIsMetWithSilence) {
 }
 
 TEST(Calibrations, InformationNeedsAnImuThatIsThere) {
-  Options options;
+  BoardOptions options;
   options.has_frame_imu = false;
   Host host(options);
   EXPECT_EQ(refusal(host, msg::CalibInfoRequest{.imu_type = msg::SelectedImu::frame}),
@@ -105,14 +105,14 @@ TEST(Calibrations, ProgressGoesFromNothingToAll) {
 }
 
 TEST(Calibrations, LiveDataAreThoseOfTheImu) {
-  Options options;
+  BoardOptions options;
   options.gimbal.noise = 0;
   Host host(options);
   const msg::CalibInfo still = info(host);
   EXPECT_NEAR(still.acc_data.z.g(), 1, 0.02);
   EXPECT_NEAR(still.imu_temp_cels.degrees_celsius(),
               host.board.gimbal().sample(host.now).temperature, 1);
-  host.board.gimbal().command(2, {.mode = board::AxisMode::speed, .speed = 40}, host.now);
+  host.board.gimbal().command(2, {.mode = emulator::AxisMode::speed, .speed = 40}, host.now);
   host.listen(seconds(2));
   EXPECT_NEAR(info(host).gyro_abs_val * msg::GyroRate(1).degrees_per_second(), 40, 4);
   EXPECT_GT(info(host).gyro_abs_val, still.gyro_abs_val);
@@ -144,18 +144,18 @@ TEST(Calibrations, WhoHasAskedIsToldOfTheEnd) {
 
 TEST(Calibrations, AGimbalThatMovesIsWaitedFor) {
   Host host;
-  host.board.gimbal().command(2, {.mode = board::AxisMode::speed, .speed = 30}, host.now);
+  host.board.gimbal().command(2, {.mode = emulator::AxisMode::speed, .speed = 30}, host.now);
   host.listen(seconds(1));
   EXPECT_TRUE(is_confirmed(host, msg::CalibGyro{}));
   EXPECT_THAT(host.listen(seconds(5)), IsEmpty());
   EXPECT_EQ(info(host).progress, msg::Percent(0));
-  host.board.gimbal().command(2, {.mode = board::AxisMode::speed, .speed = 0}, host.now);
+  host.board.gimbal().command(2, {.mode = emulator::AxisMode::speed, .speed = 0}, host.now);
   EXPECT_EQ(confirmations<msg::CalibGyro>(host.listen(seconds(6))), 1);
 }
 
 TEST(Calibrations, AGimbalThatKeepsMovingCannotBeCalibrated) {
   Host host;
-  host.board.gimbal().command(2, {.mode = board::AxisMode::speed, .speed = 30}, host.now);
+  host.board.gimbal().command(2, {.mode = emulator::AxisMode::speed, .speed = 30}, host.now);
   host.listen(seconds(1));
   EXPECT_TRUE(is_confirmed(host, msg::CalibAcc{}));
   EXPECT_EQ(refusal<msg::CalibAcc>(host.listen(seconds(25))),
@@ -251,10 +251,10 @@ TEST(Calibrations, SensorsKeepTheirOwn) {
 
 TEST(Calibrations, PolesAreConfirmedAtTheEndOnly) {
   Host host;
-  auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-  settings.axes.pitch.poles = 99;
+  auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+  parameters.axes.pitch.poles = 99;
   msg::WriteParams3 write;
-  static_cast<msg::ReadParams3&>(write) = settings;
+  static_cast<msg::ReadParams3&>(write) = parameters;
   EXPECT_TRUE(is_confirmed(host, write));
   EXPECT_THAT(host.ask(msg::CalibPoles{}), IsEmpty());
   EXPECT_THAT(host.listen(seconds(9)), IsEmpty());
@@ -266,9 +266,9 @@ TEST(Calibrations, GainsOfAFlightController) {
   Host host;
   EXPECT_THAT(host.ask(msg::CalibExtGain{}), IsEmpty());
   EXPECT_EQ(confirmations<msg::CalibExtGain>(host.listen(seconds(6))), 1);
-  const auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-  EXPECT_NE(settings.ext_fc_gain_roll, 0);
-  EXPECT_NE(settings.ext_fc_gain_pitch, 0);
+  const auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+  EXPECT_NE(parameters.ext_fc_gain_roll, 0);
+  EXPECT_NE(parameters.ext_fc_gain_pitch, 0);
 }
 
 TEST(Calibrations, ChangeTheProfileThatWasActiveWhenTheyBegan) {
@@ -288,14 +288,14 @@ TEST(Calibrations, OffsetsOfTheFollowMode) {
   Host host;
   host.board.gimbal().place({0, -20, 35}, host.now);
   EXPECT_TRUE(is_confirmed(host, msg::CalibOffset{}));
-  const auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-  EXPECT_NEAR(settings.follow_offset.pitch, -20, 1);
-  EXPECT_NEAR(settings.follow_offset.yaw, 35, 1);
+  const auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+  EXPECT_NEAR(parameters.follow_offset.pitch, -20, 1);
+  EXPECT_NEAR(parameters.follow_offset.yaw, 35, 1);
 
   host.board.gimbal().place({0, 0, 170}, host.now);
   EXPECT_EQ(refusal(host, msg::CalibOffset{}), msg::BoardErrorCode::wrong_state);
   EXPECT_EQ(host.get<msg::ReadParams3>(msg::ReadParams3Request{}).follow_offset.yaw,
-            settings.follow_offset.yaw);
+            parameters.follow_offset.yaw);
 }
 
 TEST(Calibrations, BatteryShowsTheVoltageThatWasGiven) {
@@ -311,8 +311,8 @@ TEST(Calibrations, BatteryShowsTheVoltageThatWasGiven) {
 
 TEST(Calibrations, TheMotorsObeyTheBatteryAsItShowsAtOnce) {
   Host host;
-  const auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-  const double stop = settings.bat_threshold_motors.volts();
+  const auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+  const double stop = parameters.bat_threshold_motors.volts();
   host.ask(msg::CalibBat{*msg::Voltage::from_volts(stop - 0.5)});
   EXPECT_TRUE(host.board.gimbal().stopped_by_battery());
 }
@@ -343,16 +343,16 @@ TEST(Calibrations, EncodersCountFromThePresentPosition) {
   host.board.gimbal().place({0, -30, 0}, host.now);
   EXPECT_TRUE(is_confirmed(host, msg::EncodersCalibOffset4{}));
   host.listen(seconds(2));
-  const auto settings = host.get<msg::ReadParamsExt>(msg::ReadParamsExtRequest{});
-  EXPECT_NEAR(settings.encoder_offset.pitch.degrees(), -30, 1);
+  const auto parameters = host.get<msg::ReadParamsExt>(msg::ReadParamsExtRequest{});
+  EXPECT_NEAR(parameters.encoder_offset.pitch.degrees(), -30, 1);
   EXPECT_TRUE(is_confirmed(host, msg::EncodersCalibFldOffset4{}));
   host.listen(seconds(12));
   EXPECT_NE(host.get<msg::ReadParamsExt>(msg::ReadParamsExtRequest{}).encoder_fld_offset,
-            settings.encoder_fld_offset);
+            parameters.encoder_fld_offset);
 }
 
 TEST(Calibrations, NothingIsDoneToEncodersThatAreNotThere) {
-  Options options;
+  BoardOptions options;
   options.features = msg::BoardFeature::three_axis;
   Host host(options);
   EXPECT_EQ(refusal(host, msg::EncodersCalibOffset4{}), msg::BoardErrorCode::not_supported);
@@ -386,7 +386,7 @@ TEST(Calibrations, TheMenuStartsThem) {
 }
 
 TEST(Calibrations, TestsNeedNotWait) {
-  Options options;
+  BoardOptions options;
   options.calibration_time = 0;
   Host host(options);
   EXPECT_EQ(confirmations<msg::CalibGyro>(host.ask(msg::CalibGyro{})), 2);

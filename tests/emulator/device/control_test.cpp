@@ -14,7 +14,7 @@
 namespace sbgc::test {
 namespace {
 
-using board::AxisMode;
+using emulator::AxisMode;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
@@ -38,19 +38,19 @@ TEST(Control, ModesAndUnits) {
   host.ask(one_axis(msg::ControlModeKind::speed_angle, -1000, 100));
   EXPECT_EQ(command().mode, AxisMode::speed_angle);
   EXPECT_LT(command().speed, 0);
-  auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-  settings.rc_deadband = 0;
-  host.ask(msg::WriteParams3{settings});
+  auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+  parameters.rc_deadband = 0;
+  host.ask(msg::WriteParams3{parameters});
   host.ask(one_axis(msg::ControlModeKind::rc, 0, -250));
   EXPECT_EQ(command().mode, AxisMode::signal);
   EXPECT_EQ(command().signal, -0.5);
-  settings.rc.pitch.rc_mode.set_inverted(true);
-  settings.rc_trim.pitch = 50;
-  host.ask(msg::WriteParams3{settings});
+  parameters.rc.pitch.rc_mode.set_inverted(true);
+  parameters.rc_trim.pitch = 50;
+  host.ask(msg::WriteParams3{parameters});
   host.ask(one_axis(msg::ControlModeKind::rc, 0, -250));
-  EXPECT_NEAR(command().signal, 0.6, 1e-9) << "it stands for the RC signal, settings and all";
-  settings.rc.pitch.rc_mode.set_inverted(false);
-  host.ask(msg::WriteParams3{settings});
+  EXPECT_NEAR(command().signal, 0.6, 1e-9) << "it stands for the RC signal, parameters and all";
+  parameters.rc.pitch.rc_mode.set_inverted(false);
+  host.ask(msg::WriteParams3{parameters});
   host.ask(one_axis(msg::ControlModeKind::rc, 0, 9999));
   EXPECT_EQ(command().signal, 1);
   host.ask(one_axis(msg::ControlModeKind::angle_rel_frame, 0, -16384));
@@ -74,7 +74,7 @@ TEST(Control, OneModeForAllAxes) {
 
 TEST(Control, FineSpeedIsKnownToNewFirmwareOnly) {
   for (const int firmware : {2590, 2560}) {
-    board::Options options;
+    emulator::BoardOptions options;
     options.firmware = msg::FirmwareVersion(static_cast<std::uint16_t>(firmware));
     Host host(options);
     auto request = one_axis(msg::ControlModeKind::speed, 1000, 0);
@@ -105,12 +105,12 @@ TEST(Control, TheCameraMoves) {
   EXPECT_EQ(angles.axes.pitch.rc_speed.raw(), 0);
 }
 
-/// Settings by which the joint of yaw turns from -30 to 60 degrees.
+/// Parameters by which the joint of yaw turns from -30 to 60 degrees.
 void limit_yaw(Host& host) {
-  auto settings = host.get<msg::ReadParamsExt>(msg::ReadParamsExtRequest{});
-  settings.encoder_limit_min.yaw = msg::EncoderLimit(-10);
-  settings.encoder_limit_max.yaw = msg::EncoderLimit(20);
-  host.ask(msg::WriteParamsExt{settings});
+  auto parameters = host.get<msg::ReadParamsExt>(msg::ReadParamsExtRequest{});
+  parameters.encoder_limit_min.yaw = msg::EncoderLimit(-10);
+  parameters.encoder_limit_max.yaw = msg::EncoderLimit(20);
+  host.ask(msg::WriteParamsExt{parameters});
 }
 
 /// Where the joint of yaw ends if the camera is told to turn to that angle.
@@ -125,7 +125,7 @@ double joint_after(Host& host, double angle) {
 
 TEST(Control, TheJointsTurnAsFarAsTheSettingsLetThem) {
   Host host;
-  EXPECT_NEAR(joint_after(host, 150), 150, 0.5) << "factory settings have no limits";
+  EXPECT_NEAR(joint_after(host, 150), 150, 0.5) << "factory parameters have no limits";
   limit_yaw(host);
   EXPECT_NEAR(joint_after(host, 150), 60, 0.5) << "it comes back";
   EXPECT_NEAR(joint_after(host, -150), -30, 0.5);
@@ -133,7 +133,7 @@ TEST(Control, TheJointsTurnAsFarAsTheSettingsLetThem) {
 }
 
 TEST(Control, WithoutEncodersJointsHaveNoLimits) {
-  board::Options options;
+  emulator::BoardOptions options;
   options.features = msg::BoardFeature::three_axis;
   Host host(options);
   limit_yaw(host);
@@ -150,16 +150,16 @@ TEST(Control, AnEmptyBatteryKeepsTheMotorsOff) {
   EXPECT_TRUE(is<msg::ErrorExt>(packets[0]));
 }
 
-/// Settings by which an API channel controls pitch.
+/// Parameters by which an API channel controls pitch.
 void map_pitch(Host& host, int channel, msg::RcModeKind mode = msg::RcModeKind::angle) {
-  auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-  settings.rc_map.pitch.set_source(msg::RcSource::api);
-  settings.rc_map.pitch.set_channel(static_cast<std::uint8_t>(channel));
-  settings.rc.pitch.rc_mode.set_mode(mode);
-  settings.rc_trim = {};
-  settings.rc_deadband = 0;
-  settings.rc_expo_rate = 0;
-  host.ask(msg::WriteParams3{settings});
+  auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+  parameters.rc_map.pitch.set_source(msg::RcSource::api);
+  parameters.rc_map.pitch.set_channel(static_cast<std::uint8_t>(channel));
+  parameters.rc.pitch.rc_mode.set_mode(mode);
+  parameters.rc_trim = {};
+  parameters.rc_deadband = 0;
+  parameters.rc_expo_rate = 0;
+  host.ask(msg::WriteParams3{parameters});
 }
 
 msg::ApiVirtChControl channels(std::size_t channel, std::int16_t signal) {
@@ -175,10 +175,10 @@ TEST(Control, VirtualChannelsControlTheCamera) {
   map_pitch(host, 5);
   EXPECT_THAT(host.ask(channels(5, 500)), IsEmpty()) << "it comes often, so it is not confirmed";
   host.listen(seconds(8));
-  const auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+  const auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
   const auto angles = host.get<msg::GetAngles>(msg::GetAnglesRequest{});
-  EXPECT_NEAR(angles.axes.pitch.rc_target_angle.degrees(), settings.rc.pitch.rc_max_angle.degrees(),
-              1);
+  EXPECT_NEAR(angles.axes.pitch.rc_target_angle.degrees(),
+              parameters.rc.pitch.rc_max_angle.degrees(), 1);
 }
 
 TEST(Control, ChannelsThatAreNotSentKeepTheirSignals) {
@@ -221,9 +221,9 @@ double control(Host& host, const msg::ApiVirtChControl& signals) {
 TEST(Control, TheDeadBandLeavesTheEndsOfTheStick) {
   Host host;
   map_pitch(host, 5, msg::RcModeKind::speed);
-  auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-  settings.rc_deadband = 100;
-  host.ask(msg::WriteParams3{settings});
+  auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+  parameters.rc_deadband = 100;
+  host.ask(msg::WriteParams3{parameters});
   EXPECT_EQ(control(host, channels(5, 100)), 0);
   EXPECT_NEAR(control(host, channels(5, 300)), 0.5, 1e-9);
   EXPECT_EQ(control(host, channels(5, 500)), 1);
@@ -237,9 +237,9 @@ TEST(Control, SignalsAreBentAsTheSettingsSay) {
   auto signals = channels(5, 250);
   signals.val_ch[5] = msg::CentredRcSignal(400);
   const auto bent = [&](auto&& change) {
-    auto settings = plain;
-    change(settings);
-    host.ask(msg::WriteParams3{settings});
+    auto parameters = plain;
+    change(parameters);
+    host.ask(msg::WriteParams3{parameters});
     const double result = control(host, signals);
     const auto shown = host.get<msg::RealtimeData3>(msg::RealtimeData3Request{}).rc.pitch;
     EXPECT_EQ(shown, signals.val_ch[4].raw() == 250 ? msg::RcSignal(1750) : msg::RcSignal(1500))
@@ -270,22 +270,22 @@ TEST(Control, SignalsAreBentAsTheSettingsSay) {
   EXPECT_EQ(bent(mix(0)), 0);
 }
 
-/// Settings by which the flight controller's signals are those of API channels 6 and 7, and roll
+/// Parameters by which the flight controller's signals are those of API channels 6 and 7, and roll
 /// and pitch follow it.
 void follow_controller(Host& host, int roll_percent, int pitch_percent) {
-  auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-  settings.follow_mode = msg::FollowMode::fc;
-  settings.follow_deadband = 0;
-  settings.rc_map_fc_roll.set_source(msg::RcSource::api);
-  settings.rc_map_fc_roll.set_channel(6);
-  settings.rc_map_fc_pitch.set_source(msg::RcSource::api);
-  settings.rc_map_fc_pitch.set_channel(7);
-  settings.ext_fc_gain_roll = 127;
-  settings.ext_fc_gain_pitch = -127;
-  settings.rc.roll.rc_follow = static_cast<std::int8_t>(roll_percent);
-  settings.rc.pitch.rc_follow = static_cast<std::int8_t>(pitch_percent);
-  settings.rc.yaw.rc_follow = 100;
-  host.ask(msg::WriteParams3{settings});
+  auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+  parameters.follow_mode = msg::FollowMode::fc;
+  parameters.follow_deadband = 0;
+  parameters.rc_map_fc_roll.set_source(msg::RcSource::api);
+  parameters.rc_map_fc_roll.set_channel(6);
+  parameters.rc_map_fc_pitch.set_source(msg::RcSource::api);
+  parameters.rc_map_fc_pitch.set_channel(7);
+  parameters.ext_fc_gain_roll = 127;
+  parameters.ext_fc_gain_pitch = -127;
+  parameters.rc.roll.rc_follow = static_cast<std::int8_t>(roll_percent);
+  parameters.rc.pitch.rc_follow = static_cast<std::int8_t>(pitch_percent);
+  parameters.rc.yaw.rc_follow = 100;
+  host.ask(msg::WriteParams3{parameters});
 }
 
 msg::ApiVirtChControl controller_signals(std::int16_t roll, std::int16_t pitch) {
@@ -314,8 +314,8 @@ TEST(Control, AFlightControllerTiltsTheCameraThatFollowsIt) {
   EXPECT_NEAR(tilted.yaw, 0, 0.1) << "yaw follows the frame";
   // Speeds of RC control come on top of it.
   auto turn = one_axis(msg::ControlModeKind::speed, 0, 0);
-  turn.axes.pitch.speed = msg::ControlSpeed::from_degrees_per_second(10);
-  host.ask(turn, seconds(1));
+  context.axes.pitch.speed = msg::ControlSpeed::from_degrees_per_second(10);
+  host.ask(context, seconds(1));
   host.ask(one_axis(msg::ControlModeKind::no_control, 0, 0));
   EXPECT_NEAR(targets_after(host, seconds(1)).pitch, -8, 1);
   // Who is no longer heard is level.
@@ -334,9 +334,9 @@ TEST(Control, AFlightControllerIsFollowedInItsModeOnly) {
   host.ask(one_axis(msg::ControlModeKind::angle, 0, 0));
   EXPECT_NEAR(targets_after(host, seconds(5)).pitch, 0, 0.1) << "angles are those of the world";
   for (const msg::FollowMode mode : {msg::FollowMode::disabled, msg::FollowMode::pitch}) {
-    auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-    settings.follow_mode = mode;
-    host.ask(msg::WriteParams3{settings});
+    auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+    parameters.follow_mode = mode;
+    host.ask(msg::WriteParams3{parameters});
     host.ask(one_axis(msg::ControlModeKind::no_control, 0, 0));
     host.ask(controller_signals(0, 250));
     EXPECT_NEAR(targets_after(host, seconds(5)).pitch, 0, 0.1);
@@ -350,9 +350,9 @@ TEST(Control, RcAnglesCountFromWhatTheFlightControllerSays) {
   auto signals = controller_signals(0, 100);
   signals.val_ch[4] = msg::CentredRcSignal(0);
   host.ask(signals);
-  const auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+  const auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
   const double middle =
-      (settings.rc.pitch.rc_min_angle.degrees() + settings.rc.pitch.rc_max_angle.degrees()) / 2;
+      (parameters.rc.pitch.rc_min_angle.degrees() + parameters.rc.pitch.rc_max_angle.degrees()) / 2;
   EXPECT_NEAR(targets_after(host, seconds(5)).pitch, middle - 18, 0.1);
 }
 
@@ -365,9 +365,9 @@ TEST(Control, NoMotorIsFasterThanTheGyroscopeCanTell) {
 
 /// What a handheld gimbal does in 5 s, while a host sends the message 50 times a second.
 template <class Data>
-board::Sample helped(const std::optional<Data>& data) {
-  board::Options options;
-  options.gimbal.frame.kind = board::Disturbance::Kind::handheld;
+emulator::Sample helped(const std::optional<Data>& data) {
+  emulator::BoardOptions options;
+  options.gimbal.frame.kind = emulator::Disturbance::Kind::handheld;
   options.gimbal.noise = 0;
   Host host(options);
   for (int i = 0; i < 250; ++i) {
@@ -396,9 +396,9 @@ TEST(Control, HelpIsWhatTellsSomething) {
 
 TEST(Control, AMotorThatIsNotConnectedHoldsNothing) {
   Host host;
-  auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-  settings.output.pitch = msg::MotorOutput::disabled;
-  host.ask(msg::WriteParams3{settings});
+  auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+  parameters.output.pitch = msg::MotorOutput::disabled;
+  host.ask(msg::WriteParams3{parameters});
   const auto power = host.board.gimbal().sample(host.now).power;
   EXPECT_EQ(power.pitch, 0);
   EXPECT_GT(power.roll, 0);
@@ -409,11 +409,11 @@ TEST(Control, SignalsShowInLiveData) {
   map_pitch(host, 31);
   host.ask(channels(31, 250));
   EXPECT_EQ(host.get<msg::RealtimeData3>(msg::RealtimeData3Request{}).rc.pitch.raw(), 1750);
-  // Settings that bend it do not change it.
-  auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-  settings.rc_trim.pitch = 100;
-  settings.rc.pitch.rc_mode.set_inverted(true);
-  host.ask(msg::WriteParams3{settings});
+  // Parameters that bend it do not change it.
+  auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+  parameters.rc_trim.pitch = 100;
+  parameters.rc.pitch.rc_mode.set_inverted(true);
+  host.ask(msg::WriteParams3{parameters});
   EXPECT_EQ(host.get<msg::RealtimeData3>(msg::RealtimeData3Request{}).rc.pitch.raw(), 1750);
   const msg::RealtimeDataCustomFlags blocks = msg::RealtimeDataCustomFlag::rc_data;
   const auto packets = host.ask(msg::RealtimeDataCustomRequest{.flags = blocks});
@@ -431,11 +431,11 @@ TEST(Control, SignalsShowInLiveData) {
 
 TEST(Control, TheCommandChannelStartsActions) {
   Host host;
-  auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-  settings.rc_map_cmd.set_source(msg::RcSource::api);
-  settings.rc_map_cmd.set_channel(1);
-  settings.rc_cmd_high = msg::MenuCommand::motor_toggle;
-  host.ask(msg::WriteParams3{settings});
+  auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+  parameters.rc_map_cmd.set_source(msg::RcSource::api);
+  parameters.rc_map_cmd.set_channel(1);
+  parameters.rc_cmd_high = msg::MenuCommand::motor_toggle;
+  host.ask(msg::WriteParams3{parameters});
   host.ask(channels(1, 400));
   EXPECT_FALSE(host.board.gimbal().motors_on());
   host.ask(channels(1, 450));

@@ -16,22 +16,22 @@ namespace sbgc::test {
 namespace {
 
 using board::default_answer;
-using board::Machine;
-using board::Outcome;
-using board::Turn;
+using emulator::Device;
+using emulator::Outcome;
+using emulator::RequestContext;
 
 template <class Request>
 void expect_answer_of_model(const Request& request) {
   SCOPED_TRACE(Meta<Request>::info.name);
-  Machine machine({}, {}, {});
-  const auto port = machine.ports.open(false).value();
+  Device device({}, {}, {});
+  const auto port = device.ports.open(false).value();
   const Exchange exchange = exchange_of(request);
-  Turn turn(machine, port, exchange.replies.command, exchange.replies.confirmed, {});
-  EXPECT_EQ(default_answer(turn, request), Outcome::carried_out);
+  RequestContext context(device, port, exchange.replies.command, exchange.replies.confirmed, {});
+  EXPECT_EQ(default_answer(context, request), Outcome::carried_out);
 
   unsigned answers = 0, confirmations = 0;
   Parser parser;
-  parser.feed(machine.ports.output(port), [&](const Frame& frame) {
+  parser.feed(device.ports.output(port), [&](const Frame& frame) {
     if (const AnswerForm* const form = exchange.replies.answer(frame)) {
       ++answers;
       EXPECT_FALSE(form->is_error);

@@ -14,8 +14,8 @@
 namespace {
 
 namespace msg = sbgc::msg;
-using sbgc::board::Eeprom;
-using sbgc::board::Memory;
+using sbgc::emulator::Eeprom;
+using sbgc::emulator::Memory;
 using ByteVector = std::vector<std::uint8_t>;
 
 constexpr std::uint32_t page = 64;
@@ -117,7 +117,7 @@ TEST(Record, HoldsABodyOfAnySize) {
 TEST(Record, TakesNoMoreThanItsPlace) {
   Memory memory;
   Eeprom eeprom(memory);
-  const std::size_t size = sbgc::board::record_size();
+  const std::size_t size = sbgc::emulator::record_size();
   EXPECT_EQ(size % Eeprom::page_size(), 0);
   ASSERT_TRUE(write_record(eeprom, size, {msg::CommandId::read_params_3, 0}, ByteVector(255, 0)));
   EXPECT_EQ(eeprom.bytes(size - 1, 1).front(), 0xFF);

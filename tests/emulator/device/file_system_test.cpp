@@ -29,8 +29,8 @@ void PrintTo(msg::FileError error, std::ostream* out) {
 namespace {
 
 namespace msg = sbgc::msg;
-using sbgc::board::FileSystem;
-using sbgc::board::Memory;
+using sbgc::emulator::FileSystem;
+using sbgc::emulator::Memory;
 using ByteVector = std::vector<std::uint8_t>;
 
 constexpr std::size_t page = 64;
@@ -224,7 +224,7 @@ TEST(Files, ADamagedTableIsNoticedAndClearRepairsIt) {
   Memory memory;
   FileSystem files(memory);
   ASSERT_EQ(write_whole(files, 1, numbered(100)), msg::FileError::no_error);
-  memory.eeprom[sbgc::board::layout::files + 3] ^= 0x10;
+  memory.eeprom[sbgc::emulator::layout::files + 3] ^= 0x10;
   EXPECT_EQ(files.read(1, 0, 64).error, msg::FileError::fat);
   EXPECT_EQ(files.write(1, 10, 0, numbered(10)), msg::FileError::fat);
   EXPECT_EQ(files.write(1, 0, 0, {}), msg::FileError::fat);
@@ -241,7 +241,7 @@ TEST(Files, ATableThatNoBoardHasWrittenIsDamaged) {
   ASSERT_EQ(write_whole(files, 1, numbered(size)), msg::FileError::no_error);
   ASSERT_EQ(write_whole(files, 2, numbered(100)), msg::FileError::no_error);
   // The second file reaches beyond the end, and the checksum holds.
-  const auto table = std::span(memory.eeprom).subspan(sbgc::board::layout::files);
+  const auto table = std::span(memory.eeprom).subspan(sbgc::emulator::layout::files);
   constexpr std::size_t entry = 8, entries = FileSystem::most_files * entry;
   sbgc::wire::store(table.data() + entry + 2, static_cast<std::uint16_t>(size + 2 * page));
   sbgc::wire::store(table.data() + entries, sbgc::detail::crc32(table.first(entries)));

@@ -53,7 +53,7 @@ std::vector<M> all(const Packets& packets) {
 /// A board that has started, and a host on one of its ports.
 class Host {
  public:
-  explicit Host(const board::Options& options = {}, board::Memory memory = {})
+  explicit Host(const emulator::BoardOptions& options = {}, emulator::Memory memory = {})
       : board(options, std::move(memory), Instant{}), port(board.open_port().value()) {
     listen(options.start_time + milliseconds(1));
   }
@@ -95,7 +95,7 @@ class Host {
     return packets.empty() ? Answer{} : message<Answer>(packets.front());
   }
 
-  board::Board board;
+  emulator::Board board;
   std::size_t port;
   Instant now{};
 

@@ -1,5 +1,7 @@
 // I2C buses: who answers, and what registers hold.
 
+#include "device/parts/i2c_bus.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <initializer_list>
@@ -7,14 +9,13 @@
 
 #include <gtest/gtest.h>
 
-#include "device/parts/i2c_bus.hpp"
 #include "replies.hpp"
 
 namespace sbgc::test {
 namespace {
 
-using board::I2cBus;
-using board::Options;
+using emulator::BoardOptions;
+using emulator::I2cBus;
 
 msg::I2cDevice device(std::uint8_t address, msg::I2cPort port = msg::I2cPort::main) {
   msg::I2cDevice result;
@@ -52,7 +53,7 @@ TEST(I2c, DevicesSayWhatTheyAre) {
 }
 
 TEST(I2c, WhatIsNotThereDoesNotAnswer) {
-  Options options;
+  BoardOptions options;
   options.has_frame_imu = false;
   Host host(options);
   for (const msg::I2cDevice absent :
@@ -66,7 +67,7 @@ TEST(I2c, WhatIsNotThereDoesNotAnswer) {
 }
 
 TEST(I2c, AnImuMeasures) {
-  Options options;
+  BoardOptions options;
   options.gimbal.noise = 0;
   Host host(options);
   const auto level = read(host, device(I2cBus::main_imu), 0x3B, 14);

@@ -10,7 +10,7 @@
 namespace sbgc::test {
 namespace {
 
-using board::Options;
+using emulator::BoardOptions;
 using ::testing::IsEmpty;
 
 msg::SelectedImu active(Host& host) {
@@ -29,7 +29,7 @@ TEST(SelectImu, TheChoiceIsReported) {
 }
 
 TEST(SelectImu, WhatIsNotConnectedIsIgnored) {
-  Options options;
+  BoardOptions options;
   options.has_frame_imu = false;
   Host host(options);
   EXPECT_THAT(host.ask(msg::SelectImu3{.imu_type = msg::SelectedImu::frame}), IsEmpty());
@@ -38,7 +38,7 @@ TEST(SelectImu, WhatIsNotConnectedIsIgnored) {
 }
 
 TEST(GyroCorrection, ChangesTheDrift) {
-  Options options;
+  BoardOptions options;
   options.gimbal.noise = 0;
   Host plain(options), corrected(options);
   msg::GyroCorrection request{.imu_type = msg::ImuIndex::main,
@@ -60,13 +60,13 @@ TEST(GyroCorrection, IsRemembered) {
   const auto& kept = host.board.memory().imus;
   EXPECT_GT(kept[1].gyro_offset.x, 0);
   EXPECT_NEAR(kept[1].gyro_offset.z, -2 * kept[1].gyro_offset.x, 1e-9);
-  EXPECT_EQ(kept[0].gyro_offset, board::Vector{});
+  EXPECT_EQ(kept[0].gyro_offset, emulator::Vector{});
 }
 
 TEST(GyroCorrection, IsInForceWhenTheBoardIsSwitchedOn) {
-  Options options;
+  BoardOptions options;
   options.gimbal.noise = 0;
-  board::Memory memory;
+  emulator::Memory memory;
   memory.imus[0].gyro_offset = {0, 0, 0.5};
   Host plain(options), corrected(options, memory);
   for (Host* host : {&plain, &corrected}) host->listen(seconds(60));
@@ -82,7 +82,7 @@ double still(Host& host) {
 }
 
 TEST(GyroCorrection, IsForgottenWithTheCalibrations) {
-  Options options;
+  BoardOptions options;
   options.gimbal.noise = 0;
   Host host(options);
   msg::GyroCorrection request{.imu_type = msg::ImuIndex::main};
@@ -91,14 +91,14 @@ TEST(GyroCorrection, IsForgottenWithTheCalibrations) {
   EXPECT_LT(still(host), -0.1);
   host.ask(msg::CalibGyroExt{.imu_idx = msg::CalibImu::main, .action = msg::CalibAction::reset});
   host.listen(seconds(3));
-  EXPECT_EQ(host.board.memory().imus[0].gyro_offset, board::Vector{});
+  EXPECT_EQ(host.board.memory().imus[0].gyro_offset, emulator::Vector{});
   EXPECT_NEAR(still(host), 0, 0.1);
 }
 
 TEST(GyroCorrection, OfTheSensorIsInForceWhenItIsCopied) {
-  Options options;
+  BoardOptions options;
   options.gimbal.noise = 0;
-  board::Memory memory;
+  emulator::Memory memory;
   memory.sensors[0].gyro_offset = {0, 0, 0.5};
   Host host(options, memory);
   host.ask(msg::CalibGyroExt{.imu_idx = msg::CalibImu::main,
@@ -108,23 +108,23 @@ TEST(GyroCorrection, OfTheSensorIsInForceWhenItIsCopied) {
 }
 
 TEST(GyroCorrection, ACalibrationAtTheStartReplacesIt) {
-  Options options;
+  BoardOptions options;
   options.gimbal.noise = 0;
   Host host(options);
   msg::GyroCorrection request{.imu_type = msg::ImuIndex::main};
   request.gyro_zero_corr.z = msg::GyroOffset(4000);
   host.ask(request);
-  auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-  settings.skip_gyro_calib = msg::SkipGyroCalibration::do_not_skip;
-  host.ask(msg::WriteParams3{settings});
+  auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+  parameters.skip_gyro_calib = msg::SkipGyroCalibration::do_not_skip;
+  host.ask(msg::WriteParams3{parameters});
   host.ask(msg::ResetRequest{}, seconds(1));
-  EXPECT_EQ(host.board.memory().imus[0].gyro_offset, board::Vector{});
-  host.ask(msg::WriteParams3{settings});
+  EXPECT_EQ(host.board.memory().imus[0].gyro_offset, emulator::Vector{});
+  host.ask(msg::WriteParams3{parameters});
   EXPECT_NEAR(still(host), 0, 0.1);
 }
 
 TEST(GyroCorrection, NeedsAnImu) {
-  Options options;
+  BoardOptions options;
   options.has_frame_imu = false;
   Host host(options);
   EXPECT_EQ(refusal(host, msg::GyroCorrection{.imu_type = msg::ImuIndex::frame}),

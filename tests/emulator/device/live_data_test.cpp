@@ -15,14 +15,14 @@ namespace {
 
 using ::testing::SizeIs;
 
-board::Options still() {
-  board::Options options;
+emulator::BoardOptions still() {
+  emulator::BoardOptions options;
   options.gimbal.noise = 0;
   return options;
 }
 
 /// A board whose motors are off, so that the camera stays where it is placed.
-Host placed(const Axes<double>& angles, board::Options options = still()) {
+Host placed(const Axes<double>& angles, emulator::BoardOptions options = still()) {
   Host host(options);
   host.ask(msg::MotorsOff{});
   host.board.gimbal().place(angles, host.now);
@@ -59,9 +59,9 @@ TEST(LiveData, EachAxisShowsItsOwnTurning) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     Host host(still());
     msg::ControlExt turn;
-    turn.control_mode[axis].set_mode(msg::ControlModeKind::speed);
-    turn.axes[axis].speed = msg::ControlSpeed::from_degrees_per_second(20);
-    host.ask(turn);
+    context.control_mode[axis].set_mode(msg::ControlModeKind::speed);
+    context.axes[axis].speed = msg::ControlSpeed::from_degrees_per_second(20);
+    host.ask(context);
     host.listen(milliseconds(400));
     const auto data = host.get<msg::RealtimeData3>(msg::RealtimeData3Request{}, milliseconds(2));
     for (std::size_t other = 0; other < 3; ++other) {
@@ -119,14 +119,14 @@ TEST(LiveData, ErrorsAreThoseOfTheActiveImu) {
 
 /// Sets FRAME_IMU_POS.
 void put_frame_imu(Host& host, msg::FrameImuPosition position) {
-  auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-  settings.frame_imu_pos = position;
-  host.ask(msg::WriteParams3{settings});
+  auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+  parameters.frame_imu_pos = position;
+  host.ask(msg::WriteParams3{parameters});
 }
 
 TEST(LiveData, AFrameImuThatIsDisabledIsNone) {
-  board::Options options = still();
-  options.gimbal.frame.kind = board::Disturbance::Kind::recorded;
+  emulator::BoardOptions options = still();
+  options.gimbal.frame.kind = emulator::Disturbance::Kind::recorded;
   options.gimbal.frame.recording = {{Instant{}, {5, -8, 20}}};
   Host host(options);
   const auto frame = [&] {
@@ -171,16 +171,16 @@ TEST(LiveData, TheBatteryIsWatched) {
     host.listen(seconds(1));
     return host.get<msg::RealtimeData3>(msg::RealtimeData3Request{}).system_error;
   };
-  auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-  settings.bat_threshold_alarm = msg::VoltageThreshold::from_volts(14);
-  settings.bat_threshold_motors = msg::VoltageThreshold::from_volts(12);
-  host.ask(msg::WriteParams3{settings});
+  auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+  parameters.bat_threshold_alarm = msg::VoltageThreshold::from_volts(14);
+  parameters.bat_threshold_motors = msg::VoltageThreshold::from_volts(12);
+  host.ask(msg::WriteParams3{parameters});
   EXPECT_EQ(errors(15.5).raw(), 0);
   EXPECT_EQ(errors(13), msg::SystemErrors(msg::SystemError::low_bat1));
   EXPECT_EQ(errors(11), msg::SystemError::low_bat1 | msg::SystemError::low_bat2);
-  settings.bat_threshold_alarm = msg::VoltageThreshold::from_volts(-14);
-  settings.bat_threshold_motors = msg::VoltageThreshold::from_volts(-12);
-  host.ask(msg::WriteParams3{settings});
+  parameters.bat_threshold_alarm = msg::VoltageThreshold::from_volts(-14);
+  parameters.bat_threshold_motors = msg::VoltageThreshold::from_volts(-12);
+  host.ask(msg::WriteParams3{parameters});
   host.ask(msg::MotorsOn{});
   EXPECT_EQ(errors(11).raw(), 0) << "negative thresholds are none";
 }
@@ -197,7 +197,7 @@ TEST(LiveData, AnEmptyBatteryShowsWithoutMotorsToo) {
 }
 
 TEST(LiveData, ABoardWithoutAMeterDoesNotWatchTheBattery) {
-  board::Options options;
+  emulator::BoardOptions options;
   options.features = msg::BoardFeature::three_axis;
   Host host(options);
   host.board.gimbal().set_battery(9, host.now);
@@ -237,7 +237,7 @@ TEST(LiveData, TheTimestampCountsMilliseconds) {
 }
 
 TEST(LiveData, WithoutAFrameImuNothingIsKnownOfTheFrame) {
-  board::Options options = still();
+  emulator::BoardOptions options = still();
   options.has_frame_imu = false;
   options.features = {};
   Host host = placed({0, 0, 90}, options);
@@ -268,9 +268,9 @@ TEST(LiveData, TheAttitudeAsVectors) {
 TEST(LiveData, TheOrderOfTheAnglesIsThatOfTheSettings) {
   Host host = placed({30, 40, 50});
   const auto up = [&](msg::EulerOrder order) {
-    auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-    settings.euler_order = order;
-    host.ask(msg::WriteParams3{settings});
+    auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+    parameters.euler_order = order;
+    host.ask(msg::WriteParams3{parameters});
     return host.get<msg::AhrsHelper>(msg::AhrsHelperRequest{}).z1_vector;
   };
   const auto near = [](const Xyz<float>& a, const Xyz<float>& b) {
@@ -323,7 +323,7 @@ TEST(LiveData, LaterFirmwareHasAModeOfTwoBytesInFrontOfTheVectors) {
                                           0xD7, 0xB3, 0x5D, 0x3F, 0, 0, 0, 0x3F};
   for (const int firmware : {2590, 2694, 2695, 2740}) {
     SCOPED_TRACE(firmware);
-    board::Options options = still();
+    emulator::BoardOptions options = still();
     options.firmware = msg::FirmwareVersion(static_cast<std::uint16_t>(firmware));
     const bool is_late = firmware >= 2695;
     Host host(options);
@@ -345,7 +345,7 @@ TEST(LiveData, LaterFirmwareHasAModeOfTwoBytesInFrontOfTheVectors) {
 }
 
 TEST(LiveData, WhatOfAnAttitudeIsNotSimulatedIsRefused) {
-  board::Options options;
+  emulator::BoardOptions options;
   options.firmware = msg::FirmwareVersion(2740);
   Host host(options);
   msg::AhrsHelperRequestExtWide set;

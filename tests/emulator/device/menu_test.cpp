@@ -151,15 +151,15 @@ TEST(Menu, AStartAngleThatIsNotSavedCanBeSavedOrOverwritten) {
 
 TEST(Menu, SignalsAreSwapped) {
   Host host;
-  auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+  auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    settings.rc_map[axis].set_source(msg::RcSource::api);
-    settings.rc_map[axis].set_channel(static_cast<std::uint8_t>(axis + 1));
+    parameters.rc_map[axis].set_source(msg::RcSource::api);
+    parameters.rc_map[axis].set_channel(static_cast<std::uint8_t>(axis + 1));
   }
-  settings.rc_deadband = 0;
-  settings.rc_trim = {};
-  settings.rc_expo_rate = 0;
-  host.ask(msg::WriteParams3{settings});
+  parameters.rc_deadband = 0;
+  parameters.rc_trim = {};
+  parameters.rc_expo_rate = 0;
+  host.ask(msg::WriteParams3{parameters});
   msg::ApiVirtChControl signals;
   for (std::size_t i = 0; i < 3; ++i) {
     signals.val_ch.push_back(msg::CentredRcSignal(static_cast<std::int16_t>(100 * (i + 1))));
@@ -179,12 +179,12 @@ TEST(Menu, SignalsAreSwapped) {
 
 TEST(Menu, AButtonThatPressesItselfDoesNothing) {
   Host host;
-  auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-  settings.menu_cmd[0] = msg::MenuCommand::button_press;
-  host.ask(msg::WriteParams3{settings});
+  auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+  parameters.menu_cmd[0] = msg::MenuCommand::button_press;
+  host.ask(msg::WriteParams3{parameters});
   execute(host, msg::MenuCommand::button_press);
-  settings.menu_cmd[0] = msg::MenuCommand::motor_off;
-  host.ask(msg::WriteParams3{settings});
+  parameters.menu_cmd[0] = msg::MenuCommand::motor_off;
+  host.ask(msg::WriteParams3{parameters});
   execute(host, msg::MenuCommand::button_press);
   EXPECT_FALSE(host.board.gimbal().motors_on());
 }

@@ -12,20 +12,21 @@
 namespace sbgc::test {
 namespace {
 
-using board::Options;
+using emulator::BoardOptions;
 using ::testing::IsEmpty;
 
 msg::TriggerPin pin(msg::OutputPin id, msg::PinState state = msg::PinState::high) {
   return {.pin_id = id, .state = state};
 }
 
-/// Changes the settings of the first profile.
+/// Changes the parameters of the first profile.
 template <class Change>
 void change(Host& host, const Change& change) {
-  msg::WriteParams3 settings;
-  static_cast<msg::ReadParams3&>(settings) = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-  change(settings);
-  ASSERT_TRUE(is_confirmed(host, settings));
+  msg::WriteParams3 parameters;
+  static_cast<msg::ReadParams3&>(parameters) =
+      host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+  change(parameters);
+  ASSERT_TRUE(is_confirmed(host, parameters));
 }
 
 msg::ServoOut servos(std::int16_t first, std::int16_t others = msg::ServoOut::floating) {
@@ -51,9 +52,10 @@ TEST(Pins, AreSwitchedAndConfirmed) {
 
 TEST(Pins, InputsStayInputs) {
   Host host;
-  change(host, [](msg::ReadParams3& settings) {
-    settings.rc_map = {msg::RcInput::rc_input_roll, msg::RcInput::input_no, msg::RcInput::input_no};
-    settings.rc_map_fc_pitch = msg::RcInput::ext_fc_input_pitch;
+  change(host, [](msg::ReadParams3& parameters) {
+    parameters.rc_map = {msg::RcInput::rc_input_roll, msg::RcInput::input_no,
+                         msg::RcInput::input_no};
+    parameters.rc_map_fc_pitch = msg::RcInput::ext_fc_input_pitch;
   });
   EXPECT_THAT(host.ask(pin(msg::OutputPin::rc_input_roll)), IsEmpty());
   EXPECT_THAT(host.ask(pin(msg::OutputPin::ext_fc_input_pitch)), IsEmpty());
@@ -63,16 +65,16 @@ TEST(Pins, InputsStayInputs) {
 
 TEST(Pins, AReceiverTakesTheFirst) {
   Host host;
-  change(host, [](msg::ReadParams3& settings) { settings.rc_map = {}; });
+  change(host, [](msg::ReadParams3& parameters) { parameters.rc_map = {}; });
   EXPECT_TRUE(is_confirmed(host, pin(msg::OutputPin::rc_input_roll)));
   change(host,
-         [](msg::ReadParams3& settings) { settings.rc_virt_mode = msg::RcVirtualMode::sbus; });
+         [](msg::ReadParams3& parameters) { parameters.rc_virt_mode = msg::RcVirtualMode::sbus; });
   EXPECT_THAT(host.ask(pin(msg::OutputPin::rc_input_roll)), IsEmpty());
 }
 
 TEST(Pins, SlotsReadThemToo) {
   Host host;
-  change(host, [](msg::ReadParams3& settings) { settings.rc_map = {}; });
+  change(host, [](msg::ReadParams3& parameters) { parameters.rc_map = {}; });
   msg::WriteAdjVarsCfg config;
   config.trigger_slots[4].src_ch = msg::RcInput::rc_input_yaw;
   ASSERT_TRUE(is_confirmed(host, config));
@@ -87,7 +89,7 @@ TEST(Pins, WhatIsNoPinOrStateIsMetWithSilence) {
 }
 
 TEST(Pins, OldBoardsHaveFewer) {
-  Options options;
+  BoardOptions options;
   options.board = msg::BoardVersion(12);
   Host host(options);
   EXPECT_THAT(host.ask(pin(msg::OutputPin::rc_input_yaw)), IsEmpty());
@@ -100,7 +102,7 @@ TEST(Pins, AServoIsNoPin) {
   EXPECT_THAT(host.ask(pin(msg::OutputPin::ext_fc_input_roll)), IsEmpty());
   EXPECT_TRUE(is_confirmed(host, servos(msg::ServoOut::floating)));
   EXPECT_TRUE(is_confirmed(host, pin(msg::OutputPin::ext_fc_input_roll)));
-  change(host, [](msg::ReadParams3& settings) { settings.servo_out[3] = 7; });
+  change(host, [](msg::ReadParams3& parameters) { parameters.servo_out[3] = 7; });
   EXPECT_THAT(host.ask(pin(msg::OutputPin::pin_aux1)), IsEmpty());
 }
 
@@ -114,13 +116,15 @@ TEST(Pins, AreForgottenByARestart) {
 
 TEST(Servos, PulsesMustFitIntoThePeriod) {
   Host host;
-  change(host,
-         [](msg::ReadParams3& settings) { settings.servo_rate = msg::ServoRate::from_hertz(400); });
+  change(host, [](msg::ReadParams3& parameters) {
+    parameters.servo_rate = msg::ServoRate::from_hertz(400);
+  });
   EXPECT_TRUE(is_confirmed(host, servos(2499)));
   EXPECT_EQ(refusal(host, servos(2500)), msg::BoardErrorCode::wrong_params);
   EXPECT_EQ(refusal(host, servos(0, 2500)), msg::BoardErrorCode::wrong_params);
-  change(host,
-         [](msg::ReadParams3& settings) { settings.servo_rate = msg::ServoRate::from_hertz(50); });
+  change(host, [](msg::ReadParams3& parameters) {
+    parameters.servo_rate = msg::ServoRate::from_hertz(50);
+  });
   EXPECT_TRUE(is_confirmed(host, servos(19999)));
   EXPECT_EQ(refusal(host, servos(20000)), msg::BoardErrorCode::wrong_params);
 }
@@ -184,12 +188,13 @@ TEST(Sounds, WhatIsNoSoundIsRefused) {
 
 TEST(Sounds, CalibrationsAreHeardIfTheSettingsWantIt) {
   Host host;
-  change(host,
-         [](msg::ReadParams3& settings) { settings.beeper_modes = msg::BeeperMode::calibrate; });
+  change(host, [](msg::ReadParams3& parameters) {
+    parameters.beeper_modes = msg::BeeperMode::calibrate;
+  });
   host.ask(msg::CalibGyro{});
   EXPECT_EQ(sound(host), msg::BeepModes(msg::BeepMode::calibrate).raw());
   host.listen(seconds(5));
-  change(host, [](msg::ReadParams3& settings) { settings.beeper_modes = {}; });
+  change(host, [](msg::ReadParams3& parameters) { parameters.beeper_modes = {}; });
   host.ask(msg::CalibGyro{});
   EXPECT_EQ(sound(host), 0);
 }

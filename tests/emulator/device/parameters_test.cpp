@@ -1,4 +1,4 @@
-// Settings of the board: what a host writes is read again, per profile, after a restart as well.
+// Parameters of the board: what a host writes is read again, per profile, after a restart as well.
 
 #include "device/parts/parameters.hpp"
 
@@ -21,8 +21,8 @@ namespace msg = sbgc::msg;
 using sbgc::SettingsOf;
 using sbgc::StoredMessages;
 using sbgc::Type;
-using sbgc::board::Memory;
-using sbgc::board::Settings;
+using sbgc::emulator::Memory;
+using sbgc::emulator::Parameters;
 using ByteVector = std::vector<std::uint8_t>;
 
 constexpr std::uint8_t profiles = SettingsOf<msg::ReadParams3>::copies;
@@ -51,7 +51,7 @@ M random_message(std::mt19937& random, std::uint8_t copy) {
   return message;
 }
 
-/// The message with the general settings of another.
+/// The message with the general parameters of another.
 template <class M>
 M with_general_of(const M& from, M message) {
   if constexpr (SettingsOf<M>::copies > 1) SettingsOf<M>::share(from, message);
@@ -71,95 +71,95 @@ void for_each_random(unsigned seed, Use&& use) {
   });
 }
 
-void write_random(Settings& settings, unsigned seed) {
+void write_random(Parameters& parameters, unsigned seed) {
   for_each_random(seed, [&](std::uint8_t copy, const auto& message) {
-    EXPECT_TRUE(settings.write(copy, message));
+    EXPECT_TRUE(parameters.write(copy, message));
   });
 }
 
-void expect_random(const Settings& settings, unsigned seed) {
+void expect_random(const Parameters& parameters, unsigned seed) {
   for_each_random(seed, [&]<class M>(std::uint8_t copy, const M& message) {
-    EXPECT_EQ(bytes_of(settings.read<M>(copy)), bytes_of(message))
+    EXPECT_EQ(bytes_of(parameters.read<M>(copy)), bytes_of(message))
         << Meta<M>::info.name << ' ' << int{copy};
   });
 }
 
 template <class M>
 M with_gain(std::uint8_t gain) {
-  M result = sbgc::board::factory_settings<M>(0);
+  M result = sbgc::emulator::factory_parameters<M>(0);
   result.axes.roll.p = gain;
   return result;
 }
 
-TEST(Settings, EveryBodyComesBackBitForBit) {
+TEST(Parameters, EveryBodyComesBackBitForBit) {
   Memory memory;
-  Settings settings(memory);
+  Parameters parameters(memory);
   for (unsigned seed = 0; seed < 50; ++seed) {
-    write_random(settings, seed);
-    expect_random(settings, seed);
+    write_random(parameters, seed);
+    expect_random(parameters, seed);
   }
 }
 
-TEST(Settings, AreThereAfterAPowerCycle) {
+TEST(Parameters, AreThereAfterAPowerCycle) {
   Memory memory;
   {
-    Settings settings(memory);
-    write_random(settings, 1);
-    settings.select_profile(3);
+    Parameters parameters(memory);
+    write_random(parameters, 1);
+    parameters.select_profile(3);
   }
   Memory kept = memory;
-  const Settings settings(kept);
-  EXPECT_EQ(settings.profile(), 3);
-  expect_random(settings, 1);
+  const Parameters parameters(kept);
+  EXPECT_EQ(parameters.profile(), 3);
+  expect_random(parameters, 1);
 }
 
-TEST(Settings, SayTheNumberOfTheirProfile) {
+TEST(Parameters, SayTheNumberOfTheirProfile) {
   Memory memory;
-  Settings settings(memory);
+  Parameters parameters(memory);
   for (std::uint8_t profile = 0; profile < profiles; ++profile) {
     auto sent = with_gain<msg::ReadParams3>(1);
     sent.profile_id = 255;  // "the active one"
-    ASSERT_TRUE(settings.write(profile, sent));
-    EXPECT_EQ(settings.read<msg::ReadParams3>(profile).profile_id, profile);
-    settings.select_profile(profile);
-    EXPECT_EQ(settings.of<msg::ReadParams3>().profile_id, profile);
+    ASSERT_TRUE(parameters.write(profile, sent));
+    EXPECT_EQ(parameters.read<msg::ReadParams3>(profile).profile_id, profile);
+    parameters.select_profile(profile);
+    EXPECT_EQ(parameters.of<msg::ReadParams3>().profile_id, profile);
   }
 }
 
-TEST(Settings, OneProfileLeavesTheOthersAlone) {
+TEST(Parameters, OneProfileLeavesTheOthersAlone) {
   Memory memory;
-  Settings settings(memory);
+  Parameters parameters(memory);
   for (std::uint8_t profile = 0; profile < profiles; ++profile) {
-    ASSERT_TRUE(settings.write(profile, with_gain<msg::ReadParams3>(100 + profile)));
+    ASSERT_TRUE(parameters.write(profile, with_gain<msg::ReadParams3>(100 + profile)));
   }
-  ASSERT_TRUE(settings.write(2, with_gain<msg::ReadParams3>(7)));
+  ASSERT_TRUE(parameters.write(2, with_gain<msg::ReadParams3>(7)));
   for (std::uint8_t profile = 0; profile < profiles; ++profile) {
     const std::uint8_t expected = profile == 2 ? 7 : 100 + profile;
-    EXPECT_EQ(settings.read<msg::ReadParams3>(profile).axes.roll.p, expected);
-    settings.select_profile(profile);
-    EXPECT_EQ(settings.of<msg::ReadParams3>().axes.roll.p, expected);
+    EXPECT_EQ(parameters.read<msg::ReadParams3>(profile).axes.roll.p, expected);
+    parameters.select_profile(profile);
+    EXPECT_EQ(parameters.of<msg::ReadParams3>().axes.roll.p, expected);
   }
 }
 
-void expect_speed(const Settings& settings, sbgc::msg::SerialSpeed speed) {
-  EXPECT_EQ(settings.of<msg::ReadParams3>().serial_speed, speed);
+void expect_speed(const Parameters& parameters, sbgc::msg::SerialSpeed speed) {
+  EXPECT_EQ(parameters.of<msg::ReadParams3>().serial_speed, speed);
   for (std::uint8_t profile = 0; profile < profiles; ++profile) {
-    EXPECT_EQ(settings.read<msg::ReadParams3>(profile).serial_speed, speed) << int{profile};
+    EXPECT_EQ(parameters.read<msg::ReadParams3>(profile).serial_speed, speed) << int{profile};
   }
 }
 
-TEST(Settings, GeneralOnesAreThoseOfAllProfiles) {
+TEST(Parameters, GeneralOnesAreThoseOfAllProfiles) {
   Memory memory;
-  Settings settings(memory);
-  settings.select_profile(1);
-  const auto gain = settings.of<msg::ReadParams3>().axes.roll.p;
-  ASSERT_TRUE(settings.set_variable(msg::VariableId::p_roll, 99));
+  Parameters parameters(memory);
+  parameters.select_profile(1);
+  const auto gain = parameters.of<msg::ReadParams3>().axes.roll.p;
+  ASSERT_TRUE(parameters.set_variable(msg::VariableId::p_roll, 99));
   auto sent = with_gain<msg::ReadParams3>(7);
   sent.serial_speed = sbgc::msg::SerialSpeed::baud_9600;
-  ASSERT_TRUE(settings.write(3, sent));
-  expect_speed(settings, sbgc::msg::SerialSpeed::baud_9600);
-  EXPECT_EQ(settings.variable(msg::VariableId::p_roll), 99) << "it is not of the profile written";
-  Settings restarted(memory);
+  ASSERT_TRUE(parameters.write(3, sent));
+  expect_speed(parameters, sbgc::msg::SerialSpeed::baud_9600);
+  EXPECT_EQ(parameters.variable(msg::VariableId::p_roll), 99) << "it is not of the profile written";
+  Parameters restarted(memory);
   expect_speed(restarted, sbgc::msg::SerialSpeed::baud_9600);
   for (std::uint8_t profile = 0; profile < profiles; ++profile) {
     EXPECT_EQ(restarted.read<msg::ReadParams3>(profile).axes.roll.p, profile == 3 ? 7 : gain);
@@ -168,119 +168,120 @@ TEST(Settings, GeneralOnesAreThoseOfAllProfiles) {
   }
 }
 
-TEST(Settings, GeneralOnesAreChangedInAllProfiles) {
+TEST(Parameters, GeneralOnesAreChangedInAllProfiles) {
   Memory memory;
-  Settings settings(memory);
+  Parameters parameters(memory);
   const auto change = [](sbgc::msg::SerialSpeed speed) {
     return [speed](msg::ReadParams3& main) { main.serial_speed = speed; };
   };
   for (const std::uint8_t profile : {std::uint8_t{0}, std::uint8_t{2}}) {
     const auto speed =
         profile == 0 ? sbgc::msg::SerialSpeed::baud_9600 : sbgc::msg::SerialSpeed::baud_19200;
-    ASSERT_TRUE(settings.change<msg::ReadParams3>(profile, change(speed)));
-    expect_speed(settings, speed);
-    expect_speed(Settings(memory), speed);
+    ASSERT_TRUE(parameters.change<msg::ReadParams3>(profile, change(speed)));
+    expect_speed(parameters, speed);
+    expect_speed(Parameters(memory), speed);
   }
-  settings.select_profile(4);
-  settings.change_in_use<msg::ReadParams3>(change(sbgc::msg::SerialSpeed::baud_57600));
-  settings.save();
-  expect_speed(settings, sbgc::msg::SerialSpeed::baud_57600);
-  expect_speed(Settings(memory), sbgc::msg::SerialSpeed::baud_57600);
+  parameters.select_profile(4);
+  parameters.change_in_use<msg::ReadParams3>(change(sbgc::msg::SerialSpeed::baud_57600));
+  parameters.save();
+  expect_speed(parameters, sbgc::msg::SerialSpeed::baud_57600);
+  expect_speed(Parameters(memory), sbgc::msg::SerialSpeed::baud_57600);
 }
 
-TEST(Settings, WritingTheActiveProfileTakesEffectAtOnce) {
+TEST(Parameters, WritingTheActiveProfileTakesEffectAtOnce) {
   Memory memory;
-  Settings settings(memory);
-  ASSERT_TRUE(settings.write(1, with_gain<msg::ReadParams3>(77)));
-  EXPECT_NE(settings.of<msg::ReadParams3>().axes.roll.p, 77);
-  ASSERT_TRUE(settings.write(0, with_gain<msg::ReadParams3>(78)));
-  EXPECT_EQ(settings.of<msg::ReadParams3>().axes.roll.p, 78);
+  Parameters parameters(memory);
+  ASSERT_TRUE(parameters.write(1, with_gain<msg::ReadParams3>(77)));
+  EXPECT_NE(parameters.of<msg::ReadParams3>().axes.roll.p, 77);
+  ASSERT_TRUE(parameters.write(0, with_gain<msg::ReadParams3>(78)));
+  EXPECT_EQ(parameters.of<msg::ReadParams3>().axes.roll.p, 78);
 }
 
-TEST(Settings, StateOfTheBoardIsKeptButNotObeyed) {
+TEST(Parameters, StateOfTheBoardIsKeptButNotObeyed) {
   Memory memory;
-  Settings settings(memory);
-  msg::ReadParams3 sent = settings.of<msg::ReadParams3>();
+  Parameters parameters(memory);
+  msg::ReadParams3 sent = parameters.of<msg::ReadParams3>();
   sent.cur_imu = sbgc::msg::SelectedImu::frame;
   sent.cur_profile_id = 4;
-  ASSERT_TRUE(settings.write(0, sent));
-  EXPECT_EQ(settings.profile(), 0);
-  EXPECT_EQ(Settings(memory).read<msg::ReadParams3>(0), sent);
+  ASSERT_TRUE(parameters.write(0, sent));
+  EXPECT_EQ(parameters.profile(), 0);
+  EXPECT_EQ(Parameters(memory).read<msg::ReadParams3>(0), sent);
 }
 
-TEST(Settings, ADamagedRecordIsTheFactorySettings) {
+TEST(Parameters, ADamagedRecordIsTheFactorySettings) {
   Memory memory;
-  Settings settings(memory);
-  write_random(settings, 3);
+  Parameters parameters(memory);
+  write_random(parameters, 3);
   // The first record is that of the first message and profile.
-  memory.eeprom[sbgc::board::layout::settings + 50] ^= 0x40;
-  EXPECT_EQ(settings.read<msg::ReadParams3>(0).profile_id, 0);
+  memory.eeprom[sbgc::emulator::layout::parameters + 50] ^= 0x40;
+  EXPECT_EQ(parameters.read<msg::ReadParams3>(0).profile_id, 0);
   const Memory damaged = memory;
-  settings.reload();
-  EXPECT_EQ(settings.read<msg::ReadParams3>(0), sbgc::board::factory_settings<msg::ReadParams3>(0));
+  parameters.reload();
+  EXPECT_EQ(parameters.read<msg::ReadParams3>(0),
+            sbgc::emulator::factory_parameters<msg::ReadParams3>(0));
   EXPECT_EQ(memory, damaged) << "loading has changed something";
   for_each_random(3, [&]<class M>(std::uint8_t copy, const M& message) {
     const bool is_damaged = std::is_same_v<M, msg::ReadParams3> && copy == 0;
     if (is_damaged) return;
     // The general ones were in that record.
-    const M expected = copy == 0 ? message : with_general_of(settings.read<M>(0), message);
-    EXPECT_EQ(settings.read<M>(copy), expected);
+    const M expected = copy == 0 ? message : with_general_of(parameters.read<M>(0), message);
+    EXPECT_EQ(parameters.read<M>(copy), expected);
   });
 }
 
-TEST(Settings, ARawWriteToTheEepromCountsAtTheNextStart) {
+TEST(Parameters, ARawWriteToTheEepromCountsAtTheNextStart) {
   Memory other;
-  Settings(other).write(0, with_gain<msg::ReadParams3>(42));
+  Parameters(other).write(0, with_gain<msg::ReadParams3>(42));
   Memory memory;
-  Settings settings(memory);
-  ASSERT_TRUE(settings.write(0, with_gain<msg::ReadParams3>(41)));
+  Parameters parameters(memory);
+  ASSERT_TRUE(parameters.write(0, with_gain<msg::ReadParams3>(41)));
   memory.eeprom = other.eeprom;
-  EXPECT_EQ(settings.of<msg::ReadParams3>().axes.roll.p, 41);
-  EXPECT_EQ(settings.read<msg::ReadParams3>(0).axes.roll.p, 41);
-  settings.reload();
-  EXPECT_EQ(settings.of<msg::ReadParams3>().axes.roll.p, 42);
+  EXPECT_EQ(parameters.of<msg::ReadParams3>().axes.roll.p, 41);
+  EXPECT_EQ(parameters.read<msg::ReadParams3>(0).axes.roll.p, 41);
+  parameters.reload();
+  EXPECT_EQ(parameters.of<msg::ReadParams3>().axes.roll.p, 42);
 }
 
-TEST(Settings, AnUnknownActiveProfileIsTheFirst) {
+TEST(Parameters, AnUnknownActiveProfileIsTheFirst) {
   Memory memory;
   memory.profile = 200;
-  Settings settings(memory);
-  EXPECT_EQ(settings.profile(), 0);
-  EXPECT_EQ(settings.of<msg::ReadParams3>().profile_id, 0);
+  Parameters parameters(memory);
+  EXPECT_EQ(parameters.profile(), 0);
+  EXPECT_EQ(parameters.of<msg::ReadParams3>().profile_id, 0);
 }
 
-TEST(Settings, DefaultsAreOfOneProfile) {
+TEST(Parameters, DefaultsAreOfOneProfile) {
   Memory memory;
-  Settings settings(memory);
-  write_random(settings, 4);
-  settings.select_profile(2);
-  settings.use_defaults(2);
-  EXPECT_EQ(settings.of<msg::ReadParamsExt>(),
-            sbgc::board::factory_settings<msg::ReadParamsExt>(2));
-  EXPECT_EQ(Settings(memory).of<msg::ReadParams3>(), settings.of<msg::ReadParams3>());
-  settings.use_defaults(4);
-  EXPECT_EQ(settings.profile(), 2);
+  Parameters parameters(memory);
+  write_random(parameters, 4);
+  parameters.select_profile(2);
+  parameters.use_defaults(2);
+  EXPECT_EQ(parameters.of<msg::ReadParamsExt>(),
+            sbgc::emulator::factory_parameters<msg::ReadParamsExt>(2));
+  EXPECT_EQ(Parameters(memory).of<msg::ReadParams3>(), parameters.of<msg::ReadParams3>());
+  parameters.use_defaults(4);
+  EXPECT_EQ(parameters.profile(), 2);
   for_each_random(4, [&]<class M>(std::uint8_t copy, const M& message) {
     const bool is_new = SettingsOf<M>::copies > 1 && (copy == 2 || copy == 4);
-    const M factory = with_general_of(message, sbgc::board::factory_settings<M>(copy));
-    EXPECT_EQ(settings.read<M>(copy), is_new ? factory : message);
+    const M factory = with_general_of(message, sbgc::emulator::factory_parameters<M>(copy));
+    EXPECT_EQ(parameters.read<M>(copy), is_new ? factory : message);
   });
 }
 
-TEST(Settings, ErasingLeavesNothing) {
+TEST(Parameters, ErasingLeavesNothing) {
   Memory memory;
-  Settings settings(memory);
-  write_random(settings, 5);
-  settings.select_profile(1);
+  Parameters parameters(memory);
+  write_random(parameters, 5);
+  parameters.select_profile(1);
   memory.eeprom.back() = 3;  // of a file
   const auto revision = memory.revision;
-  settings.erase();
+  parameters.erase();
   EXPECT_EQ(memory.eeprom, Memory().eeprom);
   EXPECT_NE(memory.revision, revision);
-  EXPECT_EQ(settings.profile(), 0);
+  EXPECT_EQ(parameters.profile(), 0);
   StoredMessages::for_each([&]<class M>(Type<M>) {
     for (std::uint8_t copy = 0; copy < SettingsOf<M>::copies; ++copy) {
-      EXPECT_EQ(settings.read<M>(copy), sbgc::board::factory_settings<M>(copy));
+      EXPECT_EQ(parameters.read<M>(copy), sbgc::emulator::factory_parameters<M>(copy));
     }
   });
 }
@@ -288,7 +289,7 @@ TEST(Settings, ErasingLeavesNothing) {
 TEST(FactorySettings, AreAllowedOnOldBoardsToo) {
   StoredMessages::for_each([]<class M>(Type<M>) {
     for (std::uint8_t copy = 0; copy < SettingsOf<M>::copies; ++copy) {
-      const M message = sbgc::board::factory_settings<M>(copy);
+      const M message = sbgc::emulator::factory_parameters<M>(copy);
       for (const sbgc::Availability versions : {sbgc::newest, sbgc::Availability{2400, 30}}) {
         sbgc::validate(message, versions, [&](const sbgc::Violation& violation) {
           std::array<char, 128> path{};
@@ -305,20 +306,20 @@ TEST(FactorySettings, AreAllowedOnOldBoardsToo) {
 }
 
 TEST(FactorySettings, NameTheProfiles) {
-  const auto names = sbgc::board::factory_settings<msg::ReadProfileNames>(0).profile_name;
+  const auto names = sbgc::emulator::factory_parameters<msg::ReadProfileNames>(0).profile_name;
   EXPECT_EQ(std::string_view(names[0].data(), names[0].size()), "Profile 1");
   EXPECT_EQ(std::string_view(names[4].data(), names[4].size()), "Profile 5");
 }
 
 TEST(FactorySettings, SlotsAreEmpty) {
-  EXPECT_EQ(sbgc::board::factory_settings<msg::ReadAdjVarsCfg>(0), msg::ReadAdjVarsCfg{});
+  EXPECT_EQ(sbgc::emulator::factory_parameters<msg::ReadAdjVarsCfg>(0), msg::ReadAdjVarsCfg{});
 }
 
 TEST(FactorySettings, VariablesAreInsideOfTheirRanges) {
   Memory memory;
-  const Settings settings(memory);
+  const Parameters parameters(memory);
   for (const sbgc::VariableInfo& variable : sbgc::variables) {
-    const auto value = settings.variable(variable.id);
+    const auto value = parameters.variable(variable.id);
     ASSERT_TRUE(value) << variable.name;
     EXPECT_GE(*value, variable.range.lowest) << variable.name;
     EXPECT_LE(*value, variable.range.highest) << variable.name;
@@ -327,7 +328,7 @@ TEST(FactorySettings, VariablesAreInsideOfTheirRanges) {
 
 TEST(Variables, AreWhatWasSet) {
   Memory memory;
-  Settings settings(memory);
+  Parameters parameters(memory);
   const Memory before = memory;
   std::mt19937 random(7);
   for (const sbgc::VariableInfo& variable : sbgc::variables) {
@@ -338,98 +339,98 @@ TEST(Variables, AreWhatWasSet) {
       const auto value = i == 0   ? lowest
                          : i == 1 ? highest
                                   : lowest + static_cast<std::int32_t>(random() % width);
-      ASSERT_TRUE(settings.set_variable(variable.id, value)) << variable.name << ' ' << value;
-      EXPECT_EQ(settings.variable(variable.id), value) << variable.name;
+      ASSERT_TRUE(parameters.set_variable(variable.id, value)) << variable.name << ' ' << value;
+      EXPECT_EQ(parameters.variable(variable.id), value) << variable.name;
     }
-    EXPECT_FALSE(settings.set_variable(variable.id, lowest - 1)) << variable.name;
-    EXPECT_FALSE(settings.set_variable(variable.id, highest + 1)) << variable.name;
+    EXPECT_FALSE(parameters.set_variable(variable.id, lowest - 1)) << variable.name;
+    EXPECT_FALSE(parameters.set_variable(variable.id, highest + 1)) << variable.name;
   }
   EXPECT_EQ(memory, before) << "variables are volatile";
 }
 
 TEST(Variables, ThoseThatThereAreNot) {
   Memory memory;
-  Settings settings(memory);
+  Parameters parameters(memory);
   std::set<msg::VariableId> known;
   for (const sbgc::VariableInfo& variable : sbgc::variables) known.insert(variable.id);
   for (int id = 0; id <= 255; ++id) {
     const auto variable = static_cast<msg::VariableId>(id);
-    EXPECT_EQ(settings.variable(variable).has_value(), known.contains(variable)) << id;
+    EXPECT_EQ(parameters.variable(variable).has_value(), known.contains(variable)) << id;
     if (known.contains(variable)) continue;
-    EXPECT_FALSE(settings.set_variable(variable, 0)) << id;
+    EXPECT_FALSE(parameters.set_variable(variable, 0)) << id;
   }
 }
 
 TEST(Variables, ChangeTheSettingsInUse) {
   Memory memory;
-  Settings settings(memory);
-  ASSERT_TRUE(settings.set_variable(msg::VariableId::p_roll, 99));
-  EXPECT_EQ(settings.of<msg::ReadParams3>().axes.roll.p, 99);
-  EXPECT_EQ(settings.read<msg::ReadParams3>(0).axes.roll.p, 99);
+  Parameters parameters(memory);
+  ASSERT_TRUE(parameters.set_variable(msg::VariableId::p_roll, 99));
+  EXPECT_EQ(parameters.of<msg::ReadParams3>().axes.roll.p, 99);
+  EXPECT_EQ(parameters.read<msg::ReadParams3>(0).axes.roll.p, 99);
 }
 
 TEST(Variables, ASmallLimitDoesNotSwitchTheLimiterOff) {
   Memory memory;
-  Settings settings(memory);
-  ASSERT_TRUE(settings.set_variable(msg::VariableId::acc_limiter_roll, 2));
-  EXPECT_EQ(settings.of<msg::ReadParamsExt2>().acc_limiter3.roll.raw(), 1);
+  Parameters parameters(memory);
+  ASSERT_TRUE(parameters.set_variable(msg::VariableId::acc_limiter_roll, 2));
+  EXPECT_EQ(parameters.of<msg::ReadParamsExt2>().acc_limiter3.roll.raw(), 1);
 }
 
 TEST(Variables, ACoarserSettingHasTheNearestStep) {
   Memory memory;
-  Settings settings(memory);
-  ASSERT_TRUE(settings.set_variable(msg::VariableId::acc_limiter_roll, 12));
-  EXPECT_EQ(settings.variable(msg::VariableId::acc_limiter_roll), 12);
-  EXPECT_EQ(settings.of<msg::ReadParamsExt2>().acc_limiter3.roll.raw(), 2);
-  settings.save();
-  EXPECT_EQ(settings.variable(msg::VariableId::acc_limiter_roll), 10);
+  Parameters parameters(memory);
+  ASSERT_TRUE(parameters.set_variable(msg::VariableId::acc_limiter_roll, 12));
+  EXPECT_EQ(parameters.variable(msg::VariableId::acc_limiter_roll), 12);
+  EXPECT_EQ(parameters.of<msg::ReadParamsExt2>().acc_limiter3.roll.raw(), 2);
+  parameters.save();
+  EXPECT_EQ(parameters.variable(msg::VariableId::acc_limiter_roll), 10);
 }
 
 TEST(Variables, OneThatChangesTheSettingOfAnotherIsSeenThere) {
   Memory memory;
-  Settings settings(memory);
-  ASSERT_TRUE(settings.set_variable(msg::VariableId::acc_limiter_roll, 12));
-  ASSERT_TRUE(settings.set_variable(msg::VariableId::acc_limiter, 100));
-  EXPECT_EQ(settings.variable(msg::VariableId::acc_limiter), 100);
-  EXPECT_EQ(settings.variable(msg::VariableId::acc_limiter_roll), 100);
+  Parameters parameters(memory);
+  ASSERT_TRUE(parameters.set_variable(msg::VariableId::acc_limiter_roll, 12));
+  ASSERT_TRUE(parameters.set_variable(msg::VariableId::acc_limiter, 100));
+  EXPECT_EQ(parameters.variable(msg::VariableId::acc_limiter), 100);
+  EXPECT_EQ(parameters.variable(msg::VariableId::acc_limiter_roll), 100);
 }
 
 TEST(Variables, AreForgottenUnlessSaved) {
   Memory memory;
-  Settings settings(memory);
-  const auto original = settings.variable(msg::VariableId::p_pitch);
-  const auto set = [&] { ASSERT_TRUE(settings.set_variable(msg::VariableId::p_pitch, 201)); };
+  Parameters parameters(memory);
+  const auto original = parameters.variable(msg::VariableId::p_pitch);
+  const auto set = [&] { ASSERT_TRUE(parameters.set_variable(msg::VariableId::p_pitch, 201)); };
   set();
-  settings.reload();
-  EXPECT_EQ(settings.variable(msg::VariableId::p_pitch), original);
+  parameters.reload();
+  EXPECT_EQ(parameters.variable(msg::VariableId::p_pitch), original);
   set();
-  settings.select_profile(1);
-  EXPECT_EQ(settings.variable(msg::VariableId::p_pitch), original);
-  settings.select_profile(0);
-  EXPECT_EQ(settings.variable(msg::VariableId::p_pitch), original);
+  parameters.select_profile(1);
+  EXPECT_EQ(parameters.variable(msg::VariableId::p_pitch), original);
+  parameters.select_profile(0);
+  EXPECT_EQ(parameters.variable(msg::VariableId::p_pitch), original);
   set();
-  ASSERT_TRUE(settings.write(0, sbgc::board::factory_settings<msg::ReadParams3>(0)));
-  EXPECT_EQ(settings.variable(msg::VariableId::p_pitch), original);
+  ASSERT_TRUE(parameters.write(0, sbgc::emulator::factory_parameters<msg::ReadParams3>(0)));
+  EXPECT_EQ(parameters.variable(msg::VariableId::p_pitch), original);
   set();
-  settings.save();
-  settings.reload();
-  EXPECT_EQ(settings.variable(msg::VariableId::p_pitch), 201);
-  EXPECT_EQ(Settings(memory).variable(msg::VariableId::p_pitch), 201);
+  parameters.save();
+  parameters.reload();
+  EXPECT_EQ(parameters.variable(msg::VariableId::p_pitch), 201);
+  EXPECT_EQ(Parameters(memory).variable(msg::VariableId::p_pitch), 201);
 }
 
 TEST(Variables, AChangeOfSettingsSavesNone) {
   Memory memory;
-  Settings settings(memory);
+  Parameters parameters(memory);
   const auto change = [](msg::ReadParams3& main) { main.gyro_trust = 12; };
-  const auto original = settings.variable(msg::VariableId::p_pitch);
-  ASSERT_TRUE(settings.set_variable(msg::VariableId::p_pitch, 201));
-  ASSERT_TRUE(settings.set_variable(msg::VariableId::gyro_trust, 250));
-  ASSERT_TRUE(settings.change<msg::ReadParams3>(0, change));
-  ASSERT_TRUE(settings.change<msg::ReadParams3>(3, change));
-  EXPECT_EQ(settings.variable(msg::VariableId::p_pitch), 201);
-  EXPECT_EQ(settings.variable(msg::VariableId::gyro_trust), 12);
-  EXPECT_EQ(settings.read<msg::ReadParams3>(3).gyro_trust, 12);
-  const Settings restarted(memory);
+  const auto original = parameters.variable(msg::VariableId::p_pitch);
+  ASSERT_TRUE(parameters.set_variable(msg::VariableId::p_pitch, 201));
+  ASSERT_TRUE(parameters.set_variable(msg::VariableId::gyro_trust, 250));
+  ASSERT_TRUE(parameters.change<msg::ReadParams3>(0, change));
+  ASSERT_TRUE(parameters.change<msg::ReadParams3>(3, change));
+  EXPECT_EQ(parameters.variable(msg::VariableId::p_pitch), 201);
+  EXPECT_EQ(parameters.variable(msg::VariableId::gyro_trust), 12);
+  EXPECT_EQ(parameters.read<msg::ReadParams3>(3).gyro_trust, 12);
+  const Parameters restarted(memory);
   EXPECT_EQ(restarted.variable(msg::VariableId::p_pitch), original);
   EXPECT_EQ(restarted.variable(msg::VariableId::gyro_trust), 12);
   EXPECT_EQ(restarted.read<msg::ReadParams3>(3).gyro_trust, 12);
@@ -437,14 +438,14 @@ TEST(Variables, AChangeOfSettingsSavesNone) {
 
 TEST(Variables, AreSavedInTheActiveProfileAlone) {
   Memory memory;
-  Settings settings(memory);
-  write_random(settings, 8);
-  settings.select_profile(3);
-  ASSERT_TRUE(settings.set_variable(msg::VariableId::gyro_trust, 33));
-  ASSERT_TRUE(settings.set_variable(msg::VariableId::lpf_freq_yaw, 77));
-  ASSERT_TRUE(settings.set_variable(msg::VariableId::pid_gain_yaw, 55));
-  settings.save();
-  const Settings restarted(memory);
+  Parameters parameters(memory);
+  write_random(parameters, 8);
+  parameters.select_profile(3);
+  ASSERT_TRUE(parameters.set_variable(msg::VariableId::gyro_trust, 33));
+  ASSERT_TRUE(parameters.set_variable(msg::VariableId::lpf_freq_yaw, 77));
+  ASSERT_TRUE(parameters.set_variable(msg::VariableId::pid_gain_yaw, 55));
+  parameters.save();
+  const Parameters restarted(memory);
   for_each_random(8, [&]<class M>(std::uint8_t copy, M message) {
     if (copy == 3) {
       if constexpr (std::is_same_v<M, msg::ReadParams3>) message.gyro_trust = 33;
@@ -459,18 +460,18 @@ TEST(Variables, AreSavedInTheActiveProfileAlone) {
 
 TEST(Variables, ThoseWithoutASettingAreKeptUntilTheRestart) {
   Memory memory;
-  Settings settings(memory);
+  Parameters parameters(memory);
   const msg::VariableId heading = msg::VariableId::frame_heading_angle;
-  EXPECT_EQ(settings.variable(heading), 0);
-  EXPECT_EQ(settings.variable(msg::VariableId::gyro_heading_correction), 0);
-  ASSERT_TRUE(settings.set_variable(heading, -1234));
-  ASSERT_TRUE(settings.set_variable(msg::VariableId::gyro_heading_correction, 20000));
-  settings.save();
-  settings.select_profile(2);
-  EXPECT_EQ(settings.variable(heading), -1234);
-  settings.reload();
-  EXPECT_EQ(settings.variable(heading), 0);
-  EXPECT_EQ(settings.variable(msg::VariableId::gyro_heading_correction), 0);
+  EXPECT_EQ(parameters.variable(heading), 0);
+  EXPECT_EQ(parameters.variable(msg::VariableId::gyro_heading_correction), 0);
+  ASSERT_TRUE(parameters.set_variable(heading, -1234));
+  ASSERT_TRUE(parameters.set_variable(msg::VariableId::gyro_heading_correction, 20000));
+  parameters.save();
+  parameters.select_profile(2);
+  EXPECT_EQ(parameters.variable(heading), -1234);
+  parameters.reload();
+  EXPECT_EQ(parameters.variable(heading), 0);
+  EXPECT_EQ(parameters.variable(msg::VariableId::gyro_heading_correction), 0);
 }
 
 }  // namespace

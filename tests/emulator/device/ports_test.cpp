@@ -42,7 +42,7 @@ TEST(Ports, DoNotWaitForEachOther) {
 }
 
 TEST(Ports, ARequestThatDoesNotFitIsLostWhole) {
-  board::Options options;
+  emulator::BoardOptions options;
   options.input_buffer = 3 * who.size() + 2;
   Host host(options);
   host.send_bytes(times(5, who));
@@ -61,11 +61,11 @@ TEST(Ports, AFloodOfRequestsHasAnEnd) {
 }
 
 TEST(Ports, AnswersWaitForRoomAndRequestsBehindThem) {
-  board::Options options;
+  emulator::BoardOptions options;
   options.output_buffer = answer_size + 5;
   Host host(options);
   int carried_out = 0;
-  host.board.on_traffic = [&](const board::Board::Traffic& one) {
+  host.board.on_traffic = [&](const emulator::Board::Traffic& one) {
     carried_out += one.outcome ? 1 : 0;
   };
   host.send_bytes(times(4, who));
@@ -119,7 +119,7 @@ TEST(Ports, ErrorsOfTheLineAreCounted) {
 }
 
 TEST(Ports, WhatNobodyReadsIsLimited) {
-  board::Options options;
+  emulator::BoardOptions options;
   options.output_buffer = 100;
   Host host(options);
   // Each of them is announced to a host that has stopped reading.

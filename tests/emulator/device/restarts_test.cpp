@@ -32,9 +32,9 @@ Request with_notice(int delay_ms) {
 }
 
 TEST(Restart, ABoardThatStartsIsSilent) {
-  board::Options options;
+  emulator::BoardOptions options;
   options.start_time = milliseconds(300);
-  board::Board board(options, {}, {});
+  emulator::Board board(options, {}, {});
   EXPECT_EQ(board.next(), Instant{} + options.start_time);
   Host host(options);
   host.ask(msg::ResetRequest{}, milliseconds(1));
@@ -80,7 +80,7 @@ TEST(Restart, OfTwoTheEarlierComes) {
 }
 
 TEST(Restart, TheBootloaderGivesUp) {
-  board::Options options;
+  emulator::BoardOptions options;
   options.bootloader_time = seconds(3);
   Host host(options);
   EXPECT_THAT(all<msg::Reset>(host.ask(with_notice<msg::BootMode3Ext>(0), milliseconds(5))),
@@ -125,13 +125,13 @@ TEST(Restart, PowerOffLosesWhatWaitsToBeSent) {
   EXPECT_FALSE(answers(host));
 }
 
-/// The wish stands in the settings of all profiles, whichever it is written with.
+/// The wish stands in the parameters of all profiles, whichever it is written with.
 std::uint8_t profile_after_restart(bool is_remembered, std::uint8_t written) {
   Host host;
   host.ask(msg::ExecuteMenu{.cmd_id = msg::MenuCommand::profile3});
-  auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{.profile_id = written});
-  settings.general_flags1.set(msg::GeneralFlag::remember_last_used_profile, is_remembered);
-  host.ask(msg::WriteParams3{settings});
+  auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{.profile_id = written});
+  parameters.general_flags1.set(msg::GeneralFlag::remember_last_used_profile, is_remembered);
+  host.ask(msg::WriteParams3{parameters});
   host.ask(msg::ResetRequest{}, seconds(1));
   return host.get<msg::RealtimeData3>(msg::RealtimeData3Request{}).cur_profile;
 }
@@ -146,9 +146,9 @@ TEST(Restart, TheLastProfileIsRememberedIfTheSettingsWantThat) {
 TEST(Restart, ANewBaudRateIsThatOfTheNextStart) {
   Host host;
   EXPECT_EQ(host.board.baud_rate(), 115200U);
-  auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-  settings.serial_speed = msg::SerialSpeed::baud_9600;
-  host.ask(msg::WriteParams3{settings});
+  auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+  parameters.serial_speed = msg::SerialSpeed::baud_9600;
+  host.ask(msg::WriteParams3{parameters});
   EXPECT_EQ(host.board.baud_rate(), 115200U);
   host.board.restart(host.now);
   EXPECT_EQ(host.board.baud_rate(), 9600U);
@@ -156,9 +156,9 @@ TEST(Restart, ANewBaudRateIsThatOfTheNextStart) {
 
 TEST(Restart, TheBaudRateIsThatOfTheBoardWhicheverProfileIsActive) {
   Host host;
-  auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{.profile_id = 3});
-  settings.serial_speed = msg::SerialSpeed::baud_57600;
-  host.ask(msg::WriteParams3{settings});
+  auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{.profile_id = 3});
+  parameters.serial_speed = msg::SerialSpeed::baud_57600;
+  host.ask(msg::WriteParams3{parameters});
   host.board.restart(host.now);
   EXPECT_EQ(host.board.baud_rate(), 57600U);
 }
@@ -168,10 +168,10 @@ TEST(Restart, WhatIsWrittenIntoTheEepromHoldsFromTheNextStartOn) {
   msg::EepromWrite erase;
   erase.data.resize(64);
   for (auto& byte : erase.data) byte = 0xFF;
-  auto settings = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-  const auto before = settings.gyro_trust;
-  settings.gyro_trust = static_cast<std::uint8_t>(before + 1);
-  host.ask(msg::WriteParams3{settings});
+  auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
+  const auto before = parameters.gyro_trust;
+  parameters.gyro_trust = static_cast<std::uint8_t>(before + 1);
+  host.ask(msg::WriteParams3{parameters});
   host.ask(erase);
   EXPECT_EQ(host.get<msg::ReadParams3>(msg::ReadParams3Request{}).gyro_trust, before + 1);
   host.ask(msg::ResetRequest{}, seconds(1));

@@ -12,8 +12,8 @@
 namespace sbgc::test {
 namespace {
 
-board::Options options() {
-  board::Options result;
+emulator::BoardOptions options() {
+  emulator::BoardOptions result;
   result.waits_for_saving = true;
   return result;
 }
@@ -172,10 +172,10 @@ TEST(Saving, ChangesNothingButWhen) {
     std::vector<Bytes> heard[2];
     for (const bool waits : {false, true}) {
       RandomRequests requests(seed);
-      board::Options options;
+      emulator::BoardOptions options;
       options.waits_for_saving = waits;
       options.output_buffer = 0;
-      board::Board board(options, {}, Instant{});
+      emulator::Board board(options, {}, Instant{});
       std::vector<std::size_t> ports;
       for (int i = 0; i < 2; ++i) ports.push_back(board.open_port().value());
       heard[waits].resize(ports.size());

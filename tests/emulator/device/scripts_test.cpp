@@ -74,7 +74,7 @@ TEST(Scripts, NothingIsReportedWithoutDebugging) {
 }
 
 TEST(Scripts, NotEveryBoardRunsThem) {
-  board::Options options;
+  emulator::BoardOptions options;
   options.features = msg::BoardFeature::three_axis;
   Host host(options);
   store(host, 0, five_commands);

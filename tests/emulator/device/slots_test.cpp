@@ -8,7 +8,7 @@
 namespace sbgc::test {
 namespace {
 
-using board::Options;
+using emulator::BoardOptions;
 
 msg::RcMap channel(std::uint8_t number) {
   msg::RcMap result;
@@ -144,7 +144,7 @@ TEST(Slots, StateIsReported) {
 }
 
 TEST(Slots, LaterFirmwareAsksWithMoreBytes) {
-  Options options;
+  BoardOptions options;
   options.firmware = msg::FirmwareVersion(2680);
   Host host(options);
   host.ask(config());

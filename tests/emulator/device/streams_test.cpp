@@ -51,7 +51,7 @@ TEST(Streams, OneMillisecondMeansEachCycle) {
 }
 
 TEST(Streams, AreSampledAtTheirTimeHoweverLateTheBoardIsAsked) {
-  board::Options options;
+  emulator::BoardOptions options;
   options.output_buffer = 0;
   Packets in_time, late;
   for (Packets* packets : {&in_time, &late}) {

@@ -18,7 +18,7 @@
 
 #include "physics/noise.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -284,7 +284,7 @@ TEST(Emulator, ARestartInTheMiddleOfAFrameEndsItForTheLine) {
 
 TEST(Emulator, TheRateOfTheSettings) {
   EmulatorOptions options;
-  options.rate_of_settings = true;
+  options.rate_from_parameters = true;
   Bench bench(options);
   EXPECT_NE(bench.emulator.board().baud_rate(), 0U);
   EXPECT_EQ(bench.emulator.line().baud_rate, bench.emulator.board().baud_rate());
@@ -298,7 +298,7 @@ TEST(Emulator, TheRateOfTheSettings) {
 
 TEST(Emulator, ANewRateOfTheSettingsHoldsFromTheNextStartOn) {
   EmulatorOptions options;
-  options.rate_of_settings = true;
+  options.rate_from_parameters = true;
   Bench bench(options);
   const std::size_t usb = bench.emulator.connect(true, bench.now).value();
   bench.send(frame_of(msg::ReadParams3Request{}));
@@ -405,4 +405,4 @@ TEST(Emulator, CallingMoreOftenChangesNothing) {
 }
 
 }  // namespace
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

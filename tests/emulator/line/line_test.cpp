@@ -17,7 +17,7 @@
 
 #include "physics/noise.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 namespace {
 
 using testing::ElementsAre;
@@ -470,4 +470,4 @@ TEST(Deterministic, AnotherSeedIsAnotherLine) {
 }
 
 }  // namespace
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -6,7 +6,7 @@
 
 #include "gimbal_rig.hpp"
 
-namespace sbgc::board::test {
+namespace sbgc::emulator::test {
 namespace {
 
 Tuning weak() {
@@ -183,4 +183,4 @@ TEST(Battery, StopsTheMotorsWhenItHasBeenUsedUp) {
 }
 
 }  // namespace
-}  // namespace sbgc::board::test
+}  // namespace sbgc::emulator::test

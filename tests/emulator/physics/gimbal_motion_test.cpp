@@ -6,7 +6,7 @@
 
 #include "gimbal_rig.hpp"
 
-namespace sbgc::board::test {
+namespace sbgc::emulator::test {
 namespace {
 
 struct Move {
@@ -384,4 +384,4 @@ TEST(Follow, LimitsOfAccelerationHoldForBothWaysTogether) {
 }
 
 }  // namespace
-}  // namespace sbgc::board::test
+}  // namespace sbgc::emulator::test

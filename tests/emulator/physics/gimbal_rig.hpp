@@ -7,7 +7,7 @@
 
 #include <sbgc/emulator/gimbal.hpp>
 
-namespace sbgc::board::test {
+namespace sbgc::emulator::test {
 
 constexpr std::size_t roll = 0, pitch = 1, yaw = 2;
 
@@ -58,4 +58,4 @@ inline std::int64_t arrival(Gimbal& gimbal, std::size_t axis, std::int64_t from,
   return -1;
 }
 
-}  // namespace sbgc::board::test
+}  // namespace sbgc::emulator::test

@@ -10,7 +10,7 @@
 #include "gimbal_rig.hpp"
 #include "physics/attitude.hpp"
 
-namespace sbgc::board::test {
+namespace sbgc::emulator::test {
 namespace {
 
 constexpr double radian = std::numbers::pi / 180;
@@ -300,4 +300,4 @@ TEST(Reference, OfTheFrameLeavesTheCamera) {
 }
 
 }  // namespace
-}  // namespace sbgc::board::test
+}  // namespace sbgc::emulator::test

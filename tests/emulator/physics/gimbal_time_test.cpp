@@ -13,7 +13,7 @@
 #include "gimbal_rig.hpp"
 #include "physics/disturbance_motion.hpp"
 
-namespace sbgc::board::test {
+namespace sbgc::emulator::test {
 namespace {
 
 /// All numbers of a sample, exactly.
@@ -379,4 +379,4 @@ TEST(Frame, BadRecordingsAreRest) {
 }
 
 }  // namespace
-}  // namespace sbgc::board::test
+}  // namespace sbgc::emulator::test

@@ -8,9 +8,9 @@
 #include <sbgc/messages/system.hpp>
 #include <sbgc/time.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
-struct Options {
+struct BoardOptions {
   msg::BoardVersion board{30};
   msg::FirmwareVersion firmware{2590};
   msg::BoardFeatures features = msg::BoardFeature::three_axis | msg::BoardFeature::bat_monitoring |
@@ -36,4 +36,4 @@ struct Options {
   bool waits_for_saving = false;
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -3,11 +3,13 @@
 
 #include <bit>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include <sbgc/line.hpp>
 #include <sbgc/types.hpp>
 
-namespace sbgc {
+namespace sbgc::emulator {
 
 /// The receiving half of a UART. It is told the levels on the line, one for each bit of the sender,
 /// and samples them with its own rate: 16 ticks to a bit, each bit in its middle. It drops bytes
@@ -104,4 +106,9 @@ constexpr Optional<bool> parity_bit(std::uint8_t byte, Parity parity) noexcept {
   return std::popcount(byte) % 2 != 0;
 }
 
-}  // namespace sbgc
+/// What a UART with the settings `receiver` makes of bytes that another sends, back to back on an
+/// idle line, with the settings `sender`. It drops bytes without a stop bit or with a wrong parity.
+std::vector<std::uint8_t> received_as(std::span<const std::uint8_t> bytes,
+                                      const LineSettings& sender, const LineSettings& receiver);
+
+}  // namespace sbgc::emulator

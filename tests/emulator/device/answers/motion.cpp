@@ -112,7 +112,7 @@ void Table::add_control() {
   };
   add<msg::MotorsOn>({.before = off, .after = is_on});
   add<msg::MotorsOff>({.before = on, .after = is_off});
-  board::Options later;
+  emulator::BoardOptions later;
   later.firmware = msg::FirmwareVersion(2687);
   add<msg::MotorsOffExt>({.before = on, .after = is_off, .options = later});
   add<msg::ExecuteMenu>({.request = {.cmd_id = msg::MenuCommand::motor_toggle},

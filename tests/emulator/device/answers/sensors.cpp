@@ -81,7 +81,7 @@ void Table::add_imu() {
   set.z1_vector = {0, 0, 1};
   set.h1_vector = {0, 1, 0};
   add<msg::AhrsHelperRequestExt>({.request = set});
-  board::Options later;
+  emulator::BoardOptions later;
   later.firmware = msg::FirmwareVersion(2695);
   add<msg::AhrsHelperRequestWide>({.after = points_up, .options = later});
   add<msg::AhrsHelperRequestExtWide>({.after = points_up, .options = later});

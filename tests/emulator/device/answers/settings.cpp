@@ -1,4 +1,4 @@
-// Checks of settings and adjustable variables.
+// Checks of parameters and adjustable variables.
 
 #include <array>
 #include <cstddef>
@@ -21,37 +21,37 @@ using ::testing::SizeIs;
 
 }  // namespace
 
-void Table::add_settings() {
-  // Every reader and writer of every message that holds settings, for the last copy of it: what
+void Table::add_parameters() {
+  // Every reader and writer of every message that holds parameters, for the last copy of it: what
   // stood there is changed in every bit that is a setting, and comes back so.
   StoredMessages::for_each([this]<class M>(Type<M>) {
-    using Settings = SettingsOf<M>;
-    constexpr std::uint8_t copy = Settings::copies - 1;
+    using Parameters = SettingsOf<M>;
+    constexpr std::uint8_t copy = Parameters::copies - 1;
     const auto read = [](Host& host) {
       M result{};
-      Settings::Readers::for_each([&]<class Request>(Type<Request>) {
+      Parameters::Readers::for_each([&]<class Request>(Type<Request>) {
         Request request{};
-        if constexpr (Settings::copies > 1) Settings::copy(request) = copy;
+        if constexpr (Parameters::copies > 1) Parameters::copy(request) = copy;
         result = host.get<M>(request);
       });
       return result;
     };
-    Settings::Readers::for_each([&]<class Request>(Type<Request>) {
+    Parameters::Readers::for_each([&]<class Request>(Type<Request>) {
       Request request{};
-      if constexpr (Settings::copies > 1) Settings::copy(request) = copy;
+      if constexpr (Parameters::copies > 1) Parameters::copy(request) = copy;
       add<Request>({.request = request, .after = [](Host&, const Packets& packets) {
-                      const auto settings = only<M>(packets);
-                      if constexpr (Settings::copies > 1) {
-                        EXPECT_EQ(Settings::copy(settings), Settings::copies - 1);
+                      const auto parameters = only<M>(packets);
+                      if constexpr (Parameters::copies > 1) {
+                        EXPECT_EQ(Parameters::copy(parameters), Parameters::copies - 1);
                       }
                     }});
     });
-    Settings::Writers::for_each([&]<class Request>(Type<Request>) {
+    Parameters::Writers::for_each([&]<class Request>(Type<Request>) {
       M wanted{};
       std::array<std::uint8_t, max_body_size> body{};
       for (std::size_t i = 0; i < M::min_size; ++i) body[i] = static_cast<std::uint8_t>(i * 37 + 5);
       ASSERT_TRUE(decode(std::span(body).first(M::min_size), wanted));
-      if constexpr (Settings::copies > 1) Settings::copy(wanted) = copy;
+      if constexpr (Parameters::copies > 1) Parameters::copy(wanted) = copy;
       add<Request>({.request = Request{wanted},
                     .comes = Comes::confirmation,
                     .after = [wanted, read](Host& host, const Packets&) mutable {
@@ -85,11 +85,11 @@ void Table::add_settings() {
   add<msg::UseDefaults>({.comes = Comes::confirmation,
                          .before =
                              [](Host& host) {
-                               auto settings =
+                               auto parameters =
                                    host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-                               settings.gyro_trust =
-                                   static_cast<std::uint8_t>(settings.gyro_trust + 1);
-                               host.ask(msg::WriteParams3{settings});
+                               parameters.gyro_trust =
+                                   static_cast<std::uint8_t>(parameters.gyro_trust + 1);
+                               host.ask(msg::WriteParams3{parameters});
                              },
                          .after =
                              [](Host& host, const Packets&) {
@@ -120,7 +120,7 @@ void Table::add_variables() {
   add<msg::GetAdjVarsVal>(
       {.request = get, .before = [=](Host& host) { host.ask(set); }, .after = are_set});
   add<msg::AdjVarsStateRequest>({.request = {.trigger_slot = 9, .analog_slot = 14}});
-  board::Options later;
+  emulator::BoardOptions later;
   later.firmware = msg::FirmwareVersion(msg::AdjVarsStateRequestExt::since.firmware);
   add<msg::AdjVarsStateRequestExt>({.options = later});
 }

@@ -50,7 +50,7 @@ class Table {
     std::function<void(Host&)> before{};
     /// Looks at what came, and at the board.
     std::function<void(Host&, const Packets&)> after{};
-    board::Options options{};
+    emulator::BoardOptions options{};
   };
 
   template <Message M>
@@ -69,7 +69,7 @@ class Table {
   }
 
   void add_system();
-  void add_settings();
+  void add_parameters();
   void add_live_data();
   void add_control();
   void add_calibration();
