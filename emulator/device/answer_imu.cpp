@@ -1,48 +1,49 @@
 /// Requests that choose and correct IMUs.
-#include "handlers.hpp"
-#include "machine.hpp"
+#include "device/device.hpp"
+#include "device/handlers.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 namespace {
 
-Outcome select(Turn& turn, msg::SelectedImu imu) {
+Outcome select(RequestContext& context, msg::SelectedImu imu) {
   const bool exists = imu == msg::SelectedImu::main ||
-                      (imu == msg::SelectedImu::frame && turn.machine.has_frame_imu());
-  if (!exists) return Turn::ignore();
-  turn.machine.cur_imu = imu;
-  return turn.confirm();
+                      (imu == msg::SelectedImu::frame && context.device.has_frame_imu());
+  if (!exists) return RequestContext::ignore();
+  context.device.cur_imu = imu;
+  return context.confirm();
 }
 
 double degrees_per_second(msg::GyroOffset offset) {
-  return offset.gyro_units() * Machine::gyro_unit();
+  return offset.gyro_units() * Device::gyro_unit();
 }
 
 }  // namespace
 
-Outcome handle(Turn& turn, const msg::SelectImu3& request) {
-  return select(turn, request.imu_type);
+Outcome handle(RequestContext& context, const msg::SelectImu3& request) {
+  return select(context, request.imu_type);
 }
 /// Its further parameters are not documented.
-Outcome handle(Turn& turn, const msg::SelectImu3Ext& request) {
-  return select(turn, request.imu_type);
+Outcome handle(RequestContext& context, const msg::SelectImu3Ext& request) {
+  return select(context, request.imu_type);
 }
 
-Outcome handle(Turn& turn, const msg::GyroCorrection& request) {
-  Machine& machine = turn.machine;
+Outcome handle(RequestContext& context, const msg::GyroCorrection& request) {
+  Device& device = context.device;
   const bool of_frame = request.imu_type == msg::ImuIndex::frame;
   if (!of_frame && request.imu_type != msg::ImuIndex::main)
-    return turn.refuse(msg::BoardErrorCode::wrong_params);
-  if (of_frame && !machine.has_frame_imu()) return turn.refuse(msg::BoardErrorCode::not_supported);
+    return context.refuse(msg::BoardErrorCode::wrong_params);
+  if (of_frame && !device.has_frame_imu())
+    return context.refuse(msg::BoardErrorCode::not_supported);
   Vector offset;
   for (std::size_t i = 0; i < 3; ++i) {
     offset[i] = degrees_per_second(request.gyro_zero_corr[i]);
   }
   const std::size_t imu = of_frame ? 1 : 0;
-  machine.gyro_headings[imu] = degrees_per_second(request.gyro_zero_heading_corr);
-  machine.memory.imus[imu].gyro_offset = offset;
-  ++machine.memory.revision;
-  machine.correct_gyros(turn.now);
-  return turn.confirm();
+  device.gyro_headings[imu] = degrees_per_second(request.gyro_zero_heading_corr);
+  device.memory.imus[imu].gyro_offset = offset;
+  ++device.memory.revision;
+  device.correct_gyros(context.now);
+  return context.confirm();
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

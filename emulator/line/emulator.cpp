@@ -6,7 +6,7 @@
 
 #include "physics/noise.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 Emulator::Emulator(const EmulatorOptions& options, Memory memory, Instant now, Instant beginning)
     : options_(options), beginning_(beginning), board_(options.board, std::move(memory), now) {
@@ -133,7 +133,7 @@ void Emulator::pump(std::size_t number, Port& port, Instant now) {
 }
 
 void Emulator::follow_rate() {
-  if (!options_.rate_of_settings || options_.line.board.baud_rate == board_.baud_rate()) return;
+  if (!options_.rate_from_parameters || options_.line.board.baud_rate == board_.baud_rate()) return;
   options_.line.board.baud_rate = board_.baud_rate();
   for (std::optional<Port>& port : ports_) {
     if (!port || port->is_usb) continue;
@@ -183,4 +183,4 @@ const LineCounters& Emulator::counters(std::size_t port, Line::Way way) const {
   return way == Line::Way::to_board ? at(port).to_board.counters() : at(port).to_host.counters();
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -9,7 +9,7 @@
 
 #include "physics/noise.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 namespace {
 
@@ -260,4 +260,4 @@ std::uint64_t Line::seed(Fault fault) const {
                      static_cast<std::uint64_t>(fault) * 2 + (way_ == Way::to_host ? 1U : 0U));
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -8,7 +8,7 @@
 
 #include <sbgc/emulator/gimbal.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// Axes from the camera outwards: 0 roll, 1 pitch, 2 yaw.
 using RotationOrder = std::array<std::uint8_t, 3>;
@@ -67,4 +67,4 @@ double wrapped(double degrees);
 double dot(const Vector& a, const Vector& b);
 Vector cross(const Vector& a, const Vector& b);
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -1,10 +1,10 @@
-#include "battery.hpp"
+#include "physics/battery.hpp"
 
 #include <algorithm>
 
-#include "physics_limits.hpp"
+#include "physics/limits.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 namespace {
 
@@ -30,4 +30,4 @@ double Battery::voltage(double current) const {
 
 void Battery::set(double volts) { set_ = within(volts, 0, 1000); }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

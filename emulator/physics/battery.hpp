@@ -3,7 +3,7 @@
 
 #include <optional>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// The voltage falls with the charge that has been taken and with the current.
 class Battery {
@@ -25,4 +25,4 @@ class Battery {
   std::optional<double> set_{};
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -9,7 +9,7 @@
 #include <sbgc/emulator/disturbance.hpp>
 #include <sbgc/types.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// Moves on in steps of the simulation from the start on; between them it looks ahead.
 ///
@@ -64,4 +64,4 @@ class FrameMotion {
   mutable std::size_t place_ = 0;  ///< where in it the last look was; saves a search
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

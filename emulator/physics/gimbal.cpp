@@ -3,14 +3,14 @@
 
 #include <sbgc/emulator/gimbal.hpp>
 
-#include "attitude.hpp"
-#include "battery.hpp"
-#include "disturbance_motion.hpp"
-#include "gimbal_axis.hpp"
-#include "physics_limits.hpp"
-#include "sensors.hpp"
+#include "physics/attitude.hpp"
+#include "physics/axis_state.hpp"
+#include "physics/battery.hpp"
+#include "physics/disturbance_motion.hpp"
+#include "physics/limits.hpp"
+#include "physics/sensors.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 namespace {
 
@@ -404,4 +404,4 @@ Sample Gimbal::sample(Instant now) {
   return sample;
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -9,7 +9,7 @@
 #include <sbgc/quantity.hpp>
 #include <sbgc/units.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// For what physically can exceed the type of the wire, such as the speed of a camera that is
 /// pushed: the value at the end of the type, as a sensor saturates. Not a number becomes 0.
@@ -46,4 +46,4 @@ inline msg::Angle14 wire_angle(double degrees) {
   return result;
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

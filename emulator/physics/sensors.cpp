@@ -1,11 +1,11 @@
-#include "sensors.hpp"
+#include "physics/sensors.hpp"
 
 #include <cmath>
 
-#include "noise.hpp"
-#include "physics_limits.hpp"
+#include "physics/limits.hpp"
+#include "physics/noise.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 namespace {
 
@@ -145,4 +145,4 @@ Imu::Readings Imu::readings(const Pose& pose, const Vector& rates, std::int64_t 
   return result;
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

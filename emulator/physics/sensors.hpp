@@ -5,9 +5,9 @@
 
 #include <sbgc/emulator/gimbal.hpp>
 
-#include "attitude.hpp"
+#include "physics/attitude.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// One IMU. Its gyroscope has a drift that grows with the temperature; gravity (and references from
 /// outside) keep the estimate of its attitude near the truth.
@@ -76,4 +76,4 @@ class Imu {
   std::int64_t refers_until_ = 0;
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -1,4 +1,4 @@
-#include "arguments.hpp"
+#include "serving/arguments.hpp"
 
 #include <array>
 #include <charconv>
@@ -12,10 +12,10 @@
 
 #include <sbgc/protocol.hpp>
 
-#include "listen.hpp"
-#include "motion_file.hpp"
+#include "serving/listen.hpp"
+#include "serving/motion_file.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 namespace {
 
@@ -104,8 +104,8 @@ DelayFault parse_delay(const std::string& text) {
   return result;
 }
 
-board::Silence parse_silence(const std::string& text) {
-  board::Silence result;
+emulator::Silence parse_silence(const std::string& text) {
+  emulator::Silence result;
   const auto [from, length] = split(text, ':');
   if (!read_duration(from, 1e6, result.from) || !read_duration(length, 1e6, result.length)) {
     refuse(text, "FROM:LENGTH in seconds, such as 10:2.5");
@@ -171,8 +171,8 @@ msg::BoardVersion parse_board(const std::string& text) {
   return msg::BoardVersion(static_cast<std::uint8_t>(whole * 10 + tenth));
 }
 
-board::Disturbance parse_motion(const std::string& text) {
-  using Kind = board::Disturbance::Kind;
+emulator::Disturbance parse_motion(const std::string& text) {
+  using Kind = emulator::Disturbance::Kind;
   constexpr std::array<std::pair<std::string_view, Kind>, 4> kinds{{{"rest", Kind::rest},
                                                                     {"handheld", Kind::handheld},
                                                                     {"drone", Kind::drone},
@@ -188,4 +188,4 @@ board::Disturbance parse_motion(const std::string& text) {
   }
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

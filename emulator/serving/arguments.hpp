@@ -8,9 +8,9 @@
 #include <sbgc/emulator/line.hpp>
 #include <sbgc/enums.hpp>
 
-#include "endpoint.hpp"
+#include "serving/endpoint.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 /// "5000", "0.0.0.0:5000", "[::1]:5000", "localhost:0"; no other names.
 ListenAddress parse_listen(const std::string& text);
@@ -21,12 +21,12 @@ double parse_share(const std::string& text);
 /// "0.01" or "0.01:50", the time in milliseconds.
 struct DelayFault {
   double share{};
-  Duration delay = board::Faults{}.delay;
+  Duration delay = emulator::Faults{}.delay;
 };
 DelayFault parse_delay(const std::string& text);
 
 /// "10:2.5", both in seconds.
-board::Silence parse_silence(const std::string& text);
+emulator::Silence parse_silence(const std::string& text);
 
 /// "12.5", in seconds.
 Duration parse_seconds(const std::string& text);
@@ -44,6 +44,6 @@ std::string text_of(msg::FirmwareVersion version);
 msg::BoardVersion parse_board(const std::string& text);
 
 /// "rest", "handheld", "drone", "vehicle", or a file as read_motion() reads it.
-board::Disturbance parse_motion(const std::string& text);
+emulator::Disturbance parse_motion(const std::string& text);
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

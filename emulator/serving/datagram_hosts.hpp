@@ -10,7 +10,7 @@
 
 #include <sbgc/time.hpp>
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 /// Nothing tells that the sender of datagrams has left, and anybody can send from any number of
 /// addresses. So there are a limited number of places, and a newcomer takes that of a host that has
@@ -93,4 +93,4 @@ class DatagramHosts {
   std::vector<Host> hosts_{};
 };
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

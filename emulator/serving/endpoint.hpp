@@ -9,9 +9,9 @@
 
 #include <asio/any_io_executor.hpp>
 
-#include "live_board.hpp"
+#include "serving/live_board.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 /// Destroying it closes it; not while the executor runs. The functions that open one throw
 /// std::runtime_error with a sentence for people.
@@ -63,4 +63,4 @@ std::unique_ptr<Endpoint> listen_udp(const asio::any_io_executor& executor, Live
 std::unique_ptr<Endpoint> use_stdio(const asio::any_io_executor& executor, LiveBoard& board,
                                     std::function<void(std::error_code)> on_end);
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

@@ -1,4 +1,4 @@
-#include "host.hpp"
+#include "serving/host.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -6,7 +6,7 @@
 
 #include <asio/error.hpp>
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 namespace {
 
@@ -109,4 +109,4 @@ void Host::close() {
   board_.disconnect(port_);
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

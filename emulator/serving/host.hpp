@@ -13,9 +13,9 @@
 #include <sbgc/io/clock.hpp>
 #include <sbgc/io/transport.hpp>
 
-#include "live_board.hpp"
+#include "serving/live_board.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 /// Carries bytes between a transport and a port, reads no faster than the board's line and holds a
 /// few KiB for a host that is slow. When the host has sent its end, it still gets the answers to
@@ -58,4 +58,4 @@ class Host : public std::enable_shared_from_this<Host> {
   bool is_closed_ = true;
 };
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

@@ -8,9 +8,9 @@
 #include <asio/ip/udp.hpp>
 #include <fmt/format.h>
 
-#include "endpoint.hpp"
+#include "serving/endpoint.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 /// A numeric address, or "localhost": names of other hosts are not asked for.
 inline asio::ip::address address_of(const ListenAddress& listen) {
@@ -52,4 +52,4 @@ void bind_to(Socket& socket, const AsioEndpoint& endpoint, const char* protocol,
   }
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

@@ -1,8 +1,8 @@
-#include "live_board.hpp"
+#include "serving/live_board.hpp"
 
 #include <utility>
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 namespace {
 
@@ -15,8 +15,8 @@ constexpr Instant line_beginning{};
 
 }  // namespace
 
-LiveBoard::LiveBoard(const asio::any_io_executor& executor, const board::EmulatorOptions& options,
-                     board::Memory memory)
+LiveBoard::LiveBoard(const asio::any_io_executor& executor,
+                     const emulator::EmulatorOptions& options, emulator::Memory memory)
     : beginning_(io::Clock::now()),
       emulator_(options, std::move(memory), line_beginning - options.board.start_time,
                 line_beginning),
@@ -121,4 +121,4 @@ void LiveBoard::set_timer() {
   });
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

@@ -16,15 +16,15 @@
 #include <sbgc/io/clock.hpp>
 #include <sbgc/io/transport.hpp>
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 /// The emulator with the clock of this machine: what it has to do is done by a timer of the
 /// executor. All calls come from the executor's thread.
 class LiveBoard {
  public:
   /// Its own time begins at 0, and by then it has finished starting: `options` count from there.
-  LiveBoard(const asio::any_io_executor& executor, const board::EmulatorOptions& options,
-            board::Memory memory);
+  LiveBoard(const asio::any_io_executor& executor, const emulator::EmulatorOptions& options,
+            emulator::Memory memory);
 
   /// `poke` is called, never from inside connect(), when there may be output or room.
   std::optional<std::size_t> connect(bool is_usb, std::function<void()> poke);
@@ -43,8 +43,8 @@ class LiveBoard {
   void memory_saved(std::uint32_t revision);
   void memory_not_saved(std::uint32_t revision);
 
-  const board::Memory& memory() const { return emulator_.board().memory(); }
-  board::Emulator& emulator() { return emulator_; }
+  const emulator::Memory& memory() const { return emulator_.board().memory(); }
+  emulator::Emulator& emulator() { return emulator_; }
   /// Since the beginning.
   Instant now() const;
   /// Lets so much time pass at once, for the board alone. For tests.
@@ -65,8 +65,8 @@ class LiveBoard {
   void set_timer();
 
   io::Clock::time_point beginning_;
-  board::Emulator emulator_;
-  std::array<std::function<void()>, board::Board::max_ports> pokes_{};
+  emulator::Emulator emulator_;
+  std::array<std::function<void()>, emulator::Board::max_ports> pokes_{};
   asio::steady_timer timer_;
   Instant timer_at_ = Instant::never;
   std::uint32_t revision_;
@@ -74,4 +74,4 @@ class LiveBoard {
   bool is_unsettled_ = false;  // something has happened that nobody has been told of
 };
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

@@ -1,4 +1,4 @@
-#include "memory_file.hpp"
+#include "serving/memory_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,11 +19,11 @@
 #include <sbgc/settings.hpp>
 #include <sbgc/to_json.hpp>
 
-namespace sbgc::tools {
+namespace sbgc::serving {
 namespace {
 
-using board::ImuCalibration;
-using board::Memory;
+using emulator::ImuCalibration;
+using emulator::Memory;
 
 constexpr const char* format_name = "sbgc-board-memory";
 constexpr std::uint64_t format_version = 1;
@@ -263,7 +263,7 @@ class Reader {
 
 }  // namespace
 
-MemoryOwner owner_of(const board::Options& options) {
+MemoryOwner owner_of(const emulator::BoardOptions& options) {
   return {options.board, options.firmware, options.device_id, options.mcu_id};
 }
 
@@ -299,4 +299,4 @@ Result<SavedMemory> load_memory(const std::string& file) {
   return saved;
 }
 
-}  // namespace sbgc::tools
+}  // namespace sbgc::serving

@@ -5,10 +5,10 @@
 #include <string_view>
 
 #include <sbgc/client/result.hpp>
+#include <sbgc/emulator/board_options.hpp>
 #include <sbgc/emulator/memory.hpp>
-#include <sbgc/emulator/options.hpp>
 
-namespace sbgc::tools {
+namespace sbgc::serving {
 
 /// Which board it is.
 struct MemoryOwner {
@@ -21,11 +21,11 @@ struct MemoryOwner {
 };
 
 /// That of a board with these options.
-MemoryOwner owner_of(const board::Options& options);
+MemoryOwner owner_of(const emulator::BoardOptions& options);
 
 struct SavedMemory {
   MemoryOwner owner{};
-  board::Memory memory{};  ///< its revision is not saved
+  emulator::Memory memory{};  ///< its revision is not saved
 };
 
 /// The content of a file. It has a checksum over all values, so that none can change unnoticed.
@@ -41,4 +41,4 @@ Result<void> save_memory(const std::string& file, const SavedMemory& saved);
 /// ErrorCode::not_found, io, bad_file or incompatible; the message names the file.
 Result<SavedMemory> load_memory(const std::string& file);
 
-}  // namespace sbgc::tools
+}  // namespace sbgc::serving

@@ -9,14 +9,16 @@
 #include <asio/io_context.hpp>
 #include <asio/thread_pool.hpp>
 
-#include "endpoint.hpp"
-#include "live_board.hpp"
-#include "state_keeper.hpp"
+#include "serving/endpoint.hpp"
+#include "serving/frame_log.hpp"
+#include "serving/live_board.hpp"
+#include "serving/state_keeper.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 struct ServiceOptions {
-  board::EmulatorOptions emulator{};  ///< of the first board; others have other seeds and numbers
+  emulator::EmulatorOptions
+      emulator{};  ///< of the first board; others have other seeds and numbers
   // Those of `emulator` that are given: a state of others is refused.
   bool board_is_given = false;
   bool firmware_is_given = false;
@@ -31,9 +33,9 @@ struct ServiceOptions {
 
 struct ServiceLogs {
   Log endpoint{};  ///< "emulated gimbal 1: /dev/pts/7"
-  Log event{};     ///< hosts come and go; and, if `traffic`, each frame
+  Log event{};     ///< hosts come and go; and each frame, if there is `describe_frame`
   Log warning{};
-  bool traffic = false;
+  DescribeFrame describe_frame{};
 };
 
 /// Opens everything; throws std::runtime_error if something can not be opened. Runs when the
@@ -79,4 +81,4 @@ class Service {
   std::vector<Served> boards_{};
 };
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

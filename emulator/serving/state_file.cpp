@@ -1,4 +1,4 @@
-#include "state_file.hpp"
+#include "serving/state_file.hpp"
 
 #include <cerrno>
 #include <stdexcept>
@@ -13,7 +13,7 @@
 
 #include <sbgc/client/atomic_file.hpp>
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 namespace {
 
@@ -69,15 +69,13 @@ StateFile::~StateFile() {
   ::close(lock_);
 }
 
-std::optional<tools::SavedMemory> StateFile::load() const {
-  Result<tools::SavedMemory> loaded = tools::load_memory(path_);
+std::optional<SavedMemory> StateFile::load() const {
+  Result<SavedMemory> loaded = load_memory(path_);
   if (loaded) return std::move(*loaded);
   if (loaded.error().code == ErrorCode::not_found) return std::nullopt;
   throw std::runtime_error(loaded.error().message);
 }
 
-Result<void> StateFile::save(const tools::SavedMemory& saved) const {
-  return tools::save_memory(path_, saved);
-}
+Result<void> StateFile::save(const SavedMemory& saved) const { return save_memory(path_, saved); }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

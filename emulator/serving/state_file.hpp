@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "memory_file.hpp"
+#include "serving/memory_file.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 /// A file that no other emulator uses at the same time: FILE.sbgc-lock beside it says so, and is
 /// removed at the end. What it is a symbolic link to is what is read and replaced. Temporary files
@@ -22,9 +22,9 @@ class StateFile {
   ~StateFile();
 
   /// What the file has; nothing if there is none. Throws std::runtime_error if it can not be used.
-  std::optional<tools::SavedMemory> load() const;
+  std::optional<SavedMemory> load() const;
   /// Replaces the file in one step.
-  Result<void> save(const tools::SavedMemory& saved) const;
+  Result<void> save(const SavedMemory& saved) const;
 
  private:
   std::filesystem::path path_;
@@ -32,4 +32,4 @@ class StateFile {
   int lock_ = -1;
 };
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

@@ -1,4 +1,4 @@
-#include "state_keeper.hpp"
+#include "serving/state_keeper.hpp"
 
 #include <stdexcept>
 #include <utility>
@@ -6,7 +6,7 @@
 #include <asio/executor_work_guard.hpp>
 #include <asio/post.hpp>
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 StateKeeper::StateKeeper(asio::any_io_executor executor, asio::thread_pool& pool, LiveBoard& board,
                          Save save, Log warn)
@@ -21,8 +21,8 @@ StateKeeper::StateKeeper(asio::any_io_executor executor, asio::thread_pool& pool
   board.memory_saved(saved_);
 }
 
-tools::SavedMemory StateKeeper::snapshot() const {
-  return {tools::owner_of(board_.emulator().board().options()), board_.memory()};
+SavedMemory StateKeeper::snapshot() const {
+  return {owner_of(board_.emulator().board().options()), board_.memory()};
 }
 
 void StateKeeper::changed() {
@@ -70,4 +70,4 @@ bool StateKeeper::finish() {
   return true;
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

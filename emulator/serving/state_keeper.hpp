@@ -9,18 +9,18 @@
 #include <asio/any_io_executor.hpp>
 #include <asio/thread_pool.hpp>
 
-#include "endpoint.hpp"
-#include "live_board.hpp"
-#include "memory_file.hpp"
+#include "serving/endpoint.hpp"
+#include "serving/live_board.hpp"
+#include "serving/memory_file.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 /// Saves what has changed and then lets the board tell of it. Threads of the pool do so, one at a
 /// time for each board, so that no other board waits; what changes meanwhile is saved next.
 class StateKeeper {
  public:
   /// Brings a memory to the disk. Called in a thread of the pool.
-  using Save = std::function<Result<void>(const tools::SavedMemory&)>;
+  using Save = std::function<Result<void>(const SavedMemory&)>;
 
   /// Saves, so that it is known to work: throws std::runtime_error if it does not. `warn` is told
   /// when it does not any more. The pool ends before what `save` uses, and before the executor.
@@ -36,7 +36,7 @@ class StateKeeper {
   bool finish();
 
  private:
-  tools::SavedMemory snapshot() const;
+  SavedMemory snapshot() const;
   void begin_saving();
   void end_saving();
   /// Takes the result of saving the memory as it was at `saving_`.
@@ -53,4 +53,4 @@ class StateKeeper {
   std::shared_ptr<bool> is_alive_ = std::make_shared<bool>(true);
 };
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

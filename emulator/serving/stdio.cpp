@@ -12,10 +12,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "endpoint.hpp"
-#include "host.hpp"
+#include "serving/endpoint.hpp"
+#include "serving/host.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 namespace {
 
@@ -139,4 +139,4 @@ std::unique_ptr<Endpoint> use_stdio(const asio::any_io_executor& executor, LiveB
   return std::make_unique<StdioEndpoint>(host);
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

@@ -10,11 +10,12 @@
 #include <netinet/tcp.h>
 #include <sys/socket.h>
 
-#include "host.hpp"
-#include "listen.hpp"
-#include "stream_transport.hpp"
+#include <sbgc/io/detail/stream_transport.hpp>
 
-namespace sbgc::emulate {
+#include "serving/host.hpp"
+#include "serving/listen.hpp"
+
+namespace sbgc::serving {
 
 namespace {
 
@@ -128,4 +129,4 @@ std::unique_ptr<Endpoint> listen_tcp(const asio::any_io_executor& executor, Live
   return std::make_unique<TcpEndpoint>(executor, board, address, places, logs);
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

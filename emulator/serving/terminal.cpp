@@ -10,11 +10,11 @@
 
 #include <sbgc/io/pseudo_terminal.hpp>
 
-#include "endpoint.hpp"
-#include "host.hpp"
-#include "terminal_link.hpp"
+#include "serving/endpoint.hpp"
+#include "serving/host.hpp"
+#include "serving/terminal_link.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 namespace {
 
@@ -98,4 +98,4 @@ std::unique_ptr<Endpoint> open_terminal(const asio::any_io_executor& executor, L
   return std::make_unique<Terminal>(executor, board, link, has_rate, logs.warning);
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

@@ -1,4 +1,4 @@
-#include "terminal_link.hpp"
+#include "serving/terminal_link.hpp"
 
 #include <cerrno>
 #include <filesystem>
@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 namespace {
 
@@ -58,4 +58,4 @@ TerminalLink::~TerminalLink() {
   if (fs::read_symlink(path_, error).string() == terminal_ && !error) fs::remove(path_, error);
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

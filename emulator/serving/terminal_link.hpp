@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 /// A symbolic link to a pseudo-terminal, for as long as this exists. It never takes the place of
 /// anything but a link that an emulator has left behind: one to a pseudo-terminal that is gone, or
@@ -24,4 +24,4 @@ class TerminalLink {
   std::string terminal_;
 };
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

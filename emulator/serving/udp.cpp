@@ -9,10 +9,10 @@
 #include <asio/buffer.hpp>
 #include <asio/steady_timer.hpp>
 
-#include "datagram_hosts.hpp"
-#include "listen.hpp"
+#include "serving/datagram_hosts.hpp"
+#include "serving/listen.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 namespace {
 
@@ -146,4 +146,4 @@ std::unique_ptr<Endpoint> listen_udp(const asio::any_io_executor& executor, Live
   return std::make_unique<UdpEndpoint>(executor, board, address, places, logs);
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

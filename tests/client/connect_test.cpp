@@ -132,7 +132,8 @@ class ConnectOnLine : public Connect, public ::testing::WithParamInterface<io::L
 TEST_P(ConnectOnLine, FindsTheBoard) {
   // Wrong settings turn the bytes into garbage, both ways.
   const TransportFactory make = [&](const asio::any_io_executor& executor) {
-    auto pair = io::make_memory_pair(executor, board.executor(), {.with_line = true});
+    auto pair = io::make_memory_pair(executor, board.executor(),
+                                     {.with_line = true, .mismatch = emulator::received_as});
     static_cast<void>(pair.second->line()->set(GetParam()));
     board.serve(std::move(pair.second));
     return std::move(pair.first);

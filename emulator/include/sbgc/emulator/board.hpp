@@ -8,12 +8,12 @@
 #include <optional>
 #include <span>
 
+#include <sbgc/emulator/board_options.hpp>
 #include <sbgc/emulator/memory.hpp>
-#include <sbgc/emulator/options.hpp>
 #include <sbgc/frame.hpp>
 #include <sbgc/time.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// What has come of a frame from the host.
 enum class Outcome : std::uint8_t {
@@ -47,7 +47,7 @@ class Board {
   static constexpr std::size_t max_ports = 8;
 
   /// Switches the board on.
-  Board(const Options& options, Memory memory, Instant now);
+  Board(const BoardOptions& options, Memory memory, Instant now);
   Board(const Board&) = delete;
   Board(Board&& other) noexcept;
   Board& operator=(const Board&) = delete;
@@ -85,15 +85,15 @@ class Board {
 
   /// What to keep while the power is off. Its `revision` grows with each change.
   const Memory& memory() const;
-  /// With Options::waits_for_saving: the memory as it was at that revision is safe, and hosts may
-  /// hear of the changes up to there.
+  /// With BoardOptions::waits_for_saving: the memory as it was at that revision is safe, and hosts
+  /// may hear of the changes up to there.
   void memory_saved(std::uint32_t revision, Instant now);
   /// It can not be saved: confirmations of the changes up to there become CMD_ERROR. The changes
   /// stay in the memory, as what is still to be saved.
   void memory_not_saved(std::uint32_t revision, Instant now);
   Gimbal& gimbal();
   const BoardCounters& counters() const;
-  const Options& options() const;
+  const BoardOptions& options() const;
   /// The rate that SERIAL_SPEED has set at the last start.
   std::uint32_t baud_rate() const;
 
@@ -115,4 +115,4 @@ class Board {
   std::unique_ptr<Core> core_;
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

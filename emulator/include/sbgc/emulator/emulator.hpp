@@ -12,13 +12,13 @@
 #include <sbgc/emulator/board.hpp>
 #include <sbgc/emulator/line.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 struct EmulatorOptions {
-  Options board{};
+  BoardOptions board{};
   LineOptions line{};  ///< of each port; connections get seeds of their own from its seed
   /// The line's rate is what the SERIAL_SPEED of the settings says, from each start on.
-  bool rate_of_settings = false;
+  bool rate_from_parameters = false;
   std::optional<Duration> restart_at{};  ///< a reset that nobody asked for, since the beginning
 };
 
@@ -109,4 +109,4 @@ class Emulator {
   std::vector<std::uint8_t> received_{};  // scratch
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

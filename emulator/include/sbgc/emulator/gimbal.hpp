@@ -10,7 +10,7 @@
 #include <sbgc/time.hpp>
 #include <sbgc/types.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// A vector of space: x points right, y forward, z up (normal position). Roll turns about y, pitch
 /// about x, yaw about z, counter-clockwise looking against the axis. Ours: the specification does
@@ -188,4 +188,4 @@ class Gimbal {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -8,11 +8,11 @@
 #include <span>
 #include <vector>
 
+#include <sbgc/emulator/uart.hpp>
 #include <sbgc/line.hpp>
-#include <sbgc/session/uart.hpp>
 #include <sbgc/time.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// A length of time in which the line carries nothing.
 struct Silence {
@@ -156,4 +156,4 @@ class Line {
   LineCounters counters_{};
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -8,7 +8,7 @@
 
 #include <sbgc/types.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// Calibration of one IMU.
 struct ImuCalibration {
@@ -35,10 +35,10 @@ struct Memory {
   std::uint8_t profile = 0;                 ///< active one
   std::uint32_t revision = 0;               ///< grows with each change; not kept
   /// What has changed may not be safe yet: writing what is there already counts as a change, too.
-  /// Only with Options::waits_for_saving; not kept.
+  /// Only with BoardOptions::waits_for_saving; not kept.
   bool is_unsaved = false;
 
   bool operator==(const Memory&) const = default;
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

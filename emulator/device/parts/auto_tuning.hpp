@@ -1,0 +1,62 @@
+/// Automatic tuning of the PID controllers.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include <sbgc/enums.hpp>
+#include <sbgc/messages/calibration.hpp>
+#include <sbgc/time.hpp>
+#include <sbgc/types.hpp>
+
+namespace sbgc::emulator {
+
+struct Device;
+
+/// CMD_AUTO_PID: looks for gains in rounds, shakes the camera meanwhile, and stores what it found.
+class AutoTuning {
+ public:
+  /// Precondition: the profile exists, `config` names an axis. `port` gets the progress, if the
+  /// flags say so. False, and nothing happens, if something is being calibrated or tuned or the
+  /// motors are off.
+  bool start(Device& device, std::uint8_t profile, msg::AutoPidFlags config, std::uint8_t gain,
+             std::optional<std::size_t> port, Instant now);
+  /// As the parameters say: MENU_CMD_AUTO_PID. False as well if they name no axis.
+  bool start(Device& device, Instant now);
+  /// Nothing of what it found is kept.
+  void stop();
+  bool is_running() const { return run_.has_value(); }
+
+  /// The port closes: nothing more goes there.
+  void forget_port(std::size_t port);
+
+  Instant next() const;
+  void advance(Device& device, Instant now);
+  void restart(Device& device, Instant now);
+
+ private:
+  /// All values of one axis that are looked for.
+  struct Gains {
+    double p{}, i{}, d{}, lpf{};
+  };
+  struct Run {
+    std::optional<std::size_t> port{};
+    std::uint8_t profile{};
+    msg::AutoPidFlags config{};
+    Axes<Gains> begin{}, goal{};
+    Axes<double> error{};
+    unsigned round{}, rounds{};
+    Instant due{};
+    Duration interval{};
+  };
+
+  Gains gains(const Run& run, std::size_t axis) const;
+  void report(Device& device, const Run& run) const;
+  void store(Device& device, const Run& run, Instant now) const;
+
+  std::optional<Run> run_{};
+  std::uint64_t shakes_{};  ///< counter of the random numbers
+};
+
+}  // namespace sbgc::emulator

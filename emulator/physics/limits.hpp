@@ -1,0 +1,23 @@
+/// Numbers that the parts of the simulation share.
+#pragma once
+
+#include <cstdint>
+
+namespace sbgc::emulator {
+
+/// The simulation's step.
+inline constexpr std::int64_t step_us = 4000;
+inline constexpr double step_seconds = 0.004;
+
+/// No axis turns faster, deg/s. Ours: the range of the gyroscope, 16 bits of its unit.
+inline constexpr double top_speed = 2000;
+/// No angle that somebody hands in is farther away, degrees.
+inline constexpr double top_angle = 1e6;
+
+/// `value` within [low, high], 0 (or what is next to it) if it is no number.
+constexpr double within(double value, double low, double high) noexcept {
+  if (!(value == value)) value = 0;  // NOLINT(misc-redundant-expression): NaN
+  return value < low ? low : value > high ? high : value;
+}
+
+}  // namespace sbgc::emulator
