@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import json
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -311,12 +313,22 @@ def part_of(part: Part, raw: int) -> int:
 
 def _packed_text(packed: Packed, raw: int) -> str:
     if packed.display:
-        values = {part.name: part_of(part, raw) for part in packed.parts}
-        return packed.display.format(**values)
+        return _displayed(packed, raw)
     named = [v.name for v in (packed.names.values if packed.names else ()) if v.value == raw]
     if named:
         return named[0]
     return ", ".join(text for part in packed.parts if (text := _part_text(part, raw)))
+
+
+def _displayed(packed: Packed, raw: int) -> str:
+    """The display text with the values of the parts; a group in brackets that holds zeros is left out."""
+    values = {part.name: part_of(part, raw) for part in packed.parts}
+
+    def group(match: re.Match[str]) -> str:
+        is_zero = not any(values[name] for name in re.findall(r"\{(\w+)", match[1]))
+        return "" if is_zero else match[1]
+
+    return re.sub(r"\[([^]]*)\]", group, packed.display).format(**values)
 
 
 def _part_text(part: Part, raw: int) -> str:

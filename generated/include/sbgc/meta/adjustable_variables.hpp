@@ -6,6 +6,7 @@
 #include <sbgc/messages/adjustable_variables.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/units.hpp>
 
 namespace sbgc {
 
@@ -213,6 +214,7 @@ struct Meta<msg::AdjVarsState> {
       {.name = "trigger_rc_data",
        .spec_name = "TRIGGER_RC_DATA",
        .summary = "RC signal of the trigger slot.",
+       .unit = &UnitMeta<msg::CentredRcSignal>::info,
        .range = &trigger_rc_data_range},
       {.name = "trigger_action",
        .spec_name = "TRIGGER_ACTION",
@@ -221,6 +223,7 @@ struct Meta<msg::AdjVarsState> {
       {.name = "analog_rc_data",
        .spec_name = "ANALOG_RC_DATA",
        .summary = "RC signal of the analog slot.",
+       .unit = &UnitMeta<msg::CentredRcSignal>::info,
        .range = &analog_rc_data_range},
       {.name = "analog_value",
        .spec_name = "ANALOG_VALUE",

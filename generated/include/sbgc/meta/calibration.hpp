@@ -6,6 +6,7 @@
 #include <sbgc/messages/calibration.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/units.hpp>
 
 namespace sbgc {
 
@@ -218,7 +219,8 @@ struct Meta<msg::CalibBat> {
   static constexpr FieldInfo fields[] = {
       {.name = "actual_voltage",
        .spec_name = "ACTUAL_VOLTAGE",
-       .summary = "Actual voltage, measured externally."},
+       .summary = "Actual voltage, measured externally.",
+       .unit = &UnitMeta<msg::Voltage>::info},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -254,13 +256,15 @@ struct Meta<msg::CalibInfo> {
       {.name = "progress",
        .spec_name = "PROGRESS",
        .summary = "Progress of the calibration.",
+       .unit = &UnitMeta<msg::Percent>::info,
        .range = &progress_range},
       {.name = "imu_type",
        .spec_name = "IMU_TYPE",
        .summary = "The IMU."},
       {.name = "acc_data",
        .spec_name = "ACC_DATA",
-       .summary = "Accelerometer, as in CMD_REALTIME_DATA_3."},
+       .summary = "Accelerometer, as in CMD_REALTIME_DATA_3.",
+       .unit = &UnitMeta<msg::Acceleration>::info},
       {.name = "gyro_abs_val",
        .spec_name = "GYRO_ABS_VAL",
        .summary = "Magnitude of the gyroscope signal."},
@@ -274,6 +278,7 @@ struct Meta<msg::CalibInfo> {
       {.name = "imu_temp_cels",
        .spec_name = "IMU_TEMP_CELS",
        .summary = "Temperature of the IMU.",
+       .unit = &UnitMeta<msg::Temperature>::info,
        .range = &imu_temp_cels_range},
       {.name = "temp_calib_gyro_enabled",
        .spec_name = "TEMP_CALIB_GYRO_ENABLED",
@@ -282,10 +287,12 @@ struct Meta<msg::CalibInfo> {
       {.name = "temp_calib_gyro_t_min_cels",
        .spec_name = "TEMP_CALIB_GYRO_T_MIN_CELS",
        .summary = "Lowest temperature of the gyroscope's calibration.",
+       .unit = &UnitMeta<msg::Temperature>::info,
        .range = &temp_calib_gyro_t_min_cels_range},
       {.name = "temp_calib_gyro_t_max_cels",
        .spec_name = "TEMP_CALIB_GYRO_T_MAX_CELS",
        .summary = "Highest temperature of the gyroscope's calibration.",
+       .unit = &UnitMeta<msg::Temperature>::info,
        .range = &temp_calib_gyro_t_max_cels_range},
       {.name = "temp_calib_acc_enabled",
        .spec_name = "TEMP_CALIB_ACC_ENABLED",
@@ -298,14 +305,17 @@ struct Meta<msg::CalibInfo> {
       {.name = "temp_calib_acc_t_min_cels",
        .spec_name = "TEMP_CALIB_ACC_T_MIN_CELS",
        .summary = "Lowest temperature of the accelerometer's calibration.",
+       .unit = &UnitMeta<msg::Temperature>::info,
        .range = &temp_calib_acc_t_min_cels_range},
       {.name = "temp_calib_acc_t_max_cels",
        .spec_name = "TEMP_CALIB_ACC_T_MAX_CELS",
        .summary = "Highest temperature of the accelerometer's calibration.",
+       .unit = &UnitMeta<msg::Temperature>::info,
        .range = &temp_calib_acc_t_max_cels_range},
       {.name = "h1_err_length",
        .spec_name = "H1_ERR_LENGTH",
        .summary = "Length of the difference between the estimated and the reference heading vector, both of length 1.",
+       .unit = &UnitMeta<msg::Hundredths>::info,
        .range = &h1_err_length_range},
       {.name = "reserved",
        .spec_name = "RESERVED",

@@ -6,21 +6,24 @@
 #include <sbgc/messages/control.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/units.hpp>
 
 namespace sbgc {
 
 template <>
 struct Meta<msg::ControlAxis> {
-  static constexpr AlternativeUnit speed_alternative{"control_mode", 0x80, "deg/s", 1, 1000};
+  static constexpr AlternativeUnit speed_alternative{"control_mode", 0x80, &UnitMeta<msg::FineSpeed>::info};
   static constexpr Range angle_range{-32768, 32767};
   static constexpr FieldInfo fields[] = {
       {.name = "speed",
        .spec_name = "SPEED_{AXIS}",
        .summary = "Speed of the motion; the acceleration limit in the parameters may restrict it.",
+       .unit = &UnitMeta<msg::ControlSpeed>::info,
        .alternative = &speed_alternative},
       {.name = "angle",
        .spec_name = "ANGLE_{AXIS}",
        .summary = "Target angle; in MODE_RC the RC signal, -500 to 500.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &angle_range},
   };
 
@@ -40,14 +43,17 @@ struct Meta<msg::AxisState> {
       {.name = "imu_angle",
        .spec_name = "IMU_ANGLE",
        .summary = "Measured angle; wraps after two full turns.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &imu_angle_range},
       {.name = "rc_target_angle",
        .spec_name = "RC_TARGET_ANGLE",
        .summary = "Target angle, set by RC or by control commands.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &rc_target_angle_range},
       {.name = "rc_speed",
        .spec_name = "RC_SPEED",
-       .summary = "Target speed; 0 once the target is reached."},
+       .summary = "Target speed; 0 once the target is reached.",
+       .unit = &UnitMeta<msg::ControlSpeed>::info},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -67,14 +73,17 @@ struct Meta<msg::AxisStateExt> {
       {.name = "imu_angle",
        .spec_name = "IMU_ANGLE",
        .summary = "Measured angle; wraps after two full turns.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &imu_angle_range},
       {.name = "rc_target_angle",
        .spec_name = "RC_TARGET_ANGLE",
        .summary = "Target angle.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &rc_target_angle_range},
       {.name = "stator_rotor_angle",
        .spec_name = "STATOR_ROTOR_ANGLE",
-       .summary = "Angle of the joint, from an encoder or the second IMU; 0 in the normal position, accumulated over full turns."},
+       .summary = "Angle of the joint, from an encoder or the second IMU; 0 in the normal position, accumulated over full turns.",
+       .unit = &UnitMeta<msg::LongAngle14>::info},
       {.name = "reserved",
        .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
@@ -374,15 +383,18 @@ struct Meta<msg::HelperData> {
   static constexpr FieldInfo fields[] = {
       {.name = "frame_acc",
        .spec_name = "FRAME_ACC_{XYZ}",
-       .summary = "Linear acceleration of the frame; keeps the horizon level during acceleration."},
+       .summary = "Linear acceleration of the frame; keeps the horizon level during acceleration.",
+       .unit = &UnitMeta<msg::Acceleration>::info},
       {.name = "frame_angle_roll",
        .spec_name = "FRAME_ANGLE_ROLL",
        .summary = "Sideways tilt of the frame.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &frame_angle_roll_range,
        .special = frame_angle_roll_special},
       {.name = "frame_angle_pitch",
        .spec_name = "FRAME_ANGLE_PITCH",
        .summary = "Forward tilt of the frame.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &frame_angle_pitch_range,
        .special = frame_angle_pitch_special},
   };
@@ -422,15 +434,18 @@ struct Meta<msg::HelperDataExt> {
   static constexpr FieldInfo fields[] = {
       {.name = "frame_acc",
        .spec_name = "FRAME_ACC",
-       .summary = "Linear acceleration of the frame; keeps the horizon level during acceleration."},
+       .summary = "Linear acceleration of the frame; keeps the horizon level during acceleration.",
+       .unit = &UnitMeta<msg::Acceleration>::info},
       {.name = "frame_angle_roll",
        .spec_name = "FRAME_ANGLE_ROLL",
        .summary = "Sideways tilt of the frame.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &frame_angle_roll_range,
        .special = frame_angle_roll_special},
       {.name = "frame_angle_pitch",
        .spec_name = "FRAME_ANGLE_PITCH",
        .summary = "Forward tilt of the frame.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &frame_angle_pitch_range,
        .special = frame_angle_pitch_special},
       {.name = "coord_sys",
@@ -439,6 +454,7 @@ struct Meta<msg::HelperDataExt> {
       {.name = "frame_speed",
        .spec_name = "FRAME_SPEED",
        .summary = "Angular speed of the frame; useful without encoders and a second IMU.",
+       .unit = &UnitMeta<msg::GyroRate>::info,
        .special = frame_speed_special},
       {.name = "reserved",
        .spec_name = "RESERVED",

@@ -832,7 +832,7 @@ struct PackedMeta<msg::FirmwareVersion> {
       {"minor", 0xFFFF, 0, 10, 100},
       {"beta", 0xFFFF, 0, 1, 10},
   };
-  static constexpr PackedInfo info{"FirmwareVersion", "{major}.{minor:02}b{beta}", nullptr, parts};
+  static constexpr PackedInfo info{"FirmwareVersion", "{major}.{minor:02}[b{beta}]", nullptr, parts};
 };
 
 template <>

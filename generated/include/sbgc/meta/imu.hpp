@@ -6,6 +6,7 @@
 #include <sbgc/messages/imu.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/units.hpp>
 
 namespace sbgc {
 
@@ -253,10 +254,12 @@ struct Meta<msg::GyroCorrection> {
        .summary = "The IMU."},
       {.name = "gyro_zero_corr",
        .spec_name = "GYRO_ZERO_CORR",
-       .summary = "Zero offset of each axis."},
+       .summary = "Zero offset of each axis.",
+       .unit = &UnitMeta<msg::GyroOffset>::info},
       {.name = "gyro_zero_heading_corr",
        .spec_name = "GYRO_ZERO_HEADING_CORR",
-       .summary = "Offset of the rotation about the vertical, to correct the heading; the board distributes it over the axes."},
+       .summary = "Offset of the rotation about the vertical, to correct the heading; the board distributes it over the axes.",
+       .unit = &UnitMeta<msg::GyroOffset>::info},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.

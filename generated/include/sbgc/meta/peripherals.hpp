@@ -6,6 +6,7 @@
 #include <sbgc/messages/peripherals.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/units.hpp>
 
 namespace sbgc {
 
@@ -40,6 +41,7 @@ struct Meta<msg::BeepSound> {
       {.name = "note_length",
        .spec_name = "NOTE_LENGTH",
        .summary = "Length of each note of a custom melody.",
+       .unit = &UnitMeta<msg::NoteLength>::info,
        .range = &note_length_range,
        .special = note_length_special},
       {.name = "decay_factor",
@@ -54,6 +56,7 @@ struct Meta<msg::BeepSound> {
       {.name = "note_freq_hz",
        .spec_name = "NOTE_FREQ_HZ",
        .summary = "The notes of a custom melody.",
+       .unit = &UnitMeta<msg::NoteFrequency>::info,
        .range = &note_freq_hz_range,
        .special = note_freq_hz_special,
        .max_count = 30},
@@ -119,6 +122,7 @@ struct Meta<msg::ServoOut> {
       {.name = "servo_time",
        .spec_name = "SERVO{1..8}_TIME",
        .summary = "Pulse of each output.",
+       .unit = &UnitMeta<msg::ServoPulse>::info,
        .range = &servo_time_range,
        .special = servo_time_special},
   };
@@ -213,6 +217,7 @@ struct Meta<msg::I2cReadRegBufRequest> {
       {.name = "data_len",
        .spec_name = "DATA_LEN",
        .summary = "Number of bytes to read.",
+       .unit = &UnitMeta<msg::SmallByteCount>::info,
        .range = &data_len_range},
   };
 
@@ -245,6 +250,7 @@ struct Meta<msg::ApiVirtChControl> {
       {.name = "val_ch",
        .spec_name = "VAL_CH{1..32}",
        .summary = "Signal of each channel, starting with the first; the board clips values beyond the range.",
+       .unit = &UnitMeta<msg::CentredRcSignal>::info,
        .range = &val_ch_range,
        .special = val_ch_special,
        .min_count = 1,

@@ -6,6 +6,7 @@
 #include <sbgc/messages/scripting.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/units.hpp>
 
 namespace sbgc {
 

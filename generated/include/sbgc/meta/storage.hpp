@@ -6,6 +6,7 @@
 #include <sbgc/messages/storage.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/units.hpp>
 
 namespace sbgc {
 
@@ -55,10 +56,12 @@ struct Meta<msg::ReadFile> {
   static constexpr FieldInfo fields[] = {
       {.name = "file_size",
        .spec_name = "FILE_SIZE",
-       .summary = "Size of the whole file."},
+       .summary = "Size of the whole file.",
+       .unit = &UnitMeta<msg::ByteCount>::info},
       {.name = "page_offset",
        .spec_name = "PAGE_OFFSET",
-       .summary = "Offset of the data in the file, as in the request."},
+       .summary = "Offset of the data in the file, as in the request.",
+       .unit = &UnitMeta<msg::Pages>::info},
       {.name = "data",
        .spec_name = "DATA",
        .summary = "As many bytes as requested, or fewer at the end of the file.",
@@ -119,10 +122,12 @@ struct Meta<msg::ReadFileRequest> {
        .summary = "File id."},
       {.name = "page_offset",
        .spec_name = "PAGE_OFFSET",
-       .summary = "Start of the block."},
+       .summary = "Start of the block.",
+       .unit = &UnitMeta<msg::Pages>::info},
       {.name = "max_data_size",
        .spec_name = "MAX_SIZE",
        .summary = "Maximum number of bytes to read; they must fit into one message.",
+       .unit = &UnitMeta<msg::ByteCount>::info,
        .range = &max_data_size_range},
       {.name = "reserved",
        .spec_name = "RESERVED",
@@ -158,10 +163,12 @@ struct Meta<msg::WriteFile> {
        .summary = "File id; a missing file is created."},
       {.name = "file_size",
        .spec_name = "FILE_SIZE",
-       .summary = "Size of the whole file."},
+       .summary = "Size of the whole file.",
+       .unit = &UnitMeta<msg::ByteCount>::info},
       {.name = "page_offset",
        .spec_name = "PAGE_OFFSET",
-       .summary = "Start of the block."},
+       .summary = "Start of the block.",
+       .unit = &UnitMeta<msg::Pages>::info},
       {.name = "data",
        .spec_name = "DATA",
        .summary = "Data to write; empty deletes the file.",
@@ -250,6 +257,7 @@ struct Meta<msg::EepromReadRequest> {
       {.name = "size",
        .spec_name = "SIZE",
        .summary = "Number of bytes to read; they must fit into one message.",
+       .unit = &UnitMeta<msg::ByteCount>::info,
        .range = &size_range,
        .align = 64},
   };

@@ -6,6 +6,7 @@
 #include <sbgc/messages/system.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/units.hpp>
 
 namespace sbgc {
 
@@ -125,7 +126,8 @@ struct Meta<msg::BoardInfoRequestExt> {
   static constexpr FieldInfo fields[] = {
       {.name = "cfg",
        .spec_name = "CFG",
-       .summary = "On a UART, the pause between the 20-byte packets of a Bluetooth LE link; no meaning on USB."},
+       .summary = "On a UART, the pause between the 20-byte packets of a Bluetooth LE link; no meaning on USB.",
+       .unit = &UnitMeta<msg::Milliseconds>::info},
       {.name = "reserved",
        .spec_name = "RESERVED",
        .summary = "Of undefined size; send it empty.",
@@ -260,10 +262,12 @@ struct Meta<msg::BoardInfo3> {
        .summary = "Identifies the microcontroller."},
       {.name = "eeprom_size",
        .spec_name = "EEPROM_SIZE",
-       .summary = "Size of the EEPROM."},
+       .summary = "Size of the EEPROM.",
+       .unit = &UnitMeta<msg::LongByteCount>::info},
       {.name = "script_slot_size",
        .spec_name = "SCRIPT_SLOT{1..5}_SIZE",
        .summary = "Size of the user script in each slot.",
+       .unit = &UnitMeta<msg::ByteCount>::info,
        .special = script_slot_size_special},
       {.name = "reserved",
        .spec_name = "RESERVED",
@@ -359,7 +363,8 @@ struct Meta<msg::ResetRequestExt> {
        .summary = "Whether CMD_RESET is sent back first."},
       {.name = "delay_ms",
        .spec_name = "DELAY_MS",
-       .summary = "Delay before the restart."},
+       .summary = "Delay before the restart.",
+       .unit = &UnitMeta<msg::Milliseconds>::info},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -409,7 +414,8 @@ struct Meta<msg::BootMode3Ext> {
        .summary = "Whether CMD_RESET is sent back first."},
       {.name = "delay_ms",
        .spec_name = "DELAY_MS",
-       .summary = "Delay before the bootloader starts."},
+       .summary = "Delay before the bootloader starts.",
+       .unit = &UnitMeta<msg::Milliseconds>::info},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.

@@ -237,9 +237,11 @@ class TypeResolver(Entries):
                 self.found.add(part.at, "SBGC015", message, "each bit belongs to one part")
             used |= part.mask
         display = str(node.get("display", ""))
-        if re.search(r"[{}]", re.sub(r"\{\w+(:[0-9]+)?\}", "", display)):
+        literal = re.sub(r"\{\w+(:[0-9]+)?\}", "", display)
+        if not re.fullmatch(r"[^][{}]*(\[[^][{}]*\][^][{}]*)*", literal):
             message = f"the display text of {name} has the wrong syntax"
-            self.found.add(node.at("display"), "SBGC025", message, "write {part} or {part:02}")
+            hint = "write {part} or {part:02}, and [b{part}] for what is left out when it is 0"
+            self.found.add(node.at("display"), "SBGC025", message, hint)
         for word in re.findall(r"\{(\w+)", display):
             if word not in seen:
                 message = f"'{word}' in the display text is not a part of {name}"
