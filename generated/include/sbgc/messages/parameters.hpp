@@ -11,6 +11,7 @@
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>
+#include <sbgc/response.hpp>
 #include <sbgc/units.hpp>
 
 namespace sbgc::msg {
@@ -19,6 +20,11 @@ using sbgc::get;
 using sbgc::put;
 
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
+
+struct ReadParams3;
+struct ReadParamsExt;
+struct ReadParamsExt2;
+struct ReadProfileNames;
 
 /// Controller and motor of each axis.
 struct AxisPid {
@@ -495,6 +501,7 @@ struct ReadParams3Request {
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{0, 30};
+  using Response = ReadParams3;
 
   /// For profile_id: the active profile.
   static constexpr std::uint8_t active_profile = 255;
@@ -541,6 +548,7 @@ struct ReadParams {
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{};
+  using Response = ReadParams3;
 
   /// For profile_id: the active profile.
   static constexpr std::uint8_t active_profile = 255;
@@ -800,6 +808,7 @@ struct ReadParamsExtRequest {
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{0, 30};
+  using Response = ReadParamsExt;
 
   /// For profile_id: the active profile.
   static constexpr std::uint8_t active_profile = 255;
@@ -960,6 +969,7 @@ struct ReadParamsExt2Request {
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{0, 30};
+  using Response = ReadParamsExt2;
 
   /// For profile_id: the active profile.
   static constexpr std::uint8_t active_profile = 255;
@@ -1052,6 +1062,7 @@ struct ReadProfileNamesRequest {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{0, 30};
+  using Response = ReadProfileNames;
 
   constexpr bool operator==(const ReadProfileNamesRequest&) const = default;
 };
@@ -1084,6 +1095,7 @@ struct SaveParams3 {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   constexpr bool operator==(const SaveParams3&) const = default;
 };
@@ -1115,6 +1127,7 @@ struct UseDefaults {
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{};
+  using Response = void;
 
   /// For profile_id: erases the EEPROM.
   static constexpr std::uint8_t erase_eeprom = 253;
@@ -1162,6 +1175,7 @@ struct WriteParams3 : ReadParams3 {
   static constexpr std::size_t min_size = 134;
   static constexpr std::size_t max_size = 134;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   constexpr bool operator==(const WriteParams3&) const = default;
 };
@@ -1179,6 +1193,7 @@ struct WriteParams : ReadParams3 {
   static constexpr std::size_t min_size = 134;
   static constexpr std::size_t max_size = 134;
   static constexpr Availability since{};
+  using Response = void;
 
   constexpr bool operator==(const WriteParams&) const = default;
 };
@@ -1196,6 +1211,7 @@ struct WriteParamsExt : ReadParamsExt {
   static constexpr std::size_t min_size = 104;
   static constexpr std::size_t max_size = 104;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   constexpr bool operator==(const WriteParamsExt&) const = default;
 };
@@ -1213,6 +1229,7 @@ struct WriteParamsExt2 : ReadParamsExt2 {
   static constexpr std::size_t min_size = 151;
   static constexpr std::size_t max_size = 151;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   constexpr bool operator==(const WriteParamsExt2&) const = default;
 };
@@ -1230,6 +1247,7 @@ struct WriteProfileNames : ReadProfileNames {
   static constexpr std::size_t min_size = 240;
   static constexpr std::size_t max_size = 240;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   constexpr bool operator==(const WriteProfileNames&) const = default;
 };
