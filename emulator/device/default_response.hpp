@@ -10,6 +10,7 @@
 
 #include <sbgc/exchange.hpp>
 #include <sbgc/framing.hpp>
+#include <sbgc/response.hpp>
 
 #include "device/request_context.hpp"
 
@@ -52,8 +53,8 @@ Outcome default_answer(RequestContext& context, const Request& request) {
   } else {
     const Exchange exchange = exchange_of(request);
     detail::Body body{};
-    if constexpr (requires { detail::FirstOf<AnswerOf<Request>>::type::command; }) {
-      using Answer = typename detail::FirstOf<AnswerOf<Request>>::type;
+    if constexpr (requires { detail::FirstOf<ResponseMessages<Request>>::type::command; }) {
+      using Answer = typename detail::FirstOf<ResponseMessages<Request>>::type;
       if (exchange.replies.answer_count != 0) {
         if (!is_supported<Answer>(context.versions())) return Outcome::carried_out;
         const AnswerForm& form = exchange.replies.answers[0];

@@ -226,21 +226,27 @@ TEST(Exchanges, SizeOfTheAnswer) {
 }
 
 template <class M>
-concept HasAnswerOf = requires {
-  typename sbgc::AnswerOf<M>;
+concept HasResponse = requires {
+  typename M::Response;
 };
 
-static_assert(std::same_as<sbgc::AnswerOf<sbgc::msg::BoardInfoRequest>, sbgc::msg::BoardInfo>);
-static_assert(std::same_as<sbgc::AnswerOf<sbgc::msg::ReadParams>, sbgc::msg::ReadParams3>);
-static_assert(std::same_as<sbgc::AnswerOf<sbgc::msg::GetAdjVarsVal>, sbgc::msg::SetAdjVarsVal>);
-static_assert(std::same_as<sbgc::AnswerOf<sbgc::msg::BootMode3Ext>, sbgc::msg::Reset>);
-static_assert(std::same_as<sbgc::AnswerOf<sbgc::msg::ReadFileRequest>,
-                           sbgc::TypeList<sbgc::msg::ReadFile, sbgc::msg::ReadFileError>>);
-static_assert(std::is_void_v<sbgc::AnswerOf<sbgc::msg::MotorsOn>>);
-static_assert(std::is_void_v<sbgc::AnswerOf<sbgc::msg::ResetRequest>>);
-static_assert(sbgc::ExchangeTraits<sbgc::msg::BoardInfoRequest>::answer_is_certain);
-static_assert(!sbgc::ExchangeTraits<sbgc::msg::AhrsHelperRequestExt>::answer_is_certain);
-static_assert(!HasAnswerOf<sbgc::msg::BoardInfo>);
+using sbgc::Maybe;
+using sbgc::ResponseMessages;
+using sbgc::TypeList;
+static_assert(std::same_as<sbgc::msg::BoardInfoRequest::Response, sbgc::msg::BoardInfo>);
+static_assert(std::same_as<sbgc::msg::ReadParams::Response, sbgc::msg::ReadParams3>);
+static_assert(std::same_as<sbgc::msg::GetAdjVarsVal::Response, sbgc::msg::SetAdjVarsVal>);
+static_assert(std::same_as<sbgc::msg::BootMode3Ext::Response, Maybe<sbgc::msg::Reset>>);
+static_assert(
+    std::same_as<sbgc::msg::AhrsHelperRequestExt::Response, Maybe<sbgc::msg::AhrsHelper>>);
+static_assert(std::same_as<sbgc::msg::ReadFileRequest::Response,
+                           TypeList<sbgc::msg::ReadFile, sbgc::msg::ReadFileError>>);
+static_assert(std::is_void_v<sbgc::msg::MotorsOn::Response>);
+static_assert(std::is_void_v<sbgc::msg::ResetRequest::Response>);
+static_assert(std::is_void_v<sbgc::msg::SetAdjVarsVal::Response>, "a request in both directions");
+static_assert(!HasResponse<sbgc::msg::BoardInfo>);
+static_assert(std::same_as<ResponseMessages<sbgc::msg::BootMode3Ext>, TypeList<sbgc::msg::Reset>>);
+static_assert(std::same_as<ResponseMessages<sbgc::msg::MotorsOn>, TypeList<>>);
 static_assert(exchange_of(sbgc::msg::BoardInfoRequest{}).answer_required, "known at compile time");
 
 static_assert(std::same_as<sbgc::roles::Confirmation, sbgc::msg::Confirm>);

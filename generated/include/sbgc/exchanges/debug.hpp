@@ -38,19 +38,3 @@ constexpr Exchange exchange_of(const DebugVars3Request&) noexcept {
 }
 
 }  // namespace sbgc::msg
-
-namespace sbgc {
-
-template <>
-struct ExchangeTraits<msg::DebugVarsInfo3Request> {
-  using Answer = msg::DebugVarsInfo3;
-  static constexpr bool answer_is_certain = true;
-};
-
-template <>
-struct ExchangeTraits<msg::DebugVars3Request> {
-  using Answer = msg::DebugVars3;
-  static constexpr bool answer_is_certain = true;
-};
-
-}  // namespace sbgc

@@ -125,37 +125,3 @@ constexpr Exchange exchange_of(const DataStreamInterval& request) noexcept {
 }
 
 }  // namespace sbgc::msg
-
-namespace sbgc {
-
-template <>
-struct ExchangeTraits<msg::RealtimeData> {
-  using Answer = msg::RealtimeData3;
-  static constexpr bool answer_is_certain = true;
-};
-
-template <>
-struct ExchangeTraits<msg::RealtimeData3Request> {
-  using Answer = msg::RealtimeData3;
-  static constexpr bool answer_is_certain = true;
-};
-
-template <>
-struct ExchangeTraits<msg::RealtimeData4Request> {
-  using Answer = msg::RealtimeData4;
-  static constexpr bool answer_is_certain = true;
-};
-
-template <>
-struct ExchangeTraits<msg::RealtimeDataCustomRequest> {
-  using Answer = msg::RealtimeDataCustom;
-  static constexpr bool answer_is_certain = true;
-};
-
-template <>
-struct ExchangeTraits<msg::DataStreamInterval> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
-
-}  // namespace sbgc

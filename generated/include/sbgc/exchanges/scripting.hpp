@@ -18,13 +18,3 @@ constexpr Exchange exchange_of(const RunScript&) noexcept {
 }
 
 }  // namespace sbgc::msg
-
-namespace sbgc {
-
-template <>
-struct ExchangeTraits<msg::RunScript> {
-  using Answer = void;
-  static constexpr bool answer_is_certain = false;
-};
-
-}  // namespace sbgc

@@ -11,6 +11,7 @@
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>
+#include <sbgc/response.hpp>
 #include <sbgc/units.hpp>
 
 namespace sbgc::msg {
@@ -19,6 +20,10 @@ using sbgc::get;
 using sbgc::put;
 
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
+
+struct AdjVarsState;
+struct ReadAdjVarsCfg;
+struct SetAdjVarsVal;
 
 /// One adjustable variable and its value.
 struct AdjVarValue {
@@ -123,6 +128,7 @@ struct SetAdjVarsVal {
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 201;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   /// The variables.
   BoundedArray<AdjVarValue, 50> params{};
@@ -163,6 +169,7 @@ struct GetAdjVarsVal {
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 41;
   static constexpr Availability since{0, 30};
+  using Response = SetAdjVarsVal;
 
   /// The variables (Appendix B). Errata: E042.
   BoundedArray<VariableId, 254> param_id{};
@@ -275,6 +282,7 @@ struct ReadAdjVarsCfgRequest {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{0, 30};
+  using Response = ReadAdjVarsCfg;
 
   constexpr bool operator==(const ReadAdjVarsCfgRequest&) const = default;
 };
@@ -371,6 +379,7 @@ struct AdjVarsStateRequest {
   static constexpr std::size_t min_size = 2;
   static constexpr std::size_t max_size = 2;
   static constexpr Availability since{0, 30};
+  using Response = AdjVarsState;
 
   /// Trigger slot, counted from 0. Errata: E114.
   std::uint8_t trigger_slot{};
@@ -418,6 +427,7 @@ struct AdjVarsStateRequestExt {
   static constexpr std::size_t min_size = 7;
   static constexpr std::size_t max_size = 7;
   static constexpr Availability since{2625, 0};
+  using Response = AdjVarsState;
 
   /// Undocumented. Errata: E208.
   Bytes<7> params{};
@@ -461,6 +471,7 @@ struct WriteAdjVarsCfg : ReadAdjVarsCfg {
   static constexpr std::size_t min_size = 128;
   static constexpr std::size_t max_size = 128;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   constexpr bool operator==(const WriteAdjVarsCfg&) const = default;
 };

@@ -11,6 +11,7 @@
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>
+#include <sbgc/response.hpp>
 #include <sbgc/units.hpp>
 
 namespace sbgc::msg {
@@ -19,6 +20,8 @@ using sbgc::get;
 using sbgc::put;
 
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
+
+struct CalibInfo;
 
 /// Current result of each axis.
 struct AxisTuning {
@@ -56,6 +59,7 @@ struct CalibAcc {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{};
+  using Response = void;
 
   constexpr bool operator==(const CalibAcc&) const = default;
 };
@@ -87,6 +91,7 @@ struct CalibAccExt {
   static constexpr std::size_t min_size = 12;
   static constexpr std::size_t max_size = 12;
   static constexpr Availability since{};
+  using Response = void;
 
   /// The IMU. Errata: E051, E053.
   CalibImu imu_idx{};
@@ -158,6 +163,7 @@ struct CalibGyro {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{};
+  using Response = void;
 
   constexpr bool operator==(const CalibGyro&) const = default;
 };
@@ -189,6 +195,7 @@ struct CalibGyroExt {
   static constexpr std::size_t min_size = 12;
   static constexpr std::size_t max_size = 12;
   static constexpr Availability since{};
+  using Response = void;
 
   /// The IMU. Errata: E051, E053.
   CalibImu imu_idx{};
@@ -260,6 +267,7 @@ struct CalibMag {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   constexpr bool operator==(const CalibMag&) const = default;
 };
@@ -290,6 +298,7 @@ struct CalibExtGain {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{};
+  using Response = void;
 
   constexpr bool operator==(const CalibExtGain&) const = default;
 };
@@ -320,6 +329,7 @@ struct CalibPoles {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{};
+  using Response = void;
 
   constexpr bool operator==(const CalibPoles&) const = default;
 };
@@ -350,6 +360,7 @@ struct CalibOffset {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{};
+  using Response = void;
 
   constexpr bool operator==(const CalibOffset&) const = default;
 };
@@ -380,6 +391,7 @@ struct CalibBat {
   static constexpr std::size_t min_size = 2;
   static constexpr std::size_t max_size = 2;
   static constexpr Availability since{};
+  using Response = void;
 
   /// Actual voltage, measured externally. Unit: V, one count is 1/100. Errata: E077.
   Voltage actual_voltage{};
@@ -556,6 +568,7 @@ struct CalibInfoRequest {
   static constexpr std::size_t min_size = 12;
   static constexpr std::size_t max_size = 12;
   static constexpr Availability since{0, 30};
+  using Response = CalibInfo;
 
   /// The IMU. Errata: E051, E053.
   SelectedImu imu_type{};
@@ -636,6 +649,7 @@ struct CalibMotorMagLinkRequest {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   /// Undocumented content.
   BoundedBytes<255> data{};
@@ -670,6 +684,7 @@ struct EncodersCalibOffset4 {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   constexpr bool operator==(const EncodersCalibOffset4&) const = default;
 };
@@ -701,6 +716,7 @@ struct EncodersCalibFldOffset4 {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   constexpr bool operator==(const EncodersCalibFldOffset4&) const = default;
 };
@@ -803,6 +819,7 @@ struct AutoPidRequest {
   static constexpr std::size_t min_size = 19;
   static constexpr std::size_t max_size = 19;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   /// For cfg_flags: stops the tuning.
   static constexpr std::uint8_t stop_tuning = 0;

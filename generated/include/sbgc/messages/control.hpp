@@ -11,6 +11,7 @@
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>
+#include <sbgc/response.hpp>
 #include <sbgc/units.hpp>
 
 namespace sbgc::msg {
@@ -19,6 +20,9 @@ using sbgc::get;
 using sbgc::put;
 
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
+
+struct GetAngles;
+struct GetAnglesExt;
 
 /// Target of each axis.
 struct ControlAxis {
@@ -147,6 +151,7 @@ struct Control {
   static constexpr std::size_t min_size = 13;
   static constexpr std::size_t max_size = 13;
   static constexpr Availability since{};
+  using Response = void;
 
   /// Mode of all three axes.
   ControlMode control_mode{};
@@ -196,6 +201,7 @@ struct ControlExt {
   static constexpr std::size_t min_size = 15;
   static constexpr std::size_t max_size = 15;
   static constexpr Availability since{2555, 0};
+  using Response = void;
 
   /// Mode of each axis.
   Axes<ControlMode> control_mode{};
@@ -287,6 +293,7 @@ struct GetAnglesRequest {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{};
+  using Response = GetAngles;
 
   constexpr bool operator==(const GetAnglesRequest&) const = default;
 };
@@ -364,6 +371,7 @@ struct GetAnglesExtRequest {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{0, 30};
+  using Response = GetAnglesExt;
 
   constexpr bool operator==(const GetAnglesExtRequest&) const = default;
 };
@@ -394,6 +402,7 @@ struct MotorsOn {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{};
+  using Response = void;
 
   constexpr bool operator==(const MotorsOn&) const = default;
 };
@@ -426,6 +435,7 @@ struct MotorsOff {
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{};
   static constexpr Availability until{2687, 0};
+  using Response = void;
 
   constexpr bool operator==(const MotorsOff&) const = default;
 };
@@ -457,6 +467,7 @@ struct MotorsOffExt {
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{2687, 0};
+  using Response = void;
 
   /// How to turn them off. Errata: E205.
   MotorsOffMode mode{};
@@ -499,6 +510,7 @@ struct ExecuteMenu {
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{};
+  using Response = void;
 
   /// Which action. Errata: E105.
   MenuCommand cmd_id{};
@@ -541,6 +553,7 @@ struct ExecuteMenuExt {
   static constexpr std::size_t min_size = 2;
   static constexpr std::size_t max_size = 2;
   static constexpr Availability since{};
+  using Response = void;
 
   /// Which action. Errata: E105.
   MenuCommand cmd_id{};
@@ -587,6 +600,7 @@ struct HelperData {
   static constexpr std::size_t min_size = 10;
   static constexpr std::size_t max_size = 10;
   static constexpr Availability since{};
+  using Response = void;
 
   /// Linear acceleration of the frame; keeps the horizon level during acceleration. Unit: g, one
   /// count is 1/512. Errata: E042, E074, E109.
@@ -661,6 +675,7 @@ struct HelperDataExt {
   static constexpr std::size_t min_size = 20;
   static constexpr std::size_t max_size = 20;
   static constexpr Availability since{2590, 0};
+  using Response = void;
 
   /// Linear acceleration of the frame; keeps the horizon level during acceleration. Unit: g, one
   /// count is 1/512. Errata: E042, E074, E109.

@@ -11,6 +11,7 @@
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>
+#include <sbgc/response.hpp>
 #include <sbgc/units.hpp>
 
 namespace sbgc::msg {
@@ -19,6 +20,9 @@ using sbgc::get;
 using sbgc::put;
 
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
+
+struct DebugVars3;
+struct DebugVarsInfo3;
 
 /// The variables.
 struct DebugVarInfo {
@@ -96,6 +100,7 @@ struct DebugVarsInfo3Request {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{0, 30};
+  using Response = DebugVarsInfo3;
 
   constexpr bool operator==(const DebugVarsInfo3Request&) const = default;
 };
@@ -171,6 +176,7 @@ struct DebugVars3Request {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{0, 30};
+  using Response = DebugVars3;
 
   constexpr bool operator==(const DebugVars3Request&) const = default;
 };

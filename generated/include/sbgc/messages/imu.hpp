@@ -11,6 +11,7 @@
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>
+#include <sbgc/response.hpp>
 #include <sbgc/units.hpp>
 
 namespace sbgc::msg {
@@ -19,6 +20,8 @@ using sbgc::get;
 using sbgc::put;
 
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
+
+struct AhrsHelper;
 
 /// Select the IMU to configure and calibrate.
 ///
@@ -33,6 +36,7 @@ struct SelectImu3 {
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   /// The IMU. Errata: E051, E053.
   SelectedImu imu_type{};
@@ -76,6 +80,7 @@ struct SelectImu3Ext {
   static constexpr std::size_t min_size = 2;
   static constexpr std::size_t max_size = 12;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   /// The IMU. Errata: E051, E053.
   SelectedImu imu_type{};
@@ -183,6 +188,7 @@ struct AhrsHelperRequest {
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{0, 30};
   static constexpr Availability until{2695, 0};
+  using Response = AhrsHelper;
 
   /// The IMU to query; without SET. Errata: E023.
   AhrsHelperMode mode{};
@@ -227,6 +233,7 @@ struct AhrsHelperRequestWide {
   static constexpr std::size_t min_size = 2;
   static constexpr std::size_t max_size = 2;
   static constexpr Availability since{2695, 0};
+  using Response = AhrsHelper;
 
   /// The IMU to query; without SET. Errata: E023, E209.
   AhrsHelperWideMode mode{};
@@ -276,6 +283,7 @@ struct AhrsHelperRequestExt {
   static constexpr std::size_t max_size = 25;
   static constexpr Availability since{0, 30};
   static constexpr Availability until{2695, 0};
+  using Response = sbgc::Maybe<AhrsHelper>;
 
   /// Operation.
   AhrsHelperMode mode{};
@@ -330,6 +338,7 @@ struct AhrsHelperRequestExtWide {
   static constexpr std::size_t min_size = 26;
   static constexpr std::size_t max_size = 26;
   static constexpr Availability since{2695, 0};
+  using Response = sbgc::Maybe<AhrsHelper>;
 
   /// Operation. Errata: E209.
   AhrsHelperWideMode mode{};
@@ -383,6 +392,7 @@ struct GyroCorrection {
   static constexpr std::size_t min_size = 9;
   static constexpr std::size_t max_size = 9;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   /// The IMU. Errata: E051, E053.
   ImuIndex imu_type{};

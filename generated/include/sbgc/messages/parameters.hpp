@@ -11,6 +11,7 @@
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>
+#include <sbgc/response.hpp>
 #include <sbgc/units.hpp>
 
 namespace sbgc::msg {
@@ -19,6 +20,11 @@ using sbgc::get;
 using sbgc::put;
 
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
+
+struct ReadParams3;
+struct ReadParamsExt;
+struct ReadParamsExt2;
+struct ReadProfileNames;
 
 /// Controller and motor of each axis.
 struct AxisPid {
@@ -495,6 +501,7 @@ struct ReadParams3Request {
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{0, 30};
+  using Response = ReadParams3;
 
   /// For profile_id: the active profile.
   static constexpr std::uint8_t active_profile = 255;
@@ -541,6 +548,7 @@ struct ReadParams {
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{};
+  using Response = ReadParams3;
 
   /// For profile_id: the active profile.
   static constexpr std::uint8_t active_profile = 255;
@@ -799,6 +807,7 @@ struct ReadParamsExtRequest {
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{0, 30};
+  using Response = ReadParamsExt;
 
   /// For profile_id: the active profile.
   static constexpr std::uint8_t active_profile = 255;
@@ -959,6 +968,7 @@ struct ReadParamsExt2Request {
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{0, 30};
+  using Response = ReadParamsExt2;
 
   /// For profile_id: the active profile.
   static constexpr std::uint8_t active_profile = 255;
@@ -1051,6 +1061,7 @@ struct ReadProfileNamesRequest {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{0, 30};
+  using Response = ReadProfileNames;
 
   constexpr bool operator==(const ReadProfileNamesRequest&) const = default;
 };
@@ -1082,6 +1093,7 @@ struct SaveParams3 {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   constexpr bool operator==(const SaveParams3&) const = default;
 };
@@ -1113,6 +1125,7 @@ struct UseDefaults {
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{};
+  using Response = void;
 
   /// For profile_id: erases the EEPROM.
   static constexpr std::uint8_t erase_eeprom = 253;
@@ -1160,6 +1173,7 @@ struct WriteParams3 : ReadParams3 {
   static constexpr std::size_t min_size = 134;
   static constexpr std::size_t max_size = 134;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   constexpr bool operator==(const WriteParams3&) const = default;
 };
@@ -1177,6 +1191,7 @@ struct WriteParams : ReadParams3 {
   static constexpr std::size_t min_size = 134;
   static constexpr std::size_t max_size = 134;
   static constexpr Availability since{};
+  using Response = void;
 
   constexpr bool operator==(const WriteParams&) const = default;
 };
@@ -1194,6 +1209,7 @@ struct WriteParamsExt : ReadParamsExt {
   static constexpr std::size_t min_size = 104;
   static constexpr std::size_t max_size = 104;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   constexpr bool operator==(const WriteParamsExt&) const = default;
 };
@@ -1211,6 +1227,7 @@ struct WriteParamsExt2 : ReadParamsExt2 {
   static constexpr std::size_t min_size = 151;
   static constexpr std::size_t max_size = 151;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   constexpr bool operator==(const WriteParamsExt2&) const = default;
 };
@@ -1228,6 +1245,7 @@ struct WriteProfileNames : ReadProfileNames {
   static constexpr std::size_t min_size = 240;
   static constexpr std::size_t max_size = 240;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   constexpr bool operator==(const WriteProfileNames&) const = default;
 };

@@ -11,6 +11,7 @@
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>
+#include <sbgc/response.hpp>
 #include <sbgc/units.hpp>
 
 namespace sbgc::msg {
@@ -19,6 +20,8 @@ using sbgc::get;
 using sbgc::put;
 
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
+
+struct I2cReadRegBuf;
 
 /// Play a melody through the motors, or a standard sound.
 ///
@@ -33,6 +36,7 @@ struct BeepSound {
   static constexpr std::size_t min_size = 12;
   static constexpr std::size_t max_size = 72;
   static constexpr Availability since{2590, 30};
+  using Response = void;
 
   /// For decay_factor: no envelope.
   static constexpr std::uint8_t no_envelope = 0;
@@ -114,6 +118,7 @@ struct TriggerPin {
   static constexpr std::size_t min_size = 2;
   static constexpr std::size_t max_size = 2;
   static constexpr Availability since{};
+  using Response = void;
 
   /// The pin.
   OutputPin pin_id{};
@@ -163,6 +168,7 @@ struct ServoOut {
   static constexpr std::size_t min_size = 16;
   static constexpr std::size_t max_size = 16;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   /// For servo_time: the pin is set free and floats.
   static constexpr std::int16_t floating = -1;
@@ -213,6 +219,7 @@ struct I2cWriteRegBuf {
   static constexpr std::size_t min_size = 2;
   static constexpr std::size_t max_size = 255;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   /// The device.
   I2cDevice device_addr{};
@@ -299,6 +306,7 @@ struct I2cReadRegBufRequest {
   static constexpr std::size_t min_size = 3;
   static constexpr std::size_t max_size = 3;
   static constexpr Availability since{0, 30};
+  using Response = I2cReadRegBuf;
 
   /// The device.
   I2cDevice device_addr{};
@@ -371,6 +379,7 @@ struct ApiVirtChControl {
   static constexpr std::size_t min_size = 2;
   static constexpr std::size_t max_size = 64;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   /// For val_ch: undefined, as if the signal were lost.
   static constexpr std::int16_t undefined = -10000;

@@ -11,6 +11,7 @@
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>
+#include <sbgc/response.hpp>
 #include <sbgc/units.hpp>
 
 namespace sbgc::msg {
@@ -19,6 +20,10 @@ using sbgc::get;
 using sbgc::put;
 
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
+
+struct RealtimeData3;
+struct RealtimeData4;
+struct RealtimeDataCustom;
 
 /// Sensors of each axis.
 struct AxisSensors {
@@ -70,6 +75,7 @@ struct RealtimeData {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{};
+  using Response = RealtimeData3;
 
   constexpr bool operator==(const RealtimeData&) const = default;
 };
@@ -257,6 +263,7 @@ struct RealtimeData3Request {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{0, 30};
+  using Response = RealtimeData3;
 
   constexpr bool operator==(const RealtimeData3Request&) const = default;
 };
@@ -493,6 +500,7 @@ struct RealtimeData4Request {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{0, 30};
+  using Response = RealtimeData4;
 
   constexpr bool operator==(const RealtimeData4Request&) const = default;
 };
@@ -643,6 +651,7 @@ struct RealtimeDataCustomRequest {
   static constexpr std::size_t min_size = 10;
   static constexpr std::size_t max_size = 10;
   static constexpr Availability since{2590, 30};
+  using Response = RealtimeDataCustom;
 
   /// Blocks to send.
   RealtimeDataCustomFlags flags{};
@@ -693,6 +702,7 @@ struct DataStreamInterval {
   static constexpr std::size_t min_size = 21;
   static constexpr std::size_t max_size = 21;
   static constexpr Availability since{2590, 30};
+  using Response = void;
 
   /// For interval_ms: ends the stream.
   static constexpr std::uint16_t end_stream = 0;

@@ -11,6 +11,7 @@
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>
+#include <sbgc/response.hpp>
 #include <sbgc/units.hpp>
 
 namespace sbgc::msg {
@@ -33,6 +34,7 @@ struct RunScript {
   static constexpr std::size_t min_size = 34;
   static constexpr std::size_t max_size = 34;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   /// Operation. Errata: E105.
   ScriptMode mode{};

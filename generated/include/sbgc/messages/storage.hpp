@@ -11,6 +11,7 @@
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>
+#include <sbgc/response.hpp>
 #include <sbgc/units.hpp>
 
 namespace sbgc::msg {
@@ -19,6 +20,11 @@ using sbgc::get;
 using sbgc::put;
 
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
+
+struct EepromRead;
+struct ReadExternalData;
+struct ReadFile;
+struct ReadFileError;
 
 /// Write a block to the EEPROM. The EEPROM holds parameters and calibrations. Write only what you
 /// read from the same address of the same board: anything else may make the board unusable or move
@@ -35,6 +41,7 @@ struct EepromWrite {
   static constexpr std::size_t min_size = 4;
   static constexpr std::size_t max_size = 196;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   /// Address to write to. A multiple of 64.
   std::uint32_t addr{};
@@ -178,6 +185,7 @@ struct ReadFileRequest {
   static constexpr std::size_t min_size = 20;
   static constexpr std::size_t max_size = 20;
   static constexpr Availability since{0, 30};
+  using Response = sbgc::TypeList<ReadFile, ReadFileError>;
 
   /// File id.
   std::uint16_t file_id{};
@@ -254,6 +262,7 @@ struct WriteFile {
   static constexpr std::size_t min_size = 6;
   static constexpr std::size_t max_size = 255;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   /// File id; a missing file is created.
   std::uint16_t file_id{};
@@ -323,6 +332,7 @@ struct FsClearAll {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   constexpr bool operator==(const FsClearAll&) const = default;
 };
@@ -402,6 +412,7 @@ struct EepromReadRequest {
   static constexpr std::size_t min_size = 6;
   static constexpr std::size_t max_size = 6;
   static constexpr Availability since{0, 30};
+  using Response = EepromRead;
 
   /// Start of the block. A multiple of 64. Errata: E014.
   std::uint32_t addr{};
@@ -496,6 +507,7 @@ struct ReadExternalDataRequest {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{0, 30};
+  using Response = ReadExternalData;
 
   constexpr bool operator==(const ReadExternalDataRequest&) const = default;
 };
@@ -527,6 +539,7 @@ struct WriteExternalData : ReadExternalData {
   static constexpr std::size_t min_size = 128;
   static constexpr std::size_t max_size = 128;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   constexpr bool operator==(const WriteExternalData&) const = default;
 };

@@ -11,6 +11,7 @@
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>
+#include <sbgc/response.hpp>
 #include <sbgc/units.hpp>
 
 namespace sbgc::msg {
@@ -19,6 +20,10 @@ using sbgc::get;
 using sbgc::put;
 
 static_assert(codec_version == 1, "generated code and runtime do not belong together");
+
+struct BoardInfo;
+struct BoardInfo3;
+struct Reset;
 
 /// Board version and features.
 ///
@@ -102,6 +107,7 @@ struct BoardInfoRequest {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{};
+  using Response = BoardInfo;
 
   constexpr bool operator==(const BoardInfoRequest&) const = default;
 };
@@ -132,6 +138,7 @@ struct BoardInfoRequestOneByte {
   static constexpr std::size_t min_size = 1;
   static constexpr std::size_t max_size = 1;
   static constexpr Availability since{};
+  using Response = BoardInfo;
 
   /// Reserved; kept as it is. Errata: E214.
   Bytes<1> reserved{};
@@ -174,6 +181,7 @@ struct BoardInfoRequestExt {
   static constexpr std::size_t min_size = 2;
   static constexpr std::size_t max_size = 255;
   static constexpr Availability since{};
+  using Response = BoardInfo;
 
   /// On a UART, the pause between the 20-byte packets of a Bluetooth LE link; no meaning on USB.
   /// Unit: ms. Errata: E008.
@@ -497,6 +505,7 @@ struct BoardInfo3Request {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{0, 30};
+  using Response = BoardInfo3;
 
   constexpr bool operator==(const BoardInfo3Request&) const = default;
 };
@@ -558,6 +567,7 @@ struct ResetRequest {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{};
+  using Response = void;
 
   constexpr bool operator==(const ResetRequest&) const = default;
 };
@@ -588,6 +598,7 @@ struct ResetRequestExt {
   static constexpr std::size_t min_size = 3;
   static constexpr std::size_t max_size = 3;
   static constexpr Availability since{};
+  using Response = sbgc::Maybe<Reset>;
 
   /// Whether CMD_RESET is sent back first. Errata: E204.
   ResetOptions confirm{};
@@ -637,6 +648,7 @@ struct BootMode3 {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   constexpr bool operator==(const BootMode3&) const = default;
 };
@@ -670,6 +682,7 @@ struct BootMode3Ext {
   static constexpr std::size_t min_size = 3;
   static constexpr std::size_t max_size = 3;
   static constexpr Availability since{0, 30};
+  using Response = sbgc::Maybe<Reset>;
 
   /// Whether CMD_RESET is sent back first. Errata: E082, E204.
   ResetOptions confirm{};
@@ -750,6 +763,7 @@ struct QueueParamsInfo3Request {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   /// Undocumented content.
   BoundedBytes<255> data{};
@@ -817,6 +831,7 @@ struct SystemStateRequest {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   /// Undocumented content.
   BoundedBytes<255> data{};
@@ -884,6 +899,7 @@ struct MavlinkInfoRequest {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   /// Undocumented content.
   BoundedBytes<255> data{};
@@ -951,6 +967,7 @@ struct MavlinkDebugRequest {
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 255;
   static constexpr Availability since{0, 30};
+  using Response = void;
 
   /// Undocumented content.
   BoundedBytes<255> data{};

@@ -22,6 +22,8 @@ WORDS = frozenset(
 _MESSAGE = frozenset(
     ("command", "direction", "form", "min_size", "max_size", "since", "tail", "until")
 )
+# Types that messages have inside.
+_INNER_TYPES = frozenset(("Context", "Response"))
 _STRUCT = frozenset(("wire_size",))
 _PACKED = frozenset(("raw", "raw_", "raw_type", "named"))
 _QUANTITY = frozenset(("raw", "real", "unit", "from_real"))
@@ -42,6 +44,10 @@ def check_names(spec: Spec, layout: Layout, found: Diagnostics) -> None:
             text = f"'{form}' cannot be the name of a form"
             found.add(at, "SBGC022", text, "it becomes an enumerator in C++")
     types = _types(layout)
+    for name, at in (*types.items(), *((m.name, m.at) for m in layout.messages)):
+        if name in _INNER_TYPES:
+            text = f"'{name}' is a type that every message has inside"
+            found.add(at, "SBGC022", text, "choose another name")
     for struct in (s for family in layout.families for s in family.structs):
         _check_members(struct.fields, "struct", _STRUCT, types, found)
     for message in layout.messages:

@@ -1,6 +1,5 @@
 /// What comes back for a request. The facts are the specification's: <sbgc/exchanges/all.hpp>, or
-/// one family of it, has `exchange_of(request)` and `AnswerOf<Request>` for every message to the
-/// board.
+/// one family of it, has `exchange_of(request)` for every message to the board.
 #pragma once
 
 #include <array>
@@ -9,7 +8,6 @@
 #include <span>
 
 #include <sbgc/frame.hpp>
-#include <sbgc/type_list.hpp>
 
 namespace sbgc {
 
@@ -165,13 +163,5 @@ struct Exchange {
   ConfirmationResult result{};
   StreamChange stream{};
 };
-
-/// The types that belong to a request; generated.
-template <class Request>
-struct ExchangeTraits;
-
-/// The message that answers a request: a type, `void` if there is none, or a TypeList of several.
-template <class Request>
-using AnswerOf = typename ExchangeTraits<Request>::Answer;
 
 }  // namespace sbgc

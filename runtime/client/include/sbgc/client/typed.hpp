@@ -12,7 +12,7 @@
 #include <utility>
 #include <variant>
 
-#include <sbgc/client/calls.hpp>
+#include <sbgc/client/call_result.hpp>
 #include <sbgc/client/conversation.hpp>
 #include <sbgc/client/reply.hpp>
 #include <sbgc/client/result.hpp>
@@ -113,10 +113,5 @@ Conversation::MessageHandler typed_handler(std::function<void(const M&)> handler
 }
 
 }  // namespace detail
-
-/// What a call with the request M returns: the answer, or nothing where the protocol has none; an
-/// optional answer where it depends on what the request says.
-template <class M>
-using CallResult = Result<detail::CallAnswer<M>>;
 
 }  // namespace sbgc
