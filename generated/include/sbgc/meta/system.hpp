@@ -186,7 +186,7 @@ struct Meta<msg::Error> {
       .direction = Direction::from_board,
       .min_size = 5,
       .max_size = 5,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "error_code",
        .spec_name = "ERROR_CODE",
@@ -214,7 +214,7 @@ struct Meta<msg::ErrorExt> {
       .direction = Direction::from_board,
       .min_size = 6,
       .max_size = 6,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "cmd_id",
        .spec_name = "CMD_ID",
@@ -247,7 +247,7 @@ struct Meta<msg::BoardInfo3> {
       .direction = Direction::from_board,
       .min_size = 69,
       .max_size = 69,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr Special script_slot_size_special[] = {
       {0, "the slot is empty"},
   };
@@ -294,7 +294,7 @@ struct Meta<msg::BoardInfo3Request> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
@@ -380,7 +380,7 @@ struct Meta<msg::BootMode3> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::restarts)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -400,7 +400,7 @@ struct Meta<msg::BootMode3Ext> {
       .direction = Direction::to_board,
       .min_size = 3,
       .max_size = 3,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::restarts)};
   static constexpr FieldInfo fields[] = {
@@ -430,7 +430,7 @@ struct Meta<msg::QueueParamsInfo3> {
       .direction = Direction::from_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -454,7 +454,7 @@ struct Meta<msg::QueueParamsInfo3Request> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
@@ -479,7 +479,7 @@ struct Meta<msg::SystemState> {
       .direction = Direction::from_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -503,7 +503,7 @@ struct Meta<msg::SystemStateRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
@@ -528,7 +528,7 @@ struct Meta<msg::MavlinkInfo> {
       .direction = Direction::from_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -552,7 +552,7 @@ struct Meta<msg::MavlinkInfoRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
@@ -577,7 +577,7 @@ struct Meta<msg::MavlinkDebug> {
       .direction = Direction::from_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -601,7 +601,7 @@ struct Meta<msg::MavlinkDebugRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",

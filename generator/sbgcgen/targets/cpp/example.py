@@ -44,7 +44,7 @@ def encoding(example: Example) -> Code:
         *([] if example.read else [f"sbgc::{message.name} message;"]),
         *_Builder(example).steps(),
         "std::array<std::uint8_t, sbgc::max_frame_size> frame{};",
-        "const sbgc::WriteResult written = encode_frame(message, frame);",
+        "const sbgc::WriteResult written = sbgc::encode_frame(message, frame);",
         f"// written.size is {len(example.frame)}: the first bytes of frame are the ones above.",
     ]
     used = "\n".join(lines)
@@ -58,7 +58,7 @@ def _reading(read: Example, name: str) -> Iterator[str]:
     yield f"// The body of the {read.message.name} that the board has sent when it was asked."
     yield from _wrapped(f"constexpr std::array<std::uint8_t, {len(read.body)}> answer", read.body)
     yield f"sbgc::{read.message.name} read;"
-    yield "if (!decode(answer, read)) return;"
+    yield "if (!sbgc::decode(answer, read)) return;"
     yield "// All of it goes back, but for what is changed on purpose."
     yield f"sbgc::{name} message{{read}};"
 
@@ -84,7 +84,7 @@ def decoding(example: Example) -> Code:
         "parser.feed(bytes, [](const sbgc::Frame& frame) {",
         *(f"  {line}" for line in context),
         f"  sbgc::{message.name} message;",
-        f"  if (!decode({arguments})) return;",
+        f"  if (!sbgc::decode({arguments})) return;",
         *(f"  {line}" for line in steps),
         "});",
     ]

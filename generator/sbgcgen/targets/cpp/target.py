@@ -10,7 +10,7 @@ from sbgcgen.spec.diagnostics import Diagnostics
 from sbgcgen.spec.load import Spec
 from sbgcgen.targets import Code, Target, View
 from sbgcgen.targets.cpp.example import code_of, converting
-from sbgcgen.targets.cpp.filters import FILTERS, TESTS
+from sbgcgen.targets.cpp.filters import FILTERS
 from sbgcgen.targets.cpp.lint import check_names
 
 
@@ -18,7 +18,7 @@ class Cpp(Target):
     """The headers, C++ in worked examples, and names that C++ can not have."""
 
     def view(self, layout: Layout, project: Path) -> View:
-        return View(filters=FILTERS, tests=TESTS)
+        return View(filters=FILTERS)
 
     def lint(self, spec: Spec, layout: Layout, found: Diagnostics) -> None:
         check_names(spec, layout, found)
