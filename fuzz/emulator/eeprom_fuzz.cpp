@@ -126,7 +126,7 @@ class Player {
     StoredMessages::for_each([&]<class M>(Type<M>) {
       if (number++ != which || copy >= SettingsOf<M>::copies) return;
       M message{};
-      if (!decode(bytes(M::min_size + byte() % 16), message)) return;
+      if (!sbgc::decode(bytes(M::min_size + byte() % 16), message)) return;
       require(settings_->write(copy, message));
       if constexpr (SettingsOf<M>::copies > 1) SettingsOf<M>::copy(message) = copy;
       require(settings_->template read<M>(copy) == message);

@@ -169,7 +169,7 @@ struct EnumMeta<msg::PwmFrequency> {
   static constexpr ValueInfo values[] = {
       {"PWM_FREQ_LOW", 0, "Low."},
       {"PWM_FREQ_HIGH", 1, "High."},
-      {"PWM_FREQ_ULTRA_HIGH", 2, "Ultra high.", {0, 30}},
+      {"PWM_FREQ_ULTRA_HIGH", 2, "Ultra high.", {.board = 30}},
   };
   static constexpr EnumInfo info{"PwmFrequency", values, false};
 };
@@ -191,9 +191,9 @@ struct EnumMeta<msg::RcVirtualMode> {
   static constexpr ValueInfo values[] = {
       {"RC_VIRT_MODE_NORMAL", 0, "One PWM signal."},
       {"RC_VIRT_MODE_CPPM", 1, "Sum-PPM."},
-      {"RC_VIRT_MODE_SBUS", 2, "S.BUS.", {0, 30}},
-      {"RC_VIRT_MODE_SPEKTRUM", 3, "Spektrum satellite.", {0, 30}},
-      {"RC_VIRT_MODE_API", 10, "Virtual channels of the Serial API.", {0, 30}},
+      {"RC_VIRT_MODE_SBUS", 2, "S.BUS.", {.board = 30}},
+      {"RC_VIRT_MODE_SPEKTRUM", 3, "Spektrum satellite.", {.board = 30}},
+      {"RC_VIRT_MODE_API", 10, "Virtual channels of the Serial API.", {.board = 30}},
   };
   static constexpr EnumInfo info{"RcVirtualMode", values, false};
 };
@@ -206,10 +206,10 @@ struct EnumMeta<msg::RcInput> {
       {"RC_INPUT_PITCH", 2, "PWM at the RC_PITCH pin."},
       {"EXT_FC_INPUT_ROLL", 3, "PWM at the FC_ROLL pin."},
       {"EXT_FC_INPUT_PITCH", 4, "PWM at the FC_PITCH pin."},
-      {"RC_INPUT_YAW", 5, "PWM at the RC_YAW pin.", {0, 30}},
-      {"ADC1", 33, "Analog input 1; RC_INPUT_ROLL on older boards.", {0, 30}},
-      {"ADC2", 34, "Analog input 2; RC_INPUT_PITCH on older boards.", {0, 30}},
-      {"ADC3", 35, "Analog input 3; EXT_FC_INPUT_ROLL on older boards.", {0, 30}},
+      {"RC_INPUT_YAW", 5, "PWM at the RC_YAW pin.", {.board = 30}},
+      {"ADC1", 33, "Analog input 1; RC_INPUT_ROLL on older boards.", {.board = 30}},
+      {"ADC2", 34, "Analog input 2; RC_INPUT_PITCH on older boards.", {.board = 30}},
+      {"ADC3", 35, "Analog input 3; EXT_FC_INPUT_ROLL on older boards.", {.board = 30}},
       {"EXT_FC_INPUT_PITCH_ANALOG", 36, "Analog signal at the FC_PITCH pin of boards before 3.0."},
   };
   static constexpr EnumInfo info{"RcInput", values, false};
@@ -503,7 +503,7 @@ struct EnumMeta<msg::OutputPin> {
       {"RC_INPUT_PITCH", 2, "The RC_PITCH pin."},
       {"EXT_FC_INPUT_ROLL", 3, "The FC_ROLL pin."},
       {"EXT_FC_INPUT_PITCH", 4, "The FC_PITCH pin."},
-      {"RC_INPUT_YAW", 5, "The RC_YAW pin.", {0, 30}},
+      {"RC_INPUT_YAW", 5, "The RC_YAW pin.", {.board = 30}},
       {"PIN_AUX1", 16, "The AUX1 pin; on 1.x boards, pin 2 of the microcontroller."},
       {"PIN_AUX2", 17, "The AUX2 pin; on 1.x boards, pin 11 of the microcontroller."},
       {"PIN_AUX3", 18, "The AUX3 pin; on 1.x boards, pin 12 of the microcontroller."},
@@ -732,7 +732,7 @@ struct EnumMeta<msg::RealtimeDataCustomFlag> {
 template <>
 struct EnumMeta<msg::ControlFlag> {
   static constexpr ValueInfo values[] = {
-      {"CONTROL_FLAG_HIGH_RES_SPEED", 128, "Speeds are in 0.001 deg/s.", {2590, 0}},
+      {"CONTROL_FLAG_HIGH_RES_SPEED", 128, "Speeds are in 0.001 deg/s.", {.firmware = 2590}},
   };
   static constexpr EnumInfo info{"ControlFlags", values, true};
 };
@@ -789,7 +789,7 @@ struct EnumMeta<msg::AhrsHelperWideModeBit> {
       {"H1_ONLY", 32, "Use H1_VECTOR only."},
       {"TRANSLATE_Z1_ONLY", 64, "Translate Z1_VECTOR only."},
       {"TRANSLATE_H1_ONLY", 128, "Translate H1_VECTOR only."},
-      {"DISABLE_CORRECTION", 1024, "Turn the correction off.", {2701, 0}},
+      {"DISABLE_CORRECTION", 1024, "Turn the correction off.", {.firmware = 2701}},
   };
   static constexpr EnumInfo info{"AhrsHelperWideMode", values, true};
 };

@@ -19,12 +19,13 @@ WORDS = frozenset(
     using virtual void volatile wchar_t while xor xor_eq""".split()
 )
 # Members that every generated message, struct, packed integer and quantity has of its own.
+_MEMBERS = ("varying_members", "tagged_unions")
 _MESSAGE = frozenset(
-    ("command", "direction", "form", "min_size", "max_size", "since", "tail", "until")
+    ("command", "direction", "form", "min_size", "max_size", "since", "tail", "until", *_MEMBERS)
 )
 # Types that messages have inside.
 _INNER_TYPES = frozenset(("Context", "Response"))
-_STRUCT = frozenset(("wire_size",))
+_STRUCT = frozenset(("wire_size", *_MEMBERS))
 _PACKED = frozenset(("raw", "raw_", "raw_type", "named"))
 _QUANTITY = frozenset(("raw", "real", "unit", "from_real"))
 
