@@ -14,6 +14,7 @@ from sbgcgen.spec.lint.protocol import lint
 from sbgcgen.spec.lint.spelling import lint_spelling
 from sbgcgen.spec.lint.usage import lint_names, lint_unused
 from sbgcgen.spec.load import Spec, load
+from sbgcgen.spec.older import update
 from sbgcgen.spec.recovery import recover_shape, recover_syntax
 from sbgcgen.spec.resolve.protocol import resolve
 from sbgcgen.spec.schema import check_shape
@@ -81,7 +82,7 @@ def _look_behind(spec: Spec, found: Diagnostics) -> None:
 
 
 def load_layout(spec_dir: Path) -> Layout:
-    """Load and resolve a spec folder without the rules of style, which older ones may not know.
+    """Load and resolve a spec folder, which may be older than the rules of style and the language.
 
     Raises SpecError if it can not be understood.
     """
@@ -93,6 +94,7 @@ def load_layout(spec_dir: Path) -> Layout:
 
 def _resolve(spec_dir: Path, found: Diagnostics) -> tuple[Spec, Layout]:
     spec = load(spec_dir, found)
+    update(spec)
     check_shape(spec, found)
     found.raise_if_any()
     check_syntax(spec, found)

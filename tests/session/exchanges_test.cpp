@@ -93,8 +93,8 @@ TEST(Exchanges, OnlyReadsAndRequestsThatCanBeRepeatedAreSafe) {
 
 TEST(Exchanges, CalibrationsConfirmTwice) {
   for_each_request([&]<class M>(const M& message) {
-    const bool twice = M::command == sbgc::msg::CommandId::calib_acc ||
-                       M::command == sbgc::msg::CommandId::calib_gyro;
+    const bool twice = M::command == sbgc::msg::CommandToBoard::calib_acc ||
+                       M::command == sbgc::msg::CommandToBoard::calib_gyro;
     const Exchange exchange = exchange_of(message);
     EXPECT_EQ(exchange.confirmations == 2, twice);
     EXPECT_EQ(exchange.finish_ms > exchange.timeout_ms, twice);
@@ -127,8 +127,8 @@ TEST(Exchanges, DependOnTheRequest) {
   EXPECT_FALSE(exchange_of(attitude).answer_required);
   EXPECT_EQ(exchange_of(attitude).replies.confirmed, Confirmed::unlikely);
   for_each_request([&]<class M>(const M& message) {
-    if (M::command == sbgc::msg::CommandId::reset ||
-        M::command == sbgc::msg::CommandId::boot_mode_3) {
+    if (M::command == sbgc::msg::CommandToBoard::reset ||
+        M::command == sbgc::msg::CommandToBoard::boot_mode_3) {
       EXPECT_TRUE(exchange_of(message).restarts_board);
     }
   });

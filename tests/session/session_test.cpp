@@ -201,7 +201,7 @@ TEST(Session, WaitsWhenThereIsNoRoomForGhosts) {
 TEST(Session, RefusesWhatCanNotBeEncoded) {
   Simulation line;
   sbgc::msg::DataStreamInterval request;
-  request.cmd_id = sbgc::msg::CommandId::realtime_data_custom;  // its flags are missing
+  request.cmd_id = sbgc::msg::CommandFromBoard::realtime_data_custom;  // its flags are missing
   const sbgc::SendResult result = line.session.send(request);
   EXPECT_EQ(result.status, SendStatus::not_encodable);
   EXPECT_EQ(result.encoding.code, sbgc::Code::presence_mismatch);

@@ -37,7 +37,15 @@ from sbgcgen.model.bodies import (
 )
 from sbgcgen.model.answers import Answer, AnswerCase, Echo, Growth, Reply, Result, Role
 from sbgcgen.model.effects import EFFECTS, Effect, EffectCase
-from sbgcgen.model.messages import Command, Family, Message, Settings, conditions, copy_field
+from sbgcgen.model.messages import (
+    COMMAND_IDS,
+    Command,
+    Family,
+    Message,
+    Settings,
+    conditions,
+    copy_field,
+)
 from sbgcgen.model.variables import Variable, VariableSetting
 from sbgcgen.model.protocol import Erratum, Framing, Layout, Line
 from sbgcgen.model.revisions import Addition, Revision
@@ -51,6 +59,7 @@ __all__ = [
     "AnswerCase",
     "Availability",
     "Blob",
+    "COMMAND_IDS",
     "Command",
     "Condition",
     "Constant",

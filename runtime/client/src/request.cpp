@@ -184,8 +184,9 @@ void for_each_number(std::uint8_t id, std::span<const std::uint8_t> body, const 
   std::ignore = visit(id, body, Direction::from_board, [&]<class M>(const M& message) {
     const auto value = [&](const FieldInfo& field, const auto& member) {
       using Member = std::remove_cvref_t<decltype(member)>;
-      if constexpr (std::is_same_v<Member, msg::CommandId>) {
-        // Which command it is about, the caller knows.
+      if constexpr (std::is_same_v<Member, msg::CommandToBoard> ||
+                    std::is_same_v<Member, msg::CommandFromBoard>) {
+        // The caller knows which command it is about.
       } else if constexpr (std::is_enum_v<Member>) {
         use(field.name, static_cast<int>(member), &EnumMeta<Member>::info);
       } else if constexpr (std::is_integral_v<Member>) {

@@ -43,7 +43,7 @@ commands:
       source: Incoming commands L50
       role: {is: confirmation, command: CMD}
       fields:
-        - {name: CMD, type: CommandId, summary: What.}
+        - {name: CMD, type: CommandToBoard, summary: What.}
         - {name: PLACE, type: u16, when: {field: CMD, is: [CMD_PUT], may_be_missing: true}, summary: Where.}
         - {name: ENDING, type: Closing, when: {field: CMD, is: [CMD_PUT], may_be_missing: true}, summary: How.}
 
@@ -94,7 +94,7 @@ commands:
       role: {is: stream_request, command: ID, interval: TIME, config: HOW, end: 0, cycle: 1, cycle_us: 80, limit: 7, messages: [Ping]}
       fields:
         - {name: TIME, type: Time, summary: How long.}
-        - {name: ID, type: CommandId, summary: Which.}
+        - {name: ID, type: CommandFromBoard, summary: Which.}
         - {name: HOW, type: "bytes[4]", summary: How.}
 """
 

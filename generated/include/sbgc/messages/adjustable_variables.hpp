@@ -122,7 +122,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Incoming commands L505-L507.
 struct SetAdjVarsVal {
-  static constexpr CommandId command = CommandId::set_adj_vars_val;
+  static constexpr CommandToBoard command = CommandToBoard::set_adj_vars_val;
   static constexpr Direction direction = Direction::both;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 1;
@@ -163,7 +163,7 @@ struct SetAdjVarsVal {
 /// Since board 3.0.
 /// Source: Outgoing commands L793-L802; Variables L1174-L1176. Errata: E090.
 struct GetAdjVarsVal {
-  static constexpr CommandId command = CommandId::get_adj_vars_val;
+  static constexpr CommandToBoard command = CommandToBoard::get_adj_vars_val;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 1;
@@ -200,7 +200,7 @@ struct GetAdjVarsVal {
 /// Since board 3.0.
 /// Source: Incoming commands L509-L535. Errata: E114.
 struct ReadAdjVarsCfg {
-  static constexpr CommandId command = CommandId::read_adj_vars_cfg;
+  static constexpr CommandFromBoard command = CommandFromBoard::read_adj_vars_cfg;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 128;
@@ -276,7 +276,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L867-L869.
 struct ReadAdjVarsCfgRequest {
-  static constexpr CommandId command = CommandId::read_adj_vars_cfg;
+  static constexpr CommandToBoard command = CommandToBoard::read_adj_vars_cfg;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -308,7 +308,7 @@ struct ReadAdjVarsCfgRequest {
 /// Since board 3.0.
 /// Source: Incoming commands L592-L598; Variables L1228-L1232. Errata: E208.
 struct AdjVarsState {
-  static constexpr CommandId command = CommandId::adj_vars_state;
+  static constexpr CommandFromBoard command = CommandFromBoard::adj_vars_state;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 15;
@@ -373,7 +373,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L997-L1000.
 struct AdjVarsStateRequest {
-  static constexpr CommandId command = CommandId::adj_vars_state;
+  static constexpr CommandToBoard command = CommandToBoard::adj_vars_state;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 2;
@@ -421,7 +421,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since firmware 2.62b5.
 /// Source: Outgoing commands L997-L1000. Errata: E208.
 struct AdjVarsStateRequestExt {
-  static constexpr CommandId command = CommandId::adj_vars_state;
+  static constexpr CommandToBoard command = CommandToBoard::adj_vars_state;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 7;
@@ -465,7 +465,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L871-L875.
 struct WriteAdjVarsCfg : ReadAdjVarsCfg {
-  static constexpr CommandId command = CommandId::write_adj_vars_cfg;
+  static constexpr CommandToBoard command = CommandToBoard::write_adj_vars_cfg;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 128;

@@ -53,7 +53,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Effect: stores.
 /// Source: Outgoing commands L621-L640. Errata: E091, E102, E121.
 struct CalibAcc {
-  static constexpr CommandId command = CommandId::calib_acc;
+  static constexpr CommandToBoard command = CommandToBoard::calib_acc;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 0;
@@ -85,7 +85,7 @@ struct CalibAcc {
 /// Effect: stores, restarts, erases.
 /// Source: Outgoing commands L621-L640. Errata: E091, E102, E121.
 struct CalibAccExt {
-  static constexpr CommandId command = CommandId::calib_acc;
+  static constexpr CommandToBoard command = CommandToBoard::calib_acc;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 12;
@@ -157,7 +157,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Effect: stores.
 /// Source: Outgoing commands L621-L640. Errata: E091, E102, E121.
 struct CalibGyro {
-  static constexpr CommandId command = CommandId::calib_gyro;
+  static constexpr CommandToBoard command = CommandToBoard::calib_gyro;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 0;
@@ -189,7 +189,7 @@ struct CalibGyro {
 /// Effect: stores, restarts, erases.
 /// Source: Outgoing commands L621-L640. Errata: E091, E102, E121.
 struct CalibGyroExt {
-  static constexpr CommandId command = CommandId::calib_gyro;
+  static constexpr CommandToBoard command = CommandToBoard::calib_gyro;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 12;
@@ -261,7 +261,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L940-L944. Errata: E094.
 struct CalibMag {
-  static constexpr CommandId command = CommandId::calib_mag;
+  static constexpr CommandToBoard command = CommandToBoard::calib_mag;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -292,7 +292,7 @@ struct CalibMag {
 /// Effect: stores, moves.
 /// Source: Outgoing commands L642. Errata: E141.
 struct CalibExtGain {
-  static constexpr CommandId command = CommandId::calib_ext_gain;
+  static constexpr CommandToBoard command = CommandToBoard::calib_ext_gain;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -323,7 +323,7 @@ struct CalibExtGain {
 /// Effect: stores, moves.
 /// Source: Outgoing commands L650. Errata: E141.
 struct CalibPoles {
-  static constexpr CommandId command = CommandId::calib_poles;
+  static constexpr CommandToBoard command = CommandToBoard::calib_poles;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -354,7 +354,7 @@ struct CalibPoles {
 /// Effect: stores, moves.
 /// Source: Outgoing commands L688.
 struct CalibOffset {
-  static constexpr CommandId command = CommandId::calib_offset;
+  static constexpr CommandToBoard command = CommandToBoard::calib_offset;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -385,7 +385,7 @@ struct CalibOffset {
 /// Effect: stores.
 /// Source: Outgoing commands L690-L692.
 struct CalibBat {
-  static constexpr CommandId command = CommandId::calib_bat;
+  static constexpr CommandToBoard command = CommandToBoard::calib_bat;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 2;
@@ -428,7 +428,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Incoming commands L546-L563; Variables L1233-L1246.
 struct CalibInfo {
-  static constexpr CommandId command = CommandId::calib_info;
+  static constexpr CommandFromBoard command = CommandFromBoard::calib_info;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 33;
@@ -562,7 +562,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L891-L896.
 struct CalibInfoRequest {
-  static constexpr CommandId command = CommandId::calib_info;
+  static constexpr CommandToBoard command = CommandToBoard::calib_info;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 12;
@@ -609,7 +609,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Command ID definitions L142.
 struct CalibMotorMagLink {
-  static constexpr CommandId command = CommandId::calib_motor_mag_link;
+  static constexpr CommandFromBoard command = CommandFromBoard::calib_motor_mag_link;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -643,7 +643,7 @@ struct CalibMotorMagLink {
 /// Since board 3.0.
 /// Source: Command ID definitions L142.
 struct CalibMotorMagLinkRequest {
-  static constexpr CommandId command = CommandId::calib_motor_mag_link;
+  static constexpr CommandToBoard command = CommandToBoard::calib_motor_mag_link;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -678,7 +678,7 @@ struct CalibMotorMagLinkRequest {
 /// Since board 3.0.
 /// Source: Outgoing commands L993.
 struct EncodersCalibOffset4 {
-  static constexpr CommandId command = CommandId::encoders_calib_offset_4;
+  static constexpr CommandToBoard command = CommandToBoard::encoders_calib_offset_4;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -710,7 +710,7 @@ struct EncodersCalibOffset4 {
 /// Since board 3.0.
 /// Source: Outgoing commands L995.
 struct EncodersCalibFldOffset4 {
-  static constexpr CommandId command = CommandId::encoders_calib_fld_offset_4;
+  static constexpr CommandToBoard command = CommandToBoard::encoders_calib_fld_offset_4;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -741,7 +741,7 @@ struct EncodersCalibFldOffset4 {
 /// Since board 3.0.
 /// Source: Incoming commands L462-L474. Errata: E012, E105, E114.
 struct AutoPid {
-  static constexpr CommandId command = CommandId::auto_pid;
+  static constexpr CommandFromBoard command = CommandFromBoard::auto_pid;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 57;
@@ -813,7 +813,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L806-L811; Variables L1177-L1182.
 struct AutoPidRequest {
-  static constexpr CommandId command = CommandId::auto_pid;
+  static constexpr CommandToBoard command = CommandToBoard::auto_pid;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 19;

@@ -145,7 +145,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Effect: moves.
 /// Source: Outgoing commands L694-L715; Variables L1147-L1152. Errata: E021, E025, E212.
 struct Control {
-  static constexpr CommandId command = CommandId::control;
+  static constexpr CommandToBoard command = CommandToBoard::control;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 13;
@@ -195,7 +195,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since firmware 2.55b5.
 /// Source: Outgoing commands L694-L715; Variables L1147-L1152. Errata: E021, E025, E212.
 struct ControlExt {
-  static constexpr CommandId command = CommandId::control;
+  static constexpr CommandToBoard command = CommandToBoard::control;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 15;
@@ -241,7 +241,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// CMD_GET_ANGLES (73), from the board; 18 bytes, and later firmware may append more.
 /// Source: Incoming commands L428-L434; Variables L1156-L1161.
 struct GetAngles {
-  static constexpr CommandId command = CommandId::get_angles;
+  static constexpr CommandFromBoard command = CommandFromBoard::get_angles;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 18;
@@ -287,7 +287,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Effect: reads.
 /// Source: Outgoing commands L753-L755.
 struct GetAnglesRequest {
-  static constexpr CommandId command = CommandId::get_angles;
+  static constexpr CommandToBoard command = CommandToBoard::get_angles;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -318,7 +318,7 @@ struct GetAnglesRequest {
 /// Since board 3.0.
 /// Source: Incoming commands L436-L443; Variables L1162-L1165.
 struct GetAnglesExt {
-  static constexpr CommandId command = CommandId::get_angles_ext;
+  static constexpr CommandFromBoard command = CommandFromBoard::get_angles_ext;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 54;
@@ -365,7 +365,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L753-L755.
 struct GetAnglesExtRequest {
-  static constexpr CommandId command = CommandId::get_angles_ext;
+  static constexpr CommandToBoard command = CommandToBoard::get_angles_ext;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -396,7 +396,7 @@ struct GetAnglesExtRequest {
 /// Effect: moves.
 /// Source: Outgoing commands L724-L726.
 struct MotorsOn {
-  static constexpr CommandId command = CommandId::motors_on;
+  static constexpr CommandToBoard command = CommandToBoard::motors_on;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -428,7 +428,7 @@ struct MotorsOn {
 /// Firmware 2.68b7 and later takes MotorsOffExt instead.
 /// Source: Outgoing commands L728-L730.
 struct MotorsOff {
-  static constexpr CommandId command = CommandId::motors_off;
+  static constexpr CommandToBoard command = CommandToBoard::motors_off;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 0;
@@ -461,7 +461,7 @@ struct MotorsOff {
 /// Since firmware 2.68b7.
 /// Source: Outgoing commands L728-L730. Errata: E205.
 struct MotorsOffExt {
-  static constexpr CommandId command = CommandId::motors_off;
+  static constexpr CommandToBoard command = CommandToBoard::motors_off;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 1;
@@ -504,7 +504,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Effect: sets, stores, moves, restarts.
 /// Source: Outgoing commands L732-L734; Variables L1166-L1167.
 struct ExecuteMenu {
-  static constexpr CommandId command = CommandId::execute_menu;
+  static constexpr CommandToBoard command = CommandToBoard::execute_menu;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 1;
@@ -547,7 +547,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Effect: sets, stores, moves, restarts.
 /// Source: Outgoing commands L732-L734; Variables L1166-L1167. Errata: E207.
 struct ExecuteMenuExt {
-  static constexpr CommandId command = CommandId::execute_menu;
+  static constexpr CommandToBoard command = CommandToBoard::execute_menu;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 2;
@@ -594,7 +594,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Effect: moves.
 /// Source: Outgoing commands L736-L751; Variables L1247-L1251. Errata: E025, E091.
 struct HelperData {
-  static constexpr CommandId command = CommandId::helper_data;
+  static constexpr CommandToBoard command = CommandToBoard::helper_data;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 10;
@@ -669,7 +669,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since firmware 2.59.
 /// Source: Outgoing commands L736-L751; Variables L1247-L1251. Errata: E025, E091.
 struct HelperDataExt {
-  static constexpr CommandId command = CommandId::helper_data;
+  static constexpr CommandToBoard command = CommandToBoard::helper_data;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 20;

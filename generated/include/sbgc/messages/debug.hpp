@@ -54,7 +54,7 @@ constexpr void write(detail::Writer& writer, const DebugVarInfo& in) noexcept {
 /// Since board 3.0.
 /// Source: Incoming commands L476-L487; Variables L1185-L1189. Errata: E027.
 struct DebugVarsInfo3 {
-  static constexpr CommandId command = CommandId::debug_vars_info_3;
+  static constexpr CommandFromBoard command = CommandFromBoard::debug_vars_info_3;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 1;
@@ -94,7 +94,7 @@ struct DebugVarsInfo3 {
 /// Since board 3.0.
 /// Source: Outgoing commands L847.
 struct DebugVarsInfo3Request {
-  static constexpr CommandId command = CommandId::debug_vars_info_3;
+  static constexpr CommandToBoard command = CommandToBoard::debug_vars_info_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -125,7 +125,7 @@ struct DebugVarsInfo3Request {
 /// Since board 3.0.
 /// Source: Incoming commands L489-L499. Errata: E113.
 struct DebugVars3 {
-  static constexpr CommandId command = CommandId::debug_vars_3;
+  static constexpr CommandFromBoard command = CommandFromBoard::debug_vars_3;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -171,7 +171,7 @@ struct DebugVars3 {
 /// Since board 3.0.
 /// Source: Outgoing commands L849.
 struct DebugVars3Request {
-  static constexpr CommandId command = CommandId::debug_vars_3;
+  static constexpr CommandToBoard command = CommandToBoard::debug_vars_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;

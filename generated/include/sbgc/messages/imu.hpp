@@ -30,7 +30,7 @@ struct AhrsHelper;
 /// Since board 3.0.
 /// Source: Outgoing commands L757-L759; Variables L1168-L1169.
 struct SelectImu3 {
-  static constexpr CommandId command = CommandId::select_imu_3;
+  static constexpr CommandToBoard command = CommandToBoard::select_imu_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 1;
@@ -74,7 +74,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L757-L759; Variables L1168-L1169. Errata: E206.
 struct SelectImu3Ext {
-  static constexpr CommandId command = CommandId::select_imu_3;
+  static constexpr CommandToBoard command = CommandToBoard::select_imu_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 2;
@@ -127,7 +127,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Incoming commands L582-L585; Variables L1192, L1196-L1197.
 struct AhrsHelper {
-  static constexpr CommandId command = CommandId::ahrs_helper;
+  static constexpr CommandFromBoard command = CommandFromBoard::ahrs_helper;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 24;
@@ -181,7 +181,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Firmware 2.69b5 and later takes AhrsHelperRequestWide instead.
 /// Source: Outgoing commands L946-L953; Variables L1192-L1197. Errata: E023.
 struct AhrsHelperRequest {
-  static constexpr CommandId command = CommandId::ahrs_helper;
+  static constexpr CommandToBoard command = CommandToBoard::ahrs_helper;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 1;
@@ -227,7 +227,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since firmware 2.69b5.
 /// Source: Outgoing commands L946-L953; Variables L1192-L1197. Errata: E023, E209.
 struct AhrsHelperRequestWide {
-  static constexpr CommandId command = CommandId::ahrs_helper;
+  static constexpr CommandToBoard command = CommandToBoard::ahrs_helper;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::wide;
   static constexpr std::size_t min_size = 2;
@@ -276,7 +276,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Firmware 2.69b5 and later takes AhrsHelperRequestExtWide instead.
 /// Source: Outgoing commands L946-L953; Variables L1192-L1197. Errata: E023, E122.
 struct AhrsHelperRequestExt {
-  static constexpr CommandId command = CommandId::ahrs_helper;
+  static constexpr CommandToBoard command = CommandToBoard::ahrs_helper;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 25;
@@ -332,7 +332,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since firmware 2.69b5.
 /// Source: Outgoing commands L946-L953; Variables L1192-L1197. Errata: E023, E122, E209.
 struct AhrsHelperRequestExtWide {
-  static constexpr CommandId command = CommandId::ahrs_helper;
+  static constexpr CommandToBoard command = CommandToBoard::ahrs_helper;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended_wide;
   static constexpr std::size_t min_size = 26;
@@ -386,7 +386,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L955-L961; Variables L1198-L1201. Errata: E142.
 struct GyroCorrection {
-  static constexpr CommandId command = CommandId::gyro_correction;
+  static constexpr CommandToBoard command = CommandToBoard::gyro_correction;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 9;

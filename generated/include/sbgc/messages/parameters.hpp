@@ -159,7 +159,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Incoming commands L180-L310; Variables L1010-L1079. Errata: E087, E096, E099, E105.
 struct ReadParams3 {
-  static constexpr CommandId command = CommandId::read_params_3;
+  static constexpr CommandFromBoard command = CommandFromBoard::read_params_3;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 134;
@@ -495,7 +495,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L652-L660. Errata: E101.
 struct ReadParams3Request {
-  static constexpr CommandId command = CommandId::read_params_3;
+  static constexpr CommandToBoard command = CommandToBoard::read_params_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 1;
@@ -542,7 +542,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Deprecated: use CMD_READ_PARAMS_3.
 /// Source: Outgoing commands L652-L660. Errata: E019, E101, E120.
 struct ReadParams {
-  static constexpr CommandId command = CommandId::read_params;
+  static constexpr CommandToBoard command = CommandToBoard::read_params;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 1;
@@ -588,7 +588,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Incoming commands L312-L348; Variables L1080-L1108. Errata: E087, E105.
 struct ReadParamsExt {
-  static constexpr CommandId command = CommandId::read_params_ext;
+  static constexpr CommandFromBoard command = CommandFromBoard::read_params_ext;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 104;
@@ -802,7 +802,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L652-L660. Errata: E101.
 struct ReadParamsExtRequest {
-  static constexpr CommandId command = CommandId::read_params_ext;
+  static constexpr CommandToBoard command = CommandToBoard::read_params_ext;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 1;
@@ -848,7 +848,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Incoming commands L350-L359; Variables L1110-L1116. Errata: E001, E201.
 struct ReadParamsExt2 {
-  static constexpr CommandId command = CommandId::read_params_ext2;
+  static constexpr CommandFromBoard command = CommandFromBoard::read_params_ext2;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 151;
@@ -963,7 +963,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L658-L660. Errata: E101.
 struct ReadParamsExt2Request {
-  static constexpr CommandId command = CommandId::read_params_ext2;
+  static constexpr CommandToBoard command = CommandToBoard::read_params_ext2;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 1;
@@ -1009,7 +1009,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Incoming commands L445-L453.
 struct ReadProfileNames {
-  static constexpr CommandId command = CommandId::read_profile_names;
+  static constexpr CommandFromBoard command = CommandFromBoard::read_profile_names;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 240;
@@ -1056,7 +1056,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L761.
 struct ReadProfileNamesRequest {
-  static constexpr CommandId command = CommandId::read_profile_names;
+  static constexpr CommandToBoard command = CommandToBoard::read_profile_names;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -1089,7 +1089,7 @@ struct ReadProfileNamesRequest {
 /// Since board 3.0.
 /// Source: Outgoing commands L804.
 struct SaveParams3 {
-  static constexpr CommandId command = CommandId::save_params_3;
+  static constexpr CommandToBoard command = CommandToBoard::save_params_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -1121,7 +1121,7 @@ struct SaveParams3 {
 /// Effect: stores, moves, erases.
 /// Source: Outgoing commands L644-L648.
 struct UseDefaults {
-  static constexpr CommandId command = CommandId::use_defaults;
+  static constexpr CommandToBoard command = CommandToBoard::use_defaults;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 1;
@@ -1169,7 +1169,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L662-L668; Variables L1010-L1079. Errata: E088, E103, E201.
 struct WriteParams3 : ReadParams3 {
-  static constexpr CommandId command = CommandId::write_params_3;
+  static constexpr CommandToBoard command = CommandToBoard::write_params_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 134;
@@ -1187,7 +1187,7 @@ struct WriteParams3 : ReadParams3 {
 /// Deprecated: use CMD_WRITE_PARAMS_3.
 /// Source: Outgoing commands L662-L668. Errata: E019, E088, E103, E201.
 struct WriteParams : ReadParams3 {
-  static constexpr CommandId command = CommandId::write_params;
+  static constexpr CommandToBoard command = CommandToBoard::write_params;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 134;
@@ -1205,7 +1205,7 @@ struct WriteParams : ReadParams3 {
 /// Since board 3.0.
 /// Source: Outgoing commands L662-L668; Variables L1080-L1108. Errata: E103, E201.
 struct WriteParamsExt : ReadParamsExt {
-  static constexpr CommandId command = CommandId::write_params_ext;
+  static constexpr CommandToBoard command = CommandToBoard::write_params_ext;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 104;
@@ -1223,7 +1223,7 @@ struct WriteParamsExt : ReadParamsExt {
 /// Since board 3.0.
 /// Source: Outgoing commands L668; Variables L1110-L1116. Errata: E018, E201.
 struct WriteParamsExt2 : ReadParamsExt2 {
-  static constexpr CommandId command = CommandId::write_params_ext2;
+  static constexpr CommandToBoard command = CommandToBoard::write_params_ext2;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 151;
@@ -1241,7 +1241,7 @@ struct WriteParamsExt2 : ReadParamsExt2 {
 /// Since board 3.0.
 /// Source: Outgoing commands L763-L772.
 struct WriteProfileNames : ReadProfileNames {
-  static constexpr CommandId command = CommandId::write_profile_names;
+  static constexpr CommandToBoard command = CommandToBoard::write_profile_names;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 240;

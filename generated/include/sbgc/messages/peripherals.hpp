@@ -30,7 +30,7 @@ struct I2cReadRegBuf;
 /// Since firmware 2.59, board 3.0.
 /// Source: Outgoing commands L985-L991; Variables L1222-L1227.
 struct BeepSound {
-  static constexpr CommandId command = CommandId::beep_sound;
+  static constexpr CommandToBoard command = CommandToBoard::beep_sound;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 12;
@@ -112,7 +112,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Effect: sets.
 /// Source: Outgoing commands L717-L722; Variables L1153-L1155.
 struct TriggerPin {
-  static constexpr CommandId command = CommandId::trigger_pin;
+  static constexpr CommandToBoard command = CommandToBoard::trigger_pin;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 2;
@@ -162,7 +162,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L813-L824; Variables L1183-L1184.
 struct ServoOut {
-  static constexpr CommandId command = CommandId::servo_out;
+  static constexpr CommandToBoard command = CommandToBoard::servo_out;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 16;
@@ -214,7 +214,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L826-L835.
 struct I2cWriteRegBuf {
-  static constexpr CommandId command = CommandId::i2c_write_reg_buf;
+  static constexpr CommandToBoard command = CommandToBoard::i2c_write_reg_buf;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 2;
@@ -267,7 +267,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Incoming commands L458-L460.
 struct I2cReadRegBuf {
-  static constexpr CommandId command = CommandId::i2c_read_reg_buf;
+  static constexpr CommandFromBoard command = CommandFromBoard::i2c_read_reg_buf;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -301,7 +301,7 @@ struct I2cReadRegBuf {
 /// Since board 3.0.
 /// Source: Outgoing commands L837-L845.
 struct I2cReadRegBufRequest {
-  static constexpr CommandId command = CommandId::i2c_read_reg_buf;
+  static constexpr CommandToBoard command = CommandToBoard::i2c_read_reg_buf;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 3;
@@ -374,7 +374,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L859-L865; Variables L1190-L1191.
 struct ApiVirtChControl {
-  static constexpr CommandId command = CommandId::api_virt_ch_control;
+  static constexpr CommandToBoard command = CommandToBoard::api_virt_ch_control;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 2;

@@ -69,7 +69,7 @@ struct StreamConfig {
 /// Effect: reads.
 /// Source: Outgoing commands L615-L617. Errata: E020.
 struct RealtimeData {
-  static constexpr CommandId command = CommandId::realtime_data;
+  static constexpr CommandToBoard command = CommandToBoard::realtime_data;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -100,7 +100,7 @@ struct RealtimeData {
 /// Since board 3.0.
 /// Source: Incoming commands L361-L396; Variables L1117-L1135. Errata: E020, E043, E099.
 struct RealtimeData3 {
-  static constexpr CommandId command = CommandId::realtime_data_3;
+  static constexpr CommandFromBoard command = CommandFromBoard::realtime_data_3;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 63;
@@ -257,7 +257,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L615-L617.
 struct RealtimeData3Request {
-  static constexpr CommandId command = CommandId::realtime_data_3;
+  static constexpr CommandToBoard command = CommandToBoard::realtime_data_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -288,7 +288,7 @@ struct RealtimeData3Request {
 /// Since board 3.0.
 /// Source: Incoming commands L398-L410; Variables L1136-L1146. Errata: E044.
 struct RealtimeData4 {
-  static constexpr CommandId command = CommandId::realtime_data_4;
+  static constexpr CommandFromBoard command = CommandFromBoard::realtime_data_4;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 124;
@@ -494,7 +494,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L619.
 struct RealtimeData4Request {
-  static constexpr CommandId command = CommandId::realtime_data_4;
+  static constexpr CommandToBoard command = CommandToBoard::realtime_data_4;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -526,7 +526,7 @@ struct RealtimeData4Request {
 /// Since firmware 2.59, board 3.0.
 /// Source: Incoming commands L587-L590; Variables L1210-L1220.
 struct RealtimeDataCustom {
-  static constexpr CommandId command = CommandId::realtime_data_custom;
+  static constexpr CommandFromBoard command = CommandFromBoard::realtime_data_custom;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 2;
@@ -645,7 +645,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since firmware 2.59, board 3.0.
 /// Source: Outgoing commands L980-L983; Variables L1208-L1209.
 struct RealtimeDataCustomRequest {
-  static constexpr CommandId command = CommandId::realtime_data_custom;
+  static constexpr CommandToBoard command = CommandToBoard::realtime_data_custom;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 10;
@@ -696,7 +696,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since firmware 2.59, board 3.0.
 /// Source: Outgoing commands L963-L978; Variables L1202-L1207. Errata: E050, E089, E100.
 struct DataStreamInterval {
-  static constexpr CommandId command = CommandId::data_stream_interval;
+  static constexpr CommandToBoard command = CommandToBoard::data_stream_interval;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 21;
@@ -710,7 +710,7 @@ struct DataStreamInterval {
   static constexpr std::uint16_t every_cycle = 1;
 
   /// Message to send. Errata: E089.
-  CommandId cmd_id{};
+  CommandFromBoard cmd_id{};
   /// Time between two samples. Unit: ms. end_stream (0): ends the stream. every_cycle (1): a sample
   /// in every cycle, 0.8 ms. Errata: E072.
   Milliseconds interval_ms{};
@@ -740,9 +740,9 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   if (body.size() != 21) return detail::wrong_size(body.size(), 21);
   get(body.data(), out);
   detail::Reader config_bytes(body.subspan(3, 8), 0);
-  config_bytes.when(out.cmd_id == CommandId::realtime_data_custom,
+  config_bytes.when(out.cmd_id == CommandFromBoard::realtime_data_custom,
               detail::required, out.config.flags, "config.flags");
-  config_bytes.when(out.cmd_id == CommandId::ahrs_helper,
+  config_bytes.when(out.cmd_id == CommandFromBoard::ahrs_helper,
               detail::required, out.config.imu_type, "config.imu_type");
   config_bytes.rest(out.config.rest, "config.rest");
   return {};
@@ -753,9 +753,9 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   if (out.size() < 21) return {0, {Code::buffer_too_small}};
   put(out.data(), in);
   detail::Writer config_bytes(out.subspan(3, 8), 0);
-  config_bytes.when(in.cmd_id == CommandId::realtime_data_custom,
+  config_bytes.when(in.cmd_id == CommandFromBoard::realtime_data_custom,
               detail::required, in.config.flags, "config.flags");
-  config_bytes.when(in.cmd_id == CommandId::ahrs_helper,
+  config_bytes.when(in.cmd_id == CommandFromBoard::ahrs_helper,
               detail::required, in.config.imu_type, "config.imu_type");
   config_bytes.array(in.config.rest, "config.rest");
   if (const Status status = config_bytes.fill(3); !status) return {0, status};

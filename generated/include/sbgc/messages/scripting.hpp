@@ -28,7 +28,7 @@ static_assert(codec_version == 1, "generated code and runtime do not belong toge
 /// Since board 3.0.
 /// Source: Outgoing commands L934-L938.
 struct RunScript {
-  static constexpr CommandId command = CommandId::run_script;
+  static constexpr CommandToBoard command = CommandToBoard::run_script;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 34;
@@ -99,7 +99,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Incoming commands L577-L580; Outgoing commands L916-L928.
 struct ScriptDebug {
-  static constexpr CommandId command = CommandId::script_debug;
+  static constexpr CommandFromBoard command = CommandFromBoard::script_debug;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 3;

@@ -35,7 +35,7 @@ struct ReadFileError;
 /// Since board 3.0.
 /// Source: Outgoing commands L877-L882.
 struct EepromWrite {
-  static constexpr CommandId command = CommandId::eeprom_write;
+  static constexpr CommandToBoard command = CommandToBoard::eeprom_write;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 4;
@@ -84,7 +84,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Incoming commands L565-L575; Outgoing commands L916-L928. Errata: E024.
 struct ReadFile {
-  static constexpr CommandId command = CommandId::read_file;
+  static constexpr CommandFromBoard command = CommandFromBoard::read_file;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::success;
   static constexpr std::size_t min_size = 4;
@@ -136,7 +136,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Incoming commands L565-L575; Outgoing commands L916-L928. Errata: E024.
 struct ReadFileError {
-  static constexpr CommandId command = CommandId::read_file;
+  static constexpr CommandFromBoard command = CommandFromBoard::read_file;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::error;
   static constexpr std::size_t min_size = 1;
@@ -179,7 +179,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L898-L905.
 struct ReadFileRequest {
-  static constexpr CommandId command = CommandId::read_file;
+  static constexpr CommandToBoard command = CommandToBoard::read_file;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 20;
@@ -256,7 +256,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L907-L928.
 struct WriteFile {
-  static constexpr CommandId command = CommandId::write_file;
+  static constexpr CommandToBoard command = CommandToBoard::write_file;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 6;
@@ -326,7 +326,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L930-L932.
 struct FsClearAll {
-  static constexpr CommandId command = CommandId::fs_clear_all;
+  static constexpr CommandToBoard command = CommandToBoard::fs_clear_all;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -357,7 +357,7 @@ struct FsClearAll {
 /// Since board 3.0.
 /// Source: Incoming commands L541-L544.
 struct EepromRead {
-  static constexpr CommandId command = CommandId::eeprom_read;
+  static constexpr CommandFromBoard command = CommandFromBoard::eeprom_read;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 4;
@@ -406,7 +406,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L884-L889.
 struct EepromReadRequest {
-  static constexpr CommandId command = CommandId::eeprom_read;
+  static constexpr CommandToBoard command = CommandToBoard::eeprom_read;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 6;
@@ -454,7 +454,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Incoming commands L501-L503.
 struct ReadExternalData {
-  static constexpr CommandId command = CommandId::read_external_data;
+  static constexpr CommandFromBoard command = CommandFromBoard::read_external_data;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 128;
@@ -501,7 +501,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L855-L857. Errata: E002.
 struct ReadExternalDataRequest {
-  static constexpr CommandId command = CommandId::read_external_data;
+  static constexpr CommandToBoard command = CommandToBoard::read_external_data;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -533,7 +533,7 @@ struct ReadExternalDataRequest {
 /// Since board 3.0.
 /// Source: Outgoing commands L851-L853.
 struct WriteExternalData : ReadExternalData {
-  static constexpr CommandId command = CommandId::write_external_data;
+  static constexpr CommandToBoard command = CommandToBoard::write_external_data;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 128;

@@ -30,7 +30,7 @@ struct Reset;
 /// CMD_BOARD_INFO (86), from the board; 18 bytes, and later firmware may append more.
 /// Source: Incoming commands L158-L166; Variables L1005-L1009.
 struct BoardInfo {
-  static constexpr CommandId command = CommandId::board_info;
+  static constexpr CommandFromBoard command = CommandFromBoard::board_info;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 18;
@@ -101,7 +101,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Effect: reads.
 /// Source: Outgoing commands L602-L611. Errata: E084, E091.
 struct BoardInfoRequest {
-  static constexpr CommandId command = CommandId::board_info;
+  static constexpr CommandToBoard command = CommandToBoard::board_info;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 0;
@@ -132,7 +132,7 @@ struct BoardInfoRequest {
 /// Effect: reads.
 /// Source: Outgoing commands L602-L611. Errata: E084, E091, E214.
 struct BoardInfoRequestOneByte {
-  static constexpr CommandId command = CommandId::board_info;
+  static constexpr CommandToBoard command = CommandToBoard::board_info;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::one_byte;
   static constexpr std::size_t min_size = 1;
@@ -175,7 +175,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Effect: sets.
 /// Source: Outgoing commands L602-L611. Errata: E084, E091, E009.
 struct BoardInfoRequestExt {
-  static constexpr CommandId command = CommandId::board_info;
+  static constexpr CommandToBoard command = CommandToBoard::board_info;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 2;
@@ -224,7 +224,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// CMD_CONFIRM (67), from the board; 1 to 6 bytes.
 /// Source: Incoming commands L412-L419. Errata: E021, E081, E203.
 struct Confirm {
-  static constexpr CommandId command = CommandId::confirm;
+  static constexpr CommandFromBoard command = CommandFromBoard::confirm;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 1;
@@ -232,7 +232,7 @@ struct Confirm {
   static constexpr Availability since{};
 
   /// The command that is confirmed.
-  CommandId cmd{};
+  CommandToBoard cmd{};
   /// Address of the block that was written. Present when cmd is CMD_EEPROM_WRITE. Errata: E022.
   Optional<std::uint32_t> addr{};
   /// How the file operation ended. Present when cmd is CMD_WRITE_FILE or CMD_FS_CLEAR_ALL.
@@ -257,9 +257,9 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   if (body.size() < 1) return detail::wrong_size(body.size(), 1);
   get(body.data(), out);
   detail::Reader reader(body, 1);
-  reader.when(out.cmd == CommandId::eeprom_write,
+  reader.when(out.cmd == CommandToBoard::eeprom_write,
               detail::may_be_missing, out.addr, "addr");
-  reader.when(out.cmd == CommandId::write_file || out.cmd == CommandId::fs_clear_all,
+  reader.when(out.cmd == CommandToBoard::write_file || out.cmd == CommandToBoard::fs_clear_all,
               detail::may_be_missing, out.err_code, "err_code");
   reader.rest(out.data, "data");
   return reader.end();
@@ -270,9 +270,9 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
   if (out.size() < 1) return {0, {Code::buffer_too_small}};
   put(out.data(), in);
   detail::Writer writer(out, 1);
-  writer.when(in.cmd == CommandId::eeprom_write,
+  writer.when(in.cmd == CommandToBoard::eeprom_write,
               detail::may_be_missing, in.addr, "addr");
-  writer.when(in.cmd == CommandId::write_file || in.cmd == CommandId::fs_clear_all,
+  writer.when(in.cmd == CommandToBoard::write_file || in.cmd == CommandToBoard::fs_clear_all,
               detail::may_be_missing, in.err_code, "err_code");
   writer.array(in.data, "data");
   return writer.end();
@@ -284,7 +284,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Incoming commands L421-L426. Errata: E086.
 struct Error {
-  static constexpr CommandId command = CommandId::error;
+  static constexpr CommandFromBoard command = CommandFromBoard::error;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 5;
@@ -330,7 +330,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Incoming commands L421-L426. Errata: E086.
 struct ErrorExt {
-  static constexpr CommandId command = CommandId::error;
+  static constexpr CommandFromBoard command = CommandFromBoard::error;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 6;
@@ -338,7 +338,7 @@ struct ErrorExt {
   static constexpr Availability since{0, 30};
 
   /// The command that failed. Errata: E086.
-  CommandId cmd_id{};
+  CommandToBoard cmd_id{};
   /// What went wrong. Errata: E086.
   BoardErrorCode error_code{};
   /// Details that depend on the code.
@@ -405,7 +405,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Incoming commands L168-L178. Errata: E114.
 struct BoardInfo3 {
-  static constexpr CommandId command = CommandId::board_info_3;
+  static constexpr CommandFromBoard command = CommandFromBoard::board_info_3;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 69;
@@ -499,7 +499,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L613.
 struct BoardInfo3Request {
-  static constexpr CommandId command = CommandId::board_info_3;
+  static constexpr CommandToBoard command = CommandToBoard::board_info_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -530,7 +530,7 @@ struct BoardInfo3Request {
 /// CMD_RESET (114), from the board; 0 bytes, and later firmware may append more.
 /// Source: Incoming commands L537-L539. Errata: E083, E119.
 struct Reset {
-  static constexpr CommandId command = CommandId::reset;
+  static constexpr CommandFromBoard command = CommandFromBoard::reset;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -561,7 +561,7 @@ struct Reset {
 /// Effect: restarts.
 /// Source: Outgoing commands L670-L677. Errata: E083.
 struct ResetRequest {
-  static constexpr CommandId command = CommandId::reset;
+  static constexpr CommandToBoard command = CommandToBoard::reset;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 0;
@@ -592,7 +592,7 @@ struct ResetRequest {
 /// Effect: restarts.
 /// Source: Outgoing commands L670-L677. Errata: E083.
 struct ResetRequestExt {
-  static constexpr CommandId command = CommandId::reset;
+  static constexpr CommandToBoard command = CommandToBoard::reset;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 3;
@@ -642,7 +642,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Outgoing commands L679-L686. Errata: E082.
 struct BootMode3 {
-  static constexpr CommandId command = CommandId::boot_mode_3;
+  static constexpr CommandToBoard command = CommandToBoard::boot_mode_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 0;
@@ -676,7 +676,7 @@ struct BootMode3 {
 /// Since board 3.0.
 /// Source: Outgoing commands L679-L686. Errata: E082.
 struct BootMode3Ext {
-  static constexpr CommandId command = CommandId::boot_mode_3;
+  static constexpr CommandToBoard command = CommandToBoard::boot_mode_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 3;
@@ -723,7 +723,7 @@ constexpr void put(std::uint8_t* SBGC_RESTRICT to,
 /// Since board 3.0.
 /// Source: Command ID definitions L108.
 struct QueueParamsInfo3 {
-  static constexpr CommandId command = CommandId::queue_params_info_3;
+  static constexpr CommandFromBoard command = CommandFromBoard::queue_params_info_3;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -757,7 +757,7 @@ struct QueueParamsInfo3 {
 /// Since board 3.0.
 /// Source: Command ID definitions L108.
 struct QueueParamsInfo3Request {
-  static constexpr CommandId command = CommandId::queue_params_info_3;
+  static constexpr CommandToBoard command = CommandToBoard::queue_params_info_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -791,7 +791,7 @@ struct QueueParamsInfo3Request {
 /// Since board 3.0.
 /// Source: Command ID definitions L130.
 struct SystemState {
-  static constexpr CommandId command = CommandId::system_state;
+  static constexpr CommandFromBoard command = CommandFromBoard::system_state;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -825,7 +825,7 @@ struct SystemState {
 /// Since board 3.0.
 /// Source: Command ID definitions L130.
 struct SystemStateRequest {
-  static constexpr CommandId command = CommandId::system_state;
+  static constexpr CommandToBoard command = CommandToBoard::system_state;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -859,7 +859,7 @@ struct SystemStateRequest {
 /// Since board 3.0.
 /// Source: Command ID definitions L149.
 struct MavlinkInfo {
-  static constexpr CommandId command = CommandId::mavlink_info;
+  static constexpr CommandFromBoard command = CommandFromBoard::mavlink_info;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -893,7 +893,7 @@ struct MavlinkInfo {
 /// Since board 3.0.
 /// Source: Command ID definitions L149.
 struct MavlinkInfoRequest {
-  static constexpr CommandId command = CommandId::mavlink_info;
+  static constexpr CommandToBoard command = CommandToBoard::mavlink_info;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -927,7 +927,7 @@ struct MavlinkInfoRequest {
 /// Since board 3.0.
 /// Source: Command ID definitions L150.
 struct MavlinkDebug {
-  static constexpr CommandId command = CommandId::mavlink_debug;
+  static constexpr CommandFromBoard command = CommandFromBoard::mavlink_debug;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -961,7 +961,7 @@ struct MavlinkDebug {
 /// Since board 3.0.
 /// Source: Command ID definitions L150.
 struct MavlinkDebugRequest {
-  static constexpr CommandId command = CommandId::mavlink_debug;
+  static constexpr CommandToBoard command = CommandToBoard::mavlink_debug;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;

@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from sbgcgen.model import (
+    COMMAND_IDS,
     Answer,
     AnswerCase,
     Blob,
@@ -155,8 +156,11 @@ class AnswerResolver:
             if not is_bytes or field.size is None or field.size > MAX_CONFIG:
                 problem = f"does not have 1 to {MAX_CONFIG} bytes"
         elif not problem and part == "command":
-            if not isinstance(field.type, Enum) or field.type.name != "CommandId":
-                problem = "is no command: its type is not CommandId"
+            wanted_type = COMMAND_IDS[
+                "from_board" if node["is"] == "stream_request" else "to_board"
+            ]
+            if not isinstance(field.type, Enum) or field.type.name != wanted_type:
+                problem = f"is no command: its type is not {wanted_type}"
         elif not problem and part == "code":
             if not isinstance(field.type, Enum) or field.type.scalar.size != 1:
                 problem = "is no enum of one byte"
