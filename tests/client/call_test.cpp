@@ -330,7 +330,7 @@ TEST_F(Call, GetsNoLateAnswerOfAnEarlierOne) {
       client.read_params_3({.profile_id = 1}, {.timeout = std::chrono::seconds(60), .retries = 0});
   ASSERT_TRUE(second) << second.error().message;
   EXPECT_EQ(second->cur_profile_id, 4);
-  EXPECT_GE(client.statistics().session.late_answers, 1U);
+  EXPECT_GE(client.statistics().session.late_replies, 1U);
 }
 
 TEST_F(Call, DoesNotTakeARepeatedAnswerForItsOwn) {
@@ -484,7 +484,7 @@ TEST_F(Call, AThousandFromEightThreadsGetTheirOwnAnswers) {
   EXPECT_THAT(good, ::testing::Each(calls));
   const ClientStatistics statistics = client.statistics();
   EXPECT_EQ(statistics.failures, 0U);
-  EXPECT_EQ(statistics.session.late_answers, before.session.late_answers);
+  EXPECT_EQ(statistics.session.late_replies, before.session.late_replies);
 }
 
 TEST_F(Call, IsRefusedWhenTooManyWait) {

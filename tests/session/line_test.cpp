@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <sbgc/exchanges/all.hpp>
+#include <sbgc/responses/all.hpp>
 #include <sbgc/session.hpp>
 
 #include "simulation.hpp"

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include <sbgc/exchanges/all.hpp>
+#include <sbgc/responses/all.hpp>
 #include <sbgc/session.hpp>
 
 #include "commands.hpp"

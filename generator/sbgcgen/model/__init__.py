@@ -35,7 +35,15 @@ from sbgcgen.model.bodies import (
     element_of,
     scalar_of,
 )
-from sbgcgen.model.answers import Answer, AnswerCase, Echo, Growth, Reply, Result, Role
+from sbgcgen.model.answers import (
+    Answer,
+    AnswerCase,
+    CorrelationField,
+    Growth,
+    Response,
+    Result,
+    Role,
+)
 from sbgcgen.model.effects import EFFECTS, Effect, EffectCase
 from sbgcgen.model.messages import (
     COMMAND_IDS,
@@ -66,7 +74,7 @@ __all__ = [
     "Context",
     "Deprecation",
     "EFFECTS",
-    "Echo",
+    "CorrelationField",
     "Effect",
     "EffectCase",
     "Enum",
@@ -86,7 +94,7 @@ __all__ = [
     "Part",
     "Position",
     "Quantity",
-    "Reply",
+    "Response",
     "Result",
     "Revision",
     "Role",

@@ -9,6 +9,8 @@ from sbgcgen.spec.load import Map, Spec
 # One type for the ids of both directions; what it meant depends on who sends the field.
 _COMMAND_ID = "CommandId"
 _MEANT = {"from_board": "CommandToBoard", "to_board": "CommandFromBoard"}
+# Keys that have another name now.
+_KEYS = {"echoes": "correlation"}
 
 
 def update(spec: Spec) -> None:
@@ -26,5 +28,9 @@ def _update(node: Any, command_id: str) -> None:
     elif isinstance(node, Map):
         if node.get("type") == _COMMAND_ID:
             node["type"] = command_id
+        for old, new in _KEYS.items():
+            if old in node:
+                node[new] = node.pop(old)
+                node.keys_at[new] = node.keys_at[old]
         for value in node.values():
             _update(value, command_id)

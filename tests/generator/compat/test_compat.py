@@ -85,7 +85,7 @@ def test_a_compatible_change_passes(tmp_path: Path) -> None:
 
 
 def test_a_spec_in_the_language_of_earlier_revisions(tmp_path: Path) -> None:
-    """One type CommandId once meant the ids of both directions."""
+    """One type once meant the ids of both directions, and a key had another name."""
     current = """
   CMD_OLD:
     id: 77
@@ -93,17 +93,20 @@ def test_a_spec_in_the_language_of_earlier_revisions(tmp_path: Path) -> None:
     from_board:
       source: Incoming L70
       fields:
+        - {name: ID, type: u8, summary: Which one.}
         - {name: CMD, type: CommandToBoard, summary: What was asked for.}
         - {name: NOTE, type: u8, when: {field: CMD, is: [CMD_OLD]}, summary: About itself.}
     to_board:
       source: Outgoing L70
       effect: reads
       summary: Names another one.
-      answer: none
+      answer: {message: Old, correlation: [ID]}
       fields:
+        - {name: ID, type: u8, summary: Which one.}
         - {name: CMD, type: CommandFromBoard, summary: What to send.}
 """
     older = current.replace("CommandToBoard", "CommandId").replace("CommandFromBoard", "CommandId")
+    older = older.replace("correlation:", "echoes:")
     layouts = []
     for name, text in (("older", older), ("current", current)):
         spec = write_spec(tmp_path / name, OLD.replace("\ncommands:\n", f"\ncommands:{text}", 1))
