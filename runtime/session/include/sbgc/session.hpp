@@ -55,11 +55,20 @@ class BasicSession {
   /// Takes a request; needs its family of <sbgc/responses/>. A later poll() writes its frame.
   template <Message M>
   SendResult send(const M& request, const SendOptions& options = {}) noexcept {
-    Request* const slot = free_slot();
-    if (slot == nullptr) return refuse(SendStatus::queue_full);
-    const WriteResult written = encode_frame(request, slot->frame);
-    if (!written) return refuse(SendStatus::not_encodable, written.status);
-    return accept(*slot, written.size, response_policy(request), options);
+    constexpr bool is_request = M::direction != Direction::from_board;
+    constexpr bool has_policy = requires { response_policy(request); };
+    static_assert(is_request, "only the board sends this message");
+    static_assert(has_policy || !is_request,
+                  "include <sbgc/responses/all.hpp>, or its header for the family of the message");
+    if constexpr (is_request && has_policy) {
+      Request* const slot = free_slot();
+      if (slot == nullptr) return refuse(SendStatus::queue_full);
+      const WriteResult written = encode_frame(request, slot->frame);
+      if (!written) return refuse(SendStatus::not_encodable, written.status);
+      return accept(*slot, written.size, response_policy(request), options);
+    } else {
+      return {};
+    }
   }
 
   /// Takes a request whose body is already encoded; `policy` is that of the message it is.
