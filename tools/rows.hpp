@@ -61,11 +61,7 @@ class RowCollector {
 
   template <class T>
   void value(const T& value, const FieldInfo& field) {
-    if constexpr (std::is_same_v<T, msg::CommandId>) {
-      // What is confirmed, refused or asked for is a command of the host.
-      const auto raw = static_cast<std::uint8_t>(value);
-      number(raw, field, command_name(raw, Direction::to_board), wire_size<T>);
-    } else if constexpr (std::is_enum_v<T>) {
+    if constexpr (std::is_enum_v<T>) {
       const auto raw = static_cast<std::underlying_type_t<T>>(value);
       number(raw, field, value_name(EnumMeta<T>::info, raw), wire_size<T>);
     } else if constexpr (std::is_same_v<T, float>) {

@@ -8,9 +8,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include <sbgc/exchanges/all.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/parser.hpp>
+#include <sbgc/responses/all.hpp>
 #include <sbgc/session.hpp>
 
 namespace {

@@ -4,7 +4,7 @@
 #include <sbgc/availability.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/emulator/board.hpp>
-#include <sbgc/exchanges/all.hpp>
+#include <sbgc/responses/all.hpp>
 #include <sbgc/settings.hpp>
 
 #include "device/default_response.hpp"
@@ -203,7 +203,7 @@ class Board::Core {
               outcome = Outcome::malformed;
               return;
             }
-            const Confirmed confirmed = exchange_of(message).replies.confirmed;
+            const Confirmed confirmed = response_policy(message).responses.confirmed;
             RequestContext context(device, port, request.id, confirmed, now);
             outcome = carry_out(context, message);
           }

@@ -9,9 +9,9 @@
 
 #include <sbgc/availability.hpp>
 #include <sbgc/emulator/board.hpp>
-#include <sbgc/exchange.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/messages.hpp>
+#include <sbgc/response_policy.hpp>
 #include <sbgc/roles.hpp>
 #include <sbgc/time.hpp>
 

@@ -99,7 +99,7 @@ class Player {
   void write_record() {
     const std::size_t size = sbgc::emulator::record_size();
     const std::size_t at = byte() % 24U * size;
-    const sbgc::emulator::RecordId id{static_cast<sbgc::msg::CommandId>(byte()), byte()};
+    const sbgc::emulator::RecordId id{static_cast<sbgc::msg::CommandFromBoard>(byte()), byte()};
     require(sbgc::emulator::write_record(eeprom_, at, id, bytes(byte())));
   }
   /// A table of files with a checksum that holds.

@@ -112,7 +112,7 @@ def test_nothing_else_is_read(compiler: str) -> None:
 
 USE_EVERYTHING = """
 #include <sbgc/detector.hpp>
-#include <sbgc/exchanges/all.hpp>
+#include <sbgc/responses/all.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/parser.hpp>
 #include <sbgc/message.hpp>

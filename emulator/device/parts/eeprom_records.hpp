@@ -16,7 +16,7 @@ namespace sbgc::emulator {
 /// What a record holds. It stands in the record as well, so that one that lies at a wrong place is
 /// no record there.
 struct RecordId {
-  msg::CommandId command{};
+  msg::CommandFromBoard command{};
   std::uint8_t copy{};
 };
 

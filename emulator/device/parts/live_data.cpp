@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include <sbgc/detail/meta_limits.hpp>
-#include <sbgc/exchanges/realtime.hpp>
 #include <sbgc/meta/realtime.hpp>
+#include <sbgc/responses/realtime.hpp>
 
 #include "device/device.hpp"
 #include "physics/quantities.hpp"

@@ -11,12 +11,12 @@
 #include <type_traits>
 
 #include <sbgc/emulator/memory.hpp>
-#include <sbgc/exchange.hpp>
 #include <sbgc/framing.hpp>
 #include <sbgc/messages.hpp>
 #include <sbgc/meta/adjustable_variables.hpp>
 #include <sbgc/meta/parameters.hpp>
 #include <sbgc/meta/storage.hpp>
+#include <sbgc/response_policy.hpp>
 #include <sbgc/settings.hpp>
 #include <sbgc/type_list.hpp>
 #include <sbgc/types.hpp>

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <sbgc/exchanges/realtime.hpp>
+#include <sbgc/responses/realtime.hpp>
 #include <sbgc/roles.hpp>
 
 #include "device/device.hpp"

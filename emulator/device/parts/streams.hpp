@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include <sbgc/exchange.hpp>
 #include <sbgc/messages/realtime.hpp>
+#include <sbgc/response_policy.hpp>
 #include <sbgc/time.hpp>
 
 namespace sbgc::emulator {

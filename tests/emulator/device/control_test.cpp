@@ -90,7 +90,7 @@ TEST(Control, AnUnknownModeIsRefusedAsAWhole) {
   host.ask(one_axis(msg::ControlModeKind::speed, 10, 0));
   msg::ControlExt request = one_axis(msg::ControlModeKind::angle, 10, 0);
   request.control_mode.yaw = msg::ControlMode(9);
-  EXPECT_EQ(host.get<msg::ErrorExt>(request).cmd_id, msg::CommandId::control);
+  EXPECT_EQ(host.get<msg::ErrorExt>(request).cmd_id, msg::CommandToBoard::control);
   EXPECT_EQ(host.board.gimbal().command(1).mode, AxisMode::speed);
 }
 

@@ -144,7 +144,7 @@ TEST(LiveData, AFrameImuThatIsDisabledIsNone) {
                                          .action = msg::CalibAction::regular}),
               SizeIs(0));
   const msg::CalibInfoRequest info{.imu_type = msg::SelectedImu::frame};
-  EXPECT_EQ(host.get<msg::ErrorExt>(info).cmd_id, msg::CommandId::calib_info);
+  EXPECT_EQ(host.get<msg::ErrorExt>(info).cmd_id, msg::CommandToBoard::calib_info);
   put_frame_imu(host, msg::FrameImuPosition::above_yaw);
   EXPECT_NEAR(frame(), -8, 0.5);
   EXPECT_THAT(host.ask(msg::SelectImu3{.imu_type = msg::SelectedImu::frame}), SizeIs(1));
@@ -154,14 +154,15 @@ TEST(LiveData, AFramesAttitudeThatIsToldIsKnownWithoutItsImu) {
   Host host(still());
   put_frame_imu(host, msg::FrameImuPosition::disabled);
   const msg::AhrsHelperRequest get{.mode = msg::AhrsHelperModeBit::frame_imu};
-  EXPECT_EQ(host.get<msg::ErrorExt>(get).cmd_id, msg::CommandId::ahrs_helper);
+  EXPECT_EQ(host.get<msg::ErrorExt>(get).cmd_id, msg::CommandToBoard::ahrs_helper);
   const auto told = frame_attitude(0, 30);
   host.ask(told, milliseconds(5));
   const auto known = host.get<msg::AhrsHelper>(get);
   EXPECT_NEAR(static_cast<double>(known.z1_vector.y), -0.5, 0.01);
   EXPECT_NEAR(static_cast<double>(known.z1_vector.z), 0.866, 0.01);
   host.listen(seconds(2));
-  EXPECT_EQ(host.get<msg::ErrorExt>(get).cmd_id, msg::CommandId::ahrs_helper) << "that is long ago";
+  EXPECT_EQ(host.get<msg::ErrorExt>(get).cmd_id, msg::CommandToBoard::ahrs_helper)
+      << "that is long ago";
 }
 
 TEST(LiveData, TheBatteryIsWatched) {
@@ -205,7 +206,7 @@ TEST(LiveData, ABoardWithoutAMeterDoesNotWatchTheBattery) {
   EXPECT_TRUE(host.board.gimbal().motors_on());
   EXPECT_EQ(host.get<msg::RealtimeData3>(msg::RealtimeData3Request{}).system_error.raw(), 0);
   EXPECT_EQ(host.get<msg::ErrorExt>(msg::CalibBat{*msg::Voltage::from_volts(9)}).cmd_id,
-            msg::CommandId::calib_bat);
+            msg::CommandToBoard::calib_bat);
 }
 
 TEST(LiveData, CustomBlocksAreThoseOfTheRequest) {
@@ -247,7 +248,7 @@ TEST(LiveData, WithoutAFrameImuNothingIsKnownOfTheFrame) {
   EXPECT_EQ(data.bat_level.raw(), 0);
   EXPECT_EQ(data.current.raw(), 0);
   const msg::AhrsHelperRequest of_frame{.mode = msg::AhrsHelperModeBit::frame_imu};
-  EXPECT_EQ(host.get<msg::ErrorExt>(of_frame).cmd_id, msg::CommandId::ahrs_helper);
+  EXPECT_EQ(host.get<msg::ErrorExt>(of_frame).cmd_id, msg::CommandToBoard::ahrs_helper);
 }
 
 double length(const Xyz<float>& v) {
@@ -360,7 +361,7 @@ TEST(LiveData, AnAttitudeThatIsNoneIsRefused) {
   msg::AhrsHelperRequestExt set;
   set.mode = msg::AhrsHelperModeBit::set;
   set.z1_vector = {0, 0, 1};
-  EXPECT_EQ(host.get<msg::ErrorExt>(set).cmd_id, msg::CommandId::ahrs_helper) << "no heading";
+  EXPECT_EQ(host.get<msg::ErrorExt>(set).cmd_id, msg::CommandToBoard::ahrs_helper) << "no heading";
   set.mode = msg::AhrsHelperModeBit::set | msg::AhrsHelperModeBit::z1_only;
   EXPECT_THAT(host.ask(set), SizeIs(0));
   set.z1_vector = {0, 0, NAN};

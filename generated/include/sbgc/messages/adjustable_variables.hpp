@@ -63,7 +63,7 @@ struct AnalogSlot {
 /// CMD_SET_ADJ_VARS_VAL (31), in both directions; 1 to 201 bytes, and later firmware may append
 /// more. Effect: sets, moves. Since board 3.0. Source: Incoming commands L505-L507.
 struct SetAdjVarsVal {
-  static constexpr CommandId command = CommandId::set_adj_vars_val;
+  static constexpr CommandToBoard command = CommandToBoard::set_adj_vars_val;
   static constexpr Direction direction = Direction::both;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 1;
@@ -89,7 +89,7 @@ struct SetAdjVarsVal {
 /// CMD_GET_ADJ_VARS_VAL (64), to the board; 1 to 41 bytes. Effect: reads. Since board 3.0. Source:
 /// Outgoing commands L793-L802; Variables L1174-L1176.
 struct GetAdjVarsVal {
-  static constexpr CommandId command = CommandId::get_adj_vars_val;
+  static constexpr CommandToBoard command = CommandToBoard::get_adj_vars_val;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 1;
@@ -113,7 +113,7 @@ struct GetAdjVarsVal {
 /// CMD_READ_ADJ_VARS_CFG (43), from the board; 128 bytes, and later firmware may append more. Since
 /// board 3.0. Source: Incoming commands L509-L535.
 struct ReadAdjVarsCfg {
-  static constexpr CommandId command = CommandId::read_adj_vars_cfg;
+  static constexpr CommandFromBoard command = CommandFromBoard::read_adj_vars_cfg;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 128;
@@ -139,7 +139,7 @@ struct ReadAdjVarsCfg {
 /// CMD_READ_ADJ_VARS_CFG (43), to the board; 0 bytes. Effect: reads. Since board 3.0. Source:
 /// Outgoing commands L867-L869.
 struct ReadAdjVarsCfgRequest {
-  static constexpr CommandId command = CommandId::read_adj_vars_cfg;
+  static constexpr CommandToBoard command = CommandToBoard::read_adj_vars_cfg;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -156,7 +156,7 @@ struct ReadAdjVarsCfgRequest {
 /// CMD_ADJ_VARS_STATE (46), from the board; 15 bytes, and later firmware may append more. Since
 /// board 3.0. Source: Incoming commands L592-L598; Variables L1228-L1232.
 struct AdjVarsState {
-  static constexpr CommandId command = CommandId::adj_vars_state;
+  static constexpr CommandFromBoard command = CommandFromBoard::adj_vars_state;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 15;
@@ -186,7 +186,7 @@ struct AdjVarsState {
 /// CMD_ADJ_VARS_STATE (46), to the board, simple form; 2 bytes. Effect: reads. Since board 3.0.
 /// Source: Outgoing commands L997-L1000.
 struct AdjVarsStateRequest {
-  static constexpr CommandId command = CommandId::adj_vars_state;
+  static constexpr CommandToBoard command = CommandToBoard::adj_vars_state;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 2;
@@ -209,7 +209,7 @@ struct AdjVarsStateRequest {
 /// CMD_ADJ_VARS_STATE (46), to the board, extended form; 7 bytes. Effect: reads. Since firmware
 /// 2.62b5. Source: Outgoing commands L997-L1000.
 struct AdjVarsStateRequestExt {
-  static constexpr CommandId command = CommandId::adj_vars_state;
+  static constexpr CommandToBoard command = CommandToBoard::adj_vars_state;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 7;
@@ -229,7 +229,7 @@ struct AdjVarsStateRequestExt {
 /// CMD_WRITE_ADJ_VARS_CFG (44), to the board; 128 bytes, and later firmware may append more.
 /// Effect: stores, moves. Since board 3.0. Source: Outgoing commands L871-L875.
 struct WriteAdjVarsCfg : ReadAdjVarsCfg {
-  static constexpr CommandId command = CommandId::write_adj_vars_cfg;
+  static constexpr CommandToBoard command = CommandToBoard::write_adj_vars_cfg;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 128;

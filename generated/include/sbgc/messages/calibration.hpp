@@ -35,7 +35,7 @@ struct AxisTuning {
 /// CMD_CALIB_ACC (65), to the board, simple form; 0 bytes. Effect: stores. Source: Outgoing
 /// commands L621-L640.
 struct CalibAcc {
-  static constexpr CommandId command = CommandId::calib_acc;
+  static constexpr CommandToBoard command = CommandToBoard::calib_acc;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 0;
@@ -52,7 +52,7 @@ struct CalibAcc {
 /// CMD_CALIB_ACC (65), to the board, extended form; 12 bytes. Effect: stores, restarts, erases.
 /// Source: Outgoing commands L621-L640.
 struct CalibAccExt {
-  static constexpr CommandId command = CommandId::calib_acc;
+  static constexpr CommandToBoard command = CommandToBoard::calib_acc;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 12;
@@ -77,7 +77,7 @@ struct CalibAccExt {
 /// CMD_CALIB_GYRO (103), to the board, simple form; 0 bytes. Effect: stores. Source: Outgoing
 /// commands L621-L640.
 struct CalibGyro {
-  static constexpr CommandId command = CommandId::calib_gyro;
+  static constexpr CommandToBoard command = CommandToBoard::calib_gyro;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 0;
@@ -94,7 +94,7 @@ struct CalibGyro {
 /// CMD_CALIB_GYRO (103), to the board, extended form; 12 bytes. Effect: stores, restarts, erases.
 /// Source: Outgoing commands L621-L640.
 struct CalibGyroExt {
-  static constexpr CommandId command = CommandId::calib_gyro;
+  static constexpr CommandToBoard command = CommandToBoard::calib_gyro;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 12;
@@ -119,7 +119,7 @@ struct CalibGyroExt {
 /// CMD_CALIB_MAG (59), to the board; 0 bytes. Effect: stores. Since board 3.0. Source: Outgoing
 /// commands L940-L944.
 struct CalibMag {
-  static constexpr CommandId command = CommandId::calib_mag;
+  static constexpr CommandToBoard command = CommandToBoard::calib_mag;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -135,7 +135,7 @@ struct CalibMag {
 /// CMD_CALIB_EXT_GAIN (71), to the board; 0 bytes. Effect: stores, moves. Source: Outgoing commands
 /// L642.
 struct CalibExtGain {
-  static constexpr CommandId command = CommandId::calib_ext_gain;
+  static constexpr CommandToBoard command = CommandToBoard::calib_ext_gain;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -151,7 +151,7 @@ struct CalibExtGain {
 /// CMD_CALIB_POLES (80), to the board; 0 bytes. Effect: stores, moves. Source: Outgoing commands
 /// L650.
 struct CalibPoles {
-  static constexpr CommandId command = CommandId::calib_poles;
+  static constexpr CommandToBoard command = CommandToBoard::calib_poles;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -167,7 +167,7 @@ struct CalibPoles {
 /// CMD_CALIB_OFFSET (79), to the board; 0 bytes. Effect: stores, moves. Source: Outgoing commands
 /// L688.
 struct CalibOffset {
-  static constexpr CommandId command = CommandId::calib_offset;
+  static constexpr CommandToBoard command = CommandToBoard::calib_offset;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -182,7 +182,7 @@ struct CalibOffset {
 ///
 /// CMD_CALIB_BAT (66), to the board; 2 bytes. Effect: stores. Source: Outgoing commands L690-L692.
 struct CalibBat {
-  static constexpr CommandId command = CommandId::calib_bat;
+  static constexpr CommandToBoard command = CommandToBoard::calib_bat;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 2;
@@ -202,7 +202,7 @@ struct CalibBat {
 /// CMD_CALIB_INFO (49), from the board; 33 bytes, and later firmware may append more. Since board
 /// 3.0. Source: Incoming commands L546-L563; Variables L1233-L1246.
 struct CalibInfo {
-  static constexpr CommandId command = CommandId::calib_info;
+  static constexpr CommandFromBoard command = CommandFromBoard::calib_info;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 33;
@@ -261,7 +261,7 @@ struct CalibInfo {
 /// CMD_CALIB_INFO (49), to the board; 12 bytes. Effect: reads. Since board 3.0. Source: Outgoing
 /// commands L891-L896.
 struct CalibInfoRequest {
-  static constexpr CommandId command = CommandId::calib_info;
+  static constexpr CommandToBoard command = CommandToBoard::calib_info;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 12;
@@ -283,7 +283,7 @@ struct CalibInfoRequest {
 /// CMD_CALIB_MOTOR_MAG_LINK (74), from the board; 0 to 255 bytes. Since board 3.0. Source: Command
 /// ID definitions L142.
 struct CalibMotorMagLink {
-  static constexpr CommandId command = CommandId::calib_motor_mag_link;
+  static constexpr CommandFromBoard command = CommandFromBoard::calib_motor_mag_link;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -304,7 +304,7 @@ struct CalibMotorMagLink {
 /// CMD_CALIB_MOTOR_MAG_LINK (74), to the board; 0 to 255 bytes. Effect: unknown. Since board 3.0.
 /// Source: Command ID definitions L142.
 struct CalibMotorMagLinkRequest {
-  static constexpr CommandId command = CommandId::calib_motor_mag_link;
+  static constexpr CommandToBoard command = CommandToBoard::calib_motor_mag_link;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -326,7 +326,7 @@ struct CalibMotorMagLinkRequest {
 /// CMD_ENCODERS_CALIB_OFFSET_4 (26), to the board; 0 bytes. Effect: stores. Since board 3.0.
 /// Source: Outgoing commands L993.
 struct EncodersCalibOffset4 {
-  static constexpr CommandId command = CommandId::encoders_calib_offset_4;
+  static constexpr CommandToBoard command = CommandToBoard::encoders_calib_offset_4;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -342,7 +342,7 @@ struct EncodersCalibOffset4 {
 /// CMD_ENCODERS_CALIB_FLD_OFFSET_4 (27), to the board; 0 bytes. Effect: stores, moves. Since board
 /// 3.0. Source: Outgoing commands L995.
 struct EncodersCalibFldOffset4 {
-  static constexpr CommandId command = CommandId::encoders_calib_fld_offset_4;
+  static constexpr CommandToBoard command = CommandToBoard::encoders_calib_fld_offset_4;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -358,7 +358,7 @@ struct EncodersCalibFldOffset4 {
 /// CMD_AUTO_PID (35), from the board; 57 bytes, and later firmware may append more. Since board
 /// 3.0. Source: Incoming commands L462-L474.
 struct AutoPid {
-  static constexpr CommandId command = CommandId::auto_pid;
+  static constexpr CommandFromBoard command = CommandFromBoard::auto_pid;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 57;
@@ -393,7 +393,7 @@ struct AutoPid {
 /// CMD_AUTO_PID (35), to the board; 19 bytes. Effect: stores, moves. Since board 3.0. Source:
 /// Outgoing commands L806-L811; Variables L1177-L1182.
 struct AutoPidRequest {
-  static constexpr CommandId command = CommandId::auto_pid;
+  static constexpr CommandToBoard command = CommandToBoard::auto_pid;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 19;

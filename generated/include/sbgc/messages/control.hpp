@@ -69,7 +69,7 @@ struct AxisStateExt {
 /// CMD_CONTROL (67), to the board, simple form; 13 bytes. Effect: moves. Source: Outgoing commands
 /// L694-L715; Variables L1147-L1152.
 struct Control {
-  static constexpr CommandId command = CommandId::control;
+  static constexpr CommandToBoard command = CommandToBoard::control;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 13;
@@ -93,7 +93,7 @@ struct Control {
 /// CMD_CONTROL (67), to the board, extended form; 15 bytes. Effect: moves. Since firmware 2.55b5.
 /// Source: Outgoing commands L694-L715; Variables L1147-L1152.
 struct ControlExt {
-  static constexpr CommandId command = CommandId::control;
+  static constexpr CommandToBoard command = CommandToBoard::control;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 15;
@@ -115,7 +115,7 @@ struct ControlExt {
 /// CMD_GET_ANGLES (73), from the board; 18 bytes, and later firmware may append more. Source:
 /// Incoming commands L428-L434; Variables L1156-L1161.
 struct GetAngles {
-  static constexpr CommandId command = CommandId::get_angles;
+  static constexpr CommandFromBoard command = CommandFromBoard::get_angles;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 18;
@@ -135,7 +135,7 @@ struct GetAngles {
 ///
 /// CMD_GET_ANGLES (73), to the board; 0 bytes. Effect: reads. Source: Outgoing commands L753-L755.
 struct GetAnglesRequest {
-  static constexpr CommandId command = CommandId::get_angles;
+  static constexpr CommandToBoard command = CommandToBoard::get_angles;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -151,7 +151,7 @@ struct GetAnglesRequest {
 /// CMD_GET_ANGLES_EXT (61), from the board; 54 bytes, and later firmware may append more. Since
 /// board 3.0. Source: Incoming commands L436-L443; Variables L1162-L1165.
 struct GetAnglesExt {
-  static constexpr CommandId command = CommandId::get_angles_ext;
+  static constexpr CommandFromBoard command = CommandFromBoard::get_angles_ext;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 54;
@@ -172,7 +172,7 @@ struct GetAnglesExt {
 /// CMD_GET_ANGLES_EXT (61), to the board; 0 bytes. Effect: reads. Since board 3.0. Source: Outgoing
 /// commands L753-L755.
 struct GetAnglesExtRequest {
-  static constexpr CommandId command = CommandId::get_angles_ext;
+  static constexpr CommandToBoard command = CommandToBoard::get_angles_ext;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -187,7 +187,7 @@ struct GetAnglesExtRequest {
 ///
 /// CMD_MOTORS_ON (77), to the board; 0 bytes. Effect: moves. Source: Outgoing commands L724-L726.
 struct MotorsOn {
-  static constexpr CommandId command = CommandId::motors_on;
+  static constexpr CommandToBoard command = CommandToBoard::motors_on;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -203,7 +203,7 @@ struct MotorsOn {
 /// CMD_MOTORS_OFF (109), to the board, simple form; 0 bytes. Effect: moves. Firmware 2.68b7 and
 /// later takes MotorsOffExt instead. Source: Outgoing commands L728-L730.
 struct MotorsOff {
-  static constexpr CommandId command = CommandId::motors_off;
+  static constexpr CommandToBoard command = CommandToBoard::motors_off;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 0;
@@ -220,7 +220,7 @@ struct MotorsOff {
 /// CMD_MOTORS_OFF (109), to the board, extended form; 1 byte. Effect: moves. Since firmware 2.68b7.
 /// Source: Outgoing commands L728-L730.
 struct MotorsOffExt {
-  static constexpr CommandId command = CommandId::motors_off;
+  static constexpr CommandToBoard command = CommandToBoard::motors_off;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 1;
@@ -240,7 +240,7 @@ struct MotorsOffExt {
 /// CMD_EXECUTE_MENU (69), to the board, simple form; 1 byte. Effect: sets, stores, moves, restarts.
 /// Source: Outgoing commands L732-L734; Variables L1166-L1167.
 struct ExecuteMenu {
-  static constexpr CommandId command = CommandId::execute_menu;
+  static constexpr CommandToBoard command = CommandToBoard::execute_menu;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 1;
@@ -260,7 +260,7 @@ struct ExecuteMenu {
 /// CMD_EXECUTE_MENU (69), to the board, extended form; 2 bytes. Effect: sets, stores, moves,
 /// restarts. Source: Outgoing commands L732-L734; Variables L1166-L1167.
 struct ExecuteMenuExt {
-  static constexpr CommandId command = CommandId::execute_menu;
+  static constexpr CommandToBoard command = CommandToBoard::execute_menu;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 2;
@@ -282,7 +282,7 @@ struct ExecuteMenuExt {
 /// CMD_HELPER_DATA (72), to the board, simple form; 10 bytes. Effect: moves. Source: Outgoing
 /// commands L736-L751; Variables L1247-L1251.
 struct HelperData {
-  static constexpr CommandId command = CommandId::helper_data;
+  static constexpr CommandToBoard command = CommandToBoard::helper_data;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 10;
@@ -307,7 +307,7 @@ struct HelperData {
 /// CMD_HELPER_DATA (72), to the board, extended form; 20 bytes. Effect: moves. Since firmware 2.59.
 /// Source: Outgoing commands L736-L751; Variables L1247-L1251.
 struct HelperDataExt {
-  static constexpr CommandId command = CommandId::helper_data;
+  static constexpr CommandToBoard command = CommandToBoard::helper_data;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 20;

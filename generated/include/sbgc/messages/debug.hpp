@@ -41,7 +41,7 @@ struct DebugVarInfo {
 /// CMD_DEBUG_VARS_INFO_3 (253), from the board; 1 to 255 bytes, and later firmware may append more.
 /// Since board 3.0. Source: Incoming commands L476-L487; Variables L1185-L1189.
 struct DebugVarsInfo3 {
-  static constexpr CommandId command = CommandId::debug_vars_info_3;
+  static constexpr CommandFromBoard command = CommandFromBoard::debug_vars_info_3;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 1;
@@ -66,7 +66,7 @@ struct DebugVarsInfo3 {
 /// CMD_DEBUG_VARS_INFO_3 (253), to the board; 0 bytes. Effect: reads. Since board 3.0. Source:
 /// Outgoing commands L847.
 struct DebugVarsInfo3Request {
-  static constexpr CommandId command = CommandId::debug_vars_info_3;
+  static constexpr CommandToBoard command = CommandToBoard::debug_vars_info_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -82,7 +82,7 @@ struct DebugVarsInfo3Request {
 /// CMD_DEBUG_VARS_3 (254), from the board; 0 to 255 bytes, and later firmware may append more.
 /// Since board 3.0. Source: Incoming commands L489-L499.
 struct DebugVars3 {
-  static constexpr CommandId command = CommandId::debug_vars_3;
+  static constexpr CommandFromBoard command = CommandFromBoard::debug_vars_3;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -112,7 +112,7 @@ struct DebugVars3 {
 /// CMD_DEBUG_VARS_3 (254), to the board; 0 bytes. Effect: reads. Since board 3.0. Source: Outgoing
 /// commands L849.
 struct DebugVars3Request {
-  static constexpr CommandId command = CommandId::debug_vars_3;
+  static constexpr CommandToBoard command = CommandToBoard::debug_vars_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;

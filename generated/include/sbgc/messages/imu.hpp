@@ -23,7 +23,7 @@ struct AhrsHelper;
 /// CMD_SELECT_IMU_3 (24), to the board, simple form; 1 byte. Effect: sets. Since board 3.0. Source:
 /// Outgoing commands L757-L759; Variables L1168-L1169.
 struct SelectImu3 {
-  static constexpr CommandId command = CommandId::select_imu_3;
+  static constexpr CommandToBoard command = CommandToBoard::select_imu_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 1;
@@ -43,7 +43,7 @@ struct SelectImu3 {
 /// CMD_SELECT_IMU_3 (24), to the board, extended form; 2 to 12 bytes. Effect: sets. Since board
 /// 3.0. Source: Outgoing commands L757-L759; Variables L1168-L1169.
 struct SelectImu3Ext {
-  static constexpr CommandId command = CommandId::select_imu_3;
+  static constexpr CommandToBoard command = CommandToBoard::select_imu_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 2;
@@ -70,7 +70,7 @@ struct SelectImu3Ext {
 /// CMD_AHRS_HELPER (56), from the board; 24 bytes, and later firmware may append more. Since board
 /// 3.0. Source: Incoming commands L582-L585; Variables L1192, L1196-L1197.
 struct AhrsHelper {
-  static constexpr CommandId command = CommandId::ahrs_helper;
+  static constexpr CommandFromBoard command = CommandFromBoard::ahrs_helper;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 24;
@@ -95,7 +95,7 @@ struct AhrsHelper {
 /// Firmware 2.69b5 and later takes AhrsHelperRequestWide instead. Source: Outgoing commands
 /// L946-L953; Variables L1192-L1197.
 struct AhrsHelperRequest {
-  static constexpr CommandId command = CommandId::ahrs_helper;
+  static constexpr CommandToBoard command = CommandToBoard::ahrs_helper;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 1;
@@ -117,7 +117,7 @@ struct AhrsHelperRequest {
 /// CMD_AHRS_HELPER (56), to the board, wide form; 2 bytes. Effect: reads. Since firmware 2.69b5.
 /// Source: Outgoing commands L946-L953; Variables L1192-L1197.
 struct AhrsHelperRequestWide {
-  static constexpr CommandId command = CommandId::ahrs_helper;
+  static constexpr CommandToBoard command = CommandToBoard::ahrs_helper;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::wide;
   static constexpr std::size_t min_size = 2;
@@ -142,7 +142,7 @@ struct AhrsHelperRequestWide {
 /// Firmware 2.69b5 and later takes AhrsHelperRequestExtWide instead. Source: Outgoing commands
 /// L946-L953; Variables L1192-L1197.
 struct AhrsHelperRequestExt {
-  static constexpr CommandId command = CommandId::ahrs_helper;
+  static constexpr CommandToBoard command = CommandToBoard::ahrs_helper;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 25;
@@ -171,7 +171,7 @@ struct AhrsHelperRequestExt {
 /// CMD_AHRS_HELPER (56), to the board, extended_wide form; 26 bytes. Effect: moves. Since firmware
 /// 2.69b5. Source: Outgoing commands L946-L953; Variables L1192-L1197.
 struct AhrsHelperRequestExtWide {
-  static constexpr CommandId command = CommandId::ahrs_helper;
+  static constexpr CommandToBoard command = CommandToBoard::ahrs_helper;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended_wide;
   static constexpr std::size_t min_size = 26;
@@ -198,7 +198,7 @@ struct AhrsHelperRequestExtWide {
 /// CMD_GYRO_CORRECTION (75), to the board; 9 bytes. Effect: stores, moves. Since board 3.0. Source:
 /// Outgoing commands L955-L961; Variables L1198-L1201.
 struct GyroCorrection {
-  static constexpr CommandId command = CommandId::gyro_correction;
+  static constexpr CommandToBoard command = CommandToBoard::gyro_correction;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 9;

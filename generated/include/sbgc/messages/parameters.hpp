@@ -78,7 +78,7 @@ struct AxisNotches {
 /// CMD_READ_PARAMS_3 (21), from the board; 134 bytes, and later firmware may append more. Since
 /// board 3.0. Source: Incoming commands L180-L310; Variables L1010-L1079.
 struct ReadParams3 {
-  static constexpr CommandId command = CommandId::read_params_3;
+  static constexpr CommandFromBoard command = CommandFromBoard::read_params_3;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 134;
@@ -254,7 +254,7 @@ struct ReadParams3 {
 /// CMD_READ_PARAMS_3 (21), to the board; 1 byte. Effect: reads. Since board 3.0. Source: Outgoing
 /// commands L652-L660.
 struct ReadParams3Request {
-  static constexpr CommandId command = CommandId::read_params_3;
+  static constexpr CommandToBoard command = CommandToBoard::read_params_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 1;
@@ -277,7 +277,7 @@ struct ReadParams3Request {
 /// CMD_READ_PARAMS (82), to the board; 1 byte. Effect: reads. Deprecated: use CMD_READ_PARAMS_3.
 /// Source: Outgoing commands L652-L660.
 struct ReadParams {
-  static constexpr CommandId command = CommandId::read_params;
+  static constexpr CommandToBoard command = CommandToBoard::read_params;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 1;
@@ -300,7 +300,7 @@ struct ReadParams {
 /// CMD_READ_PARAMS_EXT (33), from the board; 104 bytes, and later firmware may append more. Since
 /// board 3.0. Source: Incoming commands L312-L348; Variables L1080-L1108.
 struct ReadParamsExt {
-  static constexpr CommandId command = CommandId::read_params_ext;
+  static constexpr CommandFromBoard command = CommandFromBoard::read_params_ext;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 104;
@@ -394,7 +394,7 @@ struct ReadParamsExt {
 /// CMD_READ_PARAMS_EXT (33), to the board; 1 byte. Effect: reads. Since board 3.0. Source: Outgoing
 /// commands L652-L660.
 struct ReadParamsExtRequest {
-  static constexpr CommandId command = CommandId::read_params_ext;
+  static constexpr CommandToBoard command = CommandToBoard::read_params_ext;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 1;
@@ -417,7 +417,7 @@ struct ReadParamsExtRequest {
 /// CMD_READ_PARAMS_EXT2 (62), from the board; 151 bytes, and later firmware may append more. Since
 /// board 3.0. Source: Incoming commands L350-L359; Variables L1110-L1116.
 struct ReadParamsExt2 {
-  static constexpr CommandId command = CommandId::read_params_ext2;
+  static constexpr CommandFromBoard command = CommandFromBoard::read_params_ext2;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 151;
@@ -462,7 +462,7 @@ struct ReadParamsExt2 {
 /// CMD_READ_PARAMS_EXT2 (62), to the board; 1 byte. Effect: reads. Since board 3.0. Source:
 /// Outgoing commands L658-L660.
 struct ReadParamsExt2Request {
-  static constexpr CommandId command = CommandId::read_params_ext2;
+  static constexpr CommandToBoard command = CommandToBoard::read_params_ext2;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 1;
@@ -485,7 +485,7 @@ struct ReadParamsExt2Request {
 /// CMD_READ_PROFILE_NAMES (28), from the board; 240 bytes, and later firmware may append more.
 /// Since board 3.0. Source: Incoming commands L445-L453.
 struct ReadProfileNames {
-  static constexpr CommandId command = CommandId::read_profile_names;
+  static constexpr CommandFromBoard command = CommandFromBoard::read_profile_names;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 240;
@@ -506,7 +506,7 @@ struct ReadProfileNames {
 /// CMD_READ_PROFILE_NAMES (28), to the board; 0 bytes. Effect: reads. Since board 3.0. Source:
 /// Outgoing commands L761.
 struct ReadProfileNamesRequest {
-  static constexpr CommandId command = CommandId::read_profile_names;
+  static constexpr CommandToBoard command = CommandToBoard::read_profile_names;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -522,7 +522,7 @@ struct ReadProfileNamesRequest {
 /// CMD_SAVE_PARAMS_3 (32), to the board; 0 bytes. Effect: stores. Since board 3.0. Source: Outgoing
 /// commands L804.
 struct SaveParams3 {
-  static constexpr CommandId command = CommandId::save_params_3;
+  static constexpr CommandToBoard command = CommandToBoard::save_params_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -539,7 +539,7 @@ struct SaveParams3 {
 /// CMD_USE_DEFAULTS (70), to the board; 1 byte. Effect: stores, moves, erases. Source: Outgoing
 /// commands L644-L648.
 struct UseDefaults {
-  static constexpr CommandId command = CommandId::use_defaults;
+  static constexpr CommandToBoard command = CommandToBoard::use_defaults;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 1;
@@ -563,7 +563,7 @@ struct UseDefaults {
 /// CMD_WRITE_PARAMS_3 (22), to the board; 134 bytes, and later firmware may append more. Effect:
 /// stores, moves. Since board 3.0. Source: Outgoing commands L662-L668; Variables L1010-L1079.
 struct WriteParams3 : ReadParams3 {
-  static constexpr CommandId command = CommandId::write_params_3;
+  static constexpr CommandToBoard command = CommandToBoard::write_params_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 134;
@@ -580,7 +580,7 @@ struct WriteParams3 : ReadParams3 {
 /// CMD_WRITE_PARAMS (87), to the board; 134 bytes, and later firmware may append more. Effect:
 /// stores, moves. Deprecated: use CMD_WRITE_PARAMS_3. Source: Outgoing commands L662-L668.
 struct WriteParams : ReadParams3 {
-  static constexpr CommandId command = CommandId::write_params;
+  static constexpr CommandToBoard command = CommandToBoard::write_params;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 134;
@@ -597,7 +597,7 @@ struct WriteParams : ReadParams3 {
 /// CMD_WRITE_PARAMS_EXT (34), to the board; 104 bytes, and later firmware may append more. Effect:
 /// stores, moves. Since board 3.0. Source: Outgoing commands L662-L668; Variables L1080-L1108.
 struct WriteParamsExt : ReadParamsExt {
-  static constexpr CommandId command = CommandId::write_params_ext;
+  static constexpr CommandToBoard command = CommandToBoard::write_params_ext;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 104;
@@ -614,7 +614,7 @@ struct WriteParamsExt : ReadParamsExt {
 /// CMD_WRITE_PARAMS_EXT2 (63), to the board; 151 bytes, and later firmware may append more. Effect:
 /// stores, moves. Since board 3.0. Source: Outgoing commands L668; Variables L1110-L1116.
 struct WriteParamsExt2 : ReadParamsExt2 {
-  static constexpr CommandId command = CommandId::write_params_ext2;
+  static constexpr CommandToBoard command = CommandToBoard::write_params_ext2;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 151;
@@ -631,7 +631,7 @@ struct WriteParamsExt2 : ReadParamsExt2 {
 /// CMD_WRITE_PROFILE_NAMES (29), to the board; 240 bytes, and later firmware may append more.
 /// Effect: stores. Since board 3.0. Source: Outgoing commands L763-L772.
 struct WriteProfileNames : ReadProfileNames {
-  static constexpr CommandId command = CommandId::write_profile_names;
+  static constexpr CommandToBoard command = CommandToBoard::write_profile_names;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 240;

@@ -23,7 +23,7 @@ struct I2cReadRegBuf;
 /// CMD_BEEP_SOUND (89), to the board; 12 to 72 bytes. Effect: sets. Since firmware 2.59, board 3.0.
 /// Source: Outgoing commands L985-L991; Variables L1222-L1227.
 struct BeepSound {
-  static constexpr CommandId command = CommandId::beep_sound;
+  static constexpr CommandToBoard command = CommandToBoard::beep_sound;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 12;
@@ -63,7 +63,7 @@ struct BeepSound {
 /// CMD_TRIGGER_PIN (84), to the board; 2 bytes. Effect: sets. Source: Outgoing commands L717-L722;
 /// Variables L1153-L1155.
 struct TriggerPin {
-  static constexpr CommandId command = CommandId::trigger_pin;
+  static constexpr CommandToBoard command = CommandToBoard::trigger_pin;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 2;
@@ -87,7 +87,7 @@ struct TriggerPin {
 /// CMD_SERVO_OUT (36), to the board; 16 bytes. Effect: moves. Since board 3.0. Source: Outgoing
 /// commands L813-L824; Variables L1183-L1184.
 struct ServoOut {
-  static constexpr CommandId command = CommandId::servo_out;
+  static constexpr CommandToBoard command = CommandToBoard::servo_out;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 16;
@@ -113,7 +113,7 @@ struct ServoOut {
 /// CMD_I2C_WRITE_REG_BUF (39), to the board; 2 to 255 bytes. Effect: sets, stores. Since board 3.0.
 /// Source: Outgoing commands L826-L835.
 struct I2cWriteRegBuf {
-  static constexpr CommandId command = CommandId::i2c_write_reg_buf;
+  static constexpr CommandToBoard command = CommandToBoard::i2c_write_reg_buf;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 2;
@@ -140,7 +140,7 @@ struct I2cWriteRegBuf {
 /// CMD_I2C_READ_REG_BUF (40), from the board; 0 to 255 bytes. Since board 3.0. Source: Incoming
 /// commands L458-L460.
 struct I2cReadRegBuf {
-  static constexpr CommandId command = CommandId::i2c_read_reg_buf;
+  static constexpr CommandFromBoard command = CommandFromBoard::i2c_read_reg_buf;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -161,7 +161,7 @@ struct I2cReadRegBuf {
 /// CMD_I2C_READ_REG_BUF (40), to the board; 3 bytes. Effect: reads. Since board 3.0. Source:
 /// Outgoing commands L837-L845.
 struct I2cReadRegBufRequest {
-  static constexpr CommandId command = CommandId::i2c_read_reg_buf;
+  static constexpr CommandToBoard command = CommandToBoard::i2c_read_reg_buf;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 3;
@@ -187,7 +187,7 @@ struct I2cReadRegBufRequest {
 /// CMD_API_VIRT_CH_CONTROL (45), to the board; 2 to 64 bytes. Effect: sets, stores, moves,
 /// restarts. Since board 3.0. Source: Outgoing commands L859-L865; Variables L1190-L1191.
 struct ApiVirtChControl {
-  static constexpr CommandId command = CommandId::api_virt_ch_control;
+  static constexpr CommandToBoard command = CommandToBoard::api_virt_ch_control;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 2;

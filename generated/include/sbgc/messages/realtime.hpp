@@ -50,7 +50,7 @@ struct StreamConfig {
 /// CMD_REALTIME_DATA (68), to the board; 0 bytes. Effect: reads. Source: Outgoing commands
 /// L615-L617.
 struct RealtimeData {
-  static constexpr CommandId command = CommandId::realtime_data;
+  static constexpr CommandToBoard command = CommandToBoard::realtime_data;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -66,7 +66,7 @@ struct RealtimeData {
 /// CMD_REALTIME_DATA_3 (23), from the board; 63 bytes, and later firmware may append more. Since
 /// board 3.0. Source: Incoming commands L361-L396; Variables L1117-L1135.
 struct RealtimeData3 {
-  static constexpr CommandId command = CommandId::realtime_data_3;
+  static constexpr CommandFromBoard command = CommandFromBoard::realtime_data_3;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 63;
@@ -134,7 +134,7 @@ struct RealtimeData3 {
 /// CMD_REALTIME_DATA_3 (23), to the board; 0 bytes. Effect: reads. Since board 3.0. Source:
 /// Outgoing commands L615-L617.
 struct RealtimeData3Request {
-  static constexpr CommandId command = CommandId::realtime_data_3;
+  static constexpr CommandToBoard command = CommandToBoard::realtime_data_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -150,7 +150,7 @@ struct RealtimeData3Request {
 /// CMD_REALTIME_DATA_4 (25), from the board; 124 bytes, and later firmware may append more. Since
 /// board 3.0. Source: Incoming commands L398-L410; Variables L1136-L1146.
 struct RealtimeData4 {
-  static constexpr CommandId command = CommandId::realtime_data_4;
+  static constexpr CommandFromBoard command = CommandFromBoard::realtime_data_4;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 124;
@@ -243,7 +243,7 @@ struct RealtimeData4 {
 /// CMD_REALTIME_DATA_4 (25), to the board; 0 bytes. Effect: reads. Since board 3.0. Source:
 /// Outgoing commands L619.
 struct RealtimeData4Request {
-  static constexpr CommandId command = CommandId::realtime_data_4;
+  static constexpr CommandToBoard command = CommandToBoard::realtime_data_4;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -260,7 +260,7 @@ struct RealtimeData4Request {
 /// more. Since firmware 2.59, board 3.0. Source: Incoming commands L587-L590; Variables
 /// L1210-L1220.
 struct RealtimeDataCustom {
-  static constexpr CommandId command = CommandId::realtime_data_custom;
+  static constexpr CommandFromBoard command = CommandFromBoard::realtime_data_custom;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 2;
@@ -334,7 +334,7 @@ struct RealtimeDataCustom {
 /// CMD_REALTIME_DATA_CUSTOM (88), to the board; 10 bytes. Effect: reads. Since firmware 2.59, board
 /// 3.0. Source: Outgoing commands L980-L983; Variables L1208-L1209.
 struct RealtimeDataCustomRequest {
-  static constexpr CommandId command = CommandId::realtime_data_custom;
+  static constexpr CommandToBoard command = CommandToBoard::realtime_data_custom;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 10;
@@ -360,7 +360,7 @@ struct RealtimeDataCustomRequest {
 /// CMD_DATA_STREAM_INTERVAL (85), to the board; 21 bytes. Effect: sets. Since firmware 2.59, board
 /// 3.0. Source: Outgoing commands L963-L978; Variables L1202-L1207.
 struct DataStreamInterval {
-  static constexpr CommandId command = CommandId::data_stream_interval;
+  static constexpr CommandToBoard command = CommandToBoard::data_stream_interval;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 21;
@@ -374,7 +374,7 @@ struct DataStreamInterval {
   static constexpr std::uint16_t every_cycle = 1;
 
   /// Message to send.
-  CommandId cmd_id{};
+  CommandFromBoard cmd_id{};
   /// Time between samples. Unit: ms.
   Milliseconds interval_ms{};
   /// Options of the message; unused bytes are 0.
@@ -387,9 +387,10 @@ struct DataStreamInterval {
       &DataStreamInterval::config, &DataStreamInterval::reserved>;
   static constexpr void tagged_unions(auto& self, auto use) noexcept {
     use(3, 8, [&](auto& cursor) noexcept {
-      cursor.when(self.cmd_id == CommandId::realtime_data_custom, self.config.flags,
+      cursor.when(self.cmd_id == CommandFromBoard::realtime_data_custom, self.config.flags,
           "config.flags");
-      cursor.when(self.cmd_id == CommandId::ahrs_helper, self.config.imu_type, "config.imu_type");
+      cursor.when(self.cmd_id == CommandFromBoard::ahrs_helper, self.config.imu_type,
+          "config.imu_type");
       cursor.rest(self.config.rest, "config.rest");
     });
   }

@@ -21,7 +21,7 @@ static_assert(codec_version == 2, "generated code and runtime do not belong toge
 /// CMD_RUN_SCRIPT (57), to the board; 34 bytes. Effect: sets, stores, moves, restarts. Since board
 /// 3.0. Source: Outgoing commands L934-L938.
 struct RunScript {
-  static constexpr CommandId command = CommandId::run_script;
+  static constexpr CommandToBoard command = CommandToBoard::run_script;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 34;
@@ -45,7 +45,7 @@ struct RunScript {
 /// CMD_SCRIPT_DEBUG (58), from the board; 3 bytes, and later firmware may append more. Since board
 /// 3.0. Source: Incoming commands L577-L580; Outgoing commands L916-L928.
 struct ScriptDebug {
-  static constexpr CommandId command = CommandId::script_debug;
+  static constexpr CommandFromBoard command = CommandFromBoard::script_debug;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 3;

@@ -28,7 +28,7 @@ struct ReadFileError;
 /// CMD_EEPROM_WRITE (47), to the board; 4 to 196 bytes. Effect: stores, moves. Since board 3.0.
 /// Source: Outgoing commands L877-L882.
 struct EepromWrite {
-  static constexpr CommandId command = CommandId::eeprom_write;
+  static constexpr CommandToBoard command = CommandToBoard::eeprom_write;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 4;
@@ -53,7 +53,7 @@ struct EepromWrite {
 /// CMD_READ_FILE (53), from the board, success form; 4 to 255 bytes. Since board 3.0. Source:
 /// Incoming commands L565-L575; Outgoing commands L916-L928.
 struct ReadFile {
-  static constexpr CommandId command = CommandId::read_file;
+  static constexpr CommandFromBoard command = CommandFromBoard::read_file;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::success;
   static constexpr std::size_t min_size = 4;
@@ -79,7 +79,7 @@ struct ReadFile {
 /// CMD_READ_FILE (53), from the board, error form; 1 byte. Since board 3.0. Source: Incoming
 /// commands L565-L575; Outgoing commands L916-L928.
 struct ReadFileError {
-  static constexpr CommandId command = CommandId::read_file;
+  static constexpr CommandFromBoard command = CommandFromBoard::read_file;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::error;
   static constexpr std::size_t min_size = 1;
@@ -98,7 +98,7 @@ struct ReadFileError {
 /// CMD_READ_FILE (53), to the board; 20 bytes. Effect: reads. Since board 3.0. Source: Outgoing
 /// commands L898-L905.
 struct ReadFileRequest {
-  static constexpr CommandId command = CommandId::read_file;
+  static constexpr CommandToBoard command = CommandToBoard::read_file;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 20;
@@ -125,7 +125,7 @@ struct ReadFileRequest {
 /// CMD_WRITE_FILE (54), to the board; 6 to 255 bytes. Effect: stores, erases. Since board 3.0.
 /// Source: Outgoing commands L907-L928.
 struct WriteFile {
-  static constexpr CommandId command = CommandId::write_file;
+  static constexpr CommandToBoard command = CommandToBoard::write_file;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 6;
@@ -154,7 +154,7 @@ struct WriteFile {
 /// CMD_FS_CLEAR_ALL (55), to the board; 0 bytes. Effect: erases. Since board 3.0. Source: Outgoing
 /// commands L930-L932.
 struct FsClearAll {
-  static constexpr CommandId command = CommandId::fs_clear_all;
+  static constexpr CommandToBoard command = CommandToBoard::fs_clear_all;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -170,7 +170,7 @@ struct FsClearAll {
 /// CMD_EEPROM_READ (48), from the board; 4 to 196 bytes. Since board 3.0. Source: Incoming commands
 /// L541-L544.
 struct EepromRead {
-  static constexpr CommandId command = CommandId::eeprom_read;
+  static constexpr CommandFromBoard command = CommandFromBoard::eeprom_read;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 4;
@@ -194,7 +194,7 @@ struct EepromRead {
 /// CMD_EEPROM_READ (48), to the board; 6 bytes. Effect: reads. Since board 3.0. Source: Outgoing
 /// commands L884-L889.
 struct EepromReadRequest {
-  static constexpr CommandId command = CommandId::eeprom_read;
+  static constexpr CommandToBoard command = CommandToBoard::eeprom_read;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 6;
@@ -217,7 +217,7 @@ struct EepromReadRequest {
 /// CMD_READ_EXTERNAL_DATA (42), from the board; 128 bytes, and later firmware may append more.
 /// Since board 3.0. Source: Incoming commands L501-L503.
 struct ReadExternalData {
-  static constexpr CommandId command = CommandId::read_external_data;
+  static constexpr CommandFromBoard command = CommandFromBoard::read_external_data;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 128;
@@ -238,7 +238,7 @@ struct ReadExternalData {
 /// CMD_READ_EXTERNAL_DATA (42), to the board; 0 bytes. Effect: reads. Since board 3.0. Source:
 /// Outgoing commands L855-L857.
 struct ReadExternalDataRequest {
-  static constexpr CommandId command = CommandId::read_external_data;
+  static constexpr CommandToBoard command = CommandToBoard::read_external_data;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -254,7 +254,7 @@ struct ReadExternalDataRequest {
 /// CMD_WRITE_EXTERNAL_DATA (41), to the board; 128 bytes, and later firmware may append more.
 /// Effect: stores. Since board 3.0. Source: Outgoing commands L851-L853.
 struct WriteExternalData : ReadExternalData {
-  static constexpr CommandId command = CommandId::write_external_data;
+  static constexpr CommandToBoard command = CommandToBoard::write_external_data;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 128;

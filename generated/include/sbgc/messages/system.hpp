@@ -25,7 +25,7 @@ struct Reset;
 /// CMD_BOARD_INFO (86), from the board; 18 bytes, and later firmware may append more. Source:
 /// Incoming commands L158-L166; Variables L1005-L1009.
 struct BoardInfo {
-  static constexpr CommandId command = CommandId::board_info;
+  static constexpr CommandFromBoard command = CommandFromBoard::board_info;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 18;
@@ -60,7 +60,7 @@ struct BoardInfo {
 /// CMD_BOARD_INFO (86), to the board, simple form; 0 bytes. Effect: reads. Source: Outgoing
 /// commands L602-L611.
 struct BoardInfoRequest {
-  static constexpr CommandId command = CommandId::board_info;
+  static constexpr CommandToBoard command = CommandToBoard::board_info;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 0;
@@ -76,7 +76,7 @@ struct BoardInfoRequest {
 /// CMD_BOARD_INFO (86), to the board, one_byte form; 1 byte. Effect: reads. Source: Outgoing
 /// commands L602-L611.
 struct BoardInfoRequestOneByte {
-  static constexpr CommandId command = CommandId::board_info;
+  static constexpr CommandToBoard command = CommandToBoard::board_info;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::one_byte;
   static constexpr std::size_t min_size = 1;
@@ -96,7 +96,7 @@ struct BoardInfoRequestOneByte {
 /// CMD_BOARD_INFO (86), to the board, extended form; 2 to 255 bytes. Effect: sets. Source: Outgoing
 /// commands L602-L611.
 struct BoardInfoRequestExt {
-  static constexpr CommandId command = CommandId::board_info;
+  static constexpr CommandToBoard command = CommandToBoard::board_info;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 2;
@@ -121,7 +121,7 @@ struct BoardInfoRequestExt {
 ///
 /// CMD_CONFIRM (67), from the board; 1 to 6 bytes. Source: Incoming commands L412-L419.
 struct Confirm {
-  static constexpr CommandId command = CommandId::confirm;
+  static constexpr CommandFromBoard command = CommandFromBoard::confirm;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 1;
@@ -129,7 +129,7 @@ struct Confirm {
   static constexpr Availability since{};
 
   /// The confirmed command.
-  CommandId cmd{};
+  CommandToBoard cmd{};
   /// Address of the written block. Present when cmd is CMD_EEPROM_WRITE.
   Optional<std::uint32_t> addr{};
   /// Result of the file operation. Present when cmd is CMD_WRITE_FILE or CMD_FS_CLEAR_ALL.
@@ -140,9 +140,9 @@ struct Confirm {
   bool operator==(const Confirm&) const = default;
   using FixedMembers = Members<&Confirm::cmd>;
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
-    cursor.when_or_missing(self.cmd == CommandId::eeprom_write, self.addr, "addr");
-    cursor.when_or_missing(self.cmd == CommandId::write_file || self.cmd == CommandId::fs_clear_all,
-        self.err_code, "err_code");
+    cursor.when_or_missing(self.cmd == CommandToBoard::eeprom_write, self.addr, "addr");
+    cursor.when_or_missing(self.cmd == CommandToBoard::write_file || self.cmd ==
+        CommandToBoard::fs_clear_all, self.err_code, "err_code");
     cursor.rest(self.data, "data");
   }
 };
@@ -152,7 +152,7 @@ struct Confirm {
 /// CMD_ERROR (255), from the board, simple form; 5 bytes. Since board 3.0. Source: Incoming
 /// commands L421-L426.
 struct Error {
-  static constexpr CommandId command = CommandId::error;
+  static constexpr CommandFromBoard command = CommandFromBoard::error;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 5;
@@ -173,7 +173,7 @@ struct Error {
 /// CMD_ERROR (255), from the board, extended form; 6 bytes, and later firmware may append more.
 /// Since board 3.0. Source: Incoming commands L421-L426.
 struct ErrorExt {
-  static constexpr CommandId command = CommandId::error;
+  static constexpr CommandFromBoard command = CommandFromBoard::error;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 6;
@@ -181,7 +181,7 @@ struct ErrorExt {
   static constexpr Availability since{.board = 30};
 
   /// The failed command.
-  CommandId cmd_id{};
+  CommandToBoard cmd_id{};
   /// Error code.
   BoardErrorCode error_code{};
   /// Details that depend on the code.
@@ -198,7 +198,7 @@ struct ErrorExt {
 /// CMD_BOARD_INFO_3 (20), from the board; 69 bytes, and later firmware may append more. Since board
 /// 3.0. Source: Incoming commands L168-L178.
 struct BoardInfo3 {
-  static constexpr CommandId command = CommandId::board_info_3;
+  static constexpr CommandFromBoard command = CommandFromBoard::board_info_3;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 69;
@@ -231,7 +231,7 @@ struct BoardInfo3 {
 /// CMD_BOARD_INFO_3 (20), to the board; 0 bytes. Effect: reads. Since board 3.0. Source: Outgoing
 /// commands L613.
 struct BoardInfo3Request {
-  static constexpr CommandId command = CommandId::board_info_3;
+  static constexpr CommandToBoard command = CommandToBoard::board_info_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -248,7 +248,7 @@ struct BoardInfo3Request {
 /// CMD_RESET (114), from the board; 0 bytes, and later firmware may append more. Source: Incoming
 /// commands L537-L539.
 struct Reset {
-  static constexpr CommandId command = CommandId::reset;
+  static constexpr CommandFromBoard command = CommandFromBoard::reset;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -266,7 +266,7 @@ struct Reset {
 /// CMD_RESET (114), to the board, simple form; 0 bytes. Effect: restarts. Source: Outgoing commands
 /// L670-L677.
 struct ResetRequest {
-  static constexpr CommandId command = CommandId::reset;
+  static constexpr CommandToBoard command = CommandToBoard::reset;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 0;
@@ -282,7 +282,7 @@ struct ResetRequest {
 /// CMD_RESET (114), to the board, extended form; 3 bytes. Effect: restarts. Source: Outgoing
 /// commands L670-L677.
 struct ResetRequestExt {
-  static constexpr CommandId command = CommandId::reset;
+  static constexpr CommandToBoard command = CommandToBoard::reset;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 3;
@@ -306,7 +306,7 @@ struct ResetRequestExt {
 /// CMD_BOOT_MODE_3 (51), to the board, simple form; 0 bytes. Effect: restarts. Since board 3.0.
 /// Source: Outgoing commands L679-L686.
 struct BootMode3 {
-  static constexpr CommandId command = CommandId::boot_mode_3;
+  static constexpr CommandToBoard command = CommandToBoard::boot_mode_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 0;
@@ -324,7 +324,7 @@ struct BootMode3 {
 /// CMD_BOOT_MODE_3 (51), to the board, extended form; 3 bytes. Effect: restarts. Since board 3.0.
 /// Source: Outgoing commands L679-L686.
 struct BootMode3Ext {
-  static constexpr CommandId command = CommandId::boot_mode_3;
+  static constexpr CommandToBoard command = CommandToBoard::boot_mode_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 3;
@@ -346,7 +346,7 @@ struct BootMode3Ext {
 /// CMD_QUEUE_PARAMS_INFO_3 (30), from the board; 0 to 255 bytes. Since board 3.0. Source: Command
 /// ID definitions L108.
 struct QueueParamsInfo3 {
-  static constexpr CommandId command = CommandId::queue_params_info_3;
+  static constexpr CommandFromBoard command = CommandFromBoard::queue_params_info_3;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -367,7 +367,7 @@ struct QueueParamsInfo3 {
 /// CMD_QUEUE_PARAMS_INFO_3 (30), to the board; 0 to 255 bytes. Effect: unknown. Since board 3.0.
 /// Source: Command ID definitions L108.
 struct QueueParamsInfo3Request {
-  static constexpr CommandId command = CommandId::queue_params_info_3;
+  static constexpr CommandToBoard command = CommandToBoard::queue_params_info_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -389,7 +389,7 @@ struct QueueParamsInfo3Request {
 /// CMD_SYSTEM_STATE (52), from the board; 0 to 255 bytes. Since board 3.0. Source: Command ID
 /// definitions L130.
 struct SystemState {
-  static constexpr CommandId command = CommandId::system_state;
+  static constexpr CommandFromBoard command = CommandFromBoard::system_state;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -410,7 +410,7 @@ struct SystemState {
 /// CMD_SYSTEM_STATE (52), to the board; 0 to 255 bytes. Effect: unknown. Since board 3.0. Source:
 /// Command ID definitions L130.
 struct SystemStateRequest {
-  static constexpr CommandId command = CommandId::system_state;
+  static constexpr CommandToBoard command = CommandToBoard::system_state;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -432,7 +432,7 @@ struct SystemStateRequest {
 /// CMD_MAVLINK_INFO (250), from the board; 0 to 255 bytes. Since board 3.0. Source: Command ID
 /// definitions L149.
 struct MavlinkInfo {
-  static constexpr CommandId command = CommandId::mavlink_info;
+  static constexpr CommandFromBoard command = CommandFromBoard::mavlink_info;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -453,7 +453,7 @@ struct MavlinkInfo {
 /// CMD_MAVLINK_INFO (250), to the board; 0 to 255 bytes. Effect: unknown. Since board 3.0. Source:
 /// Command ID definitions L149.
 struct MavlinkInfoRequest {
-  static constexpr CommandId command = CommandId::mavlink_info;
+  static constexpr CommandToBoard command = CommandToBoard::mavlink_info;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -475,7 +475,7 @@ struct MavlinkInfoRequest {
 /// CMD_MAVLINK_DEBUG (251), from the board; 0 to 255 bytes. Since board 3.0. Source: Command ID
 /// definitions L150.
 struct MavlinkDebug {
-  static constexpr CommandId command = CommandId::mavlink_debug;
+  static constexpr CommandFromBoard command = CommandFromBoard::mavlink_debug;
   static constexpr Direction direction = Direction::from_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
@@ -496,7 +496,7 @@ struct MavlinkDebug {
 /// CMD_MAVLINK_DEBUG (251), to the board; 0 to 255 bytes. Effect: unknown. Since board 3.0. Source:
 /// Command ID definitions L150.
 struct MavlinkDebugRequest {
-  static constexpr CommandId command = CommandId::mavlink_debug;
+  static constexpr CommandToBoard command = CommandToBoard::mavlink_debug;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;

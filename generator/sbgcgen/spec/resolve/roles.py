@@ -6,7 +6,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from sbgcgen.model import Blob, Enum, Field, Message, Position, Quantity, Role, Struct
+from sbgcgen.model import COMMAND_IDS, Blob, Enum, Field, Message, Position, Quantity, Role, Struct
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Map
 
@@ -83,8 +83,10 @@ class RoleResolver:
             if not is_bytes or field.size is None or field.size > MAX_CONFIG:
                 problem = f"does not have 1 to {MAX_CONFIG} bytes"
         elif not problem and part == "command":
-            if not isinstance(field.type, Enum) or field.type.name != "CommandId":
-                problem = "is no command: its type is not CommandId"
+            direction = "from_board" if node["is"] == "stream_request" else "to_board"
+            wanted_type = COMMAND_IDS[direction]
+            if not isinstance(field.type, Enum) or field.type.name != wanted_type:
+                problem = f"is no command: its type is not {wanted_type}"
         elif not problem and part == "code":
             if not isinstance(field.type, Enum) or field.type.scalar.size != 1:
                 problem = "is no enum of one byte"

@@ -8,13 +8,13 @@
 #include <limits>
 #include <span>
 
-#include <sbgc/exchange.hpp>
 #include <sbgc/line.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/parser.hpp>
+#include <sbgc/response_policy.hpp>
 #include <sbgc/roles.hpp>
 #include <sbgc/session/event.hpp>
-#include <sbgc/session/ghosts.hpp>
+#include <sbgc/session/late_replies.hpp>
 #include <sbgc/session/pacing.hpp>
 #include <sbgc/session/streams.hpp>
 #include <sbgc/time.hpp>
@@ -24,7 +24,8 @@ namespace sbgc {
 /// What a session can hold.
 struct SessionCapacity {
   std::size_t requests = 8;  ///< waiting and in flight
-  std::size_t ghosts = 12;   ///< kinds of requests in flight, or over with late answers possible
+  std::size_t late_replies =
+      12;                    ///< kinds of requests in flight, or over with late responses possible
   std::size_t streams = 10;  ///< data streams; firmware 2.59 can not have more
 };
 
@@ -51,24 +52,33 @@ class BasicSession {
   constexpr explicit BasicSession(const SessionOptions& options = {}) noexcept
       : options_(options) {}
 
-  /// Takes a request; needs its family of <sbgc/exchanges/>. A later poll() writes its frame.
+  /// Takes a request; needs its family of <sbgc/responses/>. A later poll() writes its frame.
   template <Message M>
   SendResult send(const M& request, const SendOptions& options = {}) noexcept {
-    Request* const slot = free_slot();
-    if (slot == nullptr) return refuse(SendStatus::queue_full);
-    const WriteResult written = encode_frame(request, slot->frame);
-    if (!written) return refuse(SendStatus::not_encodable, written.status);
-    return accept(*slot, written.size, exchange_of(request), options);
+    constexpr bool is_request = M::direction != Direction::from_board;
+    constexpr bool has_policy = requires { response_policy(request); };
+    static_assert(is_request, "only the board sends this message");
+    static_assert(has_policy || !is_request,
+                  "include <sbgc/responses/all.hpp>, or its header for the family of the message");
+    if constexpr (is_request && has_policy) {
+      Request* const slot = free_slot();
+      if (slot == nullptr) return refuse(SendStatus::queue_full);
+      const WriteResult written = encode_frame(request, slot->frame);
+      if (!written) return refuse(SendStatus::not_encodable, written.status);
+      return accept(*slot, written.size, response_policy(request), options);
+    } else {
+      return {};
+    }
   }
 
-  /// Takes a request whose body is already encoded; `exchange` is that of the message it is.
-  SendResult send(std::uint8_t id, std::span<const std::uint8_t> body, const Exchange& exchange,
+  /// Takes a request whose body is already encoded; `policy` is that of the message it is.
+  SendResult send(std::uint8_t id, std::span<const std::uint8_t> body, const ResponsePolicy& policy,
                   const SendOptions& options = {}) noexcept {
     Request* const slot = free_slot();
     if (slot == nullptr) return refuse(SendStatus::queue_full);
     const WriteResult written = write_frame(id, body, slot->frame);
     if (!written) return refuse(SendStatus::not_encodable, written.status);
-    return accept(*slot, written.size, exchange, options);
+    return accept(*slot, written.size, policy, options);
   }
 
   /// Takes bytes that have come over the line.
@@ -88,7 +98,7 @@ class BasicSession {
   [[nodiscard]] Output poll(Instant now, Sink&& sink) {
     advance(now);
     end_silence(sink);
-    ghosts_.expire(now_);
+    late_replies_.expire(now_);
     end_overdue(sink);
     std::size_t size = 0;
     if (next_send_ <= now_) {
@@ -110,7 +120,7 @@ class BasicSession {
       request.sent_at = sent_at;
       return;
     }
-    ghosts_.prolong(sent_.replies, now_ + sent_.answer_time + sent_.finish + options_.late);
+    late_replies_.prolong(sent_.responses, now_ + sent_.answer_time + sent_.finish + options_.late);
   }
 
   /// Ends a request with the outcome `cancelled`; false if it is already over. What is sent can not
@@ -133,7 +143,7 @@ class BasicSession {
     forget_streams();
     next_send_ = now_;
     complete_all(Outcome::link_lost, sink, Handle{last_handle_});
-    ghosts_.clear();  // those of the requests that have just ended, too
+    late_replies_.clear();  // those of the requests that have just ended, too
   }
 
   /// The line is another one, or has other settings.
@@ -159,9 +169,9 @@ class BasicSession {
 
  private:
   struct Request {
-    Handle handle{};      // none: the slot is free
-    Exchange exchange{};  // its `stream` is a change that `streams_` has noted, or none
-    bool waits{};         // for something that the board says
+    Handle handle{};          // none: the slot is free
+    ResponsePolicy policy{};  // its `stream` is a change that `streams_` has noted, or none
+    bool waits{};             // for something that the board says
     bool is_in_flight{};
     bool is_due{};            // to be sent again
     std::uint8_t attempts{};  // transmissions left
@@ -180,7 +190,7 @@ class BasicSession {
   /// The last transmission.
   struct Transmission {
     Handle handle{};
-    Replies replies{};
+    Responses responses{};
     Duration pause{};        // behind it
     Duration answer_time{};  // of the answer on the line
     Duration finish{};
@@ -200,28 +210,28 @@ class BasicSession {
     return {{}, status, encoding};
   }
 
-  SendResult accept(Request& slot, std::size_t size, const Exchange& exchange,
+  SendResult accept(Request& slot, std::size_t size, const ResponsePolicy& policy,
                     const SendOptions& options) noexcept {
-    const StreamChange& stream = exchange.stream;
+    const StreamChange& stream = policy.stream;
     if (stream.command != 0) {
       const std::uint32_t limit = options.ignore_budget ? 0 : stream_limit();
       const SendStatus status = streams_.check(stream, limit);
       if (status != SendStatus::ok) return refuse(status);
     }
-    const bool certain = is_certain(exchange);
+    const bool certain = policy.is_certain();
     const std::uint8_t attempts = options.attempts != 0 ? options.attempts : options_.attempts;
     slot.handle = {++last_handle_};
-    slot.exchange = exchange;
-    if (stream.command != 0 && !streams_.ask(stream)) slot.exchange.stream = {};
-    const bool may_be_confirmed = exchange.replies.confirmed != Confirmed::never;
+    slot.policy = policy;
+    if (stream.command != 0 && !streams_.ask(stream)) slot.policy.stream = {};
+    const bool may_be_confirmed = policy.responses.confirmed != Confirmed::never;
     slot.waits = certain || (options.expect_confirmation && may_be_confirmed);
     slot.is_in_flight = slot.is_due = false;
     // That a possible confirmation does not come is no reason to send again.
-    slot.attempts = certain && exchange.retry_is_safe && attempts != 0 ? attempts : 1;
+    slot.attempts = certain && policy.retry_is_safe && attempts != 0 ? attempts : 1;
     slot.transmissions = slot.confirmations = 0;
     slot.size = static_cast<std::uint16_t>(size);
-    const Duration timeout = milliseconds(exchange.timeout_ms);
-    const Duration finish = milliseconds(exchange.finish_ms);
+    const Duration timeout = milliseconds(policy.timeout_ms);
+    const Duration finish = milliseconds(policy.finish_ms);
     slot.timeout = options.timeout > Duration{} ? options.timeout : timeout;
     slot.finish = finish < slot.timeout ? slot.timeout : finish;
     slot.attempt_end = Instant::never;
@@ -248,28 +258,19 @@ class BasicSession {
 
   bool may_be_sent(const Request& request) const noexcept {
     if (request.is_in_flight) return request.is_due;
-    const Replies& replies = request.exchange.replies;
+    const Responses& responses = request.policy.responses;
     std::size_t in_flight = 0;
     for (const Request& other : requests_) {
       if (!other.handle) continue;
       in_flight += other.is_in_flight ? 1U : 0U;
       const bool is_before = other.is_in_flight || other.handle < request.handle;
       if (is_before && (other.waits || request.waits) &&
-          replies.can_be_confused_with(other.exchange.replies)) {
+          responses.can_be_confused_with(other.policy.responses)) {
         return false;
       }
     }
-    if (request.waits && ghosts_.can_be_confused_with(replies)) return false;
-    return !has_replies(replies) || ghosts_.has_room(replies, in_flight);
-  }
-
-  /// Whether something comes back unless it is lost or the request fails.
-  static bool is_certain(const Exchange& exchange) noexcept {
-    return exchange.answer_required || exchange.replies.confirmed == Confirmed::always;
-  }
-
-  static bool has_replies(const Replies& replies) noexcept {
-    return replies.answer_count != 0 || replies.confirmed != Confirmed::never;
+    if (request.waits && late_replies_.can_be_confused_with(responses)) return false;
+    return !responses.are_possible() || late_replies_.has_room(responses, in_flight);
   }
 
   /// Puts the frame of a request into `out_`; returns its size.
@@ -280,8 +281,8 @@ class BasicSession {
     ++statistics_.sent_frames;
     statistics_.sent_bytes += size;
     statistics_.retries += request.is_in_flight ? 1U : 0U;
-    const std::size_t answer = answer_size(request.exchange);
-    sent_ = {request.handle, request.exchange.replies, detail::pause_behind(options_, size, answer),
+    const std::size_t answer = answer_size(request.policy);
+    sent_ = {request.handle, request.policy.responses, detail::pause_behind(options_, size, answer),
              wire_time(options_.line, answer), request.finish};
     const Instant left = now_ + wire_time(options_.line, size);
     next_send_ = left + sent_.pause;
@@ -296,13 +297,13 @@ class BasicSession {
   }
 
   /// The size of the frame that answers, the largest if it varies.
-  static std::size_t answer_size(const Exchange& exchange) noexcept {
-    const Replies& replies = exchange.replies;
-    std::size_t size = replies.confirmed != Confirmed::never ? roles::confirmation_size : 0;
-    for (std::size_t i = 0; i < replies.answer_count; ++i) {
-      if (size < replies.answers[i].size) size = replies.answers[i].size;
+  static std::size_t answer_size(const ResponsePolicy& policy) noexcept {
+    const Responses& responses = policy.responses;
+    std::size_t size = responses.confirmed != Confirmed::never ? roles::confirmation_size : 0;
+    for (std::size_t i = 0; i < responses.form_count; ++i) {
+      if (size < responses.forms[i].size) size = responses.forms[i].size;
     }
-    return has_replies(replies) ? Framing::frame_size(size) : 0;
+    return responses.are_possible() ? Framing::frame_size(size) : 0;
   }
 
   // Time
@@ -337,7 +338,7 @@ class BasicSession {
       request.is_due = true;
       return;
     }
-    complete(request, is_certain(request.exchange) ? Outcome::timeout : Outcome::unconfirmed, {},
+    complete(request, request.policy.is_certain() ? Outcome::timeout : Outcome::unconfirmed, {},
              sink);
   }
 
@@ -356,7 +357,7 @@ class BasicSession {
         is_blocked = true;
       }
     }
-    return is_blocked ? earlier(next, ghosts_.next_end()) : next;
+    return is_blocked ? earlier(next, late_replies_.next_end()) : next;
   }
 
   // What the board says
@@ -377,13 +378,13 @@ class BasicSession {
   template <class Sink>
   void take_message(const Frame& frame, Sink& sink) {
     for (Request& request : requests_) {
-      const AnswerForm* const form = waiting_form(request, frame);
+      const ResponseForm* const form = waiting_form(request, frame);
       if (form == nullptr) continue;
       complete(request, form->is_error ? Outcome::failed : Outcome::answered, frame, sink);
       return;
     }
     const bool is_late =
-        take_late([&](const Replies& replies) { return replies.answer(frame) != nullptr; });
+        take_late([&](const Responses& responses) { return responses.form_of(frame) != nullptr; });
     const bool is_sample = streams_.has(frame.id);
     statistics_.unsolicited += is_late || is_sample ? 0U : 1U;
     report({.kind = is_sample ? EventKind::stream : EventKind::unsolicited,
@@ -394,9 +395,9 @@ class BasicSession {
   }
 
   /// The form in which the frame answers a request in flight, or null.
-  const AnswerForm* waiting_form(const Request& request, const Frame& frame) const noexcept {
+  const ResponseForm* waiting_form(const Request& request, const Frame& frame) const noexcept {
     if (!request.handle || !request.is_in_flight) return nullptr;
-    const AnswerForm* const form = request.exchange.replies.answer(frame);
+    const ResponseForm* const form = request.policy.responses.form_of(frame);
     if (form == nullptr) return nullptr;
     const bool is_sample = form->size != frame.body.size() && streams_.has_size_of_sample(frame);
     return is_sample ? nullptr : form;
@@ -406,9 +407,9 @@ class BasicSession {
   void take_confirmation(const Frame& frame, Sink& sink) {
     const std::uint8_t command = roles::confirmed_command(frame);
     for (Request& request : requests_) {
-      const Exchange& exchange = request.exchange;
+      const ResponsePolicy& policy = request.policy;
       if (!request.handle || !request.is_in_flight) continue;
-      if (!exchange.replies.is_confirmed_by(command, frame)) continue;
+      if (!policy.responses.is_confirmed_by(command, frame)) continue;
       if (request.confirmations != 0 && repeats() &&
           now_ < request.confirmed_at + options_.duplicates) {
         break;  // the last one again
@@ -420,15 +421,15 @@ class BasicSession {
               .handle = handle,
               .command = command,
               .confirmation = request.confirmations,
-              .confirmations = exchange.confirmations,
+              .confirmations = policy.confirmations,
               .frame = frame},
              sink);
       if (request.handle != handle) return;  // cancelled by the sink
-      if (exchange.result.is_failure(frame.body)) {
+      if (policy.result.is_failure(frame.body)) {
         complete(request, Outcome::failed, frame, sink);
-      } else if (exchange.answer_required) {
+      } else if (policy.response_required) {
         // The answer comes, too.
-      } else if (request.confirmations >= exchange.confirmations) {
+      } else if (request.confirmations >= policy.confirmations) {
         complete(request, Outcome::confirmed, frame, sink);
       } else {
         request.is_due = false;
@@ -436,8 +437,8 @@ class BasicSession {
       }
       return;
     }
-    const bool is_late =
-        take_late([&](const Replies& replies) { return replies.is_confirmed_by(command, frame); });
+    const bool is_late = take_late(
+        [&](const Responses& responses) { return responses.is_confirmed_by(command, frame); });
     report(
         {.kind = EventKind::confirmation, .command = command, .is_late = is_late, .frame = frame},
         sink);
@@ -449,10 +450,10 @@ class BasicSession {
     ++statistics_.board_errors;
     const std::uint8_t command = roles::failed_command(frame);
     Request* meant = nullptr;
-    bool is_clear = !ghosts_.has_command(command);
+    bool is_clear = !late_replies_.has_command(command);
     for (Request& request : requests_) {
       if (!request.handle || !request.is_in_flight) continue;
-      if (command != 0 && request.exchange.replies.command != command) continue;
+      if (command != 0 && request.policy.responses.command != command) continue;
       is_clear = is_clear && meant == nullptr;
       meant = &request;
     }
@@ -460,8 +461,8 @@ class BasicSession {
       complete(*meant, Outcome::board_error, frame, sink);
       return;
     }
-    const bool is_late = meant == nullptr && take_late([&](const Replies& replies) {
-                           return command == 0 || replies.command == command;
+    const bool is_late = meant == nullptr && take_late([&](const Responses& responses) {
+                           return command == 0 || responses.command == command;
                          });
     report({.kind = EventKind::board_error, .command = command, .is_late = is_late, .frame = frame},
            sink);
@@ -480,7 +481,7 @@ class BasicSession {
     report({.kind = EventKind::reset, .command = frame.id, .frame = frame}, sink);
     complete_all(Outcome::reset, sink, newest);
     // Until it restarts, the board may go on answering.
-    ghosts_.limit(now_ + milliseconds(roles::reset_delay_ms) + options_.late);
+    late_replies_.limit(now_ + milliseconds(roles::reset_delay_ms) + options_.late);
   }
 
   /// Whether a frame may come twice.
@@ -488,8 +489,8 @@ class BasicSession {
 
   template <class Fits>
   bool take_late(Fits&& fits) noexcept {
-    const bool is_late = ghosts_.take(fits, repeats(), now_ + options_.duplicates);
-    statistics_.late_answers += is_late ? 1U : 0U;
+    const bool is_late = late_replies_.take(fits, repeats(), now_ + options_.duplicates);
+    statistics_.late_replies += is_late ? 1U : 0U;
     return is_late;
   }
 
@@ -499,7 +500,7 @@ class BasicSession {
   /// event of the same occurrence: the sink may have asked for another stream.
   void forget_streams() noexcept {
     streams_.clear();
-    for (Request& request : requests_) request.exchange.stream = {};
+    for (Request& request : requests_) request.policy.stream = {};
   }
 
   /// Completes the requests up to `newest`: not what the sink sends meanwhile.
@@ -510,31 +511,31 @@ class BasicSession {
     }
   }
 
-  /// Frees the slot of a request, leaves a ghost if more may come, and reports the end.
+  /// Frees the slot of a request, leaves a late reply if more may come, and reports the end.
   template <class Sink>
   void complete(Request& request, Outcome outcome, const Frame& frame, Sink& sink) {
-    const Exchange& exchange = request.exchange;
-    leave_ghost(request, outcome);
+    const ResponsePolicy& policy = request.policy;
+    leave_late_reply(request, outcome);
     const bool done =
         outcome == Outcome::answered || outcome == Outcome::confirmed || outcome == Outcome::sent;
-    if (exchange.stream.command != 0) streams_.settle(exchange.stream, done);
-    if (exchange.restarts_board && done) streams_.stop();
+    if (policy.stream.command != 0) streams_.settle(policy.stream, done);
+    if (policy.restarts_board && done) streams_.stop();
     const Event event{.kind = EventKind::completed,
                       .handle = request.handle,
                       .outcome = outcome,
-                      .command = exchange.replies.command,
+                      .command = policy.responses.command,
                       .may_be_sample = outcome == Outcome::answered && streams_.has(frame.id),
                       .frame = frame};
     request.handle = {};
     report(event, sink);
   }
 
-  void leave_ghost(const Request& request, Outcome outcome) noexcept {
-    const Exchange& exchange = request.exchange;
-    if (request.transmissions == 0 || !has_replies(exchange.replies)) return;
+  void leave_late_reply(const Request& request, Outcome outcome) noexcept {
+    const ResponsePolicy& policy = request.policy;
+    if (request.transmissions == 0 || !policy.responses.are_possible()) return;
     const bool is_answered = outcome == Outcome::answered || outcome == Outcome::failed ||
                              outcome == Outcome::board_error;
-    const std::uint32_t each = exchange.replies.answer_count != 0 ? 1 : exchange.confirmations;
+    const std::uint32_t each = policy.responses.form_count != 0 ? 1 : policy.confirmations;
     std::uint32_t expected = each * request.transmissions;
     const std::uint32_t seen = is_answered ? each : request.confirmations;
     expected = expected > seen ? expected - seen : 0;
@@ -547,7 +548,7 @@ class BasicSession {
       }
     }
     // Even if it is over by now: the frame may still be stuck, see written().
-    if (expected != 0) ghosts_.add(exchange.replies, expected, end);
+    if (expected != 0) late_replies_.add(policy.responses, expected, end);
   }
 
   template <class Sink>
@@ -563,7 +564,7 @@ class BasicSession {
   std::uint64_t last_handle_{};
   Transmission sent_{};
   std::array<Request, capacity.requests> requests_{};
-  detail::Ghosts<capacity.ghosts> ghosts_{};
+  detail::LateReplies<capacity.late_replies> late_replies_{};
   detail::Streams<capacity.streams> streams_{};
   SessionStatistics statistics_{};
   std::array<std::uint8_t, max_frame_size> out_{};

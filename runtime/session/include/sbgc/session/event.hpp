@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <span>
 
-#include <sbgc/exchange.hpp>
 #include <sbgc/frame.hpp>
 #include <sbgc/line.hpp>
 #include <sbgc/parser.hpp>
 #include <sbgc/protocol.hpp>
+#include <sbgc/response_policy.hpp>
 #include <sbgc/status.hpp>
 #include <sbgc/time.hpp>
 
@@ -115,7 +115,7 @@ struct SessionStatistics {
   std::uint64_t sent_bytes{};
   std::uint64_t retries{};
   std::uint64_t timeouts{};      ///< transmissions without answer
-  std::uint64_t late_answers{};  ///< answers and confirmations to requests that were over
+  std::uint64_t late_replies{};  ///< answers and confirmations to requests that were over
   std::uint64_t unsolicited{};
   std::uint64_t board_errors{};
   std::uint64_t resets{};

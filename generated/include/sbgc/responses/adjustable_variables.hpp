@@ -5,75 +5,71 @@
 
 #include <cstdint>
 
-#include <sbgc/exchange.hpp>
+#include <sbgc/response_policy.hpp>
 #include <sbgc/messages/adjustable_variables.hpp>
 
 namespace sbgc::msg {
 
-struct AdjVarsState;
-struct ReadAdjVarsCfg;
-struct SetAdjVarsVal;
-
-constexpr Exchange exchange_of(const SetAdjVarsVal&) noexcept {
-  return {.replies = {.command = 31,
+constexpr ResponsePolicy response_policy(const SetAdjVarsVal&) noexcept {
+  return {.responses = {.command = 31,
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
       .timeout_ms = 500};
 }
 
-constexpr Exchange exchange_of(const GetAdjVarsVal&) noexcept {
-  return {.replies = {.command = 64,
-              .answer_count = 1,
-              .answers = {{{.id = 31,
+constexpr ResponsePolicy response_policy(const GetAdjVarsVal&) noexcept {
+  return {.responses = {.command = 64,
+              .form_count = 1,
+              .forms = {{{.id = 31,
                .min_size = 1,
                .max_size = max_body_size,
                .size = 201}}}},
-      .answer_required = true,
+      .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};
 }
 
-constexpr Exchange exchange_of(const ReadAdjVarsCfgRequest&) noexcept {
-  return {.replies = {.command = 43,
-              .answer_count = 1,
-              .answers = {{{.id = 43,
+constexpr ResponsePolicy response_policy(const ReadAdjVarsCfgRequest&) noexcept {
+  return {.responses = {.command = 43,
+              .form_count = 1,
+              .forms = {{{.id = 43,
                .min_size = 128,
                .max_size = max_body_size,
                .size = 128}}}},
-      .answer_required = true,
+      .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};
 }
 
-constexpr Exchange exchange_of(const WriteAdjVarsCfg&) noexcept {
-  return {.replies = {.command = 44,
+constexpr ResponsePolicy response_policy(const WriteAdjVarsCfg&) noexcept {
+  return {.responses = {.command = 44,
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
       .timeout_ms = 2000};
 }
 
-constexpr Exchange exchange_of(const AdjVarsStateRequest&) noexcept {
-  return {.replies = {.command = 46,
-              .answer_count = 1,
-              .answers = {{{.id = 46,
+constexpr ResponsePolicy response_policy(const AdjVarsStateRequest&) noexcept {
+  return {.responses = {.command = 46,
+              .form_count = 1,
+              .forms = {{{.id = 46,
                .min_size = 15,
                .max_size = max_body_size,
                .size = 15}}}},
-      .answer_required = true,
+      .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};
 }
 
-constexpr Exchange exchange_of(const AdjVarsStateRequestExt&) noexcept {
-  return {.replies = {.command = 46,
-              .answer_count = 1,
-              .answers = {{{.id = 46,
+constexpr ResponsePolicy response_policy(const AdjVarsStateRequestExt&) noexcept {
+  return {.responses = {.command = 46,
+              .form_count = 1,
+              .forms = {{{.id = 46,
                .min_size = 15,
                .max_size = max_body_size,
                .size = 15}}}},
-      .answer_required = true,
+      .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};
 }

@@ -13,15 +13,15 @@
 #include <gtest/gtest.h>
 
 #include <sbgc/dispatch.hpp>
-#include <sbgc/exchanges/all.hpp>
 #include <sbgc/line_facts.hpp>
 #include <sbgc/message.hpp>
+#include <sbgc/responses/all.hpp>
 #include <sbgc/roles.hpp>
 
 namespace {
 
 using sbgc::Confirmed;
-using sbgc::Exchange;
+using sbgc::ResponsePolicy;
 using ::testing::ElementsAre;
 
 /// Calls `use(message)` with an empty message of each type that goes to the board.
@@ -51,85 +51,85 @@ const std::set<int> hardly_confirmed = {72, 45};
 // Without anything to wait for, unless they ask for notice.
 const std::set<int> silent = {114, 51};
 
-TEST(Exchanges, AreThoseOfTheSpecification) {
+TEST(ResponsePolicy, AreThoseOfTheSpecification) {
   std::set<int> seen;
   for_each_request([&]<class M>(const M& message) {
-    const Exchange exchange = exchange_of(message);
+    const ResponsePolicy policy = response_policy(message);
     const int id = static_cast<int>(M::command);
     seen.insert(id);
-    EXPECT_EQ(exchange.replies.command, id);
+    EXPECT_EQ(policy.responses.command, id);
     const auto answer = answers.find(id);
-    EXPECT_EQ(exchange.answer_required, answer != answers.end()) << id;
-    EXPECT_EQ(exchange.replies.answer_count != 0, answer != answers.end()) << id;
-    for (std::size_t i = 0; i < exchange.replies.answer_count; ++i) {
-      EXPECT_EQ(exchange.replies.answers[i].id, answer->second) << id;
+    EXPECT_EQ(policy.response_required, answer != answers.end()) << id;
+    EXPECT_EQ(policy.responses.form_count != 0, answer != answers.end()) << id;
+    for (std::size_t i = 0; i < policy.responses.form_count; ++i) {
+      EXPECT_EQ(policy.responses.forms[i].id, answer->second) << id;
     }
-    const bool is_certain = exchange.replies.confirmed == Confirmed::always;
+    const bool is_certain = policy.responses.confirmed == Confirmed::always;
     EXPECT_EQ(is_certain, confirmed.contains(id)) << id;
     if (silent.contains(id) || answer != answers.end()) {
-      EXPECT_EQ(exchange.replies.confirmed, Confirmed::never) << id;
+      EXPECT_EQ(policy.responses.confirmed, Confirmed::never) << id;
     } else if (!is_certain) {
-      EXPECT_EQ(exchange.replies.confirmed == Confirmed::unlikely, hardly_confirmed.contains(id))
+      EXPECT_EQ(policy.responses.confirmed == Confirmed::unlikely, hardly_confirmed.contains(id))
           << id;
-      EXPECT_NE(exchange.replies.confirmed, Confirmed::never) << id;
+      EXPECT_NE(policy.responses.confirmed, Confirmed::never) << id;
     }
-    EXPECT_EQ(exchange.confirmations == 0, exchange.replies.confirmed == Confirmed::never) << id;
-    EXPECT_GT(exchange.timeout_ms, 0U);
+    EXPECT_EQ(policy.confirmations == 0, policy.responses.confirmed == Confirmed::never) << id;
+    EXPECT_GT(policy.timeout_ms, 0U);
   });
   for (const auto& [id, answer] : answers) EXPECT_TRUE(seen.contains(id)) << id;
   for (const int id : confirmed) EXPECT_TRUE(seen.contains(id)) << id;
 }
 
-TEST(Exchanges, OnlyReadsAndRequestsThatCanBeRepeatedAreSafe) {
+TEST(ResponsePolicy, OnlyReadsAndRequestsThatCanBeRepeatedAreSafe) {
   // What moves by a step, counts up, starts, restarts or toggles something when it is done again,
   // and what nobody knows.
   const std::set<int> unsafe = {69, 72, 65, 103, 59, 71,  80, 79, 66, 26, 27,  35, 75,
                                 57, 89, 39, 40,  70, 114, 51, 30, 52, 74, 250, 251};
   for_each_request([&]<class M>(const M& message) {
     const int id = static_cast<int>(M::command);
-    EXPECT_EQ(exchange_of(message).retry_is_safe, !unsafe.contains(id)) << id;
+    EXPECT_EQ(response_policy(message).retry_is_safe, !unsafe.contains(id)) << id;
   });
 }
 
-TEST(Exchanges, CalibrationsConfirmTwice) {
+TEST(ResponsePolicy, CalibrationsConfirmTwice) {
   for_each_request([&]<class M>(const M& message) {
-    const bool twice = M::command == sbgc::msg::CommandId::calib_acc ||
-                       M::command == sbgc::msg::CommandId::calib_gyro;
-    const Exchange exchange = exchange_of(message);
-    EXPECT_EQ(exchange.confirmations == 2, twice);
-    EXPECT_EQ(exchange.finish_ms > exchange.timeout_ms, twice);
+    const bool twice = M::command == sbgc::msg::CommandToBoard::calib_acc ||
+                       M::command == sbgc::msg::CommandToBoard::calib_gyro;
+    const ResponsePolicy policy = response_policy(message);
+    EXPECT_EQ(policy.confirmations == 2, twice);
+    EXPECT_EQ(policy.finish_ms > policy.timeout_ms, twice);
   });
   sbgc::msg::CalibAccExt request;
   for (const auto action :
        {sbgc::msg::CalibAction::reset, sbgc::msg::CalibAction::enable_temperature,
         sbgc::msg::CalibAction::disable_temperature}) {
     request.action = action;
-    EXPECT_EQ(exchange_of(request).confirmations, 1);
-    EXPECT_TRUE(exchange_of(request).restarts_board);
+    EXPECT_EQ(response_policy(request).confirmations, 1);
+    EXPECT_TRUE(response_policy(request).restarts_board);
   }
   request.action = sbgc::msg::CalibAction::temperature;
-  EXPECT_EQ(exchange_of(request).confirmations, 2);
-  EXPECT_GT(exchange_of(request).finish_ms, 600'000U);
+  EXPECT_EQ(response_policy(request).confirmations, 2);
+  EXPECT_GT(response_policy(request).finish_ms, 600'000U);
 }
 
-TEST(Exchanges, DependOnTheRequest) {
+TEST(ResponsePolicy, DependOnTheRequest) {
   sbgc::msg::ResetRequestExt reset;
-  EXPECT_FALSE(exchange_of(reset).answer_required);
+  EXPECT_FALSE(response_policy(reset).response_required);
   reset.confirm.set(sbgc::msg::ResetOption::notify);
-  EXPECT_TRUE(exchange_of(reset).answer_required);
-  EXPECT_EQ(exchange_of(reset).replies.answers[0].id, 114);
+  EXPECT_TRUE(response_policy(reset).response_required);
+  EXPECT_EQ(response_policy(reset).responses.forms[0].id, 114);
   sbgc::msg::BootMode3Ext boot;
   boot.confirm.set(sbgc::msg::ResetOption::notify);
-  EXPECT_EQ(exchange_of(boot).replies.answers[0].id, 114) << "CMD_RESET, not CMD_BOOT_MODE_3";
+  EXPECT_EQ(response_policy(boot).responses.forms[0].id, 114) << "CMD_RESET, not CMD_BOOT_MODE_3";
   sbgc::msg::AhrsHelperRequestExt attitude;
-  EXPECT_TRUE(exchange_of(attitude).answer_required);
+  EXPECT_TRUE(response_policy(attitude).response_required);
   attitude.mode.set(sbgc::msg::AhrsHelperModeBit::set);
-  EXPECT_FALSE(exchange_of(attitude).answer_required);
-  EXPECT_EQ(exchange_of(attitude).replies.confirmed, Confirmed::unlikely);
+  EXPECT_FALSE(response_policy(attitude).response_required);
+  EXPECT_EQ(response_policy(attitude).responses.confirmed, Confirmed::unlikely);
   for_each_request([&]<class M>(const M& message) {
-    if (M::command == sbgc::msg::CommandId::reset ||
-        M::command == sbgc::msg::CommandId::boot_mode_3) {
-      EXPECT_TRUE(exchange_of(message).restarts_board);
+    if (M::command == sbgc::msg::CommandToBoard::reset ||
+        M::command == sbgc::msg::CommandToBoard::boot_mode_3) {
+      EXPECT_TRUE(response_policy(message).restarts_board);
     }
   });
 }
@@ -141,59 +141,59 @@ struct Repeated {
   std::uint32_t value;
 };
 
-void expect_echo(const sbgc::Echo& echo, const Repeated& repeated) {
-  EXPECT_EQ(echo.offset, repeated.offset);
-  EXPECT_EQ(echo.size, repeated.size);
-  EXPECT_EQ(echo.value, repeated.value);
+void expect_field(const sbgc::CorrelationField& field, const Repeated& repeated) {
+  EXPECT_EQ(field.offset, repeated.offset);
+  EXPECT_EQ(field.size, repeated.size);
+  EXPECT_EQ(field.value, repeated.value);
 }
 
-TEST(Exchanges, AnswersRepeatPartsOfTheRequest) {
+TEST(ResponsePolicy, AnswersRepeatPartsOfTheRequest) {
   sbgc::msg::ReadParamsExt2Request params;
   params.profile_id = 3;
-  expect_echo(exchange_of(params).replies.answers[0].echoes[0], {0, 1, 3});
+  expect_field(response_policy(params).responses.forms[0].correlation[0], {0, 1, 3});
   params.profile_id = 255;
-  EXPECT_EQ(exchange_of(params).replies.answers[0].echoes[0].size, 0);
+  EXPECT_EQ(response_policy(params).responses.forms[0].correlation[0].size, 0);
   sbgc::msg::EepromReadRequest memory;
   memory.addr = 0x12345640;
-  expect_echo(exchange_of(memory).replies.answers[0].echoes[0], {0, 4, 0x12345640});
+  expect_field(response_policy(memory).responses.forms[0].correlation[0], {0, 4, 0x12345640});
   sbgc::msg::ReadFileRequest file;
   file.page_offset = sbgc::msg::Pages(0x0102);
-  expect_echo(exchange_of(file).replies.answers[0].echoes[0], {2, 2, 0x0102});
-  EXPECT_TRUE(exchange_of(file).replies.answers[1].is_error);
-  EXPECT_EQ(exchange_of(file).replies.answers[1].max_size, 1);
+  expect_field(response_policy(file).responses.forms[0].correlation[0], {2, 2, 0x0102});
+  EXPECT_TRUE(response_policy(file).responses.forms[1].is_error);
+  EXPECT_EQ(response_policy(file).responses.forms[1].max_size, 1);
   sbgc::msg::CalibInfoRequest calibration;
   calibration.imu_type = sbgc::msg::SelectedImu::frame;
-  expect_echo(exchange_of(calibration).replies.answers[0].echoes[0], {1, 1, 2});
+  expect_field(response_policy(calibration).responses.forms[0].correlation[0], {1, 1, 2});
   sbgc::msg::EepromWrite write;
   write.addr = 64;
-  expect_echo(exchange_of(write).replies.confirmation, {1, 4, 64});
-  EXPECT_EQ(exchange_of(sbgc::msg::WriteFile{}).result.offset, 1);
-  EXPECT_EQ(exchange_of(sbgc::msg::WriteFile{}).result.size, 1);
-  EXPECT_EQ(exchange_of(sbgc::msg::FsClearAll{}).result.size, 1);
-  EXPECT_EQ(exchange_of(write).result.size, 0);
+  expect_field(response_policy(write).responses.confirmation, {1, 4, 64});
+  EXPECT_EQ(response_policy(sbgc::msg::WriteFile{}).result.offset, 1);
+  EXPECT_EQ(response_policy(sbgc::msg::WriteFile{}).result.size, 1);
+  EXPECT_EQ(response_policy(sbgc::msg::FsClearAll{}).result.size, 1);
+  EXPECT_EQ(response_policy(write).result.size, 0);
 }
 
-/// An answer whose bytes are what the request wants; `exchange_of` must find it fits, and nothing
-/// that differs in an echo.
-TEST(Exchanges, EchoesDecideWhatFits) {
+/// An answer whose bytes are what the request wants; `response_policy` must find it fits, and
+/// nothing that differs in a correlation field.
+TEST(ResponsePolicy, CorrelationFieldsDecideWhatFits) {
   sbgc::msg::EepromReadRequest request;
   request.addr = 0xA0B0C0;
-  const sbgc::Replies replies = exchange_of(request).replies;
+  const sbgc::Responses responses = response_policy(request).responses;
   std::vector<std::uint8_t> body = {0xC0, 0xB0, 0xA0, 0x00, 1, 2, 3};
-  EXPECT_NE(replies.answer({48, body, 0}), nullptr);
-  EXPECT_EQ(replies.answer({47, body, 0}), nullptr);
+  EXPECT_NE(responses.form_of({48, body, 0}), nullptr);
+  EXPECT_EQ(responses.form_of({47, body, 0}), nullptr);
   for (std::size_t i = 0; i < 4; ++i) {
     body[i] ^= 0x40;
-    EXPECT_EQ(replies.answer({48, body, 0}), nullptr) << i;
+    EXPECT_EQ(responses.form_of({48, body, 0}), nullptr) << i;
     body[i] ^= 0x40;
   }
-  EXPECT_EQ(replies.answer({48, std::span(body).first(3), 0}), nullptr);
+  EXPECT_EQ(responses.form_of({48, std::span(body).first(3), 0}), nullptr);
 }
 
-TEST(Exchanges, ThoseThatOneFrameFitsCanBeConfused) {
+TEST(ResponsePolicy, ThoseThatOneFrameFitsCanBeConfused) {
   const auto confused = [](const auto& one, const auto& two) {
-    const sbgc::Replies first = exchange_of(one).replies;
-    const sbgc::Replies second = exchange_of(two).replies;
+    const sbgc::Responses first = response_policy(one).responses;
+    const sbgc::Responses second = response_policy(two).responses;
     EXPECT_EQ(first.can_be_confused_with(second), second.can_be_confused_with(first));
     return first.can_be_confused_with(second);
   };
@@ -215,14 +215,14 @@ TEST(Exchanges, ThoseThatOneFrameFitsCanBeConfused) {
   EXPECT_TRUE(confused(write, elsewhere)) << "the address may be missing";
 }
 
-TEST(Exchanges, SizeOfTheAnswer) {
+TEST(ResponsePolicy, SizeOfTheAnswer) {
   sbgc::msg::RealtimeDataCustomRequest request;
-  EXPECT_EQ(exchange_of(request).replies.answers[0].size, 2);
+  EXPECT_EQ(response_policy(request).responses.forms[0].size, 2);
   request.flags.set(sbgc::msg::RealtimeDataCustomFlag::rc_data);
   request.flags.set(sbgc::msg::RealtimeDataCustomFlag::z1_h1_vectors);
-  EXPECT_EQ(exchange_of(request).replies.answers[0].size, 2 + 12 + 24);
-  EXPECT_EQ(exchange_of(sbgc::msg::ReadParams3Request{}).replies.answers[0].size, 134);
-  EXPECT_EQ(exchange_of(sbgc::msg::ReadParams3Request{}).replies.answers[0].max_size, 255);
+  EXPECT_EQ(response_policy(request).responses.forms[0].size, 2 + 12 + 24);
+  EXPECT_EQ(response_policy(sbgc::msg::ReadParams3Request{}).responses.forms[0].size, 134);
+  EXPECT_EQ(response_policy(sbgc::msg::ReadParams3Request{}).responses.forms[0].max_size, 255);
 }
 
 template <class M>
@@ -247,7 +247,8 @@ static_assert(std::is_void_v<sbgc::msg::SetAdjVarsVal::Response>, "a request in 
 static_assert(!HasResponse<sbgc::msg::BoardInfo>);
 static_assert(std::same_as<ResponseMessages<sbgc::msg::BootMode3Ext>, TypeList<sbgc::msg::Reset>>);
 static_assert(std::same_as<ResponseMessages<sbgc::msg::MotorsOn>, TypeList<>>);
-static_assert(exchange_of(sbgc::msg::BoardInfoRequest{}).answer_required, "known at compile time");
+static_assert(response_policy(sbgc::msg::BoardInfoRequest{}).response_required,
+              "known at compile time");
 
 static_assert(std::same_as<sbgc::roles::Confirmation, sbgc::msg::Confirm>);
 static_assert(

@@ -6,14 +6,10 @@
 #include <cstdint>
 #include <span>
 
-#include <sbgc/exchange.hpp>
+#include <sbgc/response_policy.hpp>
 #include <sbgc/messages/realtime.hpp>
 
 namespace sbgc::msg {
-
-struct RealtimeData3;
-struct RealtimeData4;
-struct RealtimeDataCustom;
 
 /// The data stream that the request is about.
 constexpr StreamChange stream_change(const DataStreamInterval& request) noexcept {
@@ -47,46 +43,46 @@ constexpr StreamChange stream_change(const DataStreamInterval& request) noexcept
   return change;
 }
 
-constexpr Exchange exchange_of(const RealtimeData&) noexcept {
-  return {.replies = {.command = 68,
-              .answer_count = 1,
-              .answers = {{{.id = 23,
+constexpr ResponsePolicy response_policy(const RealtimeData&) noexcept {
+  return {.responses = {.command = 68,
+              .form_count = 1,
+              .forms = {{{.id = 23,
                .min_size = 63,
                .max_size = max_body_size,
                .size = 63}}}},
-      .answer_required = true,
+      .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};
 }
 
-constexpr Exchange exchange_of(const RealtimeData3Request&) noexcept {
-  return {.replies = {.command = 23,
-              .answer_count = 1,
-              .answers = {{{.id = 23,
+constexpr ResponsePolicy response_policy(const RealtimeData3Request&) noexcept {
+  return {.responses = {.command = 23,
+              .form_count = 1,
+              .forms = {{{.id = 23,
                .min_size = 63,
                .max_size = max_body_size,
                .size = 63}}}},
-      .answer_required = true,
+      .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};
 }
 
-constexpr Exchange exchange_of(const RealtimeData4Request&) noexcept {
-  return {.replies = {.command = 25,
-              .answer_count = 1,
-              .answers = {{{.id = 25,
+constexpr ResponsePolicy response_policy(const RealtimeData4Request&) noexcept {
+  return {.responses = {.command = 25,
+              .form_count = 1,
+              .forms = {{{.id = 25,
                .min_size = 124,
                .max_size = max_body_size,
                .size = 124}}}},
-      .answer_required = true,
+      .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};
 }
 
-constexpr Exchange exchange_of(const RealtimeDataCustomRequest& request) noexcept {
-  return {.replies = {.command = 88,
-              .answer_count = 1,
-              .answers = {{{.id = 88,
+constexpr ResponsePolicy response_policy(const RealtimeDataCustomRequest& request) noexcept {
+  return {.responses = {.command = 88,
+              .form_count = 1,
+              .forms = {{{.id = 88,
                .min_size = static_cast<std::uint8_t>(2 +
               (request.flags.has(RealtimeDataCustomFlag::imu_angles) ? 6 : 0) +
               (request.flags.has(RealtimeDataCustomFlag::target_angles) ? 6 : 0) +
@@ -110,13 +106,13 @@ constexpr Exchange exchange_of(const RealtimeDataCustomRequest& request) noexcep
               (request.flags.has(RealtimeDataCustomFlag::z1_h1_vectors) ? 12 : 0) +
               (request.flags.has(RealtimeDataCustomFlag::rc_channels) ? 36 : 0) +
               (request.flags.has(RealtimeDataCustomFlag::acc_data) ? 6 : 0))}}}},
-      .answer_required = true,
+      .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};
 }
 
-constexpr Exchange exchange_of(const DataStreamInterval& request) noexcept {
-  return {.replies = {.command = 85,
+constexpr ResponsePolicy response_policy(const DataStreamInterval& request) noexcept {
+  return {.responses = {.command = 85,
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,

@@ -1,4 +1,4 @@
-"""What answers a request in which case, echoes, roles and the line."""
+"""What answers a request in which case, correlation fields, roles and the line."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ commands:
       source: Incoming commands L50
       role: {is: confirmation, command: CMD}
       fields:
-        - {name: CMD, type: CommandId, summary: What.}
+        - {name: CMD, type: CommandToBoard, summary: What.}
         - {name: PLACE, type: u16, when: {field: CMD, is: [CMD_PUT], may_be_missing: true}, summary: Where.}
         - {name: ENDING, type: Closing, when: {field: CMD, is: [CMD_PUT], may_be_missing: true}, summary: How.}
 
@@ -53,7 +53,7 @@ commands:
     to_board:
       source: Outgoing commands L60
       effect: reads
-      answer: {confirm: always, confirmations: 2, timeout_ms: 70, finish_ms: 900, echoes: [PLACE]}
+      answer: {confirm: always, confirmations: 2, timeout_ms: 70, finish_ms: 900, correlation: [PLACE]}
       fields:
         - {name: PLACE, type: u16, summary: Where.}
 
@@ -75,7 +75,7 @@ commands:
       effect: reads
       summary: Get.
       answer:
-        - {when: {field: OPTIONS, has: OPTION_FAST}, message: [Get, GetError], echoes: [PLACE], retry: safe}
+        - {when: {field: OPTIONS, has: OPTION_FAST}, message: [Get, GetError], correlation: [PLACE], retry: safe}
         - {when: {field: MODE, is: [MODE_OFF, MODE_ON]}, confirm: possible, then: restart}
         - none
       fields:
@@ -94,7 +94,7 @@ commands:
       role: {is: stream_request, command: ID, interval: TIME, config: HOW, end: 0, cycle: 1, cycle_us: 80, limit: 7, messages: [Ping]}
       fields:
         - {name: TIME, type: Time, summary: How long.}
-        - {name: ID, type: CommandId, summary: Which.}
+        - {name: ID, type: CommandFromBoard, summary: Which.}
         - {name: HOW, type: "bytes[4]", summary: How.}
 """
 
@@ -130,7 +130,7 @@ def test_cases(tmp_path: Path) -> None:
 def test_how_sure_a_confirmation_is_in_all_cases(
     first: str, second: str, both: str, tmp_path: Path
 ) -> None:
-    text = TEXT.replace("message: [Get, GetError], echoes: [PLACE]", f"confirm: {first}")
+    text = TEXT.replace("message: [Get, GetError], correlation: [PLACE]", f"confirm: {first}")
     text = text.replace("confirm: possible, then: restart", f"confirm: {first}")
     text = text.replace("        - none\n", f"        - {{confirm: {second}}}\n")
     assert answer_of(layout_of(tmp_path, text), "GetRequest").confirm == both
@@ -138,11 +138,11 @@ def test_how_sure_a_confirmation_is_in_all_cases(
 
 def test_echoes_stand_where_the_answer_has_them(tmp_path: Path) -> None:
     layout = layout_of(tmp_path, TEXT)
-    success, error = answer_of(layout, "GetRequest").cases[0].replies
-    assert [(e.field.name, e.offset, e.size) for e in success.echoes] == [("place", 1, 2)]
-    assert [s.value for s in success.echoes[0].field.special] == [65535]
+    success, error = answer_of(layout, "GetRequest").cases[0].responses
+    assert [(e.field.name, e.offset, e.size) for e in success.correlation] == [("place", 1, 2)]
+    assert [s.value for s in success.correlation[0].field.special] == [65535]
     assert (success.is_error, success.min_size) == (False, 3)
-    assert (error.is_error, error.min_size, error.echoes) == (True, 0, ())
+    assert (error.is_error, error.min_size, error.correlation) == (True, 0, ())
 
 
 def test_data_of_a_confirmation(tmp_path: Path) -> None:

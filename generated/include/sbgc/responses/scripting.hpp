@@ -5,13 +5,13 @@
 
 #include <cstdint>
 
-#include <sbgc/exchange.hpp>
+#include <sbgc/response_policy.hpp>
 #include <sbgc/messages/scripting.hpp>
 
 namespace sbgc::msg {
 
-constexpr Exchange exchange_of(const RunScript&) noexcept {
-  return {.replies = {.command = 57,
+constexpr ResponsePolicy response_policy(const RunScript&) noexcept {
+  return {.responses = {.command = 57,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .timeout_ms = 500};

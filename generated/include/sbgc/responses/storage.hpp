@@ -5,18 +5,13 @@
 
 #include <cstdint>
 
-#include <sbgc/exchange.hpp>
+#include <sbgc/response_policy.hpp>
 #include <sbgc/messages/storage.hpp>
 
 namespace sbgc::msg {
 
-struct EepromRead;
-struct ReadExternalData;
-struct ReadFile;
-struct ReadFileError;
-
-constexpr Exchange exchange_of(const EepromWrite& request) noexcept {
-  return {.replies = {.command = 47,
+constexpr ResponsePolicy response_policy(const EepromWrite& request) noexcept {
+  return {.responses = {.command = 47,
               .confirmed = Confirmed::always,
               .confirmation = {1, 4, static_cast<std::uint32_t>(request.addr)}},
       .confirmations = 1,
@@ -24,26 +19,26 @@ constexpr Exchange exchange_of(const EepromWrite& request) noexcept {
       .timeout_ms = 500};
 }
 
-constexpr Exchange exchange_of(const ReadFileRequest& request) noexcept {
-  return {.replies = {.command = 53,
-              .answer_count = 2,
-              .answers = {{{.id = 53,
+constexpr ResponsePolicy response_policy(const ReadFileRequest& request) noexcept {
+  return {.responses = {.command = 53,
+              .form_count = 2,
+              .forms = {{{.id = 53,
                .min_size = 4,
                .max_size = max_body_size,
                .size = 255,
-               .echoes = {{{2, 2, static_cast<std::uint32_t>(request.page_offset.raw())}}}},
+               .correlation = {{{2, 2, static_cast<std::uint32_t>(request.page_offset.raw())}}}},
                            {.id = 53,
                .min_size = 1,
                .max_size = 1,
                .size = 1,
                .is_error = true}}}},
-      .answer_required = true,
+      .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};
 }
 
-constexpr Exchange exchange_of(const WriteFile&) noexcept {
-  return {.replies = {.command = 54,
+constexpr ResponsePolicy response_policy(const WriteFile&) noexcept {
+  return {.responses = {.command = 54,
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
@@ -51,8 +46,8 @@ constexpr Exchange exchange_of(const WriteFile&) noexcept {
       .result = {1, 1, 0}};
 }
 
-constexpr Exchange exchange_of(const FsClearAll&) noexcept {
-  return {.replies = {.command = 55,
+constexpr ResponsePolicy response_policy(const FsClearAll&) noexcept {
+  return {.responses = {.command = 55,
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .retry_is_safe = true,
@@ -60,33 +55,33 @@ constexpr Exchange exchange_of(const FsClearAll&) noexcept {
       .result = {1, 1, 0}};
 }
 
-constexpr Exchange exchange_of(const EepromReadRequest& request) noexcept {
-  return {.replies = {.command = 48,
-              .answer_count = 1,
-              .answers = {{{.id = 48,
+constexpr ResponsePolicy response_policy(const EepromReadRequest& request) noexcept {
+  return {.responses = {.command = 48,
+              .form_count = 1,
+              .forms = {{{.id = 48,
                .min_size = 4,
                .max_size = max_body_size,
                .size = 196,
-               .echoes = {{{0, 4, static_cast<std::uint32_t>(request.addr)}}}}}}},
-      .answer_required = true,
+               .correlation = {{{0, 4, static_cast<std::uint32_t>(request.addr)}}}}}}},
+      .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};
 }
 
-constexpr Exchange exchange_of(const ReadExternalDataRequest&) noexcept {
-  return {.replies = {.command = 42,
-              .answer_count = 1,
-              .answers = {{{.id = 42,
+constexpr ResponsePolicy response_policy(const ReadExternalDataRequest&) noexcept {
+  return {.responses = {.command = 42,
+              .form_count = 1,
+              .forms = {{{.id = 42,
                .min_size = 128,
                .max_size = max_body_size,
                .size = 128}}}},
-      .answer_required = true,
+      .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};
 }
 
-constexpr Exchange exchange_of(const WriteExternalData&) noexcept {
-  return {.replies = {.command = 41,
+constexpr ResponsePolicy response_policy(const WriteExternalData&) noexcept {
+  return {.responses = {.command = 41,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .retry_is_safe = true,

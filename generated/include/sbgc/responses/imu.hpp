@@ -5,93 +5,91 @@
 
 #include <cstdint>
 
-#include <sbgc/exchange.hpp>
+#include <sbgc/response_policy.hpp>
 #include <sbgc/messages/imu.hpp>
 
 namespace sbgc::msg {
 
-struct AhrsHelper;
-
-constexpr Exchange exchange_of(const SelectImu3&) noexcept {
-  return {.replies = {.command = 24,
+constexpr ResponsePolicy response_policy(const SelectImu3&) noexcept {
+  return {.responses = {.command = 24,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .retry_is_safe = true,
       .timeout_ms = 500};
 }
 
-constexpr Exchange exchange_of(const SelectImu3Ext&) noexcept {
-  return {.replies = {.command = 24,
+constexpr ResponsePolicy response_policy(const SelectImu3Ext&) noexcept {
+  return {.responses = {.command = 24,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .retry_is_safe = true,
       .timeout_ms = 500};
 }
 
-constexpr Exchange exchange_of(const AhrsHelperRequest&) noexcept {
-  return {.replies = {.command = 56,
-              .answer_count = 1,
-              .answers = {{{.id = 56,
+constexpr ResponsePolicy response_policy(const AhrsHelperRequest&) noexcept {
+  return {.responses = {.command = 56,
+              .form_count = 1,
+              .forms = {{{.id = 56,
                .min_size = 24,
                .max_size = max_body_size,
                .size = 24}}}},
-      .answer_required = true,
+      .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};
 }
 
-constexpr Exchange exchange_of(const AhrsHelperRequestWide&) noexcept {
-  return {.replies = {.command = 56,
-              .answer_count = 1,
-              .answers = {{{.id = 56,
+constexpr ResponsePolicy response_policy(const AhrsHelperRequestWide&) noexcept {
+  return {.responses = {.command = 56,
+              .form_count = 1,
+              .forms = {{{.id = 56,
                .min_size = 24,
                .max_size = max_body_size,
                .size = 24}}}},
-      .answer_required = true,
+      .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};
 }
 
-constexpr Exchange exchange_of(const AhrsHelperRequestExt& request) noexcept {
+constexpr ResponsePolicy response_policy(const AhrsHelperRequestExt& request) noexcept {
   if (request.mode.has(AhrsHelperModeBit::set)) {
-    return {.replies = {.command = 56,
+    return {.responses = {.command = 56,
               .confirmed = Confirmed::unlikely},
       .confirmations = 1,
       .retry_is_safe = true,
       .timeout_ms = 500};
   }
-  return {.replies = {.command = 56,
-              .answer_count = 1,
-              .answers = {{{.id = 56,
+  return {.responses = {.command = 56,
+              .form_count = 1,
+              .forms = {{{.id = 56,
                .min_size = 24,
                .max_size = max_body_size,
                .size = 24}}}},
-      .answer_required = true,
+      .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};
 }
 
-constexpr Exchange exchange_of(const AhrsHelperRequestExtWide& request) noexcept {
+constexpr ResponsePolicy response_policy(const AhrsHelperRequestExtWide& request) noexcept {
   if (request.mode.has(AhrsHelperWideModeBit::set)) {
-    return {.replies = {.command = 56,
+    return {.responses = {.command = 56,
               .confirmed = Confirmed::unlikely},
       .confirmations = 1,
       .retry_is_safe = true,
       .timeout_ms = 500};
   }
-  return {.replies = {.command = 56,
-              .answer_count = 1,
-              .answers = {{{.id = 56,
+  return {.responses = {.command = 56,
+              .form_count = 1,
+              .forms = {{{.id = 56,
                .min_size = 24,
                .max_size = max_body_size,
                .size = 24}}}},
-      .answer_required = true,
+      .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};
 }
 
-constexpr Exchange exchange_of(const GyroCorrection&) noexcept {
-  return {.replies = {.command = 75,
+constexpr ResponsePolicy response_policy(const GyroCorrection&) noexcept {
+  return {.responses = {.command = 75,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .timeout_ms = 500};

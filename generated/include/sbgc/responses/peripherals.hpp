@@ -5,56 +5,54 @@
 
 #include <cstdint>
 
-#include <sbgc/exchange.hpp>
+#include <sbgc/response_policy.hpp>
 #include <sbgc/messages/peripherals.hpp>
 
 namespace sbgc::msg {
 
-struct I2cReadRegBuf;
-
-constexpr Exchange exchange_of(const BeepSound&) noexcept {
-  return {.replies = {.command = 89,
+constexpr ResponsePolicy response_policy(const BeepSound&) noexcept {
+  return {.responses = {.command = 89,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .timeout_ms = 500};
 }
 
-constexpr Exchange exchange_of(const TriggerPin&) noexcept {
-  return {.replies = {.command = 84,
-              .confirmed = Confirmed::possible},
-      .confirmations = 1,
-      .retry_is_safe = true,
-      .timeout_ms = 500};
-}
-
-constexpr Exchange exchange_of(const ServoOut&) noexcept {
-  return {.replies = {.command = 36,
+constexpr ResponsePolicy response_policy(const TriggerPin&) noexcept {
+  return {.responses = {.command = 84,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .retry_is_safe = true,
       .timeout_ms = 500};
 }
 
-constexpr Exchange exchange_of(const I2cWriteRegBuf&) noexcept {
-  return {.replies = {.command = 39,
+constexpr ResponsePolicy response_policy(const ServoOut&) noexcept {
+  return {.responses = {.command = 36,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const I2cWriteRegBuf&) noexcept {
+  return {.responses = {.command = 39,
               .confirmed = Confirmed::always},
       .confirmations = 1,
       .timeout_ms = 500};
 }
 
-constexpr Exchange exchange_of(const I2cReadRegBufRequest&) noexcept {
-  return {.replies = {.command = 40,
-              .answer_count = 1,
-              .answers = {{{.id = 40,
+constexpr ResponsePolicy response_policy(const I2cReadRegBufRequest&) noexcept {
+  return {.responses = {.command = 40,
+              .form_count = 1,
+              .forms = {{{.id = 40,
                .min_size = 0,
                .max_size = max_body_size,
                .size = 255}}}},
-      .answer_required = true,
+      .response_required = true,
       .timeout_ms = 500};
 }
 
-constexpr Exchange exchange_of(const ApiVirtChControl&) noexcept {
-  return {.replies = {.command = 45,
+constexpr ResponsePolicy response_policy(const ApiVirtChControl&) noexcept {
+  return {.responses = {.command = 45,
               .confirmed = Confirmed::unlikely},
       .confirmations = 1,
       .retry_is_safe = true,
