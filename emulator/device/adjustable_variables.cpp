@@ -1,4 +1,6 @@
-/// Requests about adjustable variables.
+// spec/adjustable_variables.yaml: their values and the state of their slots. parameter_access.hpp
+// answers CMD_READ_ADJ_VARS_CFG and CMD_WRITE_ADJ_VARS_CFG.
+
 #include <cstdint>
 #include <span>
 
@@ -41,11 +43,6 @@ Outcome handle(RequestContext& context, const msg::SetAdjVarsVal& request) {
   if (refused)
     return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint8_t>(*refused));
   device.apply_parameters(context.now);
-  return context.confirm();
-}
-
-Outcome handle(RequestContext& context, const msg::SaveParams3&) {
-  context.device.parameters.save();
   return context.confirm();
 }
 

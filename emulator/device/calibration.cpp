@@ -1,4 +1,5 @@
-/// Requests that calibrate and tune.
+// spec/calibration.yaml: calibrating and tuning.
+
 #include <algorithm>
 #include <array>
 #include <cmath>

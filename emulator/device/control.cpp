@@ -1,4 +1,4 @@
-// Moving the camera.
+// spec/control.yaml: moving the camera, motors, the menu, help from outside.
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,8 @@
 #include "device/device.hpp"
 #include "device/handlers.hpp"
 #include "device/known_values.hpp"
+#include "device/parts/live_data.hpp"
+#include "device/parts/menu.hpp"
 
 namespace sbgc::emulator {
 namespace {
@@ -74,7 +76,7 @@ Outcome turn_motors(RequestContext& context, bool on) {
 }
 
 Outcome execute(RequestContext& context, msg::MenuCommand action) {
-  if (context.device.execute(action, context.now)) return context.confirm();
+  if (execute_menu(context.device, action, context.now)) return context.confirm();
   return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint32_t>(action));
 }
 
@@ -106,6 +108,18 @@ Outcome handle(RequestContext& context, const msg::Control& request) {
 
 Outcome handle(RequestContext& context, const msg::ControlExt& request) {
   return control(context, request.control_mode, request.axes);
+}
+
+Outcome handle(RequestContext& context, const msg::GetAnglesRequest& /*request*/) {
+  msg::GetAngles data;
+  measure(context.device, context.now, data);
+  return context.answer(data);
+}
+
+Outcome handle(RequestContext& context, const msg::GetAnglesExtRequest& /*request*/) {
+  msg::GetAnglesExt data;
+  measure(context.device, context.now, data);
+  return context.answer(data);
 }
 
 Outcome handle(RequestContext& context, const msg::MotorsOn& /*request*/) {
@@ -141,11 +155,6 @@ Outcome handle(RequestContext& context, const msg::HelperData& request) {
 
 Outcome handle(RequestContext& context, const msg::HelperDataExt& request) {
   return help(context, request);
-}
-
-Outcome handle(RequestContext& context, const msg::ApiVirtChControl& request) {
-  context.device.remote.set_channels(context.device, request, context.now);
-  return context.confirm();
 }
 
 }  // namespace sbgc::emulator

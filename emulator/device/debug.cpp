@@ -1,4 +1,5 @@
-/// Requests about debug variables.
+// spec/debug.yaml: debug variables.
+
 #include "device/device.hpp"
 #include "device/handlers.hpp"
 

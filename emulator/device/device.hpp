@@ -50,8 +50,6 @@ struct Device {
   I2cBus i2c;
   DebugVariables debug_variables;
 
-  /// Carries out an action of the menu (menu.cpp). False if there is no such action.
-  bool execute(msg::MenuCommand action, Instant now);
   /// Switches to another profile. Precondition: there is one.
   void select_profile(std::uint8_t profile, Instant now);
   /// Hands the parameters in use to gimbal and inputs; after each change of them.

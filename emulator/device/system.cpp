@@ -1,4 +1,4 @@
-// Who the board is, and its restarts.
+// spec/system.yaml: what the board is, and its restarts.
 
 #include <sbgc/roles.hpp>
 

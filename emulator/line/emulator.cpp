@@ -58,13 +58,13 @@ void Emulator::end_input(std::size_t port, Instant now) {
   at(port).to_host.end_text();
 }
 
-std::size_t Emulator::waiting(std::size_t port) const {
-  return at(port).to_board.under_way() + board_.waiting(port);
+std::size_t Emulator::queued_bytes(std::size_t port) const {
+  return at(port).to_board.under_way() + board_.queued_bytes(port);
 }
 
 std::size_t Emulator::room(std::size_t port) const {
   const std::size_t limit = input_limit + options_.board.input_buffer;
-  const std::size_t used = waiting(port);
+  const std::size_t used = queued_bytes(port);
   return used < limit ? limit - used : 0;
 }
 

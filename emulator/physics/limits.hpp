@@ -8,6 +8,7 @@ namespace sbgc::emulator {
 /// The simulation's step.
 inline constexpr std::int64_t step_us = 4000;
 inline constexpr double step_seconds = 0.004;
+inline constexpr std::int64_t steps_per_second = 250;
 
 /// No axis turns faster, deg/s. Ours: the range of the gyroscope, 16 bits of its unit.
 inline constexpr double top_speed = 2000;

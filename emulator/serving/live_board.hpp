@@ -32,7 +32,7 @@ class LiveBoard {
   void end_input(std::size_t port);
   void set_host_line(std::size_t port, const std::optional<LineSettings>& settings);
 
-  std::size_t waiting(std::size_t port) const { return emulator_.waiting(port); }
+  std::size_t queued_bytes(std::size_t port) const { return emulator_.queued_bytes(port); }
   std::size_t room(std::size_t port) const { return emulator_.room(port); }
   bool is_quiet(std::size_t port) const { return emulator_.is_quiet(port); }
   void receive(std::size_t port, std::span<const std::uint8_t> bytes);

@@ -59,7 +59,7 @@ class UdpEndpoint final : public Endpoint {
     const std::size_t port = host->port;
     // Datagrams that come faster than the board's line are lost; one alone has room whatever its
     // size.
-    if (bytes.size() <= board_.room(port) || board_.waiting(port) == 0) {
+    if (bytes.size() <= board_.room(port) || board_.queued_bytes(port) == 0) {
       return board_.receive(port, bytes);
     }
     if (is_time_to_tell(lost_)) {

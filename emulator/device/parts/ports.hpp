@@ -17,7 +17,7 @@
 namespace sbgc::emulator {
 
 /// A request that waits for its turn.
-struct Waiting {
+struct QueuedRequest {
   std::uint8_t id{};
   std::vector<std::uint8_t> body{};
 };
@@ -70,7 +70,7 @@ class Ports {
   std::size_t room(std::size_t port) const;
 
   /// Bytes of requests that wait for their turn.
-  std::size_t waiting(std::size_t port) const { return ports_[port].requests_size; }
+  std::size_t queued_bytes(std::size_t port) const { return ports_[port].requests_size; }
 
   /// Finds the requests in what has come from a host, and keeps them, or only counts them while the
   /// board does not listen.
@@ -80,9 +80,9 @@ class Ports {
   /// It never will be: the line has been idle.
   void give_up_frame(std::size_t port, bool is_listening);
   /// A request waits, and nothing that waits to be sent keeps it from its turn.
-  bool has_turn(std::size_t port) const;
-  /// Precondition: has_turn(port).
-  Waiting take(std::size_t port);
+  bool can_take(std::size_t port) const;
+  /// Precondition: can_take(port).
+  QueuedRequest take(std::size_t port);
   /// Forgets what has come from hosts: the board has restarted. `output_too`: what waits to be sent
   /// as well.
   void restart(bool output_too);
@@ -100,7 +100,7 @@ class Ports {
   const std::function<void(const Board::Traffic&)>* on_traffic{};
   BoardCounters counters{};
 
-  void tell(std::size_t port, const Frame& frame, std::optional<Outcome> outcome) const;
+  void report(std::size_t port, const Frame& frame, std::optional<Outcome> outcome) const;
 
  private:
   /// More than a host has waiting that listens to answers; so one that floods costs no more. Ours.
@@ -118,7 +118,7 @@ class Ports {
   struct Port {
     bool is_open{}, is_usb{}, has_ended{};
     Parser parser{};
-    std::deque<Waiting> requests{};
+    std::deque<QueuedRequest> requests{};
     std::size_t requests_size{};
     std::vector<std::uint8_t> output{};  ///< from `output_begin` on
     std::size_t output_begin{};

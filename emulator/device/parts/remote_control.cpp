@@ -10,6 +10,7 @@
 #include <sbgc/meta/parameters.hpp>
 
 #include "device/device.hpp"
+#include "device/parts/menu.hpp"
 
 namespace sbgc::emulator {
 namespace {
@@ -126,7 +127,7 @@ void RemoteControl::follow_command_channel(Device& device, Instant now) {
   const msg::MenuCommand action = position == Position::low    ? parameters.rc_cmd_low
                                   : position == Position::high ? parameters.rc_cmd_high
                                                                : parameters.rc_cmd_mid;
-  static_cast<void>(device.execute(action, now));
+  static_cast<void>(execute_menu(device, action, now));
 }
 
 void RemoteControl::restart(Device& /*device*/, Instant /*now*/) { *this = {}; }

@@ -8,6 +8,7 @@
 #include <sbgc/meta/variables.hpp>
 
 #include "device/device.hpp"
+#include "device/parts/menu.hpp"
 
 namespace sbgc::emulator {
 namespace {
@@ -87,7 +88,7 @@ void Slots::advance(Device& device, Instant now) {
     if (!level) continue;
     const msg::MenuCommand action = slot.config.action[*level];
     slot.action = action;
-    if (action != msg::MenuCommand::none) device.execute(action, now);
+    if (action != msg::MenuCommand::none) execute_menu(device, action, now);
   }
   bool is_changed = false;
   for (Analog& slot : analogs_) {

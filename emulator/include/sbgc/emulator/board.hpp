@@ -73,7 +73,7 @@ class Board {
   void sent(std::size_t port, std::size_t size, Instant now);
 
   /// Bytes of requests of that host that wait for their turn.
-  std::size_t waiting(std::size_t port) const;
+  std::size_t queued_bytes(std::size_t port) const;
   /// Nothing that the host has sent waits to be carried out, not even a frame that has only begun,
   /// and nothing waits to be sent to it.
   bool is_quiet(std::size_t port) const;

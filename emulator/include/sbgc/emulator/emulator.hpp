@@ -54,7 +54,7 @@ class Emulator {
   void end_input(std::size_t port, Instant now);
 
   /// Bytes from the host that are on their way, or wait to be carried out.
-  std::size_t waiting(std::size_t port) const;
+  std::size_t queued_bytes(std::size_t port) const;
   /// How many bytes the host should send at most for now; from_host() takes more.
   std::size_t room(std::size_t port) const;
   void from_host(std::size_t port, std::span<const std::uint8_t> bytes, Instant now);

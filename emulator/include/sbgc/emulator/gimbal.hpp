@@ -97,6 +97,8 @@ struct Sample {
   double frame_heading_error{};
 };
 
+struct Mechanics;
+
 /// The simulation. It moves in fixed steps of 4 ms, so that its state depends on time and commands
 /// alone and not on how often it is asked; a sample between two steps is what the next one will do
 /// up to then. Commands act from the step on that has begun. Same seed, same commands at the same
@@ -184,8 +186,7 @@ class Gimbal {
   Sample sample(Instant now);
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  std::unique_ptr<Mechanics> mechanics_;
 };
 
 }  // namespace sbgc::emulator
