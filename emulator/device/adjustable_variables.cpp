@@ -34,7 +34,7 @@ Outcome handle(RequestContext& context, const msg::GetAdjVarsVal& request) {
   return context.answer(answer);
 }
 
-/// All of them or none.
+/// Sets all of them or none.
 Outcome handle(RequestContext& context, const msg::SetAdjVarsVal& request) {
   Device& device = context.device;
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
@@ -49,7 +49,8 @@ Outcome handle(RequestContext& context, const msg::SetAdjVarsVal& request) {
 Outcome handle(RequestContext& context, const msg::AdjVarsStateRequest& request) {
   return report(context, request.trigger_slot, request.analog_slot);
 }
-/// Ours, because these parameters are not documented: the first two are those of the simple form.
+/// Assumption, because these parameters are not documented: the first two are those of the simple
+/// form.
 Outcome handle(RequestContext& context, const msg::AdjVarsStateRequestExt& request) {
   return report(context, request.params[0], request.params[1]);
 }

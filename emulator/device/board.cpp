@@ -37,7 +37,7 @@ class Board::Core {
     idle_times_.fill(Instant::never);
   }
 
-  /// Everything that is due up to that time, in the order of time.
+  /// Does everything that is due up to that time, in order.
   void run_until(Instant until) {
     until = later(until, clock_);
     for (;;) {
@@ -116,11 +116,11 @@ class Board::Core {
   Device device;
 
  private:
-  /// A pause after which a frame that has begun is none. Ours.
+  /// A pause after which a partial frame is given up. An assumption.
   static constexpr Duration idle_time = milliseconds(100);
 
-  /// Does one of the things that the board does; all that it says meanwhile may tell of a change
-  /// to the memory that is made meanwhile.
+  /// Runs one step of the board. Everything it sends in this step may report a change of the memory
+  /// that the step made.
   template <class Do>
   void step(Do&& something) {
     const std::uint32_t before = device.memory.revision;
@@ -150,7 +150,7 @@ class Board::Core {
     }
   }
 
-  /// One request of a port is carried out in each cycle of the controller.
+  /// The controller carries out one request of each port per cycle.
   void plan_request(std::size_t port) {
     if (request_times_[port] != Instant::never || !device.ports.can_take(port)) return;
     const std::int64_t cycle = Device::cycle().us;
@@ -167,7 +167,7 @@ class Board::Core {
     device.ports.report(port, {request.id, request.body}, outcome);
   }
 
-  /// Whether this board takes any request with this id.
+  /// Whether this board has any request with this id.
   bool knows(std::uint8_t id) const {
     bool is_known = false;
     AllMessages::for_each([&]<class M>(Type<M>) {
@@ -179,8 +179,8 @@ class Board::Core {
     return is_known;
   }
 
-  /// What the board does not know it says, unless it is so old that it has no words for it. An
-  /// error is not answered, lest two boards on one line answer each other for ever.
+  /// Answers an unknown request with CMD_ERROR, if the board has that. Does not answer errors: two
+  /// boards on one line would answer each other endlessly.
   Outcome carry_out_frame(std::size_t port, const QueuedRequest& request, Instant now) {
     const Outcome outcome = try_frame(port, request, now);
     const bool is_strange = outcome == Outcome::unknown || outcome == Outcome::malformed;
@@ -213,8 +213,9 @@ class Board::Core {
 
   Instant start_;
   Instant clock_;
-  std::array<Instant, max_ports> request_times_{};  ///< when a request of each port is carried out
-  std::array<Instant, max_ports> idle_times_{};     ///< when a frame that has begun is given up
+  std::array<Instant, max_ports>
+      request_times_{};  ///< when the next request of each port is carried out
+  std::array<Instant, max_ports> idle_times_{};  ///< when a partial frame is given up
 };
 
 Board::Board(const BoardOptions& options, Memory memory, Instant now)

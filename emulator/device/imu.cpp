@@ -25,11 +25,11 @@ double degrees_per_second(msg::GyroOffset offset) {
   return offset.gyro_units() * Device::gyro_unit();
 }
 
-/// Nothing if its length is not near 1.
+/// Empty if its length is not near 1.
 std::optional<Vector> direction(const Xyz<float>& from) {
   const Vector vector{static_cast<double>(from.x), static_cast<double>(from.y),
                       static_cast<double>(from.z)};
-  // Ours: a unit vector may be off by rounding and by the noise of a sensor.
+  // Assumption: a unit vector may be off by rounding and by the noise of a sensor.
   constexpr double tolerance = 0.1;
   if (!(std::abs(std::sqrt(dot(vector, vector)) - 1) <= tolerance)) return {};
   return unit(vector);
@@ -45,7 +45,7 @@ Outcome report_attitude(RequestContext& context, Mode mode) {
   return context.answer(answer);
 }
 
-/// Without vectors there is nothing to set.
+/// For the forms without vectors, which cannot set the attitude.
 template <class Request>
 Outcome report_attitude_only(RequestContext& context, const Request& request) {
   using Bit = typename decltype(request.mode)::flag_type;
@@ -96,7 +96,7 @@ Outcome report_or_set_attitude(RequestContext& context, const Request& request) 
 Outcome handle(RequestContext& context, const msg::SelectImu3& request) {
   return select_imu(context, request.imu_type);
 }
-/// Its further parameters are not documented.
+/// Further parameters are not documented.
 Outcome handle(RequestContext& context, const msg::SelectImu3Ext& request) {
   return select_imu(context, request.imu_type);
 }

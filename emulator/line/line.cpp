@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t us_per_second = 1'000'000;
 
-/// Ours: what firmware that is being debugged might print. One has a start byte in it.
+/// Assumption: what firmware that is being debugged might print. One has a start byte in it.
 constexpr std::array<std::string_view, 4> text_lines{"I2C errors: 2\r\n", "loop: 812us\r\n",
                                                      "IMU temp > 40C\r\n", "RC lost\r\n"};
 

@@ -28,8 +28,8 @@ struct Rotation {
 /// An attitude, and how speeds of the angles turn the body.
 ///
 /// Roll turns about y, pitch about x, yaw about z, counter-clockwise looking against the axis; the
-/// first axis of the order is the body's own, the last one the world's. Ours: the specification
-/// does not publish directions.
+/// first axis of the order is the body's own, the last one the world's. Assumption: the
+/// specification does not publish directions.
 class Pose {
  public:
   /// Angles in degrees.

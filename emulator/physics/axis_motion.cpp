@@ -23,7 +23,8 @@ AxisGains gains_of(const AxisTuning& tuning) {
   // Default settings (10, 0.1, 10, power 100) come to 4 Hz with a damping ratio of 0.8.
   gains.stiffness = 60 * within(tuning.p, 0, 1e4) * power;
   gains.damping = 4 * within(tuning.d, 0, 1e4) * power;
-  // Ours: bad tuning is weak here, or swings for a while; it does not shake a gimbal to pieces.
+  // Assumption: bad tuning is weak here, or swings for a while; it does not shake a gimbal to
+  // pieces.
   gains.integral =
       std::min(6000 * within(tuning.i, 0, 1e4) * power, 0.3 * gains.stiffness * gains.damping);
   // Half of the motor's strength is for the target's acceleration, the rest for disturbances.

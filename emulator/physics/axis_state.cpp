@@ -11,7 +11,7 @@ namespace sbgc::emulator {
 
 namespace {
 
-/// Ours: so long the speed of a command leads in `speed_angle`, unless the next one comes.
+/// Assumption: so long the speed of a command leads in `speed_angle`, unless the next one comes.
 constexpr double lead_time = 0.5;
 
 bool is_remote(AxisMode mode) { return mode == AxisMode::remote || mode == AxisMode::signal; }
@@ -22,11 +22,11 @@ std::optional<double> signal_of(const AxisOrders& orders) {
   return orders.remote;
 }
 
-/// Ours: an axis that follows something does not while its command is an angle.
+/// Assumption: an axis that follows something does not while its command is an angle.
 Followed followed_by(const AxisOrders& orders) {
   const AxisMode mode = orders.command.mode;
   if (!is_remote(mode) && mode != AxisMode::speed) return Followed::nothing;
-  if (orders.followed) return Followed::told;
+  if (orders.followed) return Followed::reported;
   return orders.tuning.follows ? Followed::frame : Followed::nothing;
 }
 
@@ -40,7 +40,7 @@ double angle_of(Followed followed, const AxisOrders& orders, const AxisSurroundi
   switch (followed) {
     case Followed::nothing: break;
     case Followed::frame: return estimated_frame(around);
-    case Followed::told: return orders.followed.value_or(0);
+    case Followed::reported: return orders.followed.value_or(0);
   }
   return 0;
 }

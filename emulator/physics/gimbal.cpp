@@ -13,7 +13,7 @@ constexpr std::int64_t replace_steps = steps_per_second;
 constexpr std::int64_t refer_steps = 2 * steps_per_second;
 
 /// The attitude that an outside source tells, with what it does not tell as before.
-std::optional<Rotation> attitude_told(const Gimbal::Attitude& attitude, const Rotation& before) {
+std::optional<Rotation> reported_attitude(const Gimbal::Attitude& attitude, const Rotation& before) {
   if (!attitude.up) return rotation_of(before.up(), attitude.north.value_or(before.north()));
   if (attitude.north) return rotation_of(*attitude.up, *attitude.north);
   // A tilt does not turn the camera about its vertical.
@@ -115,7 +115,7 @@ void Gimbal::correct(const Attitude& attitude, Instant now) {
   const Axes<double> estimate = attitude.of_frame
                                     ? plus(mechanics.frame.now().angles, mechanics.second.error())
                                     : mechanics.estimate();
-  const auto told = attitude_told(attitude, Pose(estimate, mechanics.order).rotation());
+  const auto told = reported_attitude(attitude, Pose(estimate, mechanics.order).rotation());
   if (!told) return;
   const Axes<double> off = minus(angles_of(*told, mechanics.order, estimate), estimate);
   const Axes<double> error = plus(imu.error(), off);
@@ -139,7 +139,7 @@ void Gimbal::correct(const Attitude& attitude, Instant now) {
   mechanics.update_slow(0);
 }
 
-bool Gimbal::is_frame_told(Instant now) {
+bool Gimbal::is_frame_reported(Instant now) {
   mechanics_->advance(now);
   return mechanics_->second.is_replaced(mechanics_->step);
 }

@@ -10,7 +10,7 @@ inline constexpr std::int64_t step_us = 4000;
 inline constexpr double step_seconds = 0.004;
 inline constexpr std::int64_t steps_per_second = 250;
 
-/// No axis turns faster, deg/s. Ours: the range of the gyroscope, 16 bits of its unit.
+/// No axis turns faster, deg/s. Assumption: the range of the gyroscope, 16 bits of its unit.
 inline constexpr double top_speed = 2000;
 /// No angle that somebody hands in is farther away, degrees.
 inline constexpr double top_angle = 1e6;

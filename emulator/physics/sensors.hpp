@@ -56,8 +56,8 @@ class Imu {
   /// Share of the error that is corrected in a second: the more the gyroscope is trusted, the less.
   static double correction(double gyro_trust);
   Vector drift() const;
-  /// How fast the drift makes the angles wrong. Ours: that about the body's own axes stands for
-  /// roll and pitch, which is exact when the camera is level.
+  /// How fast the drift makes the angles wrong. Assumption: that about the body's own axes stands
+  /// for roll and pitch, which is exact when the camera is level.
   Axes<double> rates(const Pose& pose) const;
   double reference(std::size_t axis, std::int64_t step) const;
 

@@ -21,7 +21,7 @@ using asio::ip::udp;
 /// Fits into what most networks carry in one piece.
 constexpr std::size_t datagram_size = 1400;
 /// One line about datagrams that are lost or refused is enough for so long.
-constexpr Duration told_every = seconds(5);
+constexpr Duration log_interval = seconds(5);
 
 class UdpEndpoint final : public Endpoint {
  public:
@@ -62,23 +62,23 @@ class UdpEndpoint final : public Endpoint {
     if (bytes.size() <= board_.room(port) || board_.queued_bytes(port) == 0) {
       return board_.receive(port, bytes);
     }
-    if (is_time_to_tell(lost_)) {
+    if (is_time_to_log(lost_)) {
       logs_.event(fmt::format("{}: a datagram of {} bytes is lost, as earlier ones still wait",
                               name_of(from_), bytes.size()));
     }
   }
 
   void refuse() {
-    if (!is_time_to_tell(refused_)) return;
+    if (!is_time_to_log(refused_)) return;
     logs_.warning(fmt::format("{} refused: there are {} places for UDP, and all are taken",
                               name_of(from_), hosts_.places()));
   }
 
-  /// One line is enough for all datagrams of some time. `told`: when there was one.
-  bool is_time_to_tell(std::optional<Instant>& told) const {
+  /// One line is enough for all datagrams of some time. `logged`: when there was one.
+  bool is_time_to_log(std::optional<Instant>& logged) const {
     const Instant now = board_.now();
-    if (told && now - *told < told_every) return false;
-    told = now;
+    if (logged && now - *logged < log_interval) return false;
+    logged = now;
     return true;
   }
 
@@ -134,8 +134,8 @@ class UdpEndpoint final : public Endpoint {
   DatagramHosts hosts_;
   std::array<std::uint8_t, 65536> input_{};
   udp::endpoint from_{};
-  std::optional<Instant> refused_{};  ///< when a host was last told of as refused
-  std::optional<Instant> lost_{};     ///< when a datagram was last told of as lost
+  std::optional<Instant> refused_{};  ///< when a host was last logged of as refused
+  std::optional<Instant> lost_{};     ///< when a datagram was last logged of as lost
 };
 
 }  // namespace

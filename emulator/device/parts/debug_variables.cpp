@@ -12,7 +12,7 @@
 namespace sbgc::emulator {
 namespace {
 
-/// What values are taken from.
+/// Where the values come from.
 struct View {
   Device& device;
   Sample sample;
@@ -24,10 +24,10 @@ struct Variable {
   msg::DebugVarKind kind;
   double (*value)(const View& view);
   msg::DebugVarAxis axis = msg::DebugVarAxis::no_axis;
-  bool is_angle = false;  ///< 16384 counts for one turn
+  bool is_angle = false;  ///< 16384 counts per turn
 };
 
-/// What stands on the wire.
+/// Counts on the wire.
 double counts(double degrees) { return wire_angle(degrees).raw(); }
 double counts(msg::GyroRate rate) { return rate.raw(); }
 
@@ -78,7 +78,7 @@ constexpr std::array<Variable, 18> variables{{
      [](const View& v) -> double { return v.device.outputs.high_pins(); }},
 }};
 
-/// The nearest number of that type; integers beyond its ends go round.
+/// The nearest number of that type; integers out of range wrap.
 Number number(NumberType type, double value) {
   if (type == NumberType::f32) {
     return {type, std::bit_cast<std::uint32_t>(static_cast<float>(value))};

@@ -1,4 +1,4 @@
-/// Variables inside the board that show its state.
+/// Internal variables of the board.
 #pragma once
 
 #include <sbgc/messages/debug.hpp>
