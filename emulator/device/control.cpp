@@ -57,8 +57,8 @@ Outcome control(RequestContext& context, const Axes<msg::ControlMode>& modes,
     if (!command) return context.refuse(msg::BoardErrorCode::wrong_params, modes[axis].raw());
     commands[axis] = *command;
     if (command->mode == AxisMode::signal) {
-      commands[axis].signal = RemoteControl::shaped(context.device.parameters.of<msg::ReadParams3>(),
-                                                  axis, command->signal);
+      commands[axis].signal = RemoteControl::shaped(
+          context.device.parameters.of<msg::ReadParams3>(), axis, command->signal);
     }
   }
   for (std::size_t axis = 0; axis < commands.size(); ++axis) {

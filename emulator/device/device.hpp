@@ -10,7 +10,6 @@
 
 #include "device/parts/auto_tuning.hpp"
 #include "device/parts/calibrations.hpp"
-#include "device/parts/debug_variables.hpp"
 #include "device/parts/eeprom.hpp"
 #include "device/parts/file_system.hpp"
 #include "device/parts/i2c_bus.hpp"
@@ -26,9 +25,9 @@
 namespace sbgc::emulator {
 
 /// What a part of the board does by itself:
-///     Instant next() const;                        // Instant::never if nothing does
-///     void advance(Device& device, Instant now); // does what is due at `now`
-///     void restart(Device& device, Instant now); // the board has restarted
+///     Instant next() const;                        // Instant::never if nothing is due
+///     void advance(Device& device, Instant now);   // does what is due at `now`
+///     void restart(Device& device, Instant now);   // the board has restarted
 /// Parts keep ports by number; Ports::send() to one that has closed does nothing.
 struct Device {
   Device(BoardOptions of, Memory kept, Instant now);
@@ -48,7 +47,6 @@ struct Device {
   Scripts scripts;
   Outputs outputs;  ///< pins, servos, sounds
   I2cBus i2c;
-  DebugVariables debug_variables;
 
   /// Switches to another profile. Precondition: it exists.
   void select_profile(std::uint8_t profile, Instant now);
@@ -101,7 +99,6 @@ void for_each_part(Device& device, Use&& use) {
   use(device.scripts);
   use(device.outputs);
   use(device.i2c);
-  use(device.debug_variables);
   use(device.streams);
 }
 

@@ -12,8 +12,9 @@ constexpr std::int64_t help_steps = steps_per_second;
 constexpr std::int64_t replace_steps = steps_per_second;
 constexpr std::int64_t refer_steps = 2 * steps_per_second;
 
-/// The attitude that an outside source tells, with what it does not tell as before.
-std::optional<Rotation> reported_attitude(const Gimbal::Attitude& attitude, const Rotation& before) {
+/// The attitude that an outside source reports; what it does not report stays as before.
+std::optional<Rotation> reported_attitude(const Gimbal::Attitude& attitude,
+                                          const Rotation& before) {
   if (!attitude.up) return rotation_of(before.up(), attitude.north.value_or(before.north()));
   if (attitude.north) return rotation_of(*attitude.up, *attitude.north);
   // A tilt does not turn the camera about its vertical.
@@ -115,15 +116,15 @@ void Gimbal::correct(const Attitude& attitude, Instant now) {
   const Axes<double> estimate = attitude.of_frame
                                     ? plus(mechanics.frame.now().angles, mechanics.second.error())
                                     : mechanics.estimate();
-  const auto told = reported_attitude(attitude, Pose(estimate, mechanics.order).rotation());
-  if (!told) return;
-  const Axes<double> off = minus(angles_of(*told, mechanics.order, estimate), estimate);
+  const auto reported = reported_attitude(attitude, Pose(estimate, mechanics.order).rotation());
+  if (!reported) return;
+  const Axes<double> off = minus(angles_of(*reported, mechanics.order, estimate), estimate);
   const Axes<double> error = plus(imu.error(), off);
   const auto refer = [&](Imu& to) {
     to.refer(error, attitude.up.has_value(), attitude.north.has_value(),
              mechanics.step + refer_steps);
   };
-  // The joints are known as they are: what is told is as far from the truth for both.
+  // The joints are known exactly: the error is the same for both IMUs.
   if (attitude.translates) refer(other);
   if (attitude.reference_only) {
     refer(imu);

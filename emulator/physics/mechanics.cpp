@@ -150,7 +150,7 @@ Sample Mechanics::measure(Instant now) const {
   const FrameMotion::State frame_now = frame.ahead(since_step);
   const Axes<double> error = plus(main.error(), main.error_speed(), seconds);
   const Axes<double> frame_error = plus(second.error(), second.error_speed(), seconds);
-  // A shorter step of a copy: what the next step will do, up to now.
+  // A shorter step of a copy: the part of the next step up to now.
   AxisStates moved = axes;
   if (since_step > 0) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -173,7 +173,7 @@ Sample Mechanics::measure(Instant now) const {
 
   const Pose camera_estimate(sample.angles, order);
   const Pose frame_estimate(sample.frame, order);
-  // Estimates are true where there are no errors.
+  // Without errors the estimates are true.
   const Pose camera =
       error == Axes<double>{} ? camera_estimate : Pose(minus(sample.angles, error), order);
   const Pose true_frame =

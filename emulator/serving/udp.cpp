@@ -18,9 +18,9 @@ namespace {
 
 using asio::ip::udp;
 
-/// Fits into what most networks carry in one piece.
+/// Most networks carry this much unfragmented.
 constexpr std::size_t datagram_size = 1400;
-/// One line about datagrams that are lost or refused is enough for so long.
+/// Interval of lines about lost and refused datagrams.
 constexpr Duration log_interval = seconds(5);
 
 class UdpEndpoint final : public Endpoint {
@@ -57,8 +57,8 @@ class UdpEndpoint final : public Endpoint {
     const auto* const host = host_of(from_);
     if (host == nullptr) return refuse();
     const std::size_t port = host->port;
-    // Datagrams that come faster than the board's line are lost; one alone has room whatever its
-    // size.
+    // Datagrams that arrive faster than the board's line carries them are lost; a single one always
+    // fits.
     if (bytes.size() <= board_.room(port) || board_.queued_bytes(port) == 0) {
       return board_.receive(port, bytes);
     }
@@ -74,7 +74,7 @@ class UdpEndpoint final : public Endpoint {
                               name_of(from_), hosts_.places()));
   }
 
-  /// One line is enough for all datagrams of some time. `logged`: when there was one.
+  /// Whether another line may be written. `logged`: the time of the last one.
   bool is_time_to_log(std::optional<Instant>& logged) const {
     const Instant now = board_.now();
     if (logged && now - *logged < log_interval) return false;
@@ -134,8 +134,8 @@ class UdpEndpoint final : public Endpoint {
   DatagramHosts hosts_;
   std::array<std::uint8_t, 65536> input_{};
   udp::endpoint from_{};
-  std::optional<Instant> refused_{};  ///< when a host was last logged of as refused
-  std::optional<Instant> lost_{};     ///< when a datagram was last logged of as lost
+  std::optional<Instant> refused_{};  ///< when a refused host was last logged
+  std::optional<Instant> lost_{};     ///< when a lost datagram was last logged
 };
 
 }  // namespace

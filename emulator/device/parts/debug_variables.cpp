@@ -90,7 +90,7 @@ Number number(NumberType type, double value) {
 
 }  // namespace
 
-msg::DebugVarsInfo3 DebugVariables::info() {
+msg::DebugVarsInfo3 debug_variables_info() {
   msg::DebugVarsInfo3 info;
   for (const Variable& variable : variables) {
     msg::DebugVarInfo one;
@@ -103,7 +103,7 @@ msg::DebugVarsInfo3 DebugVariables::info() {
   return info;
 }
 
-msg::DebugVars3 DebugVariables::values(Device& device, Instant now) {
+msg::DebugVars3 debug_variable_values(Device& device, Instant now) {
   const View view{device, device.gimbal.sample(now), now};
   msg::DebugVars3 values;
   for (const Variable& variable : variables) {
