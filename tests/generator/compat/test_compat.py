@@ -83,37 +83,6 @@ def test_a_compatible_change_passes(tmp_path: Path) -> None:
     assert main(["compat", str(old), str(new)]) == 0
 
 
-def test_a_spec_in_the_language_of_earlier_revisions(tmp_path: Path) -> None:
-    """One type once meant the ids of both directions, and a key had another name."""
-    current = """
-  CMD_OLD:
-    id: 77
-    summary: Names commands.
-    from_board:
-      source: Incoming L70
-      fields:
-        - {name: ID, type: u8, summary: Which one.}
-        - {name: CMD, type: CommandToBoard, summary: What was asked for.}
-        - {name: NOTE, type: u8, when: {field: CMD, is: [CMD_OLD]}, summary: About itself.}
-    to_board:
-      source: Outgoing L70
-      effect: reads
-      summary: Names another one.
-      answer: {message: Old, correlation: [ID]}
-      fields:
-        - {name: ID, type: u8, summary: Which one.}
-        - {name: CMD, type: CommandFromBoard, summary: What to send.}
-"""
-    older = current.replace("CommandToBoard", "CommandId").replace("CommandFromBoard", "CommandId")
-    older = older.replace("correlation:", "echoes:")
-    layouts = []
-    for name, text in (("older", older), ("current", current)):
-        spec = write_spec(tmp_path / name, OLD.replace("\ncommands:\n", f"\ncommands:{text}", 1))
-        layouts.append(load_layout(spec))
-    assert not compare(*layouts)
-    assert "CMD_OLD" in {command.name for command in layouts[0].commands}
-
-
 def test_a_spec_that_does_not_load(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     old = old_spec(tmp_path / "old")
     new = edited_spec(tmp_path / "new", [("type: AxisState", "type: AxisStat")])
