@@ -22,7 +22,7 @@ Outcome carry_out(RequestContext& context, const M& request) {
   } else if constexpr (accesses_parameters<M>) {
     return access_parameters(context, request);
   } else {
-    return default_answer(context, request);
+    return default_response(context, request);
   }
 }
 

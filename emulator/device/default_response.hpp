@@ -46,7 +46,7 @@ inline constexpr bool is_documented = Request::min_size != 0 || Request::max_siz
 /// Sends an empty response with the correlation fields of the request, or confirms the request
 /// where that is possible, or sends nothing.
 template <class Request>
-Outcome default_answer(RequestContext& context, const Request& request) {
+Outcome default_response(RequestContext& context, const Request& request) {
   if constexpr (!is_documented<Request>) {
     // Assumption: a real board does something undocumented here; this one does nothing.
     return Outcome::carried_out;

@@ -16,7 +16,7 @@ namespace sbgc::test {
 namespace {
 
 TEST(DebugVariables, EveryKindOfVariableIsThere) {
-  const msg::DebugVarsInfo3 info = emulator::DebugVariables::info();
+  const msg::DebugVarsInfo3 info = emulator::debug_variables_info();
   std::set<msg::DebugVarKind> kinds;
   std::set<msg::DebugVarAxis> axes;
   std::set<std::string> names;

@@ -59,9 +59,9 @@ TEST(LiveData, EachAxisShowsItsOwnTurning) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     Host host(still());
     msg::ControlExt turn;
-    context.control_mode[axis].set_mode(msg::ControlModeKind::speed);
-    context.axes[axis].speed = msg::ControlSpeed::from_degrees_per_second(20);
-    host.ask(context);
+    turn.control_mode[axis].set_mode(msg::ControlModeKind::speed);
+    turn.axes[axis].speed = msg::ControlSpeed::from_degrees_per_second(20);
+    host.ask(turn);
     host.listen(milliseconds(400));
     const auto data = host.get<msg::RealtimeData3>(msg::RealtimeData3Request{}, milliseconds(2));
     for (std::size_t other = 0; other < 3; ++other) {
