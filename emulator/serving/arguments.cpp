@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <sbgc/protocol.hpp>
+#include <sbgc/text.hpp>
 
 #include "serving/listen.hpp"
 #include "serving/motion_file.hpp"
@@ -152,13 +153,7 @@ std::string problem_of(msg::FirmwareVersion version) {
   return fmt::format(
       "firmware {} is not emulated, only up to {}: later firmware takes commands and forms that "
       "the emulated board does not know",
-      text_of(version), text_of(msg::FirmwareVersion(newest_firmware)));
-}
-
-std::string text_of(msg::FirmwareVersion version) {
-  std::string text = fmt::format("{}.{:02}", version.major(), version.minor());
-  if (version.beta() != 0) text += fmt::format("b{}", version.beta());
-  return text;
+      to_string(version), to_string(msg::FirmwareVersion(newest_firmware)));
 }
 
 msg::BoardVersion parse_board(const std::string& text) {

@@ -38,8 +38,6 @@ msg::FirmwareVersion parse_firmware(const std::string& text);
 /// Why a board with this firmware is not emulated; "" if it is. Later firmware has commands that
 /// the emulated board does not know.
 std::string problem_of(msg::FirmwareVersion version);
-/// "2.43b9"
-std::string text_of(msg::FirmwareVersion version);
 /// "3.0".
 msg::BoardVersion parse_board(const std::string& text);
 

@@ -138,7 +138,7 @@ TEST_F(Call, RefusesValuesThatAreNotAllowed) {
   const auto result = client.call(read);
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::invalid);
-  EXPECT_EQ(result.error().message, "CMD_EEPROM_READ: addr = 7 is no multiple of 64");
+  EXPECT_EQ(result.error().message, "CMD_EEPROM_READ: addr: 7 is not a multiple of 64");
   EXPECT_EQ(board.count<msg::EepromReadRequest>(), 0U);
 }
 

@@ -7,9 +7,9 @@
 #include <asio/error.hpp>
 
 #include <sbgc/io/clock.hpp>
+#include <sbgc/text/status.hpp>
 
 #include "conversation_state.hpp"
-#include "text.hpp"
 
 namespace sbgc::detail {
 
@@ -80,7 +80,7 @@ std::string Conversation::State::refusal_text(const Request& request,
     }
     case SendStatus::too_many_streams:
       return command + ": the board can not have another data stream";
-    case SendStatus::not_encodable: return command + ": " + status_text(refused.encoding);
+    case SendStatus::not_encodable: return command + ": " + to_string(refused.encoding);
     default: return command + ": too many requests at once";
   }
 }

@@ -15,7 +15,7 @@
 namespace sbgc::test {
 namespace {
 
-using board::default_answer;
+using emulator::default_response;
 using emulator::Device;
 using emulator::Outcome;
 using emulator::RequestContext;

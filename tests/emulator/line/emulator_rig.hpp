@@ -24,7 +24,7 @@ Bytes frame_of(const M& message) {
 
 inline Bytes stream_of(std::uint16_t interval_ms) {
   msg::DataStreamInterval request;
-  request.cmd_id = msg::CommandId::realtime_data_4;
+  request.cmd_id = msg::CommandFromBoard::realtime_data_4;
   request.interval_ms = msg::Milliseconds(interval_ms);
   return frame_of(request);
 }
@@ -59,7 +59,7 @@ struct Bench {
   std::size_t port;
 };
 
-inline std::size_t frames_in(const Bytes& bytes, msg::CommandId id) {
+inline std::size_t frames_in(const Bytes& bytes, msg::CommandFromBoard id) {
   std::size_t result = 0;
   Parser parser;
   parser.feed(bytes, [&](const Frame& frame) {

@@ -1,4 +1,4 @@
-#include "no_frames.hpp"
+#include "input_guess.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include <sbgc/protocol.hpp>
 
 #include "hex_text.hpp"
-#include "text.hpp"
+#include "wording.hpp"
 
 namespace sbgc::tools {
 
@@ -19,7 +19,7 @@ namespace {
 
 using ByteSpan = std::span<const std::uint8_t>;
 
-/// The checksum of the framing that later firmware has besides: see the errata of the
+/// The checksum of the second framing, which later firmware adds: see the errata of the
 /// specification.
 std::uint16_t crc16(ByteSpan bytes) {
   constexpr std::uint32_t polynomial = 0x8005;
@@ -33,7 +33,7 @@ std::uint16_t crc16(ByteSpan bytes) {
   return static_cast<std::uint16_t>(sum);
 }
 
-/// Frames with the start byte '$', the same header, and 16 bits of checksum behind the body.
+/// Frames with the start byte '$', the same header, and 16 bits of checksum after the body.
 std::size_t later_frames_in(ByteSpan bytes) {
   std::size_t count = 0;
   for (std::size_t at = 0; at + frame_header_size < bytes.size(); ++at) {
@@ -56,7 +56,7 @@ bool begins_with(ByteSpan bytes, std::string_view magic) {
                     [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
 }
 
-/// A kind of file that says itself what it is, "" if it does not.
+/// The kind of a file that begins with a known signature, or "".
 std::string known_kind(ByteSpan bytes) {
   using namespace std::string_view_literals;
   constexpr std::array compressed{"\x1f\x8b"sv,

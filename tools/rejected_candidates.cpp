@@ -1,4 +1,4 @@
-#include "near_misses.hpp"
+#include "rejected_candidates.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "decoded_frame.hpp"
+#include "command_lookup.hpp"
 
 namespace sbgc::tools {
 
@@ -24,7 +24,7 @@ std::string claimed(std::uint8_t id, std::size_t size, std::optional<Direction> 
   for (const Direction direction : {Direction::to_board, Direction::from_board}) {
     if (sent && *sent != direction) continue;
     if (!has_command(direction, id)) continue;
-    const int fits = fit(direction, id, size);
+    const int fits = body_fit(direction, id, size);
     if (fits < best_fit) continue;
     if (fits > best_fit) best.clear();
     best_fit = fits;
@@ -52,7 +52,7 @@ std::string claimed(std::uint8_t id, std::size_t size, std::optional<Direction> 
   result += best.size() > 1 ? ", which neither has" : ", which it does not have";
   const Direction other =
       best.front() == Direction::to_board ? Direction::from_board : Direction::to_board;
-  if (best.size() == 1 && fit(other, id, size) != 0) {
+  if (best.size() == 1 && body_fit(other, id, size) != 0) {
     result += fmt::format(" ({} from {} has)", command_name(id, other), sender(other));
   }
   return result;
@@ -100,9 +100,10 @@ std::string reason(Candidate candidate, std::span<const std::uint8_t> bytes,
 
 }  // namespace
 
-std::vector<NearMiss> near_misses(std::span<const std::uint8_t> bytes, std::size_t gap,
-                                  std::size_t limit, std::optional<Direction> direction) {
-  std::vector<NearMiss> result;
+std::vector<RejectedCandidate> rejected_candidates(std::span<const std::uint8_t> bytes,
+                                                   std::size_t gap, std::size_t limit,
+                                                   std::optional<Direction> direction) {
+  std::vector<RejectedCandidate> result;
   for (std::size_t at = 0; at < gap && result.size() < limit; ++at) {
     if (bytes[at] != frame_start) continue;
     const auto from = bytes.subspan(at);
@@ -123,10 +124,10 @@ void GapExplainer::add(std::span<const std::uint8_t> bytes) {
 
 void GapExplainer::advance(std::uint64_t offset) {
   const std::uint64_t end = scanned_ + (bytes_.size() - used_);
-  scan(std::min(offset, end - std::min<std::uint64_t>(near_miss_reach, end)));
+  scan(std::min(offset, end - std::min<std::uint64_t>(rejection_reach, end)));
 }
 
-std::vector<NearMiss> GapExplainer::end_gap(std::uint64_t end, std::uint64_t next) {
+std::vector<RejectedCandidate> GapExplainer::end_gap(std::uint64_t end, std::uint64_t next) {
   scan(end);
   used_ += static_cast<std::size_t>(next - scanned_);
   scanned_ = next;
@@ -137,16 +138,16 @@ void GapExplainer::scan(std::uint64_t end) {
   if (end <= scanned_) return;
   const auto gap = static_cast<std::size_t>(end - scanned_);
   auto bytes = std::span<const std::uint8_t>(bytes_).subspan(used_);
-  bytes = bytes.first(std::min(bytes.size(), gap + near_miss_reach));
-  // A start byte alone stands in any noise: of those without a good header, the first is told if
-  // there is nothing better.
+  bytes = bytes.first(std::min(bytes.size(), gap + rejection_reach));
+  // A start byte alone stands in any noise: of those without a good header, the first is reported
+  // if there is nothing better.
   constexpr std::size_t most = 3;
-  for (NearMiss& miss : near_misses(bytes, gap, gap, direction_)) {
-    miss.offset += scanned_;
+  for (RejectedCandidate& candidate : rejected_candidates(bytes, gap, gap, direction_)) {
+    candidate.offset += scanned_;
     const bool is_only_noise_yet = found_.size() == 1 && !found_[0].has_header;
-    if (miss.has_header && is_only_noise_yet) found_.clear();
-    if (found_.empty() || (miss.has_header && found_.size() < most)) {
-      found_.push_back(std::move(miss));
+    if (candidate.has_header && is_only_noise_yet) found_.clear();
+    if (found_.empty() || (candidate.has_header && found_.size() < most)) {
+      found_.push_back(std::move(candidate));
     }
   }
   used_ += gap;
