@@ -97,7 +97,7 @@ TEST(Control, AnUnknownModeIsRefusedAsAWhole) {
 TEST(Control, TheCameraMoves) {
   Host host;
   auto request = one_axis(msg::ControlModeKind::angle, 0, 0);
-  request.axes.pitch.angle = msg::Angle14::from_degrees(-30);
+  request.axes.pitch.angle = -30_deg;
   host.ask(request);
   host.listen(seconds(5));
   const auto angles = host.get<msg::GetAngles>(msg::GetAnglesRequest{});
@@ -314,7 +314,7 @@ TEST(Control, AFlightControllerTiltsTheCameraThatFollowsIt) {
   EXPECT_NEAR(tilted.yaw, 0, 0.1) << "yaw follows the frame";
   // Speeds of RC control come on top of it.
   auto turn = one_axis(msg::ControlModeKind::speed, 0, 0);
-  turn.axes.pitch.speed = msg::ControlSpeed::from_degrees_per_second(10);
+  turn.axes.pitch.speed = 10_deg_per_s;
   host.ask(turn, seconds(1));
   host.ask(one_axis(msg::ControlModeKind::no_control, 0, 0));
   EXPECT_NEAR(targets_after(host, seconds(1)).pitch, -8, 1);

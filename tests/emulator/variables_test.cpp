@@ -90,7 +90,7 @@ TEST(Variables, AllOrNone) {
 TEST(Variables, NoneAlsoWhereTheSettingsGoBeyondTheVariable) {
   Host host;
   auto settings = host.get<msg::ReadParamsExt>(msg::ReadParamsExtRequest{});
-  settings.lpf_freq.pitch = msg::Frequency::from_hertz(800);
+  settings.lpf_freq.pitch = 800_Hz;
   host.ask(msg::WriteParamsExt{settings});
   EXPECT_EQ(
       refusal(host, setting({{msg::VariableId::lpf_freq_pitch, 100}, {msg::VariableId{200}, 1}})),
