@@ -45,7 +45,7 @@ class Call : public ::testing::Test {
 
 TEST_F(Call, ReturnsTheAnswer) {
   msg::GetAngles angles;
-  angles.axes.pitch.imu_angle = msg::Angle14::from_degrees(-30);
+  angles.axes.pitch.imu_angle = -30_deg;
   board.answer<msg::GetAnglesRequest>(angles);
   Client client = connect();
   const auto answer = client.call(msg::GetAnglesRequest{});

@@ -205,7 +205,7 @@ TEST_F(Subscribed, ToAStreamRegistersItAndEndsIt) {
   ASSERT_TRUE(stream) << stream.error().message;
   msg::DataStreamInterval expected;
   expected.cmd_id = msg::CommandFromBoard::realtime_data_4;
-  expected.interval_ms = msg::Milliseconds::from_milliseconds(20);
+  expected.interval_ms = 20_ms;
   expected.config.rest.resize(8);
   EXPECT_EQ(registrations.wait_for(1).at(0), expected);
   board.send(msg::RealtimeData4{});
@@ -293,7 +293,7 @@ TEST_F(Subscribed, ToAStreamReadsItByWhatWasAskedFor) {
   Client client = connect();
   Collector<msg::RealtimeDataCustom> samples;
   msg::DataStreamInterval request;
-  request.interval_ms = msg::Milliseconds::from_milliseconds(50);
+  request.interval_ms = 50_ms;
   request.config.flags = msg::RealtimeDataCustomFlags(msg::RealtimeDataCustomFlag::imu_angles);
   auto stream = client.stream<msg::RealtimeDataCustom>(
       request, [&](const msg::RealtimeDataCustom& sample) { samples.add(sample); });

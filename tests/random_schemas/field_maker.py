@@ -107,7 +107,8 @@ class FieldMaker(TypeMaker):
             node["since"] = self.since()
         if self.chance(0.1):
             node["deprecated"] = self.random.choice((True, {"since": self.since()}))
-        others = [k for k in self.quantities if k.number == kind.number and k != kind]
+        alike = [k for k in self.quantities if (k.number, k.unit) == (kind.number, kind.unit)]
+        others = [k for k in alike if k != kind]
         if kind.is_quantity and others and scope.flags and scope.in_message and self.chance(0.4):
             of, flag = self.random.choice(scope.flags)
             other = self.random.choice(others).name

@@ -1336,6 +1336,10 @@ class RcMode {
 
   constexpr RcMode() = default;
   constexpr explicit RcMode(raw_type raw) noexcept : raw_(raw) {}
+  /// A value of the part `mode` stands for the whole, with 0 in the other parts.
+  using enum RcModeKind;
+  constexpr RcMode(RcModeKind value) noexcept
+      : raw_(static_cast<raw_type>(static_cast<unsigned>(value) & 0x07U)) {}
 
   /// The integer as it stands on the wire.
   constexpr raw_type raw() const noexcept { return raw_; }
@@ -1377,6 +1381,8 @@ class RcMap {
 
   constexpr RcMap() = default;
   constexpr explicit RcMap(raw_type raw) noexcept : raw_(raw) {}
+  /// The names of whole values.
+  using enum RcInput;
   constexpr RcMap(RcInput value) noexcept : raw_(static_cast<raw_type>(value)) {}
 
   /// The integer as it stands on the wire.
@@ -1466,6 +1472,10 @@ class EncoderType {
 
   constexpr EncoderType() = default;
   constexpr explicit EncoderType(raw_type raw) noexcept : raw_(raw) {}
+  /// A value of the part `model` stands for the whole, with 0 in the other parts.
+  using enum EncoderModel;
+  constexpr EncoderType(EncoderModel value) noexcept
+      : raw_(static_cast<raw_type>(static_cast<unsigned>(value) & 0x0FU)) {}
 
   /// The integer as it stands on the wire.
   constexpr raw_type raw() const noexcept { return raw_; }
@@ -1509,6 +1519,10 @@ class ControlMode {
 
   constexpr ControlMode() = default;
   constexpr explicit ControlMode(raw_type raw) noexcept : raw_(raw) {}
+  /// A value of the part `mode` stands for the whole, with 0 in the other parts.
+  using enum ControlModeKind;
+  constexpr ControlMode(ControlModeKind value) noexcept
+      : raw_(static_cast<raw_type>(static_cast<unsigned>(value) & 0x0FU)) {}
 
   /// The integer as it stands on the wire.
   constexpr raw_type raw() const noexcept { return raw_; }
@@ -1595,6 +1609,10 @@ class DebugVarType {
 
   constexpr DebugVarType() = default;
   constexpr explicit DebugVarType(raw_type raw) noexcept : raw_(raw) {}
+  /// A value of the part `kind` stands for the whole, with 0 in the other parts.
+  using enum DebugVarKind;
+  constexpr DebugVarType(DebugVarKind value) noexcept
+      : raw_(static_cast<raw_type>(static_cast<unsigned>(value) & 0x0FU)) {}
 
   /// The integer as it stands on the wire.
   constexpr raw_type raw() const noexcept { return raw_; }

@@ -293,6 +293,7 @@ def _packed(packed: Packed) -> dict[str, Any]:
         "summary": packed.summary,
         "source": packed.source,
         "names": packed.names.name if packed.names else None,
+        "main": packed.main.name if packed.main else None,
         "parts": [
             {
                 "name": part.name,

@@ -60,7 +60,7 @@ TEST(LiveData, EachAxisShowsItsOwnTurning) {
     Host host(still());
     msg::ControlExt turn;
     turn.control_mode[axis].set_mode(msg::ControlModeKind::speed);
-    turn.axes[axis].speed = msg::ControlSpeed::from_degrees_per_second(20);
+    turn.axes[axis].speed = 20_deg_per_s;
     host.ask(turn);
     host.listen(milliseconds(400));
     const auto data = host.get<msg::RealtimeData3>(msg::RealtimeData3Request{}, milliseconds(2));
@@ -173,14 +173,14 @@ TEST(LiveData, TheBatteryIsWatched) {
     return host.get<msg::RealtimeData3>(msg::RealtimeData3Request{}).system_error;
   };
   auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-  parameters.bat_threshold_alarm = msg::VoltageThreshold::from_volts(14);
-  parameters.bat_threshold_motors = msg::VoltageThreshold::from_volts(12);
+  parameters.bat_threshold_alarm = 14_V;
+  parameters.bat_threshold_motors = 12_V;
   host.ask(msg::WriteParams3{parameters});
   EXPECT_EQ(errors(15.5).raw(), 0);
   EXPECT_EQ(errors(13), msg::SystemErrors(msg::SystemError::low_bat1));
   EXPECT_EQ(errors(11), msg::SystemError::low_bat1 | msg::SystemError::low_bat2);
-  parameters.bat_threshold_alarm = msg::VoltageThreshold::from_volts(-14);
-  parameters.bat_threshold_motors = msg::VoltageThreshold::from_volts(-12);
+  parameters.bat_threshold_alarm = -14_V;
+  parameters.bat_threshold_motors = -12_V;
   host.ask(msg::WriteParams3{parameters});
   host.ask(msg::MotorsOn{});
   EXPECT_EQ(errors(11).raw(), 0) << "negative thresholds are none";
@@ -205,8 +205,7 @@ TEST(LiveData, ABoardWithoutAMeterDoesNotWatchTheBattery) {
   host.listen(seconds(1));
   EXPECT_TRUE(host.board.gimbal().motors_on());
   EXPECT_EQ(host.get<msg::RealtimeData3>(msg::RealtimeData3Request{}).system_error.raw(), 0);
-  EXPECT_EQ(host.get<msg::ErrorExt>(msg::CalibBat{*msg::Voltage::from_volts(9)}).cmd_id,
-            msg::CommandToBoard::calib_bat);
+  EXPECT_EQ(host.get<msg::ErrorExt>(msg::CalibBat{9_V}).cmd_id, msg::CommandToBoard::calib_bat);
 }
 
 TEST(LiveData, CustomBlocksAreThoseOfTheRequest) {

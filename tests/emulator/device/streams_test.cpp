@@ -60,7 +60,7 @@ TEST(Streams, AreSampledAtTheirTimeHoweverLateTheBoardIsAsked) {
     host.send(stream(msg::CommandFromBoard::realtime_data_4, 33));
     msg::Control control;
     control.control_mode.set_mode(msg::ControlModeKind::speed);
-    control.axes.pitch.speed = msg::ControlSpeed::from_degrees_per_second(20);
+    control.axes.pitch.speed = 20_deg_per_s;
     host.send(control);
     if (packets == &late) host.board.advance(host.now + seconds(3));
     *packets = host.listen(seconds(3));

@@ -9,6 +9,7 @@
 
 #include <sbgc/codec.hpp>
 #include <sbgc/enums.hpp>
+#include <sbgc/flag_unit.hpp>
 #include <sbgc/response.hpp>
 #include <sbgc/units.hpp>
 
@@ -82,6 +83,22 @@ struct Control {
   /// Target of each axis.
   Axes<ControlAxis> axes{};
 
+  /// The physical value of speed of an element in deg/s, whose unit on the wire
+  /// CONTROL_FLAG_HIGH_RES_SPEED chooses.
+  constexpr double real_speed(std::size_t index) const noexcept {
+    return detail::real_in_unit<FineSpeed>(axes[index].speed, control_mode, 0x80);
+  }
+  /// Sets speed of an element, and the flag to its unit. False, and nothing changes, while another
+  /// element has a value in the other unit.
+  [[nodiscard]] constexpr bool set_speed(std::size_t index, ControlSpeed value) noexcept {
+    return detail::set_in_common_unit(
+        axes, index, [](auto& one) -> auto& { return one.speed; }, value, control_mode, 0x80, false);
+  }
+  [[nodiscard]] constexpr bool set_speed(std::size_t index, FineSpeed value) noexcept {
+    return detail::set_in_common_unit(
+        axes, index, [](auto& one) -> auto& { return one.speed; }, value, control_mode, 0x80, true);
+  }
+
   bool operator==(const Control&) const = default;
   using FixedMembers = Members<&Control::control_mode, &Control::axes>;
 };
@@ -105,6 +122,19 @@ struct ControlExt {
   Axes<ControlMode> control_mode{};
   /// Target of each axis.
   Axes<ControlAxis> axes{};
+
+  /// The physical value of speed of an element in deg/s, whose unit on the wire
+  /// CONTROL_FLAG_HIGH_RES_SPEED chooses.
+  constexpr double real_speed(std::size_t index) const noexcept {
+    return detail::real_in_unit<FineSpeed>(axes[index].speed, control_mode[index], 0x80);
+  }
+  /// Sets speed of an element, and the flag to its unit.
+  constexpr void set_speed(std::size_t index, ControlSpeed value) noexcept {
+    detail::set_in_unit(axes[index].speed, value, control_mode[index], 0x80, false);
+  }
+  constexpr void set_speed(std::size_t index, FineSpeed value) noexcept {
+    detail::set_in_unit(axes[index].speed, value, control_mode[index], 0x80, true);
+  }
 
   bool operator==(const ControlExt&) const = default;
   using FixedMembers = Members<&ControlExt::control_mode, &ControlExt::axes>;

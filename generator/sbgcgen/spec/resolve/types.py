@@ -250,6 +250,7 @@ class TypeResolver(Entries):
                 hint = did_you_mean(word, seen) or f"parts: {', '.join(sorted(seen))}"
                 self.found.add(node.at("display"), "SBGC025", message, hint)
         names = self.enum_named(node["names"], node.at("names")) if "names" in node else None
+        main = self._main_part(name, node, parts)
         wanted = [
             ("names", node, names),
             *(("type", n, p.enum) for n, p in zip(node["parts"], parts)),
@@ -266,7 +267,30 @@ class TypeResolver(Entries):
             names=names,
             parts=parts,
             at=at,
+            main=main,
         )
+
+    def _main_part(self, name: str, node: Map, parts: tuple[Part, ...]) -> Part | None:
+        if "main" not in node:
+            return None
+        by_name = {part.name: part for part in parts}
+        part = by_name.get(node["main"])
+        at = node.at("main")
+        if part is None:
+            hint = did_you_mean(node["main"], by_name) or f"parts: {', '.join(sorted(by_name))}"
+            self.found.add(at, "SBGC026", f"{name} has no part '{node['main']}'", hint)
+        elif part.enum is not None and part.enum.kind != "enum":
+            text = f"'{part.name}' of {name} has flags, of which no single one is the whole value"
+            self.found.add(at, "SBGC026", text, "the main part has the type of an enum")
+        elif part.enum is None and "type" not in node["parts"][parts.index(part)]:
+            text = f"'{part.name}' of {name} has no named values"
+            self.found.add(at, "SBGC026", text, "the main part has the type of an enum")
+        elif "names" in node:
+            text = f"values of {name} have names already, under 'names'"
+            self.found.add(at, "SBGC026", text, "delete 'names' or 'main'")
+        else:
+            return part
+        return None
 
     def _part(self, node: Map, scalar: Scalar) -> Part:
         name = self.identifier(str(node["name"]), node.at("name"))

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import json
 import textwrap
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from sbgcgen.model import Field, Quantity, constants, copy_field, scalar_of
+from sbgcgen.targets.cpp.flag_unit import flag_units
 
 LINE = 100  # columns
 
@@ -53,11 +54,25 @@ def narrow_range(field: Field) -> str:
     return " to ".join(f"{float(limit):.6g}" for limit in limits) + unit
 
 
+def unit_name(quantity: Quantity) -> str:
+    """The unit of a quantity as a part of names: deg/s^2 is deg_per_s2."""
+    words = {"/": "_per_", "^": "", " ": "_", "%": "percent", "°": "deg", "µ": "u"}
+    return "".join(words.get(c, c) for c in quantity.unit or quantity.accessor)
+
+
+def units(quantities: Iterable[Quantity]) -> list[Quantity]:
+    """The first quantity of each unit."""
+    return list({unit_name(q): q for q in reversed(list(quantities))}.values())[::-1]
+
+
 FILTERS: dict[str, Callable[..., Any]] = {
     "comment": comment,
     "c_string": c_string,
     "statement": statement,
     "narrow_range": narrow_range,
+    "unit_name": unit_name,
+    "units": units,
+    "flag_units": flag_units,
     "constants": constants,
     "copy_field": copy_field,
 }
