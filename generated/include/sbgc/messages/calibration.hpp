@@ -281,6 +281,7 @@ struct CalibMotorMagLink {
   BoundedBytes<255> data{};
 
   bool operator==(const CalibMotorMagLink&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -302,6 +303,7 @@ struct CalibMotorMagLinkRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const CalibMotorMagLinkRequest&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }

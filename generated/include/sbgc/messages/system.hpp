@@ -104,6 +104,7 @@ struct BoardInfoRequestExt {
 
   bool operator==(const BoardInfoRequestExt&) const = default;
   using FixedMembers = Members<&BoardInfoRequestExt::cfg>;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.reserved, "reserved");
   }
@@ -131,6 +132,7 @@ struct Confirm {
 
   bool operator==(const Confirm&) const = default;
   using FixedMembers = Members<&Confirm::cmd>;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.when_or_missing(self.cmd == CommandId::eeprom_write, self.addr, "addr");
     cursor.when_or_missing(self.cmd == CommandId::write_file || self.cmd == CommandId::fs_clear_all,
@@ -344,6 +346,7 @@ struct QueueParamsInfo3 {
   BoundedBytes<255> data{};
 
   bool operator==(const QueueParamsInfo3&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -365,6 +368,7 @@ struct QueueParamsInfo3Request {
   BoundedBytes<255> data{};
 
   bool operator==(const QueueParamsInfo3Request&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -386,6 +390,7 @@ struct SystemState {
   BoundedBytes<255> data{};
 
   bool operator==(const SystemState&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -407,6 +412,7 @@ struct SystemStateRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const SystemStateRequest&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -428,6 +434,7 @@ struct MavlinkInfo {
   BoundedBytes<255> data{};
 
   bool operator==(const MavlinkInfo&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -449,6 +456,7 @@ struct MavlinkInfoRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const MavlinkInfoRequest&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -470,6 +478,7 @@ struct MavlinkDebug {
   BoundedBytes<255> data{};
 
   bool operator==(const MavlinkDebug&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -491,6 +500,7 @@ struct MavlinkDebugRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const MavlinkDebugRequest&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
