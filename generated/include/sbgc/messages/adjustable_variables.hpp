@@ -77,6 +77,7 @@ struct SetAdjVarsVal {
   BoundedBytes<254> tail{};
 
   bool operator==(const SetAdjVarsVal&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     std::uint8_t num_vars_count = 0;
     cursor.count(num_vars_count, self.params, "num_vars");
@@ -101,6 +102,7 @@ struct GetAdjVarsVal {
   BoundedArray<VariableId, 254> param_id{};
 
   bool operator==(const GetAdjVarsVal&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     std::uint8_t num_vars_count = 0;
     cursor.count(num_vars_count, self.param_id, "num_vars");

@@ -294,6 +294,7 @@ struct CalibMotorMagLink {
   BoundedBytes<255> data{};
 
   bool operator==(const CalibMotorMagLink&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -316,6 +317,7 @@ struct CalibMotorMagLinkRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const CalibMotorMagLinkRequest&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }

@@ -29,6 +29,7 @@ struct DebugVarInfo {
   std::uint16_t arr_size{};
 
   bool operator==(const DebugVarInfo&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.value(self.var_name, "var_name");
     cursor.value(self.var_type, "var_type");
@@ -54,6 +55,7 @@ struct DebugVarsInfo3 {
   BoundedBytes<254> tail{};
 
   bool operator==(const DebugVarsInfo3&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     std::uint8_t debug_vars_num_count = 0;
     cursor.count(debug_vars_num_count, self.vars, "debug_vars_num");
@@ -102,6 +104,7 @@ struct DebugVars3 {
   BoundedBytes<255> tail{};
 
   bool operator==(const DebugVars3&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor, const Context& context) noexcept {
     cursor.numbers(self.var_value, context.types, "var_value");
   }

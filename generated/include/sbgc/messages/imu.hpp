@@ -60,6 +60,7 @@ struct SelectImu3Ext {
 
   bool operator==(const SelectImu3Ext&) const = default;
   using FixedMembers = Members<&SelectImu3Ext::imu_type, &SelectImu3Ext::param>;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.params, "params");
   }

@@ -52,6 +52,7 @@ struct BeepSound {
   bool operator==(const BeepSound&) const = default;
   using FixedMembers = Members<&BeepSound::mode, &BeepSound::note_length, &BeepSound::decay_factor,
       &BeepSound::reserved>;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.note_freq_hz, "note_freq_hz");
   }
@@ -130,6 +131,7 @@ struct I2cWriteRegBuf {
 
   bool operator==(const I2cWriteRegBuf&) const = default;
   using FixedMembers = Members<&I2cWriteRegBuf::device_addr, &I2cWriteRegBuf::reg_addr>;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -151,6 +153,7 @@ struct I2cReadRegBuf {
   BoundedBytes<255> data{};
 
   bool operator==(const I2cReadRegBuf&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -203,6 +206,7 @@ struct ApiVirtChControl {
   BoundedArray<CentredRcSignal, 32> val_ch{};
 
   bool operator==(const ApiVirtChControl&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.val_ch, "val_ch", 1);
   }

@@ -305,6 +305,7 @@ struct RealtimeDataCustom {
 
   bool operator==(const RealtimeDataCustom&) const = default;
   using FixedMembers = Members<&RealtimeDataCustom::timestamp_ms>;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor, const Context& context) noexcept {
     cursor.when_context(context.flags.has(RealtimeDataCustomFlag::imu_angles), self.imu_angles,
         "imu_angles");
@@ -385,14 +386,15 @@ struct DataStreamInterval {
   bool operator==(const DataStreamInterval&) const = default;
   using FixedMembers = Members<&DataStreamInterval::cmd_id, &DataStreamInterval::interval_ms,
       &DataStreamInterval::config, &DataStreamInterval::reserved>;
-  static constexpr void tagged_unions(auto& self, auto use) noexcept {
-    use(3, 8, [&](auto& cursor) noexcept {
-      cursor.when(self.cmd_id == CommandFromBoard::realtime_data_custom, self.config.flags,
-          "config.flags");
-      cursor.when(self.cmd_id == CommandFromBoard::ahrs_helper, self.config.imu_type,
-          "config.imu_type");
-      cursor.rest(self.config.rest, "config.rest");
-    });
+  [[gnu::always_inline]]
+  static constexpr void tagged_unions(auto& self, auto& cursor) noexcept {
+    cursor.enter(3, 8);
+    cursor.when(self.cmd_id == CommandFromBoard::realtime_data_custom, self.config.flags,
+        "config.flags");
+    cursor.when(self.cmd_id == CommandFromBoard::ahrs_helper, self.config.imu_type,
+        "config.imu_type");
+    cursor.rest(self.config.rest, "config.rest");
+    cursor.leave();
   }
 };
 

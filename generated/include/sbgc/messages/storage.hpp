@@ -43,6 +43,7 @@ struct EepromWrite {
 
   bool operator==(const EepromWrite&) const = default;
   using FixedMembers = Members<&EepromWrite::addr>;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -69,6 +70,7 @@ struct ReadFile {
 
   bool operator==(const ReadFile&) const = default;
   using FixedMembers = Members<&ReadFile::file_size, &ReadFile::page_offset>;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -144,6 +146,7 @@ struct WriteFile {
 
   bool operator==(const WriteFile&) const = default;
   using FixedMembers = Members<&WriteFile::file_id, &WriteFile::file_size, &WriteFile::page_offset>;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -184,6 +187,7 @@ struct EepromRead {
 
   bool operator==(const EepromRead&) const = default;
   using FixedMembers = Members<&EepromRead::addr>;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }

@@ -112,6 +112,7 @@ struct BoardInfoRequestExt {
 
   bool operator==(const BoardInfoRequestExt&) const = default;
   using FixedMembers = Members<&BoardInfoRequestExt::cfg>;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.reserved, "reserved");
   }
@@ -139,6 +140,7 @@ struct Confirm {
 
   bool operator==(const Confirm&) const = default;
   using FixedMembers = Members<&Confirm::cmd>;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.when_or_missing(self.cmd == CommandToBoard::eeprom_write, self.addr, "addr");
     cursor.when_or_missing(self.cmd == CommandToBoard::write_file || self.cmd ==
@@ -357,6 +359,7 @@ struct QueueParamsInfo3 {
   BoundedBytes<255> data{};
 
   bool operator==(const QueueParamsInfo3&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -379,6 +382,7 @@ struct QueueParamsInfo3Request {
   BoundedBytes<255> data{};
 
   bool operator==(const QueueParamsInfo3Request&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -400,6 +404,7 @@ struct SystemState {
   BoundedBytes<255> data{};
 
   bool operator==(const SystemState&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -422,6 +427,7 @@ struct SystemStateRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const SystemStateRequest&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -443,6 +449,7 @@ struct MavlinkInfo {
   BoundedBytes<255> data{};
 
   bool operator==(const MavlinkInfo&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -465,6 +472,7 @@ struct MavlinkInfoRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const MavlinkInfoRequest&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -486,6 +494,7 @@ struct MavlinkDebug {
   BoundedBytes<255> data{};
 
   bool operator==(const MavlinkDebug&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
@@ -508,6 +517,7 @@ struct MavlinkDebugRequest {
   BoundedBytes<255> data{};
 
   bool operator==(const MavlinkDebugRequest&) const = default;
+  [[gnu::always_inline]]
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }

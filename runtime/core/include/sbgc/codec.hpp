@@ -104,10 +104,8 @@ constexpr Status decode_body(std::span<const std::uint8_t> body, [[maybe_unused]
   }
   if constexpr (HasFixedMembers<M>) Fixed::get(body.data(), out);
   if constexpr (HasTaggedUnions<M>) {
-    M::tagged_unions(out, [&](std::size_t at, std::size_t bytes, auto&& read) {
-      Reader reader(body.subspan(at, bytes), 0);
-      read(reader);
-    });
+    Reader reader(body, 0);
+    M::tagged_unions(out, reader);
   }
   if constexpr (HasVaryingMembers<M>) {
     Reader reader(body, size);
@@ -133,14 +131,9 @@ constexpr WriteResult encode_body([[maybe_unused]] const M& in, std::span<std::u
   if (out.size() < size) return {0, {Code::buffer_too_small}};
   if constexpr (HasFixedMembers<M>) Fixed::put(out.data(), in);
   if constexpr (HasTaggedUnions<M>) {
-    Status status{};
-    M::tagged_unions(in, [&](std::size_t at, std::size_t bytes, auto&& write) {
-      if (!status) return;
-      Writer writer(out.subspan(at, bytes), 0);
-      write(writer);
-      status = writer.fill(at);
-    });
-    if (!status) return {0, status};
+    Writer writer(out, 0);
+    M::tagged_unions(in, writer);
+    if (const WriteResult written = writer.end(); !written) return written;
   }
   if constexpr (HasVaryingMembers<M>) {
     Writer writer(out, fixed);

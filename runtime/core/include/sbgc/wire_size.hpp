@@ -40,7 +40,7 @@ concept HasVaryingMembers = requires {
 };
 
 /// A tagged union takes `wire_size` bytes. The message around it knows what they hold:
-/// tagged_unions(self, use) calls use(offset, size, read_or_write) for each.
+/// tagged_unions(self, cursor) reads or writes them.
 template <class T>
 concept TaggedUnion = requires {
   T::wire_size;

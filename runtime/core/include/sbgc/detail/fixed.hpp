@@ -120,11 +120,11 @@ struct Fixed {
   // The members of a generated struct or message that have a fixed place.
 
   template <HasFixedMembers T>
-  static constexpr void get(const std::uint8_t* SBGC_RESTRICT from, T& SBGC_RESTRICT out) noexcept {
+  static constexpr void get(const std::uint8_t* from, T& out) noexcept {
     get_members(from, out, typename T::FixedMembers{}, indices<T>);
   }
   template <HasFixedMembers T>
-  static constexpr void put(std::uint8_t* SBGC_RESTRICT to, const T& SBGC_RESTRICT in) noexcept {
+  static constexpr void put(std::uint8_t* to, const T& in) noexcept {
     put_members(to, in, typename T::FixedMembers{}, indices<T>);
   }
 
@@ -133,13 +133,13 @@ struct Fixed {
   static constexpr std::make_index_sequence<layout<M>.places.size()> indices{};
 
   template <class M, auto... member, std::size_t... i>
-  static constexpr void get_members(const std::uint8_t* from, M& out, Members<member...>,
-                                    std::index_sequence<i...>) noexcept {
+  static constexpr void get_members(const std::uint8_t* SBGC_RESTRICT from, M& SBGC_RESTRICT out,
+                                    Members<member...>, std::index_sequence<i...>) noexcept {
     (get_member<layout<M>.in_blocks, layout<M>.places[i]>(from, out, out.*member), ...);
   }
   template <class M, auto... member, std::size_t... i>
-  static constexpr void put_members(std::uint8_t* to, const M& in, Members<member...>,
-                                    std::index_sequence<i...>) noexcept {
+  static constexpr void put_members(std::uint8_t* SBGC_RESTRICT to, const M& SBGC_RESTRICT in,
+                                    Members<member...>, std::index_sequence<i...>) noexcept {
     (put_member<layout<M>.in_blocks, layout<M>.places[i]>(to, in, in.*member), ...);
   }
 

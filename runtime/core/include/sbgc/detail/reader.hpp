@@ -130,6 +130,13 @@ class Reader {
     counted(out, count, field);
   }
 
+  /// Goes to a tagged union, of which the body has all bytes.
+  constexpr void enter(std::size_t at, std::size_t size) noexcept {
+    body_ = {body_.data(), at + size};
+    at_ = at;
+  }
+  constexpr void leave() noexcept {}
+
   /// The status of the whole body, of which nothing may be left.
   constexpr Status end() noexcept {
     if (status_ && at_ != body_.size()) fail(Code::too_long, "");

@@ -117,6 +117,17 @@ class Writer {
     }
   }
 
+  /// Goes to a tagged union, for which the buffer has room.
+  constexpr void enter(std::size_t at, std::size_t size) noexcept {
+    if (!status_) return;
+    out_ = {out_.data(), at + size};
+    at_ = at;
+  }
+  /// Fills what is left of it with zeros.
+  constexpr void leave() noexcept {
+    while (status_ && at_ < out_.size()) out_[at_++] = 0;
+  }
+
   /// The size of the body. A value that is missing, followed by so much that a reader would take
   /// that for it, is a failure.
   constexpr WriteResult end() noexcept {
@@ -125,13 +136,6 @@ class Writer {
       fail(Code::presence_mismatch, missing_field_);
     }
     return {status_ ? at_ : 0, status_};
-  }
-
-  /// Fills what is left of the buffer, a region that begins at `base` of the body, with zeros.
-  constexpr Status fill(std::size_t base) noexcept {
-    if (!status_) return {status_.code, static_cast<std::uint16_t>(base + at_), status_.field};
-    while (at_ < out_.size()) out_[at_++] = 0;
-    return {};
   }
 
  private:
