@@ -1,5 +1,7 @@
 #include "command_lookup.hpp"
 
+#include <span>
+
 #include <sbgc/dispatch.hpp>
 #include <sbgc/meta/all.hpp>
 
@@ -40,9 +42,14 @@ std::string command_name(std::uint8_t id, Direction direction) {
     const MessageInfo& info = Meta<M>::info;
     if (info.id == id && travels(info, direction)) result = info.command;
   });
-  for (const ValueInfo& value : EnumMeta<msg::CommandId>::values) {
-    if (result.empty() && value.value == id) result = value.name;
-  }
+  // Else what has the id in the other direction.
+  const auto look_in = [&](std::span<const ValueInfo> commands) {
+    for (const ValueInfo& command : commands) {
+      if (result.empty() && command.value == id) result = command.name;
+    }
+  };
+  look_in(EnumMeta<msg::CommandFromBoard>::values);
+  look_in(EnumMeta<msg::CommandToBoard>::values);
   return result;
 }
 

@@ -1,4 +1,4 @@
-#include "arguments.hpp"
+#include "serving/arguments.hpp"
 
 #include <array>
 #include <charconv>
@@ -13,10 +13,10 @@
 #include <sbgc/protocol.hpp>
 #include <sbgc/text.hpp>
 
-#include "listen.hpp"
-#include "motion_file.hpp"
+#include "serving/listen.hpp"
+#include "serving/motion_file.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 namespace {
 
@@ -27,13 +27,13 @@ constexpr double most_seconds = 1e6;
   throw std::invalid_argument(fmt::format("'{}' is not {}", text, wanted));
 }
 
-/// A number without a sign that takes up all of the text, and is at most `most`.
+/// Reads a number without a sign that fills the text and is at most `most`.
 template <class Number>
 bool read(std::string_view text, Number most, Number& number) {
   const char* const end = text.data() + text.size();
   if (text.empty() || text.front() == '-') return false;
   const auto [stopped, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc{} && stopped == end && number <= most;  // NaN is not
+  return error == std::errc{} && stopped == end && number <= most;  // false for NaN
 }
 
 bool read_share(std::string_view text, double& share) {
@@ -51,7 +51,7 @@ bool read_duration(std::string_view text, double us_per_unit, Duration& duration
   return true;
 }
 
-/// What is before the colon and behind it.
+/// The texts before and after the colon.
 struct Halves {
   std::string_view first;
   std::string_view second;
@@ -105,8 +105,8 @@ DelayFault parse_delay(const std::string& text) {
   return result;
 }
 
-board::Silence parse_silence(const std::string& text) {
-  board::Silence result;
+emulator::Silence parse_silence(const std::string& text) {
+  emulator::Silence result;
   const auto [from, length] = split(text, ':');
   if (!read_duration(from, 1e6, result.from) || !read_duration(length, 1e6, result.length)) {
     refuse(text, "FROM:LENGTH in seconds, such as 10:2.5");
@@ -132,7 +132,7 @@ msg::FirmwareVersion parse_firmware(const std::string& text) {
   // As FirmwareVersion reads it: 2439 is 2.43b9.
   constexpr const char* wanted = "a firmware version, such as 2.59 or 2.43b9";
   const auto [major, rest] = split(text, '.');
-  // Later releases are written with a point, as in 2.73.1.
+  // Later releases have another point, as in 2.73.1.
   const auto [minor, last] = split(rest, rest.find('b') == std::string::npos ? '.' : 'b');
   std::array<unsigned, 3> parts{};
   const bool has_last = minor.size() < rest.size();
@@ -166,8 +166,8 @@ msg::BoardVersion parse_board(const std::string& text) {
   return msg::BoardVersion(static_cast<std::uint8_t>(whole * 10 + tenth));
 }
 
-board::Disturbance parse_motion(const std::string& text) {
-  using Kind = board::Disturbance::Kind;
+emulator::Disturbance parse_motion(const std::string& text) {
+  using Kind = emulator::Disturbance::Kind;
   constexpr std::array<std::pair<std::string_view, Kind>, 4> kinds{{{"rest", Kind::rest},
                                                                     {"handheld", Kind::handheld},
                                                                     {"drone", Kind::drone},
@@ -183,4 +183,4 @@ board::Disturbance parse_motion(const std::string& text) {
   }
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

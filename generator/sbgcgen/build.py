@@ -83,7 +83,7 @@ def _look_behind(spec: Spec, found: Diagnostics) -> None:
 def load_layout(spec_dir: Path) -> Layout:
     """Load and resolve a spec folder without the rules of style, which older ones may not know.
 
-    Raises SpecError if it can not be understood.
+    Raises SpecError if it cannot be understood.
     """
     found = Diagnostics()
     _, layout = _resolve(spec_dir, found)

@@ -47,7 +47,7 @@ class Connect : public ::testing::Test {
 /// Whether angles come through.
 bool works(Client& client, ScriptedBoard& board) {
   msg::GetAngles angles;
-  angles.axes.yaw.imu_angle = msg::Angle14::from_degrees(45);
+  angles.axes.yaw.imu_angle = 45_deg;
   board.answer<msg::GetAnglesRequest>(angles);
   const auto answer = client.get_angles();
   return answer && *answer == angles;
@@ -132,7 +132,8 @@ class ConnectOnLine : public Connect, public ::testing::WithParamInterface<io::L
 TEST_P(ConnectOnLine, FindsTheBoard) {
   // Wrong settings turn the bytes into garbage, both ways.
   const TransportFactory make = [&](const asio::any_io_executor& executor) {
-    auto pair = io::make_memory_pair(executor, board.executor(), {.with_line = true});
+    auto pair = io::make_memory_pair(executor, board.executor(),
+                                     {.with_line = true, .mismatch = emulator::received_as});
     static_cast<void>(pair.second->line()->set(GetParam()));
     board.serve(std::move(pair.second));
     return std::move(pair.first);

@@ -27,10 +27,10 @@ ConnectOptions patient() {
 }
 
 /// A backup is complete and right, although frames have got lost.
-void expect_backup(const board::Faults& faults) {
+void expect_backup(const emulator::Faults& faults) {
   EmulatedBoard original;
   original.edit<msg::ReadParams3>(3, [](auto& params) { params.gyro_trust = 99; });
-  board::EmulatorOptions options = quick_board();
+  emulator::EmulatorOptions options = quick_board();
   options.line.faults = faults;
   EmulatedBoard board(options, original.memory(), false);
   auto client = connect_over(board.line(), patient());
@@ -59,7 +59,7 @@ TEST(Faults, ABackupGetsThroughSilence) {
 }
 
 TEST(Faults, ABackupGetsThroughText) {
-  board::EmulatorOptions options = quick_board();
+  emulator::EmulatorOptions options = quick_board();
   options.line.faults.text_every = milliseconds(2);
   EmulatedBoard board(options, {}, false);
   auto client = connect_over(board.line(), patient());
@@ -71,7 +71,7 @@ TEST(Faults, ABackupGetsThroughText) {
 }
 
 TEST(Faults, ABoardThatIsSwitchedOffAndOnAnswersAgain) {
-  board::EmulatorOptions options = quick_board();
+  emulator::EmulatorOptions options = quick_board();
   options.board.start_time = seconds(60);  // longer than this machine may be busy
   EmulatedBoard board(options);
   auto client = connect_over(board.line(), patient());

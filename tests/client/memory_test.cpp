@@ -54,7 +54,7 @@ class MemoryTest : public TaskTest {
  protected:
   /// Bytes that are no settings and no files.
   void fill_eeprom() {
-    board::Memory memory;
+    emulator::Memory memory;
     for (std::size_t i = 0; i < memory.eeprom.size(); ++i) {
       memory.eeprom[i] = static_cast<std::uint8_t>(i * 7 / 3);
     }

@@ -36,7 +36,7 @@ std::vector<std::size_t> frames_in(const Bytes& bytes) {
   return sizes;
 }
 
-TEST(Vectors, YieldTheFramesTheyShould) {
+TEST(FramingVectors, YieldTheFramesTheyShould) {
   std::ifstream file(SBGC_TEST_DATA "/vectors.json");
   const nlohmann::json vectors = nlohmann::json::parse(file);
   ASSERT_GE(vectors.size(), 29U);
@@ -60,7 +60,7 @@ TEST(Vectors, YieldTheFramesTheyShould) {
   }
 }
 
-TEST(Vectors, SurviveOnOneLine) {
+TEST(FramingVectors, SurviveOnOneLine) {
   std::ifstream file(SBGC_TEST_DATA "/vectors.json");
   Bytes line;
   for (const nlohmann::json& vector : nlohmann::json::parse(file)) {

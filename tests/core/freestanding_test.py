@@ -112,7 +112,7 @@ def test_nothing_else_is_read(compiler: str) -> None:
 
 USE_EVERYTHING = """
 #include <sbgc/detector.hpp>
-#include <sbgc/exchanges/all.hpp>
+#include <sbgc/responses/all.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/parser.hpp>
 #include <sbgc/message.hpp>
@@ -124,7 +124,7 @@ unsigned talk(const std::uint8_t* bytes, std::size_t size, std::int64_t now) {
   static constinit sbgc::Session session;
   unsigned result = 0;
   const auto sink = [&](const sbgc::Event& event) { result += event.frame.id; };
-  result += static_cast<unsigned>(session.send(sbgc::ReadParams3Request{}).status);
+  result += static_cast<unsigned>(session.send(sbgc::msg::ReadParams3Request{}).status);
   session.feed({bytes, size}, {now}, sink);
   result += static_cast<unsigned>(session.poll({now}, sink).bytes.size());
   session.cancel({result}, sink);

@@ -52,7 +52,7 @@ def test_all_cpp_compiles() -> None:
 PROMISES = {
     "1-getting-started": "turn_to(45, frame).size() == 18 && turn_to(800, frame).empty()",
     "4-framing": "frames_behind_a_broken_one() == 1",
-    "5-units": "creep(sbgc::FineSpeed(20)).axes.yaw.speed.raw() == 20",
+    "5-units": "creep(sbgc::msg::FineSpeed(20)).axes.yaw.speed.raw() == 20",
     "6-parameters": "with_deadband({}, 7).rc_deadband == 7",
     "7-streams": "encode_frame(angles_at_50_hz(), frame).size == 26",
     "8-microcontrollers": "turn(frame) == 18",
@@ -139,9 +139,7 @@ def test_names_of_the_library_exist(guide: Path) -> None:
     """Names of messages, fields and headers in running text, too."""
     text = prose(guide)
     headers = "".join(
-        path.read_text(encoding="utf-8")
-        for folder in INCLUDES
-        for path in folder.rglob("*.hpp")
+        path.read_text(encoding="utf-8") for folder in INCLUDES for path in folder.rglob("*.hpp")
     )
     spec = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "spec").glob("*.yaml"))
     for name in re.findall(r"`(?:sbgc::)?([A-Za-z][A-Za-z0-9_]+)(?:\(\))?`", text):

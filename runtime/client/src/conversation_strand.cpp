@@ -57,11 +57,11 @@ void Conversation::State::hand_over() {
       waiting_.pop_front();
     }
     const Request& request = call->request;
-    const SendResult sent = session_.send(request.id, request.body, request.exchange, call->send);
+    const SendResult sent = session_.send(request.id, request.body, request.policy, call->send);
     if (sent) {
       call->handle = sent.handle;
       in_session_.emplace(sent.handle.number, call);
-      if (request.exchange.stream.command != 0) learn_from_request(request, contexts_);
+      if (request.policy.stream.command != 0) learn_from_request(request, contexts_);
     } else if (take(call->ticket)) {
       complete(*call, ClientError{ErrorCode::overload, refusal_text(request, sent)});
     }

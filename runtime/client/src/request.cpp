@@ -8,9 +8,9 @@
 #include <utility>
 
 #include <sbgc/availability.hpp>
-#include <sbgc/exchanges/all.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/meta/all.hpp>
+#include <sbgc/responses/all.hpp>
 #include <sbgc/roles.hpp>
 #include <sbgc/text.hpp>
 #include <sbgc/visit.hpp>
@@ -82,14 +82,14 @@ Result<Request> inspect(FrameBytes frame, const Availability& versions, bool val
   std::optional<ClientError> error;
   std::vector<std::uint8_t> later;
   const Status status = visit(id, body, Direction::to_board, [&]<class M>(const M& message) {
-    if constexpr (requires { exchange_of(message); }) {
+    if constexpr (requires { response_policy(message); }) {
       if constexpr (requires { later_form(message); }) {
         if (is_available(M::until, versions)) {
           later = frame_of(later_form(message));
           return;
         }
       }
-      request.exchange = exchange_of(message);
+      request.policy = response_policy(message);
       request.info = &Meta<M>::info;
       if (!is_supported<M>(versions)) {
         error = {ErrorCode::unsupported, lacking(Meta<M>::info, versions)};
@@ -172,8 +172,9 @@ void for_each_number(std::uint8_t id, std::span<const std::uint8_t> body, const 
   std::ignore = visit(id, body, Direction::from_board, [&]<class M>(const M& message) {
     const auto value = [&](const FieldInfo& field, const auto& member) {
       using Member = std::remove_cvref_t<decltype(member)>;
-      if constexpr (std::is_same_v<Member, msg::CommandId>) {
-        // Which command it is about, the caller knows.
+      if constexpr (std::is_same_v<Member, msg::CommandToBoard> ||
+                    std::is_same_v<Member, msg::CommandFromBoard>) {
+        // The caller knows which command it is about.
       } else if constexpr (std::is_enum_v<Member>) {
         use(field.name, static_cast<int>(member), &EnumMeta<Member>::info);
       } else if constexpr (std::is_integral_v<Member>) {

@@ -13,18 +13,15 @@ import pytest
 
 from sbgcgen.build import load_protocol
 from sbgcgen.model import Announced, Blob, Enum, Field, Layout, Leaf, Message, Packed, Struct
-from sbgcgen.oracle.codec import (
-    CodecError,
-    choose_message,
-    decode,
-    encode,
+from sbgcgen.oracle.codec import CodecError
+from sbgcgen.oracle.decoding import decode
+from sbgcgen.oracle.encoding import encode
+from sbgcgen.oracle.frames import choose_message, forms_of, read_frames, write_frame
+from sbgcgen.oracle.json_values import (
     float_from_bits,
     float_to_bits,
-    forms_of,
-    read_frames,
     text_from_bytes,
     text_to_bytes,
-    write_frame,
 )
 from sbgcgen.targets import target
 from support import PROJECT, layout_of, message_of

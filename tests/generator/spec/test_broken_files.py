@@ -1,4 +1,4 @@
-"""Files that can not be read: a clear message with a place, exit status 1, never a traceback."""
+"""Files that cannot be read: a clear message with a place, exit status 1, never a traceback."""
 
 from __future__ import annotations
 
@@ -64,11 +64,11 @@ def _dangling_link(spec: Path) -> None:
 @pytest.mark.parametrize(
     ("damage", "lines"),
     [
-        (_drop("simplebgc.yaml"), ["simplebgc.yaml:1:1: SBGC001 can not read the file: No such"]),
-        (_drop("errata.yaml"), ["errata.yaml:1:1: SBGC001 can not read the file: No such"]),
-        (_drop("base.yaml"), ["base.yaml:1:1: SBGC001 can not read the file: No such file"]),
-        (_folder, ["base.yaml:1:1: SBGC001 can not read the file: Is a directory"]),
-        (_dangling_link, ["base.yaml:1:1: SBGC001 can not read the file: No such file"]),
+        (_drop("simplebgc.yaml"), ["simplebgc.yaml:1:1: SBGC001 cannot read the file: No such"]),
+        (_drop("errata.yaml"), ["errata.yaml:1:1: SBGC001 cannot read the file: No such"]),
+        (_drop("base.yaml"), ["base.yaml:1:1: SBGC001 cannot read the file: No such file"]),
+        (_folder, ["base.yaml:1:1: SBGC001 cannot read the file: Is a directory"]),
+        (_dangling_link, ["base.yaml:1:1: SBGC001 cannot read the file: No such file"]),
         (shutil.rmtree, ["errata.yaml:1:1: SBGC001", "simplebgc.yaml:1:1: SBGC001"]),
     ],
 )

@@ -97,6 +97,6 @@ def _check_texts(spec: Spec, nodes: list[Map], found: Diagnostics) -> None:
         for key in ("summary", "description"):
             for name in _COMMAND.findall(node[key]) if _is_text(node, key) else ():
                 if name not in commands | fields:
-                    message = f"the {key} speaks of {name}, which does not exist"
+                    message = f"the {key} mentions {name}, which does not exist"
                     hint = did_you_mean(name, commands) or "name a command of this protocol"
                     found.add(node.at(key), "SBGC052", message, hint)

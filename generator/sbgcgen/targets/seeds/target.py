@@ -9,10 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
+from sbgcgen.model import Field, Layout, Message, Struct
+from sbgcgen.oracle.codec import scalar_of
 from sbgcgen.oracle.compose import Choice, Places, first_that_fits, full_context
 from sbgcgen.oracle.edges import counting
-from sbgcgen.model import Field, Layout, Message, Struct
-from sbgcgen.oracle.codec import scalar_of, write_frame
+from sbgcgen.oracle.frames import write_frame
 from sbgcgen.targets import Target
 
 _WRITE_FRAME = 240

@@ -262,15 +262,15 @@ def frame_parts(framing: Framing) -> list[FramePart]:
             "1 byte",
             f"Always 0x{framing.start:02X}, the character {framing.start:c}.",
         ),
-        FramePart("1", "id", "1 byte", "The command, 1 to 255."),
-        FramePart("2", "size", "1 byte", f"How many bytes the body has, 0 to {most}."),
-        FramePart("3", "header checksum", "1 byte", "The sum of id and size, modulo 256."),
-        FramePart(str(body), "body", f"0 to {most} bytes", "What the command has to say."),
+        FramePart("1", "id", "1 byte", "Command id, 1 to 255."),
+        FramePart("2", "size", "1 byte", f"Size of the body in bytes, 0 to {most}."),
+        FramePart("3", "header checksum", "1 byte", "Sum of id and size, modulo 256."),
+        FramePart(str(body), "body", f"0 to {most} bytes", "Content of the message."),
         FramePart(
             f"{body} + size",
             "body checksum",
             f"{framing.trailer_size} byte",
-            "The sum of all bytes of the body, modulo 256; 0 for an empty one.",
+            "Sum of all body bytes, modulo 256; 0 for an empty body.",
         ),
     ]
 

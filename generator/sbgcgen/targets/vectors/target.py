@@ -12,7 +12,8 @@ from pathlib import Path
 from typing import Any
 
 from sbgcgen.model import Layout
-from sbgcgen.oracle.codec import CodecError, Forms, choose_message, forms_of
+from sbgcgen.oracle.codec import CodecError
+from sbgcgen.oracle.frames import Forms, choose_message, forms_of
 from sbgcgen.oracle.vector_line import error_words, line
 from sbgcgen.oracle.vectors import vectors_of
 from sbgcgen.targets import Target

@@ -12,7 +12,7 @@
 #include <utility>
 #include <variant>
 
-#include <sbgc/client/calls.hpp>
+#include <sbgc/client/call_result.hpp>
 #include <sbgc/client/conversation.hpp>
 #include <sbgc/client/reply.hpp>
 #include <sbgc/client/result.hpp>
@@ -101,6 +101,19 @@ Result<Request> stream_request(std::chrono::milliseconds interval) {
   return request;
 }
 
+/// Makes `request` be about the stream of M.
+template <class M, class Request>
+void choose_stream(Request& request) noexcept {
+  constexpr bool is_streamed = roles::StreamMessages::contains<M>;
+  static_assert(
+      is_streamed,
+      "the board has no stream of this message: sbgc::roles::StreamMessages are possible");
+  if constexpr (is_streamed) {
+    auto& command = roles::stream_command(request);
+    command = static_cast<std::remove_reference_t<decltype(command)>>(M::command);
+  }
+}
+
 /// Decodes messages for a handler that takes them typed.
 template <class M>
 Conversation::MessageHandler typed_handler(std::function<void(const M&)> handler) {
@@ -113,10 +126,5 @@ Conversation::MessageHandler typed_handler(std::function<void(const M&)> handler
 }
 
 }  // namespace detail
-
-/// What a call with the request M returns: the answer, or nothing where the protocol has none; an
-/// optional answer where it depends on what the request says.
-template <class M>
-using CallResult = Result<detail::CallAnswer<M>>;
 
 }  // namespace sbgc

@@ -1,0 +1,146 @@
+"""Resolves what messages are in the conversation."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+from sbgcgen.model import COMMAND_IDS, Blob, Enum, Field, Message, Position, Quantity, Role, Struct
+from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
+from sbgcgen.spec.load import Map
+
+# What the runtime has room for.
+MAX_CONFIG = 8
+_UNITS = {"s": 1_000_000, "ms": 1000, "us": 1}
+# The fields that a role needs, and those that it can have; then what else it has.
+_PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
+    "confirmation": (("command",), ()),
+    "error": ((), ("code", "command")),
+    "reset": ((), ()),
+    "introduction": ((), ()),
+    "details": ((), ()),
+    "stream_request": (("command", "interval", "config"), ()),
+}
+_WORDS = {
+    "reset": ("delay_ms",),
+    "stream_request": ("end", "cycle", "cycle_us", "limit", "messages"),
+}
+
+
+class RoleResolver:
+    """What the `role` of messages says; findings go into `found`.
+
+    role() needs the message's own fields, check() all messages.
+    """
+
+    def __init__(self, found: Diagnostics) -> None:
+        self.found = found
+        self.nodes: dict[Position, Map] = {}  # what was resolved, to point at its keys
+
+    def role(self, node: Any, direction: str, fields: tuple[Field, ...]) -> Role | None:
+        """`node` is what stands behind `role:`."""
+        if not isinstance(node, Map):
+            return None
+        kind = str(node["is"])
+        if (kind == "stream_request") != (direction == "to_board"):
+            message = f"a message {'to' if direction == 'to_board' else 'from'} the board is not a valid {kind}"
+            self.found.add(node.at("is"), "SBGC037", message, "move it to the other direction")
+            return None
+        self.nodes[node.position] = node
+        needed, possible = _PARTS[kind]
+        words = _WORDS.get(kind, ())
+        for word in node:
+            if word not in ("is", *needed, *possible, *words):
+                message = f"'{word}' does not belong to a role of kind {kind}"
+                known = ", ".join((*needed, *possible, *words)) or "nothing else"
+                self.found.add(node.at(word), "SBGC037", message, f"it has: {known}")
+        parts: dict[str, Field] = {}
+        for part in (*needed, *possible):
+            if part in node:
+                field = self._part(node, part, fields)
+                if field is not None:
+                    parts[part] = field
+            elif part in needed:
+                hint = f"{part}: NAME of the field"
+                self.found.add(node.position, "SBGC037", f"a {kind} has '{part}'", hint)
+        if any(part not in parts for part in needed):
+            return None
+        role = Role(kind, parts, delay_ms=int(node.get("delay_ms", 0)), at=node.position)
+        return self._stream_role(node, role) if kind == "stream_request" else role
+
+    def _part(self, node: Map, part: str, fields: tuple[Field, ...]) -> Field | None:
+        by_name = {field.spec_name: field for field in fields}
+        wanted = str(node[part])
+        field = by_name.get(wanted)
+        if field is None:
+            hint = did_you_mean(wanted, by_name) or f"known here: {', '.join(by_name) or 'none'}"
+            self.found.add(node.at(part), "SBGC037", f"'{wanted}' is not a field here", hint)
+            return None
+        problem = "" if field.offset is not None and field.when is None else "has no fixed offset"
+        if not problem and part == "config":
+            is_bytes = isinstance(field.type, (Struct, Blob)) and field.dim == "one"
+            if not is_bytes or field.size is None or field.size > MAX_CONFIG:
+                problem = f"does not have 1 to {MAX_CONFIG} bytes"
+        elif not problem and part == "command":
+            direction = "from_board" if node["is"] == "stream_request" else "to_board"
+            wanted_type = COMMAND_IDS[direction]
+            if not isinstance(field.type, Enum) or field.type.name != wanted_type:
+                problem = f"is no command: its type is not {wanted_type}"
+        elif not problem and part == "code":
+            if not isinstance(field.type, Enum) or field.type.scalar.size != 1:
+                problem = "is no enum of one byte"
+        elif not problem and not isinstance(field.type, Quantity):
+            problem = "is no quantity"
+        if problem:
+            hint = f"{part}: a field that every body of the message has"
+            self.found.add(node.at(part), "SBGC037", f"'{wanted}' {problem}", hint)
+            return None
+        return field
+
+    def _stream_role(self, node: Map, role: Role) -> Role | None:
+        quantity = role.parts["interval"].type
+        assert isinstance(quantity, Quantity)
+        unit = _UNITS.get(quantity.unit or "", 0) * quantity.scale
+        if not unit or unit.denominator != 1 or quantity.offset != Fraction(0):
+            message = f"'{node['interval']}' is not in whole microseconds"
+            hint = "its unit is s, ms or us"
+            self.found.add(node.at("interval"), "SBGC037", message, hint)
+            return None
+        if "messages" not in node or ("cycle" in node) != ("cycle_us" in node):
+            hint = "messages: [NAME, …]; cycle and cycle_us come together or not at all"
+            self.found.add(node.position, "SBGC037", "a stream_request lacks something", hint)
+            return None
+        return replace(
+            role,
+            messages=tuple(str(name) for name in node["messages"]),
+            interval_us=int(unit),
+            end=int(node.get("end", 0)),
+            cycle=node.get("cycle"),
+            cycle_us=int(node.get("cycle_us", 0)),
+            limit=int(node.get("limit", 0)),
+        )
+
+    def check(self, messages: list[Message]) -> None:
+        """Each role belongs to one command."""
+        first: dict[str, Message] = {}
+        for message in messages:
+            if message.role is None:
+                continue
+            other = first.setdefault(message.role.kind, message)
+            if other.command != message.command or (
+                other is not message and message.role.kind != "error"
+            ):
+                text = f"{message.name} has the role of {other.name}: {message.role.kind}"
+                self.found.add(
+                    message.role.at,
+                    "SBGC037",
+                    text,
+                    f"see {other.role.at if other.role else other.at}",
+                )
+            elif other.role and other is not message:
+                codes = [role.parts.get("code") for role in (other.role, message.role)]
+                types = [code.type if code else None for code in codes]
+                if types[0] != types[1]:
+                    text = f"{message.name} has no code of the type that {other.name} has"
+                    self.found.add(message.role.at, "SBGC037", text, f"see {other.role.at}")
