@@ -58,7 +58,7 @@ TEST(Session, GivesUpAfterAllAttempts) {
 TEST(Session, DoesNotRepeatWhatIsNotSafe) {
   Simulation line;
   sbgc::msg::I2cReadRegBufRequest request;
-  request.data_len = sbgc::msg::SmallByteCount::from_bytes(4);
+  request.data_len = sbgc::msg::SmallByteCount(4);
   const Handle handle = line.send(request, {.attempts = 5});
   line.run();
   EXPECT_EQ(line.outcome(handle), Outcome::timeout);

@@ -90,7 +90,7 @@ TEST(Control, AnUnknownModeIsRefusedAsAWhole) {
 TEST(Control, TheCameraMoves) {
   Host host;
   auto request = one_axis(msg::ControlModeKind::angle, 0, 0);
-  request.axes.pitch.angle = msg::Angle14::from_degrees(-30);
+  request.axes.pitch.angle = -30_deg;
   host.ask(request);
   host.listen(seconds(5));
   const auto angles = host.get<msg::GetAngles>(msg::GetAnglesRequest{});

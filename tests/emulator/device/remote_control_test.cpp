@@ -183,7 +183,7 @@ TEST(RemoteControl, AFlightControllerTiltsTheCameraThatFollowsIt) {
   EXPECT_NEAR(tilted.yaw, 0, 0.1) << "yaw follows the frame";
   // Speeds of RC control come on top of it.
   auto turn = one_axis(msg::ControlModeKind::speed, 0, 0);
-  turn.axes.pitch.speed = msg::ControlSpeed::from_degrees_per_second(10);
+  turn.axes.pitch.speed = 10_deg_per_s;
   host.ask(turn, seconds(1));
   host.ask(one_axis(msg::ControlModeKind::no_control, 0, 0));
   EXPECT_NEAR(targets_after(host, seconds(1)).pitch, -8, 1);
