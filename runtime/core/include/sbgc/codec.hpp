@@ -74,7 +74,7 @@ struct BodyOf<M> {
 };
 /// The message that defines the members of `M`: a base class, or `M` itself.
 template <class M>
-using Body = typename BodyOf<M>::Type;
+using CodedAs = typename BodyOf<M>::Type;
 
 /// The error for a body of the wrong size.
 constexpr Status wrong_size(std::size_t size, std::size_t wanted) noexcept {
@@ -171,7 +171,7 @@ constexpr void widen(const From& from, To& to) noexcept {
 template <Message M>
   requires(!detail::HasContext<M>)
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body, M& out) noexcept {
-  return detail::decode_body<detail::Body<M>>(body, out);
+  return detail::decode_body<detail::CodedAs<M>>(body, out);
 }
 
 /// The same for a message whose body depends on what earlier messages said.
@@ -179,7 +179,7 @@ template <Message M>
   requires detail::HasContext<M>
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body, M& out,
                                       const typename M::Context& context = {}) noexcept {
-  return detail::decode_body<detail::Body<M>>(body, out, context);
+  return detail::decode_body<detail::CodedAs<M>>(body, out, context);
 }
 
 /// Writes the body of a message into `out`; returns its size, or why it cannot be written.
@@ -187,9 +187,9 @@ template <Message M>
 template <Message M>
 [[nodiscard]] constexpr WriteResult encode(const M& message, std::span<std::uint8_t> out) noexcept {
   if constexpr (detail::HasContext<M>) {
-    return detail::encode_body<detail::Body<M>>(message, out, typename M::Context{});
+    return detail::encode_body<detail::CodedAs<M>>(message, out, typename M::Context{});
   } else {
-    return detail::encode_body<detail::Body<M>>(message, out);
+    return detail::encode_body<detail::CodedAs<M>>(message, out);
   }
 }
 

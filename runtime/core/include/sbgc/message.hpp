@@ -63,9 +63,9 @@ template <Message M>
     return {0, {code, body.status.offset, body.status.field}};
   }
   constexpr auto id = static_cast<std::uint8_t>(M::command);
-  if constexpr (detail::is_same_in_memory<detail::Body<M>>) {
+  if constexpr (detail::is_same_in_memory<detail::CodedAs<M>>) {
     if (!std::is_constant_evaluated()) {
-      const std::uint8_t sum = detail::sum_in_memory<detail::Body<M>>(message);
+      const std::uint8_t sum = detail::sum_in_memory<detail::CodedAs<M>>(message);
       return {Framing::finish(out.data(), id, body.size, sum), {}};
     }
   }
