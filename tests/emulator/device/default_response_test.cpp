@@ -15,7 +15,7 @@
 namespace sbgc::test {
 namespace {
 
-using board::default_answer;
+using emulator::default_response;
 using emulator::Device;
 using emulator::Outcome;
 using emulator::RequestContext;
@@ -46,7 +46,7 @@ void expect_answer_of_model(const Request& request) {
     }
   });
   EXPECT_EQ(parser.counters().skipped_bytes, 0U);
-  if (!board::is_documented<Request>) {
+  if (!emulator::is_documented<Request>) {
     EXPECT_EQ(answers + confirmations, 0U);
     return;
   }
