@@ -46,7 +46,7 @@ void expect_answer_of_model(const Request& request) {
     }
   });
   EXPECT_EQ(parser.counters().skipped_bytes, 0U);
-  if (!board::is_documented<Request>) {
+  if (!emulator::is_documented<Request>) {
     EXPECT_EQ(answers + confirmations, 0U);
     return;
   }
