@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include <sbgc/client/client.hpp>
+#include <sbgc/emulator/uart.hpp>
 #include <sbgc/io/pseudo_terminal.hpp>
 #include <sbgc/messages.hpp>
 
