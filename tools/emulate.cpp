@@ -20,6 +20,7 @@
 
 #include <sbgc/io/clock.hpp>
 #include <sbgc/protocol.hpp>
+#include <sbgc/text.hpp>
 
 #include "commands.hpp"
 #include "decoded_frame.hpp"
@@ -171,7 +172,7 @@ void add_board_options(CLI::App& command, EmulateOptions& options) {
         service.firmware_is_given = true;
       },
       "Firmware version, such as 2.43b9, up to " +
-          serving::text_of(msg::FirmwareVersion(newest_firmware)) + " [2.59]",
+          to_string(msg::FirmwareVersion(newest_firmware)) + " [2.59]",
       "VERSION")
       ->group("The board");
   add_parsed(

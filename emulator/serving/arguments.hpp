@@ -38,8 +38,6 @@ msg::FirmwareVersion parse_firmware(const std::string& text);
 /// Why no board is emulated with this firmware, or "": later firmware would be asked for what only
 /// it has.
 std::string problem_of(msg::FirmwareVersion version);
-/// "2.43b9"
-std::string text_of(msg::FirmwareVersion version);
 /// "3.0".
 msg::BoardVersion parse_board(const std::string& text);
 

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <sbgc/text.hpp>
+
 #include "serving/arguments.hpp"
 #include "serving/state_file.hpp"
 
@@ -25,8 +27,7 @@ void add_to(std::span<std::uint8_t> bytes, unsigned number) {
 }
 
 std::string model(msg::BoardVersion board, msg::FirmwareVersion firmware) {
-  return fmt::format("a board {}.{} with firmware {}", board.major(), board.minor(),
-                     text_of(firmware));
+  return fmt::format("a board {} with firmware {}", to_string(board), to_string(firmware));
 }
 
 }  // namespace

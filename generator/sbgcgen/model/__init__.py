@@ -16,6 +16,7 @@ from sbgcgen.model.values import (
     SCALARS,
     Scalar,
     Until,
+    Versions,
 )
 from sbgcgen.model.bodies import (
     Alternative,
@@ -39,10 +40,17 @@ from sbgcgen.model.answers import Answer, AnswerCase, Echo, Growth, Reply, Resul
 from sbgcgen.model.effects import EFFECTS, Effect, EffectCase
 from sbgcgen.model.messages import Command, Family, Message, Settings, conditions, copy_field
 from sbgcgen.model.variables import Variable, VariableSetting
-from sbgcgen.model.protocol import Erratum, Framing, Layout, Line
+from sbgcgen.model.framing import BODY, CHECKSUM_SIZES, ID, SIZE, START, Checksum, Framing
+from sbgcgen.model.protocol import Erratum, Layout, Line
 from sbgcgen.model.revisions import Addition, Revision
 
 __all__ = [
+    "BODY",
+    "CHECKSUM_SIZES",
+    "Checksum",
+    "ID",
+    "SIZE",
+    "START",
     "Addition",
     "Alternative",
     "Announced",
@@ -90,6 +98,7 @@ __all__ = [
     "Until",
     "Variable",
     "VariableSetting",
+    "Versions",
     "conditions",
     "constants",
     "copy_field",

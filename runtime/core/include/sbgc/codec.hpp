@@ -29,8 +29,7 @@ inline constexpr int codec_version = 1;
 /// Who sends a message. `both` is said of messages that travel either way, never of a frame.
 enum class Direction : std::uint8_t { to_board, from_board, both };
 
-/// The versions from which on something exists, in the digits of CMD_BOARD_INFO: firmware 2590 is
-/// 2.59, board 30 is 3.0. 0: always.
+/// The versions since which something exists, as VersionTypes have them; 0: always.
 struct Availability {
   std::uint16_t firmware{};
   std::uint8_t board{};

@@ -25,7 +25,7 @@ namespace sbgc {
 struct SessionCapacity {
   std::size_t requests = 8;  ///< waiting and in flight
   std::size_t ghosts = 12;   ///< kinds of requests in flight, or over with late answers possible
-  std::size_t streams = 10;  ///< data streams; firmware 2.59 can not have more
+  std::size_t streams = roles::stream_limit;  ///< data streams
 };
 
 /// Sends requests one behind the other, finds out what answers which, and reports each end.
