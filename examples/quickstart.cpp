@@ -28,6 +28,7 @@ int fail(const sbgc::ClientError& error) {
 
 int main(int argc, char** argv) {
   using namespace std::chrono_literals;
+  using namespace sbgc::literals;
   const bool yes = careful::take_yes(argc, argv);
   if (argc != 2) {
     std::fprintf(stderr,
@@ -44,9 +45,8 @@ int main(int argc, char** argv) {
   careful::notice_signals();
   careful::Motors motors(*client);
   if (auto on = motors.turn_on(); !on) return fail(on.error());
-  const auto moved = sbgc::move_to(*client, {.pitch = sbgc::msg::Angle14::from_degrees(-30.0)},
-                                   sbgc::msg::ControlSpeed::from_degrees_per_second(10.0),
-                                   {.progress = careful::go_on});
+  const auto moved =
+      sbgc::move_to(*client, {.pitch = -30_deg}, 10_deg_per_s, {.progress = careful::go_on});
   if (!moved) return fail(moved.error());
 
   const auto stream =

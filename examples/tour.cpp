@@ -26,6 +26,7 @@
 namespace {
 
 using namespace std::chrono_literals;
+using namespace sbgc::literals;
 
 int fail(const sbgc::ClientError& error) {
   std::fprintf(stderr, "%s\n", error.message.c_str());
@@ -34,9 +35,7 @@ int fail(const sbgc::ClientError& error) {
 
 sbgc::Result<sbgc::MoveProgress> tilt(sbgc::Client& client, sbgc::msg::Angle14 pitch) {
   std::printf("pitch to %.0f degrees\n", pitch.degrees());
-  return sbgc::move_to(client, {.pitch = pitch},
-                       sbgc::msg::ControlSpeed::from_degrees_per_second(15.0),
-                       {.progress = careful::go_on});
+  return sbgc::move_to(client, {.pitch = pitch}, 15_deg_per_s, {.progress = careful::go_on});
 }
 
 /// How far something has swung: from the lowest to the highest angle that was seen of each axis.
@@ -132,9 +131,7 @@ int main(int argc, char** argv) {
   careful::notice_signals();
   careful::Motors motors(*client);
   if (auto on = motors.turn_on(); !on) return fail(on.error());
-  constexpr sbgc::msg::Angle14 down = sbgc::msg::Angle14::from_degrees(-30.0);
-  constexpr sbgc::msg::Angle14 level = sbgc::msg::Angle14::from_degrees(0.0);
-  for (const sbgc::msg::Angle14 pitch : {down, level}) {
+  for (const sbgc::msg::Angle14 pitch : {sbgc::msg::Angle14(-30_deg), sbgc::msg::Angle14(0_deg)}) {
     const auto moved = tilt(*client, pitch);
     if (!moved) return fail(moved.error());
     std::printf("pitch is %.1f degrees\n", moved->angles.pitch.degrees());

@@ -27,7 +27,7 @@
 #include "serving/arguments.hpp"
 #include "serving/nonblocking_lines.hpp"
 #include "serving/service.hpp"
-#include "text.hpp"
+#include "wording.hpp"
 
 namespace sbgc::tools {
 
@@ -80,7 +80,7 @@ void allow_many_files() {
   rlimit limit{};
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
   limit.rlim_cur = limit.rlim_max;
-  setrlimit(RLIMIT_NOFILE, &limit);  // if not: what then can not be opened says so
+  setrlimit(RLIMIT_NOFILE, &limit);  // if not: what then cannot be opened says so
 }
 
 int serve(const EmulateOptions& options) {
@@ -347,9 +347,10 @@ void add_emulate(CLI::App& app, int& status) {
       "  sbgc emulate --baud 115200 --bit-errors 1e-5 --text 2 --silence 30:5\n"
       "  sbgc emulate --firmware 2.43b9 --board 3.0 --motion handheld\n"
       "\n"
-      "The exit status is 0 when it was told to end, by Ctrl-C, a signal, --seconds or the end of "
-      "the standard input, 1 when something can not be opened or saved, 2 for wrong usage, which "
-      "includes a file of motion that can not be read.");
+      "The exit status is 0 when it was reported to end, by Ctrl-C, a signal, --seconds or the end "
+      "of "
+      "the standard input, 1 when something cannot be opened or saved, 2 for wrong usage, which "
+      "includes a file of motion that cannot be read.");
   command->callback([options, &status] {
     check(*options);
     status = serve(*options);

@@ -34,10 +34,10 @@ constexpr std::size_t sample_size = sbgc::Framing::frame_size(sbgc::msg::Realtim
 
 Bytes stream_request() {
   sbgc::msg::DataStreamInterval request;
-  request.cmd_id = sbgc::msg::CommandId::realtime_data_4;
+  request.cmd_id = sbgc::msg::CommandFromBoard::realtime_data_4;
   request.interval_ms = sbgc::msg::Milliseconds(1000 / rate);
   std::array<std::uint8_t, sbgc::max_frame_size> frame{};
-  const std::size_t size = encode_frame(request, frame).size;
+  const std::size_t size = sbgc::encode_frame(request, frame).size;
   return {frame.begin(), frame.begin() + static_cast<std::ptrdiff_t>(size)};
 }
 

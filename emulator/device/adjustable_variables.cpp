@@ -1,4 +1,6 @@
-/// Requests about adjustable variables.
+// spec/adjustable_variables.yaml: their values and the state of their slots. parameter_access.hpp
+// answers CMD_READ_ADJ_VARS_CFG and CMD_WRITE_ADJ_VARS_CFG.
+
 #include <cstdint>
 #include <span>
 
@@ -32,7 +34,7 @@ Outcome handle(RequestContext& context, const msg::GetAdjVarsVal& request) {
   return context.answer(answer);
 }
 
-/// All of them or none.
+/// Sets all of them or none.
 Outcome handle(RequestContext& context, const msg::SetAdjVarsVal& request) {
   Device& device = context.device;
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
@@ -44,15 +46,11 @@ Outcome handle(RequestContext& context, const msg::SetAdjVarsVal& request) {
   return context.confirm();
 }
 
-Outcome handle(RequestContext& context, const msg::SaveParams3&) {
-  context.device.parameters.save();
-  return context.confirm();
-}
-
 Outcome handle(RequestContext& context, const msg::AdjVarsStateRequest& request) {
   return report(context, request.trigger_slot, request.analog_slot);
 }
-/// Ours, because these parameters are not documented: the first two are those of the simple form.
+/// Assumption, because these parameters are not documented: the first two are those of the simple
+/// form.
 Outcome handle(RequestContext& context, const msg::AdjVarsStateRequestExt& request) {
   return report(context, request.params[0], request.params[1]);
 }

@@ -4,7 +4,7 @@
 #include <sbgc/availability.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/emulator/board.hpp>
-#include <sbgc/exchanges/all.hpp>
+#include <sbgc/responses/all.hpp>
 #include <sbgc/settings.hpp>
 
 #include "device/default_response.hpp"
@@ -22,7 +22,7 @@ Outcome carry_out(RequestContext& context, const M& request) {
   } else if constexpr (accesses_parameters<M>) {
     return access_parameters(context, request);
   } else {
-    return default_answer(context, request);
+    return default_response(context, request);
   }
 }
 
@@ -33,11 +33,11 @@ class Board::Core {
  public:
   Core(const BoardOptions& options, Memory memory, Instant now)
       : device(options, std::move(memory), now), start_(now), clock_(now) {
-    turns_.fill(Instant::never);
-    idle_.fill(Instant::never);
+    request_times_.fill(Instant::never);
+    idle_times_.fill(Instant::never);
   }
 
-  /// Everything that is due up to that time, in the order of time.
+  /// Does everything that is due up to that time, in order.
   void run_until(Instant until) {
     until = later(until, clock_);
     for (;;) {
@@ -53,8 +53,8 @@ class Board::Core {
   Instant next() {
     Instant next = earlier(device.restarts.next(), device.streams.next());
     for_each_part(device, [&](auto& part) { next = earlier(next, part.next()); });
-    for (const Instant turn : turns_) next = earlier(next, turn);
-    for (const Instant idle : idle_) next = earlier(next, idle);
+    for (const Instant time : request_times_) next = earlier(next, time);
+    for (const Instant time : idle_times_) next = earlier(next, time);
     return next;
   }
 
@@ -62,15 +62,15 @@ class Board::Core {
     run_until(now);
     if (bytes.empty()) return;
     device.ports.receive(port, bytes, device.restarts.is_listening());
-    idle_[port] = device.ports.is_in_frame(port) ? clock_ + idle_time : Instant::never;
-    plan_turn(port);
+    idle_times_[port] = device.ports.is_in_frame(port) ? clock_ + idle_time : Instant::never;
+    plan_request(port);
   }
 
   void sent(std::size_t port, std::size_t size, Instant now) {
     run_until(now);
     device.ports.sent(port, size);
     device.streams.has_room(device, port, clock_);
-    plan_turn(port);
+    plan_request(port);
   }
 
   void close(std::size_t port) {
@@ -79,7 +79,7 @@ class Board::Core {
     device.auto_tuning.forget_port(port);
     device.scripts.forget_port(port);
     device.ports.close(port);
-    turns_[port] = idle_[port] = Instant::never;
+    request_times_[port] = idle_times_[port] = Instant::never;
   }
 
   void end_input(std::size_t port) {
@@ -103,12 +103,12 @@ class Board::Core {
     device.ports.fail(revision, [&](std::span<const std::uint8_t> frame) {
       return refusal_instead(device.versions(), frame);
     });
-    for (std::size_t port = 0; port < turns_.size(); ++port) plan_turn(port);
+    for (std::size_t port = 0; port < request_times_.size(); ++port) plan_request(port);
   }
 
   void set_silent(bool is_silent) {
     device.ports.set_silent(is_silent);
-    for (std::size_t port = 0; port < turns_.size(); ++port) {
+    for (std::size_t port = 0; port < request_times_.size(); ++port) {
       device.streams.has_room(device, port, clock_);
     }
   }
@@ -116,11 +116,11 @@ class Board::Core {
   Device device;
 
  private:
-  /// A pause after which a frame that has begun is none. Ours.
+  /// A pause after which a partial frame is given up. An assumption.
   static constexpr Duration idle_time = milliseconds(100);
 
-  /// Does one of the things that the board does; all that it says meanwhile may tell of a change
-  /// to the memory that is made meanwhile.
+  /// Runs one step of the board. Everything it sends in this step may report a change of the memory
+  /// that the step made.
   template <class Do>
   void step(Do&& something) {
     const std::uint32_t before = device.memory.revision;
@@ -136,38 +136,38 @@ class Board::Core {
     for_each_part(device, [&](auto& part) {
       if (part.next() <= now) step([&] { part.advance(device, now); });
     });
-    for (std::size_t port = 0; port < idle_.size(); ++port) {
-      if (idle_[port] > now) continue;
-      idle_[port] = Instant::never;
+    for (std::size_t port = 0; port < idle_times_.size(); ++port) {
+      if (idle_times_[port] > now) continue;
+      idle_times_[port] = Instant::never;
       device.ports.give_up_frame(port, device.restarts.is_listening());
-      plan_turn(port);
+      plan_request(port);
     }
-    for (std::size_t port = 0; port < turns_.size(); ++port) {
-      if (turns_[port] > now) continue;
-      turns_[port] = Instant::never;
-      if (device.ports.has_turn(port)) step([&] { take_turn(port, now); });
-      plan_turn(port);
+    for (std::size_t port = 0; port < request_times_.size(); ++port) {
+      if (request_times_[port] > now) continue;
+      request_times_[port] = Instant::never;
+      if (device.ports.can_take(port)) step([&] { carry_out_next(port, now); });
+      plan_request(port);
     }
   }
 
-  /// One request of a port is carried out in each cycle of the controller.
-  void plan_turn(std::size_t port) {
-    if (turns_[port] != Instant::never || !device.ports.has_turn(port)) return;
+  /// The controller carries out one request of each port per cycle.
+  void plan_request(std::size_t port) {
+    if (request_times_[port] != Instant::never || !device.ports.can_take(port)) return;
     const std::int64_t cycle = Device::cycle().us;
     const std::int64_t elapsed = (clock_ - start_).us;
-    turns_[port] = clock_ + microseconds(cycle - elapsed % cycle);
+    request_times_[port] = clock_ + microseconds(cycle - elapsed % cycle);
   }
 
-  void take_turn(std::size_t port, Instant now) {
-    const Waiting request = device.ports.take(port);
+  void carry_out_next(std::size_t port, Instant now) {
+    const QueuedRequest request = device.ports.take(port);
     const Outcome outcome = carry_out_frame(port, request, now);
     BoardCounters& counters = device.ports.counters;
     if (outcome == Outcome::refused) ++counters.refused;
     if (outcome == Outcome::unknown || outcome == Outcome::malformed) ++counters.unknown;
-    device.ports.tell(port, {request.id, request.body}, outcome);
+    device.ports.report(port, {request.id, request.body}, outcome);
   }
 
-  /// Whether this board takes any request with this id.
+  /// Whether this board has any request with this id.
   bool knows(std::uint8_t id) const {
     bool is_known = false;
     AllMessages::for_each([&]<class M>(Type<M>) {
@@ -179,9 +179,9 @@ class Board::Core {
     return is_known;
   }
 
-  /// What the board does not know it says, unless it is so old that it has no words for it. An
-  /// error is not answered, lest two boards on one line answer each other for ever.
-  Outcome carry_out_frame(std::size_t port, const Waiting& request, Instant now) {
+  /// Answers an unknown request with CMD_ERROR, if the board has that. Does not answer errors: two
+  /// boards on one line would answer each other endlessly.
+  Outcome carry_out_frame(std::size_t port, const QueuedRequest& request, Instant now) {
     const Outcome outcome = try_frame(port, request, now);
     const bool is_strange = outcome == Outcome::unknown || outcome == Outcome::malformed;
     if (is_strange && !roles::is_error({request.id, request.body})) {
@@ -192,7 +192,7 @@ class Board::Core {
     return outcome;
   }
 
-  Outcome try_frame(std::size_t port, const Waiting& request, Instant now) {
+  Outcome try_frame(std::size_t port, const QueuedRequest& request, Instant now) {
     Outcome outcome = Outcome::unknown;
     const Code code =
         select(Direction::to_board, request.id, request.body.size(), [&]<class M>(Type<M>) {
@@ -203,7 +203,7 @@ class Board::Core {
               outcome = Outcome::malformed;
               return;
             }
-            const Confirmed confirmed = exchange_of(message).replies.confirmed;
+            const Confirmed confirmed = response_policy(message).responses.confirmed;
             RequestContext context(device, port, request.id, confirmed, now);
             outcome = carry_out(context, message);
           }
@@ -213,8 +213,9 @@ class Board::Core {
 
   Instant start_;
   Instant clock_;
-  std::array<Instant, max_ports> turns_{};  ///< when a request of each port is carried out
-  std::array<Instant, max_ports> idle_{};   ///< when a frame that has begun is given up
+  std::array<Instant, max_ports>
+      request_times_{};  ///< when the next request of each port is carried out
+  std::array<Instant, max_ports> idle_times_{};  ///< when a partial frame is given up
 };
 
 Board::Board(const BoardOptions& options, Memory memory, Instant now)
@@ -266,11 +267,13 @@ void Board::set_silent(bool is_silent) { core_->set_silent(is_silent); }
 
 const Memory& Board::memory() const { return core_->device.memory; }
 
-std::size_t Board::waiting(std::size_t port) const { return core_->device.ports.waiting(port); }
+std::size_t Board::queued_bytes(std::size_t port) const {
+  return core_->device.ports.queued_bytes(port);
+}
 
 bool Board::is_quiet(std::size_t port) const {
   const Ports& ports = core_->device.ports;
-  return !ports.is_in_frame(port) && ports.waiting(port) == 0 && !ports.has_output(port);
+  return !ports.is_in_frame(port) && ports.queued_bytes(port) == 0 && !ports.has_output(port);
 }
 
 Gimbal& Board::gimbal() { return core_->device.gimbal; }

@@ -1,4 +1,5 @@
-/// Requests that calibrate and tune.
+// spec/calibration.yaml: calibrating and tuning.
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,7 +16,7 @@ namespace {
 
 using Kind = Calibrations::Kind;
 
-/// Index of an IMU in Memory::imus; nothing if the board has none such.
+/// Index of an IMU in Memory::imus; empty if the board does not have it.
 std::optional<std::size_t> index_of(const Device& device, msg::CalibImu imu) {
   switch (imu) {
     case msg::CalibImu::active: return device.cur_imu == msg::SelectedImu::frame ? 1 : 0;
@@ -26,7 +27,8 @@ std::optional<std::size_t> index_of(const Device& device, msg::CalibImu imu) {
   return device.has_frame_imu() ? std::optional<std::size_t>(1) : std::nullopt;
 }
 
-/// A calibration that is confirmed on reception, and once more at its end if `confirms_end`.
+/// Starts a calibration that is confirmed on reception and, if `confirms_end`, once more at its
+/// end.
 Outcome begin(RequestContext& context, Kind kind, std::size_t imu, bool confirms_end) {
   std::optional<Calibrations::Requester> requester;
   if (confirms_end) requester = Calibrations::Requester{context.port, context.command};
@@ -36,7 +38,7 @@ Outcome begin(RequestContext& context, Kind kind, std::size_t imu, bool confirms
   return context.confirm();
 }
 
-/// A calibration that is confirmed once, at its end.
+/// Starts a calibration that is confirmed once, at its end.
 Outcome begin_silently(RequestContext& context, Kind kind) {
   const Calibrations::Requester requester{context.port, context.command};
   if (!context.device.calibrations.start(context.device, kind, 0, requester, context.now)) {
@@ -52,11 +54,11 @@ Outcome restart(RequestContext& context) {
   return outcome;
 }
 
-/// What CMD_CALIB_ACC and CMD_CALIB_GYRO do with an IMU.
+/// What CMD_CALIB_ACC and CMD_CALIB_GYRO do with a sensor of an IMU.
 struct Sensor {
   Kind regular, temperature, from_sensor, to_sensor;
   void (*forget)(ImuCalibration& imu);
-  /// Uses the calibration over temperature, if there is one, or no longer.
+  /// Enables or disables the calibration over temperature, if there is one.
   void (*use_temperature)(ImuCalibration& imu, bool used);
 };
 
@@ -70,7 +72,7 @@ constexpr Sensor gyro{Kind::gyro,
                         imu.gyro_offset = {};
                       },
                       [](ImuCalibration& imu, bool used) {
-                        // Ours: a range of 0 to 0 degrees means that there is none.
+                        // Assumption: a range of 0 to 0 degrees means that there is none.
                         const bool exists =
                             imu.gyro_temperature_min != 0 || imu.gyro_temperature_max != 0;
                         imu.gyro_temperature_enabled = used && exists;
@@ -157,7 +159,7 @@ Outcome handle(RequestContext& context, const msg::CalibBat& request) {
   if (!context.device.has_battery_meter())
     return context.refuse(msg::BoardErrorCode::not_supported);
   const double measured = context.device.gimbal.sample(context.now).battery;
-  // Ours: a divider is never off by more than this, so it must be a mistake.
+  // Assumption: a voltage divider is never off by more than this, so the request is a mistake.
   constexpr double lowest = 0.5;
   constexpr double highest = 2;
   const double factor = measured > 0 ? request.actual_voltage.volts() / measured : 0;

@@ -1,4 +1,4 @@
-// Moving the camera.
+// spec/control.yaml: moving the camera, motors, the menu, help from outside.
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,8 @@
 #include "device/device.hpp"
 #include "device/handlers.hpp"
 #include "device/known_values.hpp"
+#include "device/parts/live_data.hpp"
+#include "device/parts/menu.hpp"
 
 namespace sbgc::emulator {
 namespace {
@@ -26,23 +28,23 @@ std::optional<AxisMode> mode_of(msg::ControlModeKind kind) {
   return {};
 }
 
-/// Nothing if there is no such mode.
+/// Empty if there is no such mode.
 std::optional<AxisCommand> command_of(const Availability& versions, msg::ControlMode mode,
                                       const msg::ControlAxis& target) {
   const auto axis_mode = mode_of(mode.mode());
   if (!axis_mode) return {};
-  // Firmware that does not know the flag does not look at it.
+  // Firmware that does not know the flag ignores it.
   const bool is_fine = mode.flags().has(msg::ControlFlag::high_res_speed) &&
                        knows(versions, msg::ControlFlag::high_res_speed);
   AxisCommand command{*axis_mode};
   command.speed = is_fine ? msg::FineSpeed(target.speed.raw()).degrees_per_second()
                           : target.speed.degrees_per_second();
-  // Where the angle says the direction, the speed is a size.
+  // Where the angle gives the direction, the sign of the speed does not count.
   if (*axis_mode == AxisMode::angle || *axis_mode == AxisMode::relative_angle) {
     command.speed = std::abs(command.speed);
   }
   command.angle = target.angle.degrees();
-  // "Should be in range -500...500": beyond it the signal stays at its end, as that of a receiver.
+  // "Should be in range -500...500": the signal saturates, like that of a receiver.
   command.signal = std::clamp(msg::CentredRcSignal(target.angle.raw()).fraction(), -1.0, 1.0);
   return command;
 }
@@ -55,8 +57,8 @@ Outcome control(RequestContext& context, const Axes<msg::ControlMode>& modes,
     if (!command) return context.refuse(msg::BoardErrorCode::wrong_params, modes[axis].raw());
     commands[axis] = *command;
     if (command->mode == AxisMode::signal) {
-      commands[axis].signal = RemoteControl::bent(context.device.parameters.of<msg::ReadParams3>(),
-                                                  axis, command->signal);
+      commands[axis].signal = RemoteControl::shaped(
+          context.device.parameters.of<msg::ReadParams3>(), axis, command->signal);
     }
   }
   for (std::size_t axis = 0; axis < commands.size(); ++axis) {
@@ -67,19 +69,19 @@ Outcome control(RequestContext& context, const Axes<msg::ControlMode>& modes,
 
 Outcome turn_motors(RequestContext& context, bool on) {
   context.device.set_motors(on, context.now);
-  // An empty battery keeps them off.
+  // An empty battery keeps the motors off.
   if (on && context.device.gimbal.stopped_by_battery())
     return context.refuse(msg::BoardErrorCode::wrong_state);
   return context.confirm();
 }
 
 Outcome execute(RequestContext& context, msg::MenuCommand action) {
-  if (context.device.execute(action, context.now)) return context.confirm();
+  if (execute_menu(context.device, action, context.now)) return context.confirm();
   return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint32_t>(action));
 }
 
-/// Zeros are not used, so that a message of zeros is no help. Nothing else of what it tells matters
-/// to the simulation, which knows the frame.
+/// Zeros are not used, so a message of zeros is no help. Other values do not matter: the simulation
+/// knows the frame.
 template <class Data>
 bool is_help(const Data& data) {
   bool tells = data.frame_acc != Xyz<msg::Acceleration>{} ||
@@ -90,7 +92,7 @@ bool is_help(const Data& data) {
   return tells;
 }
 
-/// Ours: an unknown COORD_SYS counts as the usual one.
+/// Assumption: an unknown COORD_SYS counts as the usual one.
 template <class Data>
 Outcome help(RequestContext& context, const Data& data) {
   if (is_help(data)) context.device.gimbal.help(context.now);
@@ -108,6 +110,18 @@ Outcome handle(RequestContext& context, const msg::ControlExt& request) {
   return control(context, request.control_mode, request.axes);
 }
 
+Outcome handle(RequestContext& context, const msg::GetAnglesRequest& /*request*/) {
+  msg::GetAngles data;
+  measure(context.device, context.now, data);
+  return context.answer(data);
+}
+
+Outcome handle(RequestContext& context, const msg::GetAnglesExtRequest& /*request*/) {
+  msg::GetAnglesExt data;
+  measure(context.device, context.now, data);
+  return context.answer(data);
+}
+
 Outcome handle(RequestContext& context, const msg::MotorsOn& /*request*/) {
   return turn_motors(context, true);
 }
@@ -116,7 +130,7 @@ Outcome handle(RequestContext& context, const msg::MotorsOff& /*request*/) {
   return turn_motors(context, false);
 }
 
-// Ours: braking and a safe stop end as turning them off does, with motors without current.
+// Assumption: braking and a safe stop end like turning off, without current in the motors.
 Outcome handle(RequestContext& context, const msg::MotorsOffExt& request) {
   switch (request.mode) {
     case msg::MotorsOffMode::normal:
@@ -141,11 +155,6 @@ Outcome handle(RequestContext& context, const msg::HelperData& request) {
 
 Outcome handle(RequestContext& context, const msg::HelperDataExt& request) {
   return help(context, request);
-}
-
-Outcome handle(RequestContext& context, const msg::ApiVirtChControl& request) {
-  context.device.remote.set_channels(context.device, request, context.now);
-  return context.confirm();
 }
 
 }  // namespace sbgc::emulator

@@ -1,5 +1,6 @@
-/// Requests that the board carries out with code of its own. All others are answered by
-/// parameters.hpp and default_answer.hpp from the model alone.
+/// The requests that the board answers with code of its own, by the family of spec/ that they
+/// belong to: device/<family>.cpp has them. All others are answered from the model alone:
+/// parameter_access.hpp reads and writes parameters, default_response.hpp does the rest.
 #pragma once
 
 #include <sbgc/messages.hpp>
@@ -8,52 +9,13 @@
 
 namespace sbgc::emulator {
 
-// handlers_system.cpp
-Outcome handle(RequestContext& context, const msg::BoardInfoRequest& request);
-Outcome handle(RequestContext& context, const msg::BoardInfoRequestOneByte& request);
-Outcome handle(RequestContext& context, const msg::BoardInfoRequestExt& request);
-Outcome handle(RequestContext& context, const msg::BoardInfo3Request& request);
-Outcome handle(RequestContext& context, const msg::ResetRequest& request);
-Outcome handle(RequestContext& context, const msg::ResetRequestExt& request);
-Outcome handle(RequestContext& context, const msg::BootMode3& request);
-Outcome handle(RequestContext& context, const msg::BootMode3Ext& request);
+// adjustable_variables.cpp
+Outcome handle(RequestContext& context, const msg::GetAdjVarsVal& request);
+Outcome handle(RequestContext& context, const msg::SetAdjVarsVal& request);
+Outcome handle(RequestContext& context, const msg::AdjVarsStateRequest& request);
+Outcome handle(RequestContext& context, const msg::AdjVarsStateRequestExt& request);
 
-// handlers_storage.cpp
-Outcome handle(RequestContext& context, const msg::UseDefaults& request);
-Outcome handle(RequestContext& context, const msg::EepromReadRequest& request);
-Outcome handle(RequestContext& context, const msg::EepromWrite& request);
-Outcome handle(RequestContext& context, const msg::ReadFileRequest& request);
-Outcome handle(RequestContext& context, const msg::WriteFile& request);
-Outcome handle(RequestContext& context, const msg::FsClearAll& request);
-
-// handlers_control.cpp
-Outcome handle(RequestContext& context, const msg::Control& request);
-Outcome handle(RequestContext& context, const msg::ControlExt& request);
-Outcome handle(RequestContext& context, const msg::MotorsOn& request);
-Outcome handle(RequestContext& context, const msg::MotorsOff& request);
-Outcome handle(RequestContext& context, const msg::MotorsOffExt& request);
-Outcome handle(RequestContext& context, const msg::ExecuteMenu& request);
-Outcome handle(RequestContext& context, const msg::ExecuteMenuExt& request);
-Outcome handle(RequestContext& context, const msg::HelperData& request);
-Outcome handle(RequestContext& context, const msg::HelperDataExt& request);
-Outcome handle(RequestContext& context, const msg::ApiVirtChControl& request);
-
-// handlers_realtime.cpp
-Outcome handle(RequestContext& context, const msg::RealtimeData& request);
-Outcome handle(RequestContext& context, const msg::RealtimeData3Request& request);
-Outcome handle(RequestContext& context, const msg::RealtimeData4Request& request);
-Outcome handle(RequestContext& context, const msg::RealtimeDataCustomRequest& request);
-Outcome handle(RequestContext& context, const msg::GetAnglesRequest& request);
-Outcome handle(RequestContext& context, const msg::GetAnglesExtRequest& request);
-Outcome handle(RequestContext& context, const msg::DataStreamInterval& request);
-
-// handlers_attitude.cpp
-Outcome handle(RequestContext& context, const msg::AhrsHelperRequest& request);
-Outcome handle(RequestContext& context, const msg::AhrsHelperRequestWide& request);
-Outcome handle(RequestContext& context, const msg::AhrsHelperRequestExt& request);
-Outcome handle(RequestContext& context, const msg::AhrsHelperRequestExtWide& request);
-
-// answer_calibration.cpp
+// calibration.cpp
 Outcome handle(RequestContext& context, const msg::CalibAcc& request);
 Outcome handle(RequestContext& context, const msg::CalibAccExt& request);
 Outcome handle(RequestContext& context, const msg::CalibGyro& request);
@@ -68,30 +30,69 @@ Outcome handle(RequestContext& context, const msg::EncodersCalibFldOffset4& requ
 Outcome handle(RequestContext& context, const msg::CalibInfoRequest& request);
 Outcome handle(RequestContext& context, const msg::AutoPidRequest& request);
 
-// answer_imu.cpp
+// control.cpp
+Outcome handle(RequestContext& context, const msg::Control& request);
+Outcome handle(RequestContext& context, const msg::ControlExt& request);
+Outcome handle(RequestContext& context, const msg::GetAnglesRequest& request);
+Outcome handle(RequestContext& context, const msg::GetAnglesExtRequest& request);
+Outcome handle(RequestContext& context, const msg::MotorsOn& request);
+Outcome handle(RequestContext& context, const msg::MotorsOff& request);
+Outcome handle(RequestContext& context, const msg::MotorsOffExt& request);
+Outcome handle(RequestContext& context, const msg::ExecuteMenu& request);
+Outcome handle(RequestContext& context, const msg::ExecuteMenuExt& request);
+Outcome handle(RequestContext& context, const msg::HelperData& request);
+Outcome handle(RequestContext& context, const msg::HelperDataExt& request);
+
+// debug.cpp
+Outcome handle(RequestContext& context, const msg::DebugVarsInfo3Request& request);
+Outcome handle(RequestContext& context, const msg::DebugVars3Request& request);
+
+// imu.cpp
 Outcome handle(RequestContext& context, const msg::SelectImu3& request);
 Outcome handle(RequestContext& context, const msg::SelectImu3Ext& request);
+Outcome handle(RequestContext& context, const msg::AhrsHelperRequest& request);
+Outcome handle(RequestContext& context, const msg::AhrsHelperRequestWide& request);
+Outcome handle(RequestContext& context, const msg::AhrsHelperRequestExt& request);
+Outcome handle(RequestContext& context, const msg::AhrsHelperRequestExtWide& request);
 Outcome handle(RequestContext& context, const msg::GyroCorrection& request);
 
-// answer_peripherals.cpp
+// parameters.cpp
+Outcome handle(RequestContext& context, const msg::SaveParams3& request);
+Outcome handle(RequestContext& context, const msg::UseDefaults& request);
+
+// peripherals.cpp
 Outcome handle(RequestContext& context, const msg::TriggerPin& request);
 Outcome handle(RequestContext& context, const msg::ServoOut& request);
 Outcome handle(RequestContext& context, const msg::BeepSound& request);
 Outcome handle(RequestContext& context, const msg::I2cReadRegBufRequest& request);
 Outcome handle(RequestContext& context, const msg::I2cWriteRegBuf& request);
+Outcome handle(RequestContext& context, const msg::ApiVirtChControl& request);
 
-// answer_scripting.cpp
+// realtime.cpp
+Outcome handle(RequestContext& context, const msg::RealtimeData& request);
+Outcome handle(RequestContext& context, const msg::RealtimeData3Request& request);
+Outcome handle(RequestContext& context, const msg::RealtimeData4Request& request);
+Outcome handle(RequestContext& context, const msg::RealtimeDataCustomRequest& request);
+Outcome handle(RequestContext& context, const msg::DataStreamInterval& request);
+
+// scripting.cpp
 Outcome handle(RequestContext& context, const msg::RunScript& request);
 
-// answer_debug.cpp
-Outcome handle(RequestContext& context, const msg::DebugVarsInfo3Request& request);
-Outcome handle(RequestContext& context, const msg::DebugVars3Request& request);
+// storage.cpp
+Outcome handle(RequestContext& context, const msg::EepromReadRequest& request);
+Outcome handle(RequestContext& context, const msg::EepromWrite& request);
+Outcome handle(RequestContext& context, const msg::ReadFileRequest& request);
+Outcome handle(RequestContext& context, const msg::WriteFile& request);
+Outcome handle(RequestContext& context, const msg::FsClearAll& request);
 
-// answer_variables.cpp
-Outcome handle(RequestContext& context, const msg::GetAdjVarsVal& request);
-Outcome handle(RequestContext& context, const msg::SetAdjVarsVal& request);
-Outcome handle(RequestContext& context, const msg::SaveParams3& request);
-Outcome handle(RequestContext& context, const msg::AdjVarsStateRequest& request);
-Outcome handle(RequestContext& context, const msg::AdjVarsStateRequestExt& request);
+// system.cpp
+Outcome handle(RequestContext& context, const msg::BoardInfoRequest& request);
+Outcome handle(RequestContext& context, const msg::BoardInfoRequestOneByte& request);
+Outcome handle(RequestContext& context, const msg::BoardInfoRequestExt& request);
+Outcome handle(RequestContext& context, const msg::BoardInfo3Request& request);
+Outcome handle(RequestContext& context, const msg::ResetRequest& request);
+Outcome handle(RequestContext& context, const msg::ResetRequestExt& request);
+Outcome handle(RequestContext& context, const msg::BootMode3& request);
+Outcome handle(RequestContext& context, const msg::BootMode3Ext& request);
 
 }  // namespace sbgc::emulator

@@ -1,4 +1,4 @@
-// CMD_AHRS_HELPER: attitudes as vectors.
+// spec/imu.yaml: choosing and correcting IMUs; attitudes as vectors.
 
 #include <cmath>
 #include <optional>
@@ -13,18 +13,30 @@
 namespace sbgc::emulator {
 namespace {
 
-/// Nothing if its length is not near 1.
+Outcome select_imu(RequestContext& context, msg::SelectedImu imu) {
+  const bool exists = imu == msg::SelectedImu::main ||
+                      (imu == msg::SelectedImu::frame && context.device.has_frame_imu());
+  if (!exists) return RequestContext::ignore();
+  context.device.cur_imu = imu;
+  return context.confirm();
+}
+
+double degrees_per_second(msg::GyroOffset offset) {
+  return offset.gyro_units() * Device::gyro_unit();
+}
+
+/// Empty if its length is not near 1.
 std::optional<Vector> direction(const Xyz<float>& from) {
   const Vector vector{static_cast<double>(from.x), static_cast<double>(from.y),
                       static_cast<double>(from.z)};
-  // Ours: a unit vector may be off by rounding and by the noise of a sensor.
+  // Assumption: a unit vector may be off by rounding and by the noise of a sensor.
   constexpr double tolerance = 0.1;
   if (!(std::abs(std::sqrt(dot(vector, vector)) - 1) <= tolerance)) return {};
   return unit(vector);
 }
 
 template <class Mode>
-Outcome tell(RequestContext& context, Mode mode) {
+Outcome report_attitude(RequestContext& context, Mode mode) {
   const bool of_frame = mode.has(Mode::flag_type::frame_imu);
   if (of_frame && !knows_frame(context.device, context.now))
     return context.refuse(msg::BoardErrorCode::not_supported);
@@ -33,14 +45,14 @@ Outcome tell(RequestContext& context, Mode mode) {
   return context.answer(answer);
 }
 
-/// Without vectors there is nothing to set.
+/// For the forms without vectors, which cannot set the attitude.
 template <class Request>
-Outcome tell_only(RequestContext& context, const Request& request) {
+Outcome report_attitude_only(RequestContext& context, const Request& request) {
   using Bit = typename decltype(request.mode)::flag_type;
   if (request.mode.has(Bit::set)) {
     return context.refuse(msg::BoardErrorCode::wrong_params, request.mode.raw());
   }
-  return tell(context, request.mode);
+  return report_attitude(context, request.mode);
 }
 
 /// The bits of a mode that the simulation understands: those of the earlier form.
@@ -53,10 +65,10 @@ constexpr unsigned known_bits = [] {
 }();
 
 template <class Request>
-Outcome tell_or_set(RequestContext& context, const Request& request) {
+Outcome report_or_set_attitude(RequestContext& context, const Request& request) {
   const auto mode = request.mode;
   using Bit = typename decltype(request.mode)::flag_type;
-  if (!mode.has(Bit::set)) return tell(context, mode);
+  if (!mode.has(Bit::set)) return report_attitude(context, mode);
   if ((mode.raw() & ~known_bits) != 0) {
     return context.refuse(msg::BoardErrorCode::not_supported, mode.raw());
   }
@@ -81,17 +93,44 @@ Outcome tell_or_set(RequestContext& context, const Request& request) {
 
 }  // namespace
 
+Outcome handle(RequestContext& context, const msg::SelectImu3& request) {
+  return select_imu(context, request.imu_type);
+}
+/// Further parameters are not documented.
+Outcome handle(RequestContext& context, const msg::SelectImu3Ext& request) {
+  return select_imu(context, request.imu_type);
+}
+
 Outcome handle(RequestContext& context, const msg::AhrsHelperRequest& request) {
-  return tell_only(context, request);
+  return report_attitude_only(context, request);
 }
 Outcome handle(RequestContext& context, const msg::AhrsHelperRequestWide& request) {
-  return tell_only(context, request);
+  return report_attitude_only(context, request);
 }
 Outcome handle(RequestContext& context, const msg::AhrsHelperRequestExt& request) {
-  return tell_or_set(context, request);
+  return report_or_set_attitude(context, request);
 }
 Outcome handle(RequestContext& context, const msg::AhrsHelperRequestExtWide& request) {
-  return tell_or_set(context, request);
+  return report_or_set_attitude(context, request);
+}
+
+Outcome handle(RequestContext& context, const msg::GyroCorrection& request) {
+  Device& device = context.device;
+  const bool of_frame = request.imu_type == msg::ImuIndex::frame;
+  if (!of_frame && request.imu_type != msg::ImuIndex::main)
+    return context.refuse(msg::BoardErrorCode::wrong_params);
+  if (of_frame && !device.has_frame_imu())
+    return context.refuse(msg::BoardErrorCode::not_supported);
+  Vector offset;
+  for (std::size_t i = 0; i < 3; ++i) {
+    offset[i] = degrees_per_second(request.gyro_zero_corr[i]);
+  }
+  const std::size_t imu = of_frame ? 1 : 0;
+  device.gyro_headings[imu] = degrees_per_second(request.gyro_zero_heading_corr);
+  device.memory.imus[imu].gyro_offset = offset;
+  ++device.memory.revision;
+  device.correct_gyros(context.now);
+  return context.confirm();
 }
 
 }  // namespace sbgc::emulator

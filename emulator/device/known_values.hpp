@@ -1,4 +1,4 @@
-/// What boards of a version know.
+/// Which values of enums and flag sets a board knows.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace sbgc::emulator {
 
-/// Whether boards with these versions know a value of an enum or flag set.
+/// Whether boards with these versions know a value.
 template <class E>
 constexpr bool knows(const Availability& versions, E value) {
   for (const ValueInfo& info : EnumMeta<E>::values) {

@@ -1,4 +1,5 @@
-/// Requests about pins, servos, sound and I2C.
+// spec/peripherals.yaml: pins, servos, sounds, I2C, virtual channels.
+
 #include "device/device.hpp"
 #include "device/handlers.hpp"
 
@@ -39,6 +40,11 @@ Outcome handle(RequestContext& context, const msg::I2cWriteRegBuf& request) {
     return context.refuse(msg::BoardErrorCode::operation_failed);
   }
   device.i2c.write(device, request.device_addr, request.reg_addr, request.data);
+  return context.confirm();
+}
+
+Outcome handle(RequestContext& context, const msg::ApiVirtChControl& request) {
+  context.device.remote.set_channels(context.device, request, context.now);
   return context.confirm();
 }
 

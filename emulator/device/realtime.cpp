@@ -1,4 +1,4 @@
-// Live data, asked for or streamed.
+// spec/realtime.yaml: live data, on request or streamed.
 
 #include "device/device.hpp"
 #include "device/handlers.hpp"
@@ -32,18 +32,6 @@ Outcome handle(RequestContext& context, const msg::RealtimeData4Request& /*reque
 Outcome handle(RequestContext& context, const msg::RealtimeDataCustomRequest& request) {
   msg::RealtimeDataCustom data;
   measure(context.device, request.flags, context.now, data);
-  return context.answer(data);
-}
-
-Outcome handle(RequestContext& context, const msg::GetAnglesRequest& /*request*/) {
-  msg::GetAngles data;
-  measure(context.device, context.now, data);
-  return context.answer(data);
-}
-
-Outcome handle(RequestContext& context, const msg::GetAnglesExtRequest& /*request*/) {
-  msg::GetAnglesExt data;
-  measure(context.device, context.now, data);
   return context.answer(data);
 }
 

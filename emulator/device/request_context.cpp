@@ -7,10 +7,10 @@
 namespace sbgc::emulator {
 namespace {
 
-/// CMD_ERROR in the form that real boards send: with the command that failed (E086).
+/// CMD_ERROR as real boards send it: with the command that failed (E086).
 msg::ErrorExt error_about(std::uint8_t command, msg::BoardErrorCode reason, std::uint32_t detail) {
   msg::ErrorExt error;
-  error.cmd_id = static_cast<msg::CommandId>(command);
+  error.cmd_id = static_cast<msg::CommandToBoard>(command);
   error.error_code = reason;
   for (std::size_t i = 0; i < error.error_data.size(); ++i) {
     error.error_data[i] = static_cast<std::uint8_t>(detail >> (8 * i));
@@ -58,7 +58,7 @@ Outcome RequestContext::confirm(std::span<const std::uint8_t> data) {
 
 Outcome RequestContext::confirm(roles::Confirmation confirmation) {
   if (!confirms()) return Outcome::carried_out;
-  confirmation.cmd = static_cast<msg::CommandId>(command);
+  confirmation.cmd = static_cast<msg::CommandToBoard>(command);
   return answer(confirmation);
 }
 

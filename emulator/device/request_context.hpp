@@ -1,4 +1,4 @@
-/// What a handler of requests has to work with.
+/// What a handler of requests works with.
 #pragma once
 
 #include <array>
@@ -9,9 +9,9 @@
 
 #include <sbgc/availability.hpp>
 #include <sbgc/emulator/board.hpp>
-#include <sbgc/exchange.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/messages.hpp>
+#include <sbgc/response_policy.hpp>
 #include <sbgc/roles.hpp>
 #include <sbgc/time.hpp>
 
@@ -19,16 +19,16 @@ namespace sbgc::emulator {
 
 struct Device;
 
-/// The frame to send instead of one that tells of a change to the memory, which can not be saved:
-/// CMD_ERROR instead of a confirmation, other frames as they are. Empty if this board and firmware
-/// have no such error.
+/// The frame to send instead of one that reports a change of the memory, after saving failed:
+/// CMD_ERROR replaces a confirmation, other frames stay. Empty if this board and firmware have no
+/// such error.
 std::vector<std::uint8_t> refusal_instead(Availability versions,
                                           std::span<const std::uint8_t> frame);
 
 /// One request while it is carried out. A handler is
 ///     Outcome handle(RequestContext& context, const M& request);
-/// found by overload (handlers.hpp). It answers through the turn and says what has come of it. A
-/// message without a handler is answered as the model says (default_answer.hpp).
+/// found by overload (handlers.hpp). It answers through the context and returns the outcome. A
+/// message without a handler is answered as the model says (default_response.hpp).
 class RequestContext {
  public:
   RequestContext(Device& of, std::size_t from, std::uint8_t id, Confirmed confirmed, Instant at)
@@ -39,32 +39,32 @@ class RequestContext {
   const std::uint8_t command;  ///< id of the request
   const Instant now;
 
-  /// Sends a message back, if this board and firmware have it.
+  /// Sends a response, if this board and firmware have it.
   template <Message M>
   Outcome answer(const M& message) {
     if (is_supported<M>(versions())) send(message);
     return Outcome::carried_out;
   }
-  /// The same if this board has the request, even if it does not have the message otherwise: the
-  /// answers of old requests are those of newer ones (E020, E120).
+  /// The same, even if this board does not have the message otherwise: old requests have the
+  /// responses of newer ones (E020, E120).
   template <Message M>
   Outcome answer_anyway(const M& message) {
     send(message);
     return Outcome::carried_out;
   }
-  /// CMD_CONFIRM that names the request, with these data. Ours: there is none if the model calls it
+  /// Sends CMD_CONFIRM for the request, with these data. Assumption: not if the model calls it
   /// unlikely.
   Outcome confirm(std::span<const std::uint8_t> data = {});
-  /// The same with the fields that such a confirmation has.
+  /// The same with the given fields.
   Outcome confirm(roles::Confirmation confirmation);
-  /// CMD_ERROR that names the request.
+  /// Sends CMD_ERROR for the request.
   Outcome refuse(msg::BoardErrorCode reason, std::uint32_t detail = 0);
-  /// Says nothing, where the specification wants that.
+  /// Sends nothing, where the specification demands that.
   static Outcome ignore() { return Outcome::refused; }
 
-  /// A message that is not known as a type.
+  /// Sends a message whose type is not known at compile time.
   void answer_body(std::uint8_t id, std::span<const std::uint8_t> body);
-  /// What the board is.
+  /// Versions of the board and its firmware.
   Availability versions() const;
 
  private:

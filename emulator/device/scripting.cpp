@@ -1,4 +1,5 @@
-/// Requests about scripts.
+// spec/scripting.yaml: running scripts.
+
 #include "device/device.hpp"
 #include "device/handlers.hpp"
 

@@ -1,4 +1,5 @@
-// The EEPROM: parameters as a whole, pages, files.
+// spec/storage.yaml: pages of the EEPROM, and files. parameter_access.hpp answers
+// CMD_READ_EXTERNAL_DATA and CMD_WRITE_EXTERNAL_DATA.
 
 #include "device/device.hpp"
 #include "device/handlers.hpp"
@@ -12,19 +13,6 @@ Outcome confirm_result(RequestContext& context, msg::FileError error) {
 }
 
 }  // namespace
-
-Outcome handle(RequestContext& context, const msg::UseDefaults& request) {
-  if (request.profile_id == msg::UseDefaults::erase_eeprom) {
-    context.device.parameters.erase();
-    context.device.forget_calibrations();
-  } else if (request.profile_id < SettingsOf<msg::ReadParams3>::copies) {
-    context.device.parameters.use_defaults(request.profile_id);
-  } else {
-    return context.refuse(msg::BoardErrorCode::wrong_params, request.profile_id);
-  }
-  context.device.apply_parameters(context.now);
-  return context.confirm();
-}
 
 Outcome handle(RequestContext& context, const msg::EepromReadRequest& request) {
   msg::EepromRead answer;

@@ -1,4 +1,4 @@
-// Who the board is, and its restarts.
+// spec/system.yaml: what the board is, and its restarts.
 
 #include <sbgc/roles.hpp>
 
@@ -19,7 +19,7 @@ Outcome introduce(RequestContext& context) {
   return context.answer(info);
 }
 
-/// Without a notice nothing comes back: the restart is the answer.
+/// Without a notice there is no response: the board restarts.
 Outcome restart(RequestContext& context, bool notify, msg::Milliseconds delay, bool to_bootloader) {
   if (notify) static_cast<void>(context.answer(roles::Reset{}));
   context.device.restarts.schedule(context.now + milliseconds(delay.raw()), to_bootloader);
@@ -36,7 +36,7 @@ Outcome handle(RequestContext& context, const msg::BoardInfoRequestOneByte& /*re
   return introduce(context);
 }
 
-// The configuration is for Bluetooth LE modules between board and host, of which there are none.
+// The configuration is for Bluetooth LE modules between board and host, which are not emulated.
 Outcome handle(RequestContext& context, const msg::BoardInfoRequestExt& /*request*/) {
   return introduce(context);
 }
@@ -47,7 +47,7 @@ Outcome handle(RequestContext& context, const msg::BoardInfo3Request& /*request*
   info.device_id = device.options.device_id;
   info.mcu_id = device.options.mcu_id;
   info.eeprom_size = msg::LongByteCount(static_cast<std::uint32_t>(device.eeprom.size()));
-  // Ours: the script of a slot is the file with the slot's number.
+  // Assumption: the script of a slot is the file with the slot's number.
   std::uint16_t file = 0;
   for (msg::ByteCount& size : info.script_slot_size)
     size = msg::ByteCount(device.files.size(file++));

@@ -9,7 +9,7 @@ namespace sbgc::emulator {
 
 namespace {
 
-/// Friction of a joint that no motor moves, deg/s^2.
+/// Friction of a joint without motor power, deg/s^2.
 constexpr double friction = 1000;
 /// Of a motor at power 100, deg/s^2.
 constexpr double motor_strength = 3000;
@@ -20,10 +20,10 @@ AxisGains gains_of(const AxisTuning& tuning) {
   const double power = within(tuning.power, 0, 255) / 100;
   AxisGains gains;
   gains.strength = motor_strength * power;
-  // Default settings (10, 0.1, 10, power 100) come to 4 Hz with a damping ratio of 0.8.
+  // Default parameters (10, 0.1, 10, power 100) result in 4 Hz with a damping ratio of 0.8.
   gains.stiffness = 60 * within(tuning.p, 0, 1e4) * power;
   gains.damping = 4 * within(tuning.d, 0, 1e4) * power;
-  // Ours: bad tuning is weak here, or swings for a while; it does not shake a gimbal to pieces.
+  // Assumption: bad tuning makes an axis weak, or swing for a while; it never becomes unstable.
   gains.integral =
       std::min(6000 * within(tuning.i, 0, 1e4) * power, 0.3 * gains.stiffness * gains.damping);
   // Half of the motor's strength is for the target's acceleration, the rest for disturbances.
@@ -35,7 +35,7 @@ AxisGains gains_of(const AxisTuning& tuning) {
 
 void AxisMotion::hold(const AxisGains& gains, const Path& path, double acceleration,
                       const AxisSurroundings& around, double seconds) {
-  // Implicit in the new speed, so that no settings make the numbers diverge.
+  // Implicit in the new speed, so that no parameters make the numbers diverge.
   const double drag = around.coupling;
   const double outside = drag * (around.frame_speed + around.error_speed) + around.imbalance;
   const double halfway = path.position - angle - speed * seconds / 2;

@@ -7,7 +7,7 @@
 
 namespace sbgc::emulator {
 
-/// What the settings make of an axis. Accelerations stand for torques: the camera's inertia is 1.
+/// The control gains of an axis. Accelerations represent torques: the camera's inertia is 1.
 struct AxisGains {
   double stiffness{};         ///< 1/s^2
   double damping{};           ///< 1/s
@@ -22,7 +22,7 @@ AxisGains gains_of(const AxisTuning& tuning);
 struct AxisSurroundings {
   double frame{}, frame_speed{};  ///< degrees, deg/s
   double error{}, error_speed{};  ///< of the estimated angle
-  double coupling{};              ///< how much of the frame's turning the joint hands on, 1/s
+  double coupling{};              ///< how much of the frame's rotation the joint passes on, 1/s
   double imbalance{};             ///< acceleration that the motor has to hold against, deg/s^2
 };
 
@@ -41,7 +41,7 @@ struct AxisMotion {
             const AxisSurroundings& around, double seconds);
   /// Nothing holds it but friction.
   void coast(const AxisSurroundings& around, double seconds);
-  /// The joint stays as it is: angle and speed are those of the frame.
+  /// The joint does not move: angle and speed are those of the frame.
   void stick(const AxisSurroundings& around);
 };
 

@@ -11,7 +11,7 @@ namespace sbgc::emulator {
 
 namespace {
 
-/// Ours: so long the speed of a command leads in `speed_angle`, unless the next one comes.
+/// Assumption: how long the speed of a command leads in `speed_angle`, until the next one.
 constexpr double lead_time = 0.5;
 
 bool is_remote(AxisMode mode) { return mode == AxisMode::remote || mode == AxisMode::signal; }
@@ -22,15 +22,15 @@ std::optional<double> signal_of(const AxisOrders& orders) {
   return orders.remote;
 }
 
-/// Ours: an axis that follows something does not while its command is an angle.
+/// Assumption: an axis does not follow anything while its command is an angle.
 Followed followed_by(const AxisOrders& orders) {
   const AxisMode mode = orders.command.mode;
   if (!is_remote(mode) && mode != AxisMode::speed) return Followed::nothing;
-  if (orders.followed) return Followed::told;
+  if (orders.followed) return Followed::reported;
   return orders.tuning.follows ? Followed::frame : Followed::nothing;
 }
 
-/// Of the angles that are the same to the protocol the one that is nearest.
+/// Of the angles that are equal in the protocol, the nearest one.
 double nearest(double angle, double to) { return to + std::remainder(angle - to, angle_period); }
 
 double estimated_frame(const AxisSurroundings& around) { return around.frame + around.error; }
@@ -40,7 +40,7 @@ double angle_of(Followed followed, const AxisOrders& orders, const AxisSurroundi
   switch (followed) {
     case Followed::nothing: break;
     case Followed::frame: return estimated_frame(around);
-    case Followed::told: return orders.followed.value_or(0);
+    case Followed::reported: return orders.followed.value_or(0);
   }
   return 0;
 }
@@ -95,7 +95,7 @@ void AxisState::obey(const AxisOrders& orders, bool has_power, bool is_new,
   }
   is_starting = false;
   if (mode == AxisMode::relative_angle) {
-    // The neutral point is found once, when the command comes.
+    // The neutral point is determined once, when the command arrives.
     if (is_new) goal = motion.angle - motion.joint + orders.command.angle;
   } else {
     goal = nearest(orders.command.angle, own.position);
@@ -163,14 +163,14 @@ std::optional<AxisState::Room> AxisState::room(const AxisTuning& tuning,
 void AxisState::move(const AxisOrders& orders, const AxisSurroundings& around, double seconds) {
   const Path before = own;
   double acceleration = orders.gains.acceleration;
-  // Both ways together must not exceed the limit.
+  // Both paths together must not exceed the limit.
   if (follows != Followed::nothing) acceleration /= 2;
   move_own(orders, acceleration, seconds);
   if (follows != Followed::nothing) {
     move_follow(orders, angle_of(follows, orders, around), acceleration, seconds);
   }
   if (const auto room = this->room(orders.tuning, around)) {
-    // No farther than if it went to its limits as fast as it can still stop there.
+    // No farther than a move to the limits that can still stop there.
     Path lowest = before;
     Path highest = before;
     go(lowest, room->lowest, top_speed, acceleration, seconds);

@@ -7,7 +7,7 @@ namespace sbgc::emulator {
 
 namespace {
 
-/// Nearer is there, degrees.
+/// Anything nearer has arrived, degrees.
 constexpr double arrived = 1e-9;
 
 /// From one speed to another, with constant acceleration.
@@ -25,7 +25,7 @@ void turn(Path& path, double speed, double acceleration, double seconds) {
 
 void go(Path& path, double goal, double fastest, double acceleration, double seconds) {
   const double change = acceleration * seconds;
-  // Everything as if the goal lay in the positive direction.
+  // Computed as if the goal were in the positive direction.
   const double sign = goal < path.position ? -1 : 1;
   const double distance = (goal - path.position) * sign;
   const double speed = path.speed * sign;

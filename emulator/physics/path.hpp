@@ -3,7 +3,7 @@
 
 namespace sbgc::emulator {
 
-/// A point on its way. Degrees, seconds.
+/// A moving point. Degrees, seconds.
 struct Path {
   double position{};
   double speed{};
@@ -12,8 +12,8 @@ struct Path {
 /// Brings the speed to `speed` and holds it.
 void turn(Path& path, double speed, double acceleration, double seconds);
 
-/// Goes to `goal` and brakes so that it stops exactly there, without passing it if the present
-/// speed allows that. Then the speed is exactly 0.
+/// Goes to `goal` and stops exactly there, without overshoot if the present speed allows that. Then
+/// the speed is exactly 0.
 void go(Path& path, double goal, double fastest, double acceleration, double seconds);
 
 /// Turns with `speed` while it is pulled to `angle`: it stops `speed` / 10 s^-1 behind it, where

@@ -27,13 +27,13 @@ constexpr double most_seconds = 1e6;
   throw std::invalid_argument(fmt::format("'{}' is not {}", text, wanted));
 }
 
-/// A number without a sign that takes up all of the text, and is at most `most`.
+/// Reads a number without a sign that fills the text and is at most `most`.
 template <class Number>
 bool read(std::string_view text, Number most, Number& number) {
   const char* const end = text.data() + text.size();
   if (text.empty() || text.front() == '-') return false;
   const auto [stopped, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc{} && stopped == end && number <= most;  // NaN is not
+  return error == std::errc{} && stopped == end && number <= most;  // false for NaN
 }
 
 bool read_share(std::string_view text, double& share) {
@@ -51,7 +51,7 @@ bool read_duration(std::string_view text, double us_per_unit, Duration& duration
   return true;
 }
 
-/// What is before the colon and behind it.
+/// The texts before and after the colon.
 struct Halves {
   std::string_view first;
   std::string_view second;
@@ -131,7 +131,7 @@ Duration parse_interval(const std::string& text) {
 msg::FirmwareVersion parse_firmware(const std::string& text) {
   constexpr const char* wanted = "a firmware version, such as 2.59 or 2.43b9";
   const auto [major, rest] = split(text, '.');
-  // Later releases are written with a point, as in 2.73.1.
+  // Later releases have another point, as in 2.73.1.
   const auto [minor, last] = split(rest, rest.find('b') == std::string::npos ? '.' : 'b');
   std::array<unsigned, 3> parts{};
   const bool has_last = minor.size() < rest.size();

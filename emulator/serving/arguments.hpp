@@ -1,5 +1,5 @@
-/// What stands in the arguments of `sbgc emulate`. All throw std::invalid_argument with a sentence
-/// that says what is wrong and what is right.
+/// The arguments of `sbgc emulate`. All functions throw std::invalid_argument with a sentence that
+/// says what is wrong and what is expected.
 #pragma once
 
 #include <string>
@@ -30,13 +30,13 @@ emulator::Silence parse_silence(const std::string& text);
 
 /// "12.5", in seconds.
 Duration parse_seconds(const std::string& text);
-/// "0.5", in seconds: how often something happens, a thousand times a second at most.
+/// "0.5", in seconds: an interval, at least a millisecond.
 Duration parse_interval(const std::string& text);
 
 /// "2.43b9".
 msg::FirmwareVersion parse_firmware(const std::string& text);
-/// Why no board is emulated with this firmware, or "": later firmware would be asked for what only
-/// it has.
+/// Why a board with this firmware is not emulated; "" if it is. Later firmware has commands that
+/// the emulated board does not know.
 std::string problem_of(msg::FirmwareVersion version);
 /// "3.0".
 msg::BoardVersion parse_board(const std::string& text);

@@ -11,8 +11,8 @@
 
 namespace sbgc::serving {
 
-/// Puts a frame into words. The caller of this library provides it: names of commands and fields
-/// are its business.
+/// Describes a frame in one line. The user of this library provides it, because names of commands
+/// are not known here.
 using DescribeFrame = std::function<std::string(const emulator::Board::Traffic&)>;
 
 /// Collects one line per frame, a request before its responses: the board reports the outcome of a

@@ -6,11 +6,11 @@ namespace sbgc::serving {
 
 namespace {
 
-/// The timer fires no sooner after the last one: what happens within it is done at once, each thing
-/// at its own time. As fine as the latency of an ordinary USB serial adapter.
+/// Minimum interval of the timer: events within it are handled together, each at its own time. As
+/// fine as the latency of an ordinary USB serial adapter.
 constexpr Duration granularity = milliseconds(1);
 
-/// The line's beginning is 0, so that silences and texts are counted from there.
+/// The line begins at 0; silences and text lines count from there.
 constexpr Instant line_beginning{};
 
 }  // namespace
@@ -83,7 +83,7 @@ void LiveBoard::settle() {
   is_unsettled_ = true;
   if (is_settling_) return;  // the loop below takes care
   is_settling_ = true;
-  // What one of them does takes time, and something may come for those that were called before.
+  // Each call takes time, and there may be new output for those called before.
   while (std::exchange(is_unsettled_, false)) {
     for (const auto& poke : pokes_) {
       if (poke) poke();

@@ -70,7 +70,7 @@ std::vector<emulator::FrameAngles> read_motion(std::istream& text, const std::st
     if (!result.empty() && at <= result.back().at) fail("the time must be later than before");
     result.push_back({at, {values[1], values[2], values[3]}});
   }
-  if (text.bad()) throw std::runtime_error(name + " can not be read");
+  if (text.bad()) throw std::runtime_error(name + " cannot be read");
   if (result.size() < 2) throw std::runtime_error(name + ": there must be two lines at least");
   return result;
 }
@@ -79,7 +79,7 @@ std::vector<emulator::FrameAngles> load_motion(const std::filesystem::path& file
   std::ifstream text(file);
   if (!text) {
     throw std::runtime_error(
-        fmt::format("can not read {}: {}", file.string(), std::strerror(errno)));
+        fmt::format("cannot read {}: {}", file.string(), std::strerror(errno)));
   }
   return read_motion(text, file.string());
 }

@@ -13,8 +13,8 @@ namespace sbgc::serving {
 
 namespace {
 
-/// To make the descriptor itself non-blocking would make it so for all who share it. Regular files
-/// share their end as well, and never wait for a reader.
+/// A non-blocking descriptor would be non-blocking for every process that shares it, so the file is
+/// opened again. Regular files share their end as well, and never wait for a reader.
 int open_again(int descriptor) {
   struct stat about {};
   if (::fstat(descriptor, &about) != 0 || S_ISREG(about.st_mode)) return -1;
@@ -37,7 +37,7 @@ void NonblockingLines::write_line(const std::string& line) {
     ++left_out_;
     return;
   }
-  // A pipe takes so much as a whole or not at all.
+  // A pipe takes this much as a whole or not at all.
   std::string text = line.substr(0, PIPE_BUF - 1);
   text += '\n';
   if (!write(text)) ++left_out_;

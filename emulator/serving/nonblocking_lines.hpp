@@ -1,4 +1,4 @@
-/// Lines for people who may not be reading.
+/// Lines of output for a reader that may be slow or gone.
 #pragma once
 
 #include <cstddef>
@@ -7,29 +7,28 @@
 
 namespace sbgc::serving {
 
-/// Writes lines to a file descriptor, and never waits: a line for which there is no room is left
-/// out, and once there is room again, a line says how many were. What can not be written at all is
-/// nobody's business either.
+/// Writes lines to a file descriptor and never blocks: a line for which there is no room is left
+/// out, and once there is room again, a line says how many were. Errors are ignored.
 class NonblockingLines {
  public:
-  /// Of the descriptor's file, which stays open.
+  /// The descriptor stays open.
   explicit NonblockingLines(int descriptor);
   NonblockingLines(const NonblockingLines&) = delete;
   NonblockingLines& operator=(const NonblockingLines&) = delete;
-  /// Says how many were left out, if it can be said now.
+  /// Writes how many lines were left out, if there is room.
   ~NonblockingLines();
 
   void write_line(const std::string& line);
 
  private:
-  /// Whether nothing waits any more of a line that was written in part, and nothing that is left
-  /// out has yet to be told of.
+  /// Finishes a line that was written in part and reports lines that were left out. False if there
+  /// is no room for all of that.
   bool catch_up();
-  /// Whether all or a part of it has been written; `rest_` is what has not.
+  /// True if at least a part of the text has been written; `rest_` is the remainder.
   bool write(std::string_view text);
 
   int descriptor_;
-  int own_;           // the same file, opened so that writing never waits; -1 if that can not be
+  int own_;           // the same file, opened non-blocking; -1 if that is not possible
   std::string rest_;  // of a line
   std::size_t left_out_ = 0;
 };

@@ -17,7 +17,7 @@ namespace sbgc::serving {
 
 namespace {
 
-/// Adds to a number of many bytes, the last of which counts least.
+/// Adds to a big-endian number.
 void add_to(std::span<std::uint8_t> bytes, unsigned number) {
   for (std::size_t i = bytes.size(); i-- > 0 && number != 0;) {
     number += bytes[i];
@@ -27,7 +27,7 @@ void add_to(std::span<std::uint8_t> bytes, unsigned number) {
 }
 
 std::string model(msg::BoardVersion board, msg::FirmwareVersion firmware) {
-  return fmt::format("a board {} with firmware {}", to_string(board), to_string(firmware));
+  return "a board " + to_string(board) + " with firmware " + to_string(firmware);
 }
 
 }  // namespace
@@ -110,7 +110,7 @@ void Service::open_endpoints(Served& served, unsigned number) {
     const std::string link = numbered_name(options_.link, number);
     add(open_terminal(executor, *served.board, link, has_rate, logs));
   }
-  // TCP and UDP share what the others leave, so that neither can take it all.
+  // TCP and UDP share the remaining places, so that neither can take them all.
   const std::size_t others = (options_.terminal ? 1U : 0U) + (options_.stdio ? 1U : 0U);
   const std::size_t places = emulator::Board::max_ports - others;
   const std::size_t for_udp = options_.tcp ? places / 2 : places;
@@ -121,7 +121,7 @@ void Service::open_endpoints(Served& served, unsigned number) {
 }
 
 asio::thread_pool& Service::savers() {
-  // They wait for disks, most of the time.
+  // They mostly wait for disks.
   constexpr unsigned most = 8;
   if (!savers_) savers_.emplace(std::min(options_.count, most));
   return *savers_;

@@ -99,7 +99,7 @@ class Player {
   void write_record() {
     const std::size_t size = sbgc::emulator::record_size();
     const std::size_t at = byte() % 24U * size;
-    const sbgc::emulator::RecordId id{static_cast<sbgc::msg::CommandId>(byte()), byte()};
+    const sbgc::emulator::RecordId id{static_cast<sbgc::msg::CommandFromBoard>(byte()), byte()};
     require(sbgc::emulator::write_record(eeprom_, at, id, bytes(byte())));
   }
   /// A table of files with a checksum that holds.
@@ -126,7 +126,7 @@ class Player {
     StoredMessages::for_each([&]<class M>(Type<M>) {
       if (number++ != which || copy >= SettingsOf<M>::copies) return;
       M message{};
-      if (!decode(bytes(M::min_size + byte() % 16), message)) return;
+      if (!sbgc::decode(bytes(M::min_size + byte() % 16), message)) return;
       require(settings_->write(copy, message));
       if constexpr (SettingsOf<M>::copies > 1) SettingsOf<M>::copy(message) = copy;
       require(settings_->template read<M>(copy) == message);

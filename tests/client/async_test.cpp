@@ -67,7 +67,7 @@ class Async : public ::testing::Test {
 
 TEST_F(Async, WorksWithFutures) {
   msg::GetAngles angles;
-  angles.axes.roll.imu_angle = msg::Angle14::from_degrees(10);
+  angles.axes.roll.imu_angle = 10_deg;
   board.answer<msg::GetAnglesRequest>(angles);
   AsyncClient client(running.executor());
   EXPECT_FALSE(client.is_connected());

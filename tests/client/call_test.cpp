@@ -45,7 +45,7 @@ class Call : public ::testing::Test {
 
 TEST_F(Call, ReturnsTheAnswer) {
   msg::GetAngles angles;
-  angles.axes.pitch.imu_angle = msg::Angle14::from_degrees(-30);
+  angles.axes.pitch.imu_angle = -30_deg;
   board.answer<msg::GetAnglesRequest>(angles);
   Client client = connect();
   const auto answer = client.call(msg::GetAnglesRequest{});
@@ -138,14 +138,15 @@ TEST_F(Call, RefusesValuesThatAreNotAllowed) {
   const auto result = client.call(read);
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::invalid);
-  EXPECT_EQ(result.error().message, "CMD_EEPROM_READ: addr = 7 is no multiple of 64");
+  EXPECT_EQ(result.error().message, "CMD_EEPROM_READ: addr: 7 is not a multiple of 64");
   EXPECT_EQ(board.count<msg::EepromReadRequest>(), 0U);
 }
 
 TEST_F(Call, RefusesWhatCannotBeEncoded) {
   Client client = connect();
   // A stream of this message must say which parts of it.
-  const auto result = client.data_stream_interval({.cmd_id = msg::CommandId::realtime_data_custom});
+  const auto result =
+      client.data_stream_interval({.cmd_id = msg::CommandFromBoard::realtime_data_custom});
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::invalid);
   EXPECT_THAT(result.error().message, StartsWith("the request cannot be encoded"));
@@ -224,7 +225,7 @@ TEST_F(Call, AnAttitudeHasTheFormThatTheFirmwareReads) {
 TEST_F(Call, TellsTheErrorOfTheBoard) {
   board.on<msg::MotorsOn>([&](const msg::MotorsOn&) {
     msg::ErrorExt error;
-    error.cmd_id = msg::CommandId::motors_on;
+    error.cmd_id = msg::CommandToBoard::motors_on;
     error.error_code = msg::BoardErrorCode(12);
     board.send(error);
   });
@@ -238,7 +239,7 @@ TEST_F(Call, TellsTheErrorOfTheBoard) {
 
 TEST_F(Call, TellsTheReasonOfTheBoardByItsName) {
   board.on<msg::MotorsOn>([&](const msg::MotorsOn&) {
-    board.send(msg::ErrorExt{.cmd_id = msg::CommandId::motors_on,
+    board.send(msg::ErrorExt{.cmd_id = msg::CommandToBoard::motors_on,
                              .error_code = msg::BoardErrorCode::wrong_state});
   });
   board.on<msg::CalibAcc>([&](const msg::CalibAcc&) {
@@ -329,7 +330,7 @@ TEST_F(Call, GetsNoLateAnswerOfAnEarlierOne) {
       client.read_params_3({.profile_id = 1}, {.timeout = std::chrono::seconds(60), .retries = 0});
   ASSERT_TRUE(second) << second.error().message;
   EXPECT_EQ(second->cur_profile_id, 4);
-  EXPECT_GE(client.statistics().session.late_answers, 1U);
+  EXPECT_GE(client.statistics().session.late_replies, 1U);
 }
 
 TEST_F(Call, DoesNotTakeARepeatedAnswerForItsOwn) {
@@ -375,7 +376,7 @@ TEST_F(Call, SaysThatAnAnswerCannotBeRead) {
     const std::vector<std::uint8_t> body{5, 1};  // five values are announced
     std::array<std::uint8_t, max_frame_size> frame{};
     const auto written =
-        write_frame(static_cast<std::uint8_t>(msg::CommandId::set_adj_vars_val), body, frame);
+        write_frame(static_cast<std::uint8_t>(msg::CommandToBoard::set_adj_vars_val), body, frame);
     board.send_bytes(std::span(frame).first(written.size));
   });
   Client client = connect();
@@ -483,7 +484,7 @@ TEST_F(Call, AThousandFromEightThreadsGetTheirOwnAnswers) {
   EXPECT_THAT(good, ::testing::Each(calls));
   const ClientStatistics statistics = client.statistics();
   EXPECT_EQ(statistics.failures, 0U);
-  EXPECT_EQ(statistics.session.late_answers, before.session.late_answers);
+  EXPECT_EQ(statistics.session.late_replies, before.session.late_replies);
 }
 
 TEST_F(Call, IsRefusedWhenTooManyWait) {

@@ -47,7 +47,7 @@ class Connect : public ::testing::Test {
 /// Whether angles come through.
 bool works(Client& client, ScriptedBoard& board) {
   msg::GetAngles angles;
-  angles.axes.yaw.imu_angle = msg::Angle14::from_degrees(45);
+  angles.axes.yaw.imu_angle = 45_deg;
   board.answer<msg::GetAnglesRequest>(angles);
   const auto answer = client.get_angles();
   return answer && *answer == angles;

@@ -73,7 +73,7 @@ class Examples : public ::testing::Test {
   void turn(msg::Angle14 pitch) {
     angles_.axes.pitch.imu_angle = angles_.axes.pitch.rc_target_angle = pitch;
     sample_.angle.pitch = pitch;
-    sample_.angle.yaw = msg::Angle14::from_degrees(12.5);
+    sample_.angle.yaw = 12.5_deg;
     board.answer<msg::GetAnglesRequest>(angles_);
   }
 

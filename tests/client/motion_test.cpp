@@ -46,11 +46,8 @@ class MotionTest : public TaskTest {
 TEST_F(MotionTest, MovesAllAxesAndWaitsForTheEnd) {
   connect();
   const Instant before = board.now();
-  const auto moved = move_to(client(),
-                             {.roll = msg::Angle14::from_degrees(10.0),
-                              .pitch = msg::Angle14::from_degrees(-30.0),
-                              .yaw = msg::Angle14::from_degrees(90.0)},
-                             msg::ControlSpeed::from_degrees_per_second(50.0), options());
+  const auto moved =
+      move_to(client(), {.roll = 10_deg, .pitch = -30_deg, .yaw = 90_deg}, 50_deg_per_s, options());
   ASSERT_TRUE(moved) << moved.error().message;
   EXPECT_NEAR(moved->angles.pitch.degrees(), -30, 0.5);
   EXPECT_TRUE(moved->is_close);
@@ -70,7 +67,7 @@ TEST_F(MotionTest, MovesAllAxesAndWaitsForTheEnd) {
 
 TEST_F(MotionTest, LeavesAxesAlone) {
   place({.yaw = 17});
-  ASSERT_TRUE(move_to(client(), {.pitch = msg::Angle14::from_degrees(5.0)}, {}, options()));
+  ASSERT_TRUE(move_to(client(), {.pitch = 5_deg}, {}, options()));
   EXPECT_EQ(mode(0), emulator::AxisMode::remote);
   EXPECT_EQ(mode(1), emulator::AxisMode::angle);
   EXPECT_EQ(mode(2), emulator::AxisMode::remote);
@@ -81,7 +78,7 @@ TEST_F(MotionTest, LeavesAxesAlone) {
 TEST_F(MotionTest, OldFirmwareHoldsThemAtTheirTargets) {
   become(msg::FirmwareVersion(2430));
   place({.yaw = 17});
-  ASSERT_TRUE(move_to(client(), {.pitch = msg::Angle14::from_degrees(5.0)}, {}, options()));
+  ASSERT_TRUE(move_to(client(), {.pitch = 5_deg}, {}, options()));
   EXPECT_NEAR(last_control().axes.yaw.angle.degrees(), 17, 0.1);
   EXPECT_NEAR(sample().angles.yaw, 17, 0.5);
 }
@@ -115,14 +112,14 @@ TEST_F(MotionTest, ALostCommandIsSentAgain) {
   board.on_lost([first = true](const Packet& request) mutable {
     return is<msg::Control>(request) && std::exchange(first, false);
   });
-  const auto moved = move_to(client(), {.pitch = msg::Angle14::from_degrees(20.0)}, {}, options());
+  const auto moved = move_to(client(), {.pitch = 20_deg}, {}, options());
   ASSERT_TRUE(moved) << moved.error().message;
   EXPECT_EQ(count<msg::Control>(), 2U);
 }
 
 TEST_F(MotionTest, TellsHowFarItGot) {
   board.gimbal([](emulator::Gimbal& gimbal, Instant now) { gimbal.jam(1, true, now); });
-  const auto moved = move_to(client(), {.pitch = msg::Angle14::from_degrees(20.0)}, {}, options());
+  const auto moved = move_to(client(), {.pitch = 20_deg}, {}, options());
   ASSERT_FALSE(moved);
   EXPECT_EQ(moved.error().code, ErrorCode::timeout);
   EXPECT_THAT(moved.error().message,
@@ -134,7 +131,7 @@ TEST_F(MotionTest, TellsHowFarItGot) {
 TEST_F(MotionTest, CanBeCancelled) {
   MoveOptions settings = options();
   settings.progress = [](const MoveProgress& seen) { return seen.remaining.pitch > 10; };
-  const auto moved = move_to(client(), {.pitch = msg::Angle14::from_degrees(20.0)}, {}, settings);
+  const auto moved = move_to(client(), {.pitch = 20_deg}, {}, settings);
   ASSERT_FALSE(moved);
   EXPECT_EQ(moved.error().code, ErrorCode::cancelled);
   EXPECT_EQ(last_control().control_mode.mode(), msg::ControlModeKind::speed);
@@ -148,7 +145,7 @@ TEST_F(MotionTest, ASilentBoardIsAnErrorAndIsToldToStop) {
     return true;
   });
   MoveOptions settings = options();
-  const auto moved = move_to(client(), {.pitch = msg::Angle14::from_degrees(20.0)}, {}, settings);
+  const auto moved = move_to(client(), {.pitch = 20_deg}, {}, settings);
   ASSERT_FALSE(moved);
   EXPECT_EQ(moved.error().code, ErrorCode::timeout);
   EXPECT_THAT(moved.error().message, HasSubstr("stopping it failed"));
@@ -194,7 +191,7 @@ void refuse_control(Packets& answers) {
   const auto is_angles = [](const Packet& one) { return is<msg::GetAngles>(one); };
   if (!std::ranges::any_of(answers, is_angles)) return;
   msg::ErrorExt error;
-  error.cmd_id = msg::CommandId::control;
+  error.cmd_id = msg::CommandToBoard::control;
   error.error_code = msg::BoardErrorCode::wrong_state;
   answers.insert(answers.begin(), packet(error));
 }
@@ -204,8 +201,7 @@ TEST_F(MotionTest, ARefusedTargetIsAnErrorAtOnce) {
   board.on_lost([](const Packet& request) { return is<msg::Control>(request); });
   board.tamper(refuse_control);
   const auto moved =
-      move_to(client(), {.roll = msg::Angle14(0), .pitch = msg::Angle14::from_degrees(-30.0)},
-              msg::ControlSpeed::from_degrees_per_second(10.0), options());
+      move_to(client(), {.roll = msg::Angle14(0), .pitch = -30_deg}, 10_deg_per_s, options());
   ASSERT_FALSE(moved);
   EXPECT_EQ(moved.error().code, ErrorCode::board_error);
   EXPECT_EQ(moved.error().message,
@@ -214,7 +210,7 @@ TEST_F(MotionTest, ARefusedTargetIsAnErrorAtOnce) {
 
 TEST_F(MotionTest, ARefusedStopIsAnErrorWhileTheCameraTurns) {
   connect();
-  turn(msg::ControlSpeed::from_degrees_per_second(5.0));
+  turn(5_deg_per_s);
   board.on_lost([](const Packet& request) { return is<msg::Control>(request); });
   board.tamper(refuse_control);
   const auto stopped = stop(client(), {.clock = clock});

@@ -212,7 +212,7 @@ TEST_F(ParametersTest, ADryRunTellsAndWritesNothing) {
   msg::ReadParams3 wanted = get(set, 0);
   ASSERT_NE(wanted.follow_mode, msg::FollowMode::pitch);
   wanted.follow_mode = msg::FollowMode::pitch;
-  wanted.rc_memory.yaw = msg::Angle14::from_degrees(45);
+  wanted.rc_memory.yaw = 45_deg;
   ASSERT_TRUE(set.set(wanted));
   const WriteReport report = write_parameters(client(), set, {.dry_run = true});
   EXPECT_TRUE(report);

@@ -233,7 +233,7 @@ TEST_F(SpeedControlTest, ARefusalIsAnErrorOfTheNextCall) {
     for (Packet& one : answers) {
       if (!is<msg::Confirm>(one)) continue;
       msg::ErrorExt error;
-      error.cmd_id = msg::CommandId::control;
+      error.cmd_id = msg::CommandToBoard::control;
       error.error_code = msg::BoardErrorCode::not_supported;
       one = packet(error);
     }

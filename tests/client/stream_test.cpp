@@ -93,7 +93,7 @@ TEST_F(Streams, ShowWhatTheCameraDoes) {
   ASSERT_TRUE(stream) << stream.error().message;
   msg::Control turn;
   turn.control_mode.set_mode(msg::ControlModeKind::speed);
-  turn.axes.yaw.speed = msg::ControlSpeed::from_degrees_per_second(20.0);
+  turn.axes.yaw.speed = 20_deg_per_s;
   ASSERT_TRUE(client.call(turn));
   ASSERT_TRUE(client.get_angles());  // the command has got there
   let_pass(client, std::chrono::seconds(2));

@@ -34,8 +34,8 @@ constexpr msg::Control control = [] {
   msg::Control message;
   message.control_mode.set_mode(msg::ControlModeKind::angle);
   message.control_mode.set_flags(msg::ControlFlag::high_res_speed);
-  message.axes.roll.speed = msg::ControlSpeed::from_degrees_per_second(-0.25);
-  message.axes.pitch.angle = msg::Angle14::from_degrees(-30);
+  message.axes.roll.speed = -0.25_deg_per_s;
+  message.axes.pitch.angle = -30_deg;
   message.axes.yaw.angle = msg::Angle14(0x1234);
   return message;
 }();
@@ -56,9 +56,9 @@ static_assert(round_trips(variables, std::to_array<std::uint8_t>({2, 19, 100, 0,
 constexpr msg::BeepSound melody = [] {
   msg::BeepSound message;
   message.mode = msg::BeepMode::custom_melody;
-  message.note_length = msg::NoteLength::from_milliseconds(40);
+  message.note_length = 40_ms;
   message.reserved[7] = 9;
-  message.note_freq_hz.push_back(msg::NoteFrequency::from_hertz(987));
+  message.note_freq_hz.push_back(987_Hz);
   message.note_freq_hz.push_back(msg::NoteFrequency(21000));
   return message;
 }();
@@ -68,7 +68,7 @@ static_assert(round_trips(melody, std::to_array<std::uint8_t>({0, 0x80, 5, 0, 0,
 // Fields that another field of the body decides about.
 constexpr msg::Confirm eeprom_written = [] {
   msg::Confirm message;
-  message.cmd = msg::CommandId::eeprom_write;
+  message.cmd = msg::CommandToBoard::eeprom_write;
   message.addr = 0x01020304;
   return message;
 }();
@@ -76,7 +76,7 @@ static_assert(round_trips(eeprom_written, std::to_array<std::uint8_t>({47, 4, 3,
 
 constexpr msg::Confirm contradiction = [] {
   msg::Confirm message;
-  message.cmd = msg::CommandId::control;
+  message.cmd = msg::CommandToBoard::control;
   message.addr = 1;
   return message;
 }();

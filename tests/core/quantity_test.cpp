@@ -4,6 +4,7 @@
 #include <concepts>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <set>
 #include <string>
 #include <type_traits>
@@ -146,21 +147,61 @@ static_assert(!Comparable<msg::Angle14, msg::LongAngle14>);
 static_assert(!Comparable<msg::Angle14, int>);
 static_assert(!Comparable<msg::ControlSpeed, msg::GyroRate>);
 
-// A constant converts by itself.
-constexpr msg::Angle14 thirty = msg::Angle14::from_degrees(-30);
-static_assert(thirty.raw() == -1365);
+// A literal converts to every quantity in its unit, and to no other.
+static_assert(msg::Angle14(-30_deg).raw() == -1365);
+static_assert(msg::Angle14(-30_deg) == *msg::Angle14::from_degrees(-30));
+static_assert(std::convertible_to<decltype(45_deg), msg::Angle14>);
+static_assert(std::convertible_to<decltype(45_deg), msg::TenthDegrees>);
+static_assert(!std::convertible_to<decltype(45_deg), msg::ControlSpeed>);
+static_assert(!std::convertible_to<decltype(45_deg_per_s), msg::Angle14>);
+static_assert(!std::convertible_to<decltype(45_deg), double>);
+static_assert(!std::convertible_to<decltype(1_value), msg::CentredRcSignal>);
+static_assert(std::convertible_to<decltype(45_deg), Optional<msg::Angle14>>);
+static_assert(std::convertible_to<decltype(45_deg), std::optional<msg::Angle14>>);
+static_assert(!std::convertible_to<decltype(45_V), Optional<msg::Angle14>>);
 
-// One that does not fit is no constant expression.
-template <int degrees>
-concept FitsIntoAngle = requires {
-  typename std::integral_constant<int, msg::Angle14(msg::Angle14::from_degrees(degrees)).raw()>;
-};
-static_assert(FitsIntoAngle<719>);
-static_assert(!FitsIntoAngle<721>);
-static_assert(!FitsIntoAngle<-721>);
+// However the number is written.
+static_assert(msg::Voltage(12.6_V).raw() == 1260);
+static_assert(msg::Voltage(.5_V).raw() == 50);
+static_assert(msg::Voltage(1.26e1_V).raw() == 1260);
+static_assert(msg::Voltage(126E-1_V).raw() == 1260);
+static_assert(msg::Milliseconds(1'000_ms).raw() == 1000);
+static_assert(msg::Milliseconds(1e3_ms).raw() == 1000);
+static_assert(msg::Milliseconds(0_ms).raw() == 0);
+static_assert(msg::Milliseconds(+0.6_ms).raw() == 1);
+static_assert(msg::Degrees(-0.5_deg).raw() == -1);
+static_assert((0.1_deg).real() == 0.1);
+static_assert((123456789.012345_deg).real() == 123456789.012345);
+static_assert((-2.5e-3_deg).real() == -2.5e-3);
+
+TEST(Literal, InitialisesFieldsOfMessages) {
+  const msg::Control control{.control_mode = msg::ControlMode::angle,
+                             .axes = {.yaw = {.speed = 20_deg_per_s, .angle = 45_deg}}};
+  EXPECT_EQ(control.control_mode.raw(), 2);
+  EXPECT_EQ(control.axes.yaw.speed, *msg::ControlSpeed::from_degrees_per_second(20));
+  EXPECT_EQ(control.axes.yaw.angle.raw(), 2048);
+  EXPECT_GT(control.axes.yaw.angle, 44.9_deg);
+
+  msg::RealtimeDataCustom data;
+  data.stator_rotor_angle = Axes<msg::Angle14>{.yaw = 45_deg};
+  EXPECT_EQ(data.stator_rotor_angle->yaw.raw(), 2048);
+}
+
+TEST(Literal, IsAPlainValue) {
+  const auto degrees = 45_deg;
+  msg::Angle14 angle;
+  angle = degrees;
+  EXPECT_EQ(angle.raw(), 2048);
+  EXPECT_EQ(degrees.real(), 45);
+  Optional<msg::Angle14> maybe = 45_deg;
+  maybe = -45_deg;
+  EXPECT_EQ(maybe->raw(), -2048);
+  const Optional<std::uint32_t> number = 5;
+  EXPECT_EQ(*number, 5U);
+}
 
 /// A quantity over a float: not rounded, but it has to fit.
-class Radians : public detail::Quantity<Radians, float, 1, 2> {
+class Radians : public detail::Quantity<Radians, float, msg::unit::deg, 1, 2> {
  public:
   using Quantity::Quantity;
 };
@@ -169,7 +210,7 @@ static_assert((*Radians::from_real(1.5)).raw() == 3.0F);
 static_assert((*Radians::from_real(-0.125)).raw() == -0.25F);
 static_assert(!Radians::from_real(1e39));
 
-TEST(Conversion, OfARunTimeValueHasToBeAsked) {
+TEST(Conversion, OfARunTimeValueHasToBeTested) {
   const auto convert = [](double degrees) { return msg::Angle14::from_degrees(degrees); };
   volatile double degrees = 45;
   if (const auto angle = convert(degrees)) {
@@ -181,6 +222,11 @@ TEST(Conversion, OfARunTimeValueHasToBeAsked) {
   EXPECT_FALSE(convert(degrees));
   EXPECT_EQ(convert(degrees).value_or(msg::Angle14(3)), msg::Angle14(3));
   EXPECT_FALSE(Conversion<msg::Angle14>{});
+}
+
+TEST(ConversionDeathTest, StopsTheProgramThatDoesNotTest) {
+  volatile double degrees = 4500;
+  EXPECT_DEATH(static_cast<void>(*msg::Angle14::from_degrees(degrees)), "");
 }
 
 }  // namespace

@@ -160,6 +160,23 @@ TEST(Packed, PartsDoNotTouchEachOther) {
   EXPECT_EQ(mode.raw(), 0x82);
 }
 
+TEST(Packed, AValueOfTheMainPartIsTheWhole) {
+  static_assert(msg::ControlMode(msg::ControlMode::angle).raw() == 2);
+  msg::ControlMode mode = msg::ControlMode::speed;
+  EXPECT_EQ(mode, msg::ControlMode(1));
+  mode.set_flags(msg::ControlFlag::high_res_speed);
+  EXPECT_NE(mode, msg::ControlMode::speed);
+  EXPECT_EQ(mode.mode(), msg::ControlMode::speed);
+  mode = msg::ControlMode::angle;
+  EXPECT_EQ(mode.raw(), 2);
+  // What has no bits in the part does not reach the others.
+  EXPECT_EQ(msg::ControlMode(static_cast<msg::ControlModeKind>(0x92)).raw(), 2);
+
+  const msg::RcMap map = msg::RcMap::adc2;
+  EXPECT_EQ(map.named(), msg::RcInput::adc2);
+  static_assert(!std::is_convertible_v<msg::MixTarget, msg::RcMix>, "RcMix has no main part");
+}
+
 TEST(Packed, ShiftedParts) {
   msg::RcMix mix;
   EXPECT_TRUE(mix.set_rate(63));

@@ -101,8 +101,8 @@ TEST(WorkedExamples, BeepSoundOneSecond) {
 
   msg::BeepSound built;
   built.mode = msg::BeepMode::custom_melody;
-  built.note_length = msg::NoteLength::from_milliseconds(1000);
-  ASSERT_TRUE(built.note_freq_hz.push_back(msg::NoteFrequency::from_hertz(3000)));
+  built.note_length = 1000_ms;
+  ASSERT_TRUE(built.note_freq_hz.push_back(3000_Hz));
   EXPECT_EQ(body_of(built), body);
 }
 

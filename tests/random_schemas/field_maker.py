@@ -18,7 +18,8 @@ class FieldMaker(TypeMaker):
     def number_kind(self) -> Kind:
         """A type with a number on the wire."""
         scalars = [Kind(n, s, s, number=n) for n, s in SIZES.items()]
-        named = [Kind("CommandId", 1, 1, number="u8"), Kind("VariableId", 1, 1, number="u8")]
+        ids = ("CommandToBoard", "CommandFromBoard", "VariableId")
+        named = [Kind(name, 1, 1, number="u8") for name in ids]
         pools = (scalars, self.quantities, self.enums, self.flag_sets, self.packed, named)
         return self.random.choice(self.random.choice([pool for pool in pools if pool]))
 
@@ -106,7 +107,8 @@ class FieldMaker(TypeMaker):
             node["since"] = self.since()
         if self.chance(0.1):
             node["deprecated"] = self.random.choice((True, {"since": self.since()}))
-        others = [k for k in self.quantities if k.number == kind.number and k != kind]
+        alike = [k for k in self.quantities if (k.number, k.unit) == (kind.number, kind.unit)]
+        others = [k for k in alike if k != kind]
         if kind.is_quantity and others and scope.flags and scope.in_message and self.chance(0.4):
             of, flag = self.random.choice(scope.flags)
             other = self.random.choice(others).name

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Optional
 
 Node = dict[str, Any]
 
@@ -36,6 +36,7 @@ class Kind:
     values: tuple[tuple[str, int], ...] = ()
     is_flags: bool = False
     is_quantity: bool = False
+    unit: Optional[str] = None
     takes_rest: bool = False
     needs_family: str = ""
 

@@ -108,15 +108,17 @@ class TypeMaker:
         name = self.unique("Quantity")
         scales = (1, 5, "1/3", "360/16384", "0.02", "0.000000001", "123456789012/7")
         offsets = (0, "-1/2", "0.1", "-12345", "1/3")
+        unit = self.random.choice((None, "deg", "°C", "a/b"))
         node = {
             "type": number,
-            "unit": self.random.choice((None, "deg", "°C", "a/b")),
+            "unit": unit,
             "accessor": self.random.choice(("degrees", "value", "in_words")),
             "scale": self.random.choice(scales),
             "offset": self.random.choice(offsets),
         }
         self.section(self.any_family(), "quantities")[name] = self.said(node)
-        return Kind(name, SIZES[number], SIZES[number], number=number, is_quantity=True)
+        size = SIZES[number]
+        return Kind(name, size, size, number=number, is_quantity=True, unit=unit)
 
     def make_enum(self, number: str, highest: Optional[int] = None) -> Kind:
         """An enum, with the extremes of its type; no value over `highest`."""
@@ -177,8 +179,11 @@ class TypeMaker:
         parts = parts or [self.make_part(number, 0, bits)]
         self.random.shuffle(parts)
         node: Node = {"type": number, "parts": parts}
+        named = [part["name"] for part in parts if str(part.get("type", "")).startswith("Enum")]
         if self.chance(0.3):
             node["names"] = self.make_enum(number).name
+        elif named and self.chance(0.5):
+            node["main"] = self.random.choice(named)
         return self.add_packed(number, node)
 
     def make_part(self, number: str, bit: int, width: int) -> Node:

@@ -14,21 +14,22 @@ namespace sbgc::emulator {
 
 struct Device;
 
-/// CMD_AUTO_PID: looks for gains in rounds, shakes the camera meanwhile, and stores what it found.
+/// CMD_AUTO_PID: searches for gains in rounds, shakes the camera meanwhile, and stores the result.
 class AutoTuning {
  public:
   /// Precondition: the profile exists, `config` names an axis. `port` gets the progress, if the
-  /// flags say so. False, and nothing happens, if something is being calibrated or tuned or the
-  /// motors are off.
+  /// flags say so. False, without effect, if a calibration or tuning is in progress or the motors
+  /// are off.
   bool start(Device& device, std::uint8_t profile, msg::AutoPidFlags config, std::uint8_t gain,
              std::optional<std::size_t> port, Instant now);
-  /// As the parameters say: MENU_CMD_AUTO_PID. False as well if they name no axis.
+  /// The same with the configuration in the parameters (MENU_CMD_AUTO_PID). Also false if they name
+  /// no axis.
   bool start(Device& device, Instant now);
-  /// Nothing of what it found is kept.
+  /// Discards the result.
   void stop();
   bool is_running() const { return run_.has_value(); }
 
-  /// The port closes: nothing more goes there.
+  /// The port closes: send nothing more there.
   void forget_port(std::size_t port);
 
   Instant next() const;
@@ -36,7 +37,7 @@ class AutoTuning {
   void restart(Device& device, Instant now);
 
  private:
-  /// All values of one axis that are looked for.
+  /// The values of one axis that it searches for.
   struct Gains {
     double p{}, i{}, d{}, lpf{};
   };

@@ -18,13 +18,14 @@ namespace {
 
 using Kind = Calibrations::Kind;
 
-constexpr unsigned steps = 40;  ///< looks at the sensors in one calibration
-/// Ours: a sensor that turns faster than this does not rest, in deg/s.
+constexpr unsigned steps = 40;  ///< readings of the sensors in one calibration
+/// Assumption: a sensor that turns faster than this, in deg/s, is not at rest.
 constexpr double rest_speed = 5;
-/// Ours: it gives up after so many times the length of a calibration without a rest of that length.
+/// Assumption: a calibration gives up after this many times its length without a rest of that
+/// length.
 constexpr unsigned patience = 3;
 
-/// Time that a real board takes. Ours: the specification names none.
+/// Duration on a real board. An assumption: the specification gives none.
 constexpr Duration length_of(Kind kind) {
   switch (kind) {
     case Kind::gyro: return seconds(4);
@@ -63,13 +64,13 @@ double heading_error_of(const Sample& sample, std::size_t imu) {
 }
 double length(const Vector& v) { return std::hypot(v.x, v.y, v.z); }
 
-/// Whole degrees Celsius, as the memory holds them; a sensor shows no more than this.
+/// Whole degrees Celsius within the range of the sensor.
 int whole_celsius(double value) {
   constexpr double lowest = sbgc::detail::field_info<msg::CalibInfo>("imu_temp_cels").range->lowest;
   return saturated_raw<std::int8_t>(std::max(value, lowest));
 }
 
-/// The direction of the accelerometer that points up now.
+/// The direction of the accelerometer that points up.
 struct Direction {
   std::size_t axis{};
   bool negative{};
@@ -110,7 +111,7 @@ void copy_acc(const ImuCalibration& from, ImuCalibration& to) {
   to.acc_slots = from.acc_slots;
 }
 
-/// What corrected the gyroscope by hand is of no more use.
+/// A calibration replaces the manual correction of the gyroscope.
 void gyro_calibrated(Device& device, std::size_t imu, Instant now) {
   device.gimbal.gyro_calibrated(imu == 1, now);
   device.memory.imus[imu].gyro_offset = {};
@@ -186,7 +187,7 @@ void Calibrations::restart(Device&, Instant) {
   errors_ = {};
 }
 
-/// Keeps what has been found. False if that is not possible.
+/// Stores the result. False if that is not possible.
 bool Calibrations::store(Device& device, const Run& run, Instant now) {
   const Sample sample = device.gimbal.sample(now);
   ImuCalibration& imu = device.memory.imus[run.imu];
@@ -220,7 +221,7 @@ bool Calibrations::store(Device& device, const Run& run, Instant now) {
       imu.acc_temperature_min = is_first ? minimum : std::min(imu.acc_temperature_min, minimum);
       imu.acc_temperature_max = is_first ? maximum : std::max(imu.acc_temperature_max, maximum);
       imu.acc_limits = msg::CalibratedLimits(imu.acc_limits).set(direction.limit()).raw();
-      // Ours: when all slots are taken, the new temperature replaces one of them.
+      // Assumption: when all slots are taken, the new temperature replaces one.
       std::uint8_t& slots = imu.acc_slots[direction.slot()];
       if (slots < max_temperature_slots) ++slots;
       imu.acc_temperature_enabled = true;
@@ -235,13 +236,13 @@ bool Calibrations::store(Device& device, const Run& run, Instant now) {
     case Kind::acc_to_sensor: copy_acc(imu, sensor); break;
     case Kind::mag: break;  // the emulated magnetometer needs no correction
     case Kind::ext_gain:
-      // Ours: gains of a flight controller that differs a little from board to board.
+      // Assumption: gains of a flight controller that differs a little from board to board.
       return change_parameters<msg::ReadParams3>(device, run.profile, now, [&](auto& parameters) {
         parameters.ext_fc_gain_roll = static_cast<std::int8_t>(40 + std::lround(20 * random(0)));
         parameters.ext_fc_gain_pitch = static_cast<std::int8_t>(40 + std::lround(20 * random(1)));
       });
     case Kind::poles:
-      // Ours: motors of 14 poles that turn the right way round, common in gimbals.
+      // Assumption: motors of 14 poles that turn the right way round, common in gimbals.
       return change_parameters<msg::ReadParams3>(device, run.profile, now, [](auto& parameters) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
           parameters.axes[axis].poles = 14;
@@ -282,7 +283,7 @@ void Calibrations::finish(Device& device, bool is_success, Instant now) {
   if (is_success) {
     context.confirm();
   } else {
-    // Ours: the specification has no other answer to a calibration that failed.
+    // Assumption: the specification has no other response to a failed calibration.
     context.refuse(msg::BoardErrorCode::operation_failed);
   }
 }
@@ -292,7 +293,7 @@ msg::CalibInfo Calibrations::info(Device& device, std::size_t imu, Instant now) 
   const ImuCalibration& memory = device.memory.imus[imu];
   const Vector& acceleration = acceleration_of(sample, imu);
   msg::CalibInfo info;
-  // Ours: what was calibrated last counts until the next one begins.
+  // Assumption: the last calibration counts until the next one begins.
   info.progress = msg::Percent(last_progress_);
   if (run_) {
     info.progress =
@@ -302,7 +303,7 @@ msg::CalibInfo Calibrations::info(Device& device, std::size_t imu, Instant now) 
   for (std::size_t i = 0; i < 3; ++i) {
     info.acc_data[i] = saturated<msg::Acceleration>(acceleration[i]);
   }
-  // Ours: in the gyroscope's own unit, as GYRO_DATA of CMD_REALTIME_DATA_3.
+  // Assumption: in the gyroscope's own unit, as GYRO_DATA of CMD_REALTIME_DATA_3.
   info.gyro_abs_val = saturated_raw<std::uint16_t>(length(gyro_of(sample, imu)) /
                                                    msg::GyroRate(1).degrees_per_second());
   info.acc_cur_axis = static_cast<std::uint8_t>(up(acceleration).axis);
@@ -326,7 +327,7 @@ bool Calibrations::store_follow_offsets(Device& device, Instant now) {
   const Sample sample = device.gimbal.sample(now);
   Axes<std::int8_t> offsets;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    // Ours: FOLLOW_OFFSET counts degrees; its unit is not published.
+    // Assumption: FOLLOW_OFFSET counts degrees; its unit is not published.
     const auto degrees =
         msg::SignedDegrees::from_degrees(std::remainder(sample.joints[axis], 360.0));
     constexpr Range range = *sbgc::detail::field_info<msg::ReadParams3>("follow_offset").range;

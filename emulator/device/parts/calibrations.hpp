@@ -1,4 +1,4 @@
-/// Calibrations that take time: one at once.
+/// Calibrations that take time.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@ namespace sbgc::emulator {
 
 struct Device;
 
-/// One calibration at a time: it measures, begins again when the gimbal moves meanwhile, and stores
-/// what it has found. Progress shows in CMD_CALIB_INFO.
+/// One calibration at a time: it measures, starts over when the gimbal moves, and stores the
+/// result. CMD_CALIB_INFO reports the progress.
 class Calibrations {
  public:
   enum class Kind : std::uint8_t {
@@ -25,7 +25,7 @@ class Calibrations {
     acc_temperature,
     gyro_from_sensor,  ///< copies the factory calibration
     acc_from_sensor,
-    gyro_to_sensor,  ///< makes the present calibration the sensor's own
+    gyro_to_sensor,  ///< makes the present calibration the factory calibration
     acc_to_sensor,
     mag,
     ext_gain,
@@ -34,31 +34,32 @@ class Calibrations {
     encoder_field,
   };
 
-  /// Whom to tell when it is over: a confirmation of that command, or CMD_ERROR.
+  /// Who is notified at the end, by a confirmation of that command or CMD_ERROR.
   struct Requester {
     std::size_t port{};
     std::uint8_t command{};
   };
 
-  /// `imu` is 0 for the main IMU, 1 for that of the frame; for kinds without an IMU it is ignored.
-  /// False, and nothing happens, if something else is being calibrated or tuned. Precondition: the
-  /// board has that IMU, and encoders if it is about them.
+  /// `imu` is 0 for the main IMU, 1 for that of the frame; kinds without an IMU ignore it. False,
+  /// without effect, if a calibration or tuning is in progress. Precondition: the board has that
+  /// IMU, and encoders if the kind needs them.
   bool start(Device& device, Kind kind, std::size_t imu, std::optional<Requester> requester,
              Instant now);
-  /// What is being calibrated.
+  /// The calibration in progress.
   std::optional<Kind> under_way() const;
-  /// What of CMD_CALIB_INFO concerns that IMU. Precondition: the board has it.
+  /// CMD_CALIB_INFO of that IMU. Precondition: the board has it.
   msg::CalibInfo info(Device& device, std::size_t imu, Instant now) const;
-  /// ERR_CALIB_ACC and ERR_CALIB_POLES, from a calibration that failed to one that succeeds.
+  /// ERR_CALIB_ACC and ERR_CALIB_POLES, set by a calibration that fails and cleared by one that
+  /// succeeds.
   Flags<msg::SystemError> errors() const { return errors_; }
 
   /// CMD_CALIB_OFFSET: follow mode holds the present angles of the joints. False if one of them is
-  /// beyond what the setting holds.
+  /// out of range.
   static bool store_follow_offsets(Device& device, Instant now);
-  /// What a real board needs `length` for, on a board with these options; at least one cycle.
+  /// A duration of a real board, scaled for these options; at least one cycle.
   static Duration scaled(const BoardOptions& options, Duration length);
 
-  /// The port closes: nothing more goes there.
+  /// The port closes: send nothing more there.
   void forget_port(std::size_t port);
 
   Instant next() const;
@@ -71,8 +72,8 @@ class Calibrations {
     std::size_t imu{};
     std::uint8_t profile{};  ///< whose parameters it changes
     std::optional<Requester> requester{};
-    Duration step{};          ///< between two looks at the sensors
-    unsigned steps_needed{};  ///< at rest, one behind the other
+    Duration step{};          ///< between two readings of the sensors
+    unsigned steps_needed{};  ///< consecutive, at rest
     unsigned steps_at_rest{};
     unsigned steps_left{};  ///< until it gives up
     Instant due{};          ///< of the next step
@@ -83,7 +84,7 @@ class Calibrations {
   void finish(Device& device, bool is_success, Instant now);
 
   std::optional<Run> run_{};
-  std::uint8_t last_progress_{};  ///< percent, while nothing is under way
+  std::uint8_t last_progress_{};  ///< percent, while no calibration is in progress
   Flags<msg::SystemError> errors_{};
 };
 

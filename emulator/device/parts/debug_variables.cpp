@@ -12,7 +12,7 @@
 namespace sbgc::emulator {
 namespace {
 
-/// What values are taken from.
+/// Where the values come from.
 struct View {
   Device& device;
   Sample sample;
@@ -24,10 +24,10 @@ struct Variable {
   msg::DebugVarKind kind;
   double (*value)(const View& view);
   msg::DebugVarAxis axis = msg::DebugVarAxis::no_axis;
-  bool is_angle = false;  ///< 16384 counts for one turn
+  bool is_angle = false;  ///< 16384 counts per turn
 };
 
-/// What stands on the wire.
+/// Counts on the wire.
 double counts(double degrees) { return wire_angle(degrees).raw(); }
 double counts(msg::GyroRate rate) { return rate.raw(); }
 
@@ -78,7 +78,7 @@ constexpr std::array<Variable, 18> variables{{
      [](const View& v) -> double { return v.device.outputs.high_pins(); }},
 }};
 
-/// The nearest number of that type; integers beyond its ends go round.
+/// The nearest number of that type; integers out of range wrap.
 Number number(NumberType type, double value) {
   if (type == NumberType::f32) {
     return {type, std::bit_cast<std::uint32_t>(static_cast<float>(value))};
@@ -90,7 +90,7 @@ Number number(NumberType type, double value) {
 
 }  // namespace
 
-msg::DebugVarsInfo3 DebugVariables::info() {
+msg::DebugVarsInfo3 debug_variables_info() {
   msg::DebugVarsInfo3 info;
   for (const Variable& variable : variables) {
     msg::DebugVarInfo one;
@@ -103,7 +103,7 @@ msg::DebugVarsInfo3 DebugVariables::info() {
   return info;
 }
 
-msg::DebugVars3 DebugVariables::values(Device& device, Instant now) {
+msg::DebugVars3 debug_variable_values(Device& device, Instant now) {
   const View view{device, device.gimbal.sample(now), now};
   msg::DebugVars3 values;
   for (const Variable& variable : variables) {

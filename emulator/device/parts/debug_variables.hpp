@@ -1,4 +1,4 @@
-/// Variables inside the board that show its state.
+/// Internal variables of the board.
 #pragma once
 
 #include <sbgc/messages/debug.hpp>
@@ -8,16 +8,9 @@ namespace sbgc::emulator {
 
 struct Device;
 
-class DebugVariables {
- public:
-  /// Names and types, always the same.
-  static msg::DebugVarsInfo3 info();
-  /// Values, in the order of info().
-  static msg::DebugVars3 values(Device& device, Instant now);
-
-  static Instant next() { return Instant::never; }
-  static void advance(Device&, Instant) {}
-  static void restart(Device&, Instant) {}
-};
+/// Names and types, always the same.
+msg::DebugVarsInfo3 debug_variables_info();
+/// Values, in the same order.
+msg::DebugVars3 debug_variable_values(Device& device, Instant now);
 
 }  // namespace sbgc::emulator

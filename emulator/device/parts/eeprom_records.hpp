@@ -13,22 +13,22 @@
 
 namespace sbgc::emulator {
 
-/// What a record holds. It stands in the record as well, so that one that lies at a wrong place is
-/// no record there.
+/// What a record holds. The record contains it as well, so a record in a wrong place does not
+/// count.
 struct RecordId {
-  msg::CommandId command{};
+  msg::CommandFromBoard command{};
   std::uint8_t copy{};
 };
 
-/// Bytes that a record takes, for a body of any size that a message can have. Whole pages, so that
-/// writing one with CMD_EEPROM_WRITE leaves the others alone.
+/// Size of a record, for a body of any length. Whole pages, so writing one with CMD_EEPROM_WRITE
+/// does not touch the others.
 std::size_t record_size();
 
-/// The body; nothing if no such record stands there, or a damaged one. Precondition: record_size()
-/// bytes from `address` on are inside.
+/// The body; empty if the record is not there or damaged. Precondition: record_size() bytes from
+/// `address` on are inside the EEPROM.
 std::optional<std::vector<std::uint8_t>> read_record(const Eeprom& eeprom, std::size_t address,
                                                      RecordId id);
-/// False, and nothing is written, if the body has more bytes than a message can have.
+/// False, without effect, if the body is longer than any message.
 bool write_record(Eeprom& eeprom, std::size_t address, RecordId id,
                   std::span<const std::uint8_t> body);
 

@@ -27,18 +27,18 @@ void set_remote_control(msg::ReadParams3& out) {
     out.follow_speed[axis] = 40;
     out.follow_lpf[axis] = 4;
   }
-  out.rc.roll.rc_min_angle = msg::Degrees::from_degrees(-30);
-  out.rc.roll.rc_max_angle = msg::Degrees::from_degrees(30);
-  out.rc.pitch.rc_min_angle = msg::Degrees::from_degrees(-90);
-  out.rc.pitch.rc_max_angle = msg::Degrees::from_degrees(45);
-  out.rc.yaw.rc_min_angle = msg::Degrees::from_degrees(-180);
-  out.rc.yaw.rc_max_angle = msg::Degrees::from_degrees(180);
+  out.rc.roll.rc_min_angle = -30_deg;
+  out.rc.roll.rc_max_angle = 30_deg;
+  out.rc.pitch.rc_min_angle = -90_deg;
+  out.rc.pitch.rc_max_angle = 45_deg;
+  out.rc.yaw.rc_min_angle = -180_deg;
+  out.rc.yaw.rc_max_angle = 180_deg;
   out.rc_map = {msg::RcInput::rc_input_roll, msg::RcInput::rc_input_pitch,
                 msg::RcInput::rc_input_yaw};
   out.rc_deadband = 10;
   out.follow_deadband = 2;
-  out.follow_roll_mix_start = msg::SmallDegrees::from_degrees(0);
-  out.follow_roll_mix_range = msg::SmallDegrees::from_degrees(90);
+  out.follow_roll_mix_start = 0_deg;
+  out.follow_roll_mix_range = 90_deg;
   out.menu_cmd = {msg::MenuCommand::profile1, msg::MenuCommand::profile2,
                   msg::MenuCommand::profile3, msg::MenuCommand::calib_acc,
                   msg::MenuCommand::calib_gyro};
@@ -66,12 +66,12 @@ msg::ReadParams3 factory_parameters(std::uint8_t copy) {
   set_remote_control(out);
   set_sensors(out);
   out.serial_speed = msg::SerialSpeed::baud_115200;
-  out.bat_threshold_alarm = msg::VoltageThreshold::from_volts(14.0);
-  out.bat_threshold_motors = msg::VoltageThreshold::from_volts(13.2);
-  out.bat_comp_ref = msg::VoltageThreshold::from_volts(16.0);
+  out.bat_threshold_alarm = 14_V;
+  out.bat_threshold_motors = 13.2_V;
+  out.bat_comp_ref = 16_V;
   out.beeper_modes = msg::BeeperMode::calibrate | msg::BeeperMode::confirm |
                      msg::BeeperMode::error | msg::BeeperMode::alarm;
-  out.servo_rate = msg::ServoRate::from_hertz(50);
+  out.servo_rate = 50_Hz;
   out.adaptive_pid_threshold = 10;
   out.adaptive_pid_rate = 10;
   out.adaptive_pid_recovery_factor = 5;
@@ -85,20 +85,20 @@ msg::ReadParamsExt factory_parameters(std::uint8_t copy) {
   msg::ReadParamsExt out;
   out.profile_id = copy;
   for (std::size_t axis = 0; axis < axes; ++axis) {
-    out.lpf_freq[axis] = msg::Frequency::from_hertz(120);
+    out.lpf_freq[axis] = 120_Hz;
     out.filters_en[axis] = msg::FilterSwitch::lpf;
     out.motor_mag_link[axis] = 100;
-    out.motor_gearing[axis] = msg::FixedPoint8::from_value(1);
-    out.encoder_gear_ratio[axis] = msg::Thousandths::from_value(1);
+    out.motor_gearing[axis] = 1_value;
+    out.encoder_gear_ratio[axis] = 1_value;
     out.outer_p[axis] = 100;
     out.outer_i[axis] = 10;
-    out.d_term_lpf_freq[axis] = msg::CoarseFrequency::from_hertz(200);
+    out.d_term_lpf_freq[axis] = 200_Hz;
   }
   out.beeper_volume = 100;
   out.mag_axis_top = msg::SensorAxis::z;
   out.mag_axis_right = msg::SensorAxis::x;
   out.mag_trust = 50;
-  out.acc_lpf_freq = msg::FineFrequency::from_hertz(5);
+  out.acc_lpf_freq = 5_Hz;
   return out;
 }
 
@@ -107,10 +107,10 @@ msg::ReadParamsExt2 factory_parameters(std::uint8_t copy) {
   msg::ReadParamsExt2 out;
   out.profile_id = copy;
   for (std::size_t axis = 0; axis < axes; ++axis) {
-    out.motor_mag_link_fine[axis] = msg::LongHundredths::from_value(100);
-    out.pid_gain[axis] = msg::PidGain::from_value(1);
+    out.motor_mag_link_fine[axis] = 100_value;
+    out.pid_gain[axis] = 1_value;
   }
-  out.frame_imu_lpf_freq = msg::SmallFrequency::from_hertz(60);
+  out.frame_imu_lpf_freq = 60_Hz;
   out.auto_pid_cfg = msg::AutoPidFlag::roll | msg::AutoPidFlag::pitch | msg::AutoPidFlag::yaw |
                      msg::AutoPidFlag::send_gui;
   out.auto_pid_gain = 127;

@@ -8,9 +8,9 @@
 
 namespace sbgc::emulator {
 
-/// What a new board has in its StoredMessages. All values are ours: the specification names none.
-/// They let an ordinary gimbal with three axes and a battery of four lithium cells work, are inside
-/// of all ranges, and use nothing that boards of version 3.0 do not know. Reserved bytes are 0.
+/// The StoredMessages of a new board. All values are assumptions: the specification gives none.
+/// They suit an ordinary gimbal with three axes and a battery of four lithium cells, are within all
+/// ranges, and use only what boards of version 3.0 know. Reserved bytes are 0.
 template <class M>
 M factory_parameters(std::uint8_t copy);
 

@@ -11,8 +11,8 @@ namespace {
 
 constexpr auto page_size = static_cast<std::size_t>(msg::Pages(1).bytes());
 
-// The table: for each file its number, size and CRC-32; behind all places the CRC-32 of the table.
-// A place without a file is erased, and so is its size.
+// The table: for each file its number, size and CRC-32; after all entries the CRC-32 of the table.
+// An entry without a file is erased, and so is its size.
 constexpr std::size_t entry_size = 8;
 constexpr std::size_t entries_size = FileSystem::most_files * entry_size;
 constexpr std::size_t table_size = entries_size + sizeof(std::uint32_t);
@@ -43,7 +43,7 @@ std::optional<std::vector<FileSystem::File>> FileSystem::load() const {
     const auto size = wire::load<std::uint16_t>(entry + 2);
     if (size == no_file) continue;
     File file{wire::load<std::uint16_t>(entry), wire::load<std::uint32_t>(entry + 4), {}};
-    // A checksum that holds can still stand over a table that no board has written.
+    // The checksum may be right for a table that no board has written.
     const bool is_there_twice = std::ranges::find(files, file.id, &File::id) != files.end();
     if (size == 0 || is_there_twice || size > data_size - at) return std::nullopt;
     const auto content = eeprom_.bytes(data_begin + at, size);
@@ -105,7 +105,7 @@ msg::FileError FileSystem::write(std::uint16_t file, std::uint16_t size, std::ui
     if (files->size() == most_files) return msg::FileError::fat_is_full;
     found = files->insert(files->end(), File{.id = file, .checksum = checksum({})});
   }
-  // With a new checksum the damaged bytes that stay would pass for good ones.
+  // With a new checksum the remaining damaged bytes would look intact.
   if (checksum(found->content) != found->checksum) return msg::FileError::crc;
   found->content.resize(size);
   std::ranges::copy(data, found->content.begin() + static_cast<std::ptrdiff_t>(begin));

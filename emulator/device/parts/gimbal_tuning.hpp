@@ -1,4 +1,4 @@
-/// What the parameters mean for the mechanics.
+/// How the parameters tune the mechanics.
 #pragma once
 
 #include <sbgc/availability.hpp>
@@ -9,12 +9,12 @@
 
 namespace sbgc::emulator {
 
-/// Without encoders the limits of the joints are not kept. `battery_factor`: what the sensor shows
-/// of one volt; 0: there is no sensor.
+/// Without encoders the limits of the joints do not apply. `battery_factor`: the reading of the
+/// sensor for one volt; 0: there is no sensor.
 Tuning tuning_of(const Parameters& parameters, const Availability& versions, bool has_encoders,
                  double battery_factor);
 
-/// The angles that the camera starts with and comes home to.
+/// The start and home angles of the camera.
 Axes<double> home_angles(const Parameters& parameters);
 
 }  // namespace sbgc::emulator

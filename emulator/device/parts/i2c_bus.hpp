@@ -14,8 +14,8 @@ namespace sbgc::emulator {
 
 struct Device;
 
-/// Register spaces of devices: two IMUs and a magnetometer on the bus of the sensors, the EEPROM on
-/// the other one (ours: real boards differ).
+/// Register spaces of the chips: two IMUs and a magnetometer on the sensor bus, the EEPROM on the
+/// other one (assumption: real boards differ).
 class I2cBus {
  public:
   static constexpr std::uint8_t main_imu = 0x68;
@@ -23,21 +23,21 @@ class I2cBus {
   static constexpr std::uint8_t magnetometer = 0x1E;
   static constexpr std::uint8_t eeprom = 0x50;  ///< on the second bus
 
-  /// Whether something acknowledges this address.
+  /// Whether a chip acknowledges this address.
   static bool answers(const Device& device, msg::I2cDevice chip);
-  /// Addresses of registers count up and begin again behind the last one. Precondition for both:
-  /// the device answers.
+  /// Register addresses count up and wrap after the last one. Precondition for both: the chip
+  /// answers.
   std::vector<std::uint8_t> read(Device& device, msg::I2cDevice chip, std::uint8_t address,
                                  std::size_t size, Instant now) const;
-  /// Registers that cannot be written stay as they are.
+  /// Read-only registers stay as they are.
   void write(Device& device, msg::I2cDevice chip, std::uint8_t address,
              std::span<const std::uint8_t> data);
 
   static Instant next() { return Instant::never; }
   static void advance(Device&, Instant) {}
-  /// The devices keep their power, and so their registers.
+  /// The chips keep their power, and so their registers.
   static void restart(Device&, Instant) {}
-  /// They lose what hosts have written.
+  /// The chips lose what hosts have written.
   void power_off() { written_.clear(); }
 
  private:

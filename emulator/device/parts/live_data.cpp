@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include <sbgc/detail/meta_limits.hpp>
-#include <sbgc/exchanges/realtime.hpp>
 #include <sbgc/meta/realtime.hpp>
+#include <sbgc/responses/realtime.hpp>
 
 #include "device/device.hpp"
 #include "physics/quantities.hpp"
@@ -14,7 +14,8 @@ namespace sbgc::emulator {
 namespace {
 
 /// An axis turns about one direction of its sensor: roll about y, which points forward, pitch about
-/// x, which points right, yaw about z, which points up. (Ours: the specification names axes only.)
+/// x, which points right, yaw about z, which points up. (Assumption: the specification names axes
+/// only.)
 constexpr std::size_t sensor_axis(std::size_t axis) {
   constexpr std::array<std::size_t, 3> directions{1, 0, 2};
   return directions[axis];
@@ -25,11 +26,11 @@ msg::RcSignal pulse(std::optional<double> signal) {
   constexpr Range range = *sbgc::detail::field_info<msg::RealtimeData3>("rc").range;
   constexpr double middle = (range.lowest + range.highest) / 2;
   constexpr double half = (range.highest - range.lowest) / 2;
-  // An input without a signal reads as its middle: ours.
+  // An input without a signal reads as its middle: an assumption.
   return saturated<msg::RcSignal>(middle + half * signal.value_or(0));
 }
 
-/// A flight controller's signal; 0 if its input does not serve that.
+/// A flight controller's signal; 0 if no input is assigned to it.
 msg::RcSignal controller_pulse(const Device& device, msg::RcMap source) {
   const auto signal = device.remote.signal(source);
   return signal ? pulse(signal) : msg::RcSignal(msg::RealtimeData3::ext_fc_unused);
@@ -57,7 +58,7 @@ Axes<msg::Angle14> angles(const Axes<double>& from) {
   return {wire_angle(from.roll), wire_angle(from.pitch), wire_angle(from.yaw)};
 }
 
-/// What both long messages begin with.
+/// Sets the fields that both long messages begin with.
 template <class M>
 void measure_common(Device& device, std::size_t port, Instant now, const Sample& sample, M& data) {
   const auto& parameters = device.parameters.of<msg::ReadParams3>();
@@ -68,7 +69,7 @@ void measure_common(Device& device, std::size_t port, Instant now, const Sample&
     data.motor_power[axis] =
         saturated_raw<std::uint8_t>(sample.power[axis] * std::numeric_limits<std::uint8_t>::max());
   }
-  // Counters begin again when they overflow.
+  // Counters wrap.
   data.serial_error_cnt = static_cast<std::uint16_t>(device.ports.errors(port));
   data.system_error = device.errors(now);
   data.error_code = static_cast<std::uint8_t>(data.system_error.raw());
@@ -100,7 +101,7 @@ bool is_of_frame(const msg::DataStreamInterval& request) {
 }  // namespace
 
 bool knows_frame(Device& device, Instant now) {
-  return device.has_frame_imu() || device.gimbal.is_frame_told(now);
+  return device.has_frame_imu() || device.gimbal.is_frame_reported(now);
 }
 
 bool knows_joints(const Device& device) { return device.has_encoders() || device.has_frame_imu(); }
@@ -115,7 +116,7 @@ void measure(Device& device, std::size_t port, Instant now, msg::RealtimeData4& 
   if (knows_joints(device)) data.rotor_angle = angles(sample.joints);
   for (std::size_t axis = 0; axis < data.mag_data.size(); ++axis) {
     data.balance_error[axis] = saturated<msg::BalanceError>(100 * sample.imbalance[axis]);
-    // Ours: the scale of the raw data depends on the sensor.
+    // Assumption: the scale of the raw data depends on the sensor.
     data.mag_data[axis] = saturated_raw<std::int16_t>(1000 * sample.magnetic[sensor_axis(axis)]);
   }
   if (device.options.features.has(msg::BoardFeature::current_sensor)) {
@@ -137,7 +138,7 @@ void measure(Device& device, msg::RealtimeDataCustomFlags blocks, Instant now,
   using Flag = msg::RealtimeDataCustomFlag;
   const Sample sample = device.gimbal.sample(now);
   const auto& parameters = device.parameters.of<msg::ReadParams3>();
-  // The clock has 16 bits and begins again every 65.5 s.
+  // The clock has 16 bits and wraps every 65.5 s.
   data.timestamp_ms = msg::MillisecondClock(
       static_cast<std::uint16_t>((now - device.restarts.started()).us / 1000));
   if (blocks.has(Flag::imu_angles)) data.imu_angles = angles(sample.angles);
@@ -209,7 +210,7 @@ bool can_stream(Device& device, const msg::DataStreamInterval& request, Instant 
 
 bool offer_sample(Device& device, std::size_t port, const msg::DataStreamInterval& request,
                   Instant now) {
-  // To measure costs more than to look first.
+  // Measuring costs more than checking first.
   const std::size_t size = Framing::frame_size(stream_change(request).size);
   if (device.ports.room(port) < size) return false;
   const auto offer = [&]<class M>(M data, auto&&... what) {

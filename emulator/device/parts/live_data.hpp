@@ -1,4 +1,4 @@
-/// What the board tells of its present state: answers and samples of streams.
+/// The present state of the board, for responses and samples of streams.
 #pragma once
 
 #include <cstddef>
@@ -21,13 +21,13 @@ void measure(Device& device, Instant now, msg::GetAngles& data);
 void measure(Device& device, Instant now, msg::GetAnglesExt& data);
 void measure(Device& device, bool of_frame, Instant now, msg::AhrsHelper& data);
 
-/// Whether the frame's attitude is known: its IMU measures it, or a host tells it.
+/// Whether the frame's attitude is known: its IMU measures it, or a host reports it.
 bool knows_frame(Device& device, Instant now);
-/// Without encoders and a second IMU nothing knows the joints.
+/// Whether the angles of the joints are known: that takes encoders or a second IMU.
 bool knows_joints(const Device& device);
 
-/// Whether this board can send the stream that a request asks for. That of the frame's attitude
-/// goes on when no host tells it any more: ours.
+/// Whether this board can send the stream that a request asks for. Assumption: a stream of the
+/// frame's attitude continues when no host reports it any longer.
 bool can_stream(Device& device, const msg::DataStreamInterval& request, Instant now);
 /// Sends a sample of it, if there is room. Precondition: can_stream().
 bool offer_sample(Device& device, std::size_t port, const msg::DataStreamInterval& request,

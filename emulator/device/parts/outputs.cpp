@@ -13,11 +13,11 @@
 namespace sbgc::emulator {
 namespace {
 
-/// Ours: the standard sounds take this long.
+/// Assumption: duration of the standard sounds.
 constexpr Duration standard_sound = milliseconds(300);
 constexpr Duration click_sound = milliseconds(20);
 
-/// The place of a value among those of its enum.
+/// The index of a value in its enum.
 template <class E>
 std::optional<std::size_t> index_of(E value) {
   const auto values = EnumMeta<E>::info.values;
@@ -63,7 +63,7 @@ constexpr std::array<msg::OutputPin, Outputs::servo_pins> servo_pin{
 
 constexpr msg::ServoPulse floating{msg::ServoOut::floating};
 
-/// The sound of an event that the parameters choose from; they are two sets (E111).
+/// The sound of an event of the parameters, which are a different set (E111).
 std::optional<msg::BeepMode> sound_of(msg::BeeperMode event) {
   switch (event) {
     case msg::BeeperMode::calibrate: return msg::BeepMode::calibrate;
@@ -110,7 +110,7 @@ std::uint16_t Outputs::high_pins() const {
 
 bool Outputs::set_servos(const Device& device, const msg::ServoOut& request) {
   msg::ServoOut wanted = request;
-  // All that is negative says so.
+  // Every negative value means floating.
   for (msg::ServoPulse& pulse : wanted.servo_time) {
     if (pulse < msg::ServoPulse(msg::ServoOut::low)) pulse = floating;
   }
@@ -128,7 +128,7 @@ bool Outputs::set_servos(const Device& device, const msg::ServoOut& request) {
 }
 
 bool Outputs::play(const msg::BeepSound& sound, Instant now) {
-  // Ours: one sound at a time, although the mode is a set.
+  // Assumption: one sound at a time, although the mode is a set.
   const auto mode = static_cast<msg::BeepMode>(sound.mode.raw());
   if (!std::has_single_bit(sound.mode.raw()) || !index_of(mode) || !is_valid(sound)) return false;
   Duration length = mode == msg::BeepMode::click ? click_sound : standard_sound;

@@ -1,4 +1,4 @@
-/// What the board puts out besides motors: pins, servo pulses, sounds.
+/// Outputs besides the motors: pins, servo pulses, sounds.
 #pragma once
 
 #include <array>
@@ -15,36 +15,36 @@ namespace sbgc::emulator {
 
 struct Device;
 
-/// Nothing is connected to it: the state of the outputs can be asked for.
+/// Nothing is connected; hosts can ask for the state of the outputs.
 class Outputs {
  public:
   static constexpr std::size_t servos = std::tuple_size_v<decltype(msg::ServoOut::servo_time)>;
   /// Servo outputs that have a pin; the others are reserved.
   static constexpr std::size_t servo_pins = 4;
 
-  /// A sound that is being played.
+  /// The sound that is playing.
   struct Sound {
     msg::BeepModes mode{};
     Instant end{};
   };
 
-  /// False, and nothing happens, if there is no such pin or it serves another purpose now.
+  /// False, without effect, if there is no such pin or it has another purpose now.
   bool set_pin(const Device& device, msg::OutputPin pin, msg::PinState state);
-  /// What a host has set it to; nothing if it has not.
+  /// The state that a host has set; empty if none has.
   std::optional<msg::PinState> pin(msg::OutputPin pin) const;
-  /// A set of bits, one for each pin in the order of OutputPin: those that are high.
+  /// The pins that are high, one bit per pin in the order of OutputPin.
   std::uint16_t high_pins() const;
 
-  /// False, and nothing changes, if a pulse does not fit into the period of SERVO_RATE. Ours: it
+  /// False, without effect, if a pulse does not fit into the period of SERVO_RATE. Assumption: it
   /// takes the pin from any other purpose.
   bool set_servos(const Device& device, const msg::ServoOut& request);
   /// As in CMD_SERVO_OUT. Precondition: index < servos.
   msg::ServoPulse servo(std::size_t index) const { return servos_[index]; }
 
-  /// Plays a melody or a standard sound, instead of what it plays. False, and nothing happens, if
-  /// the message does not describe one.
+  /// Plays a melody or a standard sound, instead of the current one. False, without effect, if the
+  /// message does not describe one.
   bool play(const msg::BeepSound& sound, Instant now);
-  /// Plays the standard sound of an event, if it has one and the parameters want it.
+  /// Plays the standard sound of an event, if it has one and the parameters enable it.
   void signal(const Device& device, msg::BeeperMode event, Instant now);
   std::optional<Sound> sound() const { return sound_; }
 

@@ -1,4 +1,4 @@
-/// The parameters of the board: those in use, and those in the EEPROM.
+/// The parameters of the board: those in use and those in the EEPROM.
 #pragma once
 
 #include <array>
@@ -11,12 +11,12 @@
 #include <type_traits>
 
 #include <sbgc/emulator/memory.hpp>
-#include <sbgc/exchange.hpp>
 #include <sbgc/framing.hpp>
 #include <sbgc/messages.hpp>
 #include <sbgc/meta/adjustable_variables.hpp>
 #include <sbgc/meta/parameters.hpp>
 #include <sbgc/meta/storage.hpp>
+#include <sbgc/response_policy.hpp>
 #include <sbgc/settings.hpp>
 #include <sbgc/type_list.hpp>
 #include <sbgc/types.hpp>
@@ -44,27 +44,26 @@ struct OneOfEach<TypeList<Messages...>> {
   }
 };
 
-/// Parameters are bodies of StoredMessages. Those of the active profile are in use: they can differ
-/// from the EEPROM by what has been changed in use only, as by adjustable variables, until save()
-/// or a restart.
+/// Parameters are bodies of StoredMessages. Those of the active profile are in use: changes in use
+/// only, such as those by adjustable variables, differ from the EEPROM until save() or a restart.
 ///
-/// Fields that are the state of the board (FieldRole::state) are kept as they were sent; who
-/// answers a request fills them in. PROFILE_ID is always the number of the copy.
+/// Fields that are the state of the board (FieldRole::state) are kept as they were sent; the
+/// handler of a request fills them in. PROFILE_ID is always the number of the copy.
 ///
-/// General ones (FieldRole::general) count in the record of the first copy: whichever copy is
+/// General ones (FieldRole::general) are those in the record of the first copy: whichever copy is
 /// written, they are stored there and in use at once.
 class Parameters {
  public:
-  /// Loads what the EEPROM has; what is missing or damaged there becomes the factory parameters, in
-  /// use but not in the EEPROM.
+  /// Loads the EEPROM; factory parameters replace what is missing or damaged, in use but not in the
+  /// EEPROM.
   explicit Parameters(Memory& memory);
 
   /// As after a restart.
   void reload();
 
-  /// The active one. A number in the memory that no profile has counts as 0.
+  /// The active profile. An invalid number in the memory counts as 0.
   std::uint8_t profile() const;
-  /// Takes the parameters of another profile into use. Precondition: there is such a profile.
+  /// Switches to the parameters of another profile. Precondition: it exists.
   void select_profile(std::uint8_t profile);
 
   /// In use.
@@ -73,14 +72,14 @@ class Parameters {
     return in_use_.template of<M>();
   }
 
-  /// What a request reads: of the active profile what is in use, of others what the EEPROM has.
-  /// Precondition: copy < SettingsOf<M>::copies.
+  /// What a request reads: parameters in use for the active profile, those in the EEPROM for
+  /// others. Precondition: copy < SettingsOf<M>::copies.
   template <class M>
   M read(std::uint8_t copy) const {
     return copy == copy_in_use<M>() ? of<M>() : stored<M>(copy);
   }
-  /// Stores in the EEPROM, reserved bytes and tail with it, and takes into use what is of the
-  /// active profile. False if the EEPROM has no room for so long a body. Same precondition.
+  /// Stores a message in the EEPROM, including reserved bytes and tail, and uses it if it belongs
+  /// to the active profile. False if the body is too long for the EEPROM. Same precondition.
   template <class M>
   bool write(std::uint8_t copy, const M& parameters) {
     M numbered = parameters;
@@ -93,8 +92,8 @@ class Parameters {
     }
     return true;
   }
-  /// Changes some of the parameters, in the EEPROM and in use: `edit(M&)` is called for both. What
-  /// else is in use and not saved stays as it is. Otherwise as write().
+  /// Changes some parameters, in the EEPROM and in use: `edit(M&)` is called for both. Other
+  /// unsaved changes stay as they are. Otherwise as write().
   template <class M, class Edit>
   bool change(std::uint8_t copy, const Edit& edit) {
     auto parameters = stored<M>(copy);
@@ -109,37 +108,37 @@ class Parameters {
     return true;
   }
 
-  /// Changes some of those in use, until restart, another profile or save().
+  /// Changes some parameters in use, until a restart, another profile or save().
   template <class M, class Edit>
   void change_in_use(const Edit& edit) {
     edit(in_use_.template of<M>());
   }
 
-  /// The variable's value; nothing if it is none of this board's.
+  /// The variable's value; empty if this board does not have it.
   std::optional<std::int32_t> variable(msg::VariableId id) const;
-  /// Until restart or save(). False if there is no such variable or its range forbids the value.
-  /// variable() is this value then, even where the parameters can only come near to it.
+  /// Until a restart or save(). False if there is no such variable or the value is out of range.
+  /// Afterwards variable() is this value, even where the parameters can only approximate it.
   bool set_variable(msg::VariableId id, std::int32_t value);
-  /// Sets all of them, or none if one cannot be set: then it returns that one.
+  /// Sets all of them, or none if one cannot be set; returns that one.
   std::optional<msg::VariableId> set_variables(std::span<const msg::AdjVarValue> values);
   /// Stores what is in use in the active profile.
   void save();
 
-  /// Factory parameters for one profile, in the EEPROM and in use; general ones stay as they are.
-  /// Precondition: there is one.
+  /// Restores the factory parameters of one profile, in the EEPROM and in use; general ones stay as
+  /// they are. Precondition: the profile exists.
   void use_defaults(std::uint8_t profile);
-  /// Erases the whole EEPROM, files and user data with it; factory parameters are in use, the first
-  /// profile is active.
+  /// Erases the whole EEPROM, including files and user data; factory parameters are in use, the
+  /// first profile is active.
   void erase();
 
  private:
-  /// A variable that has been set.
+  /// A variable that a host has set.
   struct Variable {
     std::int32_t given{};
-    Optional<std::int32_t> made{};  ///< what the parameters have made of it; nothing without one
+    Optional<std::int32_t> made{};  ///< the resulting parameter; empty if the variable has none
   };
 
-  /// Messages that each profile has a copy of; all others are there once.
+  /// Whether each profile has a copy of the message; of all others there is one.
   template <class M>
   static constexpr bool is_of_profile = (SettingsOf<M>::copies > 1);
 
@@ -155,7 +154,7 @@ class Parameters {
   static void share([[maybe_unused]] const M& from, [[maybe_unused]] M& to) {
     if constexpr (is_of_profile<M>) SettingsOf<M>::share(from, to);
   }
-  /// Where the record of a copy begins.
+  /// Address of the record of a copy.
   template <class M>
   static std::size_t place(std::uint8_t copy) {
     std::size_t before = 0;
@@ -172,7 +171,7 @@ class Parameters {
     if (copy != 0) share(record<M>(0), message);
     return message;
   }
-  /// What the EEPROM has for one copy, or else the factory parameters.
+  /// The copy in the EEPROM, or the factory parameters.
   template <class M>
   M record(std::uint8_t copy) const {
     M message{};
@@ -202,7 +201,7 @@ class Parameters {
     if (is_of_profile<M>) forget_variables();
     in_use_.template of<M>() = message;
   }
-  /// Those that stand for parameters have the parameters' values again.
+  /// Variables that set parameters have the parameters' values again.
   void forget_variables();
 
   Memory& memory_;

@@ -46,7 +46,7 @@ std::uint64_t Ports::errors(std::size_t port) const {
   return is_open(port) ? parser_errors(ports_[port].parser) : 0;
 }
 
-void Ports::tell(std::size_t port, const Frame& frame, std::optional<Outcome> outcome) const {
+void Ports::report(std::size_t port, const Frame& frame, std::optional<Outcome> outcome) const {
   if (on_traffic != nullptr && *on_traffic) (*on_traffic)({now, port, frame, outcome});
 }
 
@@ -61,7 +61,7 @@ void Ports::send_frame(std::size_t port, std::span<const std::uint8_t> frame) {
   if (holds_) to.held.push_back({to.output.size(), frame.size(), {}});
   to.output.insert(to.output.end(), frame.begin(), frame.end());
   ++counters.sent;
-  tell(port, {Framing::id(frame.data()), Framing::body(frame.data()), 0}, {});
+  report(port, {Framing::id(frame.data()), Framing::body(frame.data()), 0}, {});
 }
 
 void Ports::Port::forget_sent() {
@@ -99,7 +99,7 @@ void Ports::fail(std::uint32_t revision, const Refusal& refusal) {
       port.output.insert(place, instead.begin(), instead.end());
       for (Held& later : port.held) later.begin += instead.size() - frame.size;
       if (!is_other || instead.empty()) continue;
-      tell(number, {Framing::id(instead.data()), Framing::body(instead.data()), 0}, {});
+      report(number, {Framing::id(instead.data()), Framing::body(instead.data()), 0}, {});
     }
   }
 }
@@ -125,25 +125,25 @@ void Ports::give_up_frame(std::size_t port, bool is_listening) {
 
 void Ports::keep(std::size_t port, const Frame& frame, bool is_listening) {
   ++counters.requests;
-  if (!is_listening) return tell(port, frame, Outcome::not_listening);
+  if (!is_listening) return report(port, frame, Outcome::not_listening);
   Port& from = ports_[port];
   const std::size_t size = Framing::frame_size(frame.body.size());
   if (size > input_limit_ || from.requests_size > input_limit_ - size) {
     ++counters.lost;
-    return tell(port, frame, Outcome::lost);
+    return report(port, frame, Outcome::lost);
   }
   from.requests.push_back({frame.id, {frame.body.begin(), frame.body.end()}});
   from.requests_size += size;
 }
 
-bool Ports::has_turn(std::size_t port) const {
+bool Ports::can_take(std::size_t port) const {
   if (!is_open(port)) return false;
   return !ports_[port].requests.empty() && ports_[port].output_size() <= output_limit_;
 }
 
-Waiting Ports::take(std::size_t port) {
+QueuedRequest Ports::take(std::size_t port) {
   Port& from = ports_[port];
-  Waiting first = std::move(from.requests.front());
+  QueuedRequest first = std::move(from.requests.front());
   from.requests.pop_front();
   from.requests_size -= Framing::frame_size(first.body.size());
   return first;

@@ -1,4 +1,4 @@
-/// The serial interfaces of the board: what waits to be carried out and what waits to be sent.
+/// The serial interfaces of the board: queued requests and pending output.
 #pragma once
 
 #include <array>
@@ -16,27 +16,27 @@
 
 namespace sbgc::emulator {
 
-/// A request that waits for its turn.
-struct Waiting {
+/// A request that waits to be carried out.
+struct QueuedRequest {
   std::uint8_t id{};
   std::vector<std::uint8_t> body{};
 };
 
-/// Buffers. They know nothing of what frames mean.
+/// Buffers, which do not know what frames mean.
 class Ports {
  public:
-  /// No port has this number; sending to it does nothing.
+  /// The number of no port; sending to it does nothing.
   static constexpr std::size_t none = Board::max_ports;
 
   explicit Ports(const BoardOptions& options);
 
-  /// Frames that tell of a change to the memory wait for release() or fail(): each step of the
-  /// board's work ends with end_step(), with the revision if the step has changed the memory. What
-  /// is behind such a frame waits, too.
+  /// Ends a step of the board's work, with the revision if the step changed the memory. Frames that
+  /// report the change, and all after them, then wait for release() or fail().
   void end_step(std::optional<std::uint32_t> changed);
-  /// Changes up to that revision may be told.
+  /// Changes up to that revision may be reported.
   void release(std::uint32_t revision);
-  /// They can not be made: `refusal(frame)` is the frame to send instead of each that tells of one.
+  /// They could not be saved: `refusal(frame)` is the frame to send instead of each that reports
+  /// one.
   using Refusal = std::function<std::vector<std::uint8_t>(std::span<const std::uint8_t>)>;
   void fail(std::uint32_t revision, const Refusal& refusal);
 
@@ -44,12 +44,12 @@ class Ports {
   void close(std::size_t port);
   bool is_open(std::size_t port) const;
   bool is_usb(std::size_t port) const;
-  /// Its host sends nothing any more: there is no room for samples of streams from now on.
+  /// The host sends nothing more: from now on there is no room for samples of streams.
   void end_input(std::size_t port);
-  /// Of the line, since the board has started.
+  /// Errors of the line since the board started.
   std::uint64_t errors(std::size_t port) const;
 
-  /// Sends a message, even if it has to wait for room; nothing happens if the port is closed.
+  /// Sends a message, even if it has to wait for room; no effect if the port is closed.
   template <Message M>
   void send(std::size_t port, const M& message) {
     std::array<std::uint8_t, max_frame_size> frame{};
@@ -66,25 +66,24 @@ class Ports {
     return true;
   }
   void send_frame(std::size_t port, std::span<const std::uint8_t> frame);
-  /// Bytes of samples that fit into the output buffer now; none into that of a closed port.
+  /// Bytes of samples that fit into the output buffer now; 0 for a closed port.
   std::size_t room(std::size_t port) const;
 
-  /// Bytes of requests that wait for their turn.
-  std::size_t waiting(std::size_t port) const { return ports_[port].requests_size; }
+  /// Size of the queued requests.
+  std::size_t queued_bytes(std::size_t port) const { return ports_[port].requests_size; }
 
-  /// Finds the requests in what has come from a host, and keeps them, or only counts them while the
-  /// board does not listen.
+  /// Parses what came from a host and queues the requests, or only counts them while the board does
+  /// not listen.
   void receive(std::size_t port, std::span<const std::uint8_t> bytes, bool is_listening);
-  /// A frame has begun and is not complete.
+  /// Whether a frame has begun and is not complete.
   bool is_in_frame(std::size_t port) const;
-  /// It never will be: the line has been idle.
+  /// Gives up the partial frame: the line has been idle.
   void give_up_frame(std::size_t port, bool is_listening);
-  /// A request waits, and nothing that waits to be sent keeps it from its turn.
-  bool has_turn(std::size_t port) const;
-  /// Precondition: has_turn(port).
-  Waiting take(std::size_t port);
-  /// Forgets what has come from hosts: the board has restarted. `output_too`: what waits to be sent
-  /// as well.
+  /// Whether a request is queued and pending output does not hold it up.
+  bool can_take(std::size_t port) const;
+  /// Precondition: can_take(port).
+  QueuedRequest take(std::size_t port);
+  /// Drops the input, because the board restarted. `output_too`: pending output as well.
   void restart(bool output_too);
 
   /// What may be sent now.
@@ -93,39 +92,40 @@ class Ports {
   bool has_output(std::size_t port) const;
   void sent(std::size_t port, std::size_t size);
 
-  /// Nothing goes out any more.
+  /// A silent board sends nothing.
   void set_silent(bool is_silent) { is_silent_ = is_silent; }
 
   Instant now{};  ///< for `on_traffic`
   const std::function<void(const Board::Traffic&)>* on_traffic{};
   BoardCounters counters{};
 
-  void tell(std::size_t port, const Frame& frame, std::optional<Outcome> outcome) const;
+  void report(std::size_t port, const Frame& frame, std::optional<Outcome> outcome) const;
 
  private:
-  /// More than a host has waiting that listens to answers; so one that floods costs no more. Ours.
+  /// More than a host that waits for responses ever queues; limits the cost of one that floods. An
+  /// assumption.
   static constexpr std::size_t max_input = 1U << 20U;
-  /// Of what nobody has asked for, such as the progress of a calibration, so much waits at most
-  /// beyond the output buffer when a host does not read. Ours.
+  /// Limit of unrequested output, such as the progress of a calibration, beyond the output buffer
+  /// when a host does not read. An assumption.
   static constexpr std::size_t max_overflow = 4096;
 
-  /// A frame of the output that waits.
+  /// A frame of the output that waits for its change to be saved.
   struct Held {
     std::size_t begin{}, size{};              ///< in Port::output
-    std::optional<std::uint32_t> revision{};  ///< nothing: that of the step that is going on
+    std::optional<std::uint32_t> revision{};  ///< empty: that of the current step
   };
 
   struct Port {
     bool is_open{}, is_usb{}, has_ended{};
     Parser parser{};
-    std::deque<Waiting> requests{};
+    std::deque<QueuedRequest> requests{};
     std::size_t requests_size{};
     std::vector<std::uint8_t> output{};  ///< from `output_begin` on
     std::size_t output_begin{};
     std::deque<Held> held{};
 
     std::size_t output_size() const { return output.size() - output_begin; }
-    /// Removes what has been sent from `output`.
+    /// Removes the bytes sent from `output`.
     void forget_sent();
   };
 

@@ -10,22 +10,23 @@
 #include <sbgc/meta/parameters.hpp>
 
 #include "device/device.hpp"
+#include "device/parts/menu.hpp"
 
 namespace sbgc::emulator {
 namespace {
 
-/// Parameters that bend a signal have its resolution: 500 counts from the middle to the end. Ours:
-/// the specification gives no units.
+/// Parameters that shape a signal have its resolution: 500 counts from the middle to the end.
+/// Assumption: the specification gives no units.
 double share_of_signal(int counts) {
   return msg::CentredRcSignal(static_cast<std::int16_t>(counts)).fraction();
 }
 
-/// A flight controller's signal with EXT_FC_GAIN; 127 is the whole signal: ours.
+/// A flight controller's signal with EXT_FC_GAIN. Assumption: 127 is the whole signal.
 double amplified(double signal, int gain) {
   return signal * gain / std::numeric_limits<std::int8_t>::max();
 }
 
-/// Adds the flight controller's share, if it is mixed into this axis. Ours: an axis without a
+/// Adds the flight controller's share, if it is mixed into this axis. Assumption: an axis without a
 /// signal of its own has that share alone, as if its own signal were in the middle.
 void mix_in(std::optional<double>& signal, msg::RcMix mix, std::size_t axis,
             std::optional<double> controller, int gain) {
@@ -38,7 +39,7 @@ void mix_in(std::optional<double>& signal, msg::RcMix mix, std::size_t axis,
 
 }  // namespace
 
-double RemoteControl::bent(const msg::ReadParams3& parameters, std::size_t axis, double signal) {
+double RemoteControl::shaped(const msg::ReadParams3& parameters, std::size_t axis, double signal) {
   if (parameters.rc[axis].rc_mode.inverted()) signal = -signal;
   signal += share_of_signal(parameters.rc_trim[axis]);
   const double deadband = share_of_signal(parameters.rc_deadband);
@@ -47,7 +48,7 @@ double RemoteControl::bent(const msg::ReadParams3& parameters, std::size_t axis,
   constexpr double whole =
       sbgc::detail::field_info<msg::ReadParams3>("rc_expo_rate").range->highest;
   const double curve = parameters.rc_expo_rate / whole;
-  // Ours: the rest of the way covers the whole range, so that the ends can be reached.
+  // Assumption: the rest of the way covers the whole range, so that the ends can be reached.
   const double size = std::min(beyond / (1 - deadband), 1.0);
   return std::copysign((1 - curve) * size + curve * size * size * size, signal);
 }
@@ -64,7 +65,7 @@ std::optional<double> RemoteControl::own(const Device& device, std::size_t axis)
 std::optional<double> RemoteControl::axis(const Device& device, std::size_t axis) const {
   const auto& parameters = device.parameters.of<msg::ReadParams3>();
   std::optional<double> result = own(device, axis);
-  if (result) result = bent(parameters, axis, *result);
+  if (result) result = shaped(parameters, axis, *result);
   mix_in(result, parameters.rc_mix_fc_roll, axis, signal(parameters.rc_map_fc_roll),
          parameters.ext_fc_gain_roll);
   mix_in(result, parameters.rc_mix_fc_pitch, axis, signal(parameters.rc_map_fc_pitch),
@@ -79,8 +80,8 @@ std::optional<double> RemoteControl::followed(const Device& device, std::size_t 
   if (parameters.follow_mode != msg::FollowMode::fc || (axis != roll && axis != pitch)) return {};
   const msg::RcMap source = axis == roll ? parameters.rc_map_fc_roll : parameters.rc_map_fc_pitch;
   const int gain = axis == roll ? parameters.ext_fc_gain_roll : parameters.ext_fc_gain_pitch;
-  // Ours: the whole signal says that the frame leans by 90 degrees, RC_FOLLOW counts percents, and
-  // who is no longer heard is level.
+  // Assumption: the full signal means that the frame tilts by 90 degrees, RC_FOLLOW is in percent,
+  // and a missing signal means level.
   return 90 * amplified(signal(source).value_or(0), gain) * parameters.rc[axis].rc_follow / 100;
 }
 
@@ -111,12 +112,12 @@ void RemoteControl::set_channels(Device& device, const msg::ApiVirtChControl& si
 }
 
 /// The command channel is a switch of three positions; each change of it starts an action. Only new
-/// signals do: were it looked at after each change of parameters, an action that changes the
-/// channel's source could start itself for ever.
+/// signals count: an action that changes the channel's source could otherwise start itself
+/// endlessly.
 void RemoteControl::follow_command_channel(Device& device, Instant now) {
   const auto& parameters = device.parameters.of<msg::ReadParams3>();
   const auto level = signal(parameters.rc_map_cmd);
-  // Thirds of the range: ours.
+  // Assumption: thirds of the range.
   constexpr double third = 1.0 / 3;
   const Position position = !level            ? Position::none
                             : *level < -third ? Position::low
@@ -126,7 +127,7 @@ void RemoteControl::follow_command_channel(Device& device, Instant now) {
   const msg::MenuCommand action = position == Position::low    ? parameters.rc_cmd_low
                                   : position == Position::high ? parameters.rc_cmd_high
                                                                : parameters.rc_cmd_mid;
-  static_cast<void>(device.execute(action, now));
+  static_cast<void>(execute_menu(device, action, now));
 }
 
 void RemoteControl::restart(Device& /*device*/, Instant /*now*/) { *this = {}; }

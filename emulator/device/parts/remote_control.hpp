@@ -1,4 +1,4 @@
-/// What controls the axes from outside: RC signals and virtual channels.
+/// External control of the axes: RC signals and virtual channels.
 #pragma once
 
 #include <array>
@@ -17,28 +17,28 @@ namespace sbgc::emulator {
 struct Device;
 
 /// RC inputs. Only the virtual channels of the API carry signals: nothing is connected to the pins
-/// and to the serial receivers.
+/// and the serial receivers.
 class RemoteControl {
  public:
   static constexpr std::size_t channels = decltype(msg::ApiVirtChControl::val_ch)::capacity();
 
   /// CMD_API_VIRT_CH_CONTROL: new signals of all virtual channels, until the next ones.
   void set_channels(Device& device, const msg::ApiVirtChControl& signals, Instant now);
-  /// The signal of a source as RC_MAP_* and SRC_CH name it, -1..1; nothing if there is none.
+  /// The signal of a source as RC_MAP_* and SRC_CH name it, -1..1; empty if there is none.
   std::optional<double> signal(msg::RcMap source) const;
-  /// The signal of the source that is mapped to an axis, as it comes.
+  /// The raw signal of the source mapped to an axis.
   std::optional<double> own(const Device& device, std::size_t axis) const;
-  /// What an axis is controlled with: its signal, trimmed, mixed and bent as the parameters say.
+  /// The signal that controls an axis: trimmed, mixed and shaped as the parameters say.
   std::optional<double> axis(const Device& device, std::size_t axis) const;
-  /// In FOLLOW_MODE_FC the angle that the flight controller has an axis follow; nothing if it does
-  /// not concern that axis.
+  /// In FOLLOW_MODE_FC, the angle of the flight controller that an axis follows; empty if the axis
+  /// does not.
   std::optional<double> followed(const Device& device, std::size_t axis) const;
-  /// A signal, -1..1, as the parameters in use bend that of an axis: direction, trim, dead band,
-  /// curve.
-  static double bent(const msg::ReadParams3& parameters, std::size_t axis, double signal);
+  /// A signal, -1..1, shaped by direction, trim, dead band and curve of an axis.
+  static double shaped(const msg::ReadParams3& parameters, std::size_t axis, double signal);
   /// The menu swaps the signals of two axes, until the board restarts.
   void swap(std::size_t one, std::size_t other);
-  /// Hands signals and followed angles to the gimbal; after each change of signals or parameters.
+  /// Passes signals and followed angles to the gimbal; call it after each change of signals or
+  /// parameters.
   void apply(Device& device, Instant now) const;
 
   static Instant next() { return Instant::never; }

@@ -10,7 +10,7 @@ namespace sbgc::emulator {
 
 struct Device;
 
-/// Off and on again: what is not in the memory is lost, and hosts are not heard for a while.
+/// A restart loses what is not in the memory, and the board does not listen for a while.
 class Restarts {
  public:
   enum class State : std::uint8_t { starting, running, in_bootloader };
@@ -18,17 +18,17 @@ class Restarts {
   /// The board is switched on.
   Restarts(Device& device, Instant now);
 
-  /// At that time. A restart that comes earlier anyway stays.
+  /// Schedules a restart, unless an earlier one is scheduled.
   void schedule(Instant at, bool to_bootloader);
-  /// The board restarts by itself: it tells all hosts, and gives them time.
+  /// The board restarts by itself: it notifies all hosts and gives them time.
   void announce(Device& device, Instant now);
-  /// At once. `power_off`: what waits to be sent is lost too, and what is in the devices on the
+  /// Restarts now. `power_off`: also loses pending output and the registers of the devices on the
   /// bus.
   void restart_now(Device& device, Instant now, bool to_bootloader, bool power_off);
 
   State state() const { return state_; }
   bool is_listening() const { return state_ == State::running; }
-  /// When the board has started last.
+  /// When the board last started.
   Instant started() const { return started_; }
 
   Instant next() const;
@@ -44,7 +44,7 @@ class Restarts {
   void begin_running(Device& device, Instant now);
 
   State state_ = State::starting;
-  Instant changes_ = Instant::never;  ///< when the state does
+  Instant changes_ = Instant::never;  ///< when the state changes
   Instant started_{};
   std::optional<Scheduled> scheduled_{};
 };

@@ -9,10 +9,10 @@
 namespace sbgc::emulator {
 namespace {
 
-/// Ours: what a command takes.
+/// Assumption: duration of a command.
 constexpr Duration command_time = milliseconds(100);
 
-/// Lines with a command: not empty, and no comment (ours: one that begins with '#' or "//").
+/// Lines with a command: not empty, and no comment (assumption: one that begins with '#' or "//").
 std::uint16_t count_commands(std::string_view text) {
   unsigned count = 0;
   while (!text.empty()) {
@@ -47,7 +47,7 @@ std::optional<msg::BoardErrorCode> Scripts::start(Device& device, std::uint8_t s
   run.commands = count_commands(
       // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of a text
       {reinterpret_cast<const char*>(file.data.data()), file.data.size()});
-  run.due = now;  // behind the answer
+  run.due = now;  // after the response
   run_ = run;
   return {};
 }
@@ -60,7 +60,7 @@ Instant Scripts::next() const { return run_ ? run_->due : Instant::never; }
 
 void Scripts::advance(Device& device, Instant now) {
   while (run_ && run_->due <= now) {
-    // The board reads the script while it runs, so it can vanish.
+    // The board reads the script while it runs, so the file can vanish.
     const bool is_gone = device.files.size(run_->slot) == 0;
     if (is_gone || run_->command >= run_->commands) {
       report(device, is_gone ? msg::FileError::file_not_found : msg::FileError::no_error);

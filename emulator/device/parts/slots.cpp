@@ -8,11 +8,12 @@
 #include <sbgc/meta/variables.hpp>
 
 #include "device/device.hpp"
+#include "device/parts/menu.hpp"
 
 namespace sbgc::emulator {
 namespace {
 
-/// Ours: the board looks at the signals so often.
+/// Assumption: how often the board reads the signals.
 constexpr Duration period = milliseconds(20);
 
 constexpr unsigned levels = std::tuple_size_v<decltype(msg::TriggerSlot::action)>;
@@ -30,9 +31,9 @@ bool is_used(const msg::AnalogSlot& slot) {
   return slot.src_ch != msg::RcMap(msg::RcInput::input_no);
 }
 
-/// Ours, because the formula is not published (E073): MIN_VAL and MAX_VAL divide the variable's
-/// range into 255 parts, and the signal goes evenly from one to the other. A MIN_VAL above MAX_VAL
-/// turns the direction round.
+/// Assumption, because the formula is not published (E073): MIN_VAL and MAX_VAL divide the
+/// variable's range into 255 parts, and the signal goes evenly from one to the other. A MIN_VAL
+/// above MAX_VAL turns the direction round.
 std::int32_t value_of(const msg::AnalogSlot& slot, const VariableInfo& variable, double signal) {
   constexpr double whole = std::numeric_limits<decltype(slot.max_val)>::max();
   const double share = (std::clamp(signal, -1.0, 1.0) + 1) / 2;
@@ -43,7 +44,7 @@ std::int32_t value_of(const msg::AnalogSlot& slot, const VariableInfo& variable,
 }
 
 msg::CentredRcSignal rc_data(std::optional<double> signal) {
-  // Ours: no signal is reported as its middle.
+  // Assumption: no signal is reported as its middle.
   return msg::CentredRcSignal::from_fraction(std::clamp(signal.value_or(0), -1.0, 1.0))
       .value_or({});
 }
@@ -76,7 +77,7 @@ void Slots::apply_parameters(const Device& device, Instant now) {
 void Slots::advance(Device& device, Instant now) {
   if (now < next_) return;
   next_ = next_ + period;
-  if (next_ <= now) next_ = now + period;  // a signal has no value in the past to look at
+  if (next_ <= now) next_ = now + period;  // past values of a signal are not known
   // Actions first: they may switch to another profile.
   for (Trigger& slot : triggers_) {
     const auto signal =
@@ -87,7 +88,7 @@ void Slots::advance(Device& device, Instant now) {
     if (!level) continue;
     const msg::MenuCommand action = slot.config.action[*level];
     slot.action = action;
-    if (action != msg::MenuCommand::none) device.execute(action, now);
+    if (action != msg::MenuCommand::none) execute_menu(device, action, now);
   }
   bool is_changed = false;
   for (Analog& slot : analogs_) {
@@ -95,7 +96,7 @@ void Slots::advance(Device& device, Instant now) {
     const VariableInfo* variable = find_variable(slot.config.param_id);
     if (!is_used(slot.config) || !signal || variable == nullptr) continue;
     const std::int32_t value = value_of(slot.config, *variable, *signal);
-    // A host may set the variable too: the signal wins when it changes, or the profile.
+    // A host may set the variable too: the signal wins when it or the profile changes.
     if (slot.value == value) continue;
     slot.value = value;
     is_changed = device.parameters.set_variable(slot.config.param_id, value) || is_changed;
@@ -117,7 +118,7 @@ msg::AdjVarsState Slots::state(const Device& device, std::size_t trigger,
   return state;
 }
 
-/// The parameters come when the board has started.
+/// apply_parameters() follows when the board has started.
 void Slots::restart(Device& /*device*/, Instant /*now*/) { *this = {}; }
 
 }  // namespace sbgc::emulator

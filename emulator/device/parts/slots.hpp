@@ -14,7 +14,7 @@ namespace sbgc::emulator {
 
 struct Device;
 
-/// Carries out what CMD_WRITE_ADJ_VARS_CFG has configured.
+/// Carries out the configuration of CMD_WRITE_ADJ_VARS_CFG.
 class Slots {
  public:
   static constexpr std::size_t triggers =
@@ -44,7 +44,7 @@ class Slots {
 
   std::array<Trigger, triggers> triggers_{};
   std::array<Analog, analogs> analogs_{};
-  std::uint8_t profile_{};  ///< that the values were set in
+  std::uint8_t profile_{};  ///< in which the values were set
   Instant next_ = Instant::never;
 };
 

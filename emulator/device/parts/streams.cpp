@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <sbgc/exchanges/realtime.hpp>
+#include <sbgc/responses/realtime.hpp>
 #include <sbgc/roles.hpp>
 
 #include "device/device.hpp"
@@ -77,7 +77,7 @@ void Streams::advance(Device& device, Instant now) {
     if (offer_sample(device, stream.port, stream.request, now)) {
       ++stream.samples;
     } else {
-      // Until bytes have been sent there is no room: no need to look at each sample.
+      // There is no room until bytes have been sent: no need to check for each sample.
       stream.is_held_up = true;
       skip(device, stream, now);
     }

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include <sbgc/exchange.hpp>
 #include <sbgc/messages/realtime.hpp>
+#include <sbgc/response_policy.hpp>
 #include <sbgc/time.hpp>
 
 namespace sbgc::emulator {
@@ -24,10 +24,10 @@ class Streams {
   void forget(Device& device, std::size_t port, Instant now);
   /// The output buffer of a port may have room again.
   void has_room(Device& device, std::size_t port, Instant now);
-  /// Counts the samples that were left out until now.
+  /// Counts the samples skipped until now.
   void count_skipped(Device& device, Instant now);
 
-  /// When the next sample is due for which there is room.
+  /// When the next sample is due that has room.
   Instant next() const;
   void advance(Device& device, Instant now);
   void restart(Device& device, Instant now);
@@ -39,8 +39,8 @@ class Streams {
     msg::DataStreamInterval request{};
     std::int64_t interval_us{};
     Instant start{};
-    std::int64_t samples{};  ///< that were due up to now
-    bool is_held_up{};       ///< there is no room, and there will be none until bytes are sent
+    std::int64_t samples{};  ///< that were due until now
+    bool is_held_up{};       ///< no room until bytes are sent
 
     Instant due() const;
   };

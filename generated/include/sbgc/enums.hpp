@@ -14,9 +14,9 @@ namespace sbgc::msg {
 
 using sbgc::operator|;
 
-/// The commands of the protocol. Some share an id in opposite directions.
+/// The commands of messages to the board.
 /// Source: Command ID definitions L75-L154.
-enum class CommandId : std::uint8_t {
+enum class CommandToBoard : std::uint8_t {
   /// CMD_BOARD_INFO_3: Serial numbers, memory and scripts of the board.
   board_info_3 = 20,
   /// CMD_READ_PARAMS_3: Parameters of one profile and general parameters.
@@ -92,8 +92,6 @@ enum class CommandId : std::uint8_t {
   ahrs_helper = 56,
   /// CMD_RUN_SCRIPT: Start or stop a script.
   run_script = 57,
-  /// CMD_SCRIPT_DEBUG: Progress of a script started with debugging.
-  script_debug = 58,
   /// CMD_CALIB_MAG: Calibrate the magnetometer.
   calib_mag = 59,
   /// CMD_GET_ANGLES_EXT: Camera angles, targets and joint angles.
@@ -108,8 +106,6 @@ enum class CommandId : std::uint8_t {
   calib_acc = 65,
   /// CMD_CALIB_BAT: Calibrate the battery voltage measurement.
   calib_bat = 66,
-  /// CMD_CONFIRM: The board executed a command.
-  confirm = 67,
   /// CMD_CONTROL: Move the camera.
   control = 67,
   /// CMD_REALTIME_DATA: Live data.
@@ -155,6 +151,76 @@ enum class CommandId : std::uint8_t {
   calib_gyro = 103,
   /// CMD_MOTORS_OFF: Turn the motors off.
   motors_off = 109,
+  /// CMD_RESET: The board restarts.
+  reset = 114,
+  /// CMD_MAVLINK_INFO: Undocumented; by its name, information about a MAVLink connection.
+  mavlink_info = 250,
+  /// CMD_MAVLINK_DEBUG: Undocumented; by its name, debugging of a MAVLink connection.
+  mavlink_debug = 251,
+  /// CMD_DEBUG_VARS_INFO_3: Names and types of the debug variables, in the order of
+  /// CMD_DEBUG_VARS_3.
+  debug_vars_info_3 = 253,
+  /// CMD_DEBUG_VARS_3: Values of the debug variables.
+  debug_vars_3 = 254,
+};
+
+/// The commands of messages from the board.
+/// Source: Command ID definitions L75-L154.
+enum class CommandFromBoard : std::uint8_t {
+  /// CMD_BOARD_INFO_3: Serial numbers, memory and scripts of the board.
+  board_info_3 = 20,
+  /// CMD_READ_PARAMS_3: Parameters of one profile and general parameters.
+  read_params_3 = 21,
+  /// CMD_REALTIME_DATA_3: Live data.
+  realtime_data_3 = 23,
+  /// CMD_REALTIME_DATA_4: Live data with joint angles, currents and temperatures.
+  realtime_data_4 = 25,
+  /// CMD_READ_PROFILE_NAMES: Profile names.
+  read_profile_names = 28,
+  /// CMD_QUEUE_PARAMS_INFO_3: Undocumented; possibly describes the adjustable variables, the
+  /// purpose of CMD_GET_PARAMS_3.
+  queue_params_info_3 = 30,
+  /// CMD_SET_ADJ_VARS_VAL: Values of adjustable variables.
+  set_adj_vars_val = 31,
+  /// CMD_READ_PARAMS_EXT: More parameters of one profile: filters, encoders, magnetometer.
+  read_params_ext = 33,
+  /// CMD_AUTO_PID: Tune the PID controllers automatically.
+  auto_pid = 35,
+  /// CMD_I2C_READ_REG_BUF: Data from a device on an I2C bus.
+  i2c_read_reg_buf = 40,
+  /// CMD_READ_EXTERNAL_DATA: User data in the EEPROM.
+  read_external_data = 42,
+  /// CMD_READ_ADJ_VARS_CFG: RC signals that trigger actions or change adjustable variables.
+  read_adj_vars_cfg = 43,
+  /// CMD_ADJ_VARS_STATE: Current state of one trigger slot and one analog slot.
+  adj_vars_state = 46,
+  /// CMD_EEPROM_READ: A block of the EEPROM.
+  eeprom_read = 48,
+  /// CMD_CALIB_INFO: Calibration status for display.
+  calib_info = 49,
+  /// CMD_SYSTEM_STATE: Undocumented; by its name, the state of the system.
+  system_state = 52,
+  /// CMD_READ_FILE: Part of a file.
+  read_file = 53,
+  /// CMD_AHRS_HELPER: Attitude of an IMU as two unit vectors.
+  ahrs_helper = 56,
+  /// CMD_SCRIPT_DEBUG: Progress of a script started with debugging.
+  script_debug = 58,
+  /// CMD_GET_ANGLES_EXT: Camera angles, targets and joint angles.
+  get_angles_ext = 61,
+  /// CMD_READ_PARAMS_EXT2: The third set of parameters of one profile.
+  read_params_ext2 = 62,
+  /// CMD_CONFIRM: The board executed a command.
+  confirm = 67,
+  /// CMD_GET_ANGLES: Camera angles and targets.
+  get_angles = 73,
+  /// CMD_CALIB_MOTOR_MAG_LINK: Undocumented; by its name, calibrates the magnetic linkage of the
+  /// motors.
+  calib_motor_mag_link = 74,
+  /// CMD_BOARD_INFO: Board version and features.
+  board_info = 86,
+  /// CMD_REALTIME_DATA_CUSTOM: Live data of the requested blocks.
+  realtime_data_custom = 88,
   /// CMD_RESET: The board restarts.
   reset = 114,
   /// CMD_MAVLINK_INFO: Undocumented; by its name, information about a MAVLink connection.
@@ -1304,6 +1370,10 @@ class RcMode {
 
   constexpr RcMode() = default;
   constexpr explicit RcMode(raw_type raw) noexcept : raw_(raw) {}
+  /// A value of the part `mode` stands for the whole, with 0 in the other parts.
+  using enum RcModeKind;
+  constexpr RcMode(RcModeKind value) noexcept
+      : raw_(static_cast<raw_type>(static_cast<unsigned>(value) & 0x07U)) {}
 
   /// The integer as it stands on the wire.
   constexpr raw_type raw() const noexcept { return raw_; }
@@ -1345,6 +1415,8 @@ class RcMap {
 
   constexpr RcMap() = default;
   constexpr explicit RcMap(raw_type raw) noexcept : raw_(raw) {}
+  /// The names of whole values.
+  using enum RcInput;
   constexpr RcMap(RcInput value) noexcept : raw_(static_cast<raw_type>(value)) {}
 
   /// The integer as it stands on the wire.
@@ -1434,6 +1506,10 @@ class EncoderType {
 
   constexpr EncoderType() = default;
   constexpr explicit EncoderType(raw_type raw) noexcept : raw_(raw) {}
+  /// A value of the part `model` stands for the whole, with 0 in the other parts.
+  using enum EncoderModel;
+  constexpr EncoderType(EncoderModel value) noexcept
+      : raw_(static_cast<raw_type>(static_cast<unsigned>(value) & 0x0FU)) {}
 
   /// The integer as it stands on the wire.
   constexpr raw_type raw() const noexcept { return raw_; }
@@ -1477,6 +1553,10 @@ class ControlMode {
 
   constexpr ControlMode() = default;
   constexpr explicit ControlMode(raw_type raw) noexcept : raw_(raw) {}
+  /// A value of the part `mode` stands for the whole, with 0 in the other parts.
+  using enum ControlModeKind;
+  constexpr ControlMode(ControlModeKind value) noexcept
+      : raw_(static_cast<raw_type>(static_cast<unsigned>(value) & 0x0FU)) {}
 
   /// The integer as it stands on the wire.
   constexpr raw_type raw() const noexcept { return raw_; }
@@ -1563,6 +1643,10 @@ class DebugVarType {
 
   constexpr DebugVarType() = default;
   constexpr explicit DebugVarType(raw_type raw) noexcept : raw_(raw) {}
+  /// A value of the part `kind` stands for the whole, with 0 in the other parts.
+  using enum DebugVarKind;
+  constexpr DebugVarType(DebugVarKind value) noexcept
+      : raw_(static_cast<raw_type>(static_cast<unsigned>(value) & 0x0FU)) {}
 
   /// The integer as it stands on the wire.
   constexpr raw_type raw() const noexcept { return raw_; }

@@ -23,6 +23,10 @@ struct ErrorExt;
 struct Reset;
 struct BoardInfoRequest;
 struct BoardInfo3Request;
+struct RealtimeData3;
+struct RealtimeData4;
+struct RealtimeDataCustom;
+struct AhrsHelper;
 
 enum class BoardErrorCode : std::uint8_t;
 }  // namespace msg
@@ -59,6 +63,8 @@ constexpr auto& eeprom_size(M& details) noexcept {
 }
 /// Starts, changes and ends a data stream.
 using StreamRequest = msg::DataStreamInterval;
+/// The messages that streams consist of.
+using StreamMessages = TypeList<msg::RealtimeData3, msg::RealtimeData4, msg::RealtimeDataCustom, msg::AhrsHelper>;
 
 /// The command whose message a StreamRequest is about.
 template <class Request>

@@ -1,11 +1,12 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
 /// The physical quantities of the protocol. Each is a type of its own over the exact integer of
-/// the wire, so that two units can not be mixed by mistake.
+/// the wire, so that two units cannot be mixed by mistake.
 #pragma once
 
 #include <cstdint>
 
+#include <sbgc/literals.hpp>
 #include <sbgc/quantity.hpp>
 
 namespace sbgc::msg {
@@ -13,10 +14,8 @@ namespace sbgc::msg {
 /// Angle, 16384 counts per turn.
 /// Unit: deg, one count is 360/16384. Errata: E074.
 class Angle14
-    : public detail::Quantity<Angle14, std::int16_t, 45, 2048> {
+    : public detail::Quantity<Angle14, std::int16_t, unit::deg, 45, 2048> {
  public:
-  static constexpr const char* unit = "deg";
-
   using Quantity::Quantity;
   static constexpr Conversion<Angle14> from_degrees(
       double value) noexcept {
@@ -28,10 +27,8 @@ class Angle14
 /// Angle, 16384 counts per turn, accumulated over full turns.
 /// Unit: deg, one count is 360/16384. Errata: E074.
 class LongAngle14
-    : public detail::Quantity<LongAngle14, std::int32_t, 45, 2048> {
+    : public detail::Quantity<LongAngle14, std::int32_t, unit::deg, 45, 2048> {
  public:
-  static constexpr const char* unit = "deg";
-
   using Quantity::Quantity;
   static constexpr Conversion<LongAngle14> from_degrees(
       double value) noexcept {
@@ -43,10 +40,8 @@ class LongAngle14
 /// Angle in whole degrees.
 /// Unit: deg.
 class Degrees
-    : public detail::Quantity<Degrees, std::int16_t, 1, 1> {
+    : public detail::Quantity<Degrees, std::int16_t, unit::deg, 1, 1> {
  public:
-  static constexpr const char* unit = "deg";
-
   using Quantity::Quantity;
   static constexpr Conversion<Degrees> from_degrees(
       double value) noexcept {
@@ -58,10 +53,8 @@ class Degrees
 /// Small angle in whole degrees.
 /// Unit: deg.
 class SmallDegrees
-    : public detail::Quantity<SmallDegrees, std::uint8_t, 1, 1> {
+    : public detail::Quantity<SmallDegrees, std::uint8_t, unit::deg, 1, 1> {
  public:
-  static constexpr const char* unit = "deg";
-
   using Quantity::Quantity;
   static constexpr Conversion<SmallDegrees> from_degrees(
       double value) noexcept {
@@ -73,10 +66,8 @@ class SmallDegrees
 /// Small signed angle in whole degrees.
 /// Unit: deg.
 class SignedDegrees
-    : public detail::Quantity<SignedDegrees, std::int8_t, 1, 1> {
+    : public detail::Quantity<SignedDegrees, std::int8_t, unit::deg, 1, 1> {
  public:
-  static constexpr const char* unit = "deg";
-
   using Quantity::Quantity;
   static constexpr Conversion<SignedDegrees> from_degrees(
       double value) noexcept {
@@ -88,10 +79,8 @@ class SignedDegrees
 /// Angle in steps of 3 degrees.
 /// Unit: deg, one count is 3.
 class EncoderLimit
-    : public detail::Quantity<EncoderLimit, std::int8_t, 3, 1> {
+    : public detail::Quantity<EncoderLimit, std::int8_t, unit::deg, 3, 1> {
  public:
-  static constexpr const char* unit = "deg";
-
   using Quantity::Quantity;
   static constexpr Conversion<EncoderLimit> from_degrees(
       double value) noexcept {
@@ -103,10 +92,8 @@ class EncoderLimit
 /// Angle in tenths of a degree.
 /// Unit: deg, one count is 1/10.
 class TenthDegrees
-    : public detail::Quantity<TenthDegrees, std::int16_t, 1, 10> {
+    : public detail::Quantity<TenthDegrees, std::int16_t, unit::deg, 1, 10> {
  public:
-  static constexpr const char* unit = "deg";
-
   using Quantity::Quantity;
   static constexpr Conversion<TenthDegrees> from_degrees(
       double value) noexcept {
@@ -118,10 +105,8 @@ class TenthDegrees
 /// Angle between an estimated and a reference vector, in tenths of a degree.
 /// Unit: deg, one count is 1/10.
 class AngleError
-    : public detail::Quantity<AngleError, std::uint8_t, 1, 10> {
+    : public detail::Quantity<AngleError, std::uint8_t, unit::deg, 1, 10> {
  public:
-  static constexpr const char* unit = "deg";
-
   using Quantity::Quantity;
   static constexpr Conversion<AngleError> from_degrees(
       double value) noexcept {
@@ -133,10 +118,8 @@ class AngleError
 /// Angular speed of commands and targets: full scale is 4000 deg/s.
 /// Unit: deg/s, one count is 4000/32767. Errata: E071, E074.
 class ControlSpeed
-    : public detail::Quantity<ControlSpeed, std::int16_t, 4000, 32767> {
+    : public detail::Quantity<ControlSpeed, std::int16_t, unit::deg_per_s, 4000, 32767> {
  public:
-  static constexpr const char* unit = "deg/s";
-
   using Quantity::Quantity;
   static constexpr Conversion<ControlSpeed> from_degrees_per_second(
       double value) noexcept {
@@ -148,10 +131,8 @@ class ControlSpeed
 /// Angular speed for extremely slow motion, in thousandths of a degree per second.
 /// Unit: deg/s, one count is 1/1000. Errata: E071.
 class FineSpeed
-    : public detail::Quantity<FineSpeed, std::int16_t, 1, 1000> {
+    : public detail::Quantity<FineSpeed, std::int16_t, unit::deg_per_s, 1, 1000> {
  public:
-  static constexpr const char* unit = "deg/s";
-
   using Quantity::Quantity;
   static constexpr Conversion<FineSpeed> from_degrees_per_second(
       double value) noexcept {
@@ -163,10 +144,8 @@ class FineSpeed
 /// Angular speed from the gyroscope: full scale is 2000 deg/s.
 /// Unit: deg/s, one count is 2000/32767. Errata: E071, E074.
 class GyroRate
-    : public detail::Quantity<GyroRate, std::int16_t, 2000, 32767> {
+    : public detail::Quantity<GyroRate, std::int16_t, unit::deg_per_s, 2000, 32767> {
  public:
-  static constexpr const char* unit = "deg/s";
-
   using Quantity::Quantity;
   static constexpr Conversion<GyroRate> from_degrees_per_second(
       double value) noexcept {
@@ -178,10 +157,8 @@ class GyroRate
 /// Angular acceleration in steps of 5 deg/s^2.
 /// Unit: deg/s^2, one count is 5. Errata: E066.
 class AngularAcceleration
-    : public detail::Quantity<AngularAcceleration, std::uint8_t, 5, 1> {
+    : public detail::Quantity<AngularAcceleration, std::uint8_t, unit::deg_per_s2, 5, 1> {
  public:
-  static constexpr const char* unit = "deg/s^2";
-
   using Quantity::Quantity;
   static constexpr Conversion<AngularAcceleration> from_degrees_per_second_squared(
       double value) noexcept {
@@ -193,10 +170,8 @@ class AngularAcceleration
 /// Angular acceleration in whole deg/s^2.
 /// Unit: deg/s^2. Errata: E066.
 class PlainAngularAcceleration
-    : public detail::Quantity<PlainAngularAcceleration, std::int16_t, 1, 1> {
+    : public detail::Quantity<PlainAngularAcceleration, std::int16_t, unit::deg_per_s2, 1, 1> {
  public:
-  static constexpr const char* unit = "deg/s^2";
-
   using Quantity::Quantity;
   static constexpr Conversion<PlainAngularAcceleration> from_degrees_per_second_squared(
       double value) noexcept {
@@ -208,10 +183,8 @@ class PlainAngularAcceleration
 /// Linear acceleration; 512 counts are 1 g.
 /// Unit: g, one count is 1/512.
 class Acceleration
-    : public detail::Quantity<Acceleration, std::int16_t, 1, 512> {
+    : public detail::Quantity<Acceleration, std::int16_t, unit::g, 1, 512> {
  public:
-  static constexpr const char* unit = "g";
-
   using Quantity::Quantity;
   static constexpr Conversion<Acceleration> from_g(
       double value) noexcept {
@@ -223,10 +196,8 @@ class Acceleration
 /// Time stamp that wraps after 65.536 s.
 /// Unit: ms.
 class MillisecondClock
-    : public detail::Quantity<MillisecondClock, std::uint16_t, 1, 1> {
+    : public detail::Quantity<MillisecondClock, std::uint16_t, unit::ms, 1, 1> {
  public:
-  static constexpr const char* unit = "ms";
-
   using Quantity::Quantity;
   static constexpr Conversion<MillisecondClock> from_milliseconds(
       double value) noexcept {
@@ -238,10 +209,8 @@ class MillisecondClock
 /// Duration in milliseconds.
 /// Unit: ms.
 class Milliseconds
-    : public detail::Quantity<Milliseconds, std::uint16_t, 1, 1> {
+    : public detail::Quantity<Milliseconds, std::uint16_t, unit::ms, 1, 1> {
  public:
-  static constexpr const char* unit = "ms";
-
   using Quantity::Quantity;
   static constexpr Conversion<Milliseconds> from_milliseconds(
       double value) noexcept {
@@ -253,10 +222,8 @@ class Milliseconds
 /// Duration in microseconds.
 /// Unit: us. Errata: E078.
 class Microseconds
-    : public detail::Quantity<Microseconds, std::uint16_t, 1, 1> {
+    : public detail::Quantity<Microseconds, std::uint16_t, unit::us, 1, 1> {
  public:
-  static constexpr const char* unit = "us";
-
   using Quantity::Quantity;
   static constexpr Conversion<Microseconds> from_microseconds(
       double value) noexcept {
@@ -268,10 +235,8 @@ class Microseconds
 /// Duration in steps of 10 ms.
 /// Unit: ms, one count is 10.
 class TensOfMilliseconds
-    : public detail::Quantity<TensOfMilliseconds, std::uint8_t, 10, 1> {
+    : public detail::Quantity<TensOfMilliseconds, std::uint8_t, unit::ms, 10, 1> {
  public:
-  static constexpr const char* unit = "ms";
-
   using Quantity::Quantity;
   static constexpr Conversion<TensOfMilliseconds> from_milliseconds(
       double value) noexcept {
@@ -283,10 +248,8 @@ class TensOfMilliseconds
 /// Length of a servo pulse; values up to 0 are special.
 /// Unit: us. Errata: E076.
 class ServoPulse
-    : public detail::Quantity<ServoPulse, std::int16_t, 1, 1> {
+    : public detail::Quantity<ServoPulse, std::int16_t, unit::us, 1, 1> {
  public:
-  static constexpr const char* unit = "us";
-
   using Quantity::Quantity;
   static constexpr Conversion<ServoPulse> from_microseconds(
       double value) noexcept {
@@ -298,10 +261,8 @@ class ServoPulse
 /// Length of a note in steps of 8 ms.
 /// Unit: ms, one count is 8.
 class NoteLength
-    : public detail::Quantity<NoteLength, std::uint8_t, 8, 1> {
+    : public detail::Quantity<NoteLength, std::uint8_t, unit::ms, 8, 1> {
  public:
-  static constexpr const char* unit = "ms";
-
   using Quantity::Quantity;
   static constexpr Conversion<NoteLength> from_milliseconds(
       double value) noexcept {
@@ -313,10 +274,8 @@ class NoteLength
 /// Pitch of a note.
 /// Unit: Hz.
 class NoteFrequency
-    : public detail::Quantity<NoteFrequency, std::uint16_t, 1, 1> {
+    : public detail::Quantity<NoteFrequency, std::uint16_t, unit::Hz, 1, 1> {
  public:
-  static constexpr const char* unit = "Hz";
-
   using Quantity::Quantity;
   static constexpr Conversion<NoteFrequency> from_hertz(
       double value) noexcept {
@@ -328,10 +287,8 @@ class NoteFrequency
 /// PWM frequency in steps of 10 Hz.
 /// Unit: Hz, one count is 10.
 class ServoRate
-    : public detail::Quantity<ServoRate, std::uint8_t, 10, 1> {
+    : public detail::Quantity<ServoRate, std::uint8_t, unit::Hz, 10, 1> {
  public:
-  static constexpr const char* unit = "Hz";
-
   using Quantity::Quantity;
   static constexpr Conversion<ServoRate> from_hertz(
       double value) noexcept {
@@ -343,10 +300,8 @@ class ServoRate
 /// Frequency in whole hertz.
 /// Unit: Hz.
 class Frequency
-    : public detail::Quantity<Frequency, std::uint16_t, 1, 1> {
+    : public detail::Quantity<Frequency, std::uint16_t, unit::Hz, 1, 1> {
  public:
-  static constexpr const char* unit = "Hz";
-
   using Quantity::Quantity;
   static constexpr Conversion<Frequency> from_hertz(
       double value) noexcept {
@@ -358,10 +313,8 @@ class Frequency
 /// Low frequency in whole hertz.
 /// Unit: Hz.
 class SmallFrequency
-    : public detail::Quantity<SmallFrequency, std::uint8_t, 1, 1> {
+    : public detail::Quantity<SmallFrequency, std::uint8_t, unit::Hz, 1, 1> {
  public:
-  static constexpr const char* unit = "Hz";
-
   using Quantity::Quantity;
   static constexpr Conversion<SmallFrequency> from_hertz(
       double value) noexcept {
@@ -373,10 +326,8 @@ class SmallFrequency
 /// Frequency in steps of 2 Hz.
 /// Unit: Hz, one count is 2.
 class EvenFrequency
-    : public detail::Quantity<EvenFrequency, std::uint8_t, 2, 1> {
+    : public detail::Quantity<EvenFrequency, std::uint8_t, unit::Hz, 2, 1> {
  public:
-  static constexpr const char* unit = "Hz";
-
   using Quantity::Quantity;
   static constexpr Conversion<EvenFrequency> from_hertz(
       double value) noexcept {
@@ -388,10 +339,8 @@ class EvenFrequency
 /// Frequency in steps of 10 Hz.
 /// Unit: Hz, one count is 10.
 class CoarseFrequency
-    : public detail::Quantity<CoarseFrequency, std::uint8_t, 10, 1> {
+    : public detail::Quantity<CoarseFrequency, std::uint8_t, unit::Hz, 10, 1> {
  public:
-  static constexpr const char* unit = "Hz";
-
   using Quantity::Quantity;
   static constexpr Conversion<CoarseFrequency> from_hertz(
       double value) noexcept {
@@ -403,10 +352,8 @@ class CoarseFrequency
 /// Frequency in hundredths of a hertz.
 /// Unit: Hz, one count is 1/100.
 class FineFrequency
-    : public detail::Quantity<FineFrequency, std::uint16_t, 1, 100> {
+    : public detail::Quantity<FineFrequency, std::uint16_t, unit::Hz, 1, 100> {
  public:
-  static constexpr const char* unit = "Hz";
-
   using Quantity::Quantity;
   static constexpr Conversion<FineFrequency> from_hertz(
       double value) noexcept {
@@ -418,10 +365,8 @@ class FineFrequency
 /// Voltage in hundredths of a volt.
 /// Unit: V, one count is 1/100.
 class Voltage
-    : public detail::Quantity<Voltage, std::uint16_t, 1, 100> {
+    : public detail::Quantity<Voltage, std::uint16_t, unit::V, 1, 100> {
  public:
-  static constexpr const char* unit = "V";
-
   using Quantity::Quantity;
   static constexpr Conversion<Voltage> from_volts(
       double value) noexcept {
@@ -433,10 +378,8 @@ class Voltage
 /// Voltage in hundredths of a volt; a negative value switches the function off.
 /// Unit: V, one count is 1/100.
 class VoltageThreshold
-    : public detail::Quantity<VoltageThreshold, std::int16_t, 1, 100> {
+    : public detail::Quantity<VoltageThreshold, std::int16_t, unit::V, 1, 100> {
  public:
-  static constexpr const char* unit = "V";
-
   using Quantity::Quantity;
   static constexpr Conversion<VoltageThreshold> from_volts(
       double value) noexcept {
@@ -448,10 +391,8 @@ class VoltageThreshold
 /// Electric current.
 /// Unit: mA.
 class Current
-    : public detail::Quantity<Current, std::uint16_t, 1, 1> {
+    : public detail::Quantity<Current, std::uint16_t, unit::mA, 1, 1> {
  public:
-  static constexpr const char* unit = "mA";
-
   using Quantity::Quantity;
   static constexpr Conversion<Current> from_milliamperes(
       double value) noexcept {
@@ -463,10 +404,8 @@ class Current
 /// Temperature.
 /// Unit: degC.
 class Temperature
-    : public detail::Quantity<Temperature, std::int8_t, 1, 1> {
+    : public detail::Quantity<Temperature, std::int8_t, unit::degC, 1, 1> {
  public:
-  static constexpr const char* unit = "degC";
-
   using Quantity::Quantity;
   static constexpr Conversion<Temperature> from_degrees_celsius(
       double value) noexcept {
@@ -478,10 +417,8 @@ class Temperature
 /// Number in hundredths.
 /// Unit: no unit, one count is 1/100.
 class Hundredths
-    : public detail::Quantity<Hundredths, std::uint8_t, 1, 100> {
+    : public detail::Quantity<Hundredths, std::uint8_t, unit::value, 1, 100> {
  public:
-  static constexpr const char* unit = "";
-
   using Quantity::Quantity;
   static constexpr Conversion<Hundredths> from_value(
       double value) noexcept {
@@ -493,10 +430,8 @@ class Hundredths
 /// Number in hundredths, with a wide range.
 /// Unit: no unit, one count is 1/100.
 class LongHundredths
-    : public detail::Quantity<LongHundredths, std::uint16_t, 1, 100> {
+    : public detail::Quantity<LongHundredths, std::uint16_t, unit::value, 1, 100> {
  public:
-  static constexpr const char* unit = "";
-
   using Quantity::Quantity;
   static constexpr Conversion<LongHundredths> from_value(
       double value) noexcept {
@@ -508,10 +443,8 @@ class LongHundredths
 /// Number in thousandths.
 /// Unit: no unit, one count is 1/1000.
 class Thousandths
-    : public detail::Quantity<Thousandths, std::uint16_t, 1, 1000> {
+    : public detail::Quantity<Thousandths, std::uint16_t, unit::value, 1, 1000> {
  public:
-  static constexpr const char* unit = "";
-
   using Quantity::Quantity;
   static constexpr Conversion<Thousandths> from_value(
       double value) noexcept {
@@ -523,10 +456,8 @@ class Thousandths
 /// Number with eight integer and eight fractional bits.
 /// Unit: no unit, one count is 1/256.
 class FixedPoint8
-    : public detail::Quantity<FixedPoint8, std::uint16_t, 1, 256> {
+    : public detail::Quantity<FixedPoint8, std::uint16_t, unit::value, 1, 256> {
  public:
-  static constexpr const char* unit = "";
-
   using Quantity::Quantity;
   static constexpr Conversion<FixedPoint8> from_value(
       double value) noexcept {
@@ -538,10 +469,8 @@ class FixedPoint8
 /// Factor on the gains of a PID controller; 0 counts are 0.1.
 /// Unit: no unit, one count is 1/50, counted from 1/10.
 class PidGain
-    : public detail::Quantity<PidGain, std::uint8_t, 1, 50, 1, 10> {
+    : public detail::Quantity<PidGain, std::uint8_t, unit::value, 1, 50, 1, 10> {
  public:
-  static constexpr const char* unit = "";
-
   using Quantity::Quantity;
   static constexpr Conversion<PidGain> from_value(
       double value) noexcept {
@@ -553,10 +482,8 @@ class PidGain
 /// Gain in decibels.
 /// Unit: dB.
 class Decibels
-    : public detail::Quantity<Decibels, std::int8_t, 1, 1> {
+    : public detail::Quantity<Decibels, std::int8_t, unit::dB, 1, 1> {
  public:
-  static constexpr const char* unit = "dB";
-
   using Quantity::Quantity;
   static constexpr Conversion<Decibels> from_decibels(
       double value) noexcept {
@@ -568,10 +495,8 @@ class Decibels
 /// Share of a whole.
 /// Unit: %.
 class Percent
-    : public detail::Quantity<Percent, std::uint8_t, 1, 1> {
+    : public detail::Quantity<Percent, std::uint8_t, unit::percent, 1, 1> {
  public:
-  static constexpr const char* unit = "%";
-
   using Quantity::Quantity;
   static constexpr Conversion<Percent> from_percent(
       double value) noexcept {
@@ -583,10 +508,8 @@ class Percent
 /// Tenths of the gyroscope's native unit.
 /// Unit: gyro unit, one count is 1/10.
 class GyroDeadband
-    : public detail::Quantity<GyroDeadband, std::uint8_t, 1, 10> {
+    : public detail::Quantity<GyroDeadband, std::uint8_t, unit::gyro_unit, 1, 10> {
  public:
-  static constexpr const char* unit = "gyro unit";
-
   using Quantity::Quantity;
   static constexpr Conversion<GyroDeadband> from_gyro_units(
       double value) noexcept {
@@ -598,10 +521,8 @@ class GyroDeadband
 /// Thousandths of the gyroscope's native unit.
 /// Unit: gyro unit, one count is 1/1000.
 class GyroOffset
-    : public detail::Quantity<GyroOffset, std::int16_t, 1, 1000> {
+    : public detail::Quantity<GyroOffset, std::int16_t, unit::gyro_unit, 1, 1000> {
  public:
-  static constexpr const char* unit = "gyro unit";
-
   using Quantity::Quantity;
   static constexpr Conversion<GyroOffset> from_gyro_units(
       double value) noexcept {
@@ -613,10 +534,8 @@ class GyroOffset
 /// RC pulse width, or an analog signal normalised to the same range.
 /// Unit: us. Errata: E070.
 class RcSignal
-    : public detail::Quantity<RcSignal, std::int16_t, 1, 1> {
+    : public detail::Quantity<RcSignal, std::int16_t, unit::us, 1, 1> {
  public:
-  static constexpr const char* unit = "us";
-
   using Quantity::Quantity;
   static constexpr Conversion<RcSignal> from_microseconds(
       double value) noexcept {
@@ -628,10 +547,8 @@ class RcSignal
 /// High-resolution RC signal; the normal range is -1 to 1.
 /// Unit: no unit, one count is 1/16384. Errata: E070.
 class FineRcSignal
-    : public detail::Quantity<FineRcSignal, std::int16_t, 1, 16384> {
+    : public detail::Quantity<FineRcSignal, std::int16_t, unit::fraction, 1, 16384> {
  public:
-  static constexpr const char* unit = "";
-
   using Quantity::Quantity;
   static constexpr Conversion<FineRcSignal> from_fraction(
       double value) noexcept {
@@ -643,10 +560,8 @@ class FineRcSignal
 /// RC signal relative to its centre; the normal range is -1 to 1.
 /// Unit: no unit, one count is 1/500. Errata: E070.
 class CentredRcSignal
-    : public detail::Quantity<CentredRcSignal, std::int16_t, 1, 500> {
+    : public detail::Quantity<CentredRcSignal, std::int16_t, unit::fraction, 1, 500> {
  public:
-  static constexpr const char* unit = "";
-
   using Quantity::Quantity;
   static constexpr Conversion<CentredRcSignal> from_fraction(
       double value) noexcept {
@@ -658,10 +573,8 @@ class CentredRcSignal
 /// Motor power needed to hold the camera: 0 is perfect balance, 512 counts are 100 %.
 /// Unit: %, one count is 100/512.
 class BalanceError
-    : public detail::Quantity<BalanceError, std::int16_t, 25, 128> {
+    : public detail::Quantity<BalanceError, std::int16_t, unit::percent, 25, 128> {
  public:
-  static constexpr const char* unit = "%";
-
   using Quantity::Quantity;
   static constexpr Conversion<BalanceError> from_percent(
       double value) noexcept {
@@ -673,10 +586,8 @@ class BalanceError
 /// Number of bytes.
 /// Unit: byte.
 class ByteCount
-    : public detail::Quantity<ByteCount, std::uint16_t, 1, 1> {
+    : public detail::Quantity<ByteCount, std::uint16_t, unit::byte, 1, 1> {
  public:
-  static constexpr const char* unit = "byte";
-
   using Quantity::Quantity;
   static constexpr Conversion<ByteCount> from_bytes(
       double value) noexcept {
@@ -688,10 +599,8 @@ class ByteCount
 /// Small number of bytes.
 /// Unit: byte.
 class SmallByteCount
-    : public detail::Quantity<SmallByteCount, std::uint8_t, 1, 1> {
+    : public detail::Quantity<SmallByteCount, std::uint8_t, unit::byte, 1, 1> {
  public:
-  static constexpr const char* unit = "byte";
-
   using Quantity::Quantity;
   static constexpr Conversion<SmallByteCount> from_bytes(
       double value) noexcept {
@@ -703,10 +612,8 @@ class SmallByteCount
 /// Large number of bytes.
 /// Unit: byte.
 class LongByteCount
-    : public detail::Quantity<LongByteCount, std::uint32_t, 1, 1> {
+    : public detail::Quantity<LongByteCount, std::uint32_t, unit::byte, 1, 1> {
  public:
-  static constexpr const char* unit = "byte";
-
   using Quantity::Quantity;
   static constexpr Conversion<LongByteCount> from_bytes(
       double value) noexcept {
@@ -718,10 +625,8 @@ class LongByteCount
 /// Offset in pages of 64 bytes.
 /// Unit: byte, one count is 64. Errata: E092.
 class Pages
-    : public detail::Quantity<Pages, std::uint16_t, 64, 1> {
+    : public detail::Quantity<Pages, std::uint16_t, unit::byte, 64, 1> {
  public:
-  static constexpr const char* unit = "byte";
-
   using Quantity::Quantity;
   static constexpr Conversion<Pages> from_bytes(
       double value) noexcept {

@@ -307,8 +307,8 @@ def _compare_answers(
             )
             pair = (first.confirm, second.confirm)
             changes.compare(_level_of(pair), f"{case}: confirmed", pair[0], pair[1], new.at)
-        echoes = [sorted(c.echoes) for c in (first, second)]
-        changes.compare(Level.MEANING, f"{case}: repeats", echoes[0], echoes[1], new.at)
+        correlation = [sorted(c.correlation) for c in (first, second)]
+        changes.compare(Level.MEANING, f"{case}: repeats", correlation[0], correlation[1], new.at)
         ends_it = (first.restarts, second.restarts)
         changes.compare(Level.MEANING, f"{case}: restarts the board", *ends_it, new.at)
         results = [c.result.field.spec_name if c.result else "" for c in (first, second)]

@@ -24,7 +24,13 @@ from sbgcgen.compat.revision import Version
 from sbgcgen.model import Layout
 
 # Former names of classes, and of fields as "Class.field", with those of now.
-RENAMED: dict[str, str] = {}
+RENAMED = {
+    "AnswerCase.echoes": "correlation",
+    "AnswerCase.replies": "responses",
+    "Echo": "CorrelationField",
+    "Reply": "Response",
+    "Reply.echoes": "correlation",
+}
 
 Facts = dict[str, Any]
 

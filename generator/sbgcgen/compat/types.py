@@ -156,6 +156,9 @@ def compare_packed(old: Packed, new: Packed, changes: Changes) -> None:
 def compare_parts(what: str, old: Packed, new: Packed, changes: Changes) -> None:
     """The parts of two packed integers by name."""
     _compare_enums_of(f"{what}: names", old.names, new.names, new, changes)
+    mains = [packed.main.name if packed.main else "" for packed in (old, new)]
+    level = Level.SOURCE if old.main else Level.COMPATIBLE
+    changes.compare(level, f"{what}: main part", mains[0], mains[1], new.at)
     by_name = {part.name: part for part in new.parts}
     come = [part for part in new.parts if part.name not in {p.name for p in old.parts}]
     for part in old.parts:

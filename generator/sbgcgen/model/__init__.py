@@ -36,9 +36,25 @@ from sbgcgen.model.bodies import (
     element_of,
     scalar_of,
 )
-from sbgcgen.model.answers import Answer, AnswerCase, Echo, Growth, Reply, Result, Role
+from sbgcgen.model.answers import (
+    Answer,
+    AnswerCase,
+    CorrelationField,
+    Growth,
+    Response,
+    Result,
+    Role,
+)
 from sbgcgen.model.effects import EFFECTS, Effect, EffectCase
-from sbgcgen.model.messages import Command, Family, Message, Settings, conditions, copy_field
+from sbgcgen.model.messages import (
+    COMMAND_IDS,
+    Command,
+    Family,
+    Message,
+    Settings,
+    conditions,
+    copy_field,
+)
 from sbgcgen.model.variables import Variable, VariableSetting
 from sbgcgen.model.framing import BODY, CHECKSUM_SIZES, ID, SIZE, START, Checksum, Framing
 from sbgcgen.model.protocol import Erratum, Layout, Line
@@ -59,13 +75,14 @@ __all__ = [
     "AnswerCase",
     "Availability",
     "Blob",
+    "COMMAND_IDS",
     "Command",
     "Condition",
     "Constant",
     "Context",
     "Deprecation",
     "EFFECTS",
-    "Echo",
+    "CorrelationField",
     "Effect",
     "EffectCase",
     "Enum",
@@ -85,7 +102,7 @@ __all__ = [
     "Part",
     "Position",
     "Quantity",
-    "Reply",
+    "Response",
     "Result",
     "Revision",
     "Role",

@@ -12,6 +12,9 @@ from sbgcgen.model.effects import Effect
 from sbgcgen.model.values import Availability, Deprecation, Enum, Until
 from sbgcgen.model.names import form_suffix, snake_case
 
+# The enum of the ids of commands, by direction.
+COMMAND_IDS = {"to_board": "CommandToBoard", "from_board": "CommandFromBoard"}
+
 
 @dataclass(frozen=True)
 class Message:
@@ -58,6 +61,11 @@ class Message:
     def identifier(self) -> str:
         """The name as a member would have it."""
         return snake_case(self.name)
+
+    @property
+    def command_ids(self) -> str:
+        """The enum that has the id of its command; in both directions it is first of all a request."""
+        return COMMAND_IDS["to_board" if self.in_both_directions else self.direction]
 
     @property
     def call(self) -> str:

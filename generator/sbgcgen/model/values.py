@@ -160,7 +160,11 @@ class Part:
 
 @dataclass(frozen=True)
 class Packed:
-    """Several values in one integer; the raw integer is kept, so no bit is ever lost."""
+    """Several values in one integer; the raw integer is kept, so no bit is ever lost.
+
+    `names` names values of the whole integer. `main` is the part whose values say most: such a value
+    alone is a value of the whole, with 0 in the other parts.
+    """
 
     name: str
     scalar: Scalar
@@ -172,6 +176,7 @@ class Packed:
     parts: tuple[Part, ...]
     kind: str = "packed"
     at: Position = field(default=NOWHERE, compare=False, repr=False)
+    main: Part | None = None
 
 
 @dataclass(frozen=True)

@@ -65,6 +65,12 @@ class Spec:
                     yield family, name, value, part.at(name)
 
 
+def directions_of(command: Map) -> tuple[str, ...]:
+    """The directions in which a command is described; both if it is described in neither."""
+    both = ("from_board", "to_board")
+    return tuple(direction for direction in both if direction in command) or both
+
+
 def _empty(position: Position) -> Map:
     result = Map()
     result.position = position

@@ -2,14 +2,15 @@
 #include <cstdio>
 
 #include <sbgc/client/board_identity.hpp>
-
-#include "text.hpp"
+#include <sbgc/text.hpp>
 
 namespace sbgc {
 
-std::string BoardIdentity::firmware() const { return detail::firmware_text(versions().firmware); }
+std::string BoardIdentity::firmware() const {
+  return to_string(msg::FirmwareVersion(versions().firmware));
+}
 
-std::string BoardIdentity::board() const { return detail::board_text(versions().board); }
+std::string BoardIdentity::board() const { return to_string(msg::BoardVersion(versions().board)); }
 
 std::string BoardIdentity::serial_number() const {
   std::string text;

@@ -8,12 +8,12 @@
 
 #include <asio/strand.hpp>
 
-#include <sbgc/exchanges/system.hpp>
 #include <sbgc/io/capture.hpp>
 #include <sbgc/io/clock.hpp>
 #include <sbgc/io/line.hpp>
 #include <sbgc/io/open.hpp>
 #include <sbgc/io/recorder.hpp>
+#include <sbgc/responses/system.hpp>
 #include <sbgc/roles.hpp>
 
 #include "conversation_state.hpp"
@@ -144,7 +144,7 @@ class Connector {
   template <Message M>
   Result<CallAnswer<M>> ask(const M& request) {
     const EncodedRequest encoded(request);
-    const auto usual = std::chrono::milliseconds(exchange_of(request).timeout_ms);
+    const auto usual = std::chrono::milliseconds(response_policy(request).timeout_ms);
     const auto all = usual * (options_.retries + 1);
     return read_answer<M>(conversation().call(encoded.frame(), {.timeout = std::min(left(), all)}));
   }

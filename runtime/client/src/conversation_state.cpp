@@ -97,17 +97,17 @@ auto Conversation::State::start(FrameBytes frame, const CallOptions& options, Re
 
 auto Conversation::State::begin(Request request, const CallOptions& options, ReplyHandler handler)
     -> Begun {
-  const Exchange& exchange = request.exchange;
+  const ResponsePolicy& policy = request.policy;
   const unsigned retries = options.retries.value_or(options_.retries);
-  const unsigned attempts = exchange.retry_is_safe ? std::min(retries, 99U) + 1 : 1;
-  Duration attempt = milliseconds(exchange.timeout_ms);
+  const unsigned attempts = policy.retry_is_safe ? std::min(retries, 99U) + 1 : 1;
+  Duration attempt = milliseconds(policy.timeout_ms);
   Duration allowed = attempt * static_cast<std::int32_t>(attempts);
   if (options.timeout) {
     allowed = io::from_chrono(*options.timeout);
     attempt = Duration{allowed.us / attempts};
   } else {
     allowed =
-        std::max(allowed, milliseconds(exchange.finish_ms)) + io::from_chrono(options_.patience);
+        std::max(allowed, milliseconds(policy.finish_ms)) + io::from_chrono(options_.patience);
   }
 
   const auto call = std::make_shared<Call>();

@@ -93,7 +93,7 @@ class Conversation::State : public std::enable_shared_from_this<Conversation::St
   class StreamHold;
   using StreamKey = std::pair<std::uint8_t, std::array<std::uint8_t, max_stream_config>>;
 
-  static constexpr SessionCapacity capacity{.requests = 32, .ghosts = 64, .streams = 10};
+  static constexpr SessionCapacity capacity{.requests = 32, .late_replies = 64, .streams = 10};
 
   enum class Phase : std::uint8_t { open, lost, closed };
 

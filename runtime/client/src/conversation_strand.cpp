@@ -7,9 +7,9 @@
 #include <asio/error.hpp>
 
 #include <sbgc/io/clock.hpp>
+#include <sbgc/text/status.hpp>
 
 #include "conversation_state.hpp"
-#include "text.hpp"
 
 namespace sbgc::detail {
 
@@ -57,11 +57,11 @@ void Conversation::State::hand_over() {
       waiting_.pop_front();
     }
     const Request& request = call->request;
-    const SendResult sent = session_.send(request.id, request.body, request.exchange, call->send);
+    const SendResult sent = session_.send(request.id, request.body, request.policy, call->send);
     if (sent) {
       call->handle = sent.handle;
       in_session_.emplace(sent.handle.number, call);
-      if (request.exchange.stream.command != 0) learn_from_request(request, contexts_);
+      if (request.policy.stream.command != 0) learn_from_request(request, contexts_);
     } else if (take(call->ticket)) {
       complete(*call, ClientError{ErrorCode::overload, refusal_text(request, sent)});
     }
@@ -80,7 +80,7 @@ std::string Conversation::State::refusal_text(const Request& request,
     }
     case SendStatus::too_many_streams:
       return command + ": the board can not have another data stream";
-    case SendStatus::not_encodable: return command + ": " + status_text(refused.encoding);
+    case SendStatus::not_encodable: return command + ": " + to_string(refused.encoding);
     default: return command + ": too many requests at once";
   }
 }

@@ -30,7 +30,7 @@ class Conversation::State::StreamHold : public Subscription::Hold {
 auto Conversation::State::start_stream(FrameBytes frame, MessageKey key, MessageHandler handler,
                                        const CallOptions& options, StreamHandler done) -> Begun {
   auto request = inspect(frame, board_.versions(), options.validate);
-  if (request && request->exchange.stream.command == 0) {
+  if (request && request->policy.stream.command == 0) {
     request = ClientError{ErrorCode::invalid,
                           std::string(request->info->command) + " starts no data stream"};
   }
@@ -38,7 +38,7 @@ auto Conversation::State::start_stream(FrameBytes frame, MessageKey key, Message
     done(std::move(request).error());
     return {};
   }
-  const StreamChange& change = request->exchange.stream;
+  const StreamChange& change = request->policy.stream;
   const StreamKey stream{change.command, change.config};
   {
     const std::lock_guard lock(mutex_);

@@ -149,7 +149,7 @@ class Move {
   const MoveOptions& options_;
   Clock::TimePoint start_;
   Deadline deadline_;
-  detail::Refusals refusals_{client_, msg::CommandId::control};
+  detail::Refusals refusals_{client_, msg::CommandToBoard::control};
   bool sent_ = false;
   std::optional<MoveProgress> seen_{};
 };
@@ -179,7 +179,7 @@ Result<void> stop(Client& client, const StopOptions& options) {
   msg::Control halt;
   halt.control_mode.set_mode(msg::ControlModeKind::speed);
   const Deadline deadline(options.clock, options.timeout);
-  detail::Refusals refusals(client, msg::CommandId::control);
+  detail::Refusals refusals(client, msg::CommandToBoard::control);
   while (true) {
     // The command need not be confirmed, so it may be lost without notice: it is sent until the
     // board is seen to have obeyed.

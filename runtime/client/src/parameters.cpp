@@ -219,12 +219,12 @@ class Writing {
     for (std::size_t i = 0; i < steps_.size(); ++i) {
       const BlockReport& block = report_.blocks[i];
       steps_[i].kind->violations(
-          steps_[i].wanted, versions, [&](std::string_view path, const std::string& reason) {
+          steps_[i].wanted, versions, [&](std::string_view path, const std::string& text) {
             if (std::ranges::find(block.wanted, path, &FieldChange::path) == block.wanted.end()) {
               return;
             }
-            problems += fmt::format("{}{}, {}: {}", problems.empty() ? "" : "\n", to_text(block.id),
-                                    path, reason);
+            problems +=
+                fmt::format("{}{}, {}", problems.empty() ? "" : "\n", to_text(block.id), text);
           });
       problems += contradiction(i, problems.empty() ? "" : "\n");
     }

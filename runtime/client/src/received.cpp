@@ -6,9 +6,9 @@
 #include <sbgc/client/reply.hpp>
 #include <sbgc/client/typed.hpp>
 #include <sbgc/dispatch.hpp>
+#include <sbgc/text/status.hpp>
 
 #include "request.hpp"
-#include "text.hpp"
 
 namespace sbgc::detail {
 
@@ -40,7 +40,7 @@ constexpr auto decoders_of(TypeList<Ms...>) noexcept {
 }  // namespace
 
 ClientError encode_error(Status status) {
-  return {ErrorCode::invalid, "the request cannot be encoded: " + status_text(status)};
+  return {ErrorCode::invalid, "the request cannot be encoded: " + to_string(status)};
 }
 
 Result<std::int64_t> stream_interval_count(std::chrono::milliseconds interval, std::int64_t most) {
@@ -58,7 +58,7 @@ Result<std::int64_t> stream_interval_count(std::chrono::milliseconds interval, s
 
 ClientError decode_error(Status status, const Reply& reply) {
   return {ErrorCode::bad_answer, "the answer " + command_name(reply.id, Direction::from_board) +
-                                     " cannot be read: " + status_text(status)};
+                                     " cannot be read: " + to_string(status)};
 }
 
 ClientError missing_answer(const Reply& reply) {

@@ -15,7 +15,7 @@ namespace sbgc::detail {
 /// when it has been sent, so its refusal is seen only by the next look at take().
 class Refusals {
  public:
-  Refusals(Client& client, msg::CommandId command)
+  Refusals(Client& client, msg::CommandToBoard command)
       : subscription_(client.on_notice([this, command](const Notice& notice) {
           const bool is_about_it = notice.kind == NoticeKind::board_error &&
                                    notice.command == static_cast<std::uint8_t>(command);

@@ -2,49 +2,36 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <string>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 
 #include <sbgc/availability.hpp>
-#include <sbgc/exchanges/all.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/meta/all.hpp>
+#include <sbgc/responses/all.hpp>
 #include <sbgc/roles.hpp>
-#include <sbgc/validate.hpp>
+#include <sbgc/text.hpp>
 #include <sbgc/visit.hpp>
-
-#include "text.hpp"
 
 namespace sbgc::detail {
 
 namespace {
 
+std::string has_firmware(const Availability& versions) {
+  return ", the board has " + to_string(msg::FirmwareVersion(versions.firmware));
+}
+
+std::string is_board(const Availability& versions) {
+  return ", this is board " + to_string(msg::BoardVersion(versions.board));
+}
+
 std::string text_of(const Violation& violation, const Availability& versions) {
-  std::array<char, 128> path{};
-  violation.path.write(path.data(), path.size());
-  const std::string what = std::string(path.data()) + " = " + number_text(violation.value);
-  const std::string limit = number_text(violation.limit);
-  switch (violation.rule) {
-    case Rule::minimum: return what + " is too small, the smallest value is " + limit;
-    case Rule::maximum: return what + " is too large, the largest value is " + limit;
-    case Rule::alignment: return what + " is no multiple of " + limit;
-    case Rule::count: {
-      const bool is_short = violation.value < violation.limit;
-      return std::string(path.data()) + " has " + number_text(violation.value) + " elements, at " +
-             (is_short ? "least " + limit + " are needed" : "most " + limit + " are allowed");
-    }
-    case Rule::firmware:
-      return what + " needs firmware " +
-             firmware_text(static_cast<std::uint16_t>(violation.limit)) + ", the board has " +
-             firmware_text(versions.firmware);
-    case Rule::board:
-      return what + " needs board " + board_text(static_cast<std::uint8_t>(violation.limit)) +
-             ", this is board " + board_text(versions.board);
-  }
-  return what + " is not allowed";
+  std::string text = to_string(violation);
+  if (violation.rule == Rule::firmware) text += has_firmware(versions);
+  if (violation.rule == Rule::board) text += is_board(versions);
+  return text;
 }
 
 /// Whether the board takes some other form of the command.
@@ -62,15 +49,16 @@ bool has_another_form(std::uint8_t id, const Availability& versions) {
 std::string lacking(const MessageInfo& info, const Availability& versions) {
   std::string command = info.command;
   if (has_another_form(info.id, versions)) command += " in this form";
-  const std::string has = ", the board has " + firmware_text(versions.firmware);
   if (info.until.firmware != 0 && info.until.firmware <= versions.firmware) {
-    return command + " needs firmware before " + firmware_text(info.until.firmware) + has;
+    return command + " needs firmware before " +
+           to_string(msg::FirmwareVersion(info.until.firmware)) + has_firmware(versions);
   }
   if (info.since.firmware > versions.firmware) {
-    return command + " needs firmware " + firmware_text(info.since.firmware) + has;
+    return command + " needs firmware " + to_string(msg::FirmwareVersion(info.since.firmware)) +
+           has_firmware(versions);
   }
-  return command + " needs board " + board_text(info.since.board) + ", this is board " +
-         board_text(versions.board);
+  return command + " needs board " + to_string(msg::BoardVersion(info.since.board)) +
+         is_board(versions);
 }
 
 template <Message M>
@@ -94,14 +82,14 @@ Result<Request> inspect(FrameBytes frame, const Availability& versions, bool val
   std::optional<ClientError> error;
   std::vector<std::uint8_t> later;
   const Status status = visit(id, body, Direction::to_board, [&]<class M>(const M& message) {
-    if constexpr (requires { exchange_of(message); }) {
+    if constexpr (requires { response_policy(message); }) {
       if constexpr (requires { later_form(message); }) {
         if (is_available(M::until, versions)) {
           later = frame_of(later_form(message));
           return;
         }
       }
-      request.exchange = exchange_of(message);
+      request.policy = response_policy(message);
       request.info = &Meta<M>::info;
       if (!is_supported<M>(versions)) {
         error = {ErrorCode::unsupported, lacking(Meta<M>::info, versions)};
@@ -119,7 +107,7 @@ Result<Request> inspect(FrameBytes frame, const Availability& versions, bool val
   if (error) return *std::move(error);
   if (!status) {
     return ClientError{ErrorCode::invalid,
-                       command_name(id, Direction::to_board) + ": " + status_text(status)};
+                       command_name(id, Direction::to_board) + ": " + to_string(status)};
   }
   return request;
 }
@@ -184,8 +172,9 @@ void for_each_number(std::uint8_t id, std::span<const std::uint8_t> body, const 
   std::ignore = visit(id, body, Direction::from_board, [&]<class M>(const M& message) {
     const auto value = [&](const FieldInfo& field, const auto& member) {
       using Member = std::remove_cvref_t<decltype(member)>;
-      if constexpr (std::is_same_v<Member, msg::CommandId>) {
-        // Which command it is about, the caller knows.
+      if constexpr (std::is_same_v<Member, msg::CommandToBoard> ||
+                    std::is_same_v<Member, msg::CommandFromBoard>) {
+        // The caller knows which command it is about.
       } else if constexpr (std::is_enum_v<Member>) {
         use(field.name, static_cast<int>(member), &EnumMeta<Member>::info);
       } else if constexpr (std::is_integral_v<Member>) {

@@ -9,8 +9,8 @@
 #include <sbgc/client/conversation.hpp>
 #include <sbgc/client/result.hpp>
 #include <sbgc/dispatch.hpp>
-#include <sbgc/exchange.hpp>
 #include <sbgc/meta.hpp>
+#include <sbgc/response_policy.hpp>
 
 namespace sbgc::detail {
 
@@ -18,7 +18,7 @@ namespace sbgc::detail {
 struct Request {
   std::uint8_t id{};
   std::vector<std::uint8_t> body;
-  Exchange exchange{};
+  ResponsePolicy policy{};
   const MessageInfo* info{};
 };
 

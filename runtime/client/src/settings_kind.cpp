@@ -1,7 +1,6 @@
 #include "settings_kind.hpp"
 
 #include <algorithm>
-#include <array>
 #include <type_traits>
 #include <unordered_map>
 
@@ -9,7 +8,7 @@
 
 #include <sbgc/client/client.hpp>
 #include <sbgc/message.hpp>
-#include <sbgc/validate.hpp>
+#include <sbgc/text.hpp>
 
 namespace sbgc::detail {
 namespace {
@@ -113,10 +112,7 @@ template <class M>
 void violations(Body body, const Availability& versions,
                 const std::function<void(std::string_view, std::string)>& report) {
   validate(message_of<M>(body), versions, [&](const Violation& violation) {
-    std::array<char, 128> path{};
-    violation.path.write(path.data(), path.size());
-    report(path.data(), fmt::format("{} is not allowed: the {} is {}", violation.value,
-                                    name(violation.rule), violation.limit));
+    report(to_string(violation.path), to_string(violation));
   });
 }
 
@@ -139,7 +135,7 @@ SettingsKind kind_of() {
       .read = read_settings<M>,
       .write = write_settings<M>,
       .problem = problem<M>,
-      .leaves = [](Body body) { return leaves(message_of<M>(body)); },
+      .leaves = [](Body body) { return leaf_texts(message_of<M>(body)); },
       .to_json = [](Body body) { return to_json(message_of<M>(body)); },
       .violations = violations<M>,
   };
@@ -192,22 +188,22 @@ bool are_equal(const SettingsKind& kind, Body a, Body b) {
 
 std::vector<FieldChange> field_changes(const SettingsKind& kind, Body before, Body after) {
   std::vector<FieldChange> changes;
-  std::vector<Leaf> now = kind.leaves(after);
-  std::unordered_map<std::string_view, const Leaf*> by_path;
-  for (const Leaf& leaf : now) by_path.emplace(leaf.path, &leaf);
-  for (Leaf& leaf : kind.leaves(before)) {
+  std::vector<LeafText> now = kind.leaves(after);
+  std::unordered_map<std::string_view, const LeafText*> by_path;
+  for (const LeafText& leaf : now) by_path.emplace(leaf.path, &leaf);
+  for (LeafText& leaf : kind.leaves(before)) {
     const auto found = by_path.find(leaf.path);
     if (found == by_path.end()) {
       changes.push_back({leaf.path, leaf.raw, "", leaf.meaning, ""});
       continue;
     }
-    const Leaf& other = *found->second;
+    const LeafText& other = *found->second;
     if (other.raw != leaf.raw) {
       changes.push_back({leaf.path, leaf.raw, other.raw, leaf.meaning, other.meaning});
     }
     by_path.erase(found);
   }
-  for (const Leaf& leaf : now) {
+  for (const LeafText& leaf : now) {
     if (by_path.contains(leaf.path)) {
       changes.push_back({leaf.path, "", leaf.raw, "", leaf.meaning});
     }

@@ -39,9 +39,9 @@ struct SettingsKind {
   Result<void> (*write)(Client& client, Body body, const CallOptions& options);
   /// Why the body is no settings of this copy; "" if it is.
   std::string (*problem)(Body body, std::uint8_t copy);
-  std::vector<Leaf> (*leaves)(Body body);
+  std::vector<LeafText> (*leaves)(Body body);
   Json (*to_json)(Body body);
-  /// Calls `report(path, reason)` for every value that these versions do not allow.
+  /// Calls `report(path, text)` for every value that these versions do not allow.
   void (*violations)(Body body, const Availability& versions,
                      const std::function<void(std::string_view, std::string)>& report);
 };

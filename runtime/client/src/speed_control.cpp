@@ -24,7 +24,7 @@ class SpeedControl::Keeper {
       : client_(client),
         clock_(options.clock),
         hold_(options.silence, options.repeat),
-        refusals_(client, msg::CommandId::control),
+        refusals_(client, msg::CommandToBoard::control),
         thread_([this] { run(); }) {}
   Keeper(const Keeper&) = delete;
   Keeper& operator=(const Keeper&) = delete;

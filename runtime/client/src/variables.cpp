@@ -10,6 +10,7 @@
 #include <sbgc/messages/adjustable_variables.hpp>
 #include <sbgc/messages/parameters.hpp>
 #include <sbgc/meta/adjustable_variables.hpp>
+#include <sbgc/text.hpp>
 
 #include "task.hpp"
 
@@ -42,11 +43,6 @@ std::string similar_names(std::string_view name) {
   return result;
 }
 
-std::string number_with_unit(const VariableInfo& variable, double value) {
-  return *variable.unit == '\0' ? fmt::format("{:.6g}", value)
-                                : fmt::format("{:.6g} {}", value, variable.unit);
-}
-
 }  // namespace
 
 Result<const VariableInfo*> find_variable(std::string_view name) {
@@ -57,23 +53,25 @@ Result<const VariableInfo*> find_variable(std::string_view name) {
 }
 
 double variable_value(const VariableInfo& variable, std::int32_t raw) noexcept {
-  return raw * variable.numerator / variable.denominator + variable.offset;
+  return variable.unit.real(raw);
 }
 
 Result<std::int32_t> variable_raw(const VariableInfo& variable, double value) {
-  const double raw =
-      std::round((value - variable.offset) * variable.denominator / variable.numerator);
+  const double raw = std::round((value - variable.unit.offset) * variable.unit.denominator /
+                                variable.unit.numerator);
   // Written so that NaN fails, too.
   if (raw >= variable.range.lowest && raw <= variable.range.highest) {
     return static_cast<std::int32_t>(raw);
   }
-  const auto limit = [&](double number) {
-    return number_with_unit(variable, variable_value(variable, static_cast<std::int32_t>(number)));
-  };
-  return ClientError{ErrorCode::invalid,
-                     fmt::format("{} can not be {}: it lies between {} and {}", variable.name,
-                                 number_with_unit(variable, value), limit(variable.range.lowest),
-                                 limit(variable.range.highest))};
+  const bool is_high = raw > variable.range.highest;
+  return ClientError{
+      ErrorCode::invalid,
+      to_string(Violation{.path = {nullptr, variable.name},
+                          .field = {},
+                          .value = raw,
+                          .limit = is_high ? variable.range.highest : variable.range.lowest,
+                          .rule = is_high ? Rule::maximum : Rule::minimum,
+                          .unit = &variable.unit})};
 }
 
 Result<std::vector<double>> get_variables(Client& client, std::span<const std::string_view> names) {

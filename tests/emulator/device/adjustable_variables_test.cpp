@@ -90,7 +90,7 @@ TEST(Variables, AllOrNone) {
 TEST(Variables, NoneAlsoWhereTheSettingsGoBeyondTheVariable) {
   Host host;
   auto parameters = host.get<msg::ReadParamsExt>(msg::ReadParamsExtRequest{});
-  parameters.lpf_freq.pitch = msg::Frequency::from_hertz(800);
+  parameters.lpf_freq.pitch = 800_Hz;
   host.ask(msg::WriteParamsExt{parameters});
   EXPECT_EQ(
       refusal(host, setting({{msg::VariableId::lpf_freq_pitch, 100}, {msg::VariableId{200}, 1}})),

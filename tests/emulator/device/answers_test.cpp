@@ -18,38 +18,38 @@
 
 namespace sbgc::test {
 
-void expect_as_modelled(const Exchange& exchange, const Packets& packets, Comes comes) {
+void expect_as_modelled(const ResponsePolicy& policy, const Packets& packets, Comes comes) {
   unsigned confirmations = 0, answers = 0;
   for (const Packet& one : packets) {
     const Frame frame{one.id, one.body};
-    const AnswerForm* const answer = exchange.replies.answer(frame);
+    const ResponseForm* const answer = policy.responses.form_of(frame);
     if (answer != nullptr) {
       ++answers;
       EXPECT_FALSE(answer->is_error) << "it could have been carried out";
     } else if (roles::is_confirmation(frame)) {
       ++confirmations;
-      EXPECT_TRUE(exchange.replies.is_confirmed_by(roles::confirmed_command(frame), frame));
-      EXPECT_FALSE(exchange.result.is_failure(one.body));
+      EXPECT_TRUE(policy.responses.is_confirmed_by(roles::confirmed_command(frame), frame));
+      EXPECT_FALSE(policy.result.is_failure(one.body));
     } else if (roles::is_reset(frame)) {
-      EXPECT_TRUE(exchange.restarts_board) << "it restarts unasked";
+      EXPECT_TRUE(policy.restarts_board) << "it restarts unasked";
     } else {
       ADD_FAILURE() << "command " << int{one.id} << " is no answer to it";
     }
   }
-  EXPECT_EQ(answers, exchange.answer_required ? 1U : 0U);
-  switch (exchange.replies.confirmed) {
+  EXPECT_EQ(answers, policy.response_required ? 1U : 0U);
+  switch (policy.responses.confirmed) {
     case Confirmed::never:
     case Confirmed::unlikely: EXPECT_EQ(confirmations, 0U); break;
-    case Confirmed::always: EXPECT_EQ(confirmations, exchange.confirmations); break;
+    case Confirmed::always: EXPECT_EQ(confirmations, policy.confirmations); break;
     case Confirmed::possible:
       ASSERT_NE(comes, Comes::as_modelled) << "say in the table what the emulated board does";
-      EXPECT_EQ(confirmations, comes == Comes::confirmation ? exchange.confirmations : 0U);
+      EXPECT_EQ(confirmations, comes == Comes::confirmation ? policy.confirmations : 0U);
       break;
   }
 }
 
-Duration patience(const Exchange& exchange) {
-  return milliseconds(std::max(exchange.timeout_ms, exchange.finish_ms));
+Duration patience(const ResponsePolicy& policy) {
+  return milliseconds(std::max(policy.timeout_ms, policy.finish_ms));
 }
 
 Table::Table() {

@@ -105,7 +105,7 @@ TEST(Availability, AccelerationLimitsAreThoseThatTheFirmwareHas) {
     host.ask(msg::WriteParamsExt2{more});
     msg::Control control;
     control.control_mode.set_mode(msg::ControlModeKind::speed);
-    control.axes.yaw.speed = msg::ControlSpeed::from_degrees_per_second(60);
+    control.axes.yaw.speed = 60_deg_per_s;
     host.ask(control, seconds(1));
     return host.get<msg::GetAngles>(msg::GetAnglesRequest{}).axes.yaw.imu_angle.degrees();
   };

@@ -186,7 +186,7 @@ TEST(Board, IntroducesItselfWhateverTheSizeOfTheRequest) {
 TEST(Board, NamesTheCommandThatItRefuses) {
   Host host;
   const auto error = host.get<msg::ErrorExt>(msg::ReadParams3Request{.profile_id = 17});
-  EXPECT_EQ(error.cmd_id, msg::CommandId::read_params_3);
+  EXPECT_EQ(error.cmd_id, msg::CommandToBoard::read_params_3);
   EXPECT_EQ(error.error_code, msg::BoardErrorCode::wrong_params);
 }
 

@@ -16,7 +16,7 @@ namespace sbgc::test {
 namespace {
 
 TEST(DebugVariables, EveryKindOfVariableIsThere) {
-  const msg::DebugVarsInfo3 info = emulator::DebugVariables::info();
+  const msg::DebugVarsInfo3 info = emulator::debug_variables_info();
   std::set<msg::DebugVarKind> kinds;
   std::set<msg::DebugVarAxis> axes;
   std::set<std::string> names;
@@ -54,7 +54,7 @@ TEST(DebugVariables, ValuesAreLive) {
 
 TEST(DebugVariables, AgreeWithTheLiveData) {
   Host host;
-  ASSERT_TRUE(is_confirmed(host, msg::CalibBat{*msg::Voltage::from_volts(20)}));
+  ASSERT_TRUE(is_confirmed(host, msg::CalibBat{20_V}));
   const auto data = host.get<msg::RealtimeData3>(msg::RealtimeData3Request{});
   EXPECT_NEAR(debug_values(host).at("BATTERY")[0], data.bat_level.volts(), 0.05);
 }

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <sbgc/dispatch.hpp>
-#include <sbgc/exchanges/all.hpp>
 #include <sbgc/meta/all.hpp>
+#include <sbgc/responses/all.hpp>
 #include <sbgc/roles.hpp>
 
 #include "device/device.hpp"
@@ -15,7 +15,7 @@
 namespace sbgc::test {
 namespace {
 
-using board::default_answer;
+using emulator::default_response;
 using emulator::Device;
 using emulator::Outcome;
 using emulator::RequestContext;
@@ -25,14 +25,14 @@ void expect_answer_of_model(const Request& request) {
   SCOPED_TRACE(Meta<Request>::info.name);
   Device device({}, {}, {});
   const auto port = device.ports.open(false).value();
-  const Exchange exchange = exchange_of(request);
-  RequestContext context(device, port, exchange.replies.command, exchange.replies.confirmed, {});
-  EXPECT_EQ(default_answer(context, request), Outcome::carried_out);
+  const ResponsePolicy policy = response_policy(request);
+  RequestContext context(device, port, policy.responses.command, policy.responses.confirmed, {});
+  EXPECT_EQ(default_response(context, request), Outcome::carried_out);
 
   unsigned answers = 0, confirmations = 0;
   Parser parser;
   parser.feed(device.ports.output(port), [&](const Frame& frame) {
-    if (const AnswerForm* const form = exchange.replies.answer(frame)) {
+    if (const ResponseForm* const form = policy.responses.form_of(frame)) {
       ++answers;
       EXPECT_FALSE(form->is_error);
       const Code form_of_answer =
@@ -41,19 +41,19 @@ void expect_answer_of_model(const Request& request) {
     } else {
       ++confirmations;
       ASSERT_TRUE(roles::is_confirmation(frame));
-      EXPECT_TRUE(exchange.replies.is_confirmed_by(roles::confirmed_command(frame), frame));
-      EXPECT_FALSE(exchange.result.is_failure(frame.body));
+      EXPECT_TRUE(policy.responses.is_confirmed_by(roles::confirmed_command(frame), frame));
+      EXPECT_FALSE(policy.result.is_failure(frame.body));
     }
   });
   EXPECT_EQ(parser.counters().skipped_bytes, 0U);
-  if (!board::is_documented<Request>) {
+  if (!emulator::is_documented<Request>) {
     EXPECT_EQ(answers + confirmations, 0U);
     return;
   }
-  EXPECT_EQ(answers, exchange.answer_required ? 1U : 0U);
-  const bool confirms = exchange.replies.confirmed == Confirmed::always ||
-                        exchange.replies.confirmed == Confirmed::possible;
-  EXPECT_EQ(confirmations, confirms ? exchange.confirmations : 0U);
+  EXPECT_EQ(answers, policy.response_required ? 1U : 0U);
+  const bool confirms = policy.responses.confirmed == Confirmed::always ||
+                        policy.responses.confirmed == Confirmed::possible;
+  EXPECT_EQ(confirmations, confirms ? policy.confirmations : 0U);
 }
 
 TEST(DefaultAnswer, FitsTheModelForEveryRequest) {

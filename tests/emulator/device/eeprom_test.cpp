@@ -108,10 +108,11 @@ TEST(Record, HoldsABodyOfAnySize) {
   Memory memory;
   Eeprom eeprom(memory);
   for (std::size_t size = 0; size <= 255; ++size) {
-    ASSERT_TRUE(write_record(eeprom, 640, {msg::CommandId::read_params_3, 2}, numbered(size)));
-    EXPECT_EQ(read_record(eeprom, 640, {msg::CommandId::read_params_3, 2}), numbered(size));
+    ASSERT_TRUE(
+        write_record(eeprom, 640, {msg::CommandFromBoard::read_params_3, 2}, numbered(size)));
+    EXPECT_EQ(read_record(eeprom, 640, {msg::CommandFromBoard::read_params_3, 2}), numbered(size));
   }
-  EXPECT_FALSE(write_record(eeprom, 640, {msg::CommandId::read_params_3, 2}, numbered(256)));
+  EXPECT_FALSE(write_record(eeprom, 640, {msg::CommandFromBoard::read_params_3, 2}, numbered(256)));
 }
 
 TEST(Record, TakesNoMoreThanItsPlace) {
@@ -119,7 +120,8 @@ TEST(Record, TakesNoMoreThanItsPlace) {
   Eeprom eeprom(memory);
   const std::size_t size = sbgc::emulator::record_size();
   EXPECT_EQ(size % Eeprom::page_size(), 0);
-  ASSERT_TRUE(write_record(eeprom, size, {msg::CommandId::read_params_3, 0}, ByteVector(255, 0)));
+  ASSERT_TRUE(
+      write_record(eeprom, size, {msg::CommandFromBoard::read_params_3, 0}, ByteVector(255, 0)));
   EXPECT_EQ(eeprom.bytes(size - 1, 1).front(), 0xFF);
   EXPECT_EQ(eeprom.bytes(2 * size, 1).front(), 0xFF);
 }
@@ -127,30 +129,30 @@ TEST(Record, TakesNoMoreThanItsPlace) {
 TEST(Record, ErasedOrEmptyMemoryIsNone) {
   Memory memory;
   const Eeprom eeprom(memory);
-  EXPECT_FALSE(read_record(eeprom, 0, {static_cast<msg::CommandId>(0xFF), 0xFF}));
+  EXPECT_FALSE(read_record(eeprom, 0, {static_cast<msg::CommandFromBoard>(0xFF), 0xFF}));
   std::ranges::fill(memory.eeprom, 0);
-  EXPECT_FALSE(read_record(eeprom, 0, {static_cast<msg::CommandId>(0), 0}));
+  EXPECT_FALSE(read_record(eeprom, 0, {static_cast<msg::CommandFromBoard>(0), 0}));
 }
 
 TEST(Record, IsNoneForAnotherMessageOrCopy) {
   Memory memory;
   Eeprom eeprom(memory);
-  ASSERT_TRUE(write_record(eeprom, 0, {msg::CommandId::read_params_3, 1}, numbered(20)));
-  EXPECT_FALSE(read_record(eeprom, 0, {msg::CommandId::read_params_3, 2}));
-  EXPECT_FALSE(read_record(eeprom, 0, {msg::CommandId::read_params_ext, 1}));
+  ASSERT_TRUE(write_record(eeprom, 0, {msg::CommandFromBoard::read_params_3, 1}, numbered(20)));
+  EXPECT_FALSE(read_record(eeprom, 0, {msg::CommandFromBoard::read_params_3, 2}));
+  EXPECT_FALSE(read_record(eeprom, 0, {msg::CommandFromBoard::read_params_ext, 1}));
 }
 
 TEST(Record, EveryChangedBitIsNoticed) {
   Memory memory;
   Eeprom eeprom(memory);
   constexpr std::size_t written = 3 + 40 + 4;
-  ASSERT_TRUE(write_record(eeprom, 0, {msg::CommandId::read_params_3, 1}, numbered(40)));
+  ASSERT_TRUE(write_record(eeprom, 0, {msg::CommandFromBoard::read_params_3, 1}, numbered(40)));
   for (std::size_t bit = 0; bit < 8 * written; ++bit) {
     memory.eeprom[bit / 8] ^= static_cast<std::uint8_t>(1U << bit % 8);
-    EXPECT_FALSE(read_record(eeprom, 0, {msg::CommandId::read_params_3, 1})) << bit;
+    EXPECT_FALSE(read_record(eeprom, 0, {msg::CommandFromBoard::read_params_3, 1})) << bit;
     memory.eeprom[bit / 8] ^= static_cast<std::uint8_t>(1U << bit % 8);
   }
-  EXPECT_TRUE(read_record(eeprom, 0, {msg::CommandId::read_params_3, 1}));
+  EXPECT_TRUE(read_record(eeprom, 0, {msg::CommandFromBoard::read_params_3, 1}));
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ TEST(Tuning, TheGainFactorIsForAllGains) {
   Parameters parameters(memory);
   const AxisTuning before = tuning(parameters).axes.pitch;
   auto more = parameters.of<msg::ReadParamsExt2>();
-  more.pid_gain.pitch = msg::PidGain::from_value(2);
+  more.pid_gain.pitch = *msg::PidGain::from_value(2);
   ASSERT_TRUE(parameters.write(0, more));
   const AxisTuning after = tuning(parameters).axes.pitch;
   EXPECT_NEAR(after.p, 2 * before.p, 1e-9);

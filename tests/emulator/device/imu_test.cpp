@@ -42,7 +42,7 @@ TEST(GyroCorrection, ChangesTheDrift) {
   options.gimbal.noise = 0;
   Host plain(options), corrected(options);
   msg::GyroCorrection request{.imu_type = msg::ImuIndex::main,
-                              .gyro_zero_heading_corr = msg::GyroOffset::from_gyro_units(4)};
+                              .gyro_zero_heading_corr = 4_gyro_unit};
   EXPECT_TRUE(is_confirmed(corrected, request));
   plain.ask(msg::SelectImu3{.imu_type = msg::SelectedImu::main});
   for (Host* host : {&plain, &corrected}) host->listen(seconds(60));

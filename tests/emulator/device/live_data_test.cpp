@@ -59,9 +59,9 @@ TEST(LiveData, EachAxisShowsItsOwnTurning) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     Host host(still());
     msg::ControlExt turn;
-    context.control_mode[axis].set_mode(msg::ControlModeKind::speed);
-    context.axes[axis].speed = msg::ControlSpeed::from_degrees_per_second(20);
-    host.ask(context);
+    turn.control_mode[axis].set_mode(msg::ControlModeKind::speed);
+    turn.axes[axis].speed = 20_deg_per_s;
+    host.ask(turn);
     host.listen(milliseconds(400));
     const auto data = host.get<msg::RealtimeData3>(msg::RealtimeData3Request{}, milliseconds(2));
     for (std::size_t other = 0; other < 3; ++other) {
@@ -144,7 +144,7 @@ TEST(LiveData, AFrameImuThatIsDisabledIsNone) {
                                          .action = msg::CalibAction::regular}),
               SizeIs(0));
   const msg::CalibInfoRequest info{.imu_type = msg::SelectedImu::frame};
-  EXPECT_EQ(host.get<msg::ErrorExt>(info).cmd_id, msg::CommandId::calib_info);
+  EXPECT_EQ(host.get<msg::ErrorExt>(info).cmd_id, msg::CommandToBoard::calib_info);
   put_frame_imu(host, msg::FrameImuPosition::above_yaw);
   EXPECT_NEAR(frame(), -8, 0.5);
   EXPECT_THAT(host.ask(msg::SelectImu3{.imu_type = msg::SelectedImu::frame}), SizeIs(1));
@@ -154,14 +154,15 @@ TEST(LiveData, AFramesAttitudeThatIsToldIsKnownWithoutItsImu) {
   Host host(still());
   put_frame_imu(host, msg::FrameImuPosition::disabled);
   const msg::AhrsHelperRequest get{.mode = msg::AhrsHelperModeBit::frame_imu};
-  EXPECT_EQ(host.get<msg::ErrorExt>(get).cmd_id, msg::CommandId::ahrs_helper);
+  EXPECT_EQ(host.get<msg::ErrorExt>(get).cmd_id, msg::CommandToBoard::ahrs_helper);
   const auto told = frame_attitude(0, 30);
   host.ask(told, milliseconds(5));
   const auto known = host.get<msg::AhrsHelper>(get);
   EXPECT_NEAR(static_cast<double>(known.z1_vector.y), -0.5, 0.01);
   EXPECT_NEAR(static_cast<double>(known.z1_vector.z), 0.866, 0.01);
   host.listen(seconds(2));
-  EXPECT_EQ(host.get<msg::ErrorExt>(get).cmd_id, msg::CommandId::ahrs_helper) << "that is long ago";
+  EXPECT_EQ(host.get<msg::ErrorExt>(get).cmd_id, msg::CommandToBoard::ahrs_helper)
+      << "that is long ago";
 }
 
 TEST(LiveData, TheBatteryIsWatched) {
@@ -172,14 +173,14 @@ TEST(LiveData, TheBatteryIsWatched) {
     return host.get<msg::RealtimeData3>(msg::RealtimeData3Request{}).system_error;
   };
   auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
-  parameters.bat_threshold_alarm = msg::VoltageThreshold::from_volts(14);
-  parameters.bat_threshold_motors = msg::VoltageThreshold::from_volts(12);
+  parameters.bat_threshold_alarm = 14_V;
+  parameters.bat_threshold_motors = 12_V;
   host.ask(msg::WriteParams3{parameters});
   EXPECT_EQ(errors(15.5).raw(), 0);
   EXPECT_EQ(errors(13), msg::SystemErrors(msg::SystemError::low_bat1));
   EXPECT_EQ(errors(11), msg::SystemError::low_bat1 | msg::SystemError::low_bat2);
-  parameters.bat_threshold_alarm = msg::VoltageThreshold::from_volts(-14);
-  parameters.bat_threshold_motors = msg::VoltageThreshold::from_volts(-12);
+  parameters.bat_threshold_alarm = -14_V;
+  parameters.bat_threshold_motors = -12_V;
   host.ask(msg::WriteParams3{parameters});
   host.ask(msg::MotorsOn{});
   EXPECT_EQ(errors(11).raw(), 0) << "negative thresholds are none";
@@ -204,8 +205,7 @@ TEST(LiveData, ABoardWithoutAMeterDoesNotWatchTheBattery) {
   host.listen(seconds(1));
   EXPECT_TRUE(host.board.gimbal().motors_on());
   EXPECT_EQ(host.get<msg::RealtimeData3>(msg::RealtimeData3Request{}).system_error.raw(), 0);
-  EXPECT_EQ(host.get<msg::ErrorExt>(msg::CalibBat{*msg::Voltage::from_volts(9)}).cmd_id,
-            msg::CommandId::calib_bat);
+  EXPECT_EQ(host.get<msg::ErrorExt>(msg::CalibBat{9_V}).cmd_id, msg::CommandToBoard::calib_bat);
 }
 
 TEST(LiveData, CustomBlocksAreThoseOfTheRequest) {
@@ -247,7 +247,7 @@ TEST(LiveData, WithoutAFrameImuNothingIsKnownOfTheFrame) {
   EXPECT_EQ(data.bat_level.raw(), 0);
   EXPECT_EQ(data.current.raw(), 0);
   const msg::AhrsHelperRequest of_frame{.mode = msg::AhrsHelperModeBit::frame_imu};
-  EXPECT_EQ(host.get<msg::ErrorExt>(of_frame).cmd_id, msg::CommandId::ahrs_helper);
+  EXPECT_EQ(host.get<msg::ErrorExt>(of_frame).cmd_id, msg::CommandToBoard::ahrs_helper);
 }
 
 double length(const Xyz<float>& v) {
@@ -360,7 +360,7 @@ TEST(LiveData, AnAttitudeThatIsNoneIsRefused) {
   msg::AhrsHelperRequestExt set;
   set.mode = msg::AhrsHelperModeBit::set;
   set.z1_vector = {0, 0, 1};
-  EXPECT_EQ(host.get<msg::ErrorExt>(set).cmd_id, msg::CommandId::ahrs_helper) << "no heading";
+  EXPECT_EQ(host.get<msg::ErrorExt>(set).cmd_id, msg::CommandToBoard::ahrs_helper) << "no heading";
   set.mode = msg::AhrsHelperModeBit::set | msg::AhrsHelperModeBit::z1_only;
   EXPECT_THAT(host.ask(set), SizeIs(0));
   set.z1_vector = {0, 0, NAN};

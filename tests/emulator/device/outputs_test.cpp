@@ -116,15 +116,11 @@ TEST(Pins, AreForgottenByARestart) {
 
 TEST(Servos, PulsesMustFitIntoThePeriod) {
   Host host;
-  change(host, [](msg::ReadParams3& parameters) {
-    parameters.servo_rate = msg::ServoRate::from_hertz(400);
-  });
+  change(host, [](msg::ReadParams3& parameters) { parameters.servo_rate = 400_Hz; });
   EXPECT_TRUE(is_confirmed(host, servos(2499)));
   EXPECT_EQ(refusal(host, servos(2500)), msg::BoardErrorCode::wrong_params);
   EXPECT_EQ(refusal(host, servos(0, 2500)), msg::BoardErrorCode::wrong_params);
-  change(host, [](msg::ReadParams3& parameters) {
-    parameters.servo_rate = msg::ServoRate::from_hertz(50);
-  });
+  change(host, [](msg::ReadParams3& parameters) { parameters.servo_rate = 50_Hz; });
   EXPECT_TRUE(is_confirmed(host, servos(19999)));
   EXPECT_EQ(refusal(host, servos(20000)), msg::BoardErrorCode::wrong_params);
 }
@@ -150,8 +146,7 @@ TEST(Sounds, AStandardSoundIsShort) {
 
 TEST(Sounds, AMelodyIsAsLongAsItsNotes) {
   Host host;
-  msg::BeepSound melody{.mode = msg::BeepMode::custom_melody,
-                        .note_length = *msg::NoteLength::from_milliseconds(400)};
+  msg::BeepSound melody{.mode = msg::BeepMode::custom_melody, .note_length = 400_ms};
   constexpr std::array<std::uint16_t, 5> notes{987, 987, msg::BeepSound::pause, 1174, 1567};
   for (const std::uint16_t note : notes) {
     melody.note_freq_hz.push_back(msg::NoteFrequency(note));

@@ -144,7 +144,7 @@ TEST(Saving, AProfileThatIsSelectedWaits) {
 TEST(Saving, SamplesOfAStreamComeBehindTheConfirmation) {
   Rig rig;
   msg::DataStreamInterval stream;
-  stream.cmd_id = msg::CommandId::realtime_data_3;
+  stream.cmd_id = msg::CommandFromBoard::realtime_data_3;
   stream.interval_ms = msg::Milliseconds(10);
   EXPECT_GT(rig.host.ask(stream, milliseconds(200)).size(), 10U);
   rig.host.ask(data(1));

@@ -16,7 +16,7 @@ namespace {
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-msg::DataStreamInterval stream(msg::CommandId command, int interval_ms) {
+msg::DataStreamInterval stream(msg::CommandFromBoard command, int interval_ms) {
   msg::DataStreamInterval request;
   request.cmd_id = command;
   request.interval_ms = msg::Milliseconds(static_cast<std::uint16_t>(interval_ms));
@@ -24,7 +24,7 @@ msg::DataStreamInterval stream(msg::CommandId command, int interval_ms) {
 }
 
 msg::DataStreamInterval custom_stream(msg::RealtimeDataCustomFlags flags, int interval_ms) {
-  auto request = stream(msg::CommandId::realtime_data_custom, interval_ms);
+  auto request = stream(msg::CommandFromBoard::realtime_data_custom, interval_ms);
   request.config.flags = flags;
   return request;
 }
@@ -57,10 +57,10 @@ TEST(Streams, AreSampledAtTheirTimeHoweverLateTheBoardIsAsked) {
   for (Packets* packets : {&in_time, &late}) {
     Host host(options);
     host.send(custom_stream(msg::RealtimeDataCustomFlag::imu_angles, 10));
-    host.send(stream(msg::CommandId::realtime_data_4, 33));
+    host.send(stream(msg::CommandFromBoard::realtime_data_4, 33));
     msg::Control control;
     control.control_mode.set_mode(msg::ControlModeKind::speed);
-    control.axes.pitch.speed = msg::ControlSpeed::from_degrees_per_second(20);
+    control.axes.pitch.speed = 20_deg_per_s;
     host.send(control);
     if (packets == &late) host.board.advance(host.now + seconds(3));
     *packets = host.listen(seconds(3));
@@ -109,21 +109,21 @@ TEST(Streams, AreLimitedOverAllPorts) {
     const auto packets = host.ask(custom_stream(flags, 60'000));
     ASSERT_THAT(all<msg::Confirm>(packets), SizeIs(1));
   }
-  EXPECT_TRUE(is_error(host.ask(stream(msg::CommandId::realtime_data_3, 60'000))));
+  EXPECT_TRUE(is_error(host.ask(stream(msg::CommandFromBoard::realtime_data_3, 60'000))));
   host.port = first;
   EXPECT_FALSE(is_error(host.ask(custom_stream(msg::RealtimeDataCustomFlags(0), 50'000))))
       << "a change";
   host.board.close_port(first);
   host.port = other;
-  EXPECT_FALSE(is_error(host.ask(stream(msg::CommandId::realtime_data_3, 60'000))))
+  EXPECT_FALSE(is_error(host.ask(stream(msg::CommandFromBoard::realtime_data_3, 60'000))))
       << "there is room";
 }
 
 TEST(Streams, OnlySomeCommandsCanStream) {
   Host host;
-  EXPECT_TRUE(is_error(host.ask(stream(msg::CommandId::get_angles, 10))));
-  EXPECT_TRUE(is_error(host.ask(stream(msg::CommandId::read_params_3, 10))));
-  auto attitude = stream(msg::CommandId::ahrs_helper, 100);
+  EXPECT_TRUE(is_error(host.ask(stream(msg::CommandFromBoard::get_angles, 10))));
+  EXPECT_TRUE(is_error(host.ask(stream(msg::CommandFromBoard::read_params_3, 10))));
+  auto attitude = stream(msg::CommandFromBoard::ahrs_helper, 100);
   attitude.config.imu_type = msg::ImuIndex::frame;
   host.ask(attitude, microseconds(800));
   EXPECT_THAT(all<msg::AhrsHelper>(host.listen(seconds(1))), SizeIs(10));
@@ -131,21 +131,21 @@ TEST(Streams, OnlySomeCommandsCanStream) {
 
 TEST(Streams, NeedAnImuThatThereIs) {
   Host host;
-  auto attitude = stream(msg::CommandId::ahrs_helper, 100);
+  auto attitude = stream(msg::CommandFromBoard::ahrs_helper, 100);
   attitude.config.imu_type = msg::ImuIndex{2};
   EXPECT_TRUE(is_error(host.ask(attitude)));
 }
 
 TEST(Streams, EndWithARestart) {
   Host host;
-  host.ask(stream(msg::CommandId::realtime_data_3, 10));
+  host.ask(stream(msg::CommandFromBoard::realtime_data_3, 10));
   host.ask(msg::ResetRequest{}, seconds(1));
   EXPECT_THAT(host.listen(seconds(1)), IsEmpty());
 }
 
 TEST(Streams, AnswersGoOnBesideThem) {
   Host host;
-  host.ask(stream(msg::CommandId::realtime_data_4, 1));
+  host.ask(stream(msg::CommandFromBoard::realtime_data_4, 1));
   EXPECT_THAT(all<msg::BoardInfo>(host.ask(msg::BoardInfoRequest{})), SizeIs(1));
 }
 

@@ -1,85 +1,25 @@
 // A board behind its lines: rates, backpressure, restarts, and that calling more often changes
 // nothing.
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <sbgc/emulator/emulator.hpp>
-#include <sbgc/message.hpp>
 #include <sbgc/messages/parameters.hpp>
-#include <sbgc/messages/realtime.hpp>
 #include <sbgc/messages/system.hpp>
-#include <sbgc/parser.hpp>
 
+#include "emulator_rig.hpp"
 #include "physics/noise.hpp"
 
-namespace sbgc::emulator {
+namespace sbgc::emulator::test {
 namespace {
-
-using Bytes = std::vector<std::uint8_t>;
-
-template <Message M>
-Bytes frame_of(const M& message) {
-  std::array<std::uint8_t, max_frame_size> frame{};
-  const std::size_t size = encode_frame(message, frame).size;
-  return {frame.begin(), frame.begin() + static_cast<std::ptrdiff_t>(size)};
-}
-
-Bytes stream_of(std::uint16_t interval_ms) {
-  msg::DataStreamInterval request;
-  request.cmd_id = msg::CommandId::realtime_data_4;
-  request.interval_ms = msg::Milliseconds(interval_ms);
-  return frame_of(request);
-}
-
-constexpr std::size_t sample_size = Framing::frame_size(msg::RealtimeData4::max_size);
-
-/// One host on one port.
-struct Bench {
-  explicit Bench(const EmulatorOptions& options = {}, bool is_usb = false)
-      : emulator(options, {}, now), port(emulator.connect(is_usb, now).value()) {
-    listen(seconds(1));
-  }
-
-  /// What comes meanwhile.
-  Bytes listen(Duration duration, Duration step = milliseconds(10)) {
-    Bytes result;
-    const Instant end = now + duration;
-    while (now < end) {
-      now = earlier(end, now + step);
-      emulator.advance(now);
-      const auto arrived = emulator.to_host(port);
-      result.insert(result.end(), arrived.begin(), arrived.end());
-      emulator.take(port, arrived.size(), now);
-    }
-    return result;
-  }
-
-  void send(const Bytes& bytes) { emulator.from_host(port, bytes, now); }
-
-  Instant now{};
-  Emulator emulator;
-  std::size_t port;
-};
-
-std::size_t frames_in(const Bytes& bytes, msg::CommandId id) {
-  std::size_t result = 0;
-  Parser parser;
-  parser.feed(bytes, [&](const Frame& frame) {
-    result += frame.id == static_cast<std::uint8_t>(id) ? 1U : 0U;
-  });
-  return result;
-}
 
 TEST(Emulator, AnswersOverALine) {
   Bench bench;
   bench.send(frame_of(msg::BoardInfoRequest{}));
-  EXPECT_EQ(frames_in(bench.listen(milliseconds(100)), msg::CommandId::board_info), 1U);
+  EXPECT_EQ(frames_in(bench.listen(milliseconds(100)), msg::CommandFromBoard::board_info), 1U);
 }
 
 TEST(Emulator, TheLineTakesItsTime) {
@@ -90,11 +30,11 @@ TEST(Emulator, TheLineTakesItsTime) {
   // 5 bytes there and 23 back take 29 ms, whatever the board needs.
   EXPECT_TRUE(bench.listen(milliseconds(6), milliseconds(1)).empty());
   const Bytes early = bench.listen(milliseconds(20), milliseconds(1));
-  EXPECT_EQ(frames_in(early, msg::CommandId::board_info), 0U);
+  EXPECT_EQ(frames_in(early, msg::CommandFromBoard::board_info), 0U);
   Bytes all = early;
   const Bytes rest = bench.listen(milliseconds(60));
   all.insert(all.end(), rest.begin(), rest.end());
-  EXPECT_EQ(frames_in(all, msg::CommandId::board_info), 1U);
+  EXPECT_EQ(frames_in(all, msg::CommandFromBoard::board_info), 1U);
 }
 
 TEST(Emulator, AStreamThatTheLineCarriesKeepsItsRate) {
@@ -102,9 +42,9 @@ TEST(Emulator, AStreamThatTheLineCarriesKeepsItsRate) {
   options.line.board.baud_rate = 115200;
   Bench bench(options);
   bench.send(stream_of(20));
-  EXPECT_NEAR(
-      static_cast<double>(frames_in(bench.listen(seconds(60)), msg::CommandId::realtime_data_4)),
-      3000, 3);
+  EXPECT_NEAR(static_cast<double>(
+                  frames_in(bench.listen(seconds(60)), msg::CommandFromBoard::realtime_data_4)),
+              3000, 3);
 }
 
 TEST(Emulator, AStreamThatTheLineDoesNotCarryFillsIt) {
@@ -115,7 +55,7 @@ TEST(Emulator, AStreamThatTheLineDoesNotCarryFillsIt) {
   bench.listen(seconds(2));
   const Bytes got = bench.listen(seconds(60));
   EXPECT_NEAR(static_cast<double>(got.size()), 960 * 60, 200);
-  EXPECT_NEAR(static_cast<double>(frames_in(got, msg::CommandId::realtime_data_4)),
+  EXPECT_NEAR(static_cast<double>(frames_in(got, msg::CommandFromBoard::realtime_data_4)),
               960.0 * 60 / sample_size, 3);
   EXPECT_GT(bench.emulator.board().counters().skipped, 2000U);
 }
@@ -130,7 +70,7 @@ TEST(Emulator, AHostThatDoesNotListenHoldsTheBoardUp) {
   EXPECT_GT(bench.emulator.board().counters().skipped, 5000U);
   // It goes on as if nothing had been when it listens again: whole frames.
   const Bytes got = bench.listen(seconds(1));
-  EXPECT_GT(frames_in(got, msg::CommandId::realtime_data_4), 500U);
+  EXPECT_GT(frames_in(got, msg::CommandFromBoard::realtime_data_4), 500U);
   Parser parser;
   parser.feed(got, [](const Frame&) {});
   EXPECT_EQ(parser.counters().skipped_bytes, 0U);
@@ -219,7 +159,7 @@ TEST(Emulator, IsQuietWhenAllThatWasAskedHasBeenTaken) {
     got.insert(got.end(), more.begin(), more.end());
     ASSERT_LT(bench.now, Instant{} + seconds(5));
   }
-  EXPECT_EQ(frames_in(got, msg::CommandId::board_info), 1U);
+  EXPECT_EQ(frames_in(got, msg::CommandFromBoard::board_info), 1U);
   // What has arrived and is not taken is not quiet.
   bench.send(frame_of(msg::BoardInfoRequest{}));
   bench.now = bench.now + seconds(1);
@@ -244,8 +184,8 @@ TEST(Emulator, StreamsAndTextEndWithTheInput) {
     got.insert(got.end(), more.begin(), more.end());
     ASSERT_LT(bench.now, Instant{} + seconds(10));
   }
-  EXPECT_EQ(frames_in(got, msg::CommandId::board_info), 1U);
-  EXPECT_EQ(frames_in(got, msg::CommandId::confirm), 1U);
+  EXPECT_EQ(frames_in(got, msg::CommandFromBoard::board_info), 1U);
+  EXPECT_EQ(frames_in(got, msg::CommandFromBoard::confirm), 1U);
   EXPECT_TRUE(bench.listen(seconds(10)).empty());
 }
 
@@ -258,7 +198,7 @@ TEST(Emulator, IsNotQuietWhileAFrameHasBegun) {
   bench.send(frame_of(msg::BoardInfoRequest{}));
   bench.listen(milliseconds(50));
   EXPECT_FALSE(bench.emulator.is_quiet(bench.port));
-  EXPECT_EQ(frames_in(bench.listen(milliseconds(100)), msg::CommandId::board_info), 1U);
+  EXPECT_EQ(frames_in(bench.listen(milliseconds(100)), msg::CommandFromBoard::board_info), 1U);
   EXPECT_TRUE(bench.emulator.is_quiet(bench.port));
 }
 
@@ -278,7 +218,7 @@ TEST(Emulator, ARestartInTheMiddleOfAFrameEndsItForTheLine) {
   bench.listen(seconds(3));
   EXPECT_GE(texts(), before + 2) << "it goes on";
   bench.send(frame_of(msg::BoardInfo3Request{}));
-  EXPECT_EQ(frames_in(bench.listen(seconds(3)), msg::CommandId::board_info_3), 1U)
+  EXPECT_EQ(frames_in(bench.listen(seconds(3)), msg::CommandFromBoard::board_info_3), 1U)
       << "and in no frame";
 }
 
@@ -290,10 +230,10 @@ TEST(Emulator, TheRateOfTheSettings) {
   EXPECT_EQ(bench.emulator.line().baud_rate, bench.emulator.board().baud_rate());
   bench.emulator.set_host_line(bench.port, LineSettings{9600}, bench.now);
   bench.send(frame_of(msg::BoardInfoRequest{}));
-  EXPECT_EQ(frames_in(bench.listen(seconds(1)), msg::CommandId::board_info), 0U);
+  EXPECT_EQ(frames_in(bench.listen(seconds(1)), msg::CommandFromBoard::board_info), 0U);
   bench.emulator.set_host_line(bench.port, bench.emulator.line(), bench.now);
   bench.send(frame_of(msg::BoardInfoRequest{}));
-  EXPECT_EQ(frames_in(bench.listen(seconds(1)), msg::CommandId::board_info), 1U);
+  EXPECT_EQ(frames_in(bench.listen(seconds(1)), msg::CommandFromBoard::board_info), 1U);
 }
 
 TEST(Emulator, ANewRateOfTheSettingsHoldsFromTheNextStartOn) {
@@ -317,9 +257,9 @@ TEST(Emulator, ANewRateOfTheSettingsHoldsFromTheNextStartOn) {
   // On the port that has a rate an answer takes 29 ms, on USB one cycle.
   bench.send(frame_of(msg::BoardInfoRequest{}));
   bench.emulator.from_host(usb, frame_of(msg::BoardInfoRequest{}), bench.now);
-  EXPECT_EQ(frames_in(bench.listen(milliseconds(20)), msg::CommandId::board_info), 0U);
+  EXPECT_EQ(frames_in(bench.listen(milliseconds(20)), msg::CommandFromBoard::board_info), 0U);
   const auto over_usb = bench.emulator.to_host(usb);
-  EXPECT_EQ(frames_in({over_usb.begin(), over_usb.end()}, msg::CommandId::board_info), 1U);
+  EXPECT_EQ(frames_in({over_usb.begin(), over_usb.end()}, msg::CommandFromBoard::board_info), 1U);
 }
 
 TEST(Emulator, ConnectionsHaveFaultsOfTheirOwn) {
@@ -343,9 +283,9 @@ TEST(Emulator, UsbHasNoRate) {
   options.line.board.baud_rate = 9600;
   Bench bench(options, true);
   bench.send(stream_of(20));
-  EXPECT_NEAR(
-      static_cast<double>(frames_in(bench.listen(seconds(5)), msg::CommandId::realtime_data_4)),
-      250, 3);
+  EXPECT_NEAR(static_cast<double>(
+                  frames_in(bench.listen(seconds(5)), msg::CommandFromBoard::realtime_data_4)),
+              250, 3);
 }
 
 TEST(Emulator, RestartsWhenItIsTold) {
@@ -405,4 +345,4 @@ TEST(Emulator, CallingMoreOftenChangesNothing) {
 }
 
 }  // namespace
-}  // namespace sbgc::emulator
+}  // namespace sbgc::emulator::test

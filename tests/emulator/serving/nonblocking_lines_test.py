@@ -70,7 +70,7 @@ def test_a_reader_of_its_output_that_stalls(kind: str) -> None:
         host = Connection(line.decode().strip().partition(": ")[2])
         ask_often(host)
         ask_often(host)
-        # What could not be told is told of when there is room again.
+        # Lines that were left out are reported when there is room again.
         lines = os.read(reader, 65536)
         end = time.monotonic() + PATIENCE
         while b"lines were left out" not in lines:

@@ -1,4 +1,4 @@
-// A pseudo-terminal that does not work any more.
+// A pseudo-terminal that no longer works.
 
 #include <array>
 #include <chrono>

@@ -140,6 +140,7 @@ CASES: dict[str, Case] = {
         [
             ("Mode:\n    type: u8", "Mode:\n    type: u16"),
             ("type: Mode, summary: What to do.", "summary: What to do."),
+            ("    main: mode\n", ""),
         ],
         WIRE,
         "enum Mode: type: u8 → u16",
@@ -454,6 +455,11 @@ CASES: dict[str, Case] = {
         [("name: level", "name: amount")],
         SOURCE,
         "packed Setup.level: name: level → amount",
+    ),
+    "main part taken away": (
+        [("    main: mode\n", "")],
+        SOURCE,
+        "packed Setup: main part: mode → none",
     ),
     "index instead of a number": (
         [('"axes[axis]"', '"axes[3]"')],

@@ -149,7 +149,7 @@ def test_what_is_written_is_what_was_read_but_for_the_example(tmp_path: Path) ->
     assert example.changed == {"volume", "limits[0].min"}
     (code,) = codes_of(example)
     lines = code.text.splitlines()
-    assert "sbgc::Write message{read};" in lines
+    assert "sbgc::msg::Write message{read};" in lines
     assert [line for line in lines if line.startswith("message.")] == [
         "message.volume = 0;",
         "message.limits[0].min = -30;",

@@ -20,19 +20,19 @@ struct BoardOptions {
   Bytes<12> mcu_id{{'e', 'm', 'u', 'l', 'a', 't', 'e', 'd', 0, 0, 0, 1}};
   bool has_frame_imu = true;
   Gimbal::Options gimbal{};
-  /// Room for requests that wait; one that does not fit is lost whole. 0: a megabyte, more than a
-  /// host sends that listens to answers.
+  /// Size of the request queue; a request that does not fit is lost whole. 0: one megabyte, more
+  /// than a host that waits for responses ever fills.
   std::size_t input_buffer = 0;
-  /// Room for what waits to be sent: answers wait until they fit, samples of streams are left out.
-  /// 0: not limited.
+  /// Size of the output buffer: responses wait until they fit, samples of streams are skipped. 0:
+  /// unlimited.
   std::size_t output_buffer = 1024;
   /// From a restart until the board listens again.
   Duration start_time = milliseconds(500);
   /// How long the bootloader waits for firmware before it starts the board again.
   Duration bootloader_time = seconds(5);
-  /// Calibrations take this share of a real board's time, in percent.
+  /// Duration of calibrations, in percent of a real board's.
   unsigned calibration_time = 100;
-  /// What tells a host of a change to the memory waits until Board::memory_saved() is called.
+  /// Frames that report a change of the memory wait until Board::memory_saved() is called.
   bool waits_for_saving = false;
 };
 

@@ -1,4 +1,4 @@
-/// What a UART hears on a line whose sender may have other settings.
+/// What a UART receives on a line whose sender may have other settings.
 #pragma once
 
 #include <bit>
@@ -11,9 +11,9 @@
 
 namespace sbgc::emulator {
 
-/// The receiving half of a UART. It is told the levels on the line, one for each bit of the sender,
-/// and samples them with its own rate: 16 ticks to a bit, each bit in its middle. It drops bytes
-/// without a stop bit or with a wrong parity.
+/// The receiving half of a UART. It gets the levels on the line, one per bit of the sender, and
+/// samples them at its own rate: 16 ticks per bit, each bit in its middle. It drops bytes without a
+/// stop bit or with a wrong parity.
 class UartReceiver {
  public:
   /// Precondition: neither rate is 0.
@@ -22,8 +22,8 @@ class UartReceiver {
         tick_(sender.baud_rate),
         has_parity_(receiver.parity == Parity::even) {}
 
-  /// The line has this level for one bit of the sender. The byte that has been received by then, if
-  /// any: it takes a start bit and a stop bit, so that there is never more than one.
+  /// Sets the level of the line for one bit of the sender. Returns the byte received by then, if
+  /// any; start and stop bit make sure that there is at most one.
   constexpr Optional<std::uint8_t> hear(bool level) noexcept {
     Optional<std::uint8_t> result;
     while (due_ < bit_) {
@@ -39,7 +39,7 @@ class UartReceiver {
     return result;
   }
 
-  /// Nothing has begun: an idle line would not change that.
+  /// Whether no byte has begun.
   constexpr bool is_idle() const noexcept { return step_ == Step::search; }
 
  private:

@@ -86,7 +86,7 @@ struct Meta<msg::SetAdjVarsVal> {
       .direction = Direction::both,
       .min_size = 1,
       .max_size = 201,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::sets) | Effect::moves};
   static constexpr Range num_vars_range{1, 40};
   static constexpr FieldInfo fields[] = {
@@ -119,7 +119,7 @@ struct Meta<msg::GetAdjVarsVal> {
       .direction = Direction::to_board,
       .min_size = 1,
       .max_size = 41,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range num_vars_range{1, 40};
@@ -151,7 +151,7 @@ struct Meta<msg::ReadAdjVarsCfg> {
       .direction = Direction::from_board,
       .min_size = 128,
       .max_size = 128,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "trigger_slots",
        .spec_name = "trigger_slots",
@@ -186,7 +186,7 @@ struct Meta<msg::ReadAdjVarsCfgRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
@@ -206,7 +206,7 @@ struct Meta<msg::AdjVarsState> {
       .direction = Direction::from_board,
       .min_size = 15,
       .max_size = 15,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr Range trigger_rc_data_range{-500, 500};
   static constexpr Range trigger_action_range{0, 255};
   static constexpr Range analog_rc_data_range{-500, 500};
@@ -257,7 +257,7 @@ struct Meta<msg::AdjVarsStateRequest> {
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 2,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
@@ -288,7 +288,7 @@ struct Meta<msg::AdjVarsStateRequestExt> {
       .direction = Direction::to_board,
       .min_size = 7,
       .max_size = 7,
-      .since = {2625, 0},
+      .since = {.firmware = 2625},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
@@ -314,7 +314,7 @@ struct Meta<msg::WriteAdjVarsCfg> : Meta<msg::ReadAdjVarsCfg> {
       .direction = Direction::to_board,
       .min_size = 128,
       .max_size = 128,
-      .since = {0, 30},
+      .since = {.board = 30},
       .stores = "ReadAdjVarsCfg",
       .effects = Effects(Effect::stores) | Effect::moves};
 };

@@ -142,7 +142,7 @@ struct Meta<msg::CalibMag> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::stores)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -240,7 +240,7 @@ struct Meta<msg::CalibInfo> {
       .direction = Direction::from_board,
       .min_size = 33,
       .max_size = 33,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr Range progress_range{0, 100};
   static constexpr Range acc_cur_axis_range{0, 2};
   static constexpr Range imu_temp_cels_range{-127, 127};
@@ -357,7 +357,7 @@ struct Meta<msg::CalibInfoRequest> {
       .direction = Direction::to_board,
       .min_size = 12,
       .max_size = 12,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
@@ -388,7 +388,7 @@ struct Meta<msg::CalibMotorMagLink> {
       .direction = Direction::from_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -412,7 +412,7 @@ struct Meta<msg::CalibMotorMagLinkRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
@@ -437,7 +437,7 @@ struct Meta<msg::EncodersCalibOffset4> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::stores)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -456,7 +456,7 @@ struct Meta<msg::EncodersCalibFldOffset4> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::stores) | Effect::moves};
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -475,7 +475,7 @@ struct Meta<msg::AutoPid> {
       .direction = Direction::from_board,
       .min_size = 57,
       .max_size = 57,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "p",
        .spec_name = "P",
@@ -525,7 +525,7 @@ struct Meta<msg::AutoPidRequest> {
       .direction = Direction::to_board,
       .min_size = 19,
       .max_size = 19,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::stores) | Effect::moves};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special cfg_flags_special[] = {

@@ -138,7 +138,7 @@ struct Meta<msg::ControlExt> {
       .direction = Direction::to_board,
       .min_size = 15,
       .max_size = 15,
-      .since = {2555, 0},
+      .since = {.firmware = 2555},
       .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
       {.name = "control_mode",
@@ -211,7 +211,7 @@ struct Meta<msg::GetAnglesExt> {
       .direction = Direction::from_board,
       .min_size = 54,
       .max_size = 54,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "axes",
        .spec_name = "axes",
@@ -237,7 +237,7 @@ struct Meta<msg::GetAnglesExtRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
@@ -275,7 +275,7 @@ struct Meta<msg::MotorsOff> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .until = {2687, 0},
+      .until = {.firmware = 2687},
       .effects = Effects(Effect::moves)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -294,7 +294,7 @@ struct Meta<msg::MotorsOffExt> {
       .direction = Direction::to_board,
       .min_size = 1,
       .max_size = 1,
-      .since = {2687, 0},
+      .since = {.firmware = 2687},
       .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
       {.name = "mode",
@@ -418,7 +418,7 @@ struct Meta<msg::HelperDataExt> {
       .direction = Direction::to_board,
       .min_size = 20,
       .max_size = 20,
-      .since = {2590, 0},
+      .since = {.firmware = 2590},
       .effects = Effects(Effect::moves)};
   static constexpr Range frame_angle_roll_range{-32768, 32767};
   static constexpr Special frame_angle_roll_special[] = {

@@ -48,7 +48,7 @@ struct Meta<msg::DebugVarsInfo3> {
       .direction = Direction::from_board,
       .min_size = 1,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr Range debug_vars_num_range{1, 255};
   static constexpr FieldInfo fields[] = {
       {.name = "debug_vars_num",
@@ -80,7 +80,7 @@ struct Meta<msg::DebugVarsInfo3Request> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
@@ -100,7 +100,7 @@ struct Meta<msg::DebugVars3> {
       .direction = Direction::from_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "var_value",
        .spec_name = "VAR_VALUE",
@@ -126,7 +126,7 @@ struct Meta<msg::DebugVars3Request> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
 

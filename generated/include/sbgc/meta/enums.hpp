@@ -8,7 +8,7 @@
 namespace sbgc {
 
 template <>
-struct EnumMeta<msg::CommandId> {
+struct EnumMeta<msg::CommandToBoard> {
   static constexpr ValueInfo values[] = {
       {"CMD_BOARD_INFO_3", 20, "Serial numbers, memory and scripts of the board."},
       {"CMD_READ_PARAMS_3", 21, "Parameters of one profile and general parameters."},
@@ -45,7 +45,6 @@ struct EnumMeta<msg::CommandId> {
       {"CMD_FS_CLEAR_ALL", 55, "Delete all files."},
       {"CMD_AHRS_HELPER", 56, "Attitude of an IMU as two unit vectors."},
       {"CMD_RUN_SCRIPT", 57, "Start or stop a script."},
-      {"CMD_SCRIPT_DEBUG", 58, "Progress of a script started with debugging."},
       {"CMD_CALIB_MAG", 59, "Calibrate the magnetometer."},
       {"CMD_GET_ANGLES_EXT", 61, "Camera angles, targets and joint angles."},
       {"CMD_READ_PARAMS_EXT2", 62, "The third set of parameters of one profile."},
@@ -53,7 +52,6 @@ struct EnumMeta<msg::CommandId> {
       {"CMD_GET_ADJ_VARS_VAL", 64, "Request the values of adjustable variables."},
       {"CMD_CALIB_ACC", 65, "Calibrate an accelerometer."},
       {"CMD_CALIB_BAT", 66, "Calibrate the battery voltage measurement."},
-      {"CMD_CONFIRM", 67, "The board executed a command."},
       {"CMD_CONTROL", 67, "Move the camera."},
       {"CMD_REALTIME_DATA", 68, "Live data."},
       {"CMD_EXECUTE_MENU", 69, "Execute a menu action, as the menu button or the RC command channel does."},
@@ -80,9 +78,47 @@ struct EnumMeta<msg::CommandId> {
       {"CMD_MAVLINK_DEBUG", 251, "Undocumented; by its name, debugging of a MAVLink connection."},
       {"CMD_DEBUG_VARS_INFO_3", 253, "Names and types of the debug variables, in the order of CMD_DEBUG_VARS_3."},
       {"CMD_DEBUG_VARS_3", 254, "Values of the debug variables."},
+  };
+  static constexpr EnumInfo info{"CommandToBoard", values, false};
+};
+
+template <>
+struct EnumMeta<msg::CommandFromBoard> {
+  static constexpr ValueInfo values[] = {
+      {"CMD_BOARD_INFO_3", 20, "Serial numbers, memory and scripts of the board."},
+      {"CMD_READ_PARAMS_3", 21, "Parameters of one profile and general parameters."},
+      {"CMD_REALTIME_DATA_3", 23, "Live data."},
+      {"CMD_REALTIME_DATA_4", 25, "Live data with joint angles, currents and temperatures."},
+      {"CMD_READ_PROFILE_NAMES", 28, "Profile names."},
+      {"CMD_QUEUE_PARAMS_INFO_3", 30, "Undocumented; possibly describes the adjustable variables, the purpose of CMD_GET_PARAMS_3."},
+      {"CMD_SET_ADJ_VARS_VAL", 31, "Values of adjustable variables."},
+      {"CMD_READ_PARAMS_EXT", 33, "More parameters of one profile: filters, encoders, magnetometer."},
+      {"CMD_AUTO_PID", 35, "Tune the PID controllers automatically."},
+      {"CMD_I2C_READ_REG_BUF", 40, "Data from a device on an I2C bus."},
+      {"CMD_READ_EXTERNAL_DATA", 42, "User data in the EEPROM."},
+      {"CMD_READ_ADJ_VARS_CFG", 43, "RC signals that trigger actions or change adjustable variables."},
+      {"CMD_ADJ_VARS_STATE", 46, "Current state of one trigger slot and one analog slot."},
+      {"CMD_EEPROM_READ", 48, "A block of the EEPROM."},
+      {"CMD_CALIB_INFO", 49, "Calibration status for display."},
+      {"CMD_SYSTEM_STATE", 52, "Undocumented; by its name, the state of the system."},
+      {"CMD_READ_FILE", 53, "Part of a file."},
+      {"CMD_AHRS_HELPER", 56, "Attitude of an IMU as two unit vectors."},
+      {"CMD_SCRIPT_DEBUG", 58, "Progress of a script started with debugging."},
+      {"CMD_GET_ANGLES_EXT", 61, "Camera angles, targets and joint angles."},
+      {"CMD_READ_PARAMS_EXT2", 62, "The third set of parameters of one profile."},
+      {"CMD_CONFIRM", 67, "The board executed a command."},
+      {"CMD_GET_ANGLES", 73, "Camera angles and targets."},
+      {"CMD_CALIB_MOTOR_MAG_LINK", 74, "Undocumented; by its name, calibrates the magnetic linkage of the motors."},
+      {"CMD_BOARD_INFO", 86, "Board version and features."},
+      {"CMD_REALTIME_DATA_CUSTOM", 88, "Live data of the requested blocks."},
+      {"CMD_RESET", 114, "The board restarts."},
+      {"CMD_MAVLINK_INFO", 250, "Undocumented; by its name, information about a MAVLink connection."},
+      {"CMD_MAVLINK_DEBUG", 251, "Undocumented; by its name, debugging of a MAVLink connection."},
+      {"CMD_DEBUG_VARS_INFO_3", 253, "Names and types of the debug variables, in the order of CMD_DEBUG_VARS_3."},
+      {"CMD_DEBUG_VARS_3", 254, "Values of the debug variables."},
       {"CMD_ERROR", 255, "The board could not execute a command."},
   };
-  static constexpr EnumInfo info{"CommandId", values, false};
+  static constexpr EnumInfo info{"CommandFromBoard", values, false};
 };
 
 template <>
@@ -169,7 +205,7 @@ struct EnumMeta<msg::PwmFrequency> {
   static constexpr ValueInfo values[] = {
       {"PWM_FREQ_LOW", 0, "Low."},
       {"PWM_FREQ_HIGH", 1, "High."},
-      {"PWM_FREQ_ULTRA_HIGH", 2, "Ultra high.", {0, 30}},
+      {"PWM_FREQ_ULTRA_HIGH", 2, "Ultra high.", {.board = 30}},
   };
   static constexpr EnumInfo info{"PwmFrequency", values, false};
 };
@@ -191,9 +227,9 @@ struct EnumMeta<msg::RcVirtualMode> {
   static constexpr ValueInfo values[] = {
       {"RC_VIRT_MODE_NORMAL", 0, "One PWM signal."},
       {"RC_VIRT_MODE_CPPM", 1, "Sum-PPM."},
-      {"RC_VIRT_MODE_SBUS", 2, "S.BUS.", {0, 30}},
-      {"RC_VIRT_MODE_SPEKTRUM", 3, "Spektrum satellite.", {0, 30}},
-      {"RC_VIRT_MODE_API", 10, "Virtual channels of the Serial API.", {0, 30}},
+      {"RC_VIRT_MODE_SBUS", 2, "S.BUS.", {.board = 30}},
+      {"RC_VIRT_MODE_SPEKTRUM", 3, "Spektrum satellite.", {.board = 30}},
+      {"RC_VIRT_MODE_API", 10, "Virtual channels of the Serial API.", {.board = 30}},
   };
   static constexpr EnumInfo info{"RcVirtualMode", values, false};
 };
@@ -206,10 +242,10 @@ struct EnumMeta<msg::RcInput> {
       {"RC_INPUT_PITCH", 2, "PWM at the RC_PITCH pin."},
       {"EXT_FC_INPUT_ROLL", 3, "PWM at the FC_ROLL pin."},
       {"EXT_FC_INPUT_PITCH", 4, "PWM at the FC_PITCH pin."},
-      {"RC_INPUT_YAW", 5, "PWM at the RC_YAW pin.", {0, 30}},
-      {"ADC1", 33, "Analog input 1; RC_INPUT_ROLL on older boards.", {0, 30}},
-      {"ADC2", 34, "Analog input 2; RC_INPUT_PITCH on older boards.", {0, 30}},
-      {"ADC3", 35, "Analog input 3; EXT_FC_INPUT_ROLL on older boards.", {0, 30}},
+      {"RC_INPUT_YAW", 5, "PWM at the RC_YAW pin.", {.board = 30}},
+      {"ADC1", 33, "Analog input 1; RC_INPUT_ROLL on older boards.", {.board = 30}},
+      {"ADC2", 34, "Analog input 2; RC_INPUT_PITCH on older boards.", {.board = 30}},
+      {"ADC3", 35, "Analog input 3; EXT_FC_INPUT_ROLL on older boards.", {.board = 30}},
       {"EXT_FC_INPUT_PITCH_ANALOG", 36, "Analog signal at the FC_PITCH pin of boards before 3.0."},
   };
   static constexpr EnumInfo info{"RcInput", values, false};
@@ -503,7 +539,7 @@ struct EnumMeta<msg::OutputPin> {
       {"RC_INPUT_PITCH", 2, "The RC_PITCH pin."},
       {"EXT_FC_INPUT_ROLL", 3, "The FC_ROLL pin."},
       {"EXT_FC_INPUT_PITCH", 4, "The FC_PITCH pin."},
-      {"RC_INPUT_YAW", 5, "The RC_YAW pin.", {0, 30}},
+      {"RC_INPUT_YAW", 5, "The RC_YAW pin.", {.board = 30}},
       {"PIN_AUX1", 16, "The AUX1 pin; on 1.x boards, pin 2 of the microcontroller."},
       {"PIN_AUX2", 17, "The AUX2 pin; on 1.x boards, pin 11 of the microcontroller."},
       {"PIN_AUX3", 18, "The AUX3 pin; on 1.x boards, pin 12 of the microcontroller."},
@@ -732,7 +768,7 @@ struct EnumMeta<msg::RealtimeDataCustomFlag> {
 template <>
 struct EnumMeta<msg::ControlFlag> {
   static constexpr ValueInfo values[] = {
-      {"CONTROL_FLAG_HIGH_RES_SPEED", 128, "Speeds are in 0.001 deg/s.", {2590, 0}},
+      {"CONTROL_FLAG_HIGH_RES_SPEED", 128, "Speeds are in 0.001 deg/s.", {.firmware = 2590}},
   };
   static constexpr EnumInfo info{"ControlFlags", values, true};
 };
@@ -789,7 +825,7 @@ struct EnumMeta<msg::AhrsHelperWideModeBit> {
       {"H1_ONLY", 32, "Use H1_VECTOR only."},
       {"TRANSLATE_Z1_ONLY", 64, "Translate Z1_VECTOR only."},
       {"TRANSLATE_H1_ONLY", 128, "Translate H1_VECTOR only."},
-      {"DISABLE_CORRECTION", 1024, "Turn the correction off.", {2701, 0}},
+      {"DISABLE_CORRECTION", 1024, "Turn the correction off.", {.firmware = 2701}},
   };
   static constexpr EnumInfo info{"AhrsHelperWideMode", values, true};
 };

@@ -20,7 +20,7 @@ struct Meta<msg::SelectImu3> {
       .direction = Direction::to_board,
       .min_size = 1,
       .max_size = 1,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type",
@@ -45,7 +45,7 @@ struct Meta<msg::SelectImu3Ext> {
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 12,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type",
@@ -79,7 +79,7 @@ struct Meta<msg::AhrsHelper> {
       .direction = Direction::from_board,
       .min_size = 24,
       .max_size = 24,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr Range z1_vector_range{-1, 1};
   static constexpr Range h1_vector_range{-1, 1};
   static constexpr FieldInfo fields[] = {
@@ -113,8 +113,8 @@ struct Meta<msg::AhrsHelperRequest> {
       .direction = Direction::to_board,
       .min_size = 1,
       .max_size = 1,
-      .since = {0, 30},
-      .until = {2695, 0},
+      .since = {.board = 30},
+      .until = {.firmware = 2695},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
@@ -141,7 +141,7 @@ struct Meta<msg::AhrsHelperRequestWide> {
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 2,
-      .since = {2695, 0},
+      .since = {.firmware = 2695},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
@@ -168,8 +168,8 @@ struct Meta<msg::AhrsHelperRequestExt> {
       .direction = Direction::to_board,
       .min_size = 25,
       .max_size = 25,
-      .since = {0, 30},
-      .until = {2695, 0},
+      .since = {.board = 30},
+      .until = {.firmware = 2695},
       .answers = answers,
       .effects = Effects(Effect::moves)};
   static constexpr Range z1_vector_range{-1, 1};
@@ -208,7 +208,7 @@ struct Meta<msg::AhrsHelperRequestExtWide> {
       .direction = Direction::to_board,
       .min_size = 26,
       .max_size = 26,
-      .since = {2695, 0},
+      .since = {.firmware = 2695},
       .answers = answers,
       .effects = Effects(Effect::moves)};
   static constexpr Range z1_vector_range{-1, 1};
@@ -246,7 +246,7 @@ struct Meta<msg::GyroCorrection> {
       .direction = Direction::to_board,
       .min_size = 9,
       .max_size = 9,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::stores) | Effect::moves};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type",

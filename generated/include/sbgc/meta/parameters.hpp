@@ -140,7 +140,7 @@ struct Meta<msg::ReadParams3> {
       .direction = Direction::from_board,
       .min_size = 134,
       .max_size = 134,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {255, "the active profile"},
@@ -506,7 +506,7 @@ struct Meta<msg::ReadParams3Request> {
       .direction = Direction::to_board,
       .min_size = 1,
       .max_size = 1,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range profile_id_range{0, 4};
@@ -572,7 +572,7 @@ struct Meta<msg::ReadParamsExt> {
       .direction = Direction::from_board,
       .min_size = 104,
       .max_size = 104,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {255, "the active profile"},
@@ -772,7 +772,7 @@ struct Meta<msg::ReadParamsExtRequest> {
       .direction = Direction::to_board,
       .min_size = 1,
       .max_size = 1,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range profile_id_range{0, 4};
@@ -805,7 +805,7 @@ struct Meta<msg::ReadParamsExt2> {
       .direction = Direction::from_board,
       .min_size = 151,
       .max_size = 151,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {255, "the active profile"},
@@ -840,7 +840,7 @@ struct Meta<msg::ReadParamsExt2> {
        .unit = &UnitMeta<msg::AngularAcceleration>::info,
        .range = &acc_limiter3_range,
        .special = acc_limiter3_special,
-       .since = {2590, 0}},
+       .since = {.firmware = 2590}},
       {.name = "pid_gain",
        .spec_name = "PID_GAIN",
        .summary = "Factor for P, I and D of each axis.",
@@ -891,7 +891,7 @@ struct Meta<msg::ReadParamsExt2Request> {
       .direction = Direction::to_board,
       .min_size = 1,
       .max_size = 1,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range profile_id_range{0, 4};
@@ -924,7 +924,7 @@ struct Meta<msg::ReadProfileNames> {
       .direction = Direction::from_board,
       .min_size = 240,
       .max_size = 240,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "profile_name",
        .spec_name = "PROFILE{1..5}_NAME",
@@ -950,7 +950,7 @@ struct Meta<msg::ReadProfileNamesRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
@@ -970,7 +970,7 @@ struct Meta<msg::SaveParams3> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::stores)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -1019,7 +1019,7 @@ struct Meta<msg::WriteParams3> : Meta<msg::ReadParams3> {
       .direction = Direction::to_board,
       .min_size = 134,
       .max_size = 134,
-      .since = {0, 30},
+      .since = {.board = 30},
       .stores = "ReadParams3",
       .effects = Effects(Effect::stores) | Effect::moves};
 };
@@ -1048,7 +1048,7 @@ struct Meta<msg::WriteParamsExt> : Meta<msg::ReadParamsExt> {
       .direction = Direction::to_board,
       .min_size = 104,
       .max_size = 104,
-      .since = {0, 30},
+      .since = {.board = 30},
       .stores = "ReadParamsExt",
       .effects = Effects(Effect::stores) | Effect::moves};
 };
@@ -1063,7 +1063,7 @@ struct Meta<msg::WriteParamsExt2> : Meta<msg::ReadParamsExt2> {
       .direction = Direction::to_board,
       .min_size = 151,
       .max_size = 151,
-      .since = {0, 30},
+      .since = {.board = 30},
       .stores = "ReadParamsExt2",
       .effects = Effects(Effect::stores) | Effect::moves};
 };
@@ -1078,7 +1078,7 @@ struct Meta<msg::WriteProfileNames> : Meta<msg::ReadProfileNames> {
       .direction = Direction::to_board,
       .min_size = 240,
       .max_size = 240,
-      .since = {0, 30},
+      .since = {.board = 30},
       .stores = "ReadProfileNames",
       .effects = Effects(Effect::stores)};
 };

@@ -20,7 +20,7 @@ struct Meta<msg::BeepSound> {
       .direction = Direction::to_board,
       .min_size = 12,
       .max_size = 72,
-      .since = {2590, 30},
+      .since = {.firmware = 2590, .board = 30},
       .effects = Effects(Effect::sets)};
   static constexpr Range note_length_range{1, 255};
   static constexpr Special note_length_special[] = {
@@ -111,7 +111,7 @@ struct Meta<msg::ServoOut> {
       .direction = Direction::to_board,
       .min_size = 16,
       .max_size = 16,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::moves)};
   static constexpr Range servo_time_range{-1, 20000};
   static constexpr Special servo_time_special[] = {
@@ -144,7 +144,7 @@ struct Meta<msg::I2cWriteRegBuf> {
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 255,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::sets) | Effect::stores};
   static constexpr FieldInfo fields[] = {
       {.name = "device_addr",
@@ -177,7 +177,7 @@ struct Meta<msg::I2cReadRegBuf> {
       .direction = Direction::from_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -203,7 +203,7 @@ struct Meta<msg::I2cReadRegBufRequest> {
       .direction = Direction::to_board,
       .min_size = 3,
       .max_size = 3,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range data_len_range{1, 255};
@@ -240,7 +240,7 @@ struct Meta<msg::ApiVirtChControl> {
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 64,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves | Effect::restarts};
   static constexpr Range val_ch_range{-500, 500};
   static constexpr Special val_ch_special[] = {

@@ -86,7 +86,7 @@ struct Meta<msg::RealtimeData3> {
       .direction = Direction::from_board,
       .min_size = 63,
       .max_size = 63,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr Range rc_range{1000, 2000};
   static constexpr Range rc_cmd_range{1000, 2000};
   static constexpr Range ext_fc_roll_range{1000, 2000};
@@ -175,7 +175,7 @@ struct Meta<msg::RealtimeData3> {
       {.name = "cur_imu",
        .spec_name = "CUR_IMU",
        .summary = "Selected IMU.",
-       .since = {0, 30}},
+       .since = {.board = 30}},
       {.name = "cur_profile",
        .spec_name = "CUR_PROFILE",
        .summary = "Active profile.",
@@ -223,7 +223,7 @@ struct Meta<msg::RealtimeData3Request> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
@@ -243,7 +243,7 @@ struct Meta<msg::RealtimeData4> {
       .direction = Direction::from_board,
       .min_size = 124,
       .max_size = 124,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr Range rc_range{1000, 2000};
   static constexpr Range rc_cmd_range{1000, 2000};
   static constexpr Range ext_fc_roll_range{1000, 2000};
@@ -337,7 +337,7 @@ struct Meta<msg::RealtimeData4> {
       {.name = "cur_imu",
        .spec_name = "CUR_IMU",
        .summary = "Selected IMU.",
-       .since = {0, 30}},
+       .since = {.board = 30}},
       {.name = "cur_profile",
        .spec_name = "CUR_PROFILE",
        .summary = "Active profile.",
@@ -439,7 +439,7 @@ struct Meta<msg::RealtimeData4Request> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
@@ -459,7 +459,7 @@ struct Meta<msg::RealtimeDataCustom> {
       .direction = Direction::from_board,
       .min_size = 2,
       .max_size = 110,
-      .since = {2590, 30}};
+      .since = {.firmware = 2590, .board = 30}};
   static constexpr Range rc_data_range{-16384, 16384};
   static constexpr Special rc_data_special[] = {
       {-32768, "undefined"},
@@ -550,7 +550,7 @@ struct Meta<msg::RealtimeDataCustomRequest> {
       .direction = Direction::to_board,
       .min_size = 10,
       .max_size = 10,
-      .since = {2590, 30},
+      .since = {.firmware = 2590, .board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
@@ -581,7 +581,7 @@ struct Meta<msg::DataStreamInterval> {
       .direction = Direction::to_board,
       .min_size = 21,
       .max_size = 21,
-      .since = {2590, 30},
+      .since = {.firmware = 2590, .board = 30},
       .effects = Effects(Effect::sets)};
   static constexpr Special interval_ms_special[] = {
       {0, "ends the stream"},

@@ -20,7 +20,7 @@ struct Meta<msg::RunScript> {
       .direction = Direction::to_board,
       .min_size = 34,
       .max_size = 34,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves | Effect::restarts};
   static constexpr FieldInfo fields[] = {
       {.name = "mode",
@@ -54,7 +54,7 @@ struct Meta<msg::ScriptDebug> {
       .direction = Direction::from_board,
       .min_size = 3,
       .max_size = 3,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "cmd_count",
        .spec_name = "CMD_COUNT",

@@ -20,7 +20,7 @@ struct Meta<msg::EepromWrite> {
       .direction = Direction::to_board,
       .min_size = 4,
       .max_size = 196,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::stores) | Effect::moves};
   static constexpr FieldInfo fields[] = {
       {.name = "addr",
@@ -52,7 +52,7 @@ struct Meta<msg::ReadFile> {
       .direction = Direction::from_board,
       .min_size = 4,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "file_size",
        .spec_name = "FILE_SIZE",
@@ -87,7 +87,7 @@ struct Meta<msg::ReadFileError> {
       .direction = Direction::from_board,
       .min_size = 1,
       .max_size = 1,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "err_code",
        .spec_name = "ERR_CODE",
@@ -112,7 +112,7 @@ struct Meta<msg::ReadFileRequest> {
       .direction = Direction::to_board,
       .min_size = 20,
       .max_size = 20,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range max_data_size_range{0, 251};
@@ -155,7 +155,7 @@ struct Meta<msg::WriteFile> {
       .direction = Direction::to_board,
       .min_size = 6,
       .max_size = 255,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::stores) | Effect::erases};
   static constexpr FieldInfo fields[] = {
       {.name = "file_id",
@@ -195,7 +195,7 @@ struct Meta<msg::FsClearAll> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::erases)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -214,7 +214,7 @@ struct Meta<msg::EepromRead> {
       .direction = Direction::from_board,
       .min_size = 4,
       .max_size = 196,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "addr",
        .spec_name = "ADDR",
@@ -245,7 +245,7 @@ struct Meta<msg::EepromReadRequest> {
       .direction = Direction::to_board,
       .min_size = 6,
       .max_size = 6,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range size_range{0, 192};
@@ -280,7 +280,7 @@ struct Meta<msg::ReadExternalData> {
       .direction = Direction::from_board,
       .min_size = 128,
       .max_size = 128,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "data",
@@ -306,7 +306,7 @@ struct Meta<msg::ReadExternalDataRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
@@ -326,7 +326,7 @@ struct Meta<msg::WriteExternalData> : Meta<msg::ReadExternalData> {
       .direction = Direction::to_board,
       .min_size = 128,
       .max_size = 128,
-      .since = {0, 30},
+      .since = {.board = 30},
       .stores = "ReadExternalData",
       .effects = Effects(Effect::stores)};
 };

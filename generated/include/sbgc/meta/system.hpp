@@ -188,7 +188,7 @@ struct Meta<msg::Error> {
       .direction = Direction::from_board,
       .min_size = 5,
       .max_size = 5,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "error_code",
        .spec_name = "ERROR_CODE",
@@ -216,7 +216,7 @@ struct Meta<msg::ErrorExt> {
       .direction = Direction::from_board,
       .min_size = 6,
       .max_size = 6,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "cmd_id",
        .spec_name = "CMD_ID",
@@ -249,7 +249,7 @@ struct Meta<msg::BoardInfo3> {
       .direction = Direction::from_board,
       .min_size = 69,
       .max_size = 69,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr Special script_slot_size_special[] = {
       {0, "the slot is empty"},
   };
@@ -298,7 +298,7 @@ struct Meta<msg::BoardInfo3Request> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
@@ -385,7 +385,7 @@ struct Meta<msg::BootMode3> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::restarts)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -405,7 +405,7 @@ struct Meta<msg::BootMode3Ext> {
       .direction = Direction::to_board,
       .min_size = 3,
       .max_size = 3,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::restarts)};
   static constexpr FieldInfo fields[] = {
@@ -436,7 +436,7 @@ struct Meta<msg::QueueParamsInfo3> {
       .direction = Direction::from_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -460,7 +460,7 @@ struct Meta<msg::QueueParamsInfo3Request> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
@@ -485,7 +485,7 @@ struct Meta<msg::SystemState> {
       .direction = Direction::from_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -509,7 +509,7 @@ struct Meta<msg::SystemStateRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
@@ -534,7 +534,7 @@ struct Meta<msg::MavlinkInfo> {
       .direction = Direction::from_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -558,7 +558,7 @@ struct Meta<msg::MavlinkInfoRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
@@ -583,7 +583,7 @@ struct Meta<msg::MavlinkDebug> {
       .direction = Direction::from_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
@@ -607,7 +607,7 @@ struct Meta<msg::MavlinkDebugRequest> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",

@@ -140,16 +140,19 @@ def _case(case: AnswerCase) -> dict[str, Any]:
         "finish_ms": case.finish_ms or case.timeout_ms,
         "retry": "safe" if case.retry_safe else "unsafe",
         "restarts_board": case.restarts,
-        "echoes": [
-            {"field": echo.field.name, "message": reply.message, "offset": echo.offset}
-            for reply in case.replies
-            for echo in reply.echoes
+        "correlation": [
+            {"field": repeated.field.name, "message": response.message, "offset": repeated.offset}
+            for response in case.responses
+            for repeated in response.correlation
         ],
         "errata": list(case.errata),
     }
     if case.confirmation:
-        echo = case.confirmation
-        result["confirmation_echoes"] = {"field": echo.field.name, "offset": echo.offset}
+        repeated = case.confirmation
+        result["confirmation_correlation"] = {
+            "field": repeated.field.name,
+            "offset": repeated.offset,
+        }
     if case.result:
         found = case.result
         result["confirmation_result"] = {

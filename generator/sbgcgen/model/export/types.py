@@ -68,6 +68,7 @@ def packed_json(packed: Packed) -> dict[str, Any]:
         "errata": list(packed.errata),
         "names": packed.names.name if packed.names else None,
         "display": packed.display or None,
+        "main": packed.main.name if packed.main else None,
         "parts": [
             {
                 "name": part.name,

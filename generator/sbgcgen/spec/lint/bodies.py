@@ -202,9 +202,11 @@ def _check_alternatives(message: Message, fields: tuple[Field, ...], found: Diag
         if field.alternative and not (
             isinstance(field.type, Quantity)
             and field.type.scalar == field.alternative.quantity.scalar
+            and field.type.unit == field.alternative.quantity.unit
         ):
-            text = f"{field.alternative.quantity.name} is not an alternative unit of '{field.name}'"
-            found.add(field.at, "SBGC026", text, "both are quantities of the same integer type")
+            text = f"{field.alternative.quantity.name} is not another scale of '{field.name}'"
+            hint = "both are quantities in one unit over the same number"
+            found.add(field.at, "SBGC026", text, hint)
         source = by_name.get(field.alternative.source) if field.alternative else None
         if source is None or field.alternative is None:
             continue

@@ -22,7 +22,7 @@ from sbgcgen.model import (
     scalar_of,
 )
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
-from sbgcgen.spec.load import Spec
+from sbgcgen.spec.load import Spec, directions_of
 
 # What the runtime counts in a byte.
 MAX_COPIES = 255
@@ -54,7 +54,7 @@ def _check_ids(spec: Spec, layout: Layout, found: Diagnostics) -> None:
     for direction in ("from_board", "to_board"):
         seen: dict[int, Command] = {}
         for command in layout.commands:
-            if direction not in nodes[command.name] or command.id is None:
+            if direction not in directions_of(nodes[command.name]) or command.id is None:
                 continue
             first = seen.setdefault(command.id, command)
             if first is not command:

@@ -7,15 +7,16 @@ from dataclasses import replace
 from typing import Any
 
 from sbgcgen.model import (
+    COMMAND_IDS,
     Answer,
     AnswerCase,
-    Echo,
+    CorrelationField,
     Enum,
     Field,
     Growth,
     Message,
     Position,
-    Reply,
+    Response,
     Result,
     Struct,
     scalar_of,
@@ -27,8 +28,8 @@ from sbgcgen.spec.resolve.roles import RoleResolver
 from sbgcgen.spec.resolve.types import TypeResolver
 
 # What the runtime has room for.
-MAX_ECHOES = 2
-MAX_REPLIES = 2
+MAX_CORRELATION_FIELDS = 2
+MAX_RESPONSES = 2
 
 
 class AnswerResolver:
@@ -83,7 +84,7 @@ class AnswerResolver:
             finish_ms=int(node.get("finish_ms", 0)),
             retry_safe=node.get("retry", "unsafe") == "safe",
             restarts=node.get("then") == "restart",
-            echoes=tuple(str(name) for name in node.get("echoes", ())),
+            correlation=tuple(str(name) for name in node.get("correlation", ())),
             errata=self.types.errata(node),
             at=node.position,
         )
@@ -105,7 +106,7 @@ class AnswerResolver:
                     self._board(n, board, self.roles.nodes[role.at].at("messages"))
                     for n in role.messages
                 ]
-                streams = tuple(_reply(message, m) for m in known if m is not None)
+                streams = tuple(_response(message, m) for m in known if m is not None)
                 role = replace(role, streams=streams)
             result.append(replace(message, answer=answer, role=role))
         return result
@@ -125,17 +126,17 @@ class AnswerResolver:
         confirmation: Message | None,
     ) -> AnswerCase:
         answers = [self._board(n, board, self.nodes[case.at].at("message")) for n in case.messages]
-        replies = [_reply(request, message) for message in answers if message is not None]
-        if len(replies) > MAX_REPLIES:
-            text = f"{request.name} has {len(replies)} answers; {MAX_REPLIES} are possible"
+        responses = [_response(request, message) for message in answers if message is not None]
+        if len(responses) > MAX_RESPONSES:
+            text = f"{request.name} has {len(responses)} answers; {MAX_RESPONSES} are possible"
             at = self.nodes[case.at].at("message")
             self.found.add(at, "SBGC041", text, "let the forms of one message be one answer")
         by_name = {field.spec_name: field for field in request.fields}
-        confirmed: Echo | None = None
-        at = self.nodes[case.at].at("echoes") if case.echoes else case.at
-        for name in case.echoes:
+        confirmed: CorrelationField | None = None
+        at = self.nodes[case.at].at("correlation") if case.correlation else case.at
+        for name in case.correlation:
             field = by_name.get(name)
-            problem = _why_not_echoed(field)
+            problem = _why_not_repeated(field)
             if field is None or problem:
                 hint = did_you_mean(name, by_name) if field is None else ""
                 hint = hint or "name a number of the request"
@@ -147,27 +148,29 @@ class AnswerResolver:
                 if offset is None:
                     continue
                 found = True
-                echo = Echo(field, offset, field.size or 0)
-                replies[index] = replace(replies[index], echoes=(*replies[index].echoes, echo))
+                repeated = CorrelationField(field, offset, field.size or 0)
+                responses[index] = replace(
+                    responses[index], correlation=(*responses[index].correlation, repeated)
+                )
             if case.confirm != "never" and confirmation is not None:
                 data = confirmation_data(confirmation, request.command)
                 for other, offset in data:
                     if other.spec_name == field.spec_name and other.size == field.size:
-                        found, confirmed = True, Echo(field, offset, field.size or 0)
+                        found, confirmed = True, CorrelationField(field, offset, field.size or 0)
             if not found:
                 text = f"what answers {request.name} does not have '{name}' in a fixed place"
                 hint = "a field of the same name and size, before the fields of varying size"
                 self.found.add(at, "SBGC036", text, hint)
-        if len(case.echoes) > MAX_ECHOES:
-            text = f"{len(case.echoes)} fields of {request.name} are repeated"
-            self.found.add(at, "SBGC036", text, f"at most {MAX_ECHOES} are possible")
+        if len(case.correlation) > MAX_CORRELATION_FIELDS:
+            text = f"{len(case.correlation)} fields of {request.name} are repeated"
+            self.found.add(at, "SBGC036", text, f"at most {MAX_CORRELATION_FIELDS} are possible")
         result = None
         if case.confirm != "never" and confirmation is not None:
             result = _result(confirmation, request.command)
-        return replace(case, replies=tuple(replies), confirmation=confirmed, result=result)
+        return replace(case, responses=tuple(responses), confirmation=confirmed, result=result)
 
 
-def _why_not_echoed(field: Field | None) -> str:
+def _why_not_repeated(field: Field | None) -> str:
     if field is None:
         return "does not exist"
     scalar = scalar_of(field.type)
@@ -206,7 +209,7 @@ def _result(confirmation: Message, command: str) -> Result | None:
     return None
 
 
-def _reply(request: Message, message: Message) -> Reply:
+def _response(request: Message, message: Message) -> Response:
     """What the board's message is like when this request makes the board send it."""
     known = {
         context.name: path
@@ -220,7 +223,7 @@ def _reply(request: Message, message: Message) -> Reply:
         if when and when.from_context and when.source in known and field.size is not None:
             path = known[when.source]
             growth.append(Growth(path, _is_optional(path, request.fields), when, field.size))
-    return Reply(
+    return Response(
         message=message.name,
         id=message.id,
         is_error=message.form == "error",

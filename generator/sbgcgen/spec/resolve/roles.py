@@ -6,7 +6,18 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from sbgcgen.model import Blob, Enum, Field, Message, Position, Quantity, Role, Struct, Versions
+from sbgcgen.model import (
+    COMMAND_IDS,
+    Blob,
+    Enum,
+    Field,
+    Message,
+    Position,
+    Quantity,
+    Role,
+    Struct,
+    Versions,
+)
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Map
 from sbgcgen.spec.resolve.versions import KINDS
@@ -80,14 +91,14 @@ class RoleResolver:
             self.found.add(node.at(part), "SBGC037", f"'{wanted}' is not a field here", hint)
             return None
         problem = "" if field.offset is not None and field.when is None else "has no fixed offset"
-        problem = problem or self._why_not(part, field)
+        problem = problem or self._why_not(str(node["is"]), part, field)
         if problem:
             hint = f"{part}: a field that every body of the message has"
             self.found.add(node.at(part), "SBGC037", f"'{wanted}' {problem}", hint)
             return None
         return field
 
-    def _why_not(self, part: str, field: Field) -> str:
+    def _why_not(self, kind: str, part: str, field: Field) -> str:
         """Why a field cannot be this part of a role; "" if it can."""
         type_, is_one = field.type, field.dim == "one"
         if part == "config":
@@ -95,8 +106,9 @@ class RoleResolver:
             is_small = field.size is not None and field.size <= MAX_CONFIG
             return "" if is_bytes and is_small else f"does not have 1 to {MAX_CONFIG} bytes"
         if part == "command":
-            is_command = isinstance(type_, Enum) and type_.name == "CommandId"
-            return "" if is_command else "is no command: its type is not CommandId"
+            wanted = COMMAND_IDS["from_board" if kind == "stream_request" else "to_board"]
+            is_command = isinstance(type_, Enum) and type_.name == wanted
+            return "" if is_command else f"is no command: its type is not {wanted}"
         if part == "code":
             is_code = isinstance(type_, Enum) and type_.scalar.size == 1
             return "" if is_code else "is no enum of one byte"

@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from sbgcgen.model import (
+    COMMAND_IDS,
     SCALARS,
     Availability,
     Enum,
@@ -20,11 +21,10 @@ from sbgcgen.model import (
 )
 from sbgcgen.model.names import singular, snake_case
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
-from sbgcgen.spec.load import Map, Spec
+from sbgcgen.spec.load import Map, Spec, directions_of
 from sbgcgen.spec.resolve.entries import Entries
 
 # Enums that follow from other sections of the spec.
-COMMAND_ID = "CommandId"
 VARIABLE_ID = "VariableId"
 
 
@@ -49,7 +49,8 @@ class TypeResolver(Entries):
         for _, name, value, at in self.spec.entries("quantities"):
             self.types.quantities[name] = self._quantity(name, value, at)
         self._read_versions()
-        self.types.enums[COMMAND_ID] = self._command_ids()
+        for direction, enum in COMMAND_IDS.items():
+            self.types.enums[enum] = self._command_ids(direction)
         self.types.enums[VARIABLE_ID] = self._variable_ids()
         for section, kind in (("enums", "enum"), ("flags", "flags")):
             entries = {name: (value, at) for _, name, value, at in self.spec.entries(section)}
@@ -100,10 +101,11 @@ class TypeResolver(Entries):
             at=at,
         )
 
-    def _command_ids(self) -> Enum:
+    def _command_ids(self, direction: str) -> Enum:
+        """The ids of what goes in one direction; in the other one they may mean other commands."""
         values = []
         for _, name, value, at in self.spec.entries("commands"):
-            if value["id"] is None:
+            if value["id"] is None or direction not in directions_of(value):
                 continue
             identifier = self.identifier(snake_case(name.removeprefix("CMD_")), at)
             summary = str(value.get("summary", ""))
@@ -111,11 +113,11 @@ class TypeResolver(Entries):
                 EnumValue(name, identifier, value["id"], summary, False, "", Availability(), (), at)
             )
         return Enum(
-            name=COMMAND_ID,
-            member=COMMAND_ID,
+            name=COMMAND_IDS[direction],
+            member=COMMAND_IDS[direction],
             scalar=SCALARS["u8"],
             kind="enum",
-            summary="The commands of the protocol. Some share an id in opposite directions.",
+            summary=f"The commands of messages {'to' if direction == 'to_board' else 'from'} the board.",
             source="Command ID definitions L75-L154",
             errata=(),
             values=tuple(sorted(values, key=lambda v: (v.value, v.name))),
@@ -260,6 +262,7 @@ class TypeResolver(Entries):
                 hint = did_you_mean(word, seen) or f"parts: {', '.join(sorted(seen))}"
                 self.found.add(node.at("display"), "SBGC025", message, hint)
         names = self.enum_named(node["names"], node.at("names")) if "names" in node else None
+        main = self._main_part(name, node, parts)
         wanted = [
             ("names", node, names),
             *(("type", n, p.enum) for n, p in zip(node["parts"], parts)),
@@ -276,7 +279,30 @@ class TypeResolver(Entries):
             names=names,
             parts=parts,
             at=at,
+            main=main,
         )
+
+    def _main_part(self, name: str, node: Map, parts: tuple[Part, ...]) -> Part | None:
+        if "main" not in node:
+            return None
+        by_name = {part.name: part for part in parts}
+        part = by_name.get(node["main"])
+        at = node.at("main")
+        if part is None:
+            hint = did_you_mean(node["main"], by_name) or f"parts: {', '.join(sorted(by_name))}"
+            self.found.add(at, "SBGC026", f"{name} has no part '{node['main']}'", hint)
+        elif part.enum is not None and part.enum.kind != "enum":
+            text = f"'{part.name}' of {name} has flags, of which no single one is the whole value"
+            self.found.add(at, "SBGC026", text, "the main part has the type of an enum")
+        elif part.enum is None and "type" not in node["parts"][parts.index(part)]:
+            text = f"'{part.name}' of {name} has no named values"
+            self.found.add(at, "SBGC026", text, "the main part has the type of an enum")
+        elif "names" in node:
+            text = f"values of {name} have names already, under 'names'"
+            self.found.add(at, "SBGC026", text, "delete 'names' or 'main'")
+        else:
+            return part
+        return None
 
     def _part(self, node: Map, scalar: Scalar) -> Part:
         name = self.identifier(str(node["name"]), node.at("name"))
@@ -323,7 +349,7 @@ class TypeResolver(Entries):
                     self.found.add(at, "SBGC028", message, hint)
         for section in ("quantities", "enums", "flags", "packed", "structs"):
             for _, name, _, at in self.spec.entries(section):
-                if name in SCALARS or name in (COMMAND_ID, VARIABLE_ID):
+                if name in SCALARS or name in (*COMMAND_IDS.values(), VARIABLE_ID):
                     message = f"'{name}' is the name of a built-in type"
                     self.found.add(at, "SBGC028", message, "choose another one")
                 first = seen.setdefault(name, at)

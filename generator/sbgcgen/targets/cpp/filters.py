@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import json
 import textwrap
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any
 
-from sbgcgen.model import Field, constants, copy_field
-from sbgcgen.targets.cpp.memory import Run, runs
+from sbgcgen.model import Field, Quantity, constants, copy_field, scalar_of
+from sbgcgen.targets.cpp.flag_unit import flag_units
+
+LINE = 100  # columns
 
 
-def comment(text: str, indent: int = 0, width: int = 100, mark: str = "/// ") -> str:
+def comment(text: str, indent: int = 0, width: int = LINE, mark: str = "/// ") -> str:
     """Text as comment lines, wrapped; the first line is not indented."""
     lines = textwrap.wrap(text.replace("??", "? ?"), width - indent - len(mark)) or [""]
     # A backslash at the end of a line would make the next one part of the comment.
@@ -24,18 +26,53 @@ def c_string(text: str) -> str:
     return json.dumps(text, ensure_ascii=False).replace("??", "?\\?")
 
 
-def fast_runs(fields: list[Field]) -> list[Run | Field]:
-    """The runs of a list of fields, if copying them in blocks is worth it; else nothing."""
-    joined = runs(fields)
-    return joined if len(fields) > 2 and 2 * len(joined) <= len(fields) else []
+def statement(text: str, indent: int) -> str:
+    """A statement on as many lines as it needs, with this indent."""
+    first = " " * indent
+    return textwrap.fill(
+        text.strip(),
+        LINE,
+        initial_indent=first,
+        subsequent_indent=first + " " * 4,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+
+
+def narrow_range(field: Field) -> str:
+    """The range of a field in its unit, if it is narrower than that of its type: '-90 to 90 deg'."""
+    scalar = scalar_of(field.type)
+    if field.minimum is None or field.maximum is None or scalar is None:
+        return ""
+    if (field.minimum, field.maximum) == (scalar.minimum, scalar.maximum):
+        return ""
+    limits = [field.minimum, field.maximum]
+    unit = ""
+    if isinstance(field.type, Quantity):
+        limits = [limit * field.type.scale + field.type.offset for limit in limits]
+        unit = f" {field.type.unit}" if field.type.unit else ""
+    return " to ".join(f"{float(limit):.6g}" for limit in limits) + unit
+
+
+def unit_name(quantity: Quantity) -> str:
+    """The unit of a quantity as a part of names: deg/s^2 is deg_per_s2."""
+    words = {"/": "_per_", "^": "", " ": "_", "%": "percent", "°": "deg", "µ": "u"}
+    return "".join(words.get(c, c) for c in quantity.unit or quantity.accessor)
+
+
+def units(quantities: Iterable[Quantity]) -> list[Quantity]:
+    """The first quantity of each unit."""
+    return list({unit_name(q): q for q in reversed(list(quantities))}.values())[::-1]
 
 
 FILTERS: dict[str, Callable[..., Any]] = {
     "comment": comment,
     "c_string": c_string,
-    "fast_runs": fast_runs,
+    "statement": statement,
+    "narrow_range": narrow_range,
+    "unit_name": unit_name,
+    "units": units,
+    "flag_units": flag_units,
     "constants": constants,
     "copy_field": copy_field,
 }
-
-TESTS: dict[str, Callable[..., bool]] = {"a_run": lambda step: isinstance(step, Run)}

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 
-from sbgcgen.model import Enum, Field, Layout, Packed, Position, Quantity
+from sbgcgen.model import Enum, Field, Layout, Message, Packed, Position, Quantity
 from sbgcgen.spec.diagnostics import Diagnostics
 from sbgcgen.spec.load import Map, Spec
+from sbgcgen.targets.cpp.filters import unit_name
+from sbgcgen.targets.cpp.flag_unit import flag_units
 
 WORDS = frozenset(
     """alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t
@@ -19,13 +22,14 @@ WORDS = frozenset(
     using virtual void volatile wchar_t while xor xor_eq""".split()
 )
 # Members that every generated message, struct, packed integer and quantity has of its own.
+_MEMBERS = ("varying_members", "tagged_unions")
 _MESSAGE = frozenset(
-    ("command", "direction", "form", "min_size", "max_size", "since", "tail", "until")
+    ("command", "direction", "form", "min_size", "max_size", "since", "tail", "until", *_MEMBERS)
 )
 # Types that messages have inside.
 _INNER_TYPES = frozenset(("Context", "Response"))
-_STRUCT = frozenset(("wire_size",))
-_PACKED = frozenset(("raw", "raw_", "raw_type", "named"))
+_STRUCT = frozenset(("wire_size", *_MEMBERS))
+_PACKED = frozenset(("raw", "raw_", "raw_type", "named", "set"))
 _QUANTITY = frozenset(("raw", "real", "unit", "from_real"))
 
 
@@ -52,11 +56,14 @@ def check_names(spec: Spec, layout: Layout, found: Diagnostics) -> None:
         _check_members(struct.fields, "struct", _STRUCT, types, found)
     for message in layout.messages:
         _check_members(message.fields, "message", _MESSAGE, types, found)
+        _check_flag_units(message, found)
     for _, name, node, _ in spec.entries("quantities"):
         if node.get("accessor") in _QUANTITY:
             text = f"'{node['accessor']}' is a member that every quantity has"
             hint = "call the conversion after its unit: degrees, volts"
             found.add(node.at("accessor"), "SBGC022", text, hint)
+    _check_units(layout, found)
+    _check_packed(layout, found)
     for part in (part for packed in layout.packed for part in packed.parts):
         if part.name in _PACKED:
             text = f"'{part.name}' is a member that every packed integer has"
@@ -106,6 +113,42 @@ def _check_members(
             if special.name in words:
                 text = f"'{special.name}' is the name of another member"
                 found.add(special.at, "SBGC012", text, "give the special value another name")
+
+
+def _check_units(layout: Layout, found: Diagnostics) -> None:
+    """A unit is the name of a type and of its literals, as in 45_deg."""
+    seen: dict[str, Quantity] = {}
+    for quantity in layout.quantities:
+        name = unit_name(quantity)
+        first = seen.setdefault(name, quantity)
+        if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", name) or not can_be_a_name(name):
+            text = f"the unit of {quantity.name} can not be a part of names in C++"
+            found.add(quantity.at, "SBGC022", text, f"its literals would end in '_{name}'")
+        elif first.unit != quantity.unit:
+            text = f"literals of {quantity.name} would be those of {first.name}: 1_{name}"
+            found.add(quantity.at, "SBGC028", text, "give its unit or accessor another name")
+
+
+def _check_flag_units(message: Message, found: Diagnostics) -> None:
+    """A field with two units brings functions along."""
+    members = {f"{word}_{unit.name}" for unit in flag_units(message) for word in ("set", "real")}
+    for field in message.fields:
+        if field.name in members:
+            text = f"'{field.name}' is a function of {message.name}, for a field with two units"
+            found.add(field.at, "SBGC022", text, "give the field another name with 'as'")
+
+
+def _check_packed(layout: Layout, found: Diagnostics) -> None:
+    """The values that a packed integer converts from are members of it."""
+    for packed in layout.packed:
+        enum = packed.names or (packed.main.enum if packed.main else None)
+        parts = {name for part in packed.parts for name in (part.name, f"set_{part.name}")}
+        for value in enum.values if enum else ():
+            if value.identifier in _PACKED | parts:
+                text = (
+                    f"'{value.identifier}' of {enum.name} is the name of a member of {packed.name}"
+                )
+                found.add(packed.at, "SBGC022", text, "give the part, or the value, another name")
 
 
 def _check_flags(enums: Iterable[Enum], types: dict[str, Position], found: Diagnostics) -> None:

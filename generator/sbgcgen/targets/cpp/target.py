@@ -11,7 +11,7 @@ from sbgcgen.spec.diagnostics import Diagnostics
 from sbgcgen.spec.load import Spec
 from sbgcgen.targets import Code, Target, View
 from sbgcgen.targets.cpp import example as worked
-from sbgcgen.targets.cpp.filters import FILTERS, TESTS
+from sbgcgen.targets.cpp.filters import FILTERS
 from sbgcgen.targets.cpp.lint import check_names
 from sbgcgen.targets.render import environment
 
@@ -20,7 +20,7 @@ class Cpp(Target):
     """The headers, C++ in worked examples, and names that C++ cannot have."""
 
     def view(self, layout: Layout, project: Path) -> View:
-        return View(filters=FILTERS, tests=TESTS)
+        return View(filters=FILTERS)
 
     def lint(self, spec: Spec, layout: Layout, found: Diagnostics) -> None:
         check_names(spec, layout, found)

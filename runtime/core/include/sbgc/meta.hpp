@@ -143,7 +143,7 @@ struct MessageInfo {
   std::size_t max_size{};
   Availability since{};
   Availability until{};  ///< these versions and later ones no longer take it; 0: all do
-  /// Names of the messages that answer it; what else is known of that, exchange_of() knows.
+  /// Names of the messages that answer it; what else is known of that, response_policy() knows.
   std::span<const char* const> answers{};
   const char* stores = "";  ///< the message whose settings it writes, or ""
   Effects effects{};        ///< none of a message from the board

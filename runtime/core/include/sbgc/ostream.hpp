@@ -14,8 +14,12 @@ requires is_printable<T> std::ostream& operator<<(std::ostream& stream, const T&
   return stream << to_string(value);
 }
 
+// For calls that find it by the namespace of the value.
 namespace msg {
 using sbgc::operator<<;
 }  // namespace msg
+namespace io {
+using sbgc::operator<<;
+}  // namespace io
 
 }  // namespace sbgc

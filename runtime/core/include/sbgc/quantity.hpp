@@ -6,51 +6,83 @@
 #include <cstdint>
 #include <limits>
 
-namespace sbgc {
+#include <sbgc/physical.hpp>
 
-/// A real number turned into a quantity, unless it does not fit.
-///
-/// A constant converts by itself, and one that does not fit does not compile:
-///     Angle14 a = Angle14::from_degrees(-30.0);
-/// A value that is known only at run time has to be asked first:
-///     if (auto a = Angle14::from_degrees(x)) use(*a);
+namespace sbgc {
+namespace detail {
+
+template <class>
+inline constexpr bool always_false = false;
+
+/// Where a number that does not fit is used untested: a constant expression ends here with an
+/// error, a program stops.
+[[noreturn]] inline void the_number_does_not_fit_into_the_quantity() noexcept { __builtin_trap(); }
+
+}  // namespace detail
+
+/// A number known at run time as a quantity, unless it does not fit:
+///     if (const auto angle = Angle14::from_degrees(x)) use(*angle);
 template <class Q>
-class Conversion {
+class [[nodiscard]] Conversion {
  public:
   constexpr Conversion() = default;
   constexpr explicit Conversion(Q value) noexcept : value_(value), fits_(true) {}
 
   /// Whether the number fits.
   constexpr explicit operator bool() const noexcept { return fits_; }
-  /// The nearest quantity. Precondition: the number fits.
-  constexpr Q operator*() const noexcept { return value_; }
+  /// The nearest quantity. The program stops if the number does not fit.
+  constexpr Q operator*() const noexcept {
+    if (!fits_) detail::the_number_does_not_fit_into_the_quantity();
+    return value_;
+  }
   constexpr Q value_or(Q other) const noexcept { return fits_ ? value_ : other; }
 
-  consteval operator Q() const noexcept {  // NOLINT(google-explicit-constructor): see above
-    if (!fits_) number_does_not_fit_into_the_quantity();
+  /// Never compiles; says what to write instead.
+  template <std::same_as<Q> To>
+  constexpr operator To() const noexcept {  // NOLINT(google-explicit-constructor): see above
+    static_assert(
+        detail::always_false<To>,
+        "a number known at run time may not fit: test it, as in 'if (const auto angle = "
+        "Angle14::from_degrees(x))', then use *angle; write a constant as a literal, such "
+        "as 45_deg");
     return value_;
   }
 
  private:
-  // Not constexpr: reaching it at compile time is the error message.
-  static void number_does_not_fit_into_the_quantity() noexcept {}
-
   Q value_{};
   bool fits_{};
 };
 
 namespace detail {
 
-/// What all quantities share: real value = raw * numerator / denominator + offset.
-template <class Self, class Raw, std::int64_t numerator, std::int64_t denominator,
+/// What all quantities share: real value = raw * numerator / denominator + offset, in `Unit`.
+template <class Self, class Raw, class Unit, std::int64_t numerator, std::int64_t denominator,
           std::int64_t offset_numerator = 0, std::int64_t offset_denominator = 1>
   requires std::integral<Raw> || std::floating_point<Raw>
 class Quantity {
  public:
   using raw_type = Raw;
+  static constexpr const char* unit = Unit::text;
 
   constexpr Quantity() = default;
   constexpr explicit Quantity(Raw raw) noexcept : raw_(raw) {}
+  /// Never compiles; says what to write instead.
+  template <std::floating_point Real>
+    requires std::integral<Raw>
+  constexpr explicit Quantity(Real) noexcept {
+    static_assert(
+        always_false<Real>,
+        "this constructor takes the whole number of the wire: write a physical value as a "
+        "literal, such as 45_deg, or with a function such as Angle14::from_degrees(x)");
+  }
+  /// A literal in the unit of the quantity, such as 45_deg.
+  template <std::int64_t n, std::int64_t d>
+  constexpr Quantity(Physical<Unit, n, d>) noexcept {  // NOLINT(google-explicit-constructor)
+    constexpr auto nearest = from_real(Physical<Unit, n, d>::real());
+    static_assert(static_cast<bool>(nearest),
+                  "this physical value does not fit into the number of the quantity on the wire");
+    raw_ = (*nearest).raw();
+  }
 
   /// The number as it stands on the wire.
   constexpr Raw raw() const noexcept { return raw_; }

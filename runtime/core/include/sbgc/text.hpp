@@ -17,8 +17,8 @@
 #include <type_traits>
 
 #include <sbgc/printable.hpp>
-#include <sbgc/status.hpp>
 #include <sbgc/text/leaves.hpp>
+#include <sbgc/text/status.hpp>
 #include <sbgc/text/values.hpp>
 #include <sbgc/validate.hpp>
 
@@ -63,10 +63,6 @@ template <class T>
   requires detail::NamedEnum<T> || detail::NamedFlags<T> || detail::NamedPacked<T> ||
       detail::AnyQuantity<T> || detail::AnyStruct<T>
 inline constexpr bool is_printable<T> = true;
-template <>
-inline constexpr bool is_printable<Code> = true;
-template <>
-inline constexpr bool is_printable<Status> = true;
 template <>
 inline constexpr bool is_printable<Rule> = true;
 template <>
@@ -114,15 +110,7 @@ std::string to_string(const T& message) {
   return result + '}';
 }
 
-inline std::string to_string(Code code) { return name(code); }
 inline std::string to_string(Rule rule) { return name(rule); }
-
-/// "note_length: The value does not fit into the field", without a full stop.
-inline std::string to_string(const Status& status) {
-  std::string sentence = text(status.code);
-  sentence.pop_back();
-  return *status.field == '\0' ? sentence : std::string(status.field) + ": " + sentence;
-}
 
 /// What is wrong with a value, to be read after the value: "is above 720 deg".
 inline std::string objection_text(const Violation& violation) {

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace sbgc {
 
@@ -176,6 +178,11 @@ class Optional {
   constexpr Optional() = default;
   // NOLINTNEXTLINE(google-explicit-constructor): a value is an optional value
   constexpr Optional(const T& value) noexcept : value_(value), present_(true) {}
+  /// Of what converts to a value, such as a literal of a quantity.
+  template <class U>
+    requires(!std::is_arithmetic_v<U> && std::convertible_to<const U&, T>)
+  // NOLINTNEXTLINE(google-explicit-constructor): see above
+  constexpr Optional(const U& value) noexcept : value_(value), present_(true) {}
 
   [[nodiscard]] constexpr bool has_value() const noexcept { return present_; }
   constexpr explicit operator bool() const noexcept { return present_; }

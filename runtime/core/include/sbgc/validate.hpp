@@ -220,7 +220,8 @@ class Validator {
                       Rule rule, const UnitInfo* variable_unit = nullptr,
                       const ValueInfo* named = nullptr) {
     valid_ = false;
-    const UnitInfo* unit = field.alternative == nullptr ? field.unit : nullptr;
+    const bool has_unit = field.alternative == nullptr && rule != Rule::count;
+    const UnitInfo* unit = has_unit ? field.unit : nullptr;
     if (variable_unit != nullptr) unit = variable_unit;
     report_(Violation{path, field, value, limit, rule, unit, named});
   }

@@ -1,30 +1,42 @@
 /// From a frame to a typed message.
 #pragma once
 
+#include <concepts>
+#include <type_traits>
 #include <utility>
 
 #include <sbgc/dispatch.hpp>
 #include <sbgc/frame.hpp>
+#include <sbgc/visitor.hpp>
 
 namespace sbgc {
 
-/// Decodes a body and calls `visitor(message)` with the message it is.
+/// Decodes a body and calls `visitor(message)` with the message it is, if the visitor accepts that:
+///     visit(id, body, direction, [](const msg::Control& control) { ... });
 ///
 /// `direction` says who sent it: some ids mean one thing in one direction and another in the
 /// other. `contexts` is what earlier messages have told (see Contexts). The status is that of
-/// decoding, or unknown_command or unknown_form; the visitor is called only when it is ok.
+/// decoding, or unknown_command or unknown_form; the visitor is called only when it is ok. A
+/// message that the visitor does not accept is not decoded either: its status is ok.
 template <class Visitor>
 constexpr Status visit(std::uint8_t id, std::span<const std::uint8_t> body, Direction direction,
                        Visitor&& visitor, const Contexts& contexts = {}) {
+  using Accepted = detail::Accepted<std::remove_reference_t<Visitor>>;
+  constexpr bool accepts_messages = Accepted::has_one_of(AllMessages{});
+  static_assert(accepts_messages,
+                "this visitor, or a function of it, accepts no message: let it take one as in "
+                "[](const sbgc::msg::Control& control) { ... }");
   Status status{};
   const Code code = select(direction, id, body.size(), [&]<class M>(Type<M>) {
-    M message{};
-    if constexpr (requires { contexts.of(message); }) {
-      status = decode(body, message, contexts.of(message));
-    } else {
-      status = decode(body, message);
+    if constexpr (Accepted::template has<M>) {
+      M message{};
+      if constexpr (requires { contexts.of(message); }) {
+        status = decode(body, message, contexts.of(message));
+      } else {
+        status = decode(body, message);
+      }
+      if (status) visitor(std::as_const(message));
     }
-    if (status) visitor(std::as_const(message));
   });
   return code == Code::ok ? status : Status{code};
 }
@@ -34,6 +46,16 @@ template <class Visitor>
 constexpr Status visit(const Frame& frame, Direction direction, Visitor&& visitor,
                        const Contexts& contexts = {}) {
   return visit(frame.id, frame.body, direction, std::forward<Visitor>(visitor), contexts);
+}
+
+/// As visit(frame, direction, overloaded{first, second, more...}).
+template <class First, class Second, class... More>
+  requires(!std::same_as<std::remove_cvref_t<Second>, Contexts>)
+constexpr Status visit(const Frame& frame, Direction direction, First&& first, Second&& second,
+                       More&&... more) {
+  return visit(frame, direction,
+               overloaded{std::forward<First>(first), std::forward<Second>(second),
+                          std::forward<More>(more)...});
 }
 
 }  // namespace sbgc

@@ -59,14 +59,14 @@ void Table::add_live_data() {
   };
   add<msg::RealtimeDataCustomRequest>({.request = {.flags = flags}, .after = has_the_blocks});
   msg::DataStreamInterval stream;
-  stream.cmd_id = msg::CommandId::realtime_data_3;
+  stream.cmd_id = msg::CommandFromBoard::realtime_data_3;
   stream.interval_ms = msg::Milliseconds(0);
   add<msg::DataStreamInterval>(
       {.request = stream,
        .before =
            [](Host& host) {
              msg::DataStreamInterval begin;
-             begin.cmd_id = msg::CommandId::realtime_data_3;
+             begin.cmd_id = msg::CommandFromBoard::realtime_data_3;
              begin.interval_ms = msg::Milliseconds(10);
              EXPECT_THAT(all<msg::RealtimeData3>(host.ask(begin, milliseconds(1005))), SizeIs(100));
            },

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include <sbgc/exchanges/all.hpp>
 #include <sbgc/meta/all.hpp>
+#include <sbgc/responses/all.hpp>
 
 #include "host.hpp"
 
@@ -23,11 +23,11 @@ enum class Comes {
   nothing,
 };
 
-/// Fails unless the packets are what exchange_of(request) announces, and nothing else.
-void expect_as_modelled(const Exchange& exchange, const Packets& packets, Comes comes);
+/// Fails unless the packets are what response_policy(request) announces, and nothing else.
+void expect_as_modelled(const ResponsePolicy& policy, const Packets& packets, Comes comes);
 
 /// How long all that the model announces takes at most.
-Duration patience(const Exchange& exchange);
+Duration patience(const ResponsePolicy& policy);
 
 using Check = std::function<void()>;
 
@@ -58,12 +58,12 @@ class Table {
     checks_.emplace(Meta<M>::info.name, [entry = std::move(entry)] {
       Host host(entry.options);
       if (entry.before) entry.before(host);
-      const Exchange exchange = exchange_of(entry.request);
+      const ResponsePolicy policy = response_policy(entry.request);
       const std::uint64_t restarts = host.board.counters().restarts;
-      const Packets packets = host.ask(entry.request, patience(exchange));
-      expect_as_modelled(exchange, packets, entry.comes);
-      if (exchange.restarts_board) host.listen(seconds(2));
-      EXPECT_EQ(host.board.counters().restarts - restarts, exchange.restarts_board ? 1U : 0U);
+      const Packets packets = host.ask(entry.request, patience(policy));
+      expect_as_modelled(policy, packets, entry.comes);
+      if (policy.restarts_board) host.listen(seconds(2));
+      EXPECT_EQ(host.board.counters().restarts - restarts, policy.restarts_board ? 1U : 0U);
       if (entry.after) entry.after(host, packets);
     });
   }

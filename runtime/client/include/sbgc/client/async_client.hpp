@@ -163,7 +163,7 @@ class AsyncClient {
         [&impl = *impl_, request = std::move(request), options,
          handler = std::move(handler)](const Completion<Subscription>& done) mutable -> Stop {
           if (!request) return done(request.error()), Stop{};
-          roles::stream_command(*request) = M::command;
+          detail::choose_stream<M>(*request);
           const detail::EncodedRequest encoded(*request);
           if (!encoded) return done(encoded.error()), Stop{};
           return begin_stream(impl, encoded.frame(), detail::key_of<M>,

@@ -99,7 +99,7 @@ class Client : public Calls<Client> {
   Result<Subscription> stream(std::type_identity_t<Request> request,
                               std::function<void(const M&)> handler,
                               const CallOptions& options = {}) {
-    roles::stream_command(request) = M::command;
+    detail::choose_stream<M>(request);
     const detail::EncodedRequest encoded(request);
     if (!encoded) return encoded.error();
     return conversation_.stream(encoded.frame(), detail::key_of<M>,

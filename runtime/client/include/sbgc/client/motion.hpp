@@ -13,26 +13,8 @@ namespace sbgc {
 
 class Client;
 
-/// Where an axis shall go; without an angle it is left alone.
-class AxisTarget {
- public:
-  constexpr AxisTarget() = default;
-  // NOLINTNEXTLINE(google-explicit-constructor): an angle is a target
-  constexpr AxisTarget(msg::Angle14 angle) noexcept : angle_(angle) {}
-  // NOLINTNEXTLINE(google-explicit-constructor): a constant angle is one, too
-  consteval AxisTarget(Conversion<msg::Angle14> angle) noexcept
-      : angle_(static_cast<msg::Angle14>(angle)) {}
-
-  constexpr explicit operator bool() const noexcept { return angle_.has_value(); }
-  /// Precondition: it has an angle.
-  constexpr msg::Angle14 operator*() const noexcept { return *angle_; }
-
- private:
-  Optional<msg::Angle14> angle_{};
-};
-
-/// {.pitch = Angle14::from_degrees(-30.0)} moves one axis only.
-using MoveTarget = Axes<AxisTarget>;
+/// {.pitch = -30_deg} moves one axis; axes without an angle are left alone.
+using MoveTarget = Axes<Optional<msg::Angle14>>;
 
 /// What is seen while the camera moves.
 struct MoveProgress {

@@ -101,6 +101,19 @@ Result<Request> stream_request(std::chrono::milliseconds interval) {
   return request;
 }
 
+/// Makes `request` be about the stream of M.
+template <class M, class Request>
+void choose_stream(Request& request) noexcept {
+  constexpr bool is_streamed = roles::StreamMessages::contains<M>;
+  static_assert(
+      is_streamed,
+      "the board has no stream of this message: sbgc::roles::StreamMessages are possible");
+  if constexpr (is_streamed) {
+    auto& command = roles::stream_command(request);
+    command = static_cast<std::remove_reference_t<decltype(command)>>(M::command);
+  }
+}
+
 /// Decodes messages for a handler that takes them typed.
 template <class M>
 Conversation::MessageHandler typed_handler(std::function<void(const M&)> handler) {

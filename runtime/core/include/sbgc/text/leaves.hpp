@@ -311,16 +311,18 @@ class LeafWalk {
   std::size_t offset_ = 0;  // in the body
 };
 
+template <class User>
+void call_user(void* user, const Leaf& leaf) {
+  (*static_cast<User*>(user))(leaf);
+}
+
 }  // namespace detail
 
 /// Calls `use(const Leaf&)` for every value of a message or struct, in wire order. A missing member
 /// and an empty tail have none.
 template <class T, class User>
 void for_each_leaf(const T& message, User&& use) {
-  const auto call = [](void* user, const Leaf& leaf) {
-    (*static_cast<std::remove_reference_t<User>*>(user))(leaf);
-  };
-  detail::LeafWalk walk(call, &use);
+  detail::LeafWalk walk(detail::call_user<std::remove_reference_t<User>>, &use);
   walk.members(message, nullptr);
 }
 

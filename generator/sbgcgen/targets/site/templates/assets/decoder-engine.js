@@ -144,7 +144,7 @@ function decoderEngine(scope) {
     } else {
       const limit = 5; // start bytes that are explained
       give(bytes.subarray(offset, Math.min(size, offset + length + wasm.frame_limit())));
-      wasm.near_misses(length, limit);
+      wasm.rejected_candidates(length, limit);
       answer.misses = JSON.parse(outputText());
     }
     scope.postMessage(answer);

@@ -1,0 +1,90 @@
+"""Fields whose unit a flag of the message chooses, and how C++ reaches field and flag."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from sbgcgen.model import Alternative, Field, Message, Quantity, Struct
+
+
+@dataclass(frozen=True)
+class FlagUnit:
+    """A field of a message in either of two units.
+
+    `elements` is the list, `index` of which has the field at `member` (with its dot); `flags` is
+    where the flag is. If all elements have one flag, it `is_common`.
+    """
+
+    name: str
+    field: Field
+    usual: Quantity
+    alternative: Alternative
+    elements: str
+    member: str
+    flags: str
+    is_common: bool
+
+    @property
+    def place(self) -> str:
+        """The field of an element, or the only one."""
+        return f"{self.elements}[index]{self.member}" if self.elements else self.member
+
+
+def flag_units(message: Message) -> list[FlagUnit]:
+    """The fields with two units that one index, or none, leads to and that are always there."""
+    found = [unit for path in _paths(message.fields, ()) if (unit := _flag_unit(message, path))]
+    names = Counter(unit.name for unit in found)
+    return [
+        unit if names[unit.name] == 1 else replace(unit, name=_full_name(unit)) for unit in found
+    ]
+
+
+def _paths(fields: tuple[Field, ...], path: tuple[Field, ...]) -> Iterator[tuple[Field, ...]]:
+    """Those of the fields with two units."""
+    for field in fields:
+        if field.when is not None:
+            continue
+        if isinstance(field.type, Struct):
+            if not field.type.is_region:
+                yield from _paths(field.type.fields, (*path, field))
+        elif field.alternative is not None:
+            yield (*path, field)
+
+
+def _flag_unit(message: Message, path: tuple[Field, ...]) -> FlagUnit | None:
+    field = path[-1]
+    several = [i for i, step in enumerate(path) if step.dim != "one"]
+    source = next(
+        (f for f in message.fields if field.alternative and f.name == field.alternative.source),
+        None,
+    )
+    if len(several) > 1 or source is None or source.when is not None:
+        return None
+    assert field.alternative is not None and isinstance(field.type, Quantity)
+    names = [step.name for step in path]
+    split = several[0] + 1 if several else 0
+    list_ = path[several[0]] if several else None
+    is_own = list_ is not None and _is_alike(source, list_)
+    if source.dim != "one" and not is_own:
+        return None
+    return FlagUnit(
+        name=field.name,
+        field=field,
+        usual=field.type,
+        alternative=field.alternative,
+        elements=".".join(names[:split]),
+        member="".join(f".{name}" for name in names[split:]) if split else ".".join(names),
+        flags=f"{source.name}[index]" if is_own else source.name,
+        is_common=list_ is not None and not is_own,
+    )
+
+
+def _is_alike(one: Field, other: Field) -> bool:
+    """Whether both have an element for the same indices."""
+    return one.dim == other.dim and one.dim in ("axis", "xyz")
+
+
+def _full_name(unit: FlagUnit) -> str:
+    return (unit.elements + unit.member).replace(".", "_")

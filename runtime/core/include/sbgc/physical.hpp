@@ -1,0 +1,84 @@
+/// Literals of physical values, such as 45_deg: the number and the unit are in the type.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace sbgc {
+
+/// `numerator / denominator` in the unit. It converts to every quantity in that unit that can hold
+/// it; whether one can is known while compiling.
+template <class Unit, std::int64_t numerator, std::int64_t denominator = 1>
+struct Physical {
+  static constexpr double real() noexcept {
+    return static_cast<double>(numerator) / static_cast<double>(denominator);
+  }
+  constexpr Physical operator+() const noexcept { return {}; }
+  constexpr Physical<Unit, -numerator, denominator> operator-() const noexcept { return {}; }
+};
+
+namespace detail {
+
+/// A number as source code writes it. It is exact, and so is its quotient as a double.
+struct Decimal {
+  std::int64_t numerator = 0;
+  std::int64_t denominator = 1;
+  bool is_decimal = true;
+  bool is_short = true;
+
+  constexpr void times_ten(std::int64_t& number) noexcept {
+    constexpr std::int64_t exact = 1'000'000'000'000'000;  // below 2^53
+    if (number < exact / 10) {
+      number *= 10;
+    } else {
+      is_short = false;
+    }
+  }
+};
+
+/// Reads "45", "12.6", "1'000" and "2.5e-3".
+template <std::size_t n>
+constexpr Decimal read_decimal(const std::array<char, n>& text) noexcept {
+  Decimal result{};
+  std::size_t at = 0;
+  bool is_fraction = false;
+  for (; at < n && text[at] != 'e' && text[at] != 'E'; ++at) {
+    const char c = text[at];
+    if (c == '\'') continue;
+    if (c == '.') {
+      is_fraction = true;
+    } else if (c >= '0' && c <= '9') {
+      result.times_ten(result.numerator);
+      result.numerator += c - '0';
+      if (is_fraction) result.times_ten(result.denominator);
+    } else {
+      result.is_decimal = false;
+    }
+  }
+  // To C++ a whole number that begins with 0 is octal.
+  if (n > 1 && text[0] == '0' && at == n && !is_fraction) result.is_decimal = false;
+  if (at == n) return result;
+  const bool is_negative = text[++at] == '-';
+  if (text[at] == '-' || text[at] == '+') ++at;
+  int exponent = 0;
+  for (; at < n && exponent < 100; ++at) {
+    if (text[at] != '\'') exponent = 10 * exponent + (text[at] - '0');
+  }
+  for (; exponent > 0 && result.is_short; --exponent) {
+    result.times_ten(is_negative ? result.denominator : result.numerator);
+  }
+  return result;
+}
+
+/// What a literal of the unit is.
+template <class Unit, char... text>
+constexpr auto physical() noexcept {
+  constexpr Decimal number = read_decimal(std::array{text...});
+  static_assert(number.is_decimal, "write the number of a physical value in decimal");
+  static_assert(number.is_short, "the number of this physical value has too many digits");
+  return Physical<Unit, number.numerator, number.denominator>{};
+}
+
+}  // namespace detail
+}  // namespace sbgc

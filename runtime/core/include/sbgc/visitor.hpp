@@ -1,0 +1,76 @@
+/// Which messages a visitor accepts.
+#pragma once
+
+#include <concepts>
+#include <type_traits>
+
+#include <sbgc/type_list.hpp>
+
+namespace sbgc {
+
+/// Several functions as one; overload resolution decides which of them runs.
+template <class... Functions>
+struct overloaded : Functions... {  // NOLINT(readability-identifier-naming): its usual name
+  using Functions::operator()...;
+};
+template <class... Functions>
+overloaded(Functions...) -> overloaded<Functions...>;
+
+namespace detail {
+
+template <class F, class R, class M, bool never_throws>
+Type<std::remove_cvref_t<M>> parameter(R (F::*)(M) noexcept(never_throws));
+template <class F, class R, class M, bool never_throws>
+Type<std::remove_cvref_t<M>> parameter(R (F::*)(M) const noexcept(never_throws));
+
+template <class Visitor>
+concept HasOneParameter = requires {
+  parameter(&Visitor::operator());
+};
+
+/// What a function accepts that may have several parameters' types, such as a generic lambda.
+template <class Function>
+struct Accepted {
+  template <class M>
+  static constexpr bool has = requires(Function& function, const M& message) {
+    function(message);
+  };
+
+  template <class... M>
+  static constexpr bool has_one_of(TypeList<M...>) noexcept {
+    return (has<M> || ...);
+  }
+};
+
+/// A plain lambda takes its parameter's type only. (Some messages are derived from another one with
+/// the same body, and would convert to it.)
+template <class Function>
+  requires HasOneParameter<std::remove_const_t<Function>>
+struct Accepted<Function> {
+  using Parameter = typename decltype(parameter(&Function::operator()))::type;
+
+  template <class M>
+  static constexpr bool has = std::same_as<M, Parameter>&& std::invocable<Function&, const M&>;
+
+  template <class... M>
+  static constexpr bool has_one_of(TypeList<M...>) noexcept {
+    return (has<M> || ...);
+  }
+};
+
+/// Each function has to be of some use.
+template <class... Functions>
+struct Accepted<overloaded<Functions...>> {
+  template <class M>
+  static constexpr bool has = (Accepted<Functions>::template has<M> || ...);
+
+  template <class... M>
+  static constexpr bool has_one_of(TypeList<M...> messages) noexcept {
+    return (Accepted<Functions>::has_one_of(messages) && ...);
+  }
+};
+template <class... Functions>
+struct Accepted<const overloaded<Functions...>> : Accepted<overloaded<const Functions...>> {};
+
+}  // namespace detail
+}  // namespace sbgc

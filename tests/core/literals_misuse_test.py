@@ -1,0 +1,133 @@
+"""What must not compile does not, and each compiler says in a sentence what to write instead."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+INCLUDES = [*ROOT.glob("runtime/*/include"), ROOT / "generated/include"]
+FLAGS = ["-std=c++20", "-Wall", "-Wextra", "-fsyntax-only", "-fno-color-diagnostics"]
+COMPILERS = [name for name in ("g++", "clang++") if shutil.which(name)]
+
+HEAD = """
+#include <optional>
+#include <sbgc/messages/control.hpp>
+using namespace sbgc;
+using namespace sbgc::literals;
+struct Both {
+  Optional<msg::Angle14> ours;
+  std::optional<msg::Angle14> standard;
+};
+"""
+TEST_IT = r"a number known at run time may not fit: test it, .* then use \*angle"
+DOES_NOT_FIT = "this physical value does not fit into the number of the quantity on the wire"
+NO_MESSAGE = "accepts no message: let it take one as in"
+VISIT = """
+#include <sbgc/visit.hpp>
+void use(const Frame& frame) { visit(frame, Direction::to_board, %s); }
+"""
+
+WRONG = {
+    "out of range": ("msg::Angle14 angle = 800_deg;", DOES_NOT_FIT),
+    "below the range": ("msg::SmallDegrees angle = -1_deg;", DOES_NOT_FIT),
+    "out of range in a message": (
+        "msg::Control control{.axes = {.yaw = {.angle = -721_deg}}};",
+        DOES_NOT_FIT,
+    ),
+    "out of range in an optional field": ("Both both{.ours = 800_deg};", DOES_NOT_FIT),
+    "out of range in a standard optional": ("Both both{.standard = 800_deg};", DOES_NOT_FIT),
+    "another unit": (
+        "msg::Control control{.axes = {.yaw = {.angle = 20_deg_per_s}}};",
+        r"conver\w+ .*from .*Physical<.*deg_per_s.* to .*Angle14",
+    ),
+    "another unit in an optional field": (
+        "Both both{.ours = 12.6_V};",
+        r"Physical<.*unit::V.*Optional<(sbgc::)?msg::Angle14>",
+    ),
+    "no unit": ("msg::Angle14 angle = 45;", r"from .*int.* to .*Angle14"),
+    "not decimal": (
+        "msg::Angle14 angle = 0x10_deg;",
+        "write the number of a physical value in decimal",
+    ),
+    "octal": ("msg::Angle14 angle = 010_deg;", "write the number of a physical value in decimal"),
+    "too many digits": (
+        "msg::Angle14 angle = 1.23456789012345678_deg;",
+        "this physical value has too many digits",
+    ),
+    "untested": (
+        "msg::Angle14 use(double x) { return msg::Angle14::from_degrees(x); }",
+        TEST_IT,
+    ),
+    "untested in a message": (
+        "void use(double x, msg::Control& c) { c.axes.yaw = {.angle = msg::Angle14::from_degrees(x)}; }",
+        TEST_IT,
+    ),
+    "untested in an optional field": (
+        "void use(double x, Both& both) { both.ours = msg::Angle14::from_degrees(x); }",
+        TEST_IT,
+    ),
+    "a constant that does not fit": (
+        "constexpr msg::Angle14 angle = *msg::Angle14::from_degrees(800);",
+        "the_number_does_not_fit_into_the_quantity",
+    ),
+    "a real number as counts": (
+        "msg::Angle14 use(double x) { return msg::Angle14(x); }",
+        r"write a physical value as a literal, such as 45_deg, or with a function such as",
+    ),
+    "visitor of what is not const": (VISIT % "[](msg::Control&) {}", NO_MESSAGE),
+    "visitor of no message": (VISIT % "[](const msg::ControlAxis&) {}", NO_MESSAGE),
+    "visitor without a parameter": (VISIT % "[] {}", NO_MESSAGE),
+    "one of several visitors": (
+        VISIT % "[](const msg::GetAngles&) {}, [](msg::Control&) {}",
+        NO_MESSAGE,
+    ),
+    "one function of a visitor": (
+        VISIT % "overloaded{[](msg::Control&) {}, [](const auto&) {}}",
+        NO_MESSAGE,
+    ),
+}
+RIGHT = """
+Both both{.ours = 45_deg, .standard = -45_deg};
+void use(double x, msg::Control& control) {
+  if (const auto angle = msg::Angle14::from_degrees(x)) control.axes.yaw.angle = *angle;
+}
+"""
+
+
+def compile_text(compiler: str, source: str) -> subprocess.CompletedProcess[str]:
+    flags = [flag for flag in FLAGS if compiler == "clang++" or flag != "-fno-color-diagnostics"]
+    command = [compiler, *flags, *(f"-I{folder}" for folder in INCLUDES), "-x", "c++", "-"]
+    return subprocess.run(command, input=HEAD + source, capture_output=True, text=True, check=False)
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_right_forms_compile(compiler: str) -> None:
+    done = compile_text(compiler, RIGHT)
+    assert done.returncode == 0 and not done.stderr, done.stderr
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_an_ignored_conversion_is_warned_of(compiler: str) -> None:
+    done = compile_text(compiler, "void use(double x) { msg::Angle14::from_degrees(x); }")
+    assert "nodiscard" in done.stderr
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_wrong_forms_do_not_compile(compiler: str) -> None:
+    def check(case: str) -> str:
+        source, sentence = WRONG[case]
+        done = compile_text(compiler, source)
+        said = [line for line in done.stderr.splitlines() if re.search(r"\b(error|note)\b", line)]
+        if done.returncode != 0 and re.search(sentence, "\n".join(said)):
+            return ""
+        return f"{case}: {source}\n{done.stderr}"
+
+    with ThreadPoolExecutor(2) as pool:
+        wrong = [text for text in pool.map(check, WRONG) if text]
+    assert not wrong, "\n".join(wrong)
