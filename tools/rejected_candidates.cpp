@@ -72,15 +72,15 @@ bool is_next_frame(std::span<const std::uint8_t> bytes) {
 std::string reason(Candidate candidate, std::span<const std::uint8_t> bytes,
                    std::optional<Direction> sent) {
   if (bytes.size() < frame_header_size) return "a start byte, but the bytes end within the header";
-  const std::uint8_t id = bytes[1];
-  const std::uint8_t size = bytes[2];
+  const std::uint8_t id = bytes[frame_id_offset];
+  const std::uint8_t size = bytes[frame_size_offset];
   // The frame as it should be; bytes that are not there are 0.
   std::array<std::uint8_t, max_frame_size> right{};
   std::copy_n(bytes.begin(), std::min(bytes.size(), right.size()), right.begin());
   Framing::finish(right.data(), id, size, right.data() + frame_header_size);
   if (candidate.verdict == Verdict::bad_header) {
     if (id == 0) return "a start byte, but no command has the id 0";
-    constexpr std::size_t place = frame_header_size - 1;
+    constexpr std::size_t place = frame_header_checksum_offset;
     return "a start byte, but " + checksum("header", bytes[place], right[place]);
   }
   std::string result = fmt::format("looks like {}, but ", claimed(id, size, sent));

@@ -214,7 +214,7 @@ void Line::put_text(Instant until) {
 void Line::follow_frame(std::uint8_t byte) {
   if (frame_bytes_ == 0 && byte != frame_start) return;
   ++frame_bytes_;
-  if (frame_bytes_ == 3) frame_size_ = Framing::frame_size(byte);
+  if (frame_bytes_ == frame_size_offset + 1) frame_size_ = Framing::frame_size(byte);
   if (frame_bytes_ >= frame_header_size && frame_bytes_ == frame_size_) frame_bytes_ = 0;
 }
 

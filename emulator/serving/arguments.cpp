@@ -129,19 +129,18 @@ Duration parse_interval(const std::string& text) {
 }
 
 msg::FirmwareVersion parse_firmware(const std::string& text) {
-  // As FirmwareVersion reads it: 2439 is 2.43b9.
   constexpr const char* wanted = "a firmware version, such as 2.59 or 2.43b9";
   const auto [major, rest] = split(text, '.');
   // Later releases have another point, as in 2.73.1.
   const auto [minor, last] = split(rest, rest.find('b') == std::string::npos ? '.' : 'b');
   std::array<unsigned, 3> parts{};
   const bool has_last = minor.size() < rest.size();
+  msg::FirmwareVersion version;
   if (minor.size() != 2 || !read(major, 64U, parts[0]) || !read(minor, 99U, parts[1]) ||
-      (has_last && !read(last, 9U, parts[2]))) {
+      (has_last && !read(last, 9U, parts[2])) || !version.set_major(parts[0]) ||
+      !version.set_minor(parts[1]) || !version.set_beta(parts[2])) {
     refuse(text, wanted);
   }
-  const msg::FirmwareVersion version(
-      static_cast<std::uint16_t>(parts[0] * 1000 + parts[1] * 10 + parts[2]));
   if (const std::string problem = problem_of(version); !problem.empty()) {
     throw std::invalid_argument(problem);
   }
@@ -160,10 +159,12 @@ msg::BoardVersion parse_board(const std::string& text) {
   const auto [major, minor] = split(text, '.');
   unsigned whole = 0;
   unsigned tenth = 0;
-  if (!read(major, 24U, whole) || !read(minor, 9U, tenth)) {
+  msg::BoardVersion version;
+  if (!read(major, 24U, whole) || !read(minor, 9U, tenth) || !version.set_major(whole) ||
+      !version.set_minor(tenth)) {
     refuse(text, "a board version, such as 3.0 or 3.2");
   }
-  return msg::BoardVersion(static_cast<std::uint8_t>(whole * 10 + tenth));
+  return version;
 }
 
 emulator::Disturbance parse_motion(const std::string& text) {

@@ -17,6 +17,7 @@
 #include <sbgc/message.hpp>
 #include <sbgc/responses/all.hpp>
 #include <sbgc/roles.hpp>
+#include <sbgc/session.hpp>
 
 namespace {
 
@@ -276,6 +277,23 @@ TEST(Roles, OfFrames) {
   EXPECT_TRUE(sbgc::roles::is_reset(frame(114, 0)));
   EXPECT_FALSE(sbgc::roles::is_reset(frame(67, 1)));
 }
+
+TEST(Roles, SayWhyARequestFailed) {
+  const auto code = [](std::uint8_t id, std::vector<std::uint8_t> body) {
+    return sbgc::roles::failure_code({id, body, 0});
+  };
+  EXPECT_EQ(code(255, {2, 0, 0, 0, 0}), 2U) << "CMD_ERROR";
+  EXPECT_EQ(code(255, {73, 6, 0, 0, 0, 0}), 6U) << "CMD_ERROR that names the command";
+  EXPECT_EQ(code(53, {3}), 3U) << "CMD_READ_FILE";
+  EXPECT_EQ(code(53, {3, 0, 0, 0}), 0U) << "a part of a file";
+  EXPECT_EQ(code(67, {54, 5}), 5U) << "CMD_WRITE_FILE, confirmed";
+  EXPECT_EQ(code(67, {54}), 0U);
+  EXPECT_EQ(code(67, {47, 5}), 0U) << "the confirmation of CMD_EEPROM_WRITE has no result";
+  EXPECT_EQ(code(86, {7}), 0U);
+}
+
+static_assert(sbgc::default_line == sbgc::LineSettings{115200, sbgc::Parity::none});
+static_assert(sbgc::SessionCapacity{}.streams == 10, "firmware 2.59 has no more");
 
 TEST(LineFacts, AreThoseOfTheSpecification) {
   const std::span rates(sbgc::baud_rates);

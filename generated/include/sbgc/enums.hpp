@@ -1281,16 +1281,31 @@ class BoardVersion {
   constexpr raw_type major() const noexcept {
     return static_cast<raw_type>(raw_ / 10);
   }
+  /// False, and nothing changes, when the number does not fit.
+  constexpr bool set_major(unsigned value) noexcept {
+    return set_digits(major(), value, 10, 0);
+  }
 
   /// Minor version.
   constexpr raw_type minor() const noexcept {
     return static_cast<raw_type>(raw_ % 10);
+  }
+  /// False, and nothing changes, when the number does not fit.
+  constexpr bool set_minor(unsigned value) noexcept {
+    return set_digits(minor(), value, 1, 10);
   }
 
   friend constexpr bool operator==(const BoardVersion&, const BoardVersion&) = default;
   friend constexpr auto operator<=>(const BoardVersion&, const BoardVersion&) = default;
 
  private:
+  constexpr bool set_digits(unsigned old, unsigned value, unsigned divide, unsigned modulo) noexcept {
+    const std::uint64_t raw = raw_ + (std::uint64_t{value} - old) * divide;
+    if ((modulo != 0 && value >= modulo) || raw > raw_type(-1)) return false;
+    raw_ = static_cast<raw_type>(raw);
+    return true;
+  }
+
   raw_type raw_{};
 };
 
@@ -1310,21 +1325,40 @@ class FirmwareVersion {
   constexpr raw_type major() const noexcept {
     return static_cast<raw_type>(raw_ / 1000);
   }
+  /// False, and nothing changes, when the number does not fit.
+  constexpr bool set_major(unsigned value) noexcept {
+    return set_digits(major(), value, 1000, 0);
+  }
 
   /// Minor version.
   constexpr raw_type minor() const noexcept {
     return static_cast<raw_type>(raw_ / 10 % 100);
+  }
+  /// False, and nothing changes, when the number does not fit.
+  constexpr bool set_minor(unsigned value) noexcept {
+    return set_digits(minor(), value, 10, 100);
   }
 
   /// Beta version; 0 is a release.
   constexpr raw_type beta() const noexcept {
     return static_cast<raw_type>(raw_ % 10);
   }
+  /// False, and nothing changes, when the number does not fit.
+  constexpr bool set_beta(unsigned value) noexcept {
+    return set_digits(beta(), value, 1, 10);
+  }
 
   friend constexpr bool operator==(const FirmwareVersion&, const FirmwareVersion&) = default;
   friend constexpr auto operator<=>(const FirmwareVersion&, const FirmwareVersion&) = default;
 
  private:
+  constexpr bool set_digits(unsigned old, unsigned value, unsigned divide, unsigned modulo) noexcept {
+    const std::uint64_t raw = raw_ + (std::uint64_t{value} - old) * divide;
+    if ((modulo != 0 && value >= modulo) || raw > raw_type(-1)) return false;
+    raw_ = static_cast<raw_type>(raw);
+    return true;
+  }
+
   raw_type raw_{};
 };
 
@@ -1660,6 +1694,12 @@ class DebugVarType {
 }  // namespace sbgc::msg
 
 namespace sbgc {
+
+/// The types whose display text is how the versions in an Availability are written.
+struct VersionTypes {
+  using Firmware = msg::FirmwareVersion;
+  using Board = msg::BoardVersion;
+};
 
 template <>
 inline constexpr bool is_flag<msg::BoardFeature> = true;

@@ -127,4 +127,16 @@ def _answer(facts: Facts) -> Facts:
     return {**facts, "cases": (case,)}
 
 
-_UPGRADES: dict[str, Callable[[Facts], Facts]] = {"Answer": _answer}
+def _framing(facts: Facts) -> Facts:
+    """The sizes of header and trailer were all that the model had of their parts."""
+    if "header" in facts:
+        return facts
+    checksums = (
+        _object("Checksum", {"name": "header_checksum", "kind": "sum8", "covers": ("id", "size")}),
+        _object("Checksum", {"name": "body_checksum", "kind": "sum8", "covers": ("body",)}),
+    )
+    parts = {"header": ("start", "id", "size", "header_checksum"), "trailer": ("body_checksum",)}
+    return {**facts, **parts, "checksums": checksums}
+
+
+_UPGRADES: dict[str, Callable[[Facts], Facts]] = {"Answer": _answer, "Framing": _framing}

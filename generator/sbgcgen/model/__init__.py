@@ -16,6 +16,7 @@ from sbgcgen.model.values import (
     SCALARS,
     Scalar,
     Until,
+    Versions,
 )
 from sbgcgen.model.bodies import (
     Alternative,
@@ -55,10 +56,17 @@ from sbgcgen.model.messages import (
     copy_field,
 )
 from sbgcgen.model.variables import Variable, VariableSetting
-from sbgcgen.model.protocol import Erratum, Framing, Layout, Line
+from sbgcgen.model.framing import BODY, CHECKSUM_SIZES, ID, SIZE, START, Checksum, Framing
+from sbgcgen.model.protocol import Erratum, Layout, Line
 from sbgcgen.model.revisions import Addition, Revision
 
 __all__ = [
+    "BODY",
+    "CHECKSUM_SIZES",
+    "Checksum",
+    "ID",
+    "SIZE",
+    "START",
     "Addition",
     "Alternative",
     "Announced",
@@ -107,6 +115,7 @@ __all__ = [
     "Until",
     "Variable",
     "VariableSetting",
+    "Versions",
     "conditions",
     "constants",
     "copy_field",

@@ -9,7 +9,7 @@ from sbgcgen.model.position import NOWHERE, Position
 from sbgcgen.model.answers import Answer, Role
 from sbgcgen.model.bodies import Condition, Context, Field, Leaf, Struct
 from sbgcgen.model.effects import Effect
-from sbgcgen.model.values import Availability, Deprecation, Until
+from sbgcgen.model.values import Availability, Deprecation, Enum, Until
 from sbgcgen.model.names import form_suffix, snake_case
 
 # The enum of the ids of commands, by direction.
@@ -76,6 +76,19 @@ class Message:
     @property
     def fields(self) -> tuple[Field, ...]:
         return self.body.fields
+
+    @property
+    def failure(self) -> Field | None:
+        """In the form that answers a request that has failed, the field that says why."""
+        return next(
+            (
+                f
+                for f in self.fields
+                if self.form == "error" and isinstance(f.type, Enum) and f.type.success
+                if f.offset is not None and f.dim == "one" and f.when is None
+            ),
+            None,
+        )
 
     @property
     def has_fixed_size(self) -> bool:

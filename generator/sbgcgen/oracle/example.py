@@ -24,6 +24,7 @@ from sbgcgen.model import (
     Struct,
     Type,
 )
+from sbgcgen.model.packed_text import part_of, text_of
 from sbgcgen.oracle.codec import LISTS, Fields, is_bytes, keys_of, scalar_of
 from sbgcgen.oracle.frames import forms_of, write_frame
 from sbgcgen.oracle.json_values import text_to_bytes
@@ -304,30 +305,13 @@ def flag_names(enum: Enum, bits: int) -> str:
     return " | ".join(names + ([f"0x{bits:x}"] if bits else []))
 
 
-def part_of(part: Part, raw: int) -> int:
-    """What a part of a packed integer holds."""
-    number = ((raw & part.mask) >> part.shift) // part.divide
-    return number % part.modulo if part.modulo else number
-
-
 def _packed_text(packed: Packed, raw: int) -> str:
     if packed.display:
-        return _displayed(packed, raw)
+        return text_of(packed, raw)
     named = [v.name for v in (packed.names.values if packed.names else ()) if v.value == raw]
     if named:
         return named[0]
     return ", ".join(text for part in packed.parts if (text := _part_text(part, raw)))
-
-
-def _displayed(packed: Packed, raw: int) -> str:
-    """The display text with the values of the parts; a group in brackets that holds zeros is left out."""
-    values = {part.name: part_of(part, raw) for part in packed.parts}
-
-    def group(match: re.Match[str]) -> str:
-        is_zero = not any(values[name] for name in re.findall(r"\{(\w+)", match[1]))
-        return "" if is_zero else match[1]
-
-    return re.sub(r"\[([^]]*)\]", group, packed.display).format(**values)
 
 
 def _part_text(part: Part, raw: int) -> str:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
-from sbgcgen.model import Framing, Layout, Message
+from sbgcgen.model import BODY, ID, SIZE, START, Framing, Layout, Message
 from sbgcgen.oracle.codec import CodecError
 
 Forms = dict[tuple[str, int], list[Message]]
@@ -40,8 +40,15 @@ def write_frame(framing: Framing, id: int, body: bytes) -> bytes:
         raise CodecError("invalid_id")
     if len(body) > framing.max_body:
         raise CodecError("too_long", "", framing.max_body)
-    header = bytes((framing.start, id, len(body), (id + len(body)) % 256))
-    return header + body + bytes((sum(body) % 256,))
+    parts = _header(framing, id, len(body)) | {BODY: body}
+    for part in framing.trailer:
+        parts[part] = _checksum(framing, part, parts)
+    return b"".join(parts[part] for part in (*framing.header, BODY, *framing.trailer))
+
+
+def header_of(framing: Framing, id: int, size: int) -> bytes:
+    """The bytes before a body of `size` bytes."""
+    return b"".join(_header(framing, id, size).values())
 
 
 def read_frames(framing: Framing, stream: bytes) -> Iterator[tuple[int, int, bytes]]:
@@ -57,12 +64,32 @@ def read_frames(framing: Framing, stream: bytes) -> Iterator[tuple[int, int, byt
 
 
 def _frame_at(framing: Framing, data: bytes) -> tuple[int, bytes] | None:
-    if len(data) < framing.header_size or data[0] != framing.start or data[1] == 0:
+    """The frame that begins here: what says that it is one is written just so."""
+    header = data[: framing.header_size]
+    if len(header) < framing.header_size:
         return None
-    if (data[1] + data[2]) % 256 != data[3]:
+    id, size = header[framing.place(ID)], header[framing.place(SIZE)]
+    if id == 0 or size > framing.max_body or header != header_of(framing, id, size):
         return None
-    body = data[framing.header_size :][: data[2]]
-    trailer = data[framing.header_size + data[2] :][: framing.trailer_size]
-    if len(body) != data[2] or not trailer or trailer[0] != sum(body) % 256:
-        return None
-    return data[1], body
+    body = data[framing.header_size :][:size]
+    frame = write_frame(framing, id, body)
+    return (id, body) if len(body) == size and data.startswith(frame) else None
+
+
+def _header(framing: Framing, id: int, size: int) -> dict[str, bytes]:
+    parts: dict[str, bytes] = {}
+    known = {START: bytes((framing.start,)), ID: bytes((id,)), SIZE: bytes((size,))}
+    for part in framing.header:
+        parts[part] = known[part] if part in known else _checksum(framing, part, parts)
+    return parts
+
+
+def _checksum(framing: Framing, name: str, parts: dict[str, bytes]) -> bytes:
+    """A checksum over the parts that it covers, all of which come before it."""
+    checksum = framing.checksum(name)
+    assert checksum is not None
+    covered = b"".join(parts[part] for part in checksum.covers)
+    return _CHECKSUMS[checksum.kind](covered).to_bytes(checksum.size, "little")
+
+
+_CHECKSUMS: dict[str, Callable[[bytes], int]] = {"sum8": lambda covered: sum(covered) % 256}

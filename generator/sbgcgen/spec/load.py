@@ -192,11 +192,6 @@ def load(spec_dir: Path, found: Diagnostics) -> Spec:
         if isinstance(family, str) and family.isidentifier():
             spec.families[family] = read(f"{family}.yaml")
     spec.errata = read("errata.yaml")
-    for family, content in spec.families.items():
-        if isinstance(content.get("family"), str) and content["family"] != family:
-            message = f"the family '{content['family']}' is in {family}.yaml"
-            hint = "a family is named like its file"
-            found.add(content.at("family"), "SBGC003", message, hint)
     for path in sorted(spec_dir.glob("*.y*ml")) if spec.families else []:
         if path not in spec.files:
             found.add(

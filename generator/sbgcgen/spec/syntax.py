@@ -17,6 +17,10 @@ _REST = re.compile(r"(bytes|text)\[\]$")
 def check_syntax(spec: Spec, found: Diagnostics) -> None:
     """Report entries that contradict themselves; the spec must fit the schema."""
     max_body = int(spec.main["framing"]["max_body"])
+    for family, content in spec.families.items():
+        if content["family"] != family:
+            text = f"the family '{content['family']}' is in {family}.yaml"
+            found.add(content.at("family"), "SBGC003", text, "a family is named like its file")
     for words in spec.main.get("indices", {}).values():
         for word, position in zip(words, words.items_at):
             if not is_name(word):

@@ -224,12 +224,12 @@ Result<Backup> load_backup(const std::filesystem::path& file) {
 namespace {
 
 std::string other_model(const BoardIdentity& board, const BoardIdentity& backup) {
-  if (board.info.board_ver == backup.info.board_ver) return "";
+  if (board.versions().board == backup.versions().board) return "";
   return fmt::format("the board is a {}, the backup is of a {}", board.board(), backup.board());
 }
 
 std::string other_firmware(const BoardIdentity& board, const BoardIdentity& backup) {
-  const bool is_other = board.info.firmware_ver != backup.info.firmware_ver;
+  const bool is_other = board.versions().firmware != backup.versions().firmware;
   const bool is_special = board.info.frw_extra_id != backup.info.frw_extra_id;
   if (is_other) {
     return fmt::format("the board has the firmware {}, the backup is of {}", board.firmware(),

@@ -15,7 +15,7 @@ std::string BoardIdentity::board() const { return to_string(msg::BoardVersion(ve
 std::string BoardIdentity::serial_number() const {
   std::string text;
   if (!details) return text;
-  for (const std::uint8_t byte : details->device_id) {
+  for (const std::uint8_t byte : roles::serial_number(*details)) {
     std::array<char, 3> digits{};
     std::snprintf(digits.data(), digits.size(), "%02x", byte);
     text += digits.data();

@@ -178,7 +178,7 @@ void Conversation::State::handle_event(const Event& event) {
           event.command == 0 ? "the board reports an error: "
                              : command_name(event.command, Direction::to_board) + refused_words;
       return notify({NoticeKind::board_error, what + describe(event.frame.id, event.frame.body),
-                     error_code_in(event.frame.id, event.frame.body), event.command});
+                     static_cast<int>(roles::failure_code(event.frame)), event.command});
     }
     case EventKind::reset:
       deliver(event.frame);
@@ -212,7 +212,7 @@ Result<Reply> Conversation::State::result_of(const Call& call, const Event& even
   };
   const auto refused = [&](const char* how) {
     return ClientError{ErrorCode::board_error, command + how + describe(frame.id, frame.body),
-                       error_code_in(frame.id, frame.body)};
+                       static_cast<int>(roles::failure_code(frame))};
   };
   switch (event.outcome) {
     case Outcome::answered: return reply(Ending::answered);

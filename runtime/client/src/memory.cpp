@@ -33,7 +33,7 @@ std::string hex(std::uint64_t address) { return fmt::format("{:#x}", address); }
 Result<void> check_place(const Client& client, std::uint64_t address, std::size_t size) {
   constexpr std::uint64_t addressable = std::uint64_t{1} << 32U;
   const auto& details = client.board().details;
-  const std::uint64_t told = details ? details->eeprom_size.raw() : 0;
+  const std::uint64_t told = details ? roles::eeprom_size(*details).raw() : 0;
   const std::uint64_t limit = told != 0 ? told : addressable;
   if (size <= limit && address <= limit - size) return {};
   return ClientError{ErrorCode::invalid,

@@ -227,13 +227,4 @@ std::string describe(std::uint8_t id, std::span<const std::uint8_t> body) {
   return text;
 }
 
-int error_code_in(std::uint8_t id, std::span<const std::uint8_t> body) {
-  if (const auto reason = error_reason_in(id, body)) return static_cast<int>(*reason);
-  std::optional<int> code;
-  for_each_number(id, body, [&](const char*, int number, const EnumInfo*) {
-    if (!code) code = number;
-  });
-  return code.value_or(0);
-}
-
 }  // namespace sbgc::detail

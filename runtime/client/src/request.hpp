@@ -44,7 +44,5 @@ std::string command_name(std::uint8_t id, Direction direction);
 /// What the board says in a message that tells of a failure: "WRONG_STATE" in an error, or
 /// "err_code ERR_FILE_NOT_FOUND (2)".
 std::string describe(std::uint8_t id, std::span<const std::uint8_t> body);
-/// The error code in it, or 0.
-int error_code_in(std::uint8_t id, std::span<const std::uint8_t> body);
 
 }  // namespace sbgc::detail

@@ -35,7 +35,6 @@ def lint(spec: Spec, layout: Layout, found: Diagnostics) -> None:
     _check_ids(spec, layout, found)
     _check_forms(layout, found)
     _check_until(layout, found)
-    _check_newest(spec, layout, found)
     _check_bodies(layout, found)
     _check_variables(layout, found)
     _check_stores(layout, found)
@@ -122,13 +121,6 @@ def _can_hold(wide: Field, narrow: Field) -> bool:
     if holds is None or holds.minimum is None or holds.maximum is None:
         return False
     return holds.minimum <= has.minimum and has.maximum <= holds.maximum
-
-
-def _check_newest(spec: Spec, layout: Layout, found: Diagnostics) -> None:
-    node = spec.main.get("protocol", {})
-    if "newest_firmware" in node and not layout.newest_firmware:
-        text = f"'{node['newest_firmware']}' is not a firmware version"
-        found.add(node.at("newest_firmware"), "SBGC030", text, "write it like 2.55b5")
 
 
 def _check_bodies(layout: Layout, found: Diagnostics) -> None:

@@ -51,6 +51,7 @@ def _check_unused(spec: Spec, nodes: list[Map], found: Diagnostics) -> None:
     used = {
         node[key] for node in nodes for key in ("type", "names", "extends") if _is_text(node, key)
     }
+    used |= set(spec.main.get("versions", Map()).values())
     for section, kind in _TYPES.items():
         for _, name, _, at in spec.entries(section):
             if name not in used:

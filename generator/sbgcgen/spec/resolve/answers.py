@@ -43,7 +43,7 @@ class AnswerResolver:
     ) -> None:
         self.types = types
         self.fields = fields
-        self.roles = RoleResolver(found)
+        self.roles = RoleResolver(types.versions.versions, found)
         self.found = found
         self.defaults = spec.main.get("defaults", {})
         self.nodes: dict[Position, Map] = {}  # what was resolved, to point at its keys

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from typing import Any
 
 from sbgcgen.model import Availability, Deprecation, Identifier, Position
-from sbgcgen.model.names import is_name, parse_board, parse_version
+from sbgcgen.model.names import is_name
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import List, Map, Spec
+from sbgcgen.spec.resolve.versions import KINDS, VersionReader
 
 
 class Entries:
@@ -16,6 +17,7 @@ class Entries:
     def __init__(self, spec: Spec, found: Diagnostics) -> None:
         self.spec = spec
         self.found = found
+        self.versions = VersionReader(spec.main.get("versions", Map()), found)
         self.identifiers: list[Identifier] = []
 
     def errata(self, node: Map) -> tuple[str, ...]:
@@ -34,19 +36,13 @@ class Entries:
         since = node.get(key)
         if not isinstance(since, Map):
             return Availability()
-        result = Availability()
-        for part, parse, example in (
-            ("firmware", parse_version, "2.55b5"),
-            ("board", parse_board, "3.0"),
-        ):
-            if part in since:
-                value = parse(str(since[part]))
-                if value is None:
-                    message = f"'{since[part]}' is not a {part} version"
-                    self.found.add(since.at(part), "SBGC030", message, f"write it like {example}")
-                else:
-                    result = replace(result, **{part: value})
-        return result
+        said: dict[str, Any] = {}
+        for kind in KINDS:
+            if kind in since:
+                text = str(since[kind])
+                said[kind] = self.versions.version(kind, text, since.at(kind))
+                said[f"{kind}_text"] = text
+        return Availability(**said)
 
     def deprecation(self, node: Map) -> Deprecation | None:
         """What `deprecated` and `replaced_by` say."""

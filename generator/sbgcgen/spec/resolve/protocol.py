@@ -8,7 +8,6 @@ from sbgcgen.model import (
     Command,
     Erratum,
     Family,
-    Framing,
     Layout,
     Message,
     Position,
@@ -19,6 +18,7 @@ from sbgcgen.spec.diagnostics import Diagnostics
 from sbgcgen.spec.load import Map, Spec
 from sbgcgen.spec.resolve.answers import AnswerResolver
 from sbgcgen.spec.resolve.fields import FieldResolver
+from sbgcgen.spec.resolve.framing import framing_of
 from sbgcgen.spec.resolve.line import line_of
 from sbgcgen.spec.resolve.messages import MessageResolver
 from sbgcgen.spec.resolve.revisions import RevisionResolver
@@ -32,7 +32,7 @@ class _Resolver:
         self.found = found
         self.types = TypeResolver(spec, found)
         self.types.run()
-        self.framing = self._framing()
+        self.framing = framing_of(spec.main["framing"], self.types, found)
         self.fields = FieldResolver(spec, self.types, found, self.framing.max_body)
         self.answers = AnswerResolver(spec, self.types, self.fields, found)
         self.line = line_of(spec.main.get("line"), self.types, found)
@@ -67,6 +67,8 @@ class _Resolver:
             ),
             errata=tuple(self._errata()),
             indices=self.fields.indices,
+            versions=self.types.versions.versions,
+            newest_firmware=self._newest_firmware(),
             revisions=tuple(self._revisions(messages)),
             guides={k: str(v) for k, v in self.spec.main.get("guides", {}).items()},
             synonyms=tuple(tuple(group) for group in self.spec.main.get("synonyms", ())),
@@ -80,16 +82,12 @@ class _Resolver:
 
     # The main file
 
-    def _framing(self) -> Framing:
-        node = self.spec.main["framing"]
-        return Framing(
-            start=node["start"],
-            header_size=len(node["header"]),
-            trailer_size=len(node["trailer"]),
-            max_body=node["max_body"],
-            source=str(node["source"]),
-            errata=self.types.errata(node),
-        )
+    def _newest_firmware(self) -> int:
+        node = self.spec.main.get("protocol", Map())
+        if "newest_firmware" not in node:
+            return 0
+        text, at = str(node["newest_firmware"]), node.at("newest_firmware")
+        return self.types.versions.version("firmware", text, at)
 
     def _errata(self) -> list[Erratum]:
         entries = self.spec.errata.get("errata", Map())

@@ -6,9 +6,21 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from sbgcgen.model import COMMAND_IDS, Blob, Enum, Field, Message, Position, Quantity, Role, Struct
+from sbgcgen.model import (
+    COMMAND_IDS,
+    Blob,
+    Enum,
+    Field,
+    Message,
+    Position,
+    Quantity,
+    Role,
+    Struct,
+    Versions,
+)
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Map
+from sbgcgen.spec.resolve.versions import KINDS
 
 # What the runtime has room for.
 MAX_CONFIG = 8
@@ -18,8 +30,8 @@ _PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "confirmation": (("command",), ()),
     "error": ((), ("code", "command")),
     "reset": ((), ()),
-    "introduction": ((), ()),
-    "details": ((), ()),
+    "introduction": (("firmware", "board"), ()),
+    "details": ((), ("serial_number", "eeprom_size")),
     "stream_request": (("command", "interval", "config"), ()),
 }
 _WORDS = {
@@ -34,7 +46,8 @@ class RoleResolver:
     role() needs the message's own fields, check() all messages.
     """
 
-    def __init__(self, found: Diagnostics) -> None:
+    def __init__(self, versions: Versions, found: Diagnostics) -> None:
+        self.versions = versions
         self.found = found
         self.nodes: dict[Position, Map] = {}  # what was resolved, to point at its keys
 
@@ -78,25 +91,36 @@ class RoleResolver:
             self.found.add(node.at(part), "SBGC037", f"'{wanted}' is not a field here", hint)
             return None
         problem = "" if field.offset is not None and field.when is None else "has no fixed offset"
-        if not problem and part == "config":
-            is_bytes = isinstance(field.type, (Struct, Blob)) and field.dim == "one"
-            if not is_bytes or field.size is None or field.size > MAX_CONFIG:
-                problem = f"does not have 1 to {MAX_CONFIG} bytes"
-        elif not problem and part == "command":
-            direction = "from_board" if node["is"] == "stream_request" else "to_board"
-            wanted_type = COMMAND_IDS[direction]
-            if not isinstance(field.type, Enum) or field.type.name != wanted_type:
-                problem = f"is no command: its type is not {wanted_type}"
-        elif not problem and part == "code":
-            if not isinstance(field.type, Enum) or field.type.scalar.size != 1:
-                problem = "is no enum of one byte"
-        elif not problem and not isinstance(field.type, Quantity):
-            problem = "is no quantity"
+        problem = problem or self._why_not(str(node["is"]), part, field)
         if problem:
             hint = f"{part}: a field that every body of the message has"
             self.found.add(node.at(part), "SBGC037", f"'{wanted}' {problem}", hint)
             return None
         return field
+
+    def _why_not(self, kind: str, part: str, field: Field) -> str:
+        """Why a field cannot be this part of a role; "" if it can."""
+        type_, is_one = field.type, field.dim == "one"
+        if part == "config":
+            is_bytes = isinstance(type_, (Struct, Blob)) and is_one
+            is_small = field.size is not None and field.size <= MAX_CONFIG
+            return "" if is_bytes and is_small else f"does not have 1 to {MAX_CONFIG} bytes"
+        if part == "command":
+            wanted = COMMAND_IDS["from_board" if kind == "stream_request" else "to_board"]
+            is_command = isinstance(type_, Enum) and type_.name == wanted
+            return "" if is_command else f"is no command: its type is not {wanted}"
+        if part == "code":
+            is_code = isinstance(type_, Enum) and type_.scalar.size == 1
+            return "" if is_code else "is no enum of one byte"
+        if part in KINDS:
+            is_version = is_one and type_ == self.versions.of(part)
+            return "" if is_version else f"is not of the type that 'versions' has for {part}"
+        if part == "serial_number":
+            is_run = is_one and isinstance(type_, Blob) and type_.kind == "bytes"
+            return (
+                "" if is_run and field.size is not None else "is not a run of bytes of fixed size"
+            )
+        return "" if isinstance(type_, Quantity) and is_one else "is no quantity"
 
     def _stream_role(self, node: Map, role: Role) -> Role | None:
         quantity = role.parts["interval"].type

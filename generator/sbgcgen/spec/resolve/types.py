@@ -48,6 +48,7 @@ class TypeResolver(Entries):
     def run(self) -> Types:
         for _, name, value, at in self.spec.entries("quantities"):
             self.types.quantities[name] = self._quantity(name, value, at)
+        self._read_versions()
         for direction, enum in COMMAND_IDS.items():
             self.types.enums[enum] = self._command_ids(direction)
         self.types.enums[VARIABLE_ID] = self._variable_ids()
@@ -57,9 +58,20 @@ class TypeResolver(Entries):
                 values = self._enum_values(name, entries, ())
                 self.types.enums[name] = self._enum(name, value, at, kind, values)
         for _, name, value, at in self.spec.entries("packed"):
-            self.types.packed[name] = self._packed(name, value, at)
+            if name not in self.types.packed:
+                self.types.packed[name] = self._packed(name, value, at)
         self._check_unique_names()
         return self.types
+
+    def _read_versions(self) -> None:
+        """What says how versions are written comes first: everything else may have a version."""
+        names = []
+        for _, name, value, at in self.spec.entries("packed"):
+            names.append(name)
+            has_enums = "names" in value or any("type" in part for part in value["parts"])
+            if name in self.versions.names and not has_enums:
+                self.types.packed[name] = self._packed(name, value, at)
+        self.versions.use(self.types.packed, names)
 
     def _quantity(self, name: str, node: Map, at: Position) -> Quantity:
         accessor = str(node.get("accessor", "value"))

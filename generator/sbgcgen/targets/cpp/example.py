@@ -24,8 +24,9 @@ from sbgcgen.model import (
     Struct,
     Type,
 )
+from sbgcgen.model.packed_text import part_of
 from sbgcgen.oracle.codec import Fields, is_bytes, keys_of
-from sbgcgen.oracle.example import Example, Piece, part_of, real
+from sbgcgen.oracle.example import Example, Piece, real
 from sbgcgen.oracle.typical import typical_number
 
 # How many values of a long message the example looks at.

@@ -27,8 +27,7 @@ inline constexpr int codec_version = 2;
 /// Who sends a message. `both` describes messages that travel either way, never a frame.
 enum class Direction : std::uint8_t { to_board, from_board, both };
 
-/// The first versions that have something, in the digits of CMD_BOARD_INFO: firmware 2590 is 2.59,
-/// board 30 is 3.0. 0: all versions.
+/// The first versions that have something, as VersionTypes have them; 0: all versions.
 struct Availability {
   std::uint16_t firmware{};
   std::uint8_t board{};

@@ -125,9 +125,9 @@ inline std::string objection_text(const Violation& violation) {
       const std::string verb = violation.value == 1 ? "is " : "are ";
       return verb + (violation.value < violation.limit ? "fewer than " : "more than ") + limit;
     }
-    case Rule::firmware: return "needs firmware " + to_string(msg::FirmwareVersion(version));
+    case Rule::firmware: return "needs firmware " + to_string(VersionTypes::Firmware(version));
     case Rule::board:
-      return "needs board " + to_string(msg::BoardVersion(static_cast<std::uint8_t>(version)));
+      return "needs board " + to_string(VersionTypes::Board(static_cast<std::uint8_t>(version)));
   }
   return "is not allowed";
 }

@@ -26,7 +26,7 @@ namespace sbgc {
 struct SessionCapacity {
   std::size_t requests = 8;       ///< queued and in flight
   std::size_t late_replies = 12;  ///< kinds of requests that are in flight or may get late replies
-  std::size_t streams = 10;       ///< data streams; firmware 2.59 has no more
+  std::size_t streams = roles::stream_limit;  ///< data streams
 };
 
 /// Sends requests one after the other, finds out which response belongs to which, and reports the
