@@ -37,16 +37,17 @@ int main(int argc, char** argv) {
 
   auto client = sbgc::Client::connect(argv[1]);
   if (!client) return fail(client.error());
-  std::printf("board %s, firmware %s, on %s\n", client->board().board().c_str(),
-              client->board().firmware().c_str(), client->description().c_str());
+  std::printf("board %s, firmware %s, on %s\n", client->identity().board_version().c_str(),
+              client->identity().firmware_version().c_str(), client->description().c_str());
 
   if (!careful::may_move(yes, "This turns the motors on and tilts the camera down.")) return 1;
   careful::notice_signals();
   careful::Motors motors(*client);
   if (auto on = motors.turn_on(); !on) return fail(on.error());
-  const auto moved = sbgc::move_to(*client, {.pitch = sbgc::msg::Angle14::from_degrees(-30.0)},
-                                   sbgc::msg::ControlSpeed::from_degrees_per_second(10.0),
-                                   {.progress = careful::go_on});
+  const auto moved =
+      client->move_to({.pitch = sbgc::msg::Angle14::from_degrees(-30.0)},
+                      {.speed = sbgc::msg::ControlSpeed::from_degrees_per_second(10.0),
+                       .progress = careful::go_on});
   if (!moved) return fail(moved.error());
 
   const auto stream =

@@ -34,9 +34,9 @@ int fail(const sbgc::ClientError& error) {
 
 sbgc::Result<sbgc::MoveProgress> tilt(sbgc::Client& client, sbgc::msg::Angle14 pitch) {
   std::printf("pitch to %.0f degrees\n", pitch.degrees());
-  return sbgc::move_to(client, {.pitch = pitch},
-                       sbgc::msg::ControlSpeed::from_degrees_per_second(15.0),
-                       {.progress = careful::go_on});
+  return client.move_to({.pitch = pitch},
+                        {.speed = sbgc::msg::ControlSpeed::from_degrees_per_second(15.0),
+                         .progress = careful::go_on});
 }
 
 /// How far something has swung: from the lowest to the highest angle that was seen of each axis.
@@ -119,10 +119,10 @@ int main(int argc, char** argv) {
   // machine that stands still for a second or two is no reason to end.
   auto client = sbgc::Client::connect(argv[1], {.retries = 9, .capture = argv[2]});
   if (!client) return fail(client.error());
-  std::printf("board %s, firmware %s, on %s\n", client->board().board().c_str(),
-              client->board().firmware().c_str(), client->description().c_str());
+  std::printf("board %s, firmware %s, on %s\n", client->identity().board_version().c_str(),
+              client->identity().firmware_version().c_str(), client->description().c_str());
 
-  const auto backup = sbgc::make_backup(*client);
+  const auto backup = client->make_backup();
   if (!backup) return fail(backup.error());
   if (auto saved = sbgc::save_backup(*backup, argv[3]); !saved) return fail(saved.error());
   std::printf("%zu blocks of settings saved in %s\n", backup->settings.blocks().size(), argv[3]);
@@ -140,5 +140,5 @@ int main(int argc, char** argv) {
     std::printf("pitch is %.1f degrees\n", moved->angles.pitch.degrees());
   }
   if (auto measured = measure(*client, 4s); !measured) return fail(measured.error());
-  if (auto released = sbgc::release(*client); !released) return fail(released.error());
+  if (auto released = client->release(); !released) return fail(released.error());
 }
