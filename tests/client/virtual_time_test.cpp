@@ -21,8 +21,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
-board::EmulatorOptions calm_board() {
-  board::EmulatorOptions options;
+emulator::EmulatorOptions calm_board() {
+  emulator::EmulatorOptions options;
   options.board.gimbal.noise = 0;
   return options;
 }
