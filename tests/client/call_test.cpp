@@ -70,7 +70,7 @@ TEST_F(Call, WaitsForTheConfirmation) {
   Client client = connect();
   const auto reply = client.transact(msg::MotorsOn{});
   ASSERT_TRUE(reply) << reply.error().message;
-  EXPECT_EQ(reply->ending, Ending::confirmed);
+  EXPECT_EQ(reply->kind, ReplyKind::confirmed);
   EXPECT_TRUE(client.motors_on());
 }
 
@@ -92,7 +92,7 @@ TEST_F(Call, DoesNotWaitWhereNothingNeedCome) {
   Client client = connect();
   const auto reply = client.transact(msg::Control{});
   ASSERT_TRUE(reply) << reply.error().message;
-  EXPECT_EQ(reply->ending, Ending::sent);
+  EXPECT_EQ(reply->kind, ReplyKind::sent);
   EXPECT_TRUE(board.wait_for<msg::Control>(1));
 }
 
@@ -103,12 +103,12 @@ TEST_F(Call, WaitsForAPossibleConfirmationIfAskedTo) {
       msg::BeepSound{},
       {.timeout = milliseconds(2000), .expect_confirmation = true, .validate = false});
   ASSERT_TRUE(confirmed) << confirmed.error().message;
-  EXPECT_EQ(confirmed->ending, Ending::confirmed);
+  EXPECT_EQ(confirmed->kind, ReplyKind::confirmed);
   board.ignore<msg::BeepSound>();
   const auto unconfirmed =
       client.transact(msg::BeepSound{}, {.expect_confirmation = true, .validate = false});
   ASSERT_TRUE(unconfirmed) << unconfirmed.error().message;
-  EXPECT_EQ(unconfirmed->ending, Ending::unconfirmed);
+  EXPECT_EQ(unconfirmed->kind, ReplyKind::unconfirmed);
 }
 
 // What this board does not have
@@ -128,7 +128,7 @@ TEST_F(Call, NeedsTheBoardThatHasTheCommand) {
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::unsupported);
   EXPECT_THAT(result.error().message, HasSubstr("needs board 3.0, this is board 1.2"));
-  EXPECT_FALSE(client.board().details);
+  EXPECT_FALSE(client.identity().details);
 }
 
 TEST_F(Call, RefusesValuesThatAreNotAllowed) {

@@ -35,7 +35,7 @@ void expect_backup(const emulator::Faults& faults) {
   EmulatedBoard board(options, original.memory(), false);
   auto client = connect_over(board.line(), patient());
   ASSERT_TRUE(client) << client.error().message;
-  const auto backup = make_backup(*client);
+  const auto backup = client->make_backup();
   ASSERT_TRUE(backup) << backup.error().message;
   EXPECT_EQ(backup->settings.blocks().size(), 18U);
   for (std::uint8_t profile = 0; profile < 5; ++profile) {
@@ -64,7 +64,7 @@ TEST(Faults, ABackupGetsThroughText) {
   EmulatedBoard board(options, {}, false);
   auto client = connect_over(board.line(), patient());
   ASSERT_TRUE(client) << client.error().message;
-  const auto backup = make_backup(*client);
+  const auto backup = client->make_backup();
   ASSERT_TRUE(backup) << backup.error().message;
   EXPECT_EQ(*backup->settings.get<msg::ReadParams3>(4), board.settings<msg::ReadParams3>(4));
   EXPECT_GT(client->statistics().session.parser.skipped_bytes, 0U) << "there was no text";

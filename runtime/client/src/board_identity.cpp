@@ -2,15 +2,18 @@
 #include <cstdio>
 
 #include <sbgc/client/board_identity.hpp>
+#include <sbgc/roles.hpp>
 #include <sbgc/text.hpp>
 
 namespace sbgc {
 
-std::string BoardIdentity::firmware() const {
+std::string BoardIdentity::firmware_version() const {
   return to_string(msg::FirmwareVersion(versions().firmware));
 }
 
-std::string BoardIdentity::board() const { return to_string(msg::BoardVersion(versions().board)); }
+std::string BoardIdentity::board_version() const {
+  return to_string(msg::BoardVersion(versions().board));
+}
 
 std::string BoardIdentity::serial_number() const {
   std::string text;

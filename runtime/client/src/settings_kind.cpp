@@ -1,12 +1,12 @@
 #include "settings_kind.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <type_traits>
 #include <unordered_map>
 
 #include <fmt/format.h>
 
-#include <sbgc/client/client.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/text.hpp>
 
@@ -61,34 +61,43 @@ bool with_supported(TypeList<Requests...>, const Availability& versions, Use&& u
   return ((is_supported<Requests>(versions) && (use(Type<Requests>{}), true)) || ...);
 }
 
-template <class M>
-Result<std::vector<std::uint8_t>> read_settings(Client& client, std::uint8_t copy,
-                                                const CallOptions& options) {
-  Result<std::vector<std::uint8_t>> result = ClientError{
-      ErrorCode::unsupported, fmt::format("this board can not tell {}", Meta<M>::info.name)};
-  with_supported(typename SettingsOf<M>::Readers{}, client.board().versions(),
-                 [&]<class Request>(Type<Request>) {
-                   Request request{};
-                   if constexpr (SettingsOf<M>::copies > 1) SettingsOf<M>::copy(request) = copy;
-                   const Result<M> answer = client.call(request, options);
-                   if (!answer) {
-                     result = answer.error();
-                   } else {
-                     result = bytes_of(*answer);
-                   }
-                 });
-  return result;
+template <class M, class Request>
+Task<Result<std::vector<std::uint8_t>>> read_with(std::uint8_t copy, CallOptions options) {
+  Request request{};
+  if constexpr (SettingsOf<M>::copies > 1) SettingsOf<M>::copy(request) = copy;
+  const Result<M> answer = co_await tasks::call(request, options);
+  if (!answer) co_return answer.error();
+  co_return bytes_of(*answer);
 }
 
 template <class M>
-Result<void> write_settings(Client& client, Body body, const CallOptions& options) {
-  Result<void> result = ClientError{ErrorCode::unsupported,
-                                    fmt::format("this board can not store {}", Meta<M>::info.name)};
-  with_supported(typename SettingsOf<M>::Writers{}, client.board().versions(),
+Task<Result<std::vector<std::uint8_t>>> read_settings(std::uint8_t copy, CallOptions options) {
+  const TaskMachine& task = co_await tasks::this_task();
+  std::optional<Task<Result<std::vector<std::uint8_t>>>> reading;
+  with_supported(
+      typename SettingsOf<M>::Readers{}, task.identity().versions(),
+      [&]<class Request>(Type<Request>) { reading.emplace(read_with<M, Request>(copy, options)); });
+  if (reading) co_return co_await std::move(*reading);
+  co_return ClientError{ErrorCode::unsupported,
+                        fmt::format("this board cannot report {}", Meta<M>::info.name)};
+}
+
+template <class M, class Request>
+Task<Result<void>> write_with(std::vector<std::uint8_t> body, CallOptions options) {
+  co_return co_await tasks::call(Request{message_of<M>(body)}, options);
+}
+
+template <class M>
+Task<Result<void>> write_settings(std::vector<std::uint8_t> body, CallOptions options) {
+  const TaskMachine& task = co_await tasks::this_task();
+  std::optional<Task<Result<void>>> writing;
+  with_supported(typename SettingsOf<M>::Writers{}, task.identity().versions(),
                  [&]<class Request>(Type<Request>) {
-                   result = client.call(Request{message_of<M>(body)}, options);
+                   writing.emplace(write_with<M, Request>(body, options));
                  });
-  return result;
+  if (writing) co_return co_await std::move(*writing);
+  co_return ClientError{ErrorCode::unsupported,
+                        fmt::format("this board cannot store {}", Meta<M>::info.name)};
 }
 
 template <class M>

@@ -828,10 +828,10 @@ class Calls {
     return self().call(request, options);
   }
 
- private:
-  friend Self;
+ protected:
   Calls() = default;
 
+ private:
   Self& self() { return static_cast<Self&>(*this); }
 };
 

@@ -44,7 +44,7 @@ def narrow_range(field: Field) -> str:
     scalar = scalar_of(field.type)
     if field.minimum is None or field.maximum is None or scalar is None:
         return ""
-    if (field.minimum, field.maximum) == (scalar.minimum, scalar.maximum):
+    if field.minimum == scalar.minimum and field.maximum == scalar.maximum:
         return ""
     limits = [field.minimum, field.maximum]
     unit = ""

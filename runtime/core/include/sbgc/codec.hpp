@@ -67,9 +67,9 @@ struct BodyOf {
   using Type = M;
 };
 template <class M>
-  requires requires { typename M::SameBody; }
+  requires requires { typename M::Body; }
 struct BodyOf<M> {
-  using Type = typename M::SameBody;
+  using Type = typename M::Body;
 };
 /// The message that defines the members of `M`: a base class, or `M` itself.
 template <class M>

@@ -1,6 +1,7 @@
 /// Single values as text: numbers, units, names. Needs a hosted standard library.
 #pragma once
 
+#include <algorithm>
 #include <clocale>
 #include <cstdint>
 #include <cstdio>
@@ -57,13 +58,12 @@ inline std::string hex_text(std::uint32_t value) {
   return buffer;
 }
 
-/// The name of a value, or "" if it has none. Of two names for one value the later counts.
+/// The name of a value, or "" if it has none.
 inline std::string_view value_name(const EnumInfo& info, std::int64_t value) {
-  std::string_view result;
   for (const ValueInfo& known : info.values) {
-    if (known.value == value) result = known.name;
+    if (known.value == value) return known.name;
   }
-  return result;
+  return "";
 }
 
 /// "NAME | NAME | 0x40"; "" for no bits.

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <sbgc/client/client.hpp>
 #include <sbgc/client/variables.hpp>
 #include <sbgc/detail/meta_limits.hpp>
 #include <sbgc/messages/adjustable_variables.hpp>
@@ -12,7 +11,7 @@
 #include <sbgc/meta/adjustable_variables.hpp>
 #include <sbgc/text.hpp>
 
-#include "task.hpp"
+#include "tasks/tools.hpp"
 
 namespace sbgc {
 namespace {
@@ -74,11 +73,13 @@ Result<std::int32_t> variable_raw(const VariableInfo& variable, double value) {
                           .unit = &variable.unit})};
 }
 
-Result<std::vector<double>> get_variables(Client& client, std::span<const std::string_view> names) {
+namespace tasks {
+
+Task<Result<std::vector<double>>> get_variables(std::vector<std::string> names) {
   std::vector<const VariableInfo*> wanted;
-  for (const std::string_view name : names) {
+  for (const std::string& name : names) {
     const Result<const VariableInfo*> found = find_variable(name);
-    if (!found) return found.error();
+    if (!found) co_return found.error();
     wanted.push_back(*found);
   }
   std::vector<double> result;
@@ -88,39 +89,40 @@ Result<std::vector<double>> get_variables(Client& client, std::span<const std::s
     const auto part = rest.first(std::min(most_asked, rest.size()));
     msg::GetAdjVarsVal request;
     for (const VariableInfo* const variable : part) request.param_id.push_back(variable->id);
-    const Result<msg::SetAdjVarsVal> answer = client.call(request);
-    if (!answer) return answer.error();
+    const Result<msg::SetAdjVarsVal> answer = co_await call(request);
+    if (!answer) co_return answer.error();
     if (answer->params.size() != part.size()) {
-      return ClientError{ErrorCode::mismatch,
-                         fmt::format("{} variables were asked for, {} came back", part.size(),
-                                     answer->params.size())};
+      co_return ClientError{ErrorCode::mismatch,
+                            fmt::format("{} variables were asked for, {} came back", part.size(),
+                                        answer->params.size())};
     }
     for (std::size_t i = 0; i < part.size(); ++i) {
       const msg::AdjVarValue& value = answer->params[i];
       if (value.param_id != part[i]->id) {
-        return ClientError{ErrorCode::mismatch,
-                           fmt::format("{} was asked for, the variable {} came back", part[i]->name,
-                                       static_cast<unsigned>(value.param_id))};
+        co_return ClientError{ErrorCode::mismatch,
+                              fmt::format("{} was asked for, the variable {} came back",
+                                          part[i]->name, static_cast<unsigned>(value.param_id))};
       }
       result.push_back(variable_value(*part[i], value.param_value));
     }
   }
-  return result;
+  co_return result;
 }
 
-Result<double> get_variable(Client& client, std::string_view name) {
-  const Result<std::vector<double>> values = get_variables(client, {&name, 1});
-  if (!values) return values.error();
-  return values->front();
+Task<Result<double>> get_variable(std::string name) {
+  std::vector<std::string> names(1, std::move(name));
+  const Result<std::vector<double>> values = co_await get_variables(std::move(names));
+  if (!values) co_return values.error();
+  co_return values->front();
 }
 
-Result<void> set_variables(Client& client, std::span<const VariableValue> values) {
+Task<Result<void>> set_variables(std::vector<VariableValue> values) {
   std::vector<msg::AdjVarValue> wanted;
   for (const VariableValue& value : values) {
     const Result<const VariableInfo*> found = find_variable(value.name);
-    if (!found) return found.error();
+    if (!found) co_return found.error();
     const Result<std::int32_t> raw = variable_raw(**found, value.value);
-    if (!raw) return raw.error();
+    if (!raw) co_return raw.error();
     wanted.push_back({(*found)->id, *raw});
   }
   for (std::size_t sent = 0; sent < wanted.size();) {
@@ -128,25 +130,26 @@ Result<void> set_variables(Client& client, std::span<const VariableValue> values
     for (; sent < wanted.size() && request.params.size() < most_set; ++sent) {
       request.params.push_back(wanted[sent]);
     }
-    Result<void> done = client.call(request);
+    Result<void> done = co_await call(request);
     if (done) continue;
     const std::size_t before = sent - request.params.size();
-    if (wanted.size() <= most_set) return done;
-    return detail::during(fmt::format("after {} of {} variables", before, wanted.size()),
-                          done.error());
+    if (wanted.size() <= most_set) co_return done;
+    co_return detail::during(fmt::format("after {} of {} variables", before, wanted.size()),
+                             done.error());
   }
-  return {};
+  co_return Result<void>();
 }
 
-Result<void> set_variable(Client& client, std::string_view name, double value) {
-  const VariableValue one{std::string(name), value};
-  return set_variables(client, {&one, 1});
+Task<Result<void>> set_variable(std::string name, double value) {
+  std::vector<VariableValue> values(1, VariableValue{std::move(name), value});
+  co_return co_await set_variables(std::move(values));
 }
 
-Result<void> save_variables(Client& client) {
+Task<Result<void>> save_variables() {
   CallOptions options;
   options.expect_confirmation = true;
-  return client.call(msg::SaveParams3{}, options);
+  co_return co_await call(msg::SaveParams3{}, options);
 }
 
+}  // namespace tasks
 }  // namespace sbgc

@@ -8,14 +8,15 @@
 #include <sbgc/dispatch.hpp>
 #include <sbgc/text/status.hpp>
 
-#include "request.hpp"
+#include "board_words.hpp"
 
 namespace sbgc::detail {
 
 template <class M>
-Status decode_in_context(const Received& received, M& out) noexcept {
-  if (received.contexts == nullptr) return decode(received.body, out, Contexts{}.of(out));
-  return decode(received.body, out, received.contexts->of(out));
+Status decode_in_context(const Reply& reply, M& out) noexcept {
+  const std::span<const std::uint8_t> body(reply.body.data(), reply.body.size());
+  if (reply.contexts == nullptr) return decode(body, out, Contexts{}.of(out));
+  return decode(body, out, reply.contexts->of(out));
 }
 
 namespace {
@@ -39,10 +40,6 @@ constexpr auto decoders_of(TypeList<Ms...>) noexcept {
 
 }  // namespace
 
-ClientError encode_error(Status status) {
-  return {ErrorCode::invalid, "the request cannot be encoded: " + to_string(status)};
-}
-
 Result<std::int64_t> stream_interval_count(std::chrono::milliseconds interval, std::int64_t most) {
   constexpr std::int64_t unit = roles::stream_interval_us;
   const std::int64_t longest = most * unit / 1000;
@@ -62,7 +59,7 @@ ClientError decode_error(Status status, const Reply& reply) {
 }
 
 ClientError missing_answer(const Reply& reply) {
-  return {ErrorCode::bad_answer, reply.ending == Ending::confirmed
+  return {ErrorCode::bad_answer, reply.kind == ReplyKind::confirmed
                                      ? "the board confirmed the request instead of answering it"
                                      : "the board did not answer the request"};
 }

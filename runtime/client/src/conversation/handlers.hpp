@@ -19,35 +19,6 @@ class Handlers : public std::enable_shared_from_this<Handlers<Key, Signature>> {
  public:
   using Function = std::function<Signature>;
 
-  /// Subscribed as long as the result lives. Once it is gone the function neither runs nor will
-  /// run, and what it holds is released; only a function that takes itself back still runs to its
-  /// end.
-  std::unique_ptr<Subscription::Hold> add(const Key& key, Function function) {
-    auto entry = std::make_shared<Entry>(key, std::move(function));
-    const std::lock_guard lock(mutex_);
-    entries_.push_back(entry);
-    return std::make_unique<Membership>(this->shared_from_this(), std::move(entry));
-  }
-
-  /// Calls `use(function)` for each handler whose key is equal.
-  template <class Use>
-  void for_each(const Key& key, const Use& use) {
-    std::vector<std::shared_ptr<Entry>> called;
-    {
-      const std::lock_guard lock(mutex_);
-      std::copy_if(entries_.begin(), entries_.end(), std::back_inserter(called),
-                   [&](const auto& entry) { return entry->key == key; });
-    }
-    for (const auto& entry : called) {
-      const std::lock_guard lock(entry->running);
-      if (!entry->is_member) continue;
-      entry->is_running = true;
-      use(entry->function);
-      entry->is_running = false;
-    }
-  }
-
- private:
   struct Entry {
     Entry(const Key& wanted, Function called) : key(wanted), function(std::move(called)) {}
 
@@ -58,6 +29,38 @@ class Handlers : public std::enable_shared_from_this<Handlers<Key, Signature>> {
     Function function;
   };
 
+  /// Subscribed as long as the result lives. Once it is gone the function neither runs nor will
+  /// run, and what it holds is released; only a function that takes itself back still runs to its
+  /// end.
+  std::unique_ptr<Subscription::Hold> add(const Key& key, Function function) {
+    auto entry = std::make_shared<Entry>(key, std::move(function));
+    const std::lock_guard lock(mutex_);
+    entries_.push_back(entry);
+    return std::make_unique<Membership>(this->shared_from_this(), std::move(entry));
+  }
+
+  /// Those with this key at this moment.
+  std::vector<std::shared_ptr<Entry>> with_key(const Key& key) {
+    std::vector<std::shared_ptr<Entry>> result;
+    const std::lock_guard lock(mutex_);
+    std::copy_if(entries_.begin(), entries_.end(), std::back_inserter(result),
+                 [&](const auto& entry) { return entry->key == key; });
+    return result;
+  }
+
+  /// Calls `use(function)` for each of them that has not been taken back meanwhile.
+  template <class Use>
+  static void call(const std::vector<std::shared_ptr<Entry>>& entries, const Use& use) {
+    for (const auto& entry : entries) {
+      const std::lock_guard lock(entry->running);
+      if (!entry->is_member) continue;
+      entry->is_running = true;
+      use(entry->function);
+      entry->is_running = false;
+    }
+  }
+
+ private:
   class Membership : public Subscription::Hold {
    public:
     Membership(std::shared_ptr<Handlers> handlers, std::shared_ptr<Entry> entry)
