@@ -1,10 +1,10 @@
-"""Print the figures of Google Benchmark runs against memcpy of the same run.
+"""Print the figures of Google Benchmark runs relative to memcpy of the same run.
 
 usage: ratios.py FILE...    (written with --benchmark_format=json; - is standard input)
 
-A benchmark is named group/case. Within each group the case "memcpy" is the measure: the last column
-is speed as a share of its speed, behind which stand counters of a benchmark's own. Repetitions count by
-their median. Benchmarks that report no bytes are compared by time.
+A benchmark is named group/case. The case "memcpy" is the baseline of its group: the last column is the
+speed relative to it, followed by a benchmark's own counters. Repetitions count by their median.
+Benchmarks that report no bytes are compared by time.
 """
 
 from __future__ import annotations

@@ -30,7 +30,7 @@ class Printer {
   void run(const std::string& address) {
     client_.async_connect(address, {}, [this](const sbgc::Result<void>& connected) {
       if (!connected) return fail(connected.error());
-      std::printf("firmware %s\n", client_.board().firmware().c_str());
+      std::printf("firmware %s\n", client_.identity().firmware_version().c_str());
       start_stream();
     });
   }

@@ -31,21 +31,21 @@ bool show(const sbgc::Progress& progress) {
 }
 
 int save(sbgc::Client& client, const char* file) {
-  const auto backup = sbgc::make_backup(client, {.progress = show});
+  const auto backup = client.make_backup({.progress = show});
   if (!backup) return fail(backup.error());
   if (auto saved = sbgc::save_backup(*backup, file); !saved) return fail(saved.error());
   std::printf("saved %zu blocks of a board %s with firmware %s\n", backup->settings.blocks().size(),
-              backup->board.board().c_str(), backup->board.firmware().c_str());
+              backup->board.board_version().c_str(), backup->board.firmware_version().c_str());
   return 0;
 }
 
 int diff(sbgc::Client& client, const char* file) {
   const auto backup = sbgc::load_backup(file);
   if (!backup) return fail(backup.error());
-  for (const std::string& mismatch : sbgc::mismatches(client.board(), backup->board)) {
+  for (const std::string& mismatch : sbgc::mismatches(client.identity(), backup->board)) {
     std::printf("%s\n", mismatch.c_str());
   }
-  const auto present = sbgc::read_parameters(client, {.progress = show});
+  const auto present = client.read_parameters({.progress = show});
   if (!present) return fail(present.error());
   const std::string changes = to_text(sbgc::diff(backup->settings, *present));
   std::printf("%s", changes.empty() ? "no differences\n" : changes.c_str());
@@ -57,7 +57,7 @@ int restore(sbgc::Client& client, const char* file, const char* present, bool is
   if (!backup) return fail(backup.error());
   if (!careful::may_move(is_agreed, "The settings act at once; the gimbal may move.")) return 1;
   const sbgc::WriteReport report =
-      sbgc::restore(client, *backup, {.present = present, .progress = show});
+      client.restore(*backup, {.save_present = sbgc::save_to(present), .progress = show});
   std::printf("%s", to_text(report).c_str());
   return report ? 0 : 1;
 }

@@ -27,8 +27,8 @@ int fail(const sbgc::ClientError& error) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  using namespace std::chrono_literals;
   using namespace sbgc::literals;
+  using namespace std::chrono_literals;
   const bool yes = careful::take_yes(argc, argv);
   if (argc != 2) {
     std::fprintf(stderr,
@@ -38,15 +38,15 @@ int main(int argc, char** argv) {
 
   auto client = sbgc::Client::connect(argv[1]);
   if (!client) return fail(client.error());
-  std::printf("board %s, firmware %s, on %s\n", client->board().board().c_str(),
-              client->board().firmware().c_str(), client->description().c_str());
+  std::printf("board %s, firmware %s, on %s\n", client->identity().board_version().c_str(),
+              client->identity().firmware_version().c_str(), client->description().c_str());
 
   if (!careful::may_move(yes, "This turns the motors on and tilts the camera down.")) return 1;
   careful::notice_signals();
   careful::Motors motors(*client);
   if (auto on = motors.turn_on(); !on) return fail(on.error());
   const auto moved =
-      sbgc::move_to(*client, {.pitch = -30_deg}, 10_deg_per_s, {.progress = careful::go_on});
+      client->move_to({.pitch = -30_deg}, {.speed = 10_deg_per_s, .progress = careful::go_on});
   if (!moved) return fail(moved.error());
 
   const auto stream =

@@ -25,8 +25,8 @@
 
 namespace {
 
-using namespace std::chrono_literals;
 using namespace sbgc::literals;
+using namespace std::chrono_literals;
 
 int fail(const sbgc::ClientError& error) {
   std::fprintf(stderr, "%s\n", error.message.c_str());
@@ -35,7 +35,7 @@ int fail(const sbgc::ClientError& error) {
 
 sbgc::Result<sbgc::MoveProgress> tilt(sbgc::Client& client, sbgc::msg::Angle14 pitch) {
   std::printf("pitch to %.0f degrees\n", pitch.degrees());
-  return sbgc::move_to(client, {.pitch = pitch}, 15_deg_per_s, {.progress = careful::go_on});
+  return client.move_to({.pitch = pitch}, {.speed = 15_deg_per_s, .progress = careful::go_on});
 }
 
 /// How far something has swung: from the lowest to the highest angle that was seen of each axis.
@@ -118,10 +118,10 @@ int main(int argc, char** argv) {
   // machine that stands still for a second or two is no reason to end.
   auto client = sbgc::Client::connect(argv[1], {.retries = 9, .capture = argv[2]});
   if (!client) return fail(client.error());
-  std::printf("board %s, firmware %s, on %s\n", client->board().board().c_str(),
-              client->board().firmware().c_str(), client->description().c_str());
+  std::printf("board %s, firmware %s, on %s\n", client->identity().board_version().c_str(),
+              client->identity().firmware_version().c_str(), client->description().c_str());
 
-  const auto backup = sbgc::make_backup(*client);
+  const auto backup = client->make_backup();
   if (!backup) return fail(backup.error());
   if (auto saved = sbgc::save_backup(*backup, argv[3]); !saved) return fail(saved.error());
   std::printf("%zu blocks of settings saved in %s\n", backup->settings.blocks().size(), argv[3]);
@@ -131,11 +131,13 @@ int main(int argc, char** argv) {
   careful::notice_signals();
   careful::Motors motors(*client);
   if (auto on = motors.turn_on(); !on) return fail(on.error());
-  for (const sbgc::msg::Angle14 pitch : {sbgc::msg::Angle14(-30_deg), sbgc::msg::Angle14(0_deg)}) {
+  constexpr sbgc::msg::Angle14 down = -30_deg;
+  constexpr sbgc::msg::Angle14 level = 0_deg;
+  for (const sbgc::msg::Angle14 pitch : {down, level}) {
     const auto moved = tilt(*client, pitch);
     if (!moved) return fail(moved.error());
     std::printf("pitch is %.1f degrees\n", moved->angles.pitch.degrees());
   }
   if (auto measured = measure(*client, 4s); !measured) return fail(measured.error());
-  if (auto released = sbgc::release(*client); !released) return fail(released.error());
+  if (auto released = client->release(); !released) return fail(released.error());
 }

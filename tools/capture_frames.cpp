@@ -52,21 +52,22 @@ void CaptureFrames::take_frame(Side& side, const Frame& frame) {
   const std::uint64_t end = frame.offset + Framing::frame_size(frame.body.size());
   while (side.marks.front().end < end) side.marks.pop_front();
   const io::CaptureTime time = side.marks.front().time;
-  tell_skipped(side, frame.offset, end, time);
+  report_skipped(side, frame.offset, end, time);
   listener_.on_frame(side.direction, time, frame);
-  side.told = end;
+  side.reported = end;
 }
 
-void CaptureFrames::tell_skipped(Side& side, std::uint64_t until, std::uint64_t next,
-                                 io::CaptureTime time) {
-  const std::vector<NearMiss> misses = side.explainer.end_gap(until, next);
-  if (until > side.told) listener_.on_skipped(side.direction, time, until - side.told, misses);
+void CaptureFrames::report_skipped(Side& side, std::uint64_t until, std::uint64_t next,
+                                   io::CaptureTime time) {
+  const std::vector<RejectedCandidate> rejected = side.explainer.end_gap(until, next);
+  if (until > side.reported)
+    listener_.on_skipped(side.direction, time, until - side.reported, rejected);
 }
 
 void CaptureFrames::end_session() {
   for (Side& side : sides_) {
     side.parser.flush([&](const Frame& frame) { take_frame(side, frame); });
-    tell_skipped(side, side.size, side.size, last_);
+    report_skipped(side, side.size, side.size, last_);
     const ParserCounters now = side.parser.counters();
     side = Side{.direction = side.direction,
                 .total = {.frames = side.total.frames + now.frames,

@@ -11,11 +11,11 @@
 #include <sbgc/message.hpp>
 #include <sbgc/parser.hpp>
 
-#include "near_misses.hpp"
+#include "rejected_candidates.hpp"
 
 namespace sbgc::tools {
 
-/// Is told what is in a capture, in the order in which it was recorded.
+/// Is reported what is in a capture, in the order in which it was recorded.
 class CaptureListener {
  public:
   CaptureListener() = default;
@@ -28,9 +28,9 @@ class CaptureListener {
   /// of that direction since the session began.
   virtual void on_frame(Direction direction, io::CaptureTime time, const Frame& frame) = 0;
   /// In front of a frame, or at the end of the session: bytes that are in no frame. The offsets in
-  /// `misses` count as those of frames do.
+  /// `rejected` count as those of frames do.
   virtual void on_skipped(Direction direction, io::CaptureTime time, std::uint64_t size,
-                          std::span<const NearMiss> misses) = 0;
+                          std::span<const RejectedCandidate> rejected) = 0;
   virtual void on_note(io::CaptureTime time, std::string_view text) = 0;
   virtual void on_damage(const io::CaptureDamage& damage) = 0;
 };
@@ -58,8 +58,8 @@ class CaptureFrames {
   struct Side {
     Direction direction{};
     Parser parser{};
-    std::uint64_t size = 0;  // bytes fed
-    std::uint64_t told = 0;  // of them, that the listener knows of
+    std::uint64_t size = 0;      // bytes fed
+    std::uint64_t reported = 0;  // of them, that the listener knows of
     GapExplainer explainer{direction};
     std::deque<Mark> marks{};  // of the bytes that wait in the parser
     ParserCounters total{};
@@ -69,7 +69,7 @@ class CaptureFrames {
   void take(const io::CaptureRecord& record);
   void take_frame(Side& side, const Frame& frame);
   /// Ends a gap at `until`; the next one can begin at `next`.
-  void tell_skipped(Side& side, std::uint64_t until, std::uint64_t next, io::CaptureTime time);
+  void report_skipped(Side& side, std::uint64_t until, std::uint64_t next, io::CaptureTime time);
   void end_session();
 
   const Side& side(Direction direction) const {

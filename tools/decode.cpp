@@ -14,16 +14,17 @@
 
 #include <sbgc/io/capture.hpp>
 #include <sbgc/parser.hpp>
+#include <sbgc/text/values.hpp>
 
 #include "capture_frames.hpp"
 #include "commands.hpp"
 #include "decoded_frame.hpp"
+#include "frame_text.hpp"
 #include "hex_text.hpp"
 #include "input.hpp"
-#include "near_misses.hpp"
-#include "no_frames.hpp"
-#include "rows.hpp"
-#include "text.hpp"
+#include "input_guess.hpp"
+#include "rejected_candidates.hpp"
+#include "wording.hpp"
 
 namespace sbgc::tools {
 
@@ -42,26 +43,27 @@ std::optional<Direction> direction(const std::string& from) {
   return std::nullopt;
 }
 
-/// What has been printed goes out now: a reader may be waiting for it.
+/// Writes out what has been printed: a reader may be waiting for it.
 void flush_output() {
-  if (std::fflush(stdout) != 0) throw std::runtime_error("can not write to the standard output");
+  if (std::fflush(stdout) != 0) throw std::runtime_error("cannot write to the standard output");
 }
 
 void print_line(const Json& line) {
   fmt::print("{}\n", line.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-void print_misses(std::FILE* out, std::span<const NearMiss> misses) {
-  for (const NearMiss& miss : misses) fmt::print(out, "    @{}: {}\n", miss.offset, miss.text);
+void print_rejected(std::FILE* out, std::span<const RejectedCandidate> rejected) {
+  for (const RejectedCandidate& candidate : rejected)
+    fmt::print(out, "    @{}: {}\n", candidate.offset, candidate.text);
 }
 
-/// Says what input may be that has bytes but no frame.
+/// Guesses what input is that has bytes but no frame.
 [[nodiscard]] int no_frame(std::uint64_t size, const std::string& guess,
-                           std::span<const NearMiss> misses) {
+                           std::span<const RejectedCandidate> rejected) {
   fmt::print(stderr, "sbgc: there is no frame in {}{}{}\n", counted(size, "byte"),
              guess.empty() ? "" : "; ", guess);
-  for (const NearMiss& miss : misses) {
-    if (miss.has_header) print_misses(stderr, {&miss, 1});
+  for (const RejectedCandidate& candidate : rejected) {
+    if (candidate.has_header) print_rejected(stderr, {&candidate, 1});
   }
   return failure;
 }
@@ -76,7 +78,7 @@ void print_counters(const char* whose, const ParserCounters& counters) {
 }
 
 /// Whether bytes without a frame were probably meant to be some: in noise, most start bytes have no
-/// good header behind them.
+/// good header after them.
 bool seems_meant(const ParserCounters& counters) {
   const std::uint64_t with_header = counters.body_errors + counters.incomplete;
   return with_header != 0 && with_header >= counters.header_errors;
@@ -86,7 +88,7 @@ std::uint64_t end_of(const Frame& frame) {
   return frame.offset + Framing::frame_size(frame.body.size());
 }
 
-/// A stream of bytes of which nothing else is known.
+/// A raw stream of bytes.
 class RawDecoder {
  public:
   explicit RawDecoder(const DecodeOptions& options)
@@ -100,41 +102,42 @@ class RawDecoder {
     begin_.insert(begin_.end(), bytes.begin(),
                   bytes.begin() + static_cast<std::ptrdiff_t>(
                                       std::min(bytes.size(), guess_size - begin_.size())));
-    const bool explains = tells_gaps();
+    const bool explains = explains_gaps();
     if (explains) explainer_.add(bytes);
     parser_.feed(bytes, [this](const Frame& frame) { print(frame); });
     if (explains) explainer_.advance(size_ - parser_.waiting_bytes());
   }
 
-  /// Prints what is left. Returns the near misses behind the last frame.
-  std::vector<NearMiss> stop() {
+  /// Prints what is left. Returns the rejected candidates after the last frame.
+  std::vector<RejectedCandidate> stop() {
     parser_.flush([this](const Frame& frame) { print(frame); });
-    std::vector<NearMiss> misses;
-    if (tells_gaps()) misses = explainer_.end_gap(size_, size_);
+    std::vector<RejectedCandidate> rejected;
+    if (explains_gaps()) rejected = explainer_.end_gap(size_, size_);
     if (!jsonl_) {
-      print_gap(size_, misses);
+      print_gap(size_, rejected);
       print_counters("", parser_.counters());
     }
     flush_output();
-    return misses;
+    return rejected;
   }
 
   /// As stop(), and complains if there was no frame. Returns the exit status.
   int finish() {
-    const std::vector<NearMiss> misses = stop();
+    const std::vector<RejectedCandidate> rejected = stop();
     if (parser_.counters().frames != 0 || size_ == 0) return success;
     std::string guess = guess_input(begin_, is_hex_);
     const bool is_meant = seems_meant(parser_.counters());
     if (guess.empty() && !is_meant) guess = line_may_be_wrong;
-    const bool tells = jsonl_ && is_meant;
-    return no_frame(size_, guess, tells ? std::span(misses) : std::span<const NearMiss>());
+    const bool explains = jsonl_ && is_meant;
+    return no_frame(size_, guess,
+                    explains ? std::span(rejected) : std::span<const RejectedCandidate>());
   }
 
  private:
   static std::string place(std::uint64_t offset) { return fmt::format("@{}", offset); }
 
-  /// JSON lines are frames only; there, gaps are of interest as long as no frame has been found.
-  bool tells_gaps() const { return !jsonl_ || parser_.counters().frames == 0; }
+  /// JSON lines hold frames only; with them, gaps matter until the first frame is found.
+  bool explains_gaps() const { return !jsonl_ || parser_.counters().frames == 0; }
 
   void print(const Frame& frame) {
     const DecodedFrame decoded = decoder_.decode(frame, direction_);
@@ -146,10 +149,10 @@ class RawDecoder {
   }
 
   /// "no frame: 5 bytes", and why, if there are bytes since the last frame.
-  void print_gap(std::uint64_t end, std::span<const NearMiss> misses) const {
+  void print_gap(std::uint64_t end, std::span<const RejectedCandidate> rejected) const {
     if (end == end_) return;
     fmt::print("{}  no frame: {}\n", place(end_), counted(end - end_, "byte"));
-    print_misses(stdout, misses);
+    print_rejected(stdout, rejected);
   }
 
   bool jsonl_;
@@ -187,9 +190,10 @@ class CaptureDecoder final : private CaptureListener {
     if (found_ != 0 || skipped_ == 0) return success;
     const bool is_meant = seems_meant(frames_.counters(Direction::to_board)) ||
                           seems_meant(frames_.counters(Direction::from_board));
-    const bool tells = jsonl_ && is_meant;
+    const bool explains = jsonl_ && is_meant;
     return no_frame(skipped_, is_meant ? "" : line_may_be_wrong,
-                    tells ? std::span<const NearMiss>(misses_) : std::span<const NearMiss>());
+                    explains ? std::span<const RejectedCandidate>(rejected_)
+                             : std::span<const RejectedCandidate>());
   }
 
  private:
@@ -224,18 +228,18 @@ class CaptureDecoder final : private CaptureListener {
   }
 
   void on_skipped(Direction side, io::CaptureTime time, std::uint64_t size,
-                  std::span<const NearMiss> misses) override {
+                  std::span<const RejectedCandidate> rejected) override {
     skipped_ += size;
-    if (misses_.empty()) misses_.assign(misses.begin(), misses.end());
+    if (rejected_.empty()) rejected_.assign(rejected.begin(), rejected.end());
     if (!jsonl_ && wanted(side)) {
       fmt::print("{}  no frame: {} {} the board\n", place(time), counted(size, "byte"),
                  side == Direction::from_board ? "from" : "to");
-      print_misses(stdout, misses);
+      print_rejected(stdout, rejected);
     }
   }
 
   void on_note(io::CaptureTime time, std::string_view text) override {
-    if (!jsonl_) fmt::print("{}  note: {}\n", place(time), rows_detail::quoted(text));
+    if (!jsonl_) fmt::print("{}  note: {}\n", place(time), detail::quoted(text));
   }
 
   void on_damage(const io::CaptureDamage& damage) override {
@@ -249,11 +253,11 @@ class CaptureDecoder final : private CaptureListener {
   int session_ = -1;
   std::uint64_t found_ = 0;  // frames
   std::uint64_t skipped_ = 0;
-  std::vector<NearMiss> misses_;  // of the first gap that has any
+  std::vector<RejectedCandidate> rejected_;  // of the first gap that has any
   std::string problems_;
 };
 
-/// The first bytes of the input, as many as are needed to tell whether it is a capture file.
+/// As many bytes from the start of the input as decide whether it is a capture file.
 std::vector<std::uint8_t> read_begin(Input& input) {
   std::vector<std::uint8_t> begin;
   do {
@@ -264,7 +268,7 @@ std::vector<std::uint8_t> read_begin(Input& input) {
   return begin;
 }
 
-/// What stands before a mistake in hex text is good; the mistake is told in the end.
+/// Frames before a mistake in hex text are good; the mistake is reported after them.
 [[noreturn]] void fail_at(const HexError& error, RawDecoder& decoder, bool is_text) {
   decoder.stop();
   throw InputError(to_text(error) + (is_text ? "" : "; raw bytes are read without --hex"));
@@ -326,7 +330,7 @@ void add_decode(CLI::App& app, int& status) {
       "In JSON, integers are raw wire values, bytes hex strings, and infinite or not-a-number "
       "floats "
       "the strings \"inf\", \"-inf\" and \"nan:<bits>\". A field 'tail' has what later firmware "
-      "appends, or what can not be read because the request that says how was not seen.\n"
+      "appends, or what cannot be read because the request that says how was not seen.\n"
       "The input may be raw bytes or a capture file as `sbgc record` writes it. Of the latter, "
       "JSON "
       "lines have more keys: 'time' in seconds since the session began, and 'session', a number "

@@ -1,20 +1,17 @@
 #include "decoded_frame.hpp"
 
 #include <sbgc/meta/all.hpp>
+#include <sbgc/text.hpp>
 
-#include "rows.hpp"
+#include "command_lookup.hpp"
 
 namespace sbgc::tools {
 
 namespace {
 
-bool travels(const MessageInfo& info, Direction direction) {
-  return info.direction == direction || info.direction == Direction::both;
-}
-
 Direction guess(const Frame& frame) {
-  const int host = fit(Direction::to_board, frame.id, frame.body.size());
-  const int board = fit(Direction::from_board, frame.id, frame.body.size());
+  const int host = body_fit(Direction::to_board, frame.id, frame.body.size());
+  const int board = body_fit(Direction::from_board, frame.id, frame.body.size());
   if (host != board) return host > board ? Direction::to_board : Direction::from_board;
   // Neither fits: whoever has such a command at all, and the board if both or none has.
   const bool host_only =
@@ -48,40 +45,29 @@ std::string field_at(std::size_t offset) {
   return result;
 }
 
-}  // namespace
+/// Makes a row of each value, and notes at the rows what the specification does not allow.
+struct RowCollector {
+  std::vector<Row>& rows;
 
-int fit(Direction direction, std::uint8_t id, std::size_t size) {
-  int result = 0;
-  select(direction, id, size, [&]<class M>(Type<M>) {
-    const bool documented = size >= M::min_size && size <= M::max_size;
-    if (documented && M::min_size == M::max_size) {
-      result = 4;  // the only size there is
-    } else if (documented && M::max_size < max_body_size) {
-      result = 3;
-    } else if (size > M::max_size && requires(const M& message) { message.tail; }) {
-      result = 2;  // grown by later firmware
-    } else if (documented) {
-      result = 1;  // almost any size would do
-    }
-  });
-  return result;
-}
-
-bool has_command(Direction direction, std::uint8_t id) {
-  return select(direction, id, 0, [](auto) {}) != Code::unknown_command;
-}
-
-std::string command_name(std::uint8_t id, Direction direction) {
-  std::string result;
-  AllMessages::for_each([&]<class M>(Type<M>) {
-    const MessageInfo& info = Meta<M>::info;
-    if (info.id == id && travels(info, direction)) result = info.command;
-  });
-  for (const ValueInfo& value : EnumMeta<msg::CommandId>::values) {
-    if (result.empty() && value.value == id) result = value.name;
+  void operator()(const Leaf& leaf) const {
+    if (is_unused(leaf)) return;
+    rows.push_back({.path = to_string(leaf.path),
+                    .raw = raw_text(leaf),
+                    .meaning = meaning_text(leaf),
+                    .objection = {},
+                    .offset = leaf.offset,
+                    .size = leaf.size});
   }
-  return result;
-}
+  void operator()(const Violation& violation) const {
+    const std::string path = to_string(violation.path);
+    for (Row& row : rows) {
+      if (row.path != path) continue;
+      row.objection += (row.objection.empty() ? "" : ", ") + objection_text(violation);
+    }
+  }
+};
+
+}  // namespace
 
 DecodedFrame FrameDecoder::decode(const Frame& frame, std::optional<Direction> direction) {
   DecodedFrame result{.frame = frame, .direction = direction ? *direction : guess(frame)};
@@ -89,10 +75,12 @@ DecodedFrame FrameDecoder::decode(const Frame& frame, std::optional<Direction> d
   const auto take = [&]<class M>(const M& message) {
     contexts_.learn(message);
     result.fields = sbgc::to_json(message);
-    result.rows = rows(message);
+    for_each_leaf(message, RowCollector{result.rows});
+    validate(message, RowCollector{result.rows});
   };
   result.status = visit(frame, result.direction, take, contexts_);
-  // What an earlier message has told may be about another stream: then better nothing than that.
+  // What an earlier message has reported may be about another stream: then better nothing than
+  // that.
   if (!result.status) {
     const Status plain = visit(frame, result.direction, take);
     if (plain) result.status = plain;

@@ -11,22 +11,12 @@
 
 namespace sbgc::tools {
 
-/// The name of the command with this id, "" if there is none. Some ids have two names; the
-/// direction decides.
-std::string command_name(std::uint8_t id, Direction direction);
-
-/// How well a body of this size fits what the command says in this direction; 0 is not at all.
-int fit(Direction direction, std::uint8_t id, std::size_t size);
-
-/// Whether there is a command with this id in this direction.
-bool has_command(Direction direction, std::uint8_t id);
-
 /// One value of a message, as people read it.
 struct Row {
   std::string path;
   std::string raw;
   std::string meaning;    ///< the value in its unit, or its name
-  std::string objection;  ///< what the specification does not allow about it, mostly ""
+  std::string objection;  ///< why the specification does not allow it, such as "is below 1 Hz"
   std::size_t offset{};   ///< of its bytes in the body
   std::size_t size{};     ///< how many bytes it takes
 };

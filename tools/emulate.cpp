@@ -20,18 +20,21 @@
 
 #include <sbgc/io/clock.hpp>
 #include <sbgc/protocol.hpp>
+#include <sbgc/text.hpp>
 
 #include "commands.hpp"
+#include "decoded_frame.hpp"
 #include "serving/arguments.hpp"
+#include "serving/nonblocking_lines.hpp"
 #include "serving/service.hpp"
-#include "serving/told_lines.hpp"
+#include "wording.hpp"
 
 namespace sbgc::tools {
 
 namespace {
 
-using emulate::Service;
-using emulate::ServiceOptions;
+using serving::Service;
+using serving::ServiceOptions;
 
 struct EmulateOptions {
   ServiceOptions service{};
@@ -39,6 +42,32 @@ struct EmulateOptions {
   bool verbose = false;
   std::optional<Duration> seconds{};
 };
+
+const char* to_text(emulator::Outcome outcome) {
+  switch (outcome) {
+    case emulator::Outcome::carried_out: return "carried out";
+    case emulator::Outcome::refused: return "refused";
+    case emulator::Outcome::unknown: return "unknown here";
+    case emulator::Outcome::malformed: return "malformed";
+    case emulator::Outcome::lost: return "lost: no room";
+    case emulator::Outcome::not_listening: return "not listening";
+  }
+  return "?";
+}
+
+/// "    1.2340  host 0 > CMD_BOARD_INFO (86), 0 bytes  carried out", with `>` for frames to the
+/// board and `<` for frames from it.
+std::string describe_frame(const emulator::Board::Traffic& traffic) {
+  const Direction direction = traffic.outcome ? Direction::to_board : Direction::from_board;
+  const Frame& frame = traffic.frame;
+  const std::string name = command_name(frame.id, direction);
+  std::string result = fmt::format(
+      "{:10.4f}  host {} {} {} ({}), {}", static_cast<double>(traffic.at.us) * 1e-6, traffic.port,
+      traffic.outcome ? '>' : '<', name.empty() ? "unknown command" : name, frame.id,
+      counted(frame.body.size(), "byte"));
+  if (traffic.outcome) result += fmt::format("  {}", to_text(*traffic.outcome));
+  return result;
+}
 
 /// Whether the terminal that is closed ends it: not with nohup.
 bool heeds_hangup() {
@@ -51,7 +80,7 @@ void allow_many_files() {
   rlimit limit{};
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
   limit.rlim_cur = limit.rlim_max;
-  setrlimit(RLIMIT_NOFILE, &limit);  // if not: what then can not be opened says so
+  setrlimit(RLIMIT_NOFILE, &limit);  // if not: what then cannot be opened says so
 }
 
 int serve(const EmulateOptions& options) {
@@ -59,20 +88,20 @@ int serve(const EmulateOptions& options) {
   const bool tells_on_stderr = options.service.stdio;
   // Hosts do not wait for readers of what is told, nor is one that has gone away, or a full disk, a
   // reason to leave them alone.
-  emulate::ToldLines problems(STDERR_FILENO);
-  std::optional<emulate::ToldLines> events;
+  serving::NonblockingLines problems(STDERR_FILENO);
+  std::optional<serving::NonblockingLines> events;
   if (!tells_on_stderr) events.emplace(STDOUT_FILENO);
-  emulate::ServiceLogs logs;
+  serving::ServiceLogs logs;
   // A reader needs each of these. That it has failed shows in the exit status.
   logs.endpoint = [out = tells_on_stderr ? stderr : stdout](const std::string& text) {
     std::fputs((text + "\n").c_str(), out);
     std::fflush(out);
   };
-  logs.warning = [&](const std::string& text) { problems.tell("sbgc: " + text); };
+  logs.warning = [&](const std::string& text) { problems.write_line("sbgc: " + text); };
   if (options.verbose) {
-    logs.event = [&](const std::string& text) { (events ? *events : problems).tell(text); };
+    logs.event = [&](const std::string& text) { (events ? *events : problems).write_line(text); };
+    logs.describe_frame = describe_frame;
   }
-  logs.traffic = options.verbose;
 
   allow_many_files();
   std::signal(SIGPIPE, SIG_IGN);  // a reader of ours that goes away is no reason to end untidily
@@ -135,19 +164,19 @@ std::string problem_of_path(const std::string& path) {
 
 void add_board_options(CLI::App& command, EmulateOptions& options) {
   ServiceOptions& service = options.service;
-  board::Options& board = service.emulator.board;
+  emulator::BoardOptions& board = service.emulator.board;
   add_parsed(
-      command, "--firmware", emulate::parse_firmware,
+      command, "--firmware", serving::parse_firmware,
       [&](msg::FirmwareVersion version) {
         board.firmware = version;
         service.firmware_is_given = true;
       },
       "Firmware version, such as 2.43b9, up to " +
-          emulate::text_of(msg::FirmwareVersion(newest_firmware)) + " [2.59]",
+          to_string(msg::FirmwareVersion(newest_firmware)) + " [2.59]",
       "VERSION")
       ->group("The board");
   add_parsed(
-      command, "--board", emulate::parse_board,
+      command, "--board", serving::parse_board,
       [&](msg::BoardVersion version) {
         board.board = version;
         service.board_is_given = true;
@@ -163,14 +192,14 @@ void add_board_options(CLI::App& command, EmulateOptions& options) {
       ->capture_default_str()
       ->group("The board");
   add_parsed(
-      command, "--motion", emulate::parse_motion,
-      [&](const board::Disturbance& motion) { board.gimbal.frame = motion; },
+      command, "--motion", serving::parse_motion,
+      [&](const emulator::Disturbance& motion) { board.gimbal.frame = motion; },
       "How the frame moves: rest, handheld, drone, vehicle, or a CSV file of lines "
       "time,roll,pitch,yaw in seconds and degrees, which is repeated [rest]",
       "KIND|FILE")
       ->group("The board");
   add_parsed(
-      command, "--reset-at", emulate::parse_seconds,
+      command, "--reset-at", serving::parse_seconds,
       [&](Duration at) { service.emulator.restart_at = at; }, "The board restarts by itself then",
       "SECONDS")
       ->group("The board");
@@ -205,11 +234,11 @@ void add_endpoint_options(CLI::App& command, EmulateOptions& options) {
       ->type_name("PATH")
       ->check(problem_of_path)
       ->group("Where hosts connect");
-  const auto add_listen = [&](const char* name, std::optional<emulate::ListenAddress>& address,
+  const auto add_listen = [&](const char* name, std::optional<serving::ListenAddress>& address,
                               const char* help) {
     add_parsed(
-        command, name, emulate::parse_listen,
-        [&address](const emulate::ListenAddress& parsed) { address = parsed; }, help, "[HOST:]PORT")
+        command, name, serving::parse_listen,
+        [&address](const serving::ListenAddress& parsed) { address = parsed; }, help, "[HOST:]PORT")
         ->group("Where hosts connect");
   };
   add_listen("--tcp", service.tcp,
@@ -223,16 +252,16 @@ void add_endpoint_options(CLI::App& command, EmulateOptions& options) {
 }
 
 void add_line_options(CLI::App& command, EmulateOptions& options) {
-  board::EmulatorOptions& emulator = options.service.emulator;
-  board::LineOptions& line = emulator.line;
-  board::Faults& faults = line.faults;
+  emulator::EmulatorOptions& emulator = options.service.emulator;
+  emulator::LineOptions& line = emulator.line;
+  emulator::Faults& faults = line.faults;
   const auto add = [&](const char* name, auto parse, auto use, const char* help, const char* type) {
     return add_parsed(command, name, parse, use, help, type)->group("The line");
   };
   add(
       "--baud", parse_rate,
       [&](std::uint32_t rate) {
-        emulator.rate_of_settings = rate == 0;
+        emulator.rate_from_parameters = rate == 0;
         line.board.baud_rate = rate;
       },
       "Bytes take their time, and a host with another rate on the pseudo-terminal hears and says "
@@ -250,24 +279,24 @@ void add_line_options(CLI::App& command, EmulateOptions& options) {
       ->group("The line");
   const auto add_share = [&](const char* name, double& share, const char* help) {
     add(
-        name, emulate::parse_share, [&share](double parsed) { share = parsed; }, help, "SHARE");
+        name, serving::parse_share, [&share](double parsed) { share = parsed; }, help, "SHARE");
   };
   add_share("--bit-errors", faults.bit_errors, "Share of bits that are turned over");
   add_share("--lose", faults.lost, "Share of bytes that are lost");
   add_share("--duplicate", faults.duplicated, "Share of bytes that come twice");
   add(
-      "--delay", emulate::parse_delay,
-      [&](const emulate::DelayFault& delay) {
+      "--delay", serving::parse_delay,
+      [&](const serving::DelayFault& delay) {
         faults.delayed = delay.share;
         faults.delay = delay.delay;
       },
       "Share of bytes that come later, by 20 ms or this time; those behind wait", "SHARE[:MS]");
   add(
-      "--text", emulate::parse_interval, [&](Duration every) { faults.text_every = every; },
+      "--text", serving::parse_interval, [&](Duration every) { faults.text_every = every; },
       "A line of text between two frames of the board, so often", "SECONDS");
   add(
-      "--silence", emulate::parse_silence,
-      [&](const board::Silence& silence) { faults.silences.push_back(silence); },
+      "--silence", serving::parse_silence,
+      [&](const emulator::Silence& silence) { faults.silences.push_back(silence); },
       "The line carries nothing, from then on for so long, in seconds; may be repeated",
       "FROM:LENGTH")
       ->take_all()
@@ -305,7 +334,7 @@ void add_emulate(CLI::App& app, int& status) {
   command->add_flag("-v,--verbose", options->verbose,
                     "Print each frame, and hosts that come and go");
   add_parsed(
-      *command, "--seconds", emulate::parse_seconds,
+      *command, "--seconds", serving::parse_seconds,
       [options](Duration time) { options->seconds = time; },
       "Stop after this time; else with Ctrl-C", "SECONDS");
   command->footer(
@@ -318,9 +347,10 @@ void add_emulate(CLI::App& app, int& status) {
       "  sbgc emulate --baud 115200 --bit-errors 1e-5 --text 2 --silence 30:5\n"
       "  sbgc emulate --firmware 2.43b9 --board 3.0 --motion handheld\n"
       "\n"
-      "The exit status is 0 when it was told to end, by Ctrl-C, a signal, --seconds or the end of "
-      "the standard input, 1 when something can not be opened or saved, 2 for wrong usage, which "
-      "includes a file of motion that can not be read.");
+      "The exit status is 0 when it was reported to end, by Ctrl-C, a signal, --seconds or the end "
+      "of "
+      "the standard input, 1 when something cannot be opened or saved, 2 for wrong usage, which "
+      "includes a file of motion that cannot be read.");
   command->callback([options, &status] {
     check(*options);
     status = serve(*options);

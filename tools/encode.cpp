@@ -1,6 +1,5 @@
 // sbgc encode: JSON lines, as sbgc decode prints them, to frames.
 
-#include <array>
 #include <cstdio>
 #include <string>
 
@@ -11,11 +10,11 @@
 #include <sbgc/message.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/parse_json.hpp>
-#include <sbgc/validate.hpp>
+#include <sbgc/text.hpp>
 
 #include "commands.hpp"
 #include "input.hpp"
-#include "text.hpp"
+#include "wording.hpp"
 
 namespace sbgc::tools {
 
@@ -27,37 +26,13 @@ struct EncodeOptions {
   bool no_validate = false;
 };
 
-std::string describe(const Violation& violation) {
-  std::array<char, 128> path{};
-  violation.path.write(path.data(), path.size());
-  switch (violation.rule) {
-    case Rule::minimum:
-      return fmt::format("{}: {} is below the minimum {}", path.data(), violation.value,
-                         violation.limit);
-    case Rule::maximum:
-      return fmt::format("{}: {} is above the maximum {}", path.data(), violation.value,
-                         violation.limit);
-    case Rule::alignment:
-      return fmt::format("{}: {} is no multiple of {}", path.data(), violation.value,
-                         violation.limit);
-    case Rule::count:
-      return fmt::format("{}: {} elements, but at {} {} are possible", path.data(), violation.value,
-                         violation.value < violation.limit ? "least" : "most", violation.limit);
-    case Rule::firmware:
-    case Rule::board:
-      return fmt::format("{}: {} needs {} version {}", path.data(), violation.value,
-                         name(violation.rule), violation.limit);
-  }
-  return path.data();
-}
-
 /// Collects what is wrong. Not a lambda, which would be another type, with a validator of its own,
 /// for each message.
 struct Problems {
   std::string& text;
 
   void operator()(const Violation& violation) const {
-    text += (text.empty() ? "" : "; ") + describe(violation);
+    text += (text.empty() ? "" : "; ") + to_string(violation);
   }
 };
 
@@ -74,9 +49,7 @@ std::vector<std::uint8_t> encode_fields(const Json& fields, bool check) {
   std::vector<std::uint8_t> frame(max_frame_size);
   const WriteResult written = encode_frame(message, frame);
   if (!written) {
-    const char* const field = written.status.field;
-    throw InputError(fmt::format("{}{}{} ({})", field, *field == '\0' ? "" : ": ",
-                                 text(written.status.code), name(written.status.code)));
+    throw InputError(to_string(written.status) + " (" + to_string(written.status.code) + ')');
   }
   frame.resize(written.size);
   return frame;

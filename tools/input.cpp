@@ -16,7 +16,7 @@ std::unique_ptr<std::FILE, int (*)(std::FILE*)> open(const std::string& name) {
   if (name == "-") return {stdin, keep_open};
   std::FILE* const file = std::fopen(name.c_str(), "rb");
   if (file == nullptr) {
-    throw InputError(fmt::format("can not open '{}': {}", name, std::strerror(errno)));
+    throw InputError(fmt::format("cannot open '{}': {}", name, std::strerror(errno)));
   }
   return {file, std::fclose};
 }
@@ -32,7 +32,7 @@ std::span<const std::uint8_t> Input::read() {
     size = ::read(fileno(file_.get()), block_.data(), block_.size());
   } while (size < 0 && errno == EINTR);
   if (size < 0) {
-    throw InputError(fmt::format("can not read '{}': {}", name_, std::strerror(errno)));
+    throw InputError(fmt::format("cannot read '{}': {}", name_, std::strerror(errno)));
   }
   return {block_.data(), static_cast<std::size_t>(size)};
 }
@@ -49,7 +49,7 @@ bool Input::read_line(std::string& line, std::size_t limit) {
     }
   }
   if (std::ferror(file_.get()) != 0) {
-    throw InputError(fmt::format("can not read '{}': {}", name_, std::strerror(errno)));
+    throw InputError(fmt::format("cannot read '{}': {}", name_, std::strerror(errno)));
   }
   if (is_whole && !line.empty() && line.back() == '\r') line.pop_back();
   return c != EOF || !line.empty();

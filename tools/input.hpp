@@ -11,7 +11,7 @@
 
 namespace sbgc::tools {
 
-/// Input that can not be read; what() says which and why.
+/// Input that cannot be read; what() says which and why.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -20,7 +20,7 @@ class InputError : public std::runtime_error {
 /// A file or the standard input ("-"), read block by block as it comes in.
 class Input {
  public:
-  /// Throws InputError if `name` can not be opened.
+  /// Throws InputError if `name` cannot be opened.
   explicit Input(const std::string& name);
 
   /// The next bytes, empty at the end. The view is valid until the next call. Throws InputError.

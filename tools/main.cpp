@@ -15,7 +15,7 @@
 #include "commands.hpp"
 #include "help_text.hpp"
 #include "suggestions.hpp"
-#include "text.hpp"
+#include "wording.hpp"
 
 namespace sbgc::tools {
 
@@ -121,7 +121,7 @@ int main(int argc, char** argv) {
     const int status = tools::run(argc, argv);
     // An earlier write that failed has left its mark, though nothing is left to be flushed.
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
-    std::fputs("sbgc: can not write to the standard output\n", stderr);
+    std::fputs("sbgc: cannot write to the standard output\n", stderr);
     return status == tools::success ? tools::failure : status;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "sbgc: %s\n", error.what());

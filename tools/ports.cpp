@@ -10,9 +10,9 @@
 
 #include <sbgc/io/ports.hpp>
 #include <sbgc/json.hpp>
+#include <sbgc/text/values.hpp>
 
 #include "commands.hpp"
-#include "rows.hpp"
 
 namespace sbgc::tools {
 
@@ -37,13 +37,13 @@ Json to_json(const io::PortInfo& port) {
 void print_text(const io::PortInfo& port) {
   // What a device says about itself goes into quotes: it could say anything.
   fmt::print("{}", port.name);
-  if (!port.description.empty()) fmt::print("  {}", rows_detail::quoted(port.description));
+  if (!port.description.empty()) fmt::print("  {}", detail::quoted(port.description));
   fmt::print("\n");
   if (!port.usb) return;
   const io::UsbInfo& usb = *port.usb;
   fmt::print("    USB {:04x}:{:04x}", usb.vendor_id, usb.product_id);
   const auto add = [](const char* what, const std::string& text) {
-    if (!text.empty()) fmt::print(", {} {}", what, rows_detail::quoted(text));
+    if (!text.empty()) fmt::print(", {} {}", what, detail::quoted(text));
   };
   add("manufacturer", usb.manufacturer);
   add("product", usb.product);

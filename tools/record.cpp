@@ -19,7 +19,7 @@
 #include <sbgc/io/recorder.hpp>
 
 #include "commands.hpp"
-#include "text.hpp"
+#include "wording.hpp"
 
 namespace sbgc::tools {
 

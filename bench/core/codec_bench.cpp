@@ -103,7 +103,7 @@ void decode_stream(benchmark::State& state) {
     benchmark::DoNotOptimize(&message);
     const auto sink = [&](const sbgc::Frame& frame) {
       if (frame.id != static_cast<std::uint8_t>(sbgc::msg::RealtimeData4::command)) return;
-      if (!decode(frame.body, message)) return;
+      if (!sbgc::decode(frame.body, message)) return;
       benchmark::ClobberMemory();
       ++decoded;
     };
@@ -144,7 +144,7 @@ std::array<std::uint8_t, M::min_size> some_body() {
 template <class M>
 M some_message() {
   M message;
-  static_cast<void>(decode(some_body<M>(), message));
+  static_cast<void>(sbgc::decode(some_body<M>(), message));
   return message;
 }
 
@@ -185,7 +185,7 @@ void decode_one(benchmark::State& state) {
   benchmark::DoNotOptimize(&message);
   for (auto _ : state) {
     benchmark::ClobberMemory();
-    const bool ok(decode(body, message));
+    const bool ok(sbgc::decode(body, message));
     benchmark::DoNotOptimize(ok);
     benchmark::ClobberMemory();
   }
@@ -200,7 +200,7 @@ void encode_one(benchmark::State& state) {
   benchmark::DoNotOptimize(frame.data());
   for (auto _ : state) {
     benchmark::ClobberMemory();
-    const std::size_t size = encode_frame(message, frame).size;
+    const std::size_t size = sbgc::encode_frame(message, frame).size;
     benchmark::DoNotOptimize(size);
     benchmark::ClobberMemory();
   }
@@ -213,7 +213,7 @@ void validate_one(benchmark::State& state) {
   for (auto _ : state) {
     benchmark::ClobberMemory();
     int violations = 0;
-    validate(message, [&](const sbgc::Violation&) { ++violations; });
+    sbgc::validate(message, [&](const sbgc::Violation&) { ++violations; });
     benchmark::DoNotOptimize(violations);
   }
 }
@@ -253,7 +253,7 @@ void encode_fresh_control(benchmark::State& state) {
       message.axes[axis].speed = sbgc::msg::ControlSpeed(values[2 * axis]);
       message.axes[axis].angle = sbgc::msg::Angle14(values[2 * axis + 1]);
     }
-    const std::size_t size = encode_frame(message, frame).size;
+    const std::size_t size = sbgc::encode_frame(message, frame).size;
     benchmark::DoNotOptimize(size);
     benchmark::ClobberMemory();
   }

@@ -21,7 +21,7 @@
 #include <sbgc/messages/realtime.hpp>
 #include <sbgc/parser.hpp>
 
-#include "service.hpp"
+#include "serving/service.hpp"
 
 namespace {
 
@@ -34,10 +34,10 @@ constexpr std::size_t sample_size = sbgc::Framing::frame_size(sbgc::msg::Realtim
 
 Bytes stream_request() {
   sbgc::msg::DataStreamInterval request;
-  request.cmd_id = sbgc::msg::CommandId::realtime_data_4;
+  request.cmd_id = sbgc::msg::CommandFromBoard::realtime_data_4;
   request.interval_ms = sbgc::msg::Milliseconds(1000 / rate);
   std::array<std::uint8_t, sbgc::max_frame_size> frame{};
-  const std::size_t size = encode_frame(request, frame).size;
+  const std::size_t size = sbgc::encode_frame(request, frame).size;
   return {frame.begin(), frame.begin() + static_cast<std::ptrdiff_t>(size)};
 }
 
@@ -65,10 +65,10 @@ void copying(benchmark::State& state) {
 
 template <std::uint32_t baud_rate>
 void second_of_one_board(benchmark::State& state) {
-  sbgc::board::EmulatorOptions options;
+  sbgc::emulator::EmulatorOptions options;
   options.line.board.baud_rate = baud_rate;
   sbgc::Instant now{};
-  sbgc::board::Emulator emulator(options, {}, now);
+  sbgc::emulator::Emulator emulator(options, {}, now);
   const std::size_t port = emulator.connect(false, now).value();
   now = now + sbgc::seconds(1);
   emulator.from_host(port, stream_request(), now);
@@ -119,10 +119,10 @@ class Listener {
 
 void many_boards(benchmark::State& state) {
   asio::io_context context(1);
-  sbgc::emulate::ServiceOptions options;
+  sbgc::serving::ServiceOptions options;
   options.count = boards;
   options.tcp.emplace();
-  sbgc::emulate::Service service(context, options, {});
+  sbgc::serving::Service service(context, options, {});
   std::vector<std::unique_ptr<Listener>> listeners;
   for (unsigned i = 0; i < boards; ++i) {
     const std::string address = service.endpoints(i).front()->address();

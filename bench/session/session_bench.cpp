@@ -8,9 +8,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include <sbgc/exchanges/all.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/parser.hpp>
+#include <sbgc/responses/all.hpp>
 #include <sbgc/session.hpp>
 
 namespace {
@@ -20,7 +20,7 @@ const std::vector<std::uint8_t>& samples() {
   static const std::vector<std::uint8_t> bytes = [] {
     std::vector<std::uint8_t> result;
     std::uint8_t frame[sbgc::max_frame_size];
-    const std::size_t size = encode_frame(sbgc::msg::RealtimeData4{}, frame).size;
+    const std::size_t size = sbgc::encode_frame(sbgc::msg::RealtimeData4{}, frame).size;
     while (result.size() < 1'000'000) result.insert(result.end(), frame, frame + size);
     return result;
   }();
@@ -68,7 +68,7 @@ void asking(benchmark::State& state) {
   options.pacing = {{}, {}};
   sbgc::Session session(options);
   std::uint8_t answer[sbgc::max_frame_size];
-  const std::size_t size = encode_frame(sbgc::msg::RealtimeData4{}, answer).size;
+  const std::size_t size = sbgc::encode_frame(sbgc::msg::RealtimeData4{}, answer).size;
   sbgc::Instant now{};
   std::uint64_t ends = 0;
   const auto sink = [&](const sbgc::Event& event) {

@@ -4,208 +4,208 @@
 #include <sbgc/availability.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/emulator/board.hpp>
-#include <sbgc/exchanges/all.hpp>
+#include <sbgc/responses/all.hpp>
 #include <sbgc/settings.hpp>
 
-#include "default_answer.hpp"
-#include "handlers.hpp"
-#include "machine.hpp"
-#include "settings_access.hpp"
+#include "device/default_response.hpp"
+#include "device/device.hpp"
+#include "device/handlers.hpp"
+#include "device/parameter_access.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 namespace {
 
 template <Message M>
-Outcome carry_out(Turn& turn, const M& request) {
-  if constexpr (requires { handle(turn, request); }) {
-    return handle(turn, request);
-  } else if constexpr (accesses_settings<M>) {
-    return access_settings(turn, request);
+Outcome carry_out(RequestContext& context, const M& request) {
+  if constexpr (requires { handle(context, request); }) {
+    return handle(context, request);
+  } else if constexpr (accesses_parameters<M>) {
+    return access_parameters(context, request);
   } else {
-    return default_answer(turn, request);
+    return default_response(context, request);
   }
 }
 
 }  // namespace
 
-/// The machine, and the order in which things happen in it.
+/// The device, and the order in which things happen in it.
 class Board::Core {
  public:
-  Core(const Options& options, Memory memory, Instant now)
-      : machine(options, std::move(memory), now), start_(now), clock_(now) {
-    turns_.fill(Instant::never);
-    idle_.fill(Instant::never);
+  Core(const BoardOptions& options, Memory memory, Instant now)
+      : device(options, std::move(memory), now), start_(now), clock_(now) {
+    request_times_.fill(Instant::never);
+    idle_times_.fill(Instant::never);
   }
 
-  /// Everything that is due up to that time, in the order of time.
+  /// Does everything that is due up to that time, in order.
   void run_until(Instant until) {
     until = later(until, clock_);
     for (;;) {
       const Instant at = later(next(), clock_);
       if (at > until || at == Instant::never) break;
-      clock_ = machine.ports.now = at;
+      clock_ = device.ports.now = at;
       run_due(at);
     }
-    clock_ = machine.ports.now = until;
-    machine.streams.count_skipped(machine, until);
+    clock_ = device.ports.now = until;
+    device.streams.count_skipped(device, until);
   }
 
   Instant next() {
-    Instant next = earlier(machine.restarts.next(), machine.streams.next());
-    for_each_part(machine, [&](auto& part) { next = earlier(next, part.next()); });
-    for (const Instant turn : turns_) next = earlier(next, turn);
-    for (const Instant idle : idle_) next = earlier(next, idle);
+    Instant next = earlier(device.restarts.next(), device.streams.next());
+    for_each_part(device, [&](auto& part) { next = earlier(next, part.next()); });
+    for (const Instant time : request_times_) next = earlier(next, time);
+    for (const Instant time : idle_times_) next = earlier(next, time);
     return next;
   }
 
   void receive(std::size_t port, std::span<const std::uint8_t> bytes, Instant now) {
     run_until(now);
     if (bytes.empty()) return;
-    machine.ports.receive(port, bytes, machine.restarts.is_listening());
-    idle_[port] = machine.ports.is_in_frame(port) ? clock_ + idle_time : Instant::never;
-    plan_turn(port);
+    device.ports.receive(port, bytes, device.restarts.is_listening());
+    idle_times_[port] = device.ports.is_in_frame(port) ? clock_ + idle_time : Instant::never;
+    plan_request(port);
   }
 
   void sent(std::size_t port, std::size_t size, Instant now) {
     run_until(now);
-    machine.ports.sent(port, size);
-    machine.streams.has_room(machine, port, clock_);
-    plan_turn(port);
+    device.ports.sent(port, size);
+    device.streams.has_room(device, port, clock_);
+    plan_request(port);
   }
 
   void close(std::size_t port) {
-    machine.streams.forget(machine, port, clock_);
-    machine.calibrations.forget_port(port);
-    machine.auto_tuning.forget_port(port);
-    machine.scripts.forget_port(port);
-    machine.ports.close(port);
-    turns_[port] = idle_[port] = Instant::never;
+    device.streams.forget(device, port, clock_);
+    device.calibrations.forget_port(port);
+    device.auto_tuning.forget_port(port);
+    device.scripts.forget_port(port);
+    device.ports.close(port);
+    request_times_[port] = idle_times_[port] = Instant::never;
   }
 
   void end_input(std::size_t port) {
-    machine.streams.forget(machine, port, clock_);
-    machine.ports.end_input(port);
+    device.streams.forget(device, port, clock_);
+    device.ports.end_input(port);
   }
 
   void restart(Instant now) {
     run_until(now);
-    step([&] { machine.restarts.restart_now(machine, clock_, false, true); });
+    step([&] { device.restarts.restart_now(device, clock_, false, true); });
   }
 
   void memory_saved(std::uint32_t revision, Instant now) {
     run_until(now);
-    if (revision == machine.memory.revision) machine.memory.is_unsaved = false;
-    machine.ports.release(revision);
+    if (revision == device.memory.revision) device.memory.is_unsaved = false;
+    device.ports.release(revision);
   }
 
   void memory_not_saved(std::uint32_t revision, Instant now) {
     run_until(now);
-    machine.ports.fail(revision, [&](std::span<const std::uint8_t> frame) {
-      return refusal_instead(machine.versions(), frame);
+    device.ports.fail(revision, [&](std::span<const std::uint8_t> frame) {
+      return refusal_instead(device.versions(), frame);
     });
-    for (std::size_t port = 0; port < turns_.size(); ++port) plan_turn(port);
+    for (std::size_t port = 0; port < request_times_.size(); ++port) plan_request(port);
   }
 
   void set_silent(bool is_silent) {
-    machine.ports.set_silent(is_silent);
-    for (std::size_t port = 0; port < turns_.size(); ++port) {
-      machine.streams.has_room(machine, port, clock_);
+    device.ports.set_silent(is_silent);
+    for (std::size_t port = 0; port < request_times_.size(); ++port) {
+      device.streams.has_room(device, port, clock_);
     }
   }
 
-  Machine machine;
+  Device device;
 
  private:
-  /// A pause after which a frame that has begun is none. Ours.
+  /// A pause after which a partial frame is given up. An assumption.
   static constexpr Duration idle_time = milliseconds(100);
 
-  /// Does one of the things that the board does; all that it says meanwhile may tell of a change
-  /// to the memory that is made meanwhile.
+  /// Runs one step of the board. Everything it sends in this step may report a change of the memory
+  /// that the step made.
   template <class Do>
   void step(Do&& something) {
-    const std::uint32_t before = machine.memory.revision;
+    const std::uint32_t before = device.memory.revision;
     something();
-    if (!machine.options.waits_for_saving) return;
-    const std::uint32_t after = machine.memory.revision;
-    if (after != before) machine.memory.is_unsaved = true;
-    machine.ports.end_step(after != before ? std::optional(after) : std::nullopt);
+    if (!device.options.waits_for_saving) return;
+    const std::uint32_t after = device.memory.revision;
+    if (after != before) device.memory.is_unsaved = true;
+    device.ports.end_step(after != before ? std::optional(after) : std::nullopt);
   }
 
   void run_due(Instant now) {
-    step([&] { machine.restarts.advance(machine, now); });
-    for_each_part(machine, [&](auto& part) {
-      if (part.next() <= now) step([&] { part.advance(machine, now); });
+    step([&] { device.restarts.advance(device, now); });
+    for_each_part(device, [&](auto& part) {
+      if (part.next() <= now) step([&] { part.advance(device, now); });
     });
-    for (std::size_t port = 0; port < idle_.size(); ++port) {
-      if (idle_[port] > now) continue;
-      idle_[port] = Instant::never;
-      machine.ports.give_up_frame(port, machine.restarts.is_listening());
-      plan_turn(port);
+    for (std::size_t port = 0; port < idle_times_.size(); ++port) {
+      if (idle_times_[port] > now) continue;
+      idle_times_[port] = Instant::never;
+      device.ports.give_up_frame(port, device.restarts.is_listening());
+      plan_request(port);
     }
-    for (std::size_t port = 0; port < turns_.size(); ++port) {
-      if (turns_[port] > now) continue;
-      turns_[port] = Instant::never;
-      if (machine.ports.has_turn(port)) step([&] { take_turn(port, now); });
-      plan_turn(port);
+    for (std::size_t port = 0; port < request_times_.size(); ++port) {
+      if (request_times_[port] > now) continue;
+      request_times_[port] = Instant::never;
+      if (device.ports.can_take(port)) step([&] { carry_out_next(port, now); });
+      plan_request(port);
     }
   }
 
-  /// One request of a port is carried out in each cycle of the controller.
-  void plan_turn(std::size_t port) {
-    if (turns_[port] != Instant::never || !machine.ports.has_turn(port)) return;
-    const std::int64_t cycle = Machine::cycle().us;
+  /// The controller carries out one request of each port per cycle.
+  void plan_request(std::size_t port) {
+    if (request_times_[port] != Instant::never || !device.ports.can_take(port)) return;
+    const std::int64_t cycle = Device::cycle().us;
     const std::int64_t elapsed = (clock_ - start_).us;
-    turns_[port] = clock_ + microseconds(cycle - elapsed % cycle);
+    request_times_[port] = clock_ + microseconds(cycle - elapsed % cycle);
   }
 
-  void take_turn(std::size_t port, Instant now) {
-    const Waiting request = machine.ports.take(port);
+  void carry_out_next(std::size_t port, Instant now) {
+    const QueuedRequest request = device.ports.take(port);
     const Outcome outcome = carry_out_frame(port, request, now);
-    BoardCounters& counters = machine.ports.counters;
+    BoardCounters& counters = device.ports.counters;
     if (outcome == Outcome::refused) ++counters.refused;
     if (outcome == Outcome::unknown || outcome == Outcome::malformed) ++counters.unknown;
-    machine.ports.tell(port, {request.id, request.body}, outcome);
+    device.ports.report(port, {request.id, request.body}, outcome);
   }
 
-  /// Whether this board takes any request with this id.
+  /// Whether this board has any request with this id.
   bool knows(std::uint8_t id) const {
     bool is_known = false;
     AllMessages::for_each([&]<class M>(Type<M>) {
       if constexpr (M::direction != Direction::from_board) {
         const bool has_id = static_cast<std::uint8_t>(M::command) == id;
-        is_known = is_known || (has_id && is_supported<M>(machine.versions()));
+        is_known = is_known || (has_id && is_supported<M>(device.versions()));
       }
     });
     return is_known;
   }
 
-  /// What the board does not know it says, unless it is so old that it has no words for it. An
-  /// error is not answered, lest two boards on one line answer each other for ever.
-  Outcome carry_out_frame(std::size_t port, const Waiting& request, Instant now) {
+  /// Answers an unknown request with CMD_ERROR, if the board has that. Does not answer errors: two
+  /// boards on one line would answer each other endlessly.
+  Outcome carry_out_frame(std::size_t port, const QueuedRequest& request, Instant now) {
     const Outcome outcome = try_frame(port, request, now);
     const bool is_strange = outcome == Outcome::unknown || outcome == Outcome::malformed;
     if (is_strange && !roles::is_error({request.id, request.body})) {
-      Turn turn(machine, port, request.id, Confirmed::never, now);
-      turn.refuse(knows(request.id) ? msg::BoardErrorCode::cmd_size
-                                    : msg::BoardErrorCode::unknown_command);
+      RequestContext context(device, port, request.id, Confirmed::never, now);
+      context.refuse(knows(request.id) ? msg::BoardErrorCode::cmd_size
+                                       : msg::BoardErrorCode::unknown_command);
     }
     return outcome;
   }
 
-  Outcome try_frame(std::size_t port, const Waiting& request, Instant now) {
+  Outcome try_frame(std::size_t port, const QueuedRequest& request, Instant now) {
     Outcome outcome = Outcome::unknown;
     const Code code =
         select(Direction::to_board, request.id, request.body.size(), [&]<class M>(Type<M>) {
           if constexpr (M::direction != Direction::from_board) {
-            if (!is_supported<M>(machine.versions())) return;
+            if (!is_supported<M>(device.versions())) return;
             M message{};
             if (!decode(std::span(request.body), message)) {
               outcome = Outcome::malformed;
               return;
             }
-            const Confirmed confirmed = exchange_of(message).replies.confirmed;
-            Turn turn(machine, port, request.id, confirmed, now);
-            outcome = carry_out(turn, message);
+            const Confirmed confirmed = response_policy(message).responses.confirmed;
+            RequestContext context(device, port, request.id, confirmed, now);
+            outcome = carry_out(context, message);
           }
         });
     return code == Code::unknown_form ? Outcome::malformed : outcome;
@@ -213,23 +213,24 @@ class Board::Core {
 
   Instant start_;
   Instant clock_;
-  std::array<Instant, max_ports> turns_{};  ///< when a request of each port is carried out
-  std::array<Instant, max_ports> idle_{};   ///< when a frame that has begun is given up
+  std::array<Instant, max_ports>
+      request_times_{};  ///< when the next request of each port is carried out
+  std::array<Instant, max_ports> idle_times_{};  ///< when a partial frame is given up
 };
 
-Board::Board(const Options& options, Memory memory, Instant now)
+Board::Board(const BoardOptions& options, Memory memory, Instant now)
     : core_(std::make_unique<Core>(options, std::move(memory), now)) {}
 Board::Board(Board&& other) noexcept = default;
 Board& Board::operator=(Board&& other) noexcept = default;
 Board::~Board() = default;
 
 Board::Core& Board::entered() {
-  core_->machine.ports.on_traffic = &on_traffic;
+  core_->device.ports.on_traffic = &on_traffic;
   return *core_;
 }
 
 std::optional<std::size_t> Board::open_port(bool is_usb) {
-  return core_->machine.ports.open(is_usb);
+  return core_->device.ports.open(is_usb);
 }
 
 void Board::close_port(std::size_t port) { core_->close(port); }
@@ -245,7 +246,7 @@ void Board::advance(Instant now) { entered().run_until(now); }
 Instant Board::next() const { return core_->next(); }
 
 std::span<const std::uint8_t> Board::output(std::size_t port) const {
-  return core_->machine.ports.output(port);
+  return core_->device.ports.output(port);
 }
 
 void Board::sent(std::size_t port, std::size_t size, Instant now) {
@@ -264,21 +265,23 @@ void Board::memory_not_saved(std::uint32_t revision, Instant now) {
 
 void Board::set_silent(bool is_silent) { core_->set_silent(is_silent); }
 
-const Memory& Board::memory() const { return core_->machine.memory; }
+const Memory& Board::memory() const { return core_->device.memory; }
 
-std::size_t Board::waiting(std::size_t port) const { return core_->machine.ports.waiting(port); }
-
-bool Board::is_quiet(std::size_t port) const {
-  const Ports& ports = core_->machine.ports;
-  return !ports.is_in_frame(port) && ports.waiting(port) == 0 && !ports.has_output(port);
+std::size_t Board::queued_bytes(std::size_t port) const {
+  return core_->device.ports.queued_bytes(port);
 }
 
-Gimbal& Board::gimbal() { return core_->machine.gimbal; }
+bool Board::is_quiet(std::size_t port) const {
+  const Ports& ports = core_->device.ports;
+  return !ports.is_in_frame(port) && ports.queued_bytes(port) == 0 && !ports.has_output(port);
+}
 
-const BoardCounters& Board::counters() const { return core_->machine.ports.counters; }
+Gimbal& Board::gimbal() { return core_->device.gimbal; }
 
-const Options& Board::options() const { return core_->machine.options; }
+const BoardCounters& Board::counters() const { return core_->device.ports.counters; }
 
-std::uint32_t Board::baud_rate() const { return core_->machine.baud_rate; }
+const BoardOptions& Board::options() const { return core_->device.options; }
 
-}  // namespace sbgc::board
+std::uint32_t Board::baud_rate() const { return core_->device.baud_rate; }
+
+}  // namespace sbgc::emulator

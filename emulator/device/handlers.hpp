@@ -1,97 +1,98 @@
-/// Requests that the board carries out with code of its own. All others are answered by
-/// settings.hpp and default_answer.hpp from the model alone.
+/// The requests that the board answers with code of its own, by the family of spec/ that they
+/// belong to: device/<family>.cpp has them. All others are answered from the model alone:
+/// parameter_access.hpp reads and writes parameters, default_response.hpp does the rest.
 #pragma once
 
 #include <sbgc/messages.hpp>
 
-#include "turn.hpp"
+#include "device/request_context.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
-// handlers_system.cpp
-Outcome handle(Turn& turn, const msg::BoardInfoRequest& request);
-Outcome handle(Turn& turn, const msg::BoardInfoRequestOneByte& request);
-Outcome handle(Turn& turn, const msg::BoardInfoRequestExt& request);
-Outcome handle(Turn& turn, const msg::BoardInfo3Request& request);
-Outcome handle(Turn& turn, const msg::ResetRequest& request);
-Outcome handle(Turn& turn, const msg::ResetRequestExt& request);
-Outcome handle(Turn& turn, const msg::BootMode3& request);
-Outcome handle(Turn& turn, const msg::BootMode3Ext& request);
+// adjustable_variables.cpp
+Outcome handle(RequestContext& context, const msg::GetAdjVarsVal& request);
+Outcome handle(RequestContext& context, const msg::SetAdjVarsVal& request);
+Outcome handle(RequestContext& context, const msg::AdjVarsStateRequest& request);
+Outcome handle(RequestContext& context, const msg::AdjVarsStateRequestExt& request);
 
-// handlers_storage.cpp
-Outcome handle(Turn& turn, const msg::UseDefaults& request);
-Outcome handle(Turn& turn, const msg::EepromReadRequest& request);
-Outcome handle(Turn& turn, const msg::EepromWrite& request);
-Outcome handle(Turn& turn, const msg::ReadFileRequest& request);
-Outcome handle(Turn& turn, const msg::WriteFile& request);
-Outcome handle(Turn& turn, const msg::FsClearAll& request);
+// calibration.cpp
+Outcome handle(RequestContext& context, const msg::CalibAcc& request);
+Outcome handle(RequestContext& context, const msg::CalibAccExt& request);
+Outcome handle(RequestContext& context, const msg::CalibGyro& request);
+Outcome handle(RequestContext& context, const msg::CalibGyroExt& request);
+Outcome handle(RequestContext& context, const msg::CalibMag& request);
+Outcome handle(RequestContext& context, const msg::CalibExtGain& request);
+Outcome handle(RequestContext& context, const msg::CalibPoles& request);
+Outcome handle(RequestContext& context, const msg::CalibOffset& request);
+Outcome handle(RequestContext& context, const msg::CalibBat& request);
+Outcome handle(RequestContext& context, const msg::EncodersCalibOffset4& request);
+Outcome handle(RequestContext& context, const msg::EncodersCalibFldOffset4& request);
+Outcome handle(RequestContext& context, const msg::CalibInfoRequest& request);
+Outcome handle(RequestContext& context, const msg::AutoPidRequest& request);
 
-// handlers_control.cpp
-Outcome handle(Turn& turn, const msg::Control& request);
-Outcome handle(Turn& turn, const msg::ControlExt& request);
-Outcome handle(Turn& turn, const msg::MotorsOn& request);
-Outcome handle(Turn& turn, const msg::MotorsOff& request);
-Outcome handle(Turn& turn, const msg::MotorsOffExt& request);
-Outcome handle(Turn& turn, const msg::ExecuteMenu& request);
-Outcome handle(Turn& turn, const msg::ExecuteMenuExt& request);
-Outcome handle(Turn& turn, const msg::HelperData& request);
-Outcome handle(Turn& turn, const msg::HelperDataExt& request);
-Outcome handle(Turn& turn, const msg::ApiVirtChControl& request);
+// control.cpp
+Outcome handle(RequestContext& context, const msg::Control& request);
+Outcome handle(RequestContext& context, const msg::ControlExt& request);
+Outcome handle(RequestContext& context, const msg::GetAnglesRequest& request);
+Outcome handle(RequestContext& context, const msg::GetAnglesExtRequest& request);
+Outcome handle(RequestContext& context, const msg::MotorsOn& request);
+Outcome handle(RequestContext& context, const msg::MotorsOff& request);
+Outcome handle(RequestContext& context, const msg::MotorsOffExt& request);
+Outcome handle(RequestContext& context, const msg::ExecuteMenu& request);
+Outcome handle(RequestContext& context, const msg::ExecuteMenuExt& request);
+Outcome handle(RequestContext& context, const msg::HelperData& request);
+Outcome handle(RequestContext& context, const msg::HelperDataExt& request);
 
-// handlers_realtime.cpp
-Outcome handle(Turn& turn, const msg::RealtimeData& request);
-Outcome handle(Turn& turn, const msg::RealtimeData3Request& request);
-Outcome handle(Turn& turn, const msg::RealtimeData4Request& request);
-Outcome handle(Turn& turn, const msg::RealtimeDataCustomRequest& request);
-Outcome handle(Turn& turn, const msg::GetAnglesRequest& request);
-Outcome handle(Turn& turn, const msg::GetAnglesExtRequest& request);
-Outcome handle(Turn& turn, const msg::DataStreamInterval& request);
+// debug.cpp
+Outcome handle(RequestContext& context, const msg::DebugVarsInfo3Request& request);
+Outcome handle(RequestContext& context, const msg::DebugVars3Request& request);
 
-// handlers_attitude.cpp
-Outcome handle(Turn& turn, const msg::AhrsHelperRequest& request);
-Outcome handle(Turn& turn, const msg::AhrsHelperRequestWide& request);
-Outcome handle(Turn& turn, const msg::AhrsHelperRequestExt& request);
-Outcome handle(Turn& turn, const msg::AhrsHelperRequestExtWide& request);
+// imu.cpp
+Outcome handle(RequestContext& context, const msg::SelectImu3& request);
+Outcome handle(RequestContext& context, const msg::SelectImu3Ext& request);
+Outcome handle(RequestContext& context, const msg::AhrsHelperRequest& request);
+Outcome handle(RequestContext& context, const msg::AhrsHelperRequestWide& request);
+Outcome handle(RequestContext& context, const msg::AhrsHelperRequestExt& request);
+Outcome handle(RequestContext& context, const msg::AhrsHelperRequestExtWide& request);
+Outcome handle(RequestContext& context, const msg::GyroCorrection& request);
 
-// answer_calibration.cpp
-Outcome handle(Turn& turn, const msg::CalibAcc& request);
-Outcome handle(Turn& turn, const msg::CalibAccExt& request);
-Outcome handle(Turn& turn, const msg::CalibGyro& request);
-Outcome handle(Turn& turn, const msg::CalibGyroExt& request);
-Outcome handle(Turn& turn, const msg::CalibMag& request);
-Outcome handle(Turn& turn, const msg::CalibExtGain& request);
-Outcome handle(Turn& turn, const msg::CalibPoles& request);
-Outcome handle(Turn& turn, const msg::CalibOffset& request);
-Outcome handle(Turn& turn, const msg::CalibBat& request);
-Outcome handle(Turn& turn, const msg::EncodersCalibOffset4& request);
-Outcome handle(Turn& turn, const msg::EncodersCalibFldOffset4& request);
-Outcome handle(Turn& turn, const msg::CalibInfoRequest& request);
-Outcome handle(Turn& turn, const msg::AutoPidRequest& request);
+// parameters.cpp
+Outcome handle(RequestContext& context, const msg::SaveParams3& request);
+Outcome handle(RequestContext& context, const msg::UseDefaults& request);
 
-// answer_imu.cpp
-Outcome handle(Turn& turn, const msg::SelectImu3& request);
-Outcome handle(Turn& turn, const msg::SelectImu3Ext& request);
-Outcome handle(Turn& turn, const msg::GyroCorrection& request);
+// peripherals.cpp
+Outcome handle(RequestContext& context, const msg::TriggerPin& request);
+Outcome handle(RequestContext& context, const msg::ServoOut& request);
+Outcome handle(RequestContext& context, const msg::BeepSound& request);
+Outcome handle(RequestContext& context, const msg::I2cReadRegBufRequest& request);
+Outcome handle(RequestContext& context, const msg::I2cWriteRegBuf& request);
+Outcome handle(RequestContext& context, const msg::ApiVirtChControl& request);
 
-// answer_peripherals.cpp
-Outcome handle(Turn& turn, const msg::TriggerPin& request);
-Outcome handle(Turn& turn, const msg::ServoOut& request);
-Outcome handle(Turn& turn, const msg::BeepSound& request);
-Outcome handle(Turn& turn, const msg::I2cReadRegBufRequest& request);
-Outcome handle(Turn& turn, const msg::I2cWriteRegBuf& request);
+// realtime.cpp
+Outcome handle(RequestContext& context, const msg::RealtimeData& request);
+Outcome handle(RequestContext& context, const msg::RealtimeData3Request& request);
+Outcome handle(RequestContext& context, const msg::RealtimeData4Request& request);
+Outcome handle(RequestContext& context, const msg::RealtimeDataCustomRequest& request);
+Outcome handle(RequestContext& context, const msg::DataStreamInterval& request);
 
-// answer_scripting.cpp
-Outcome handle(Turn& turn, const msg::RunScript& request);
+// scripting.cpp
+Outcome handle(RequestContext& context, const msg::RunScript& request);
 
-// answer_debug.cpp
-Outcome handle(Turn& turn, const msg::DebugVarsInfo3Request& request);
-Outcome handle(Turn& turn, const msg::DebugVars3Request& request);
+// storage.cpp
+Outcome handle(RequestContext& context, const msg::EepromReadRequest& request);
+Outcome handle(RequestContext& context, const msg::EepromWrite& request);
+Outcome handle(RequestContext& context, const msg::ReadFileRequest& request);
+Outcome handle(RequestContext& context, const msg::WriteFile& request);
+Outcome handle(RequestContext& context, const msg::FsClearAll& request);
 
-// answer_variables.cpp
-Outcome handle(Turn& turn, const msg::GetAdjVarsVal& request);
-Outcome handle(Turn& turn, const msg::SetAdjVarsVal& request);
-Outcome handle(Turn& turn, const msg::SaveParams3& request);
-Outcome handle(Turn& turn, const msg::AdjVarsStateRequest& request);
-Outcome handle(Turn& turn, const msg::AdjVarsStateRequestExt& request);
+// system.cpp
+Outcome handle(RequestContext& context, const msg::BoardInfoRequest& request);
+Outcome handle(RequestContext& context, const msg::BoardInfoRequestOneByte& request);
+Outcome handle(RequestContext& context, const msg::BoardInfoRequestExt& request);
+Outcome handle(RequestContext& context, const msg::BoardInfo3Request& request);
+Outcome handle(RequestContext& context, const msg::ResetRequest& request);
+Outcome handle(RequestContext& context, const msg::ResetRequestExt& request);
+Outcome handle(RequestContext& context, const msg::BootMode3& request);
+Outcome handle(RequestContext& context, const msg::BootMode3Ext& request);
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

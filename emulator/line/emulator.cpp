@@ -6,7 +6,7 @@
 
 #include "physics/noise.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 Emulator::Emulator(const EmulatorOptions& options, Memory memory, Instant now, Instant beginning)
     : options_(options), beginning_(beginning), board_(options.board, std::move(memory), now) {
@@ -58,13 +58,13 @@ void Emulator::end_input(std::size_t port, Instant now) {
   at(port).to_host.end_text();
 }
 
-std::size_t Emulator::waiting(std::size_t port) const {
-  return at(port).to_board.under_way() + board_.waiting(port);
+std::size_t Emulator::queued_bytes(std::size_t port) const {
+  return at(port).to_board.under_way() + board_.queued_bytes(port);
 }
 
 std::size_t Emulator::room(std::size_t port) const {
   const std::size_t limit = input_limit + options_.board.input_buffer;
-  const std::size_t used = waiting(port);
+  const std::size_t used = queued_bytes(port);
   return used < limit ? limit - used : 0;
 }
 
@@ -82,7 +82,7 @@ void Emulator::from_host(std::size_t port, std::span<const std::uint8_t> bytes, 
 
 void Emulator::advance(Instant now) {
   for (Instant at = next(); at <= now; at = next()) step(at);
-  board_.advance(now);  // its counters are those of now
+  board_.advance(now);  // brings its counters up to date
 }
 
 Instant Emulator::next() const {
@@ -133,7 +133,7 @@ void Emulator::pump(std::size_t number, Port& port, Instant now) {
 }
 
 void Emulator::follow_rate() {
-  if (!options_.rate_of_settings || options_.line.board.baud_rate == board_.baud_rate()) return;
+  if (!options_.rate_from_parameters || options_.line.board.baud_rate == board_.baud_rate()) return;
   options_.line.board.baud_rate = board_.baud_rate();
   for (std::optional<Port>& port : ports_) {
     if (!port || port->is_usb) continue;
@@ -143,7 +143,7 @@ void Emulator::follow_rate() {
 }
 
 void Emulator::follow_restarts() {
-  // The rest of a frame that the line was carrying may be among what the board has lost.
+  // The board may have lost the rest of a frame that the line was carrying.
   const std::uint64_t lost = board_.counters().outputs_lost;
   if (std::exchange(outputs_lost_, lost) == lost) return;
   for (std::optional<Port>& port : ports_) {
@@ -183,4 +183,4 @@ const LineCounters& Emulator::counters(std::size_t port, Line::Way way) const {
   return way == Line::Way::to_board ? at(port).to_board.counters() : at(port).to_host.counters();
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -9,13 +9,13 @@
 
 #include "physics/noise.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 namespace {
 
 constexpr std::uint64_t us_per_second = 1'000'000;
 
-/// Ours: what firmware that is being debugged might print. One has a start byte in it.
+/// Assumption: text that firmware might print for debugging. One line contains a start byte.
 constexpr std::array<std::string_view, 4> text_lines{"I2C errors: 2\r\n", "loop: 812us\r\n",
                                                      "IMU temp > 40C\r\n", "RC lost\r\n"};
 
@@ -58,7 +58,7 @@ void Line::set_board(const LineSettings& settings) {
 }
 
 void Line::settings_changed() {
-  run_ = time_of(run_bits_);  // what has been sent still takes its time
+  run_ = time_of(run_bits_);  // sent bytes still take their time
   run_bits_ = 0;
   const auto [sender, receiver] = ends(options_, host_, way_);
   sender_ = sender;
@@ -93,8 +93,8 @@ void Line::begin_byte(Instant now) {
     run_bits_ = 0;
     return;
   }
-  // Times are whole microseconds: what is handed over in the one in which the last byte ends
-  // follows it without a pause.
+  // Times are whole microseconds: bytes sent in the one in which the last byte ends follow it
+  // without a pause.
   if (now <= time_of(run_bits_)) return;
   hear_idle(now);
   if (uart_ && !uart_->is_idle()) {  // it still samples: the next byte begins with the next bit
@@ -214,13 +214,13 @@ void Line::put_text(Instant until) {
 void Line::follow_frame(std::uint8_t byte) {
   if (frame_bytes_ == 0 && byte != frame_start) return;
   ++frame_bytes_;
-  if (frame_bytes_ == 3) frame_size_ = Framing::frame_size(byte);
+  if (frame_bytes_ == frame_size_offset + 1) frame_size_ = Framing::frame_size(byte);
   if (frame_bytes_ >= frame_header_size && frame_bytes_ == frame_size_) frame_bytes_ = 0;
 }
 
 void Line::receive(Instant now, std::vector<std::uint8_t>& into) {
   put_text(now);
-  // A byte that is handed over in this microsecond may still come before any pause.
+  // A byte sent in this microsecond may still follow without a pause.
   hear_idle(now - microseconds(1));
   while (!arrivals_.empty() && arrivals_.front().at <= now) {
     if (const auto byte = arrivals_.front().byte) into.push_back(*byte);
@@ -232,7 +232,7 @@ Instant Line::next() const {
   Instant result = Instant::never;
   if (!arrivals_.empty()) result = arrivals_.front().at;
   if (text_due_ && frame_bytes_ == 0) result = earlier(result, *text_due_);
-  if (uart_ && !uart_->is_idle()) {  // what would come if the line stayed idle
+  if (uart_ && !uart_->is_idle()) {  // what arrives if the line stays idle
     UartReceiver uart = *uart_;
     std::uint64_t bits = run_bits_;
     while (!uart.is_idle() && time_of(bits) < result) {
@@ -260,4 +260,4 @@ std::uint64_t Line::seed(Fault fault) const {
                      static_cast<std::uint64_t>(fault) * 2 + (way_ == Way::to_host ? 1U : 0U));
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

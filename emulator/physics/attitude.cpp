@@ -1,10 +1,10 @@
-#include "attitude.hpp"
+#include "physics/attitude.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 namespace {
 
@@ -144,4 +144,4 @@ Axes<double> angles_of(const Rotation& rotation, const RotationOrder& order,
   return other.first < one.first ? other.second : one.second;
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -1,4 +1,4 @@
-/// Attitudes: Euler angles, rotation matrices and the vectors that tell them.
+/// Attitudes: Euler angles, rotation matrices and vectors.
 #pragma once
 
 #include <array>
@@ -8,12 +8,12 @@
 
 #include <sbgc/emulator/gimbal.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// Axes from the camera outwards: 0 roll, 1 pitch, 2 yaw.
 using RotationOrder = std::array<std::uint8_t, 3>;
 
-/// The order if each axis is there once, else that of most gimbals: pitch, roll, yaw.
+/// The order if it contains each axis once, else that of most gimbals: pitch, roll, yaw.
 RotationOrder valid_order(const RotationOrder& order);
 
 /// Rows are the world's axes (right, north, up) in coordinates of the body: the matrix turns what a
@@ -28,8 +28,8 @@ struct Rotation {
 /// An attitude, and how speeds of the angles turn the body.
 ///
 /// Roll turns about y, pitch about x, yaw about z, counter-clockwise looking against the axis; the
-/// first axis of the order is the body's own, the last one the world's. Ours: the specification
-/// does not publish directions.
+/// first axis of the order is the body's own, the last one the world's. Assumption: the
+/// specification does not publish directions.
 class Pose {
  public:
   /// Angles in degrees.
@@ -45,7 +45,7 @@ class Pose {
   std::array<Vector, 3> directions_{};  ///< of each axis in coordinates of the body, by order
 };
 
-/// The attitude that two vectors tell: `up` is exact, `north` made perpendicular to it. Nothing if
+/// The attitude given by two vectors: `up` is exact, `north` is made perpendicular to it. Empty if
 /// they are not finite, too short or parallel.
 std::optional<Rotation> rotation_of(const Vector& up, const Vector& north);
 
@@ -58,7 +58,7 @@ Axes<double> angles_of(const Rotation& rotation, const RotationOrder& order,
 /// opposite.
 Vector turned(const Vector& v, const Vector& from, const Vector& to);
 
-/// `v` with length 1. Nothing if it is not finite or shorter than 0.001.
+/// `v` with length 1. Empty if it is not finite or shorter than 0.001.
 std::optional<Vector> unit(const Vector& v);
 
 /// -180..180.
@@ -67,4 +67,4 @@ double wrapped(double degrees);
 double dot(const Vector& a, const Vector& b);
 Vector cross(const Vector& a, const Vector& b);
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

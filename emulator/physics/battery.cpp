@@ -1,10 +1,10 @@
-#include "battery.hpp"
+#include "physics/battery.hpp"
 
 #include <algorithm>
 
-#include "physics_limits.hpp"
+#include "physics/limits.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 namespace {
 
@@ -22,7 +22,7 @@ void Battery::draw(double current, double seconds) {
 double Battery::voltage(double current) const {
   if (set_) return *set_;
   const double charge = capacity_ > 0 ? 1 - drawn_ / capacity_ : 1;
-  // As lithium cells: a slow fall, and a steep one at the end.
+  // Like lithium cells: a slow fall, and a steep one at the end.
   double open = full_ * (0.84 + 0.16 * charge);
   if (charge < 0.1) open -= full_ * 0.14 * (1 - charge / 0.1);
   return std::max(0.0, open - resistance * current);
@@ -30,4 +30,4 @@ double Battery::voltage(double current) const {
 
 void Battery::set(double volts) { set_ = within(volts, 0, 1000); }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

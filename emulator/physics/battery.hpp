@@ -1,9 +1,9 @@
-/// What feeds the board and its motors.
+/// The battery of the board and its motors.
 #pragma once
 
 #include <optional>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// The voltage falls with the charge that has been taken and with the current.
 class Battery {
@@ -11,11 +11,11 @@ class Battery {
   /// Volts when full; ampere hours, 0: it never gets empty.
   Battery(double full, double capacity);
 
-  /// So many amperes flow for so long.
+  /// Draws a current for some time.
   void draw(double current, double seconds);
-  /// The voltage while so many amperes flow.
+  /// The voltage while that current flows.
   double voltage(double current) const;
-  /// Is this from now on, whatever is drawn.
+  /// Fixes the voltage, whatever is drawn.
   void set(double volts);
 
  private:
@@ -25,4 +25,4 @@ class Battery {
   std::optional<double> set_{};
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

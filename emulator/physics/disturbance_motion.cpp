@@ -1,13 +1,13 @@
-#include "disturbance_motion.hpp"
+#include "physics/disturbance_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "noise.hpp"
-#include "physics_limits.hpp"
+#include "physics/limits.hpp"
+#include "physics/noise.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 namespace {
 
@@ -227,4 +227,4 @@ FrameMotion::State FrameMotion::ahead(std::int64_t us) const {
   return state;
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -9,13 +9,13 @@
 #include <sbgc/emulator/disturbance.hpp>
 #include <sbgc/types.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
-/// Moves on in steps of the simulation from the start on; between them it looks ahead.
+/// Moves in steps of the simulation; between them it looks ahead.
 ///
 /// Synthetic motion is a sum of sines, turned on from step to step without trigonometry. A
 /// recording is interpolated with continuous speed and without overshoot, then repeated: whole
-/// turns that it ends with are kept, any other difference is made good within a second.
+/// turns at its end are kept, any other difference is corrected within a second.
 class FrameMotion {
  public:
   struct State {
@@ -27,17 +27,17 @@ class FrameMotion {
 
   /// At the present step.
   const State& now() const { return now_; }
-  /// So much later, less than a step.
+  /// That much later, less than a step.
   State ahead(std::int64_t us) const;
-  /// One step on.
+  /// Takes one step.
   void step();
-  /// To that step, at once. Precondition: steps >= 0.
+  /// Jumps to that step. Precondition: steps >= 0.
   void jump(std::int64_t steps);
 
  private:
   static constexpr std::size_t sines_per_axis = 4;
   static constexpr std::size_t sines = 3 * sines_per_axis;
-  /// So often the sines are computed anew, lest errors add up.
+  /// Interval at which the sines are computed anew, so that errors do not add up.
   static constexpr std::int64_t steps_between_anchors = 256;
 
   struct Point {
@@ -61,7 +61,7 @@ class FrameMotion {
   // Recording: the last point is the first one again.
   std::vector<Point> points_{};
   Axes<double> per_round_{};       ///< whole turns
-  mutable std::size_t place_ = 0;  ///< where in it the last look was; saves a search
+  mutable std::size_t place_ = 0;  ///< the last place in it; saves a search
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

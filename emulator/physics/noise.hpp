@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// 64 random bits for each pair of numbers (SplitMix64's finalizer).
 constexpr std::uint64_t random_bits(std::uint64_t seed, std::uint64_t counter) noexcept {
@@ -28,4 +28,4 @@ constexpr double random_normal(std::uint64_t seed, std::uint64_t counter) noexce
   return (static_cast<double>(sum) - 131070.0) / 37837.2;
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -1,4 +1,4 @@
-/// From numbers of the simulation to quantities of the wire.
+/// Conversion of simulated numbers to quantities on the wire.
 #pragma once
 
 #include <cmath>
@@ -9,10 +9,10 @@
 #include <sbgc/quantity.hpp>
 #include <sbgc/units.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
-/// For what physically can exceed the type of the wire, such as the speed of a camera that is
-/// pushed: the value at the end of the type, as a sensor saturates. Not a number becomes 0.
+/// A value that may exceed the range of its type on the wire, such as the speed of a camera that is
+/// pushed, saturates like a sensor. NaN becomes 0.
 template <class Q>
 Q saturated(double value) {
   if (const auto quantity = Q::from_real(value)) return *quantity;
@@ -32,18 +32,18 @@ Raw saturated_raw(double value) {
   return static_cast<Raw>(std::lround(value));
 }
 
-/// Angles that are so many degrees apart are the same on the wire: four turns.
+/// Angles this many degrees apart are equal on the wire: four turns.
 inline constexpr double angle_period = [] {
   using Counts = std::numeric_limits<msg::Angle14::raw_type>;
   return msg::Angle14(Counts::max()).degrees() - msg::Angle14(Counts::lowest()).degrees() +
          msg::Angle14(1).degrees();
 }();
 
-/// An angle that starts again when its counts overflow, after two turns in each direction.
+/// An angle that wraps when its counts overflow, after two turns in each direction.
 inline msg::Angle14 wire_angle(double degrees) {
   const auto angle = msg::LongAngle14::from_degrees(std::remainder(degrees, angle_period));
   const msg::Angle14 result(static_cast<std::int16_t>(angle.value_or(msg::LongAngle14{}).raw()));
   return result;
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -1,15 +1,15 @@
-#include "sensors.hpp"
+#include "physics/sensors.hpp"
 
 #include <cmath>
 
-#include "noise.hpp"
-#include "physics_limits.hpp"
+#include "physics/limits.hpp"
+#include "physics/noise.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 namespace {
 
-// As the data sheets of usual sensors have it, after the board's filters.
+// Values from data sheets of common sensors, after the board's filters.
 constexpr double gyro_noise = 0.05;           // deg/s
 constexpr double acceleration_noise = 0.002;  // g
 constexpr double magnetic_noise = 0.003;
@@ -51,8 +51,8 @@ Vector Imu::drift() const {
 double Imu::reference(std::size_t axis, std::int64_t step) const {
   const bool is_outside = step < refers_until_ && (axis == yaw_axis ? refers_heading_ : refers_up_);
   if (!is_outside && axis == yaw_axis)
-    return error_[yaw_axis];  // nothing in the IMU tells the heading
-  // Whole turns are no error.
+    return error_[yaw_axis];  // an IMU does not measure the heading
+  // Whole turns are not an error.
   return error_[axis] + wrapped((is_outside ? reference_[axis] : 0) - error_[axis]);
 }
 
@@ -145,4 +145,4 @@ Imu::Readings Imu::readings(const Pose& pose, const Vector& rates, std::int64_t 
   return result;
 }
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

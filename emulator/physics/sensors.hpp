@@ -1,19 +1,19 @@
-/// Inertial measurement units: what their sensors say, and how far their estimates are off.
+/// Inertial measurement units: readings of the sensors, and errors of the estimates.
 #pragma once
 
 #include <cstdint>
 
 #include <sbgc/emulator/gimbal.hpp>
 
-#include "attitude.hpp"
+#include "physics/attitude.hpp"
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// One IMU. Its gyroscope has a drift that grows with the temperature; gravity (and references from
 /// outside) keep the estimate of its attitude near the truth.
 class Imu {
  public:
-  /// `noise`: factor on drift and noise. `number` tells IMUs of one gimbal apart.
+  /// `noise`: factor on drift and noise. `number` distinguishes the IMUs of one gimbal.
   Imu(std::uint32_t seed, std::uint32_t number, double noise, double ambient, double warming);
 
   /// By how much the estimated Euler angles are too large, and how fast that grows.
@@ -25,24 +25,24 @@ class Imu {
   void step(double seconds) {
     for (std::size_t axis = 0; axis < 3; ++axis) error_[axis] += error_speed_[axis] * seconds;
   }
-  /// About once a second, and after each change: what temperature and estimate do until the next
-  /// time. `pose` is the true one; `seconds` since the last time.
+  /// About once a second, and after each change: determines the course of temperature and estimate
+  /// until the next time. `pose` is the true one; `seconds` since the last time.
   void slow(const Pose& pose, double gyro_trust, std::int64_t step, double seconds);
 
-  /// As slow(), after a time so long that all but the heading has come to rest.
+  /// Like slow(), after a time so long that everything except the heading has settled.
   void skip(const Pose& pose, double gyro_trust, std::int64_t step, double seconds);
 
-  /// The estimate is too large by this from now on, and is kept so until that step.
+  /// Sets the error of the estimate, and keeps it until that step.
   void replace(const Axes<double>& error, std::int64_t until);
   bool is_replaced(std::int64_t step) const { return step < replaced_until_; }
-  /// Until that step something other than gravity says what the error is. `has_up`, `has_heading`:
+  /// Sets a reference for the error that replaces gravity until that step. `has_up`, `has_heading`:
   /// of roll and pitch, of yaw.
   void refer(const Axes<double>& error, bool has_up, bool has_heading, std::int64_t until);
   void correct_gyro(const Vector& offset, double heading);
   void calibrate();
   void restart();
 
-  /// Degrees between the estimate and what it is corrected by.
+  /// Degrees between the estimate and its reference.
   double gravity_error(std::int64_t step) const;
   double heading_error(std::int64_t step) const;
 
@@ -53,11 +53,11 @@ class Imu {
   Readings readings(const Pose& pose, const Vector& rates, std::int64_t us) const;
 
  private:
-  /// Share of the error that is corrected in a second: the more the gyroscope is trusted, the less.
+  /// Share of the error that is corrected per second: less, the more the gyroscope is trusted.
   static double correction(double gyro_trust);
   Vector drift() const;
-  /// How fast the drift makes the angles wrong. Ours: that about the body's own axes stands for
-  /// roll and pitch, which is exact when the camera is level.
+  /// How fast the drift changes the angles. Assumption: the drift about the body's own axes is that
+  /// of roll and pitch, which is exact when the camera is level.
   Axes<double> rates(const Pose& pose) const;
   double reference(std::size_t axis, std::int64_t step) const;
 
@@ -76,4 +76,4 @@ class Imu {
   std::int64_t refers_until_ = 0;
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -1,4 +1,4 @@
-#include "arguments.hpp"
+#include "serving/arguments.hpp"
 
 #include <array>
 #include <charconv>
@@ -11,11 +11,12 @@
 #include <fmt/format.h>
 
 #include <sbgc/protocol.hpp>
+#include <sbgc/text.hpp>
 
-#include "listen.hpp"
-#include "motion_file.hpp"
+#include "serving/listen.hpp"
+#include "serving/motion_file.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 namespace {
 
@@ -26,13 +27,13 @@ constexpr double most_seconds = 1e6;
   throw std::invalid_argument(fmt::format("'{}' is not {}", text, wanted));
 }
 
-/// A number without a sign that takes up all of the text, and is at most `most`.
+/// Reads a number without a sign that fills the text and is at most `most`.
 template <class Number>
 bool read(std::string_view text, Number most, Number& number) {
   const char* const end = text.data() + text.size();
   if (text.empty() || text.front() == '-') return false;
   const auto [stopped, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc{} && stopped == end && number <= most;  // NaN is not
+  return error == std::errc{} && stopped == end && number <= most;  // false for NaN
 }
 
 bool read_share(std::string_view text, double& share) {
@@ -50,7 +51,7 @@ bool read_duration(std::string_view text, double us_per_unit, Duration& duration
   return true;
 }
 
-/// What is before the colon and behind it.
+/// The texts before and after the colon.
 struct Halves {
   std::string_view first;
   std::string_view second;
@@ -104,8 +105,8 @@ DelayFault parse_delay(const std::string& text) {
   return result;
 }
 
-board::Silence parse_silence(const std::string& text) {
-  board::Silence result;
+emulator::Silence parse_silence(const std::string& text) {
+  emulator::Silence result;
   const auto [from, length] = split(text, ':');
   if (!read_duration(from, 1e6, result.from) || !read_duration(length, 1e6, result.length)) {
     refuse(text, "FROM:LENGTH in seconds, such as 10:2.5");
@@ -128,19 +129,18 @@ Duration parse_interval(const std::string& text) {
 }
 
 msg::FirmwareVersion parse_firmware(const std::string& text) {
-  // As FirmwareVersion reads it: 2439 is 2.43b9.
   constexpr const char* wanted = "a firmware version, such as 2.59 or 2.43b9";
   const auto [major, rest] = split(text, '.');
-  // Later releases are written with a point, as in 2.73.1.
+  // Later releases have another point, as in 2.73.1.
   const auto [minor, last] = split(rest, rest.find('b') == std::string::npos ? '.' : 'b');
   std::array<unsigned, 3> parts{};
   const bool has_last = minor.size() < rest.size();
+  msg::FirmwareVersion version;
   if (minor.size() != 2 || !read(major, 64U, parts[0]) || !read(minor, 99U, parts[1]) ||
-      (has_last && !read(last, 9U, parts[2]))) {
+      (has_last && !read(last, 9U, parts[2])) || !version.set_major(parts[0]) ||
+      !version.set_minor(parts[1]) || !version.set_beta(parts[2])) {
     refuse(text, wanted);
   }
-  const msg::FirmwareVersion version(
-      static_cast<std::uint16_t>(parts[0] * 1000 + parts[1] * 10 + parts[2]));
   if (const std::string problem = problem_of(version); !problem.empty()) {
     throw std::invalid_argument(problem);
   }
@@ -152,27 +152,23 @@ std::string problem_of(msg::FirmwareVersion version) {
   return fmt::format(
       "firmware {} is not emulated, only up to {}: later firmware takes commands and forms that "
       "the emulated board does not know",
-      text_of(version), text_of(msg::FirmwareVersion(newest_firmware)));
-}
-
-std::string text_of(msg::FirmwareVersion version) {
-  std::string text = fmt::format("{}.{:02}", version.major(), version.minor());
-  if (version.beta() != 0) text += fmt::format("b{}", version.beta());
-  return text;
+      to_string(version), to_string(msg::FirmwareVersion(newest_firmware)));
 }
 
 msg::BoardVersion parse_board(const std::string& text) {
   const auto [major, minor] = split(text, '.');
   unsigned whole = 0;
   unsigned tenth = 0;
-  if (!read(major, 24U, whole) || !read(minor, 9U, tenth)) {
+  msg::BoardVersion version;
+  if (!read(major, 24U, whole) || !read(minor, 9U, tenth) || !version.set_major(whole) ||
+      !version.set_minor(tenth)) {
     refuse(text, "a board version, such as 3.0 or 3.2");
   }
-  return msg::BoardVersion(static_cast<std::uint8_t>(whole * 10 + tenth));
+  return version;
 }
 
-board::Disturbance parse_motion(const std::string& text) {
-  using Kind = board::Disturbance::Kind;
+emulator::Disturbance parse_motion(const std::string& text) {
+  using Kind = emulator::Disturbance::Kind;
   constexpr std::array<std::pair<std::string_view, Kind>, 4> kinds{{{"rest", Kind::rest},
                                                                     {"handheld", Kind::handheld},
                                                                     {"drone", Kind::drone},
@@ -188,4 +184,4 @@ board::Disturbance parse_motion(const std::string& text) {
   }
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

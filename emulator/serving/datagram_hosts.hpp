@@ -1,4 +1,4 @@
-/// Who sends datagrams, and who has to make room for others.
+/// The hosts that send datagrams, and which of them makes room for others.
 #pragma once
 
 #include <algorithm>
@@ -10,18 +10,18 @@
 
 #include <sbgc/time.hpp>
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
-/// Nothing tells that the sender of datagrams has left, and anybody can send from any number of
-/// addresses. So there are a limited number of places, and a newcomer takes that of a host that has
-/// been silent: of the longest silent one of those that have said something once only, which a
-/// passer-by does; else of the longest silent of all.
+/// Nothing shows that the sender of datagrams has left, and anyone can send from any number of
+/// addresses. So the number of places is limited, and a new host takes the place of a silent one:
+/// of the longest silent among those that have sent only once, or else of the longest silent of
+/// all.
 class DatagramHosts {
  public:
-  /// So long a place is safe behind the first datagram, and behind each later one.
+  /// How long a place is safe after the first datagram, and after each later one.
   static constexpr Duration safe_once = milliseconds(500);
   static constexpr Duration safe_again = seconds(5);
-  /// A host that has been silent for so long is forgotten, even if nobody needs its place.
+  /// A host that has been silent for this long is removed, even if its place is not needed.
   static constexpr Duration idle_time = seconds(60);
 
   struct Host {
@@ -43,12 +43,12 @@ class DatagramHosts {
     return found == hosts_.end() ? nullptr : &*found;
   }
 
-  /// Precondition: not full, and the endpoint is not there.
+  /// Precondition: not full, and the endpoint is not a host yet.
   const Host& add(const asio::ip::udp::endpoint& endpoint, std::size_t port, Instant now) {
     return hosts_.emplace_back(Host{endpoint, port, now, false});
   }
 
-  /// Another datagram has come from a host that is there.
+  /// Another datagram has arrived from a known host.
   void hear(const asio::ip::udp::endpoint& endpoint, Instant now) {
     for (Host& host : hosts_) {
       if (host.endpoint != endpoint) continue;
@@ -57,8 +57,8 @@ class DatagramHosts {
     }
   }
 
-  /// Removes the host that makes room for another; nothing if all are safe. One that is known may
-  /// only be listening to a stream: it stays as long as there is one that is not.
+  /// Removes the host that makes room for another; empty if all are safe. A known host may be
+  /// listening to a stream: it stays as long as there is one that is not known.
   std::optional<Host> make_room(Instant now) {
     const bool all_known = std::ranges::all_of(hosts_, &Host::is_known);
     return remove_first([&](const Host& host) {
@@ -67,7 +67,7 @@ class DatagramHosts {
     });
   }
 
-  /// Removes a host that has been silent for very long, if there is one.
+  /// Removes a host that has been silent for too long, if there is one.
   std::optional<Host> forget(Instant now) {
     return remove_first([&](const Host& host) { return now - host.heard >= idle_time; });
   }
@@ -93,4 +93,4 @@ class DatagramHosts {
   std::vector<Host> hosts_{};
 };
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

@@ -1,4 +1,4 @@
-/// Where hosts reach a board.
+/// The places where hosts connect to a board.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,12 @@
 
 #include <asio/any_io_executor.hpp>
 
-#include "live_board.hpp"
+#include "serving/live_board.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
-/// Destroying it closes it; not while the executor runs. The functions that open one throw
-/// std::runtime_error with a sentence for people.
+/// Destroying an endpoint closes it; not while the executor runs. The functions that open one throw
+/// std::runtime_error with a sentence for the user.
 class Endpoint {
  public:
   Endpoint() = default;
@@ -22,23 +22,23 @@ class Endpoint {
   Endpoint& operator=(const Endpoint&) = delete;
   virtual ~Endpoint() = default;
 
-  /// What a host connects to, as the library takes it: "tcp:127.0.0.1:5000", "/dev/pts/7"; for
-  /// people there may be more: "/dev/pts/7 (also /tmp/gimbal)".
+  /// What a host connects to, in the form that the library accepts: "tcp:127.0.0.1:5000",
+  /// "/dev/pts/7"; a remark for the user may follow: "/dev/pts/7 (also /tmp/gimbal)".
   virtual std::string address() const = 0;
 };
 
-/// What happens to hosts, for people.
+/// Lines for the user.
 using Log = std::function<void(const std::string&)>;
 
 struct EndpointLogs {
   Log event{};    ///< hosts come and go, datagrams are lost
-  Log warning{};  ///< what is not as it should be
+  Log warning{};  ///< problems
 };
 
 /// Host and port to listen on.
 struct ListenAddress {
   std::string host = "127.0.0.1";
-  std::uint16_t port = 0;  ///< 0: any that is free
+  std::uint16_t port = 0;  ///< 0: any free port
 };
 
 /// A pseudo-terminal; with `link`, a symbolic link to it while it exists. `has_rate`: bytes are
@@ -47,8 +47,7 @@ std::unique_ptr<Endpoint> open_terminal(const asio::any_io_executor& executor, L
                                         const std::string& link, bool has_rate,
                                         const EndpointLogs& logs);
 
-/// Listens for hosts; those beyond the number of `places`, or for whom the board has no port, are
-/// refused.
+/// Listens for hosts; refuses those for which there is no place or no port of the board.
 std::unique_ptr<Endpoint> listen_tcp(const asio::any_io_executor& executor, LiveBoard& board,
                                      const ListenAddress& address, std::size_t places,
                                      const EndpointLogs& logs);
@@ -58,9 +57,9 @@ std::unique_ptr<Endpoint> listen_udp(const asio::any_io_executor& executor, Live
                                      const ListenAddress& address, std::size_t places,
                                      const EndpointLogs& logs);
 
-/// Standard input and output, bytes as they are. `on_end`: the input has ended, and whatever came
-/// of it has been written; or it can not go on.
+/// Standard input and output, raw bytes. `on_end`: the input has ended and all output has been
+/// written, or an error occurred.
 std::unique_ptr<Endpoint> use_stdio(const asio::any_io_executor& executor, LiveBoard& board,
                                     std::function<void(std::error_code)> on_end);
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

@@ -1,4 +1,4 @@
-#include "host.hpp"
+#include "serving/host.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -6,16 +6,16 @@
 
 #include <asio/error.hpp>
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 namespace {
 
 constexpr std::size_t most_per_write = 4096;
 
-/// A host that has sent its last byte may still wait for answers: so long until it is looked again
-/// whether it has them all.
+/// A host that has sent its last byte may still wait for responses: how often to check whether it
+/// has them all.
 constexpr auto linger_for = std::chrono::milliseconds(100);
-/// It is given up when it has taken nothing for so long.
+/// A host that reads nothing for this long is given up.
 constexpr auto patience = std::chrono::seconds(5);
 
 }  // namespace
@@ -109,4 +109,4 @@ void Host::close() {
   board_.disconnect(port_);
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

@@ -13,21 +13,21 @@
 #include <sbgc/io/clock.hpp>
 #include <sbgc/io/transport.hpp>
 
-#include "live_board.hpp"
+#include "serving/live_board.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
-/// Carries bytes between a transport and a port, reads no faster than the board's line and holds a
-/// few KiB for a host that is slow. When the host has sent its end, it still gets the answers to
-/// its requests, unless it does not take them for some seconds.
+/// Carries bytes between a transport and a port. Reads no faster than the board's line and buffers
+/// a few KiB for a slow host. After the end of its input a host still gets its responses, unless it
+/// does not read them for some seconds.
 class Host : public std::enable_shared_from_this<Host> {
  public:
-  /// Connects to the board; null if all its ports are taken.
+  /// Connects a host to the board; null if all its ports are taken.
   static std::shared_ptr<Host> connect(LiveBoard& board, std::unique_ptr<io::Transport> transport);
 
-  /// Called once, unless it is close() that ends it; no error: the host has left.
+  /// Called once at the end, unless close() caused it; no error: the host has left.
   std::function<void(std::error_code)> on_end{};
-  /// Called before bytes go either way: the moment to look at the settings of the host's line.
+  /// Called before bytes go either way, so that the settings of the host's line can be checked.
   std::function<void(std::size_t port)> before_bytes{};
 
   void start();
@@ -58,4 +58,4 @@ class Host : public std::enable_shared_from_this<Host> {
   bool is_closed_ = true;
 };
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

@@ -8,18 +8,18 @@
 #include <asio/ip/udp.hpp>
 #include <fmt/format.h>
 
-#include "endpoint.hpp"
+#include "serving/endpoint.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
-/// A numeric address, or "localhost": names of other hosts are not asked for.
+/// A numeric address or "localhost"; other names are not resolved.
 inline asio::ip::address address_of(const ListenAddress& listen) {
   if (listen.host == "localhost") return asio::ip::address_v4::loopback();
   std::error_code error;
   asio::ip::address result = asio::ip::make_address(listen.host, error);
   if (error) {
     throw std::runtime_error(fmt::format(
-        "'{}' is no address to listen on, such as 127.0.0.1, 0.0.0.0 or [::1]", listen.host));
+        "'{}' is not an address to listen on, such as 127.0.0.1, 0.0.0.0 or [::1]", listen.host));
   }
   return result;
 }
@@ -44,7 +44,7 @@ void bind_to(Socket& socket, const AsioEndpoint& endpoint, const char* protocol,
   if (!error) socket.bind(endpoint, error);
   if (error) {
     throw std::runtime_error(
-        fmt::format("can not listen on {}:{}: {}", protocol, place_of(endpoint), error.message()));
+        fmt::format("cannot listen on {}:{}: {}", protocol, place_of(endpoint), error.message()));
   }
   if (!endpoint.address().is_loopback()) {
     logs.warning(fmt::format("{}:{} can be reached from other machines, by anybody", protocol,
@@ -52,4 +52,4 @@ void bind_to(Socket& socket, const AsioEndpoint& endpoint, const char* protocol,
   }
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

@@ -1,22 +1,22 @@
-#include "live_board.hpp"
+#include "serving/live_board.hpp"
 
 #include <utility>
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 namespace {
 
-/// The timer fires no sooner after the last one: what happens within it is done at once, each thing
-/// at its own time. As fine as the latency of an ordinary USB serial adapter.
+/// Minimum interval of the timer: events within it are handled together, each at its own time. As
+/// fine as the latency of an ordinary USB serial adapter.
 constexpr Duration granularity = milliseconds(1);
 
-/// The line's beginning is 0, so that silences and texts are counted from there.
+/// The line begins at 0; silences and text lines count from there.
 constexpr Instant line_beginning{};
 
 }  // namespace
 
-LiveBoard::LiveBoard(const asio::any_io_executor& executor, const board::EmulatorOptions& options,
-                     board::Memory memory)
+LiveBoard::LiveBoard(const asio::any_io_executor& executor,
+                     const emulator::EmulatorOptions& options, emulator::Memory memory)
     : beginning_(io::Clock::now()),
       emulator_(options, std::move(memory), line_beginning - options.board.start_time,
                 line_beginning),
@@ -83,7 +83,7 @@ void LiveBoard::settle() {
   is_unsettled_ = true;
   if (is_settling_) return;  // the loop below takes care
   is_settling_ = true;
-  // What one of them does takes time, and something may come for those that were called before.
+  // Each call takes time, and there may be new output for those called before.
   while (std::exchange(is_unsettled_, false)) {
     for (const auto& poke : pokes_) {
       if (poke) poke();
@@ -121,4 +121,4 @@ void LiveBoard::set_timer() {
   });
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

@@ -1,4 +1,4 @@
-#include "memory_file.hpp"
+#include "serving/memory_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,24 +19,24 @@
 #include <sbgc/settings.hpp>
 #include <sbgc/to_json.hpp>
 
-namespace sbgc::tools {
+namespace sbgc::serving {
 namespace {
 
-using board::ImuCalibration;
-using board::Memory;
+using emulator::ImuCalibration;
+using emulator::Memory;
 
 constexpr const char* format_name = "sbgc-board-memory";
 constexpr std::uint64_t format_version = 1;
-/// More than any such file has.
+/// Larger than any such file.
 constexpr std::size_t largest_file = std::size_t{1} << 20U;
-/// Bytes in a line of text.
+/// Bytes per line of text.
 constexpr std::size_t line_size = 64;
-/// No value of a board is beyond, and no arithmetic with it overflows.
+/// No value of a board is larger, and no arithmetic with it overflows.
 constexpr double largest_number = 1e6;
 
 static_assert(Memory::eeprom_size % line_size == 0);
 
-// Both directions go over the same lists of names and members.
+// Reading and writing share these lists of names and members.
 
 template <class Calibration, class Use>
 void for_each_member(Calibration& imu, Use&& use) {
@@ -109,14 +109,14 @@ Json document_of(const SavedMemory& saved) {
           {"eeprom", ToJson::eeprom(memory.eeprom)}};
 }
 
-/// Of a document as it is written.
+/// Checksum of a document as written.
 std::string checksum_of(const Json& document) {
   const std::string text = document.dump();
   const std::vector<std::uint8_t> bytes(text.begin(), text.end());
   return fmt::format("{:08x}", sbgc::detail::crc32(bytes));
 }
 
-/// Reads a document and remembers the first thing that is wrong with it.
+/// Reads a document and keeps its first error.
 class Reader {
  public:
   Result<SavedMemory> read(const Json& document) {
@@ -158,7 +158,7 @@ class Reader {
   }
 
  private:
-  /// `list(use)` calls `use(name, member)` for each member that the object has to have.
+  /// `list(use)` calls `use(name, member)` for each required member of the object.
   template <class List>
   void members(const Json& object, const std::string& path, List&& list) {
     if (!object.is_object()) return fail(path, "an object is needed");
@@ -263,7 +263,7 @@ class Reader {
 
 }  // namespace
 
-MemoryOwner owner_of(const board::Options& options) {
+MemoryOwner owner_of(const emulator::BoardOptions& options) {
   return {options.board, options.firmware, options.device_id, options.mcu_id};
 }
 
@@ -299,4 +299,4 @@ Result<SavedMemory> load_memory(const std::string& file) {
   return saved;
 }
 
-}  // namespace sbgc::tools
+}  // namespace sbgc::serving

@@ -1,4 +1,4 @@
-#include "motion_file.hpp"
+#include "serving/motion_file.hpp"
 
 #include <array>
 #include <charconv>
@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 namespace {
 
@@ -37,8 +37,8 @@ std::optional<double> number(std::string_view text) {
 
 }  // namespace
 
-std::vector<board::FrameAngles> read_motion(std::istream& text, const std::string& name) {
-  std::vector<board::FrameAngles> result;
+std::vector<emulator::FrameAngles> read_motion(std::istream& text, const std::string& name) {
+  std::vector<emulator::FrameAngles> result;
   std::int64_t begin_us = 0;
   std::size_t number_of_line = 0;
   const auto fail = [&](const std::string& what) {
@@ -70,18 +70,18 @@ std::vector<board::FrameAngles> read_motion(std::istream& text, const std::strin
     if (!result.empty() && at <= result.back().at) fail("the time must be later than before");
     result.push_back({at, {values[1], values[2], values[3]}});
   }
-  if (text.bad()) throw std::runtime_error(name + " can not be read");
+  if (text.bad()) throw std::runtime_error(name + " cannot be read");
   if (result.size() < 2) throw std::runtime_error(name + ": there must be two lines at least");
   return result;
 }
 
-std::vector<board::FrameAngles> load_motion(const std::filesystem::path& file) {
+std::vector<emulator::FrameAngles> load_motion(const std::filesystem::path& file) {
   std::ifstream text(file);
   if (!text) {
     throw std::runtime_error(
-        fmt::format("can not read {}: {}", file.string(), std::strerror(errno)));
+        fmt::format("cannot read {}: {}", file.string(), std::strerror(errno)));
   }
   return read_motion(text, file.string());
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

@@ -8,14 +8,14 @@
 
 #include <sbgc/emulator/disturbance.hpp>
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
-/// Reads lines "time,roll,pitch,yaw": seconds, which ascend, and degrees. Empty lines, lines that
-/// begin with '#' and a heading in the first line are skipped. Times are counted from the first.
-/// Throws std::runtime_error that begins with `name` and the number of the line.
-std::vector<board::FrameAngles> read_motion(std::istream& text, const std::string& name);
+/// Reads lines "time,roll,pitch,yaw": ascending seconds, and degrees. Empty lines, lines that begin
+/// with '#' and a heading in the first line are skipped. Times count from the first. Throws
+/// std::runtime_error; its text begins with `name` and the number of the line.
+std::vector<emulator::FrameAngles> read_motion(std::istream& text, const std::string& name);
 
-/// The same from a file, which can not be read: std::runtime_error.
-std::vector<board::FrameAngles> load_motion(const std::filesystem::path& file);
+/// The same from a file. Also throws std::runtime_error if it cannot be read.
+std::vector<emulator::FrameAngles> load_motion(const std::filesystem::path& file);
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

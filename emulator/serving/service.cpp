@@ -1,4 +1,4 @@
-#include "service.hpp"
+#include "serving/service.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -8,15 +8,16 @@
 
 #include <fmt/format.h>
 
-#include "arguments.hpp"
-#include "state_file.hpp"
-#include "traffic.hpp"
+#include <sbgc/text.hpp>
 
-namespace sbgc::emulate {
+#include "serving/arguments.hpp"
+#include "serving/state_file.hpp"
+
+namespace sbgc::serving {
 
 namespace {
 
-/// Adds to a number of many bytes, the last of which counts least.
+/// Adds to a big-endian number.
 void add_to(std::span<std::uint8_t> bytes, unsigned number) {
   for (std::size_t i = bytes.size(); i-- > 0 && number != 0;) {
     number += bytes[i];
@@ -26,8 +27,7 @@ void add_to(std::span<std::uint8_t> bytes, unsigned number) {
 }
 
 std::string model(msg::BoardVersion board, msg::FirmwareVersion firmware) {
-  return fmt::format("a board {}.{} with firmware {}", board.major(), board.minor(),
-                     text_of(firmware));
+  return "a board " + to_string(board) + " with firmware " + to_string(firmware);
 }
 
 }  // namespace
@@ -43,22 +43,22 @@ Service::Service(asio::io_context& context, const ServiceOptions& options, Servi
 }
 
 void Service::add(unsigned number) {
-  board::EmulatorOptions emulator = options_.emulator;
+  emulator::EmulatorOptions emulator = options_.emulator;
   emulator.line.seed += number;
   emulator.board.gimbal.seed += number;
   add_to(emulator.board.device_id, number);
   add_to(emulator.board.mcu_id, number);
   const std::string state = numbered_name(options_.state, number);
   std::shared_ptr<StateFile> file;
-  std::optional<tools::SavedMemory> saved;
+  std::optional<SavedMemory> saved;
   if (!state.empty()) {
     file = std::make_shared<StateFile>(state);
     saved = file->load();
     emulator.board.waits_for_saving = true;
   }
   if (saved) {
-    board::Options& board = emulator.board;
-    const tools::MemoryOwner& owner = saved->owner;
+    emulator::BoardOptions& board = emulator.board;
+    const MemoryOwner& owner = saved->owner;
     if (!options_.board_is_given) board.board = owner.board;
     if (!options_.firmware_is_given) board.firmware = owner.firmware;
     if (owner.board != board.board || owner.firmware != board.firmware) {
@@ -74,21 +74,20 @@ void Service::add(unsigned number) {
   }
   Served& served = boards_.emplace_back();
   served.board = std::make_unique<LiveBoard>(context_.get_executor(), emulator,
-                                             saved ? std::move(saved->memory) : board::Memory{});
+                                             saved ? std::move(saved->memory) : emulator::Memory{});
   if (file) {
     served.state = std::make_unique<StateKeeper>(
         context_.get_executor(), savers(), *served.board,
-        [file](const tools::SavedMemory& memory) { return file->save(memory); },
+        [file](const SavedMemory& memory) { return file->save(memory); },
         numbered(logs_.warning, number));
     served.board->on_memory_changed = [&keeper = *served.state] { keeper.changed(); };
   }
-  if (logs_.traffic) {
-    const auto lines = std::make_shared<TrafficLines>();
-    served.board->emulator().board().on_traffic = [lines](const board::Board::Traffic& traffic) {
-      lines->add(traffic);
-    };
-    served.board->after_traffic = [lines, log = numbered(logs_.event, number)] {
-      for (const std::string& line : lines->take()) log(line);
+  if (logs_.describe_frame) {
+    const auto frames = std::make_shared<FrameLog>(logs_.describe_frame);
+    served.board->emulator().board().on_traffic =
+        [frames](const emulator::Board::Traffic& traffic) { frames->add(traffic); };
+    served.board->after_traffic = [frames, log = numbered(logs_.event, number)] {
+      for (const std::string& line : frames->take()) log(line);
     };
   }
   open_endpoints(served, number);
@@ -105,15 +104,15 @@ void Service::open_endpoints(Served& served, unsigned number) {
     if (address.port != 0) address.port = static_cast<std::uint16_t>(address.port + number);
     return address;
   };
-  const board::EmulatorOptions& emulator = options_.emulator;
-  const bool has_rate = emulator.rate_of_settings || emulator.line.board.baud_rate != 0;
+  const emulator::EmulatorOptions& emulator = options_.emulator;
+  const bool has_rate = emulator.rate_from_parameters || emulator.line.board.baud_rate != 0;
   if (options_.terminal) {
     const std::string link = numbered_name(options_.link, number);
     add(open_terminal(executor, *served.board, link, has_rate, logs));
   }
-  // TCP and UDP share what the others leave, so that neither can take it all.
+  // TCP and UDP share the remaining places, so that neither can take them all.
   const std::size_t others = (options_.terminal ? 1U : 0U) + (options_.stdio ? 1U : 0U);
-  const std::size_t places = board::Board::max_ports - others;
+  const std::size_t places = emulator::Board::max_ports - others;
   const std::size_t for_udp = options_.tcp ? places / 2 : places;
   const std::size_t for_tcp = options_.udp ? places - for_udp : places;
   if (options_.tcp) add(listen_tcp(executor, *served.board, at(*options_.tcp), for_tcp, logs));
@@ -122,7 +121,7 @@ void Service::open_endpoints(Served& served, unsigned number) {
 }
 
 asio::thread_pool& Service::savers() {
-  // They wait for disks, most of the time.
+  // They mostly wait for disks.
   constexpr unsigned most = 8;
   if (!savers_) savers_.emplace(std::min(options_.count, most));
   return *savers_;
@@ -145,4 +144,4 @@ bool Service::finish() {
   return result;
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

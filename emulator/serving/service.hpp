@@ -1,4 +1,4 @@
-/// Emulated boards and where hosts reach them.
+/// Emulated boards and their endpoints.
 #pragma once
 
 #include <memory>
@@ -9,21 +9,22 @@
 #include <asio/io_context.hpp>
 #include <asio/thread_pool.hpp>
 
-#include "endpoint.hpp"
-#include "live_board.hpp"
-#include "state_keeper.hpp"
+#include "serving/endpoint.hpp"
+#include "serving/frame_log.hpp"
+#include "serving/live_board.hpp"
+#include "serving/state_keeper.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 struct ServiceOptions {
-  board::EmulatorOptions emulator{};  ///< of the first board; others have other seeds and numbers
+  emulator::EmulatorOptions emulator{};  ///< of the first board; others have other seeds and ids
   // Those of `emulator` that are given: a state of others is refused.
   bool board_is_given = false;
   bool firmware_is_given = false;
   unsigned count = 1;  ///< boards
   bool terminal = false;
   std::string link{};                  ///< to the terminal, "" for none; with a count: link-1 ...
-  std::optional<ListenAddress> tcp{};  ///< with a count: this port and those behind it
+  std::optional<ListenAddress> tcp{};  ///< with a count: this port and the following ones
   std::optional<ListenAddress> udp{};
   bool stdio = false;   ///< precondition: count is 1
   std::string state{};  ///< file, "" for none; with a count: state-1 ...
@@ -31,13 +32,13 @@ struct ServiceOptions {
 
 struct ServiceLogs {
   Log endpoint{};  ///< "emulated gimbal 1: /dev/pts/7"
-  Log event{};     ///< hosts come and go; and, if `traffic`, each frame
+  Log event{};     ///< hosts come and go; and each frame, if there is `describe_frame`
   Log warning{};
-  bool traffic = false;
+  DescribeFrame describe_frame{};
 };
 
-/// Opens everything; throws std::runtime_error if something can not be opened. Runs when the
-/// context does. Must not be destroyed while the context runs.
+/// Opens everything; throws std::runtime_error if something cannot be opened. Runs while the
+/// context does, and must not be destroyed then.
 class Service {
  public:
   /// `on_end`: the standard input has ended.
@@ -47,7 +48,7 @@ class Service {
   Service& operator=(const Service&) = delete;
   ~Service() = default;
 
-  /// Saves states. False if one can not be saved.
+  /// Saves the states. False if one cannot be saved.
   bool finish();
 
   LiveBoard& board(std::size_t number) { return *boards_[number].board; }
@@ -64,19 +65,19 @@ class Service {
 
   void add(unsigned number);
   void open_endpoints(Served& served, unsigned number);
-  /// With a count, what it says about a board has the board's number in front.
+  /// With a count, puts the board's number in front of each line.
   Log numbered(const Log& log, unsigned number) const;
   std::string numbered_name(const std::string& name, unsigned number) const;
 
-  /// Made when it is needed.
+  /// Created on first use.
   asio::thread_pool& savers();
 
   asio::io_context& context_;
   ServiceOptions options_;
   ServiceLogs logs_;
   std::function<void(std::error_code)> on_end_;
-  std::optional<asio::thread_pool> savers_{};  // ends behind the boards
+  std::optional<asio::thread_pool> savers_{};  // ends after the boards
   std::vector<Served> boards_{};
 };
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

@@ -1,4 +1,4 @@
-#include "state_file.hpp"
+#include "serving/state_file.hpp"
 
 #include <cerrno>
 #include <stdexcept>
@@ -13,7 +13,7 @@
 
 #include <sbgc/client/atomic_file.hpp>
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 namespace {
 
@@ -22,13 +22,13 @@ namespace {
       fmt::format("{} {}: {}", problem, path.string(), std::generic_category().message(number)));
 }
 
-/// Whether it may be a lock, or has been one: those are empty.
+/// Whether the file may be a lock: those are empty.
 bool is_empty_file(int descriptor) {
   struct stat about {};
   return ::fstat(descriptor, &about) == 0 && S_ISREG(about.st_mode) && about.st_size == 0;
 }
 
-/// Whether the open file is the one that has the name now.
+/// Whether the open file still has the name.
 bool is_at(int descriptor, const std::filesystem::path& path) {
   struct stat opened {};
   struct stat named {};
@@ -47,13 +47,13 @@ StateFile::StateFile(const std::string& name)
     if (!is_empty_file(opened)) {
       ::close(opened);
       throw std::runtime_error(
-          fmt::format("cannot lock {}: {} is somebody's file", name, lock_path_.string()));
+          fmt::format("cannot lock {}: {} is not a lock", name, lock_path_.string()));
     }
     if (::flock(opened, LOCK_EX | LOCK_NB) != 0) {
       const int number = errno;
       ::close(opened);
       if (number != EWOULDBLOCK) fail("cannot lock", lock_path_, number);
-      throw std::runtime_error(fmt::format("{} is the state of an emulator that runs", name));
+      throw std::runtime_error(fmt::format("{} is in use by another emulator", name));
     }
     if (is_at(opened, lock_path_)) {
       lock_ = opened;
@@ -69,15 +69,13 @@ StateFile::~StateFile() {
   ::close(lock_);
 }
 
-std::optional<tools::SavedMemory> StateFile::load() const {
-  Result<tools::SavedMemory> loaded = tools::load_memory(path_);
+std::optional<SavedMemory> StateFile::load() const {
+  Result<SavedMemory> loaded = load_memory(path_);
   if (loaded) return std::move(*loaded);
   if (loaded.error().code == ErrorCode::not_found) return std::nullopt;
   throw std::runtime_error(loaded.error().message);
 }
 
-Result<void> StateFile::save(const tools::SavedMemory& saved) const {
-  return tools::save_memory(path_, saved);
-}
+Result<void> StateFile::save(const SavedMemory& saved) const { return save_memory(path_, saved); }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

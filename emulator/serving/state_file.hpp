@@ -5,26 +5,27 @@
 #include <optional>
 #include <string>
 
-#include "memory_file.hpp"
+#include "serving/memory_file.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
-/// A file that no other emulator uses at the same time: FILE.sbgc-lock beside it says so, and is
-/// removed at the end. What it is a symbolic link to is what is read and replaced. Temporary files
-/// that an emulator has left behind when it was killed are removed at the beginning.
+/// A file that one emulator uses at a time: it holds the lock FILE.sbgc-lock and removes it at the
+/// end. Symbolic links are followed. Temporary files of a killed emulator are removed at the
+/// beginning.
 class StateFile {
  public:
-  /// Throws std::runtime_error if another emulator uses the file, or the lock can not be made:
-  /// for example, because its name belongs to a file that is no lock.
+  /// Throws std::runtime_error if another emulator uses the file or the lock cannot be created, for
+  /// example because a file that is not a lock has its name.
   explicit StateFile(const std::string& name);
   StateFile(const StateFile&) = delete;
   StateFile& operator=(const StateFile&) = delete;
   ~StateFile();
 
-  /// What the file has; nothing if there is none. Throws std::runtime_error if it can not be used.
-  std::optional<tools::SavedMemory> load() const;
-  /// Replaces the file in one step.
-  Result<void> save(const tools::SavedMemory& saved) const;
+  /// The content of the file; empty if there is none. Throws std::runtime_error if it cannot be
+  /// used.
+  std::optional<SavedMemory> load() const;
+  /// Replaces the file atomically.
+  Result<void> save(const SavedMemory& saved) const;
 
  private:
   std::filesystem::path path_;
@@ -32,4 +33,4 @@ class StateFile {
   int lock_ = -1;
 };
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

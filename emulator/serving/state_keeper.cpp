@@ -1,4 +1,4 @@
-#include "state_keeper.hpp"
+#include "serving/state_keeper.hpp"
 
 #include <stdexcept>
 #include <utility>
@@ -6,7 +6,7 @@
 #include <asio/executor_work_guard.hpp>
 #include <asio/post.hpp>
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 StateKeeper::StateKeeper(asio::any_io_executor executor, asio::thread_pool& pool, LiveBoard& board,
                          Save save, Log warn)
@@ -21,8 +21,8 @@ StateKeeper::StateKeeper(asio::any_io_executor executor, asio::thread_pool& pool
   board.memory_saved(saved_);
 }
 
-tools::SavedMemory StateKeeper::snapshot() const {
-  return {tools::owner_of(board_.emulator().board().options()), board_.memory()};
+SavedMemory StateKeeper::snapshot() const {
+  return {owner_of(board_.emulator().board().options()), board_.memory()};
 }
 
 void StateKeeper::changed() {
@@ -34,7 +34,7 @@ void StateKeeper::begin_saving() {
   auto task = std::make_shared<std::packaged_task<Result<void>()>>(
       [save = save_, memory = snapshot()] { return save(memory); });
   result_ = task->get_future();
-  // The executor has something to do until the result is there.
+  // The executor has work until there is a result.
   asio::post(pool_, [this, task, work = asio::make_work_guard(executor_),
                      alive = std::weak_ptr(is_alive_)]() mutable {
     (*task)();
@@ -46,7 +46,7 @@ void StateKeeper::begin_saving() {
 
 void StateKeeper::end_saving() {
   take(result_.get());
-  // A revision that could not be saved is tried again when there is another, and at the end.
+  // A revision that could not be saved is tried again after the next change, and at the end.
   if (!result_.valid() && board_.memory().revision != saving_) begin_saving();
 }
 
@@ -70,4 +70,4 @@ bool StateKeeper::finish() {
   return true;
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

@@ -12,16 +12,16 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "endpoint.hpp"
-#include "host.hpp"
+#include "serving/endpoint.hpp"
+#include "serving/host.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 namespace {
 
 using Stream = asio::posix::stream_descriptor;
 
-/// One of the two. Asio can not wait for a regular file, nor need it: that is never far behind.
+/// Standard input or output. Asio cannot wait for regular files, which never block anyway.
 class Descriptor {
  public:
   Descriptor(const asio::any_io_executor& executor, int fd)
@@ -30,8 +30,8 @@ class Descriptor {
     const bool is_input = fd == STDIN_FILENO;
     if (flags_ == -1 || (flags_ & O_ACCMODE) == (is_input ? O_WRONLY : O_RDONLY) ||
         fstat(fd, &info) != 0) {
-      throw std::runtime_error(is_input ? "the standard input can not be read"
-                                        : "the standard output can not be written");
+      throw std::runtime_error(is_input ? "the standard input cannot be read"
+                                        : "the standard output cannot be written");
     }
     is_file_ = S_ISREG(info.st_mode);
     if (!is_file_) stream_.assign(dup(fd));
@@ -39,7 +39,7 @@ class Descriptor {
 
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
-  /// Others may share the open file: it gets its flags back.
+  /// Restores the flags: other processes may share the open file.
   ~Descriptor() {
     close();
     fcntl(fd_, F_SETFL, flags_);
@@ -139,4 +139,4 @@ std::unique_ptr<Endpoint> use_stdio(const asio::any_io_executor& executor, LiveB
   return std::make_unique<StdioEndpoint>(host);
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

@@ -10,22 +10,23 @@
 #include <netinet/tcp.h>
 #include <sys/socket.h>
 
-#include "host.hpp"
-#include "listen.hpp"
-#include "stream_transport.hpp"
+#include <sbgc/io/detail/stream_transport.hpp>
 
-namespace sbgc::emulate {
+#include "serving/host.hpp"
+#include "serving/listen.hpp"
+
+namespace sbgc::serving {
 
 namespace {
 
 using asio::ip::tcp;
 
-/// After an accept that failed, for example because there are too many open files.
+/// Pause after an accept that failed, for example because there are too many open files.
 constexpr auto wait_after_failure = std::chrono::milliseconds(200);
 
-/// So a quiet host whose machine or network has gone away does not keep its port: it is asked for a
-/// sign of life. One to which data are under way the system gives up later, when it has tried long
-/// enough. That this can not be set is no reason to refuse a host.
+/// Enables keep-alive, so that a silent host whose computer or network has gone away does not keep
+/// its port. With data in transit, the system gives up later, after its retransmissions. Failing to
+/// set this is not a reason to refuse a host.
 void ask_for_life(tcp::socket& socket) {
   constexpr int quiet_seconds = 10;
   constexpr int seconds_between = 5;
@@ -128,4 +129,4 @@ std::unique_ptr<Endpoint> listen_tcp(const asio::any_io_executor& executor, Live
   return std::make_unique<TcpEndpoint>(executor, board, address, places, logs);
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

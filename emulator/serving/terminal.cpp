@@ -10,16 +10,16 @@
 
 #include <sbgc/io/pseudo_terminal.hpp>
 
-#include "endpoint.hpp"
-#include "host.hpp"
-#include "terminal_link.hpp"
+#include "serving/endpoint.hpp"
+#include "serving/host.hpp"
+#include "serving/terminal_link.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 namespace {
 
-/// Nothing tells when a program changes the settings: they are looked at before bytes go either
-/// way, and this often.
+/// Nothing reports that a program changes the settings: they are checked before bytes go either
+/// way, and at this interval.
 constexpr auto look_every = std::chrono::milliseconds(50);
 
 class Terminal final : public Endpoint {
@@ -38,11 +38,11 @@ class Terminal final : public Endpoint {
       host_->before_bytes = [this](std::size_t) { look(); };
       keep_looking();
     }
-    // Programs come and go: that is no end.
+    // Programs come and go; the terminal stays.
     host_->on_end = [this](std::error_code error) {
       has_ended_ = true;
       timer_.cancel();
-      warn_(fmt::format("{} does not work any more: {}", path_, error.message()));
+      warn_(fmt::format("{} no longer works: {}", path_, error.message()));
     };
     host_->start();
   }
@@ -62,7 +62,7 @@ class Terminal final : public Endpoint {
  private:
   void look() {
     const std::optional<LineSettings> now = terminal_->other_line();
-    // A pseudo-terminal has no parity: that is taken to be right.
+    // A pseudo-terminal has no parity: it counts as right.
     const std::uint32_t rate = now ? now->baud_rate : 0;
     if (rate == rate_) return;
     rate_ = rate;
@@ -98,4 +98,4 @@ std::unique_ptr<Endpoint> open_terminal(const asio::any_io_executor& executor, L
   return std::make_unique<Terminal>(executor, board, link, has_rate, logs.warning);
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

@@ -1,4 +1,4 @@
-#include "terminal_link.hpp"
+#include "serving/terminal_link.hpp"
 
 #include <cerrno>
 #include <filesystem>
@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 namespace {
 
@@ -36,13 +36,13 @@ std::string objection(const std::string& path, const std::string& terminal) {
 TerminalLink::TerminalLink(std::string path, std::string terminal)
     : path_(std::move(path)), terminal_(std::move(terminal)) {
   const auto fail = [&](const std::string& why) {
-    throw std::runtime_error(fmt::format("the link {} can not be made: {}", path_, why));
+    throw std::runtime_error(fmt::format("the link {} cannot be created: {}", path_, why));
   };
   // This fails if anything has the name.
   if (symlink(terminal_.c_str(), path_.c_str()) == 0) return;
   if (errno != EEXIST) fail(reason(errno));
   if (const std::string why = objection(path_, terminal_); !why.empty()) fail(why);
-  // In one step, so that the name always leads somewhere.
+  // Atomically, so that the name always leads somewhere.
   const std::string fresh = fmt::format("{}.{}", path_, getpid());
   if (symlink(terminal_.c_str(), fresh.c_str()) != 0) fail(reason(errno));
   std::error_code error;
@@ -58,4 +58,4 @@ TerminalLink::~TerminalLink() {
   if (fs::read_symlink(path_, error).string() == terminal_ && !error) fs::remove(path_, error);
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

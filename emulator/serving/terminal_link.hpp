@@ -3,18 +3,18 @@
 
 #include <string>
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
-/// A symbolic link to a pseudo-terminal, for as long as this exists. It never takes the place of
-/// anything but a link that an emulator has left behind: one to a pseudo-terminal that is gone, or
-/// that has become the one to link to.
+/// A symbolic link to a pseudo-terminal, for as long as this object exists. It only replaces a link
+/// that an emulator has left behind: one to a pseudo-terminal that is gone, or that is now the one
+/// to link to.
 class TerminalLink {
  public:
-  /// Throws std::runtime_error if it can not be made, or if something else has the name.
+  /// Throws std::runtime_error if the link cannot be created or something else has the name.
   TerminalLink(std::string path, std::string terminal);
   TerminalLink(const TerminalLink&) = delete;
   TerminalLink& operator=(const TerminalLink&) = delete;
-  /// Removes it, if it still is what was made.
+  /// Removes the link, unless it has been replaced.
   ~TerminalLink();
 
   const std::string& path() const { return path_; }
@@ -24,4 +24,4 @@ class TerminalLink {
   std::string terminal_;
 };
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

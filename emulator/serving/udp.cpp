@@ -9,19 +9,19 @@
 #include <asio/buffer.hpp>
 #include <asio/steady_timer.hpp>
 
-#include "datagram_hosts.hpp"
-#include "listen.hpp"
+#include "serving/datagram_hosts.hpp"
+#include "serving/listen.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 
 namespace {
 
 using asio::ip::udp;
 
-/// Fits into what most networks carry in one piece.
+/// Most networks carry this much unfragmented.
 constexpr std::size_t datagram_size = 1400;
-/// One line about datagrams that are lost or refused is enough for so long.
-constexpr Duration told_every = seconds(5);
+/// Interval of lines about lost and refused datagrams.
+constexpr Duration log_interval = seconds(5);
 
 class UdpEndpoint final : public Endpoint {
  public:
@@ -57,28 +57,28 @@ class UdpEndpoint final : public Endpoint {
     const auto* const host = host_of(from_);
     if (host == nullptr) return refuse();
     const std::size_t port = host->port;
-    // Datagrams that come faster than the board's line are lost; one alone has room whatever its
-    // size.
-    if (bytes.size() <= board_.room(port) || board_.waiting(port) == 0) {
+    // Datagrams that arrive faster than the board's line carries them are lost; a single one always
+    // fits.
+    if (bytes.size() <= board_.room(port) || board_.queued_bytes(port) == 0) {
       return board_.receive(port, bytes);
     }
-    if (is_time_to_tell(lost_)) {
+    if (is_time_to_log(lost_)) {
       logs_.event(fmt::format("{}: a datagram of {} bytes is lost, as earlier ones still wait",
                               name_of(from_), bytes.size()));
     }
   }
 
   void refuse() {
-    if (!is_time_to_tell(refused_)) return;
+    if (!is_time_to_log(refused_)) return;
     logs_.warning(fmt::format("{} refused: there are {} places for UDP, and all are taken",
                               name_of(from_), hosts_.places()));
   }
 
-  /// One line is enough for all datagrams of some time. `told`: when there was one.
-  bool is_time_to_tell(std::optional<Instant>& told) const {
+  /// Whether another line may be written. `logged`: the time of the last one.
+  bool is_time_to_log(std::optional<Instant>& logged) const {
     const Instant now = board_.now();
-    if (told && now - *told < told_every) return false;
-    told = now;
+    if (logged && now - *logged < log_interval) return false;
+    logged = now;
     return true;
   }
 
@@ -134,8 +134,8 @@ class UdpEndpoint final : public Endpoint {
   DatagramHosts hosts_;
   std::array<std::uint8_t, 65536> input_{};
   udp::endpoint from_{};
-  std::optional<Instant> refused_{};  ///< when a host was last told of as refused
-  std::optional<Instant> lost_{};     ///< when a datagram was last told of as lost
+  std::optional<Instant> refused_{};  ///< when a refused host was last logged
+  std::optional<Instant> lost_{};     ///< when a lost datagram was last logged
 };
 
 }  // namespace
@@ -146,4 +146,4 @@ std::unique_ptr<Endpoint> listen_udp(const asio::any_io_executor& executor, Live
   return std::make_unique<UdpEndpoint>(executor, board, address, places, logs);
 }
 
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

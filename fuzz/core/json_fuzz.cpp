@@ -23,7 +23,7 @@ void require(bool condition) {
 template <class M>
 std::vector<std::uint8_t> bytes_of(const M& message) {
   std::vector<std::uint8_t> out(sbgc::max_body_size);
-  out.resize(encode(message, out).size);
+  out.resize(sbgc::encode(message, out).size);
   return out;
 }
 

@@ -32,19 +32,19 @@ void check(const M& message, Body body, const sbgc::Contexts& contexts) {
   });
 
   std::array<std::uint8_t, sbgc::max_body_size> out{};
-  const sbgc::WriteResult written = encode(message, out);
+  const sbgc::WriteResult written = sbgc::encode(message, out);
   require(static_cast<bool>(written));
   require(std::ranges::equal(std::span(out).first(written.size), body));
-  if (!body.empty()) require(!encode(message, std::span(out).first(body.size() - 1)));
+  if (!body.empty()) require(!sbgc::encode(message, std::span(out).first(body.size() - 1)));
 
   M again{};
   if constexpr (requires { contexts.of(again); }) {
-    require(static_cast<bool>(decode(body, again, contexts.of(again))));
+    require(static_cast<bool>(sbgc::decode(body, again, contexts.of(again))));
   } else {
-    require(static_cast<bool>(decode(body, again)));
+    require(static_cast<bool>(sbgc::decode(body, again)));
   }
   std::array<std::uint8_t, sbgc::max_frame_size> frame{};
-  const sbgc::WriteResult framed = encode_frame(again, frame);
+  const sbgc::WriteResult framed = sbgc::encode_frame(again, frame);
   require(framed.size == body.size() + sbgc::frame_header_size + sbgc::frame_trailer_size);
   require(std::ranges::equal(std::span(frame).subspan(sbgc::frame_header_size, body.size()), body));
 }
@@ -62,7 +62,7 @@ sbgc::Contexts learn_from(Body request) {
   sbgc::Contexts contexts;
   sbgc::AllMessages::for_each([&]<class M>(sbgc::Type<M>) {
     M message{};
-    if (decode(request, message)) contexts.learn(message);
+    if (sbgc::decode(request, message)) contexts.learn(message);
   });
   return contexts;
 }

@@ -21,7 +21,7 @@
 namespace {
 
 using sbgc::Instant;
-using sbgc::board::Board;
+using sbgc::emulator::Board;
 
 void require(bool condition) {
   if (!condition) std::abort();
@@ -38,7 +38,7 @@ class Player {
     while (!input_.empty()) step();
     advance(sbgc::seconds(2));
     for (std::size_t port = 0; port < ports_.size(); ++port) read(port, SIZE_MAX);
-    const sbgc::board::BoardCounters& counters = board_.counters();
+    const sbgc::emulator::BoardCounters& counters = board_.counters();
     require(counters.requests >= counters.refused + counters.unknown + counters.lost);
   }
 
@@ -62,8 +62,8 @@ class Player {
     return result;
   }
 
-  sbgc::board::Options options() {
-    sbgc::board::Options result;
+  sbgc::emulator::BoardOptions options() {
+    sbgc::emulator::BoardOptions result;
     const std::uint8_t choice = byte();
     if ((choice & 1) != 0) result.firmware = sbgc::msg::FirmwareVersion(2439);
     if ((choice & 2) != 0) result.board = sbgc::msg::BoardVersion(10);
@@ -72,7 +72,7 @@ class Player {
     if ((choice & 16) != 0) result.has_frame_imu = false;
     if ((choice & 32) != 0) result.features = {};
     if ((choice & 64) != 0) result.calibration_time = 1;
-    if ((choice & 128) != 0) result.gimbal.frame.kind = sbgc::board::Disturbance::Kind::drone;
+    if ((choice & 128) != 0) result.gimbal.frame.kind = sbgc::emulator::Disturbance::Kind::drone;
     return result;
   }
 

@@ -1,8 +1,8 @@
-// A board whose EEPROM holds anything: settings and files load and work. The input is read as
+// A board whose EEPROM holds anything: parameters and files load and work. The input is read as
 // steps: bytes to any place of the EEPROM, with or without checksums that hold, and operations.
 //
-// Whatever stands in the EEPROM: settings that were written are read again, also after a restart; a
-// failing operation on files changes nothing, and one that succeeds has its effect.
+// Whatever stands in the EEPROM: parameters that were written are read again, also after a restart;
+// a failing operation on files changes nothing, and one that succeeds has its effect.
 
 #include <algorithm>
 #include <array>
@@ -17,8 +17,8 @@
 #include <sbgc/meta/variables.hpp>
 #include <sbgc/wire.hpp>
 
-#include "device/files.hpp"
-#include "device/settings.hpp"
+#include "device/parts/file_system.hpp"
+#include "device/parts/parameters.hpp"
 
 namespace {
 
@@ -26,10 +26,10 @@ namespace msg = sbgc::msg;
 using sbgc::SettingsOf;
 using sbgc::StoredMessages;
 using sbgc::Type;
-using sbgc::board::Eeprom;
-using sbgc::board::FileSystem;
-using sbgc::board::Memory;
-using sbgc::board::Settings;
+using sbgc::emulator::Eeprom;
+using sbgc::emulator::FileSystem;
+using sbgc::emulator::Memory;
+using sbgc::emulator::Parameters;
 
 void require(bool condition) {
   if (!condition) std::abort();
@@ -71,7 +71,7 @@ class Player {
       case 4: return restart();
       case 5: return settings_->select_profile(byte() % SettingsOf<sbgc::msg::ReadParams3>::copies);
       case 6: return set_variable();
-      case 7: return write_settings();
+      case 7: return write_parameters();
       case 8: return write_file();
       case 9: return read_all();
       case 10: return save();
@@ -97,10 +97,10 @@ class Player {
   }
   /// One that holds, at any place, of any message.
   void write_record() {
-    const std::size_t size = sbgc::board::record_size();
+    const std::size_t size = sbgc::emulator::record_size();
     const std::size_t at = byte() % 24U * size;
-    const sbgc::board::RecordId id{static_cast<sbgc::msg::CommandId>(byte()), byte()};
-    require(sbgc::board::write_record(eeprom_, at, id, bytes(byte())));
+    const sbgc::emulator::RecordId id{static_cast<sbgc::msg::CommandFromBoard>(byte()), byte()};
+    require(sbgc::emulator::write_record(eeprom_, at, id, bytes(byte())));
   }
   /// A table of files with a checksum that holds.
   void write_table() {
@@ -109,9 +109,9 @@ class Player {
     const auto entries = std::span(table).first(FileSystem::most_files * 8);
     std::ranges::copy(bytes(std::min<std::size_t>(byte(), entries.size())), table.begin());
     sbgc::wire::store(table.data() + entries.size(), sbgc::detail::crc32(entries));
-    eeprom_.write(sbgc::board::layout::files, table);
+    eeprom_.write(sbgc::emulator::layout::files, table);
   }
-  void restart() { settings_ = std::make_unique<Settings>(memory_); }
+  void restart() { settings_ = std::make_unique<Parameters>(memory_); }
   void set_variable() {
     const auto id = static_cast<sbgc::msg::VariableId>(byte());
     const auto value = static_cast<std::int32_t>(number() * 65536U + number());
@@ -120,17 +120,17 @@ class Player {
     const bool is_set = settings_->set_variable(id, value);
     require(settings_->variable(id) == (is_set ? value : before));
   }
-  void write_settings() {
+  void write_parameters() {
     const std::uint8_t which = byte() % 6, copy = byte();
     std::uint8_t number = 0;
     StoredMessages::for_each([&]<class M>(Type<M>) {
       if (number++ != which || copy >= SettingsOf<M>::copies) return;
       M message{};
-      if (!decode(bytes(M::min_size + byte() % 16), message)) return;
+      if (!sbgc::decode(bytes(M::min_size + byte() % 16), message)) return;
       require(settings_->write(copy, message));
       if constexpr (SettingsOf<M>::copies > 1) SettingsOf<M>::copy(message) = copy;
       require(settings_->template read<M>(copy) == message);
-      require(Settings(memory_).template read<M>(copy) == message);
+      require(Parameters(memory_).template read<M>(copy) == message);
     });
   }
   void write_file() {
@@ -153,7 +153,7 @@ class Player {
   }
   void save() {
     settings_->save();
-    require(Settings(memory_).of<sbgc::msg::ReadParams3>() ==
+    require(Parameters(memory_).of<sbgc::msg::ReadParams3>() ==
             settings_->of<sbgc::msg::ReadParams3>());
   }
   void reset() {
@@ -185,7 +185,7 @@ class Player {
   std::span<const std::uint8_t> input_;
   Memory memory_{};
   Eeprom eeprom_{memory_};
-  std::unique_ptr<Settings> settings_ = std::make_unique<Settings>(memory_);
+  std::unique_ptr<Parameters> settings_ = std::make_unique<Parameters>(memory_);
 };
 
 }  // namespace

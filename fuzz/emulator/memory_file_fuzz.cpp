@@ -10,8 +10,8 @@
 #include <span>
 #include <string>
 
-#include "device/files.hpp"
-#include "device/settings.hpp"
+#include "device/parts/file_system.hpp"
+#include "device/parts/parameters.hpp"
 #include "serving/memory_file.hpp"
 
 namespace {
@@ -23,7 +23,7 @@ void require(bool condition) {
 std::string text_of(std::span<const std::uint8_t> input) {
   if (input.empty() || input.front() != 0) return {input.begin(), input.end()};
   static const std::string written =
-      to_json_text(sbgc::tools::SavedMemory{sbgc::tools::owner_of({}), {}});
+      to_json_text(sbgc::serving::SavedMemory{sbgc::serving::owner_of({}), {}});
   std::string text = written;
   for (input = input.subspan(1); input.size() >= 3; input = input.subspan(3)) {
     text[(input[0] * 256U + input[1]) % text.size()] = static_cast<char>(input[2]);
@@ -34,20 +34,20 @@ std::string text_of(std::span<const std::uint8_t> input) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const auto saved = sbgc::tools::parse_memory(text_of({data, size}));
+  const auto saved = sbgc::serving::parse_memory(text_of({data, size}));
   if (!saved) {
     require(!saved.error().message.empty());
     return 0;
   }
   const std::string written = to_json_text(*saved);
-  auto again = sbgc::tools::parse_memory(written);
+  auto again = sbgc::serving::parse_memory(written);
   require(static_cast<bool>(again));
   require(again->memory == saved->memory);
   require(again->owner == saved->owner);
   require(to_json_text(*again) == written);
-  const sbgc::board::Settings settings(again->memory);
-  const sbgc::board::FileSystem files(again->memory);
-  require(settings.profile() == again->memory.profile);
+  const sbgc::emulator::Parameters parameters(again->memory);
+  const sbgc::emulator::FileSystem files(again->memory);
+  require(parameters.profile() == again->memory.profile);
   require(files.read(0, 0, 64).data.size() <= 64);
   return 0;
 }

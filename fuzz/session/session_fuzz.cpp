@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include <sbgc/exchanges/all.hpp>
+#include <sbgc/responses/all.hpp>
 #include <sbgc/session.hpp>
 #include <sbgc/visit.hpp>
 
@@ -29,7 +29,8 @@ void require(bool condition) {
 }
 
 // Small, so that every limit is met.
-using Session = sbgc::BasicSession<sbgc::SessionCapacity{.requests = 4, .ghosts = 5, .streams = 2}>;
+using Session =
+    sbgc::BasicSession<sbgc::SessionCapacity{.requests = 4, .late_replies = 5, .streams = 2}>;
 
 class Player {
  public:
@@ -133,15 +134,14 @@ class Player {
     if ((flags & 32) != 0) options.deadline = now_ + sbgc::milliseconds(byte());
     const auto body = bytes(byte());
     sbgc::visit(id, body, sbgc::Direction::to_board, [&](const auto& message) {
-      if constexpr (requires { exchange_of(message); }) {
-        const sbgc::Exchange exchange = exchange_of(message);
-        const sbgc::SendResult result = (flags & 64) != 0
-                                            ? session_.send(id, body, exchange, options)
-                                            : session_.send(message, options);
+      if constexpr (requires { response_policy(message); }) {
+        const sbgc::ResponsePolicy policy = response_policy(message);
+        const sbgc::SendResult result = (flags & 64) != 0 ? session_.send(id, body, policy, options)
+                                                          : session_.send(message, options);
         require(static_cast<bool>(result) == static_cast<bool>(result.handle));
         if (!result) return;
         require(open_.insert(result.handle).second);
-        newest_ = exchange.replies;
+        newest_ = policy.responses;
       }
     });
   }
@@ -154,16 +154,16 @@ class Player {
 
   /// What the newest request may wait for.
   void answer(bool last_form) {
-    if (newest_.answer_count == 0) {
+    if (newest_.form_count == 0) {
       feed_frame(67, std::array{newest_.command});
       return;
     }
-    const std::size_t index = last_form ? std::size_t{newest_.answer_count} - 1 : 0;
-    const sbgc::AnswerForm& form = newest_.answers[index];
+    const std::size_t index = last_form ? std::size_t{newest_.form_count} - 1 : 0;
+    const sbgc::ResponseForm& form = newest_.forms[index];
     std::array<std::uint8_t, 255> body{};
-    for (const sbgc::Echo& echo : form.echoes) {
-      for (std::size_t i = 0; i < echo.size; ++i) {
-        body[echo.offset + i] = static_cast<std::uint8_t>(echo.value >> (8 * i));
+    for (const sbgc::CorrelationField& field : form.correlation) {
+      for (std::size_t i = 0; i < field.size; ++i) {
+        body[field.offset + i] = static_cast<std::uint8_t>(field.value >> (8 * i));
       }
     }
     feed_frame(form.id, std::span(body).first(form.min_size));
@@ -208,7 +208,7 @@ class Player {
   Session session_;
   Instant now_{};
   std::set<Handle> open_;
-  sbgc::Replies newest_{};
+  sbgc::Responses newest_{};
   std::uint64_t written_{};
 };
 

@@ -53,6 +53,12 @@ def load_protocol(spec_dir: Path) -> Protocol:
 
 def _checked(spec: Spec, found: Diagnostics) -> Layout:
     layout = resolve(spec, found)
+    check(spec, layout, found)
+    return layout
+
+
+def check(spec: Spec, layout: Layout, found: Diagnostics) -> None:
+    """The rules over a resolved spec; findings go into `found`."""
     lint(spec, layout, found)
     lint_bodies(layout, found)
     lint_names(spec, found)
@@ -60,7 +66,6 @@ def _checked(spec: Spec, found: Diagnostics) -> Layout:
     lint_main(spec, found)
     for target in targets():
         target.lint(spec, layout, found)
-    return layout
 
 
 def _look_behind(spec: Spec, found: Diagnostics) -> None:
@@ -83,7 +88,7 @@ def _look_behind(spec: Spec, found: Diagnostics) -> None:
 def load_layout(spec_dir: Path) -> Layout:
     """Load and resolve a spec folder without the rules of style, which older ones may not know.
 
-    Raises SpecError if it can not be understood.
+    Raises SpecError if it cannot be understood.
     """
     found = Diagnostics()
     _, layout = _resolve(spec_dir, found)

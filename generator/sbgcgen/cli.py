@@ -19,22 +19,30 @@ _ROOT = Path(__file__).resolve().parents[2]
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
-        prog="sbgcgen", description="Turns the protocol in spec/ into everything in generated/."
+        prog="sbgcgen", description="Generates generated/ from the protocol in spec/."
     )
     commands = parser.add_subparsers(dest="command", required=True)
     for name, text in (
-        ("generate", "write generated/; files that do not change are left alone"),
-        ("check", "tell whether generated/ is what spec/ and generator/ say; exit status 1 if not"),
+        ("generate", "write generated/; unchanged files are left alone"),
+        (
+            "check",
+            "check that generated/ is up to date with spec/ and generator/; exit status 1 if not",
+        ),
         *((target.name, target.help) for target in _apart()),
         ("lint", "check spec/ only"),
-        ("compat", "tell what changed since another version of the spec; exit status 1 for breaks"),
+        ("compat", "list the changes since another version of the spec; exit status 1 for breaks"),
     ):
         sub = commands.add_parser(name, help=text, description=text)
         sub.add_argument("--root", type=Path, default=_ROOT, help="project folder")
         sub.add_argument("--spec", type=Path, help="spec folder, if not <root>/spec")
         if name == "compat":
             sub.add_argument("old", metavar="OLD", help="spec folder, or git revision")
-            sub.add_argument("new", metavar="NEW", nargs="?", help="the same; default: spec/ as is")
+            sub.add_argument(
+                "new",
+                metavar="NEW",
+                nargs="?",
+                help="spec folder, or git revision; default: spec/ as it is now",
+            )
         if name == "generate":
             sub.add_argument("--output", type=Path, help="output folder, if not <root>/generated")
             sub.add_argument("--depfile", type=Path, help="write what was read, as a Make rule")
@@ -113,7 +121,7 @@ def main(arguments: list[str] | None = None) -> int:
             options.stamp.parent.mkdir(parents=True, exist_ok=True)
             options.stamp.touch()
     except OSError as error:
-        print(f"can not write {error.filename}: {error.strerror}", file=sys.stderr)
+        print(f"cannot write {error.filename}: {error.strerror}", file=sys.stderr)
         return 1
     print(f"{len(output.files)} files, {changed} changed")
     return 0

@@ -73,7 +73,7 @@ TEST_F(Async, WorksWithFutures) {
   EXPECT_FALSE(client.is_connected());
   connect(client);
   EXPECT_TRUE(client.is_connected());
-  EXPECT_EQ(client.board().firmware(), "2.59");
+  EXPECT_EQ(client.identity().firmware_version(), "2.59");
   const auto answer = client.async_call(msg::GetAnglesRequest{}, {}, asio::use_future).get();
   ASSERT_TRUE(answer) << answer.error().message;
   EXPECT_EQ(*answer, angles);
@@ -202,37 +202,88 @@ TEST_F(Async, CancellingWhatIsOverDoesNothing) {
   EXPECT_TRUE(angles) << angles.error().message;
 }
 
-TEST_F(Async, RunsBlockingTasks) {
+Task<Result<int>> ask_three_times() {
+  int good = 0;
+  for (int i = 0; i < 3; ++i) {
+    const auto angles = co_await tasks::call(msg::GetAnglesRequest{});
+    good += angles ? 1 : 0;
+  }
+  co_return good;
+}
+
+TEST_F(Async, RunsTasks) {
   board.answer<msg::GetAnglesRequest>(msg::GetAngles{});
   AsyncClient client(running.executor());
   connect(client);
-  const auto count = client
-                         .async_run(
-                             [](Client& blocking) -> Result<int> {
-                               int good = 0;
-                               for (int i = 0; i < 3; ++i) good += blocking.get_angles() ? 1 : 0;
-                               return good;
-                             },
-                             asio::use_future)
-                         .get();
+  const auto count = client.async_run(ask_three_times(), asio::use_future).get();
   ASSERT_TRUE(count);
   EXPECT_EQ(*count, 3);
 }
 
-TEST_F(Async, DestroyingTheClientEndsTheCallsOfATask) {
+TEST_F(Async, ATaskNeedsAConnection) {
+  AsyncClient client(running.executor());
+  const auto count = client.async_run(ask_three_times(), asio::use_future).get();
+  ASSERT_FALSE(count);
+  EXPECT_EQ(count.error().code, ErrorCode::not_connected);
+}
+
+TEST_F(Async, MovesWithoutAThread) {
+  msg::GetAngles angles;
+  angles.axes.pitch.imu_angle = -30_deg;
+  board.answer<msg::GetAnglesRequest>(angles);
+  board.ignore<msg::ControlExt>();
+  AsyncClient client(running.executor());
+  connect(client);
+  std::promise<std::thread::id> where;
+  MoveOptions options{.settle = milliseconds(10), .interval = milliseconds(1)};
+  options.progress = [&where, first = true](const MoveProgress&) mutable {
+    if (std::exchange(first, false)) where.set_value(std::this_thread::get_id());
+    return true;
+  };
+  const auto moved = client.async_move_to({.pitch = -30_deg}, options, asio::use_future).get();
+  ASSERT_TRUE(moved) << moved.error().message;
+  EXPECT_TRUE(moved->is_close);
+  EXPECT_EQ(where.get_future().get(), running.thread());
+}
+
+Task<Result<void>> wait_long() {
+  const auto answer =
+      co_await tasks::call(msg::CalibInfoRequest{}, {.timeout = std::chrono::seconds(60)});
+  if (!answer) co_return answer.error();
+  co_return Result<void>();
+}
+
+Task<Result<void>> sleep_long() {
+  const TaskMachine& task = co_await tasks::this_task();
+  co_return co_await tasks::wait_until(task.now() + seconds(60));
+}
+
+TEST_F(Async, CancellingATaskEndsWhatItWaitsFor) {
+  AsyncClient client(running.executor());
+  connect(client);
+  for (const bool is_call : {true, false}) {
+    asio::cancellation_signal signal;
+    std::promise<ErrorCode> code;
+    asio::post(running.executor(), [&] {
+      client.async_run(is_call ? wait_long() : sleep_long(),
+                       asio::bind_cancellation_slot(signal.slot(), [&](const Result<void>& result) {
+                         code.set_value(result.error().code);
+                       }));
+    });
+    asio::post(running.executor(), [&] { signal.emit(asio::cancellation_type::all); });
+    EXPECT_EQ(code.get_future().get(), ErrorCode::cancelled);
+  }
+}
+
+TEST_F(Async, DestroyingTheClientEndsItsTasks) {
   std::optional<AsyncClient> client(std::in_place, running.executor());
   connect(*client);
-  const auto wait_long = [](Client& blocking) -> Result<void> {
-    auto result = blocking.calib_info({}, {.timeout = std::chrono::seconds(60)});
-    if (!result) return result.error();
-    return {};
-  };
-  auto running_task = client->async_run(wait_long, asio::use_future);
-  auto waiting_task = client->async_run(wait_long, asio::use_future);
+  auto calling = client->async_run(wait_long(), asio::use_future);
+  auto sleeping = client->async_run(sleep_long(), asio::use_future);
   ASSERT_TRUE(board.wait_for<msg::CalibInfoRequest>(1));
   client.reset();
-  EXPECT_EQ(running_task.get().error().code, ErrorCode::cancelled);
-  EXPECT_EQ(waiting_task.get().error().code, ErrorCode::not_connected);
+  EXPECT_EQ(calling.get().error().code, ErrorCode::cancelled);
+  EXPECT_EQ(sleeping.get().error().code, ErrorCode::cancelled);
 }
 
 TEST_F(Async, StreamsOnTheExecutor) {

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 class BackupTest : public TaskTest {
  protected:
   Backup make() {
-    Result<Backup> backup = make_backup(client());
+    Result<Backup> backup = client().make_backup();
     EXPECT_TRUE(backup) << backup.error().message;
     return backup ? *backup : Backup{};
   }
@@ -109,7 +109,7 @@ TEST_F(BackupTest, NothingIsLostOnTheWayThroughAFile) {
   const Result<Backup> again = load_backup(file("a.json"));
   ASSERT_TRUE(again) << again.error().message;
   EXPECT_EQ(again->settings, backup.settings);
-  EXPECT_EQ(again->board.info, client().board().info);
+  EXPECT_EQ(again->board.info, client().identity().info);
   EXPECT_EQ(again->board.details, board.read<msg::BoardInfo3>(msg::BoardInfo3Request{}));
   EXPECT_EQ(again->created, backup.created);
   EXPECT_EQ(again->created.size(), std::string("2024-05-01T12:00:00Z").size());
@@ -270,8 +270,9 @@ TEST_F(BackupTest, RestoringBringsEverythingBack) {
       0, [](auto& names) { ASSERT_TRUE(names.profile_name[1].assign(std::string_view("Other"))); });
   ASSERT_NE(settings(), original);
 
-  const Result<Backup> changed = make_backup(client());
-  const WriteReport report = restore(client(), backup, {.present = file("present.json")});
+  const Result<Backup> changed = client().make_backup();
+  const WriteReport report =
+      client().restore(backup, {.save_present = save_to(file("present.json"))});
   ASSERT_TRUE(report) << to_text(report);
   EXPECT_EQ(settings(), original);
   const Result<Backup> saved = load_backup(file("present.json"));
@@ -286,7 +287,7 @@ TEST_F(BackupTest, AnErasedBoardGetsBackEveryBitOfItsSettings) {
   board.write(msg::UseDefaults{.profile_id = msg::UseDefaults::erase_eeprom});
   ASSERT_THAT(board.memory().eeprom, ::testing::Each(0xFF));
 
-  WriteReport report = restore(client(), backup, {.present = file("present.json")});
+  WriteReport report = client().restore(backup, {.save_present = save_to(file("present.json"))});
   ASSERT_TRUE(report) << to_text(report);
   EXPECT_EQ(settings(), original);
   EXPECT_EQ(make().settings, backup.settings);
@@ -295,7 +296,7 @@ TEST_F(BackupTest, AnErasedBoardGetsBackEveryBitOfItsSettings) {
   disconnect();
   board.become(board.options());
   EXPECT_EQ(settings(), original);
-  report = restore(client(), backup, {.present = file("again.json")});
+  report = client().restore(backup, {.save_present = save_to(file("again.json"))});
   ASSERT_TRUE(report);
   EXPECT_EQ(count<msg::WriteParams3>(), 0U);
 }
@@ -304,21 +305,22 @@ TEST_F(BackupTest, AnotherModelOrFirmwareIsRefusedUnlessTold) {
   const Backup backup = make();
   change();
   become(msg::BoardVersion(31));
-  WriteReport report = restore(client(), backup, {.present = file("a.json")});
+  WriteReport report = client().restore(backup, {.save_present = save_to(file("a.json"))});
   ASSERT_FALSE(report);
   EXPECT_EQ(report.outcome.error().code, ErrorCode::incompatible);
   EXPECT_THAT(report.outcome.error().message, HasSubstr("3.1"));
   EXPECT_THAT(files(), IsEmpty());
 
   become(msg::FirmwareVersion(2604));
-  report = restore(client(), backup, {.present = file("a.json"), .other_model = true});
+  report = client().restore(backup, {.save_present = save_to(file("a.json")), .other_model = true});
   ASSERT_FALSE(report);
   EXPECT_THAT(report.outcome.error().message, HasSubstr("2.60b4"));
   EXPECT_EQ(board.settings<msg::ReadParams3>(0).gyro_trust, 1);
-  EXPECT_THAT(mismatches(client().board(), backup.board), SizeIs(2));
+  EXPECT_THAT(mismatches(client().identity(), backup.board), SizeIs(2));
 
-  report = restore(client(), backup,
-                   {.present = file("a.json"), .other_model = true, .other_firmware = true});
+  report = client().restore(
+      backup,
+      {.save_present = save_to(file("a.json")), .other_model = true, .other_firmware = true});
   EXPECT_TRUE(report) << to_text(report);
   EXPECT_NE(board.settings<msg::ReadParams3>(0).gyro_trust, 1);
 }
@@ -327,7 +329,7 @@ TEST_F(BackupTest, ADryRunNeedsNoFileAndWritesNothing) {
   const Backup backup = make();
   change();
   const Settings before = settings();
-  const WriteReport report = restore(client(), backup, {.dry_run = true});
+  const WriteReport report = client().restore(backup, {.dry_run = true});
   EXPECT_TRUE(report);
   EXPECT_EQ(report.blocks.front().wanted.size(), 1U);
   EXPECT_EQ(settings(), before);
@@ -337,9 +339,9 @@ TEST_F(BackupTest, ADryRunNeedsNoFileAndWritesNothing) {
 TEST_F(BackupTest, WithoutABackupOfThePresentStateNothingIsRestored) {
   const Backup backup = make();
   change();
-  EXPECT_EQ(restore(client(), backup, {}).outcome.error().code, ErrorCode::invalid);
+  EXPECT_EQ(client().restore(backup, {}).outcome.error().code, ErrorCode::invalid);
   std::ofstream(file("a.json")) << "precious";
-  EXPECT_FALSE(restore(client(), backup, {.present = file("a.json")}));
+  EXPECT_FALSE(client().restore(backup, {.save_present = save_to(file("a.json"))}));
   EXPECT_EQ(content(file("a.json")), "precious");
   EXPECT_EQ(count<msg::WriteParams3>(), 0U);
   EXPECT_EQ(board.settings<msg::ReadParams3>(0).gyro_trust, 1);

@@ -36,7 +36,7 @@ class CalibrationTest : public TaskTest {
 
 TEST_F(CalibrationTest, EndsWithTheSecondConfirmationAndTellsItsProgress) {
   let_pass(milliseconds(700));
-  EXPECT_TRUE(calibrate(client(), Sensor::gyroscope, watched()));
+  EXPECT_TRUE(client().calibrate(Sensor::gyroscope, watched()));
   // It needs 4 s. Behind the last look it ends, and may be looked at once more.
   ASSERT_GE(progress.size(), 3U);
   EXPECT_LT(progress[0], 75);
@@ -50,7 +50,7 @@ TEST_F(CalibrationTest, TheBoardIsToldWhichImuAndWhatToDo) {
   CalibrationOptions options = watched();
   options.imu = msg::CalibImu::frame;
   options.action = msg::CalibAction::temperature;
-  EXPECT_TRUE(calibrate(client(), Sensor::accelerometer, options));
+  EXPECT_TRUE(client().calibrate(Sensor::accelerometer, options));
   const auto request = message<msg::CalibAccExt>(board.log().front());
   EXPECT_EQ(request.imu_idx, msg::CalibImu::frame);
   EXPECT_EQ(request.action, msg::CalibAction::temperature);
@@ -61,7 +61,7 @@ TEST_F(CalibrationTest, TheBoardIsToldWhichImuAndWhatToDo) {
 
 TEST_F(CalibrationTest, WithoutTheFirstConfirmationItHasNotBegun) {
   board.on_lost([](const Packet& request) { return is<msg::CalibGyro>(request); });
-  const auto done = calibrate(client(), Sensor::gyroscope);
+  const auto done = client().calibrate(Sensor::gyroscope);
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().code, ErrorCode::timeout);
   EXPECT_THAT(done.error().message, HasSubstr("calibrating: "));
@@ -70,7 +70,7 @@ TEST_F(CalibrationTest, WithoutTheFirstConfirmationItHasNotBegun) {
 TEST_F(CalibrationTest, WithoutTheSecondConfirmationItsEndIsNotKnown) {
   CalibrationOptions options;
   options.timeout = milliseconds(1500);  // it needs 4 s
-  const auto done = calibrate(client(), Sensor::gyroscope, options);
+  const auto done = client().calibrate(Sensor::gyroscope, options);
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().code, ErrorCode::timeout);
   EXPECT_THAT(done.error().message, HasSubstr("has begun, but its end is not known"));
@@ -78,7 +78,7 @@ TEST_F(CalibrationTest, WithoutTheSecondConfirmationItsEndIsNotKnown) {
 
 TEST_F(CalibrationTest, WaitingCanBeCancelled) {
   goes_on = false;
-  const auto done = calibrate(client(), Sensor::gyroscope, watched());
+  const auto done = client().calibrate(Sensor::gyroscope, watched());
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().code, ErrorCode::cancelled);
 }
@@ -88,7 +88,7 @@ TEST_F(CalibrationTest, ABoardThatRestartsMeanwhileIsAnError) {
     for (const Packet& one : answers) looks += is<msg::CalibInfo>(one) ? 1 : 0;
     if (looks == 3) answers.push_back(packet(msg::Reset{}));
   });
-  const auto done = calibrate(client(), Sensor::gyroscope, watched());
+  const auto done = client().calibrate(Sensor::gyroscope, watched());
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().code, ErrorCode::board_reset);
 }
@@ -97,7 +97,7 @@ TEST_F(CalibrationTest, ALineThatBreaksMeanwhileIsAnError) {
   board.after([this](const Packet& request) {
     if (is<msg::CalibInfoRequest>(request)) board.unplug();
   });
-  const auto done = calibrate(client(), Sensor::gyroscope, watched());
+  const auto done = client().calibrate(Sensor::gyroscope, watched());
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().code, ErrorCode::link_lost);
 }

@@ -70,7 +70,7 @@ TEST_F(Call, WaitsForTheConfirmation) {
   Client client = connect();
   const auto reply = client.transact(msg::MotorsOn{});
   ASSERT_TRUE(reply) << reply.error().message;
-  EXPECT_EQ(reply->ending, Ending::confirmed);
+  EXPECT_EQ(reply->kind, ReplyKind::confirmed);
   EXPECT_TRUE(client.motors_on());
 }
 
@@ -92,7 +92,7 @@ TEST_F(Call, DoesNotWaitWhereNothingNeedCome) {
   Client client = connect();
   const auto reply = client.transact(msg::Control{});
   ASSERT_TRUE(reply) << reply.error().message;
-  EXPECT_EQ(reply->ending, Ending::sent);
+  EXPECT_EQ(reply->kind, ReplyKind::sent);
   EXPECT_TRUE(board.wait_for<msg::Control>(1));
 }
 
@@ -103,12 +103,12 @@ TEST_F(Call, WaitsForAPossibleConfirmationIfAskedTo) {
       msg::BeepSound{},
       {.timeout = milliseconds(2000), .expect_confirmation = true, .validate = false});
   ASSERT_TRUE(confirmed) << confirmed.error().message;
-  EXPECT_EQ(confirmed->ending, Ending::confirmed);
+  EXPECT_EQ(confirmed->kind, ReplyKind::confirmed);
   board.ignore<msg::BeepSound>();
   const auto unconfirmed =
       client.transact(msg::BeepSound{}, {.expect_confirmation = true, .validate = false});
   ASSERT_TRUE(unconfirmed) << unconfirmed.error().message;
-  EXPECT_EQ(unconfirmed->ending, Ending::unconfirmed);
+  EXPECT_EQ(unconfirmed->kind, ReplyKind::unconfirmed);
 }
 
 // What this board does not have
@@ -128,7 +128,7 @@ TEST_F(Call, NeedsTheBoardThatHasTheCommand) {
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::unsupported);
   EXPECT_THAT(result.error().message, HasSubstr("needs board 3.0, this is board 1.2"));
-  EXPECT_FALSE(client.board().details);
+  EXPECT_FALSE(client.identity().details);
 }
 
 TEST_F(Call, RefusesValuesThatAreNotAllowed) {
@@ -138,14 +138,15 @@ TEST_F(Call, RefusesValuesThatAreNotAllowed) {
   const auto result = client.call(read);
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::invalid);
-  EXPECT_EQ(result.error().message, "CMD_EEPROM_READ: addr = 7 is no multiple of 64");
+  EXPECT_EQ(result.error().message, "CMD_EEPROM_READ: addr: 7 is not a multiple of 64");
   EXPECT_EQ(board.count<msg::EepromReadRequest>(), 0U);
 }
 
 TEST_F(Call, RefusesWhatCannotBeEncoded) {
   Client client = connect();
   // A stream of this message must say which parts of it.
-  const auto result = client.data_stream_interval({.cmd_id = msg::CommandId::realtime_data_custom});
+  const auto result =
+      client.data_stream_interval({.cmd_id = msg::CommandFromBoard::realtime_data_custom});
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::invalid);
   EXPECT_THAT(result.error().message, StartsWith("the request cannot be encoded"));
@@ -224,7 +225,7 @@ TEST_F(Call, AnAttitudeHasTheFormThatTheFirmwareReads) {
 TEST_F(Call, TellsTheErrorOfTheBoard) {
   board.on<msg::MotorsOn>([&](const msg::MotorsOn&) {
     msg::ErrorExt error;
-    error.cmd_id = msg::CommandId::motors_on;
+    error.cmd_id = msg::CommandToBoard::motors_on;
     error.error_code = msg::BoardErrorCode(12);
     board.send(error);
   });
@@ -238,7 +239,7 @@ TEST_F(Call, TellsTheErrorOfTheBoard) {
 
 TEST_F(Call, TellsTheReasonOfTheBoardByItsName) {
   board.on<msg::MotorsOn>([&](const msg::MotorsOn&) {
-    board.send(msg::ErrorExt{.cmd_id = msg::CommandId::motors_on,
+    board.send(msg::ErrorExt{.cmd_id = msg::CommandToBoard::motors_on,
                              .error_code = msg::BoardErrorCode::wrong_state});
   });
   board.on<msg::CalibAcc>([&](const msg::CalibAcc&) {
@@ -329,7 +330,7 @@ TEST_F(Call, GetsNoLateAnswerOfAnEarlierOne) {
       client.read_params_3({.profile_id = 1}, {.timeout = std::chrono::seconds(60), .retries = 0});
   ASSERT_TRUE(second) << second.error().message;
   EXPECT_EQ(second->cur_profile_id, 4);
-  EXPECT_GE(client.statistics().session.late_answers, 1U);
+  EXPECT_GE(client.statistics().session.late_replies, 1U);
 }
 
 TEST_F(Call, DoesNotTakeARepeatedAnswerForItsOwn) {
@@ -375,7 +376,7 @@ TEST_F(Call, SaysThatAnAnswerCannotBeRead) {
     const std::vector<std::uint8_t> body{5, 1};  // five values are announced
     std::array<std::uint8_t, max_frame_size> frame{};
     const auto written =
-        write_frame(static_cast<std::uint8_t>(msg::CommandId::set_adj_vars_val), body, frame);
+        write_frame(static_cast<std::uint8_t>(msg::CommandToBoard::set_adj_vars_val), body, frame);
     board.send_bytes(std::span(frame).first(written.size));
   });
   Client client = connect();
@@ -483,7 +484,7 @@ TEST_F(Call, AThousandFromEightThreadsGetTheirOwnAnswers) {
   EXPECT_THAT(good, ::testing::Each(calls));
   const ClientStatistics statistics = client.statistics();
   EXPECT_EQ(statistics.failures, 0U);
-  EXPECT_EQ(statistics.session.late_answers, before.session.late_answers);
+  EXPECT_EQ(statistics.session.late_replies, before.session.late_replies);
 }
 
 TEST_F(Call, IsRefusedWhenTooManyWait) {

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include <sbgc/client/client.hpp>
+#include <sbgc/emulator/uart.hpp>
 #include <sbgc/io/pseudo_terminal.hpp>
 #include <sbgc/messages.hpp>
 
@@ -56,9 +57,9 @@ bool works(Client& client, ScriptedBoard& board) {
 TEST_F(Connect, OverMemory) {
   auto client = connect_over(over_memory(board), quick());
   ASSERT_TRUE(client) << client.error().message;
-  EXPECT_EQ(client->board().firmware(), "2.59");
-  EXPECT_EQ(client->board().board(), "3.0");
-  EXPECT_EQ(client->board().serial_number(), "0011223344556677ab");
+  EXPECT_EQ(client->identity().firmware_version(), "2.59");
+  EXPECT_EQ(client->identity().board_version(), "3.0");
+  EXPECT_EQ(client->identity().serial_number(), "0011223344556677ab");
   EXPECT_TRUE(works(*client, board));
 }
 
@@ -132,7 +133,8 @@ class ConnectOnLine : public Connect, public ::testing::WithParamInterface<io::L
 TEST_P(ConnectOnLine, FindsTheBoard) {
   // Wrong settings turn the bytes into garbage, both ways.
   const TransportFactory make = [&](const asio::any_io_executor& executor) {
-    auto pair = io::make_memory_pair(executor, board.executor(), {.with_line = true});
+    auto pair = io::make_memory_pair(executor, board.executor(),
+                                     {.with_line = true, .mismatch = emulator::received_as});
     static_cast<void>(pair.second->line()->set(GetParam()));
     board.serve(std::move(pair.second));
     return std::move(pair.first);
@@ -213,8 +215,8 @@ TEST_F(Connect, DoesWithoutDetailsThatABoardDoesNotTell) {
   options.retries = 4;
   const auto client = connect_over(over_memory(board), options);
   ASSERT_TRUE(client) << client.error().message;
-  EXPECT_FALSE(client->board().details);
-  EXPECT_EQ(client->board().serial_number(), "");
+  EXPECT_FALSE(client->identity().details);
+  EXPECT_EQ(client->identity().serial_number(), "");
 }
 
 TEST_F(Connect, FailsWhenTheLineBreaksMeanwhile) {

@@ -1,5 +1,6 @@
 #include "emulated_board.hpp"
 
+#include <sbgc/emulator/uart.hpp>
 #include <sbgc/io/memory.hpp>
 #include <sbgc/parser.hpp>
 
@@ -10,20 +11,21 @@ namespace {
 /// The board deals with a request in its next cycle, which is shorter than this.
 constexpr Duration one_cycle = sbgc::milliseconds(1);
 
-emulate::EndpointLogs silent() {
+serving::EndpointLogs silent() {
   return {[](const std::string&) {}, [](const std::string&) {}};
 }
 
 }  // namespace
 
-board::EmulatorOptions quick_board() {
-  board::EmulatorOptions options;
+emulator::EmulatorOptions quick_board() {
+  emulator::EmulatorOptions options;
   options.line.board.baud_rate = 0;
   options.board.gimbal.noise = 0;
   return options;
 }
 
-EmulatedBoard::EmulatedBoard(board::EmulatorOptions options, board::Memory memory, bool is_tapped)
+EmulatedBoard::EmulatedBoard(emulator::EmulatorOptions options, emulator::Memory memory,
+                             bool is_tapped)
     : options_(std::move(options)), is_tapped_(is_tapped) {
   start(std::move(memory));
 }
@@ -44,12 +46,12 @@ EmulatedBoard::Running::~Running() {
   endpoint.reset();
 }
 
-void EmulatedBoard::start(board::Memory memory) {
+void EmulatedBoard::start(emulator::Memory memory) {
   stop();
   running_ = std::make_unique<Running>();
   Running& running = *running_;
   const asio::any_io_executor executor = running.context.get_executor();
-  running.board = std::make_unique<emulate::LiveBoard>(executor, options_, std::move(memory));
+  running.board = std::make_unique<serving::LiveBoard>(executor, options_, std::move(memory));
   running.back_door = running.board->connect(true, [] {}).value();
   if (is_tapped_) {
     running.board->between = [this](std::unique_ptr<io::Transport> transport) {
@@ -57,19 +59,19 @@ void EmulatedBoard::start(board::Memory memory) {
     };
     // Inside the call the board must be left alone.
     running.board->emulator().board().on_traffic =
-        [this, executor, back_door = running.back_door](const board::Board::Traffic& traffic) {
+        [this, executor, back_door = running.back_door](const emulator::Board::Traffic& traffic) {
           if (!traffic.outcome || traffic.port == back_door) return;
           asio::post(executor, [this] {
             if (hooks_.tap != nullptr) hooks_.tap->dealt_with();
           });
         };
   }
-  const bool has_rate = options_.line.board.baud_rate != 0 || options_.rate_of_settings;
+  const bool has_rate = options_.line.board.baud_rate != 0 || options_.rate_from_parameters;
   if (line_kind() == LineKind::terminal) {
-    running.endpoint = emulate::open_terminal(executor, *running.board, "", has_rate, silent());
+    running.endpoint = serving::open_terminal(executor, *running.board, "", has_rate, silent());
   } else if (line_kind() == LineKind::tcp) {
-    running.endpoint = emulate::listen_tcp(executor, *running.board, {"127.0.0.1", 0},
-                                           board::Board::max_ports, silent());
+    running.endpoint = serving::listen_tcp(executor, *running.board, {"127.0.0.1", 0},
+                                           emulator::Board::max_ports, silent());
   }
   running.thread = std::thread([&context = running.context] { context.run(); });
 }
@@ -85,8 +87,8 @@ TransportFactory EmulatedBoard::line() {
 
 TransportFactory EmulatedBoard::line_with(const LineSettings& settings) {
   return [this, settings](const asio::any_io_executor& executor) {
-    auto pair =
-        io::make_memory_pair(executor, running_->context.get_executor(), {.with_line = true});
+    auto pair = io::make_memory_pair(executor, running_->context.get_executor(),
+                                     {.with_line = true, .mismatch = emulator::received_as});
     static_cast<void>(pair.second->line()->set(settings));
     serve(std::move(pair.second));
     return std::move(pair.first);
@@ -97,7 +99,7 @@ void EmulatedBoard::serve(std::unique_ptr<io::Transport> transport) {
   on_thread([&] {
     Running& running = *running_;
     if (running.host) running.host->close();
-    running.host = emulate::Host::connect(*running.board, std::move(transport));
+    running.host = serving::Host::connect(*running.board, std::move(transport));
     running.host->start();
   });
 }
@@ -105,19 +107,19 @@ void EmulatedBoard::serve(std::unique_ptr<io::Transport> transport) {
 std::string EmulatedBoard::serve_terminal() {
   return on_thread([this] {
     running_->endpoint =
-        emulate::open_terminal(running_->context.get_executor(), live(), "", false, silent());
+        serving::open_terminal(running_->context.get_executor(), live(), "", false, silent());
     return running_->endpoint->address();
   });
 }
 
-void EmulatedBoard::become(const board::Options& options, board::Memory memory) {
+void EmulatedBoard::become(const emulator::BoardOptions& options, emulator::Memory memory) {
   options_.board = options;
   start(std::move(memory));
 }
 
-board::Options EmulatedBoard::options() { return options_.board; }
+emulator::BoardOptions EmulatedBoard::options() { return options_.board; }
 
-board::Memory EmulatedBoard::memory() {
+emulator::Memory EmulatedBoard::memory() {
   return on_thread([this] { return live().memory(); });
 }
 

@@ -44,7 +44,7 @@ template <class List>
 using First = typename FirstOf<List>::Type;
 
 /// A board without noise, on a line without a rate.
-board::EmulatorOptions quick_board();
+emulator::EmulatorOptions quick_board();
 
 /// The emulated board as `sbgc emulate` serves it, on a thread of its own. There is one host.
 ///
@@ -53,7 +53,7 @@ board::EmulatorOptions quick_board();
 class EmulatedBoard {
  public:
   /// `is_tapped`: hooks work; without, bytes are carried as they are.
-  explicit EmulatedBoard(board::EmulatorOptions options = quick_board(), board::Memory memory = {},
+  explicit EmulatedBoard(emulator::EmulatorOptions options = quick_board(), emulator::Memory memory = {},
                          bool is_tapped = true);
   EmulatedBoard(const EmulatedBoard&) = delete;
   EmulatedBoard& operator=(const EmulatedBoard&) = delete;
@@ -67,10 +67,10 @@ class EmulatedBoard {
   std::string serve_terminal();
 
   /// Makes it another board, with this memory. Hooks stay, hosts are gone.
-  void become(const board::Options& options, board::Memory memory);
-  void become(const board::Options& options) { become(options, memory()); }
-  board::Options options();
-  board::Memory memory();
+  void become(const emulator::BoardOptions& options, emulator::Memory memory);
+  void become(const emulator::BoardOptions& options) { become(options, memory()); }
+  emulator::BoardOptions options();
+  emulator::Memory memory();
 
   // Hooks, see TapHooks; they must not refer to what the board outlives
 
@@ -149,7 +149,7 @@ class EmulatedBoard {
   Instant now() {
     return on_thread([this] { return live().now(); });
   }
-  board::BoardCounters counters() {
+  emulator::BoardCounters counters() {
     return on_thread([this] { return live().emulator().board().counters(); });
   }
   /// Power off and on.
@@ -174,9 +174,9 @@ class EmulatedBoard {
   struct Running {
     asio::io_context context{1};
     asio::executor_work_guard<asio::io_context::executor_type> work{context.get_executor()};
-    std::unique_ptr<emulate::LiveBoard> board{};
-    std::unique_ptr<emulate::Endpoint> endpoint{};
-    std::shared_ptr<emulate::Host> host{};  // of a line in memory
+    std::unique_ptr<serving::LiveBoard> board{};
+    std::unique_ptr<serving::Endpoint> endpoint{};
+    std::shared_ptr<serving::Host> host{};  // of a line in memory
     std::size_t back_door{};
     std::thread thread{};
 
@@ -186,13 +186,13 @@ class EmulatedBoard {
     ~Running();
   };
 
-  void start(board::Memory memory);
+  void start(emulator::Memory memory);
   void stop();
   /// Puts the transport in place of the one before.
   void serve(std::unique_ptr<io::Transport> transport);
-  emulate::LiveBoard& live() { return *running_->board; }
+  serving::LiveBoard& live() { return *running_->board; }
 
-  board::EmulatorOptions options_;
+  emulator::EmulatorOptions options_;
   bool is_tapped_;
   TapHooks hooks_{};
   std::unique_ptr<Running> running_{};

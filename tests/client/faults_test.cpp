@@ -27,15 +27,15 @@ ConnectOptions patient() {
 }
 
 /// A backup is complete and right, although frames have got lost.
-void expect_backup(const board::Faults& faults) {
+void expect_backup(const emulator::Faults& faults) {
   EmulatedBoard original;
   original.edit<msg::ReadParams3>(3, [](auto& params) { params.gyro_trust = 99; });
-  board::EmulatorOptions options = quick_board();
+  emulator::EmulatorOptions options = quick_board();
   options.line.faults = faults;
   EmulatedBoard board(options, original.memory(), false);
   auto client = connect_over(board.line(), patient());
   ASSERT_TRUE(client) << client.error().message;
-  const auto backup = make_backup(*client);
+  const auto backup = client->make_backup();
   ASSERT_TRUE(backup) << backup.error().message;
   EXPECT_EQ(backup->settings.blocks().size(), 18U);
   for (std::uint8_t profile = 0; profile < 5; ++profile) {
@@ -59,19 +59,19 @@ TEST(Faults, ABackupGetsThroughSilence) {
 }
 
 TEST(Faults, ABackupGetsThroughText) {
-  board::EmulatorOptions options = quick_board();
+  emulator::EmulatorOptions options = quick_board();
   options.line.faults.text_every = milliseconds(2);
   EmulatedBoard board(options, {}, false);
   auto client = connect_over(board.line(), patient());
   ASSERT_TRUE(client) << client.error().message;
-  const auto backup = make_backup(*client);
+  const auto backup = client->make_backup();
   ASSERT_TRUE(backup) << backup.error().message;
   EXPECT_EQ(*backup->settings.get<msg::ReadParams3>(4), board.settings<msg::ReadParams3>(4));
   EXPECT_GT(client->statistics().session.parser.skipped_bytes, 0U) << "there was no text";
 }
 
 TEST(Faults, ABoardThatIsSwitchedOffAndOnAnswersAgain) {
-  board::EmulatorOptions options = quick_board();
+  emulator::EmulatorOptions options = quick_board();
   options.board.start_time = seconds(60);  // longer than this machine may be busy
   EmulatedBoard board(options);
   auto client = connect_over(board.line(), patient());

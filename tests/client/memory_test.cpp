@@ -4,8 +4,8 @@
 
 #include <sbgc/client/memory.hpp>
 
-#include "pages.hpp"
 #include "task_test.hpp"
+#include "tasks/pages.hpp"
 
 namespace sbgc::test {
 namespace {
@@ -54,7 +54,7 @@ class MemoryTest : public TaskTest {
  protected:
   /// Bytes that are no settings and no files.
   void fill_eeprom() {
-    board::Memory memory;
+    emulator::Memory memory;
     for (std::size_t i = 0; i < memory.eeprom.size(); ++i) {
       memory.eeprom[i] = static_cast<std::uint8_t>(i * 7 / 3);
     }
@@ -88,7 +88,7 @@ TEST_F(MemoryTest, EepromIsReadFromAnywhere) {
   const auto eeprom = board.memory().eeprom;
   for (const auto& [address, size] : std::vector<std::pair<std::uint32_t, std::size_t>>{
            {0, 64}, {64, 192}, {100, 1}, {127, 2}, {1000, 777}, {32767, 1}, {0, 32768}, {5, 0}}) {
-    const auto read = read_eeprom(client(), address, size);
+    const auto read = client().download_eeprom(address, size);
     ASSERT_TRUE(read) << read.error().message;
     const auto first = eeprom.begin() + address;
     EXPECT_EQ(*read, std::vector<std::uint8_t>(first, first + static_cast<std::ptrdiff_t>(size)))
@@ -97,9 +97,9 @@ TEST_F(MemoryTest, EepromIsReadFromAnywhere) {
 }
 
 TEST_F(MemoryTest, EepromOutsideOfTheChipIsRefusedBeforeAnythingIsSent) {
-  EXPECT_EQ(read_eeprom(client(), 32768, 1).error().code, ErrorCode::invalid);
-  EXPECT_THAT(read_eeprom(client(), 32700, 100).error().message, HasSubstr("32768"));
-  EXPECT_FALSE(write_eeprom(client(), 0xFFFFFFFF, bytes(2)));
+  EXPECT_EQ(client().download_eeprom(32768, 1).error().code, ErrorCode::invalid);
+  EXPECT_THAT(client().download_eeprom(32700, 100).error().message, HasSubstr("32768"));
+  EXPECT_FALSE(client().upload_eeprom(0xFFFFFFFF, bytes(2)));
   EXPECT_THAT(board.log(), IsEmpty());
 }
 
@@ -110,7 +110,7 @@ TEST_F(MemoryTest, EepromIsWrittenWithoutTouchingWhatIsAround) {
     auto expected = board.memory().eeprom;
     const auto data = bytes(size, address);
     std::copy(data.begin(), data.end(), expected.begin() + address);
-    const auto written = write_eeprom(client(), address, data);
+    const auto written = client().upload_eeprom(address, data);
     ASSERT_TRUE(written) << written.error().message;
     EXPECT_EQ(board.memory().eeprom, expected) << address << ' ' << size;
   }
@@ -128,7 +128,7 @@ TEST_F(MemoryTest, EepromThatDoesNotKeepWhatIsWrittenIsNoticed) {
   });
   auto data = bytes(1000);
   data[0x10] = 0x11;
-  const auto written = write_eeprom(client(), 0x200, data);
+  const auto written = client().upload_eeprom(0x200, data);
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().code, ErrorCode::mismatch);
   EXPECT_THAT(written.error().message, HasSubstr("0x11 was written, but the EEPROM has 0xee at "
@@ -140,7 +140,7 @@ TEST_F(MemoryTest, AFailureTellsUpToWhereTheDataStand) {
   board.on_lost([](const Packet& request) {
     return is<msg::EepromWrite>(request) && message<msg::EepromWrite>(request).addr >= 384;
   });
-  const auto written = write_eeprom(client(), 0, bytes(1000));
+  const auto written = client().upload_eeprom(0, bytes(1000));
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().code, ErrorCode::timeout);
   EXPECT_THAT(written.error().message, HasSubstr("the data stand there up to 0x180"));
@@ -154,29 +154,30 @@ TEST_F(MemoryTest, TransfersTellTheirProgressAndCanBeCancelled) {
     done.push_back(progress.done);
     return true;
   };
-  EXPECT_TRUE(write_eeprom(client(), 100, bytes(500), options));
+  EXPECT_TRUE(client().upload_eeprom(100, bytes(500), options));
   EXPECT_THAT(done, ElementsAre(0, 156, 348, 500));
   done.clear();
-  EXPECT_TRUE(read_eeprom(client(), 100, 500, options));
+  EXPECT_TRUE(client().download_eeprom(100, 500, options));
   EXPECT_THAT(done, ElementsAre(0, 156, 348, 500));
   options.progress = [](const Progress& progress) { return progress.done == 0; };
-  EXPECT_EQ(read_eeprom(client(), 0, 500, options).error().code, ErrorCode::cancelled);
+  EXPECT_EQ(client().download_eeprom(0, 500, options).error().code, ErrorCode::cancelled);
 }
 
 TEST_F(MemoryTest, TransfersEndWithTheirTime) {
   board.after([&](const Packet&) { clock.advance(std::chrono::seconds(1)); });
-  TransferOptions options{.timeout = std::chrono::milliseconds(1500), .clock = clock};
-  EXPECT_EQ(read_eeprom(client(), 0, 10'000, options).error().code, ErrorCode::timeout);
+  TransferOptions options{.timeout = std::chrono::milliseconds(1500)};
+  EXPECT_EQ(client().run(tasks::download_eeprom(0, 10'000, options), clock).error().code,
+            ErrorCode::timeout);
 }
 
 TEST_F(MemoryTest, FilesComeBackAsTheyWereWritten) {
   for (const std::size_t size : std::vector<std::size_t>{1, 63, 64, 192, 193, 1000, 16000}) {
     const auto data = bytes(size);
-    const auto written = write_file(client(), 7, data);
+    const auto written = client().upload_file(7, data);
     ASSERT_TRUE(written) << written.error().message;
     EXPECT_EQ(file(7), data) << size;
-    EXPECT_EQ(*read_file(client(), 7), data) << size;
-    EXPECT_EQ(*file_size(client(), 7), size);
+    EXPECT_EQ(*client().download_file(7), data) << size;
+    EXPECT_EQ(*client().file_size(7), size);
   }
 }
 
@@ -192,38 +193,38 @@ TEST_F(MemoryTest, AnEmptyFileCanBeRead) {
       one = packet(empty);
     }
   });
-  const auto read = read_file(client(), 3);
+  const auto read = client().download_file(3);
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_THAT(*read, IsEmpty());
 }
 
 TEST_F(MemoryTest, FilesThatCannotBeAreRefusedBeforeAnythingIsSent) {
-  EXPECT_EQ(write_file(client(), 7, {}).error().code, ErrorCode::invalid);
-  EXPECT_EQ(write_file(client(), 7, bytes(65536)).error().code, ErrorCode::invalid);
+  EXPECT_EQ(client().upload_file(7, {}).error().code, ErrorCode::invalid);
+  EXPECT_EQ(client().upload_file(7, bytes(65536)).error().code, ErrorCode::invalid);
   EXPECT_THAT(board.log(), IsEmpty());
 }
 
 TEST_F(MemoryTest, AMissingFileIsNotFound) {
-  EXPECT_EQ(read_file(client(), 9).error().code, ErrorCode::not_found);
-  EXPECT_EQ(file_size(client(), 9).error().code, ErrorCode::not_found);
-  EXPECT_EQ(delete_file(client(), 9).error().code, ErrorCode::not_found);
-  EXPECT_THAT(read_file(client(), 9).error().message,
+  EXPECT_EQ(client().download_file(9).error().code, ErrorCode::not_found);
+  EXPECT_EQ(client().file_size(9).error().code, ErrorCode::not_found);
+  EXPECT_EQ(client().delete_file(9).error().code, ErrorCode::not_found);
+  EXPECT_THAT(client().download_file(9).error().message,
               HasSubstr("file 9: No file has this id. (ERR_FILE_NOT_FOUND)"));
 }
 
 TEST_F(MemoryTest, ErrorsOfTheFileSystemAreSentences) {
-  const auto error = write_file(client(), 9, bytes(20000)).error();
+  const auto error = client().upload_file(9, bytes(20000)).error();
   EXPECT_EQ(error.code, ErrorCode::board_error);
   EXPECT_THAT(error.message, HasSubstr("The memory is full. (ERR_NO_FREE_SPACE)"));
 }
 
 TEST_F(MemoryTest, FilesAreDeleted) {
   for (std::uint16_t id = 1; id <= 3; ++id) put_file(id, bytes(5, id));
-  EXPECT_TRUE(delete_file(client(), 2));
+  EXPECT_TRUE(client().delete_file(2));
   EXPECT_EQ(file(1), bytes(5, 1));
   EXPECT_THAT(file(2), IsEmpty());
   EXPECT_EQ(file(3), bytes(5, 3));
-  EXPECT_TRUE(delete_all_files(client()));
+  EXPECT_TRUE(client().delete_all_files());
   for (std::uint16_t id = 1; id <= 3; ++id) EXPECT_THAT(file(id), IsEmpty());
 }
 
@@ -234,7 +235,7 @@ TEST_F(MemoryTest, AFileThatIsReadBackDifferentlyIsNoticed) {
     content[2] = 0xEE;
     put_file(5, content);
   });
-  const auto written = write_file(client(), 5, bytes(10));
+  const auto written = client().upload_file(5, bytes(10));
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().code, ErrorCode::mismatch);
   EXPECT_THAT(written.error().message, HasSubstr("from byte 2 on"));
@@ -245,13 +246,13 @@ TEST_F(MemoryTest, DataOfTheUserAreChangedInPart) {
   expected[100] = 1;
   expected[101] = 2;
   const std::vector<std::uint8_t> data{1, 2};
-  EXPECT_TRUE(write_external_data(client(), 100, data));
+  EXPECT_TRUE(client().upload_user_data(100, data));
   EXPECT_EQ(board.settings<msg::ReadExternalData>().data, expected);
-  const auto read = read_external_data(client());
+  const auto read = client().download_user_data();
   ASSERT_TRUE(read);
   EXPECT_TRUE(std::equal(read->begin(), read->end(), expected.begin(), expected.end()));
-  EXPECT_FALSE(write_external_data(client(), 127, data));
-  EXPECT_FALSE(write_external_data(client(), 0, bytes(129)));
+  EXPECT_FALSE(client().upload_user_data(127, data));
+  EXPECT_FALSE(client().upload_user_data(0, bytes(129)));
 }
 
 }  // namespace

@@ -15,7 +15,10 @@ using ::testing::HasSubstr;
 
 class MotionTest : public TaskTest {
  protected:
-  MoveOptions options() { return {.clock = clock}; }
+  Result<MoveProgress> move_to(const MoveTarget& target, const MoveOptions& options = {}) {
+    return client().run(tasks::move_to(target, options), clock);
+  }
+  Result<void> stop() { return client().run(tasks::stop(), clock); }
   msg::Control last_control() {
     msg::Control last;
     for (const Packet& request : board.log()) {
@@ -47,7 +50,7 @@ TEST_F(MotionTest, MovesAllAxesAndWaitsForTheEnd) {
   connect();
   const Instant before = board.now();
   const auto moved =
-      move_to(client(), {.roll = 10_deg, .pitch = -30_deg, .yaw = 90_deg}, 50_deg_per_s, options());
+      move_to({.roll = 10_deg, .pitch = -30_deg, .yaw = 90_deg}, {.speed = 50_deg_per_s});
   ASSERT_TRUE(moved) << moved.error().message;
   EXPECT_NEAR(moved->angles.pitch.degrees(), -30, 0.5);
   EXPECT_TRUE(moved->is_close);
@@ -67,7 +70,7 @@ TEST_F(MotionTest, MovesAllAxesAndWaitsForTheEnd) {
 
 TEST_F(MotionTest, LeavesAxesAlone) {
   place({.yaw = 17});
-  ASSERT_TRUE(move_to(client(), {.pitch = 5_deg}, {}, options()));
+  ASSERT_TRUE(move_to({.pitch = 5_deg}));
   EXPECT_EQ(mode(0), board::AxisMode::remote);
   EXPECT_EQ(mode(1), board::AxisMode::angle);
   EXPECT_EQ(mode(2), board::AxisMode::remote);
@@ -78,22 +81,21 @@ TEST_F(MotionTest, LeavesAxesAlone) {
 TEST_F(MotionTest, OldFirmwareHoldsThemAtTheirTargets) {
   become(msg::FirmwareVersion(2430));
   place({.yaw = 17});
-  ASSERT_TRUE(move_to(client(), {.pitch = 5_deg}, {}, options()));
+  ASSERT_TRUE(move_to({.pitch = 5_deg}));
   EXPECT_NEAR(last_control().axes.yaw.angle.degrees(), 17, 0.1);
   EXPECT_NEAR(sample().angles.yaw, 17, 0.5);
 }
 
 TEST_F(MotionTest, ATargetBehindTheEndOfTheCountIsNear) {
   place({.yaw = 719.8});
-  const auto moved =
-      move_to(client(), {.yaw = msg::Angle14(-32768)}, {}, {.tolerance = 0.5, .clock = clock});
+  const auto moved = move_to({.yaw = msg::Angle14(-32768)}, {.tolerance = 0.5});
   ASSERT_TRUE(moved) << moved.error().message;
   EXPECT_LT(moved->elapsed, milliseconds(1000));
 }
 
 TEST_F(MotionTest, HasToStayThere) {
   std::vector<bool> close;
-  MoveOptions settings = options();
+  MoveOptions settings;
   settings.progress = [&](const MoveProgress& seen) {
     close.push_back(seen.is_close);
     if (close.size() == 4) {  // a push
@@ -101,7 +103,7 @@ TEST_F(MotionTest, HasToStayThere) {
     }
     return true;
   };
-  const auto moved = move_to(client(), {.pitch = msg::Angle14(0)}, {}, settings);
+  const auto moved = move_to({.pitch = msg::Angle14(0)}, settings);
   ASSERT_TRUE(moved);
   const auto last_away = std::find(close.rbegin(), close.rend(), false);
   ASSERT_NE(last_away, close.rend()) << "the push was not seen";
@@ -112,14 +114,14 @@ TEST_F(MotionTest, ALostCommandIsSentAgain) {
   board.on_lost([first = true](const Packet& request) mutable {
     return is<msg::Control>(request) && std::exchange(first, false);
   });
-  const auto moved = move_to(client(), {.pitch = 20_deg}, {}, options());
+  const auto moved = move_to({.pitch = 20_deg});
   ASSERT_TRUE(moved) << moved.error().message;
   EXPECT_EQ(count<msg::Control>(), 2U);
 }
 
 TEST_F(MotionTest, TellsHowFarItGot) {
   board.gimbal([](board::Gimbal& gimbal, Instant now) { gimbal.jam(1, true, now); });
-  const auto moved = move_to(client(), {.pitch = 20_deg}, {}, options());
+  const auto moved = move_to({.pitch = 20_deg});
   ASSERT_FALSE(moved);
   EXPECT_EQ(moved.error().code, ErrorCode::timeout);
   EXPECT_THAT(moved.error().message,
@@ -129,9 +131,9 @@ TEST_F(MotionTest, TellsHowFarItGot) {
 }
 
 TEST_F(MotionTest, CanBeCancelled) {
-  MoveOptions settings = options();
+  MoveOptions settings;
   settings.progress = [](const MoveProgress& seen) { return seen.remaining.pitch > 10; };
-  const auto moved = move_to(client(), {.pitch = 20_deg}, {}, settings);
+  const auto moved = move_to({.pitch = 20_deg}, settings);
   ASSERT_FALSE(moved);
   EXPECT_EQ(moved.error().code, ErrorCode::cancelled);
   EXPECT_EQ(last_control().control_mode.mode(), msg::ControlModeKind::speed);
@@ -144,18 +146,18 @@ TEST_F(MotionTest, ASilentBoardIsAnErrorAndIsToldToStop) {
     clock.advance(milliseconds(500));  // as long as the client waits for an answer
     return true;
   });
-  MoveOptions settings = options();
-  const auto moved = move_to(client(), {.pitch = 20_deg}, {}, settings);
+  MoveOptions settings;
+  const auto moved = move_to({.pitch = 20_deg}, settings);
   ASSERT_FALSE(moved);
   EXPECT_EQ(moved.error().code, ErrorCode::timeout);
   EXPECT_THAT(moved.error().message, HasSubstr("stopping it failed"));
 }
 
 TEST_F(MotionTest, SenselessMovesAreRefused) {
-  EXPECT_EQ(move_to(client(), {}).error().code, ErrorCode::invalid);
-  EXPECT_EQ(move_to(client(), {.yaw = msg::Angle14(0)}, msg::ControlSpeed(-1)).error().code,
+  EXPECT_EQ(move_to({}).error().code, ErrorCode::invalid);
+  EXPECT_EQ(move_to({.yaw = msg::Angle14(0)}, {.speed = msg::ControlSpeed(-1)}).error().code,
             ErrorCode::invalid);
-  EXPECT_FALSE(move_to(client(), {.yaw = msg::Angle14(0)}, {}, {.tolerance = 0}));
+  EXPECT_FALSE(move_to({.yaw = msg::Angle14(0)}, {.tolerance = 0}));
   EXPECT_EQ(board.log().size(), 0U);
 }
 
@@ -164,7 +166,7 @@ TEST_F(MotionTest, StopsAndLooksWhetherItHas) {
   board.on_lost([first = true](const Packet& request) mutable {
     return is<msg::Control>(request) && std::exchange(first, false);
   });
-  ASSERT_TRUE(stop(client(), {.clock = clock}));
+  ASSERT_TRUE(stop());
   EXPECT_GE(count<msg::Control>(), 2U);  // the first is lost, and it takes time to stop
   EXPECT_NEAR(sample().speeds.yaw, 0, 5);
 }
@@ -172,7 +174,7 @@ TEST_F(MotionTest, StopsAndLooksWhetherItHas) {
 TEST_F(MotionTest, ACameraThatDoesNotStopIsAnError) {
   turn(msg::ControlSpeed(500));
   board.on_lost([](const Packet& request) { return is<msg::Control>(request); });
-  const auto stopped = stop(client(), {.clock = clock});
+  const auto stopped = stop();
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().code, ErrorCode::timeout);
   EXPECT_THAT(stopped.error().message, HasSubstr("yaw with 61.04 deg/s"));
@@ -181,7 +183,7 @@ TEST_F(MotionTest, ACameraThatDoesNotStopIsAnError) {
 TEST_F(MotionTest, Releases) {
   turn(msg::ControlSpeed(500));
   ASSERT_EQ(mode(2), board::AxisMode::speed);
-  ASSERT_TRUE(release(client()));
+  ASSERT_TRUE(client().release());
   ASSERT_TRUE(client().call(msg::GetAnglesRequest{}));
   for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_EQ(mode(axis), board::AxisMode::remote);
 }
@@ -191,7 +193,7 @@ void refuse_control(Packets& answers) {
   const auto is_angles = [](const Packet& one) { return is<msg::GetAngles>(one); };
   if (!std::ranges::any_of(answers, is_angles)) return;
   msg::ErrorExt error;
-  error.cmd_id = msg::CommandId::control;
+  error.cmd_id = msg::CommandToBoard::control;
   error.error_code = msg::BoardErrorCode::wrong_state;
   answers.insert(answers.begin(), packet(error));
 }
@@ -200,8 +202,7 @@ TEST_F(MotionTest, ARefusedTargetIsAnErrorAtOnce) {
   connect();
   board.on_lost([](const Packet& request) { return is<msg::Control>(request); });
   board.tamper(refuse_control);
-  const auto moved =
-      move_to(client(), {.roll = msg::Angle14(0), .pitch = -30_deg}, 10_deg_per_s, options());
+  const auto moved = move_to({.roll = msg::Angle14(0), .pitch = -30_deg}, {.speed = 10_deg_per_s});
   ASSERT_FALSE(moved);
   EXPECT_EQ(moved.error().code, ErrorCode::board_error);
   EXPECT_EQ(moved.error().message,
@@ -213,7 +214,7 @@ TEST_F(MotionTest, ARefusedStopIsAnErrorWhileTheCameraTurns) {
   turn(5_deg_per_s);
   board.on_lost([](const Packet& request) { return is<msg::Control>(request); });
   board.tamper(refuse_control);
-  const auto stopped = stop(client(), {.clock = clock});
+  const auto stopped = stop();
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().code, ErrorCode::board_error);
   EXPECT_THAT(

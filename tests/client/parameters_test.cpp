@@ -20,7 +20,7 @@ using ::testing::SizeIs;
 class ParametersTest : public TaskTest {
  protected:
   ParameterSet read() {
-    Result<ParameterSet> set = read_parameters(client());
+    Result<ParameterSet> set = client().read_parameters();
     EXPECT_TRUE(set) << set.error().message;
     return set ? *set : ParameterSet{};
   }
@@ -94,7 +94,7 @@ TEST_F(ParametersTest, ReadingTellsItsProgressAndCanBeCancelled) {
     seen.emplace_back(progress.what);
     return seen.size() < 3;
   };
-  const Result<ParameterSet> set = read_parameters(client(), options);
+  const Result<ParameterSet> set = client().read_parameters(options);
   ASSERT_FALSE(set);
   EXPECT_EQ(set.error().code, ErrorCode::cancelled);
   EXPECT_THAT(seen, ElementsAre("ReadParams3 of profile 1", "ReadParams3 of profile 2",
@@ -103,8 +103,8 @@ TEST_F(ParametersTest, ReadingTellsItsProgressAndCanBeCancelled) {
 
 TEST_F(ParametersTest, ReadingEndsWithItsTime) {
   board.after([&](const Packet&) { clock.advance(std::chrono::seconds(1)); });
-  ReadOptions options{.timeout = std::chrono::milliseconds(2500), .clock = clock};
-  const Result<ParameterSet> set = read_parameters(client(), options);
+  ReadOptions options{.timeout = std::chrono::milliseconds(2500)};
+  const Result<ParameterSet> set = client().run(tasks::read_parameters(options), clock);
   ASSERT_FALSE(set);
   EXPECT_EQ(set.error().code, ErrorCode::timeout);
   EXPECT_LE(message<msg::ReadParams3Request>(board.log().back()).profile_id, 2);
@@ -117,14 +117,14 @@ TEST_F(ParametersTest, AnAnswerAboutAnotherProfileIsNotTaken) {
       if (is<msg::ReadParams3>(one) && one.body[0] == 1) one.body[0] = 3;
     }
   });
-  const Result<ParameterSet> set = read_parameters(client());
+  const Result<ParameterSet> set = client().read_parameters();
   ASSERT_FALSE(set);
   EXPECT_THAT(set.error().message, HasSubstr("ReadParams3 of profile 2"));
 }
 
 TEST_F(ParametersTest, BoardsWithoutTheNewerCommandsAreAskedWithTheOlderOne) {
   become(msg::BoardVersion(10));
-  const Result<ParameterSet> set = read_parameters(client());
+  const Result<ParameterSet> set = client().read_parameters();
   EXPECT_TRUE(set) << set.error().message;
   EXPECT_GE(count<msg::ReadParams>(), 1U);
   EXPECT_EQ(count<msg::ReadParams3Request>(), 0U);
@@ -132,7 +132,7 @@ TEST_F(ParametersTest, BoardsWithoutTheNewerCommandsAreAskedWithTheOlderOne) {
 
 TEST_F(ParametersTest, WritingWhatIsThereWritesNothing) {
   const ParameterSet set = read();
-  const WriteReport report = write_parameters(client(), set);
+  const WriteReport report = client().write_parameters(set);
   EXPECT_TRUE(report) << to_text(report);
   EXPECT_EQ(writes(), 0U);
   EXPECT_THAT(states(report), AllOf(SizeIs(18), Each(BlockState::equal)));
@@ -146,7 +146,7 @@ TEST_F(ParametersTest, OnlyBlocksThatDifferAreWrittenAndNothingElseChanges) {
   ASSERT_TRUE(set.set(wanted));
   const auto before = board.all_settings<msg::ReadParams3>();
 
-  const WriteReport report = write_parameters(client(), set);
+  const WriteReport report = client().write_parameters(set);
   EXPECT_TRUE(report) << to_text(report);
   EXPECT_EQ(writes(), 1U);
   EXPECT_EQ(state(report, {"ReadParams3", 2}), BlockState::written);
@@ -163,13 +163,13 @@ TEST_F(ParametersTest, StateOfTheBoardIsNoDifferenceAndIsWrittenAsItIs) {
   ASSERT_EQ(board.settings<msg::ReadParams3>(0).cur_profile_id, 4);
   ASSERT_EQ(board.settings<msg::ReadParams3>(0).cur_imu, msg::SelectedImu::frame);
   EXPECT_THAT(diff(set, read()), IsEmpty());
-  EXPECT_TRUE(write_parameters(client(), set));
+  EXPECT_TRUE(client().write_parameters(set));
   EXPECT_EQ(writes(), 0U);
 
   msg::ReadParams3 wanted = get(set, 0);
   wanted.gyro_trust = 17;
   ASSERT_TRUE(set.set(wanted));
-  EXPECT_TRUE(write_parameters(client(), set));
+  EXPECT_TRUE(client().write_parameters(set));
   for (const Packet& request : board.log()) {
     if (!is<msg::WriteParams3>(request)) continue;
     EXPECT_EQ(message<msg::WriteParams3>(request).cur_profile_id, 4);
@@ -188,7 +188,7 @@ TEST_F(ParametersTest, AShorterBodyLeavesWhatTheBoardHasBehindIt) {
   ASSERT_TRUE(set.put(shorter));
   const auto tail = board.settings<msg::ReadParams3>(1).tail;
   ASSERT_EQ(tail.size(), 5U);
-  EXPECT_TRUE(write_parameters(client(), set));
+  EXPECT_TRUE(client().write_parameters(set));
   EXPECT_EQ(board.settings<msg::ReadParams3>(1).axes.roll.p, 77);
   EXPECT_EQ(board.settings<msg::ReadParams3>(1).tail, tail);
 }
@@ -201,7 +201,7 @@ TEST_F(ParametersTest, ALongerBodyIsRefusedBeforeAnythingIsWritten) {
   msg::ReadParams3 other = get(set, 0);
   other.gyro_trust = 1;
   ASSERT_TRUE(set.set(other));
-  const WriteReport report = write_parameters(client(), set);
+  const WriteReport report = client().write_parameters(set);
   ASSERT_FALSE(report);
   EXPECT_EQ(report.outcome.error().code, ErrorCode::incompatible);
   EXPECT_EQ(writes(), 0U);
@@ -214,7 +214,7 @@ TEST_F(ParametersTest, ADryRunTellsAndWritesNothing) {
   wanted.follow_mode = msg::FollowMode::pitch;
   wanted.rc_memory.yaw = 45_deg;
   ASSERT_TRUE(set.set(wanted));
-  const WriteReport report = write_parameters(client(), set, {.dry_run = true});
+  const WriteReport report = client().write_parameters(set, {.dry_run = true});
   EXPECT_TRUE(report);
   EXPECT_EQ(writes(), 0U);
   EXPECT_EQ(state(report, {"ReadParams3", 0}), BlockState::unwritten);
@@ -234,17 +234,17 @@ TEST_F(ParametersTest, ValuesThatTheProtocolDoesNotAllowAreRefusedOnlyWhereTheyC
   ASSERT_EQ(wanted.rc_expo_rate, 200);
   wanted.gyro_trust = 3;
   ASSERT_TRUE(set.set(wanted));
-  EXPECT_TRUE(write_parameters(client(), set));
+  EXPECT_TRUE(client().write_parameters(set));
 
   wanted.follow_expo_rate = 101;
   ASSERT_TRUE(set.set(wanted));
-  const WriteReport report = write_parameters(client(), set);
+  const WriteReport report = client().write_parameters(set);
   ASSERT_FALSE(report);
   EXPECT_EQ(report.outcome.error().code, ErrorCode::invalid);
   EXPECT_THAT(report.outcome.error().message, HasSubstr("follow_expo_rate"));
   EXPECT_THAT(report.outcome.error().message, HasSubstr("100"));
   EXPECT_EQ(board.settings<msg::ReadParams3>(0).gyro_trust, 3);
-  EXPECT_TRUE(write_parameters(client(), set, {.validate = false}));
+  EXPECT_TRUE(client().write_parameters(set, {.validate = false}));
 }
 
 TEST_F(ParametersTest, AWriteThatIsLostIsReportedAsUnwritten) {
@@ -257,7 +257,7 @@ TEST_F(ParametersTest, AWriteThatIsLostIsReportedAsUnwritten) {
   connect(few_retries);
   board.on_lost(
       [](const Packet& request) { return is<msg::WriteParams3>(request) && request.body[0] == 3; });
-  const WriteReport report = write_parameters(client(), set);
+  const WriteReport report = client().write_parameters(set);
   ASSERT_FALSE(report);
   EXPECT_EQ(report.outcome.error().code, ErrorCode::timeout);
   EXPECT_EQ(state(report, {"ReadParams3", 1}), BlockState::written);
@@ -272,7 +272,7 @@ TEST_F(ParametersTest, AWriteWhoseConfirmationIsLostIsReportedAsWrittenAndStillA
   ASSERT_TRUE(set.set(wanted));
   connect(few_retries);
   board.on_answer_lost([](const Packet& request) { return is<msg::WriteParams3>(request); });
-  const WriteReport report = write_parameters(client(), set);
+  const WriteReport report = client().write_parameters(set);
   ASSERT_FALSE(report);
   EXPECT_EQ(state(report, {"ReadParams3", 1}), BlockState::written);
 }
@@ -286,7 +286,7 @@ TEST_F(ParametersTest, WhatCannotBeReadBackIsUnknown) {
   board.on_lost([is_dead = false](const Packet& request) mutable {
     return is_dead || (is_dead = is<msg::WriteParams3>(request));
   });
-  const WriteReport report = write_parameters(client(), set);
+  const WriteReport report = client().write_parameters(set);
   ASSERT_FALSE(report);
   EXPECT_EQ(state(report, {"ReadParams3", 1}), BlockState::unknown);
 }
@@ -300,7 +300,7 @@ TEST_F(ParametersTest, WhatIsReadBackDifferentlyIsAMismatch) {
     if (!is<msg::WriteParams3>(request)) return;
     board.edit<msg::ReadParams3>(1, [](auto& params) { params.gyro_trust = 6; });
   });
-  const WriteReport report = write_parameters(client(), set);
+  const WriteReport report = client().write_parameters(set);
   ASSERT_FALSE(report);
   EXPECT_EQ(report.outcome.error().code, ErrorCode::mismatch);
   EXPECT_EQ(state(report, {"ReadParams3", 1}), BlockState::different);
@@ -321,7 +321,7 @@ TEST_F(ParametersTest, WritingOneProfileThatChangesAnotherIsNoticed) {
   msg::ReadParams3 wanted = get(set, 4);
   wanted.gyro_deadband = msg::GyroDeadband(9);
   ASSERT_TRUE(set.set(wanted));
-  const WriteReport report = write_parameters(client(), set);
+  const WriteReport report = client().write_parameters(set);
   ASSERT_FALSE(report);
   EXPECT_EQ(report.outcome.error().code, ErrorCode::mismatch);
   EXPECT_THAT(report.outcome.error().message, HasSubstr("ReadParams3 of profile 1"));
@@ -337,7 +337,7 @@ TEST_F(ParametersTest, AGeneralSettingIsChangedInAllProfiles) {
     wanted.general_flags1 = msg::GeneralFlag::blink_profile;
     ASSERT_TRUE(set.set(wanted));
   }
-  const WriteReport report = write_parameters(client(), set);
+  const WriteReport report = client().write_parameters(set);
   EXPECT_TRUE(report) << to_text(report);
   EXPECT_EQ(board.settings<msg::ReadParams3>(3).general_flags1, msg::GeneralFlag::blink_profile);
 }
@@ -354,7 +354,7 @@ TEST_F(ParametersTest, AFailureTellsWhatWritingHasChangedInOtherProfiles) {
   connect(few_retries);
   board.on_lost(
       [](const Packet& request) { return is<msg::WriteParams3>(request) && request.body[0] == 1; });
-  const WriteReport report = write_parameters(client(), set);
+  const WriteReport report = client().write_parameters(set);
   ASSERT_FALSE(report);
   EXPECT_EQ(report.outcome.error().code, ErrorCode::timeout);
   EXPECT_EQ(state(report, {"ReadParams3", 0}), BlockState::written);
@@ -369,7 +369,7 @@ TEST_F(ParametersTest, ProfilesThatWantDifferentGeneralSettingsAreRefused) {
   wanted.general_flags1 = msg::GeneralFlag::blink_profile;
   wanted.gyro_trust = 1;
   ASSERT_TRUE(set.set(wanted));
-  WriteReport report = write_parameters(client(), set);
+  WriteReport report = client().write_parameters(set);
   ASSERT_FALSE(report);
   EXPECT_EQ(report.outcome.error().code, ErrorCode::invalid);
   EXPECT_EQ(report.outcome.error().message,
@@ -378,7 +378,7 @@ TEST_F(ParametersTest, ProfilesThatWantDifferentGeneralSettingsAreRefused) {
   EXPECT_EQ(writes(), 0U);
 
   // Who does not want that check learns what came of it.
-  report = write_parameters(client(), set, {.validate = false});
+  report = client().write_parameters(set, {.validate = false});
   ASSERT_FALSE(report);
   EXPECT_EQ(report.outcome.error().code, ErrorCode::mismatch);
   EXPECT_EQ(state(report, {"ReadParams3", 0}), BlockState::different);
@@ -391,7 +391,7 @@ TEST_F(ParametersTest, OneProfileAloneMayChangeAGeneralSetting) {
   msg::ReadParams3 wanted = get(read(), 4);
   wanted.general_flags1 = msg::GeneralFlag::blink_profile;
   ASSERT_TRUE(set.set(wanted));
-  const WriteReport report = write_parameters(client(), set);
+  const WriteReport report = client().write_parameters(set);
   EXPECT_TRUE(report) << to_text(report);
   EXPECT_EQ(board.settings<msg::ReadParams3>(0).general_flags1, msg::GeneralFlag::blink_profile);
 }
@@ -417,7 +417,7 @@ TEST_F(ParametersTest, ABoardThatKeepsAGeneralSettingInEachProfileCanBeWritten) 
   msg::ReadParams3 wanted = get(set, 4);
   wanted.general_flags1 = msg::GeneralFlag::blink_profile;
   ASSERT_TRUE(set.set(wanted));
-  const WriteReport report = write_parameters(client(), set);
+  const WriteReport report = client().write_parameters(set);
   EXPECT_TRUE(report) << to_text(report);
   EXPECT_EQ(get(read(), 1).general_flags1, msg::GeneralFlags{});
   EXPECT_EQ(get(read(), 4).general_flags1, msg::GeneralFlag::blink_profile);
@@ -426,7 +426,7 @@ TEST_F(ParametersTest, ABoardThatKeepsAGeneralSettingInEachProfileCanBeWritten) 
 TEST_F(ParametersTest, SettingsThatTheBoardDoesNotHaveAreRefused) {
   ParameterSet set = read();
   become(msg::BoardVersion(10));
-  const WriteReport report = write_parameters(client(), set);
+  const WriteReport report = client().write_parameters(set);
   ASSERT_FALSE(report);
   EXPECT_EQ(writes(), 0U);
 }

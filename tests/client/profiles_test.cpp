@@ -25,7 +25,7 @@ class ProfilesTest : public TaskTest {
 
 TEST_F(ProfilesTest, NamesAreReadWithoutTheirPadding) {
   set(2, "Höhe ½");
-  const auto read = read_profile_names(client());
+  const auto read = client().profile_names();
   ASSERT_TRUE(read);
   EXPECT_THAT(*read, ElementsAre("Handheld", "", "Höhe ½", "", ""));
 }
@@ -35,16 +35,16 @@ TEST_F(ProfilesTest, ANameIsWrittenAndTheOthersStayToTheLastByte) {
     names.profile_name[1].bytes = {'a', '\0', '\xFF', 'b'};
   });
   const auto before = names();
-  ASSERT_TRUE(write_profile_name(client(), 3, "Follow €"));
-  EXPECT_EQ(read_profile_names(client())->at(3), "Follow €");
+  ASSERT_TRUE(client().rename_profile(3, "Follow €"));
+  EXPECT_EQ(client().profile_names()->at(3), "Follow €");
   EXPECT_EQ(names().profile_name[1], before.profile_name[1]);
   EXPECT_EQ(names().profile_name[0], before.profile_name[0]);
 }
 
 TEST_F(ProfilesTest, AllNamesAreWritten) {
   const ProfileNames wanted{"1", "2", "", "4", std::string(48, 'x')};
-  ASSERT_TRUE(write_profile_names(client(), wanted));
-  EXPECT_EQ(*read_profile_names(client()), wanted);
+  ASSERT_TRUE(client().rename_profiles(wanted));
+  EXPECT_EQ(*client().profile_names(), wanted);
 }
 
 TEST_F(ProfilesTest, ANameThatDoesNotFitIsRefusedAndNeverCut) {
@@ -54,10 +54,10 @@ TEST_F(ProfilesTest, ANameThatDoesNotFitIsRefusedAndNeverCut) {
     return text;
   }();
   const auto before = names();
-  const auto error = write_profile_name(client(), 0, euros).error();
+  const auto error = client().rename_profile(0, euros).error();
   EXPECT_EQ(error.code, ErrorCode::invalid);
   EXPECT_THAT(error.message, HasSubstr("at most 48 bytes, this one has 51"));
-  EXPECT_FALSE(write_profile_name(client(), 0, std::string(49, 'x')));
+  EXPECT_FALSE(client().rename_profile(0, std::string(49, 'x')));
   EXPECT_TRUE(check_profile_name(euros.substr(0, 48)));
   EXPECT_EQ(names(), before);
   EXPECT_EQ(board.log().size(), 0U);
@@ -68,21 +68,21 @@ TEST_F(ProfilesTest, ANameThatIsNoUtf8IsRefused) {
   EXPECT_FALSE(check_profile_name("\xED\xA0\x80"));  // half of a surrogate pair
   EXPECT_FALSE(check_profile_name("\xC0\x80"));      // overlong
   EXPECT_FALSE(check_profile_name(std::string_view("a\0b", 3)));
-  EXPECT_FALSE(write_profile_names(client(), {"", "", "\xFF", "", ""}));
-  EXPECT_THAT(write_profile_names(client(), {"", "", "\xFF", "", ""}).error().message,
+  EXPECT_FALSE(client().rename_profiles({"", "", "\xFF", "", ""}));
+  EXPECT_THAT(client().rename_profiles({"", "", "\xFF", "", ""}).error().message,
               HasSubstr("profile 3"));
   EXPECT_EQ(board.log().size(), 0U);
 }
 
 TEST_F(ProfilesTest, ThereAreFiveProfiles) {
-  EXPECT_EQ(write_profile_name(client(), 5, "x").error().code, ErrorCode::invalid);
+  EXPECT_EQ(client().rename_profile(5, "x").error().code, ErrorCode::invalid);
 }
 
 TEST_F(ProfilesTest, NamesThatTheBoardDoesNotKeepAreNoticed) {
   board.after([&](const Packet& request) {
     if (is<msg::WriteProfileNames>(request)) board.store(msg::ReadProfileNames{});
   });
-  EXPECT_EQ(write_profile_name(client(), 0, "x").error().code, ErrorCode::mismatch);
+  EXPECT_EQ(client().rename_profile(0, "x").error().code, ErrorCode::mismatch);
 }
 
 }  // namespace

@@ -5,48 +5,50 @@
 
 #include <sbgc/client/speed_control.hpp>
 
-#include "speed_hold.hpp"
 #include "task_test.hpp"
+#include "tasks/dead_mans_switch.hpp"
 
 namespace sbgc::test {
 namespace {
 
-using detail::SpeedHold;
+using detail::DeadMansSwitch;
 using std::chrono::milliseconds;
-using Action = SpeedHold::Action;
+using Action = DeadMansSwitch::Action;
 using State = SpeedControl::State;
 
 // The rules
 
-constexpr SpeedHold::Speed slow{.yaw = msg::ControlSpeed(10)};
-constexpr SpeedHold::Speed fast{.yaw = msg::ControlSpeed(90)};
+constexpr DeadMansSwitch::Speed slow{.yaw = msg::ControlSpeed(10)};
+constexpr DeadMansSwitch::Speed fast{.yaw = msg::ControlSpeed(90)};
 
-class SpeedHoldTest : public ::testing::Test {
+class DeadMansSwitchTest : public ::testing::Test {
  protected:
-  Action at(int ms) { return hold.next(start + milliseconds(ms)); }
-  void set(const SpeedHold::Speed& speed, int ms) { hold.set(speed, start + milliseconds(ms)); }
+  Action at(int ms) { return hold.next(start + sbgc::milliseconds(ms)); }
+  void set(const DeadMansSwitch::Speed& speed, int ms) {
+    hold.set(speed, start + sbgc::milliseconds(ms));
+  }
 
-  Clock::TimePoint start{std::chrono::hours(1)};
-  SpeedHold hold{milliseconds(500), milliseconds(100)};
+  Instant start{3'600'000'000};
+  DeadMansSwitch hold{sbgc::milliseconds(500), sbgc::milliseconds(100)};
 };
 
-TEST_F(SpeedHoldTest, DoesNothingUnasked) {
+TEST_F(DeadMansSwitchTest, DoesNothingUnasked) {
   EXPECT_EQ(at(0), Action::none);
   EXPECT_EQ(at(100'000), Action::none);
   EXPECT_EQ(hold.state(), State::idle);
 }
 
-TEST_F(SpeedHoldTest, SendsAtOnceAndThenAgainAndAgain) {
+TEST_F(DeadMansSwitchTest, SendsAtOnceAndThenAgainAndAgain) {
   set(slow, 0);
   EXPECT_EQ(at(0), Action::send);
   EXPECT_EQ(at(0), Action::none);
-  EXPECT_EQ(hold.deadline(start), start + milliseconds(100));
+  EXPECT_EQ(hold.deadline(start), start + sbgc::milliseconds(100));
   EXPECT_EQ(at(99), Action::none);
   EXPECT_EQ(at(100), Action::send);
   EXPECT_EQ(at(200), Action::send);
 }
 
-TEST_F(SpeedHoldTest, SendsAChangeAsSoonAsTheBoardTakesIt) {
+TEST_F(DeadMansSwitchTest, SendsAChangeAsSoonAsTheBoardTakesIt) {
   set(slow, 0);
   EXPECT_EQ(at(0), Action::send);
   set(fast, 5);
@@ -58,7 +60,7 @@ TEST_F(SpeedHoldTest, SendsAChangeAsSoonAsTheBoardTakesIt) {
   EXPECT_EQ(at(120), Action::send);
 }
 
-TEST_F(SpeedHoldTest, StopsWhenTheOwnerIsSilent) {
+TEST_F(DeadMansSwitchTest, StopsWhenTheOwnerIsSilent) {
   set(slow, 0);
   for (int ms = 0; ms < 500; ms += 100) EXPECT_EQ(at(ms), Action::send);
   EXPECT_EQ(at(499), Action::none);
@@ -69,15 +71,15 @@ TEST_F(SpeedHoldTest, StopsWhenTheOwnerIsSilent) {
   EXPECT_EQ(hold.state(), State::silenced);
 }
 
-TEST_F(SpeedHoldTest, GoesOnWhileItIsRefreshed) {
+TEST_F(DeadMansSwitchTest, GoesOnWhileItIsRefreshed) {
   set(slow, 0);
   for (int ms = 0; ms < 5000; ms += 100) {
     EXPECT_EQ(at(ms), Action::send);
-    hold.refresh(start + milliseconds(ms));
+    hold.refresh(start + sbgc::milliseconds(ms));
   }
 }
 
-TEST_F(SpeedHoldTest, TurnsAgainAfterASilence) {
+TEST_F(DeadMansSwitchTest, TurnsAgainAfterASilence) {
   set(slow, 0);
   EXPECT_EQ(at(500), Action::stop);
   hold.stopped();
@@ -86,7 +88,7 @@ TEST_F(SpeedHoldTest, TurnsAgainAfterASilence) {
   EXPECT_EQ(hold.state(), State::turning);
 }
 
-TEST_F(SpeedHoldTest, AFailureEndsWithAStopForEver) {
+TEST_F(DeadMansSwitchTest, AFailureEndsWithAStopForEver) {
   set(slow, 0);
   EXPECT_EQ(at(0), Action::send);
   hold.fail();
@@ -97,21 +99,21 @@ TEST_F(SpeedHoldTest, AFailureEndsWithAStopForEver) {
   EXPECT_EQ(hold.state(), State::failed);
 }
 
-TEST_F(SpeedHoldTest, AStopThatFailedIsRepeated) {
+TEST_F(DeadMansSwitchTest, AStopThatFailedIsRepeated) {
   set(slow, 0);
   EXPECT_EQ(at(500), Action::stop);
-  hold.not_stopped(start + milliseconds(500));
-  EXPECT_EQ(hold.deadline(start + milliseconds(500)), start + milliseconds(600));
+  hold.not_stopped(start + sbgc::milliseconds(500));
+  EXPECT_EQ(hold.deadline(start + sbgc::milliseconds(500)), start + sbgc::milliseconds(600));
   EXPECT_EQ(at(599), Action::none);
   EXPECT_EQ(at(600), Action::stop);
-  hold.not_stopped(start + milliseconds(600));
+  hold.not_stopped(start + sbgc::milliseconds(600));
   hold.stop();
   EXPECT_EQ(at(600), Action::stop) << "the owner does not wait";
   hold.stopped();
   EXPECT_EQ(at(10'000), Action::none);
 }
 
-TEST_F(SpeedHoldTest, StoppingWhatStandsDoesNothing) {
+TEST_F(DeadMansSwitchTest, StoppingWhatStandsDoesNothing) {
   hold.stop();
   EXPECT_EQ(at(0), Action::none);
 }
@@ -233,7 +235,7 @@ TEST_F(SpeedControlTest, ARefusalIsAnErrorOfTheNextCall) {
     for (Packet& one : answers) {
       if (!is<msg::Confirm>(one)) continue;
       msg::ErrorExt error;
-      error.cmd_id = msg::CommandId::control;
+      error.cmd_id = msg::CommandToBoard::control;
       error.error_code = msg::BoardErrorCode::not_supported;
       one = packet(error);
     }

@@ -204,7 +204,7 @@ TEST_F(Subscribed, ToAStreamRegistersItAndEndsIt) {
       milliseconds(20), [&](const msg::RealtimeData4& sample) { samples.add(sample); }, once);
   ASSERT_TRUE(stream) << stream.error().message;
   msg::DataStreamInterval expected;
-  expected.cmd_id = msg::CommandId::realtime_data_4;
+  expected.cmd_id = msg::CommandFromBoard::realtime_data_4;
   expected.interval_ms = 20_ms;
   expected.config.rest.resize(8);
   EXPECT_EQ(registrations.wait_for(1).at(0), expected);
@@ -255,15 +255,15 @@ TEST_F(Subscribed, ToAStreamEndsItWithTheClient) {
   }
   // One may be ended twice: when its end was not confirmed yet.
   const auto is_ended = [](const std::vector<msg::DataStreamInterval>& requests,
-                           msg::CommandId command) {
+                           msg::CommandFromBoard command) {
     return std::any_of(
         requests.begin(), requests.end(), [&](const msg::DataStreamInterval& request) {
           return request.cmd_id == command && request.interval_ms == msg::Milliseconds{};
         });
   };
   EXPECT_TRUE(registrations.wait_until([&](const auto& requests) {
-    return is_ended(requests, msg::CommandId::realtime_data_4) &&
-           is_ended(requests, msg::CommandId::realtime_data_3);
+    return is_ended(requests, msg::CommandFromBoard::realtime_data_4) &&
+           is_ended(requests, msg::CommandFromBoard::realtime_data_3);
   }));
 }
 
@@ -346,7 +346,7 @@ TEST_F(Subscribed, ToMoreThanTheLineCarriesIsRefused) {
 TEST_F(Subscribed, ToAStreamThatTheBoardRefusesFails) {
   board.on<msg::DataStreamInterval>([this](const msg::DataStreamInterval&) {
     msg::ErrorExt error;
-    error.cmd_id = msg::CommandId::data_stream_interval;
+    error.cmd_id = msg::CommandToBoard::data_stream_interval;
     error.error_code = msg::BoardErrorCode(3);
     board.send(error);
   });
@@ -408,7 +408,7 @@ TEST_F(Subscribed, ToNoticesHearsOfResetsErrorsAndTheLossOfTheLine) {
   Collector<Notice> got;
   const auto subscription = client.on_notice([&](const Notice& notice) { got.add(notice); });
   msg::ErrorExt error;
-  error.cmd_id = msg::CommandId::control;  // from the board, this id is that of CMD_CONFIRM
+  error.cmd_id = msg::CommandToBoard::control;
   error.error_code = msg::BoardErrorCode::not_supported;
   board.send(error);
   board.send(msg::Reset{});

@@ -29,7 +29,7 @@ void TaskTest::connect(unsigned retries) {
 
 void TaskTest::become(msg::BoardVersion version, msg::FirmwareVersion firmware) {
   client_.reset();
-  board::Options options = board.options();
+  emulator::BoardOptions options = board.options();
   options.board = version;
   options.firmware = firmware;
   board.become(options);

@@ -34,7 +34,7 @@ TEST_F(VariablesTest, AreReadInTheirUnits) {
   set(msg::VariableId::pid_gain_pitch, 45);
   const std::vector<std::string_view> names{"LPF_FREQ_ROLL", "I_YAW", "FRAME_HEADING_ANGLE",
                                             "PID_GAIN_PITCH"};
-  const auto values = get_variables(client(), names);
+  const auto values = client().get_variables(names);
   ASSERT_TRUE(values);
   ASSERT_THAT(*values, SizeIs(4));
   EXPECT_DOUBLE_EQ(values->at(0), 120);
@@ -47,28 +47,28 @@ TEST_F(VariablesTest, AreReadInTheirUnits) {
 TEST_F(VariablesTest, AreSetInTheirUnitsAndRounded) {
   const std::vector<VariableValue> values{
       {"FRAME_HEADING_ANGLE", -180}, {"I_ROLL", 0.126}, {"GYRO_HEADING_CORRECTION", 20}};
-  ASSERT_TRUE(set_variables(client(), values));
+  ASSERT_TRUE(client().set_variables(values));
   EXPECT_EQ(get(msg::VariableId::frame_heading_angle), -1800);
   EXPECT_EQ(get(msg::VariableId::i_roll), 13);
   EXPECT_EQ(board.log().size(), 1U);
 }
 
 TEST_F(VariablesTest, UnknownNamesAreRefusedWithAHint) {
-  EXPECT_EQ(get_variable(client(), "P_PICTH").error().code, ErrorCode::not_found);
-  EXPECT_THAT(get_variable(client(), "p_pitch").error().message, HasSubstr("P_PITCH"));
-  EXPECT_THAT(set_variable(client(), "LPF_ROLL", 1).error().message, HasSubstr("LPF_FREQ_ROLL"));
+  EXPECT_EQ(client().get_variable("P_PICTH").error().code, ErrorCode::not_found);
+  EXPECT_THAT(client().get_variable("p_pitch").error().message, HasSubstr("P_PITCH"));
+  EXPECT_THAT(client().set_variable("LPF_ROLL", 1).error().message, HasSubstr("LPF_FREQ_ROLL"));
   EXPECT_EQ(board.log().size(), 0U);
 }
 
 TEST_F(VariablesTest, ValuesOutOfRangeAreRefusedBeforeAnythingIsSent) {
   const std::vector<VariableValue> values{{"P_ROLL", 10}, {"LPF_FREQ_YAW", 401}};
-  const auto error = set_variables(client(), values).error();
+  const auto error = client().set_variables(values).error();
   EXPECT_EQ(error.code, ErrorCode::invalid);
   EXPECT_THAT(error.message, HasSubstr("LPF_FREQ_YAW can not be 401 Hz: it lies between 10 Hz and "
                                        "400 Hz"));
-  EXPECT_FALSE(set_variable(client(), "P_ROLL", std::nan("")));
-  EXPECT_FALSE(set_variable(client(), "P_ROLL", std::numeric_limits<double>::infinity()));
-  EXPECT_FALSE(set_variable(client(), "P_ROLL", -1));
+  EXPECT_FALSE(client().set_variable("P_ROLL", std::nan("")));
+  EXPECT_FALSE(client().set_variable("P_ROLL", std::numeric_limits<double>::infinity()));
+  EXPECT_FALSE(client().set_variable("P_ROLL", -1));
   EXPECT_EQ(board.log().size(), 0U);
 }
 
@@ -94,10 +94,10 @@ TEST_F(VariablesTest, ManyAreMovedInMessagesOfForty) {
                       variable_value(variable, static_cast<std::int32_t>(variable.range.highest))});
   }
   ASSERT_GT(names.size(), 40U);
-  ASSERT_TRUE(set_variables(client(), values));
+  ASSERT_TRUE(client().set_variables(values));
   EXPECT_EQ(count<msg::SetAdjVarsVal>(), 2U);
   EXPECT_EQ(board.log()[0].body[0], 40);
-  const auto read = get_variables(client(), names);
+  const auto read = client().get_variables(names);
   ASSERT_TRUE(read);
   for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(read->at(i), values[i].value);
 
@@ -105,7 +105,7 @@ TEST_F(VariablesTest, ManyAreMovedInMessagesOfForty) {
   board.on_lost([](const Packet& request) {
     return is<msg::SetAdjVarsVal>(request) && request.body[0] != 40;
   });
-  EXPECT_THAT(set_variables(client(), values).error().message, HasSubstr("after 40 of"));
+  EXPECT_THAT(client().set_variables(values).error().message, HasSubstr("after 40 of"));
 }
 
 TEST_F(VariablesTest, AnswersAboutOtherVariablesAreNotTaken) {
@@ -113,18 +113,18 @@ TEST_F(VariablesTest, AnswersAboutOtherVariablesAreNotTaken) {
     if (answers.empty() || !is<msg::SetAdjVarsVal>(answers[0])) return;
     answers[0].body[1] = static_cast<std::uint8_t>(msg::VariableId::d_yaw);
   });
-  EXPECT_EQ(get_variable(client(), "P_ROLL").error().code, ErrorCode::mismatch);
+  EXPECT_EQ(client().get_variable("P_ROLL").error().code, ErrorCode::mismatch);
   board.tamper([](Packets& answers) {
     if (answers.empty() || !is<msg::SetAdjVarsVal>(answers[0])) return;
     answers[0].body = {0};
   });
-  EXPECT_EQ(get_variable(client(), "P_ROLL").error().code, ErrorCode::mismatch);
+  EXPECT_EQ(client().get_variable("P_ROLL").error().code, ErrorCode::mismatch);
 }
 
 TEST_F(VariablesTest, AreSaved) {
   set(msg::VariableId::i_roll, 33);
   ASSERT_NE(board.settings<msg::ReadParams3>(1).axes.roll.i.raw(), 33);
-  ASSERT_TRUE(save_variables(client()));
+  ASSERT_TRUE(client().save_variables());
   EXPECT_EQ(count<msg::SaveParams3>(), 1U);
   disconnect();
   board.become(board.options());  // off and on

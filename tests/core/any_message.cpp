@@ -81,7 +81,7 @@ class Holder final : public AnyMessage {
     return decode_in(body, message_, contexts);
   }
   WriteResult encode(std::span<std::uint8_t> out) const override {
-    return msg::encode(message_, out);
+    return sbgc::encode(message_, out);
   }
   WriteResult encode_frame(std::span<std::uint8_t> out) const override {
     return sbgc::encode_frame(message_, out);

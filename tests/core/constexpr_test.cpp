@@ -68,7 +68,7 @@ static_assert(round_trips(melody, std::to_array<std::uint8_t>({0, 0x80, 5, 0, 0,
 // Fields that another field of the body decides about.
 constexpr msg::Confirm eeprom_written = [] {
   msg::Confirm message;
-  message.cmd = msg::CommandId::eeprom_write;
+  message.cmd = msg::CommandToBoard::eeprom_write;
   message.addr = 0x01020304;
   return message;
 }();
@@ -76,7 +76,7 @@ static_assert(round_trips(eeprom_written, std::to_array<std::uint8_t>({47, 4, 3,
 
 constexpr msg::Confirm contradiction = [] {
   msg::Confirm message;
-  message.cmd = msg::CommandId::control;
+  message.cmd = msg::CommandToBoard::control;
   message.addr = 1;
   return message;
 }();

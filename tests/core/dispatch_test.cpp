@@ -1,12 +1,17 @@
 // From a frame to a message: which one it is, by id, direction and size.
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <fstream>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include <sbgc/meta/enums.hpp>
 
 #include "any_message.hpp"
 
@@ -119,6 +124,21 @@ TEST(Dispatch, Id67IsControlOrConfirmByDirection) {
   EXPECT_EQ(visited(67, ByteVector(14), Direction::to_board).status.code, Code::unknown_form);
 }
 
+/// Otherwise a switch over all commands of a direction does not compile.
+template <class Command>
+constexpr bool ids_are_unique() {
+  std::array<bool, 256> seen{};
+  for (const ValueInfo& command : EnumMeta<Command>::values) {
+    if (std::exchange(seen[static_cast<std::size_t>(command.value)], true)) return false;
+  }
+  return true;
+}
+static_assert(ids_are_unique<msg::CommandToBoard>());
+static_assert(ids_are_unique<msg::CommandFromBoard>());
+static_assert(msg::Control::command == msg::CommandToBoard::control);
+static_assert(msg::Confirm::command == msg::CommandFromBoard::confirm);
+static_assert(static_cast<int>(msg::Control::command) == static_cast<int>(msg::Confirm::command));
+
 TEST(Dispatch, OneByteOfAFileIsAnError) {
   EXPECT_EQ(name_of(visited(53, ByteVector(1), Direction::from_board)), "ReadFileError");
   EXPECT_EQ(name_of(visited(53, ByteVector(5), Direction::from_board)), "ReadFile");
@@ -159,14 +179,14 @@ TEST(Dispatch, LiveDataAreReadAsTheyWereAskedFor) {
 // A request for a stream says the same, if it is about this message.
 TEST(Dispatch, StreamsTeachToo) {
   msg::DataStreamInterval request;
-  request.cmd_id = msg::CommandId::realtime_data_custom;
+  request.cmd_id = msg::CommandFromBoard::realtime_data_custom;
   request.config.flags = msg::RealtimeDataCustomFlags(msg::RealtimeDataCustomFlag::imu_angles);
   Contexts contexts;
   contexts.learn(request);
   EXPECT_TRUE(contexts.realtime_data_custom.flags.has(msg::RealtimeDataCustomFlag::imu_angles));
 
   msg::DataStreamInterval other;
-  other.cmd_id = msg::CommandId::realtime_data_4;
+  other.cmd_id = msg::CommandFromBoard::realtime_data_4;
   contexts.learn(other);
   EXPECT_TRUE(contexts.realtime_data_custom.flags.has(msg::RealtimeDataCustomFlag::imu_angles));
 }

@@ -1,5 +1,5 @@
-// Byte sequences from outside the project: captures of real boards, worked examples, constants in
-// other people's code.
+// Byte sequences from outside the project (captures of real boards, worked examples, constants in
+// other people's code) and those of the reference codec.
 
 #include <cstddef>
 #include <cstdint>
@@ -36,7 +36,7 @@ std::vector<std::size_t> frames_in(const Bytes& bytes) {
   return sizes;
 }
 
-TEST(Vectors, YieldTheFramesTheyShould) {
+TEST(FramingVectors, YieldTheFramesTheyShould) {
   std::ifstream file(SBGC_TEST_DATA "/vectors.json");
   const nlohmann::json vectors = nlohmann::json::parse(file);
   ASSERT_GE(vectors.size(), 29U);
@@ -60,7 +60,7 @@ TEST(Vectors, YieldTheFramesTheyShould) {
   }
 }
 
-TEST(Vectors, SurviveOnOneLine) {
+TEST(FramingVectors, SurviveOnOneLine) {
   std::ifstream file(SBGC_TEST_DATA "/vectors.json");
   Bytes line;
   for (const nlohmann::json& vector : nlohmann::json::parse(file)) {
@@ -72,6 +72,40 @@ TEST(Vectors, SurviveOnOneLine) {
     sizes.push_back(frame.body.size() + 5);
   }
   EXPECT_EQ(frames_in(line), sizes);
+}
+
+/// generated/frames.jsonl, which generator/sbgcgen/oracle/streams.py describes.
+TEST(FramingVectors, AgreeWithTheReferenceCodec) {
+  std::ifstream file(SBGC_GENERATED "/frames.jsonl");
+  std::size_t count = 0;
+  for (std::string line; std::getline(file, line); ++count) {
+    SCOPED_TRACE(line);
+    const auto vector = nlohmann::json::parse(line);
+    const Bytes stream = from_hex(vector.at("stream"));
+    struct Found {
+      std::uint64_t offset;
+      std::uint8_t id;
+      Bytes body;
+      bool operator==(const Found&) const = default;
+    };
+    std::vector<Found> expected;
+    for (const nlohmann::json& frame : vector.at("frames")) {
+      expected.push_back({frame.at("offset"), frame.at("id"), from_hex(frame.at("body"))});
+    }
+    std::vector<Found> found;
+    const auto sink = [&](const Frame& frame) {
+      found.push_back({frame.offset, frame.id, {frame.body.begin(), frame.body.end()}});
+    };
+    Parser parser;
+    parser.feed(stream, sink);
+    parser.flush(sink);
+    EXPECT_TRUE(found == expected);
+    if (!vector.contains("written")) continue;
+    Bytes written(stream.size());
+    EXPECT_TRUE(write_frame(expected.at(0).id, expected.at(0).body, written));
+    EXPECT_EQ(written, stream);
+  }
+  EXPECT_GT(count, 100U);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 """The headers for microcontrollers: each compiles alone, freestanding, without exceptions and RTTI,
 includes nothing that needs an operating system, and its code needs nothing but memcpy and the like.
 
-JSON is the one part of the library that is not for microcontrollers.
+JSON and texts are the parts of the library that are not for microcontrollers.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 INCLUDES = [*ROOT.glob("runtime/*/include"), ROOT / "generated/include"]
-HOSTED = re.compile(r"^sbgc/(json|parse_json|to_json|io/|client/)")
+HOSTED = re.compile(r"^sbgc/(json|parse_json|to_json|text|fmt|ostream|io/|client/)")
 FLAGS = [
     "-std=c++20",
     "-ffreestanding",
@@ -112,7 +112,7 @@ def test_nothing_else_is_read(compiler: str) -> None:
 
 USE_EVERYTHING = """
 #include <sbgc/detector.hpp>
-#include <sbgc/exchanges/all.hpp>
+#include <sbgc/responses/all.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/parser.hpp>
 #include <sbgc/message.hpp>
@@ -124,7 +124,7 @@ unsigned talk(const std::uint8_t* bytes, std::size_t size, std::int64_t now) {
   static constinit sbgc::Session session;
   unsigned result = 0;
   const auto sink = [&](const sbgc::Event& event) { result += event.frame.id; };
-  result += static_cast<unsigned>(session.send(sbgc::ReadParams3Request{}).status);
+  result += static_cast<unsigned>(session.send(sbgc::msg::ReadParams3Request{}).status);
   session.feed({bytes, size}, {now}, sink);
   result += static_cast<unsigned>(session.poll({now}, sink).bytes.size());
   session.cancel({result}, sink);

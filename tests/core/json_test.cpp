@@ -176,7 +176,7 @@ TEST(Json, CountersAgreeWithTheirLists) {
 
 TEST(Json, OptionalMembersAreLeftOut) {
   msg::Confirm message;
-  message.cmd = msg::CommandId::eeprom_write;
+  message.cmd = msg::CommandToBoard::eeprom_write;
   EXPECT_EQ(to_json(message).dump(), R"({"cmd":47,"data":""})");
   message.addr = 64;
   EXPECT_EQ(to_json(message).dump(), R"({"cmd":47,"addr":64,"data":""})");

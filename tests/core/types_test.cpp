@@ -212,5 +212,20 @@ TEST(Packed, DecimalDigits) {
   EXPECT_LT(version, msg::FirmwareVersion(2440));
 }
 
+TEST(Packed, DecimalDigitsAreSet) {
+  msg::FirmwareVersion version(999);
+  EXPECT_TRUE(version.set_major(2));
+  EXPECT_TRUE(version.set_minor(43));
+  EXPECT_TRUE(version.set_beta(0));
+  EXPECT_EQ(version.raw(), 2430);
+  EXPECT_FALSE(version.set_minor(100));
+  EXPECT_FALSE(version.set_beta(10));
+  EXPECT_FALSE(version.set_major(66)) << "66430 does not fit";
+  EXPECT_FALSE(version.set_major(0xFFFFFFFF));
+  EXPECT_EQ(version.raw(), 2430);
+  EXPECT_TRUE(version.set_major(65));
+  EXPECT_EQ(version.raw(), 65430);
+}
+
 }  // namespace
 }  // namespace sbgc::test

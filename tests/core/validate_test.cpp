@@ -138,7 +138,7 @@ TEST(Validate, TheUnknownIsNotRejected) {
   info.tail.resize(9);
   EXPECT_TRUE(is_valid(info));
   msg::Confirm confirm;
-  confirm.cmd = static_cast<msg::CommandId>(200);
+  confirm.cmd = static_cast<msg::CommandToBoard>(200);
   EXPECT_TRUE(is_valid(confirm));
 }
 

@@ -1,7 +1,7 @@
-"""Prints what a run of ctest has tested, from the JUnit file of `ctest --output-junit FILE`.
+"""Summarises a run of ctest from the JUnit file of `ctest --output-junit FILE`.
 
 The exit status is 1 if a test was skipped: `./dev test` installs what the tests need, so each can run.
-Cases that a test program skips by itself, for what this machine is and not for what it lacks, are listed.
+Cases that do not apply to this machine, and that a test program skips itself, are listed.
 """
 
 from __future__ import annotations

@@ -211,7 +211,7 @@ def _answer(place: Place, answer: Answer) -> Iterator[Fact]:
                 yield Fact(place, "answer timeout", Fraction(case.finish_ms))
         if case.confirmations > 1:
             yield Fact(place, "answer confirmations", Fraction(case.confirmations))
-        for name in case.echoes:
+        for name in case.correlation:
             yield Fact(place, "answer echo", name)
         if case.result:
             yield Fact(place, "answer result", case.result.success.name)

@@ -139,9 +139,7 @@ def test_names_of_the_library_exist(guide: Path) -> None:
     """Names of messages, fields and headers in running text, too."""
     text = prose(guide)
     headers = "".join(
-        path.read_text(encoding="utf-8")
-        for folder in INCLUDES
-        for path in folder.rglob("*.hpp")
+        path.read_text(encoding="utf-8") for folder in INCLUDES for path in folder.rglob("*.hpp")
     )
     spec = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "spec").glob("*.yaml"))
     for name in re.findall(r"`(?:sbgc::)?([A-Za-z][A-Za-z0-9_]+)(?:\(\))?`", text):

@@ -1,8 +1,21 @@
-"""Makes the generator importable when pytest is started without generator/python."""
+"""Makes the generator importable when pytest is started without generator/python; git as it comes."""
 
 from __future__ import annotations
 
+import os
 import sys
 from pathlib import Path
 
+import pytest
+
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "generator"))
+
+
+@pytest.fixture(autouse=True)
+def git_as_it_comes(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without the settings of whoever runs the tests, and not in the repository of a hook."""
+    for name in list(os.environ):
+        if name.startswith("GIT_"):
+            monkeypatch.delenv(name)
+    monkeypatch.setenv("GIT_CONFIG_GLOBAL", os.devnull)
+    monkeypatch.setenv("GIT_CONFIG_SYSTEM", os.devnull)

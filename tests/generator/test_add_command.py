@@ -1,4 +1,4 @@
-"""Adding a command takes YAML only: what README.md tells is done here, step by step."""
+"""Adding a command takes YAML only: docs/10-new-commands.md, step by step."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ import os
 import re
 import shutil
 import subprocess
-import textwrap
 from pathlib import Path
 
 import pytest
@@ -26,9 +25,9 @@ PROGRAM = """
 
 int main() {
 %s
-  static_assert(sbgc::SetLights::max_size == 5);
-  static_assert(!sbgc::is_supported<sbgc::SetLights>(sbgc::Availability{2690, 30}));
-  static_assert(sbgc::is_supported<sbgc::SetLights>(sbgc::Availability{2700, 30}));
+  static_assert(sbgc::msg::SetLights::max_size == 5);
+  static_assert(!sbgc::is_supported<sbgc::msg::SetLights>(sbgc::Availability{2690, 30}));
+  static_assert(sbgc::is_supported<sbgc::msg::SetLights>(sbgc::Availability{2700, 30}));
   if (!sbgc::is_valid(lights)) return 1;
   std::uint8_t frame[sbgc::max_frame_size];
   const sbgc::WriteResult written = sbgc::encode_frame(lights, frame);
@@ -39,25 +38,26 @@ int main() {
   };
   const sbgc::Status status =
       sbgc::visit(140, std::span(frame + 4, written.size - 5), sbgc::Direction::to_board, check);
-  lights.period = sbgc::Milliseconds(10);
+  lights.period = sbgc::msg::Milliseconds(10);
   return status && same && !sbgc::is_valid(lights) ? 0 : 2;
 }
 """
 
 
-def readme_block(language: str, marker: str) -> str:
-    """The fenced block of README.md in this language that contains `marker`."""
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
-    blocks = re.findall(r"^( *)```" + language + r"\n(.*?)^ *```", text, re.MULTILINE | re.DOTALL)
-    found = [textwrap.dedent(body) for _, body in blocks if marker in body]
+def guide_block(language: str) -> str:
+    """The fenced block of the guide in this language."""
+    text = (ROOT / "docs/10-new-commands.md").read_text(encoding="utf-8")
+    found: list[str] = re.findall(
+        rf"^```{re.escape(language)}\n(.*?)^```", text, re.MULTILINE | re.DOTALL
+    )
     assert len(found) == 1
     return found[0]
 
 
-def test_the_how_to_of_the_readme(tmp_path: Path) -> None:
+def test_the_steps_of_the_guide(tmp_path: Path) -> None:
     spec = tmp_path / "spec"
     shutil.copytree(ROOT / "spec", spec)
-    (spec / "lights.yaml").write_text(readme_block("yaml", "family: lights"), encoding="utf-8")
+    (spec / "lights.yaml").write_text(guide_block("yaml"), encoding="utf-8")
     main_file = spec / "simplebgc.yaml"
     main_file.write_text(
         main_file.read_text(encoding="utf-8").replace("families:\n", "families:\n  - lights\n"),
@@ -69,7 +69,7 @@ def test_the_how_to_of_the_readme(tmp_path: Path) -> None:
     if compiler is None:
         pytest.fail("a C++ compiler is needed")
     source = tmp_path / "lights.cpp"
-    source.write_text(PROGRAM % readme_block("cpp", "SetLights"), encoding="utf-8")
+    source.write_text(PROGRAM % guide_block("c++"), encoding="utf-8")
     program = tmp_path / "lights"
     includes = [f"-I{ROOT / 'runtime/core/include'}", f"-I{tmp_path / 'generated/include'}"]
     subprocess.run(

@@ -102,7 +102,7 @@ def test_output_that_can_not_be_written(root: Path, capsys: Capture) -> None:
     (root / "file").write_text("not a folder")
     assert run(root, "generate", "--output", root / "file") == 1
     message = capsys.readouterr().err
-    assert message.startswith(f"can not write {root}/file")
+    assert message.startswith(f"cannot write {root}/file")
     assert len(message.splitlines()) == 1
 
 

@@ -2,7 +2,7 @@
 
 #include <sbgc/detector.hpp>
 #include <sbgc/dispatch.hpp>
-#include <sbgc/exchanges/all.hpp>
+#include <sbgc/responses/all.hpp>
 #include <sbgc/session.hpp>
 
 void talk(sbgc::Session& session, sbgc::Instant now);

@@ -18,7 +18,8 @@ class FieldMaker(TypeMaker):
     def number_kind(self) -> Kind:
         """A type with a number on the wire."""
         scalars = [Kind(n, s, s, number=n) for n, s in SIZES.items()]
-        named = [Kind("CommandId", 1, 1, number="u8"), Kind("VariableId", 1, 1, number="u8")]
+        ids = ("CommandToBoard", "CommandFromBoard", "VariableId")
+        named = [Kind(name, 1, 1, number="u8") for name in ids]
         pools = (scalars, self.quantities, self.enums, self.flag_sets, self.packed, named)
         return self.random.choice(self.random.choice([pool for pool in pools if pool]))
 

@@ -13,18 +13,11 @@ from collections.abc import Iterator
 from typing import Any, Optional
 
 from sbgcgen.model import Announced, Blob, Enum, Field, Layout, Message, Struct
-from sbgcgen.oracle.codec import (
-    LISTS,
-    CodecError,
-    Fields,
-    choose_message,
-    decode,
-    encode,
-    forms_of,
-    is_bytes,
-    scalar_of,
-)
+from sbgcgen.oracle.codec import LISTS, CodecError, Fields, is_bytes, scalar_of
 from sbgcgen.oracle.compose import Choice, Places, compose, full_context, variable_parts
+from sbgcgen.oracle.decoding import decode
+from sbgcgen.oracle.encoding import encode
+from sbgcgen.oracle.frames import choose_message, forms_of
 from sbgcgen.oracle.vector_line import line
 from sbgcgen.oracle.vectors import Vector
 

@@ -16,7 +16,8 @@ from typing import Any
 from random_messages import RandomMessages
 
 from sbgcgen.model import Layout, Settings, copy_field
-from sbgcgen.oracle.codec import Fields, encode
+from sbgcgen.oracle.codec import Fields
+from sbgcgen.oracle.encoding import encode
 
 
 def lines_of(layout: Layout, seed: int, count: int) -> Iterator[str]:

@@ -62,6 +62,7 @@ class SpecMaker(MessageMaker):
                 for key in ("type", "names")
                 if isinstance(node.get(key), str)
             }
+            used |= {"FirmwareVersion", "BoardVersion"}
             unused = [
                 (content[section], name)
                 for content in self.families.values()
@@ -102,10 +103,14 @@ class SpecMaker(MessageMaker):
                 "header": ["start", "id", "size", "header_checksum"],
                 "max_body": MAX_BODY,
                 "trailer": ["body_checksum"],
-                "checksum": "sum8",
+                "checksums": {
+                    "header_checksum": {"kind": "sum8", "covers": ["id", "size"]},
+                    "body_checksum": {"kind": "sum8", "covers": ["body"]},
+                },
                 "source": "Framing L1",
                 "errata": ["E001"],
             },
+            "versions": {"firmware": "FirmwareVersion", "board": "BoardVersion"},
             "indices": {"axis": ["ROLL", "PITCH", "YAW"], "xyz": ["X", "Y", "Z"]},
             "families": list(self.families),
         }

@@ -101,6 +101,7 @@ class TypeMaker:
             self.flag_sets.append(self.make_flags(number))
             self.packed += [self.make_packed(number)] if self.chance(0.7) else []
         self.packed.append(self.make_digits())
+        self.make_versions()
 
     def make_quantity(self, number: str) -> Kind:
         """A physical quantity."""
@@ -219,6 +220,22 @@ class TypeMaker:
         ]
         display = "{%s}.{%s:02}" % (parts[0]["name"], parts[2]["name"])
         return self.add_packed(number, {"type": number, "display": display, "parts": parts})
+
+    def make_versions(self) -> None:
+        """How versions are written."""
+        parts = [
+            self.said({"name": "major", "divide": 1000}, False),
+            self.said({"name": "minor", "divide": 10, "modulo": 100}, False),
+            self.said({"name": "beta", "modulo": 10}, False),
+        ]
+        firmware = {"type": "u16", "display": "{major}.{minor:02}[b{beta}]", "parts": parts}
+        parts = [
+            self.said({"name": "major", "divide": 10}, False),
+            self.said({"name": "minor", "modulo": 10}, False),
+        ]
+        board = {"type": "u8", "display": "{major}.{minor}", "parts": parts}
+        packed = self.section(self.any_family(), "packed")
+        packed.update(FirmwareVersion=self.sourced(firmware), BoardVersion=self.sourced(board))
 
     def add_packed(self, number: str, node: Node) -> Kind:
         """Add the entry of a packed integer."""

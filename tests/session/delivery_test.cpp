@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <sbgc/exchanges/all.hpp>
+#include <sbgc/responses/all.hpp>
 #include <sbgc/session.hpp>
 
 #include "commands.hpp"
@@ -58,7 +58,7 @@ TEST(Session, GivesUpAfterAllAttempts) {
 TEST(Session, DoesNotRepeatWhatIsNotSafe) {
   Simulation line;
   sbgc::msg::I2cReadRegBufRequest request;
-  request.data_len = sbgc::msg::SmallByteCount::from_bytes(4);
+  request.data_len = sbgc::msg::SmallByteCount(4);
   const Handle handle = line.send(request, {.attempts = 5});
   line.run();
   EXPECT_EQ(line.outcome(handle), Outcome::timeout);
@@ -77,7 +77,7 @@ TEST(Session, HasADeadlineForTheWholeRequest) {
   Simulation line;
   const sbgc::Instant deadline = line.now + milliseconds(700);
   const Handle handle = line.send(sbgc::msg::BoardInfoRequest{}, {.deadline = deadline});
-  // It waits for the first one, and for the ghost of it, and never gets its turn.
+  // It waits for the first one, and for its late reply, and never gets its turn.
   const Handle waiting = line.send(sbgc::msg::BoardInfoRequest{}, {.deadline = deadline});
   line.run();
   for (const Handle each : {handle, waiting}) {
@@ -102,7 +102,7 @@ TEST(Session, ALateAnswerIsNotTheAnswerOfTheNextRequest) {
   EXPECT_EQ(line.outcome(first), Outcome::timeout);
   ASSERT_EQ(line.outcome(second), Outcome::answered);
   EXPECT_EQ(line.completion(second)->body[0], 2) << "the answer of the first request";
-  EXPECT_EQ(line.session.statistics().late_answers, 1U);
+  EXPECT_EQ(line.session.statistics().late_replies, 1U);
   ASSERT_THAT(line.of(EventKind::unsolicited), SizeIs(1));
   EXPECT_TRUE(line.of(EventKind::unsolicited)[0].event.is_late);
 }

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <sbgc/exchanges/all.hpp>
+#include <sbgc/responses/all.hpp>
 #include <sbgc/session.hpp>
 
 #include "simulation.hpp"
@@ -97,7 +97,8 @@ TEST(Timeout, CountsFromTheEndOfWhatIsOnTheLine) {
 
 // Data streams
 
-sbgc::msg::DataStreamInterval stream_of(sbgc::msg::CommandId command, std::uint16_t interval) {
+sbgc::msg::DataStreamInterval stream_of(sbgc::msg::CommandFromBoard command,
+                                        std::uint16_t interval) {
   sbgc::msg::DataStreamInterval request;
   request.cmd_id = command;
   request.interval_ms = sbgc::msg::Milliseconds(interval);
@@ -107,7 +108,7 @@ sbgc::msg::DataStreamInterval stream_of(sbgc::msg::CommandId command, std::uint1
 sbgc::msg::DataStreamInterval custom_stream(sbgc::msg::RealtimeDataCustomFlags flags,
                                             std::uint16_t interval) {
   sbgc::msg::DataStreamInterval request =
-      stream_of(sbgc::msg::CommandId::realtime_data_custom, interval);
+      stream_of(sbgc::msg::CommandFromBoard::realtime_data_custom, interval);
   request.config.flags = flags;
   return request;
 }
@@ -122,22 +123,22 @@ TEST(Streams, TakeTheirShareOfTheLineOnceTheyAreConfirmed) {
   Simulation line(at(115200));
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
   EXPECT_EQ(line.session.stream_usage().limit, 9216U);  // 80 % of 11520
-  line.send(stream_of(sbgc::msg::CommandId::realtime_data_4, 20));
+  line.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_4, 20));
   EXPECT_EQ(line.session.stream_usage().used, 6450U) << "129 bytes, 50 times a second";
   line.run();
   EXPECT_EQ(line.session.stream_usage().used, 6450U);
-  line.send(stream_of(sbgc::msg::CommandId::realtime_data_4, 100));
+  line.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_4, 100));
   EXPECT_EQ(line.session.stream_usage().used, 6450U) << "until it is confirmed";
   line.run();
   EXPECT_EQ(line.session.stream_usage().used, 1290U);
-  line.send(stream_of(sbgc::msg::CommandId::realtime_data_4, 0));
+  line.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_4, 0));
   line.run();
   EXPECT_EQ(line.session.stream_usage().used, 0U);
 }
 
 TEST(Streams, OfASampleInEachCycle) {
   Simulation line(at(0));
-  line.send(stream_of(sbgc::msg::CommandId::realtime_data_3, 1));
+  line.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_3, 1));
   EXPECT_EQ(line.session.stream_usage().used, 85000U) << "68 bytes every 0.8 ms";
   EXPECT_EQ(line.session.stream_usage().limit, 0U);
 }
@@ -154,20 +155,21 @@ TEST(Streams, HaveTheSizeThatTheirConfigurationGivesThem) {
 TEST(Streams, BeyondTheBudgetAreRefused) {
   Simulation line(at(9600));  // 960 bytes a second, 768 for streams
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  EXPECT_TRUE(line.session.send(stream_of(sbgc::msg::CommandId::realtime_data_3, 100)));  // 680
-  EXPECT_EQ(line.session.send(stream_of(sbgc::msg::CommandId::ahrs_helper, 100)).status,
+  EXPECT_TRUE(
+      line.session.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_3, 100)));  // 680
+  EXPECT_EQ(line.session.send(stream_of(sbgc::msg::CommandFromBoard::ahrs_helper, 100)).status,
             SendStatus::not_encodable)
       << "the IMU is missing";
-  EXPECT_EQ(line.session.send(stream_of(sbgc::msg::CommandId::realtime_data_4, 1000)).status,
+  EXPECT_EQ(line.session.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_4, 1000)).status,
             SendStatus::over_budget);  // 129 more
-  EXPECT_TRUE(line.session.send(stream_of(sbgc::msg::CommandId::realtime_data_4, 2000)));
+  EXPECT_TRUE(line.session.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_4, 2000)));
   EXPECT_EQ(line.session.stream_usage().used, 745U);
   line.run();
-  EXPECT_TRUE(line.session.send(stream_of(sbgc::msg::CommandId::realtime_data_4, 100),
+  EXPECT_TRUE(line.session.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_4, 100),
                                 {.ignore_budget = true}));
   line.run();
   EXPECT_GT(line.session.stream_usage().used, line.session.stream_usage().limit);
-  EXPECT_TRUE(line.session.send(stream_of(sbgc::msg::CommandId::realtime_data_4, 200)))
+  EXPECT_TRUE(line.session.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_4, 200)))
       << "less than before always fits";
   EXPECT_EQ(line.session.statistics().refused, 2U);
 }
@@ -178,7 +180,7 @@ TEST(Streams, ThatTheBoardDoesNotStartTakeNothing) {
     line.board = [&](const Written& frame) {
       if (refuses) line.say(255, {frame.id, 1, 0, 0, 0, 0});
     };
-    const Handle handle = line.send(stream_of(sbgc::msg::CommandId::realtime_data_3, 100));
+    const Handle handle = line.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_3, 100));
     line.run();
     EXPECT_EQ(line.outcome(handle), refuses ? Outcome::board_error : Outcome::timeout);
     EXPECT_EQ(line.session.stream_usage().used, 0U);
@@ -202,12 +204,12 @@ TEST(Streams, AreLimitedInNumber) {
 TEST(Streams, AreForgottenWhenTheBoardRestarts) {
   Simulation line(at(115200));
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  line.send(stream_of(sbgc::msg::CommandId::realtime_data_3, 100));
+  line.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_3, 100));
   line.run();
   line.say(114, {});
   line.run();
   EXPECT_EQ(line.session.stream_usage().used, 0U);
-  line.send(stream_of(sbgc::msg::CommandId::realtime_data_3, 100));
+  line.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_3, 100));
   line.run();
   EXPECT_NE(line.session.stream_usage().used, 0U);
   line.send(sbgc::msg::ResetRequest{});  // without notice
@@ -218,7 +220,7 @@ TEST(Streams, AreForgottenWhenTheBoardRestarts) {
 TEST(Streams, SamplesAreTold) {
   Simulation line;
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  line.send(stream_of(sbgc::msg::CommandId::realtime_data_3, 100));
+  line.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_3, 100));
   line.run();
   line.say(23, body_of(63));
   line.say(25, body_of(124));
@@ -231,7 +233,7 @@ TEST(Streams, SamplesAreTold) {
 TEST(Streams, TheAnswerToARequestForTheSameMessageMayBeASample) {
   Simulation line;
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
-  line.send(stream_of(sbgc::msg::CommandId::realtime_data_3, 100));
+  line.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_3, 100));
   line.run();
   const Handle handle = line.send(sbgc::msg::RealtimeData3Request{});
   line.run_for(milliseconds(20));

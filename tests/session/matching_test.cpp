@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <sbgc/exchanges/all.hpp>
+#include <sbgc/responses/all.hpp>
 #include <sbgc/session.hpp>
 
 #include "commands.hpp"
@@ -274,7 +274,7 @@ TEST(Session, AnAbandonedLinkEndsEverything) {
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
   const Handle next = line.send(sbgc::msg::MotorsOn{});
   line.run_for(milliseconds(4));
-  EXPECT_EQ(line.outcome(next), Outcome::confirmed) << "it need not wait for ghosts";
+  EXPECT_EQ(line.outcome(next), Outcome::confirmed) << "it need not wait for late replies";
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include <sbgc/exchanges/all.hpp>
+#include <sbgc/responses/all.hpp>
 #include <sbgc/session.hpp>
 
 #include "simulation.hpp"
@@ -227,7 +227,7 @@ TEST_P(Schedules, NoAnswerGoesToALaterRequest) {
   Chaos chaos(GetParam(), bad);
   chaos.run(400);
   EXPECT_GT(chaos.count(Outcome::answered), chaos.asked() / 10);
-  EXPECT_GT(chaos.line.session.statistics().late_answers, 0U);
+  EXPECT_GT(chaos.line.session.statistics().late_replies, 0U);
 }
 
 TEST_P(Schedules, NorOverALineThatRepeats) {

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include <sbgc/exchanges/all.hpp>
+#include <sbgc/responses/all.hpp>
 #include <sbgc/session.hpp>
 
 #include "commands.hpp"
@@ -38,7 +38,7 @@ constexpr std::uint8_t realtime_data_3 = 23;
 
 sbgc::msg::DataStreamInterval stream_of(std::uint8_t command, std::uint16_t interval_ms) {
   sbgc::msg::DataStreamInterval request;
-  request.cmd_id = static_cast<sbgc::msg::CommandId>(command);
+  request.cmd_id = static_cast<sbgc::msg::CommandFromBoard>(command);
   request.interval_ms = sbgc::msg::Milliseconds(interval_ms);
   return request;
 }
@@ -210,7 +210,7 @@ const std::vector<Occasion>& occasions() {
          line.send(sbgc::msg::FsClearAll{});
          line.run_for(to_be_sent);
          line.say(commands::confirm,
-                  {static_cast<std::uint8_t>(sbgc::msg::CommandId::fs_clear_all), 1});
+                  {static_cast<std::uint8_t>(sbgc::msg::CommandToBoard::fs_clear_all), 1});
        }},
       {"board_error_of_a_request", EventKind::completed, Outcome::board_error,
        send_and_say(commands::error, {motors_on, 1, 0, 0, 0, 0})},

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <sbgc/exchanges/all.hpp>
+#include <sbgc/responses/all.hpp>
 #include <sbgc/session.hpp>
 
 #include "commands.hpp"
@@ -174,7 +174,7 @@ TEST(Session, RefusesWhatItCanNotHold) {
   const sbgc::SendResult refused = line.session.send(sbgc::msg::MotorsOn{});
   EXPECT_EQ(refused.status, SendStatus::queue_full);
   EXPECT_FALSE(refused.handle);
-  EXPECT_EQ(line.session.send(77, {}, sbgc::msg::exchange_of(sbgc::msg::MotorsOn{})).status,
+  EXPECT_EQ(line.session.send(77, {}, sbgc::msg::response_policy(sbgc::msg::MotorsOn{})).status,
             SendStatus::queue_full);
   EXPECT_EQ(line.session.statistics().refused, 2U);
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
@@ -184,8 +184,9 @@ TEST(Session, RefusesWhatItCanNotHold) {
   EXPECT_TRUE(line.session.send(sbgc::msg::MotorsOn{}));
 }
 
-TEST(Session, WaitsWhenThereIsNoRoomForGhosts) {
-  using Small = sbgc::BasicSession<sbgc::SessionCapacity{.requests = 8, .ghosts = 2, .streams = 1}>;
+TEST(Session, WaitsWhenThereIsNoRoomForLateReplies) {
+  using Small =
+      sbgc::BasicSession<sbgc::SessionCapacity{.requests = 8, .late_replies = 2, .streams = 1}>;
   simulation::Basic<Small> line;
   std::vector<Handle> handles;
   handles.push_back(line.send(sbgc::msg::Control{}));
@@ -201,7 +202,7 @@ TEST(Session, WaitsWhenThereIsNoRoomForGhosts) {
 TEST(Session, RefusesWhatCanNotBeEncoded) {
   Simulation line;
   sbgc::msg::DataStreamInterval request;
-  request.cmd_id = sbgc::msg::CommandId::realtime_data_custom;  // its flags are missing
+  request.cmd_id = sbgc::msg::CommandFromBoard::realtime_data_custom;  // its flags are missing
   const sbgc::SendResult result = line.session.send(request);
   EXPECT_EQ(result.status, SendStatus::not_encodable);
   EXPECT_EQ(result.encoding.code, sbgc::Code::presence_mismatch);
@@ -216,7 +217,7 @@ TEST(Session, TakesEncodedBodies) {
   sbgc::msg::EepromReadRequest request;
   request.addr = 64;
   const Body body = body_of(6, {64, 0, 0, 0, 64, 0});
-  const auto result = line.session.send(eeprom_read, body, sbgc::msg::exchange_of(request));
+  const auto result = line.session.send(eeprom_read, body, sbgc::msg::response_policy(request));
   line.run();
   EXPECT_EQ(line.outcome(result.handle), Outcome::answered);
   EXPECT_EQ(line.written[0].body, body);

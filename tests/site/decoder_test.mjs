@@ -161,10 +161,10 @@ test("what the specification does not allow is pointed out", async () => {
   await withDecoder(async (page) => {
     await page.locator("#hex").fill(frame(43, [0xff, 0xff, 0xff]).toString("hex"));
     await expectSummary(page, /1 frame/);
-    await page.getByLabel("only what is not in order").check();
+    await page.getByLabel("problems only").check();
     await type(page, frame(82, [99]).toString("hex"));
     await expectSummary(page, /1 value that the specification does not allow/);
-    assert.match((await inside(page, 0)).text, /maximum is 4/);
+    assert.match((await inside(page, 0)).text, /is above 4/);
     await type(page, frame(82, [1]).toString("hex"));
     await expectSummary(page, /1 frame\.$/);
     await page.locator("#nothing").waitFor();

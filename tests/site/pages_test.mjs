@@ -199,7 +199,7 @@ test("search finds guides, units, synonyms and near spellings; twins are one ent
     ["gyroscpoe", "gyroscope", /./],
   ]) {
     const near = await search(page, query);
-    assert.match(near.note, new RegExp(`“${query}” is taken for “${meant}”`));
+    assert.match(near.note, new RegExp(`Showing “${meant}” for “${query}”`));
     assert.match(near.names[0], name);
   }
   assert.equal((await search(page, "qqqqzzzz")).note, "Nothing found.");

@@ -104,7 +104,7 @@ def test_text_shows_direction_time_and_notes() -> None:
     ]
 
 
-def test_near_misses_of_a_capture_are_explained() -> None:
+def test_rejected_candidates_of_a_capture_are_explained() -> None:
     bad = ANGLES[:-1] + bytes([ANGLES[-1] ^ 1])
     begin = session() + record(FROM_BOARD, 1, ANGLES + bad[:7]) + record(FROM_BOARD, 2, bad[7:])
     reason = (

@@ -1,7 +1,7 @@
 // The decoder of the reference site: what `sbgc decode` does, for a page that feeds it.
 //
 // Text goes in and out through memory: the page asks input() for a place, fills it, calls feed()
-// or near_misses(), and reads output(), which is JSON, one object a line:
+// or rejected_candidates(), and reads output(), which is JSON, one object a line:
 //
 //   {"frame": what `sbgc decode --format jsonl` prints, "size": bytes of the frame, "body": where
 //   its body starts,
@@ -23,7 +23,7 @@
 
 #include "../decoded_frame.hpp"
 #include "../hex_text.hpp"
-#include "../near_misses.hpp"
+#include "../rejected_candidates.hpp"
 
 namespace sbgc::tools {
 
@@ -170,12 +170,12 @@ SBGC_EXPORT(finish) void sbgc_finish() {
 
 /// The output is a JSON list of [offset, reason] for the start bytes among the first `gap` bytes of
 /// the input, at most `limit`, where the input is bytes outside of frames and what follows them.
-SBGC_EXPORT(near_misses) void sbgc_near_misses(std::size_t gap, std::size_t limit) {
+SBGC_EXPORT(rejected_candidates) void sbgc_rejected_candidates(std::size_t gap, std::size_t limit) {
   const std::span<const std::uint8_t> input(state().input);
   sbgc::Json list = sbgc::Json::array();
-  for (const auto& miss :
-       sbgc::tools::near_misses(input, gap, limit, state().decoding.direction())) {
-    list.push_back({miss.offset, miss.text});
+  for (const auto& candidate :
+       sbgc::tools::rejected_candidates(input, gap, limit, state().decoding.direction())) {
+    list.push_back({candidate.offset, candidate.text});
   }
   state().output = list.dump();
 }

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include <sbgc/messages.hpp>
 #include <sbgc/meta.hpp>
@@ -157,6 +158,13 @@ struct Contexts {
   /// Takes from a message what later ones need; most messages tell nothing.
   template <class M>
   constexpr void learn(const M&) noexcept {}
+
+  /// Whether learn() takes anything from an M.
+  template <class M>
+  static constexpr bool learns_from =
+      std::is_same_v<M, msg::RealtimeDataCustomRequest> ||
+      std::is_same_v<M, msg::DataStreamInterval> ||
+      std::is_same_v<M, msg::DebugVarsInfo3>;
 };
 
 /// Calls `use(Type<M>{})` with the message M that a body of `size` bytes is. Of several forms the

@@ -14,19 +14,18 @@ namespace sbgc::msg {
 
 using sbgc::operator|;
 
-/// The commands of the protocol. Some share an id in opposite directions.
+/// The commands of messages to the board.
 /// Source: Command ID definitions L75-L154.
-enum class CommandId : std::uint8_t {
+enum class CommandToBoard : std::uint8_t {
   /// CMD_BOARD_INFO_3: Serial numbers, memory and scripts of the board.
   board_info_3 = 20,
-  /// CMD_READ_PARAMS_3: Settings of one profile together with the general settings.
+  /// CMD_READ_PARAMS_3: Parameters of one profile and general parameters.
   read_params_3 = 21,
-  /// CMD_WRITE_PARAMS_3: Store the settings of one profile and the general ones.
+  /// CMD_WRITE_PARAMS_3: Store the parameters of one profile and the general parameters.
   write_params_3 = 22,
   /// CMD_REALTIME_DATA_3: Live data.
   realtime_data_3 = 23,
-  /// CMD_SELECT_IMU_3: Choose the IMU that is configured and calibrated; ignored if it is not
-  /// connected.
+  /// CMD_SELECT_IMU_3: Select the IMU to configure and calibrate; ignored if it is not connected.
   select_imu_3 = 24,
   /// CMD_REALTIME_DATA_4: Live data with joint angles, currents and temperatures.
   realtime_data_4 = 25,
@@ -35,21 +34,21 @@ enum class CommandId : std::uint8_t {
   /// CMD_ENCODERS_CALIB_FLD_OFFSET_4: Calibrate the offsets between encoders and the motors'
   /// magnetic fields.
   encoders_calib_fld_offset_4 = 27,
-  /// CMD_READ_PROFILE_NAMES: Names of the profiles.
+  /// CMD_READ_PROFILE_NAMES: Profile names.
   read_profile_names = 28,
-  /// CMD_WRITE_PROFILE_NAMES: Store the names of the profiles.
+  /// CMD_WRITE_PROFILE_NAMES: Store the profile names.
   write_profile_names = 29,
-  /// CMD_QUEUE_PARAMS_INFO_3: Not documented; perhaps it describes the adjustable variables, as
-  /// CMD_GET_PARAMS_3 was meant to.
+  /// CMD_QUEUE_PARAMS_INFO_3: Undocumented; possibly describes the adjustable variables, the
+  /// purpose of CMD_GET_PARAMS_3.
   queue_params_info_3 = 30,
   /// CMD_SET_ADJ_VARS_VAL: Values of adjustable variables.
   set_adj_vars_val = 31,
-  /// CMD_SAVE_PARAMS_3: Save the settings that are in use, with all changes to adjustable
-  /// variables, to the active profile.
+  /// CMD_SAVE_PARAMS_3: Save the parameters in use, with all changes to adjustable variables, to
+  /// the active profile.
   save_params_3 = 32,
-  /// CMD_READ_PARAMS_EXT: Further settings of one profile: filters, encoders, magnetometer.
+  /// CMD_READ_PARAMS_EXT: More parameters of one profile: filters, encoders, magnetometer.
   read_params_ext = 33,
-  /// CMD_WRITE_PARAMS_EXT: Store further settings of one profile.
+  /// CMD_WRITE_PARAMS_EXT: Store more parameters of one profile.
   write_params_ext = 34,
   /// CMD_AUTO_PID: Tune the PID controllers automatically.
   auto_pid = 35,
@@ -57,36 +56,35 @@ enum class CommandId : std::uint8_t {
   servo_out = 36,
   /// CMD_I2C_WRITE_REG_BUF: Write to a device on an I2C bus.
   i2c_write_reg_buf = 39,
-  /// CMD_I2C_READ_REG_BUF: Data of a device on an I2C bus.
+  /// CMD_I2C_READ_REG_BUF: Data from a device on an I2C bus.
   i2c_read_reg_buf = 40,
-  /// CMD_WRITE_EXTERNAL_DATA: Store data of the user in the EEPROM.
+  /// CMD_WRITE_EXTERNAL_DATA: Store user data in the EEPROM.
   write_external_data = 41,
-  /// CMD_READ_EXTERNAL_DATA: Data of the user in the EEPROM.
+  /// CMD_READ_EXTERNAL_DATA: User data in the EEPROM.
   read_external_data = 42,
-  /// CMD_READ_ADJ_VARS_CFG: Which RC signals start actions and which ones change adjustable
-  /// variables.
+  /// CMD_READ_ADJ_VARS_CFG: RC signals that trigger actions or change adjustable variables.
   read_adj_vars_cfg = 43,
-  /// CMD_WRITE_ADJ_VARS_CFG: Store which RC signals start actions and which ones change adjustable
+  /// CMD_WRITE_ADJ_VARS_CFG: Store the RC signals that trigger actions or change adjustable
   /// variables.
   write_adj_vars_cfg = 44,
-  /// CMD_API_VIRT_CH_CONTROL: Set the virtual RC channels that the host provides; they can control
-  /// the camera and more.
+  /// CMD_API_VIRT_CH_CONTROL: Set the host's virtual RC channels, which can control the camera and
+  /// more.
   api_virt_ch_control = 45,
-  /// CMD_ADJ_VARS_STATE: What one trigger slot and one analog slot do at the moment.
+  /// CMD_ADJ_VARS_STATE: Current state of one trigger slot and one analog slot.
   adj_vars_state = 46,
   /// CMD_EEPROM_WRITE: Write a block to the EEPROM.
   eeprom_write = 47,
   /// CMD_EEPROM_READ: A block of the EEPROM.
   eeprom_read = 48,
-  /// CMD_CALIB_INFO: What a host shows while sensors are calibrated.
+  /// CMD_CALIB_INFO: Calibration status for display.
   calib_info = 49,
-  /// CMD_BOOT_MODE_3: Enter the bootloader, to load new firmware.
+  /// CMD_BOOT_MODE_3: Enter the bootloader to load new firmware.
   boot_mode_3 = 51,
-  /// CMD_SYSTEM_STATE: Not documented; by its name, the state of the system.
+  /// CMD_SYSTEM_STATE: Undocumented; by its name, the state of the system.
   system_state = 52,
   /// CMD_READ_FILE: Part of a file.
   read_file = 53,
-  /// CMD_WRITE_FILE: Write part of a file; without data the file is deleted.
+  /// CMD_WRITE_FILE: Write part of a file; without data, delete it.
   write_file = 54,
   /// CMD_FS_CLEAR_ALL: Delete all files.
   fs_clear_all = 55,
@@ -94,66 +92,60 @@ enum class CommandId : std::uint8_t {
   ahrs_helper = 56,
   /// CMD_RUN_SCRIPT: Start or stop a script.
   run_script = 57,
-  /// CMD_SCRIPT_DEBUG: Progress of a script that was started with debugging.
-  script_debug = 58,
   /// CMD_CALIB_MAG: Calibrate the magnetometer.
   calib_mag = 59,
-  /// CMD_GET_ANGLES_EXT: Angles, targets and joint angles of the gimbal.
+  /// CMD_GET_ANGLES_EXT: Camera angles, targets and joint angles.
   get_angles_ext = 61,
-  /// CMD_READ_PARAMS_EXT2: Still further settings of one profile.
+  /// CMD_READ_PARAMS_EXT2: The third set of parameters of one profile.
   read_params_ext2 = 62,
-  /// CMD_WRITE_PARAMS_EXT2: Store still further settings of one profile.
+  /// CMD_WRITE_PARAMS_EXT2: Store the third set of parameters of one profile.
   write_params_ext2 = 63,
-  /// CMD_GET_ADJ_VARS_VAL: Ask for the values of adjustable variables.
+  /// CMD_GET_ADJ_VARS_VAL: Request the values of adjustable variables.
   get_adj_vars_val = 64,
   /// CMD_CALIB_ACC: Calibrate an accelerometer.
   calib_acc = 65,
-  /// CMD_CALIB_BAT: Calibrate the measurement of the battery voltage.
+  /// CMD_CALIB_BAT: Calibrate the battery voltage measurement.
   calib_bat = 66,
-  /// CMD_CONFIRM: The board has carried out a command.
-  confirm = 67,
   /// CMD_CONTROL: Move the camera.
   control = 67,
   /// CMD_REALTIME_DATA: Live data.
   realtime_data = 68,
-  /// CMD_EXECUTE_MENU: Carry out an action of the menu, as the menu button or the RC command
-  /// channel would.
+  /// CMD_EXECUTE_MENU: Execute a menu action, as the menu button or the RC command channel does.
   execute_menu = 69,
-  /// CMD_USE_DEFAULTS: Return to the factory settings.
+  /// CMD_USE_DEFAULTS: Restore the factory defaults.
   use_defaults = 70,
-  /// CMD_CALIB_EXT_GAIN: Calibrate the gains of the signals from a flight controller.
+  /// CMD_CALIB_EXT_GAIN: Calibrate the gains of a flight controller's signals.
   calib_ext_gain = 71,
-  /// CMD_HELPER_DATA: Motion of the frame as an outer system knows it; makes the stabilization more
-  /// precise.
+  /// CMD_HELPER_DATA: Motion of the frame from an external system; improves stabilization.
   helper_data = 72,
-  /// CMD_GET_ANGLES: Angles and targets of the camera.
+  /// CMD_GET_ANGLES: Camera angles and targets.
   get_angles = 73,
-  /// CMD_CALIB_MOTOR_MAG_LINK: Not documented; by its name, it calibrates the magnetic linkage of
-  /// the motors.
+  /// CMD_CALIB_MOTOR_MAG_LINK: Undocumented; by its name, calibrates the magnetic linkage of the
+  /// motors.
   calib_motor_mag_link = 74,
-  /// CMD_GYRO_CORRECTION: Correct the zero of a gyroscope by hand; the camera drifts if the
+  /// CMD_GYRO_CORRECTION: Correct the zero of a gyroscope manually; the camera drifts if the
   /// correction is wrong.
   gyro_correction = 75,
   /// CMD_MOTORS_ON: Turn the motors on.
   motors_on = 77,
-  /// CMD_CALIB_OFFSET: Calibrate the offset of the follow mode.
+  /// CMD_CALIB_OFFSET: Calibrate the follow mode offset.
   calib_offset = 79,
-  /// CMD_CALIB_POLES: Find out poles and direction of the motors.
+  /// CMD_CALIB_POLES: Detect the poles and the direction of the motors.
   calib_poles = 80,
   /// CMD_READ_PARAMS: Older id of CMD_READ_PARAMS_3.
   read_params = 82,
   /// CMD_TRIGGER_PIN: Switch an output pin.
   trigger_pin = 84,
   /// CMD_DATA_STREAM_INTERVAL: Start, change or end a data stream: messages that the board sends at
-  /// a fixed rate, unasked.
+  /// a fixed rate.
   data_stream_interval = 85,
-  /// CMD_BOARD_INFO: Version and features of the board.
+  /// CMD_BOARD_INFO: Board version and features.
   board_info = 86,
   /// CMD_WRITE_PARAMS: Older id of CMD_WRITE_PARAMS_3.
   write_params = 87,
-  /// CMD_REALTIME_DATA_CUSTOM: Live data of the blocks that the request names.
+  /// CMD_REALTIME_DATA_CUSTOM: Live data of the requested blocks.
   realtime_data_custom = 88,
-  /// CMD_BEEP_SOUND: Play a melody through the motors, or one of the standard sounds.
+  /// CMD_BEEP_SOUND: Play a melody through the motors, or a standard sound.
   beep_sound = 89,
   /// CMD_CALIB_GYRO: Calibrate a gyroscope.
   calib_gyro = 103,
@@ -161,16 +153,86 @@ enum class CommandId : std::uint8_t {
   motors_off = 109,
   /// CMD_RESET: The board restarts.
   reset = 114,
-  /// CMD_MAVLINK_INFO: Not documented; by its name, information about a MAVLink connection.
+  /// CMD_MAVLINK_INFO: Undocumented; by its name, information about a MAVLink connection.
   mavlink_info = 250,
-  /// CMD_MAVLINK_DEBUG: Not documented; by its name, debugging of a MAVLink connection.
+  /// CMD_MAVLINK_DEBUG: Undocumented; by its name, debugging of a MAVLink connection.
   mavlink_debug = 251,
   /// CMD_DEBUG_VARS_INFO_3: Names and types of the debug variables, in the order of
   /// CMD_DEBUG_VARS_3.
   debug_vars_info_3 = 253,
   /// CMD_DEBUG_VARS_3: Values of the debug variables.
   debug_vars_3 = 254,
-  /// CMD_ERROR: The board could not carry out a command.
+};
+
+/// The commands of messages from the board.
+/// Source: Command ID definitions L75-L154.
+enum class CommandFromBoard : std::uint8_t {
+  /// CMD_BOARD_INFO_3: Serial numbers, memory and scripts of the board.
+  board_info_3 = 20,
+  /// CMD_READ_PARAMS_3: Parameters of one profile and general parameters.
+  read_params_3 = 21,
+  /// CMD_REALTIME_DATA_3: Live data.
+  realtime_data_3 = 23,
+  /// CMD_REALTIME_DATA_4: Live data with joint angles, currents and temperatures.
+  realtime_data_4 = 25,
+  /// CMD_READ_PROFILE_NAMES: Profile names.
+  read_profile_names = 28,
+  /// CMD_QUEUE_PARAMS_INFO_3: Undocumented; possibly describes the adjustable variables, the
+  /// purpose of CMD_GET_PARAMS_3.
+  queue_params_info_3 = 30,
+  /// CMD_SET_ADJ_VARS_VAL: Values of adjustable variables.
+  set_adj_vars_val = 31,
+  /// CMD_READ_PARAMS_EXT: More parameters of one profile: filters, encoders, magnetometer.
+  read_params_ext = 33,
+  /// CMD_AUTO_PID: Tune the PID controllers automatically.
+  auto_pid = 35,
+  /// CMD_I2C_READ_REG_BUF: Data from a device on an I2C bus.
+  i2c_read_reg_buf = 40,
+  /// CMD_READ_EXTERNAL_DATA: User data in the EEPROM.
+  read_external_data = 42,
+  /// CMD_READ_ADJ_VARS_CFG: RC signals that trigger actions or change adjustable variables.
+  read_adj_vars_cfg = 43,
+  /// CMD_ADJ_VARS_STATE: Current state of one trigger slot and one analog slot.
+  adj_vars_state = 46,
+  /// CMD_EEPROM_READ: A block of the EEPROM.
+  eeprom_read = 48,
+  /// CMD_CALIB_INFO: Calibration status for display.
+  calib_info = 49,
+  /// CMD_SYSTEM_STATE: Undocumented; by its name, the state of the system.
+  system_state = 52,
+  /// CMD_READ_FILE: Part of a file.
+  read_file = 53,
+  /// CMD_AHRS_HELPER: Attitude of an IMU as two unit vectors.
+  ahrs_helper = 56,
+  /// CMD_SCRIPT_DEBUG: Progress of a script started with debugging.
+  script_debug = 58,
+  /// CMD_GET_ANGLES_EXT: Camera angles, targets and joint angles.
+  get_angles_ext = 61,
+  /// CMD_READ_PARAMS_EXT2: The third set of parameters of one profile.
+  read_params_ext2 = 62,
+  /// CMD_CONFIRM: The board executed a command.
+  confirm = 67,
+  /// CMD_GET_ANGLES: Camera angles and targets.
+  get_angles = 73,
+  /// CMD_CALIB_MOTOR_MAG_LINK: Undocumented; by its name, calibrates the magnetic linkage of the
+  /// motors.
+  calib_motor_mag_link = 74,
+  /// CMD_BOARD_INFO: Board version and features.
+  board_info = 86,
+  /// CMD_REALTIME_DATA_CUSTOM: Live data of the requested blocks.
+  realtime_data_custom = 88,
+  /// CMD_RESET: The board restarts.
+  reset = 114,
+  /// CMD_MAVLINK_INFO: Undocumented; by its name, information about a MAVLink connection.
+  mavlink_info = 250,
+  /// CMD_MAVLINK_DEBUG: Undocumented; by its name, debugging of a MAVLink connection.
+  mavlink_debug = 251,
+  /// CMD_DEBUG_VARS_INFO_3: Names and types of the debug variables, in the order of
+  /// CMD_DEBUG_VARS_3.
+  debug_vars_info_3 = 253,
+  /// CMD_DEBUG_VARS_3: Values of the debug variables.
+  debug_vars_3 = 254,
+  /// CMD_ERROR: The board could not execute a command.
   error = 255,
 };
 
@@ -201,72 +263,72 @@ enum class VariableId : std::uint8_t {
   power_pitch = 10,
   /// POWER_YAW: Power of the yaw motor.
   power_yaw = 11,
-  /// ACC_LIMITER: Limit of the acceleration of all axes.
+  /// ACC_LIMITER: Acceleration limit of all axes.
   acc_limiter = 12,
-  /// FOLLOW_SPEED_ROLL: Speed of the follow mode of roll.
+  /// FOLLOW_SPEED_ROLL: Follow mode speed of roll.
   follow_speed_roll = 13,
-  /// FOLLOW_SPEED_PITCH: Speed of the follow mode of pitch.
+  /// FOLLOW_SPEED_PITCH: Follow mode speed of pitch.
   follow_speed_pitch = 14,
-  /// FOLLOW_SPEED_YAW: Speed of the follow mode of yaw.
+  /// FOLLOW_SPEED_YAW: Follow mode speed of yaw.
   follow_speed_yaw = 15,
-  /// FOLLOW_LPF_ROLL: Low-pass filter of the follow mode of roll.
+  /// FOLLOW_LPF_ROLL: Follow mode low-pass filter of roll.
   follow_lpf_roll = 16,
-  /// FOLLOW_LPF_PITCH: Low-pass filter of the follow mode of pitch.
+  /// FOLLOW_LPF_PITCH: Follow mode low-pass filter of pitch.
   follow_lpf_pitch = 17,
-  /// FOLLOW_LPF_YAW: Low-pass filter of the follow mode of yaw.
+  /// FOLLOW_LPF_YAW: Follow mode low-pass filter of yaw.
   follow_lpf_yaw = 18,
-  /// RC_SPEED_ROLL: Speed of RC control of roll.
+  /// RC_SPEED_ROLL: RC control speed of roll.
   rc_speed_roll = 19,
-  /// RC_SPEED_PITCH: Speed of RC control of pitch.
+  /// RC_SPEED_PITCH: RC control speed of pitch.
   rc_speed_pitch = 20,
-  /// RC_SPEED_YAW: Speed of RC control of yaw.
+  /// RC_SPEED_YAW: RC control speed of yaw.
   rc_speed_yaw = 21,
-  /// RC_LPF_ROLL: Low-pass filter of the RC signal of roll.
+  /// RC_LPF_ROLL: RC low-pass filter of roll.
   rc_lpf_roll = 22,
-  /// RC_LPF_PITCH: Low-pass filter of the RC signal of pitch.
+  /// RC_LPF_PITCH: RC low-pass filter of pitch.
   rc_lpf_pitch = 23,
-  /// RC_LPF_YAW: Low-pass filter of the RC signal of yaw.
+  /// RC_LPF_YAW: RC low-pass filter of yaw.
   rc_lpf_yaw = 24,
-  /// RC_TRIM_ROLL: Trim of the RC signal of roll.
+  /// RC_TRIM_ROLL: RC trim of roll.
   rc_trim_roll = 25,
-  /// RC_TRIM_PITCH: Trim of the RC signal of pitch.
+  /// RC_TRIM_PITCH: RC trim of pitch.
   rc_trim_pitch = 26,
-  /// RC_TRIM_YAW: Trim of the RC signal of yaw.
+  /// RC_TRIM_YAW: RC trim of yaw.
   rc_trim_yaw = 27,
-  /// RC_DEADBAND: Dead band around the middle of the RC signals.
+  /// RC_DEADBAND: Dead band around the centre of the RC signals.
   rc_deadband = 28,
-  /// RC_EXPO_RATE: Curvature of the RC signals.
+  /// RC_EXPO_RATE: Expo rate of the RC signals.
   rc_expo_rate = 29,
   /// FOLLOW_MODE: What the camera follows: 0 nothing, 1 the flight controller, 2 pitch and roll of
   /// the frame.
   follow_mode = 30,
-  /// RC_FOLLOW_YAW: 1 if yaw follows the frame, else 0.
+  /// RC_FOLLOW_YAW: 1 if yaw follows the frame, otherwise 0.
   rc_follow_yaw = 31,
   /// FOLLOW_DEADBAND: Dead band of the follow mode.
   follow_deadband = 32,
-  /// FOLLOW_EXPO_RATE: Curvature of the follow mode.
+  /// FOLLOW_EXPO_RATE: Expo rate of the follow mode.
   follow_expo_rate = 33,
-  /// FOLLOW_ROLL_MIX_START: Angle at which pitch begins to follow roll.
+  /// FOLLOW_ROLL_MIX_START: Angle at which pitch starts to follow roll.
   follow_roll_mix_start = 34,
-  /// FOLLOW_ROLL_MIX_RANGE: Angle over which pitch goes on to follow roll.
+  /// FOLLOW_ROLL_MIX_RANGE: Angle over which pitch continues to follow roll.
   follow_roll_mix_range = 35,
-  /// GYRO_TRUST: Trust in the gyroscope against the accelerometer.
+  /// GYRO_TRUST: Trust in the gyroscope relative to the accelerometer.
   gyro_trust = 36,
   /// FRAME_HEADING_ANGLE: Heading of the frame.
   frame_heading_angle = 37,
-  /// GYRO_HEADING_CORRECTION: Correction of the gyroscope about the vertical.
+  /// GYRO_HEADING_CORRECTION: Gyroscope correction about the vertical.
   gyro_heading_correction = 38,
-  /// ACC_LIMITER_ROLL: Limit of the acceleration of roll.
+  /// ACC_LIMITER_ROLL: Acceleration limit of roll.
   acc_limiter_roll = 39,
-  /// ACC_LIMITER_PITCH: Limit of the acceleration of pitch.
+  /// ACC_LIMITER_PITCH: Acceleration limit of pitch.
   acc_limiter_pitch = 40,
-  /// ACC_LIMITER_YAW: Limit of the acceleration of yaw.
+  /// ACC_LIMITER_YAW: Acceleration limit of yaw.
   acc_limiter_yaw = 41,
-  /// PID_GAIN_ROLL: Factor on P, I and D of roll.
+  /// PID_GAIN_ROLL: Factor for P, I and D of roll.
   pid_gain_roll = 42,
-  /// PID_GAIN_PITCH: Factor on P, I and D of pitch.
+  /// PID_GAIN_PITCH: Factor for P, I and D of pitch.
   pid_gain_pitch = 43,
-  /// PID_GAIN_YAW: Factor on P, I and D of yaw.
+  /// PID_GAIN_YAW: Factor for P, I and D of yaw.
   pid_gain_yaw = 44,
   /// LPF_FREQ_ROLL: Low-pass filter of roll.
   lpf_freq_roll = 45,
@@ -276,24 +338,24 @@ enum class VariableId : std::uint8_t {
   lpf_freq_yaw = 47,
 };
 
-/// Why the board has not carried out a command.
+/// Why the board did not execute a command.
 /// Source: Incoming commands L421-L426. Errata: E086.
 enum class BoardErrorCode : std::uint8_t {
-  /// The body has a size that the command does not have.
+  /// The command has no body of this size.
   cmd_size = 1,
-  /// A value is not possible.
+  /// A value is invalid.
   wrong_params = 2,
-  /// A check of a key or a signature has failed.
+  /// A key or signature check failed.
   crypto = 4,
   /// The board does not know the command.
   unknown_command = 6,
-  /// Not possible in the present state.
+  /// Not possible in the current state.
   wrong_state = 8,
-  /// The board lacks what the command needs.
+  /// The board lacks what the command requires.
   not_supported = 9,
-  /// The board has tried and failed.
+  /// The board tried and failed.
   operation_failed = 10,
-  /// Not possible at the moment; it may be later.
+  /// Temporarily not possible; retry later.
   temporary = 11,
 };
 
@@ -344,7 +406,7 @@ constexpr std::uint32_t number_of(SerialSpeed value) noexcept {
   return 0;
 }
 
-/// What the RC_ROLL input pin receives.
+/// Signal at the RC_ROLL input pin.
 /// Source: Variables L1035.
 enum class RcVirtualMode : std::uint8_t {
   /// RC_VIRT_MODE_NORMAL: One PWM signal.
@@ -359,7 +421,7 @@ enum class RcVirtualMode : std::uint8_t {
   api = 10,
 };
 
-/// Named inputs of RC_MAP: pins that read PWM or an analog voltage.
+/// Named inputs of RC_MAP: pins for PWM or an analog voltage.
 /// Source: Variables L1036. Errata: E058, E069, E106.
 enum class RcInput : std::uint8_t {
   /// INPUT_NO: No input.
@@ -384,7 +446,7 @@ enum class RcInput : std::uint8_t {
   ext_fc_input_pitch_analog = 36,
 };
 
-/// Kind of signal that an RC_MAP value selects.
+/// Kind of signal selected by RC_MAP.
 /// Source: Variables L1036-L1038. Errata: E058.
 enum class RcSource : std::uint8_t {
   /// A PWM signal.
@@ -397,7 +459,7 @@ enum class RcSource : std::uint8_t {
   api = 128,
 };
 
-/// RC channel that a flight controller's signal is mixed into.
+/// RC channel into which a flight controller's signal is mixed.
 /// Source: Variables L1039.
 enum class MixTarget : std::uint8_t {
   /// None.
@@ -438,7 +500,7 @@ enum class SensorAxis : std::int8_t {
   minus_z = -3,
 };
 
-/// Where the frame IMU is mounted.
+/// Location of the frame IMU.
 /// Source: Variables L1047.
 enum class FrameImuPosition : std::uint8_t {
   /// FRAME_IMU_DISABLED: There is none.
@@ -447,22 +509,22 @@ enum class FrameImuPosition : std::uint8_t {
   below_yaw = 1,
   /// FRAME_IMU_ABOVE_YAW: Above the yaw motor.
   above_yaw = 2,
-  /// FRAME_IMU_BELOW_YAW_PID_SOURCE: Below the yaw motor, and the source of the PID controller.
+  /// FRAME_IMU_BELOW_YAW_PID_SOURCE: Below the yaw motor, and the input of the PID controller.
   below_yaw_pid_source = 3,
 };
 
-/// What happens to the gyroscope's calibration at start-up.
+/// Gyroscope calibration at start-up.
 /// Source: Variables L1050.
 enum class SkipGyroCalibration : std::uint8_t {
   /// Calibrate.
   do_not_skip = 0,
   /// Never calibrate.
   skip_always = 1,
-  /// Calibrate, unless the board moves.
+  /// Calibrate unless the board moves.
   skip_if_moving = 2,
 };
 
-/// Actions that a button, an RC signal or CMD_EXECUTE_MENU starts.
+/// Actions of the menu button, an RC signal or CMD_EXECUTE_MENU.
 /// Source: Variables L1051-L1053. Errata: E046, E048, E059.
 enum class MenuCommand : std::uint8_t {
   /// MENU_CMD_NO: Nothing.
@@ -481,7 +543,7 @@ enum class MenuCommand : std::uint8_t {
   calib_acc = 6,
   /// MENU_CMD_RESET: Restart the board.
   reset = 7,
-  /// MENU_CMD_SET_ANGLE: Make the present angle the initial one.
+  /// MENU_CMD_SET_ANGLE: Make the current angle the initial angle.
   set_angle = 8,
   /// MENU_CMD_CALIB_GYRO: Calibrate the gyroscope.
   calib_gyro = 9,
@@ -491,7 +553,7 @@ enum class MenuCommand : std::uint8_t {
   motor_on = 11,
   /// MENU_CMD_MOTOR_OFF: Turn the motors off.
   motor_off = 12,
-  /// MENU_CMD_FRAME_UPSIDE_DOWN: The frame is upside down.
+  /// MENU_CMD_FRAME_UPSIDE_DOWN: Treat the frame as upside down.
   frame_upside_down = 13,
   /// MENU_CMD_PROFILE4: Switch to profile 4.
   profile4 = 14,
@@ -509,7 +571,7 @@ enum class MenuCommand : std::uint8_t {
   calib_gyro_temp = 20,
   /// MENU_CMD_CALIB_ACC_TEMP: Calibrate the accelerometer over temperature.
   calib_acc_temp = 21,
-  /// MENU_CMD_BUTTON_PRESS: As if the menu button were pressed.
+  /// MENU_CMD_BUTTON_PRESS: Press the menu button.
   button_press = 22,
   /// MENU_CMD_RUN_SCRIPT1: Run script 1.
   run_script1 = 23,
@@ -527,9 +589,9 @@ enum class MenuCommand : std::uint8_t {
   level_roll_pitch = 34,
   /// MENU_CMD_CENTER_YAW: Centre yaw.
   center_yaw = 35,
-  /// MENU_CMD_UNTWIST_CABLES: Turn back until the cables are untwisted.
+  /// MENU_CMD_UNTWIST_CABLES: Turn back to untwist the cables.
   untwist_cables = 36,
-  /// MENU_CMD_SET_ANGLE_NO_SAVE: Make the present angle the initial one, without saving it.
+  /// MENU_CMD_SET_ANGLE_NO_SAVE: Make the current angle the initial angle, without saving it.
   set_angle_no_save = 37,
 };
 
@@ -608,7 +670,7 @@ enum class EulerOrder : std::uint8_t {
   yaw_pitch_roll = 5,
 };
 
-/// Kind of an encoder.
+/// Kind of encoder.
 /// Source: Variables L1100. Errata: E059.
 enum class EncoderModel : std::uint8_t {
   /// ENC_TYPE_AS5048A: AS5048A, over SPI.
@@ -639,7 +701,7 @@ enum class EncoderModel : std::uint8_t {
   as5600_i2c = 13,
 };
 
-/// Clock of an SPI encoder; for an I2C driver the kind of encoder inside it.
+/// Clock of an SPI encoder; for an I2C driver, the kind of encoder in it.
 /// Source: Variables L1101. Errata: E118.
 enum class EncoderConfig : std::uint8_t {
   /// SPI_SPEED_1MHz: SPI clock of 1 MHz.
@@ -652,59 +714,59 @@ enum class EncoderConfig : std::uint8_t {
   spi_500_khz = 3,
 };
 
-/// Reason of an emergency stop.
+/// Reason for an emergency stop.
 /// Source: Variables L1131. Errata: E048, E059.
 enum class SystemSubError : std::uint8_t {
   /// No emergency stop.
   none = 0,
   /// SUB_ERR_I2C_ERRORS: Too many errors on the I2C bus.
   i2c_errors = 1,
-  /// SUB_ERR_DRV_OTW: A motor driver warns of its temperature.
+  /// SUB_ERR_DRV_OTW: A motor driver reports an overtemperature warning.
   drv_otw = 2,
-  /// SUB_ERR_DRV_FAULT: A motor driver has failed.
+  /// SUB_ERR_DRV_FAULT: A motor driver failed.
   drv_fault = 3,
-  /// SUB_ERR_ENCODER_IMU_ANGLE: Encoder and IMU do not agree.
+  /// SUB_ERR_ENCODER_IMU_ANGLE: Encoder and IMU disagree.
   encoder_imu_angle = 4,
-  /// SUB_ERR_CALIBRATION_FAILED: A calibration has failed.
+  /// SUB_ERR_CALIBRATION_FAILED: A calibration failed.
   calibration_failed = 5,
-  /// SUB_ERR_INTERNAL_SYSTEM_ERROR: An internal error.
+  /// SUB_ERR_INTERNAL_SYSTEM_ERROR: Internal error.
   internal_system_error = 6,
   /// SUB_ERR_ENCODER_CALIB_BAD_SCALE: The scale of an encoder is wrong.
   encoder_calib_bad_scale = 7,
-  /// SUB_ERR_OVER_TEMPERATURE: Too hot.
+  /// SUB_ERR_OVER_TEMPERATURE: Overtemperature.
   over_temperature = 8,
-  /// SUB_ERR_BAD_MOTOR_POLES_INVERT: Poles or direction of a motor are set wrongly.
+  /// SUB_ERR_BAD_MOTOR_POLES_INVERT: Wrong poles or direction of a motor.
   bad_motor_poles_invert = 9,
   /// SUB_ERR_NOT_ENOUGH_MEMORY: Out of memory.
   not_enough_memory = 10,
-  /// SUB_ERR_IMU_SENSOR_NOT_RESPONDING: The IMU sensor does not answer.
+  /// SUB_ERR_IMU_SENSOR_NOT_RESPONDING: The IMU sensor does not respond.
   imu_sensor_not_responding = 11,
-  /// SUB_ERR_MOTOR_OVERHEAT_PROTECTION: A motor is too hot.
+  /// SUB_ERR_MOTOR_OVERHEAT_PROTECTION: A motor overheated.
   motor_overheat_protection = 13,
 };
 
-/// What the SPEED and ANGLE of a control command mean.
+/// Meaning of SPEED and ANGLE in a control command.
 /// Source: Variables L1148.
 enum class ControlModeKind : std::uint8_t {
-  /// MODE_NO_CONTROL: Serial control ends; RC has control again.
+  /// MODE_NO_CONTROL: Serial control ends and RC takes over.
   no_control = 0,
-  /// MODE_SPEED: Turn with the given speed, in Euler coordinates, until the next command; the angle
+  /// MODE_SPEED: Turn at the given speed, in Euler coordinates, until the next command; the angle
   /// is ignored.
   speed = 1,
-  /// MODE_ANGLE: Go to the given angle, in Euler coordinates, with the given speed; speed 0 is the
-  /// speed from the settings.
+  /// MODE_ANGLE: Go to the given angle, in Euler coordinates, at the given speed; speed 0 selects
+  /// the speed from the parameters.
   angle = 2,
-  /// MODE_SPEED_ANGLE: Follow the given speed while the controller holds the given angle: the most
-  /// exact mode.
+  /// MODE_SPEED_ANGLE: Follow the given speed while the controller holds the given angle; the most
+  /// precise mode.
   speed_angle = 3,
   /// MODE_RC: The angle replaces the RC signal, -500 to 500; the speed is ignored.
   rc = 4,
-  /// MODE_ANGLE_REL_FRAME: Go to the given angle counted from the frame's neutral point; turns back
-  /// full turns, so it untwists cables. Speed 0 is the speed from the settings.
+  /// MODE_ANGLE_REL_FRAME: Go to the given angle relative to the frame's neutral point; undoes full
+  /// turns, so it untwists cables. Speed 0 selects the speed from the parameters.
   angle_rel_frame = 5,
 };
 
-/// How the motors are turned off.
+/// How to turn the motors off.
 /// Source: Later firmware. Errata: E205.
 enum class MotorsOffMode : std::uint8_t {
   /// They turn freely, without current.
@@ -715,18 +777,18 @@ enum class MotorsOffMode : std::uint8_t {
   safe_stop = 2,
 };
 
-/// Coordinates of the data that an outer system passes.
+/// Coordinate system of data from an external system.
 /// Source: Variables L1250. Errata: E080.
 enum class CoordinateSystem : std::uint8_t {
-  /// COORD_SYS_GROUND_YAW_ROTATED: Of the ground, turned with the camera about Z: Z points up, X
-  /// right, Y forward. The usual one.
+  /// COORD_SYS_GROUND_YAW_ROTATED: Ground coordinates rotated with the camera about Z: Z points up,
+  /// X right, Y forward. The default.
   ground_yaw_rotated = 1,
 };
 
 /// IMU to calibrate.
 /// Source: Outgoing commands L629. Errata: E051, E053.
 enum class CalibImu : std::uint8_t {
-  /// The IMU that is active now.
+  /// The active IMU.
   active = 0,
   /// The main IMU on the camera.
   main = 1,
@@ -737,23 +799,23 @@ enum class CalibImu : std::uint8_t {
 /// Kind of calibration.
 /// Source: Outgoing commands L630-L637.
 enum class CalibAction : std::uint8_t {
-  /// Calibrate at the present temperature.
+  /// Calibrate at the current temperature.
   regular = 1,
-  /// Forget all calibrations and restart.
+  /// Erase all calibrations and restart.
   reset = 2,
   /// Calibrate over temperature.
   temperature = 3,
-  /// Use the calibration over temperature, if there is one, and restart.
+  /// Enable the calibration over temperature, if there is one, and restart.
   enable_temperature = 4,
-  /// Do not use the calibration over temperature, though it stays in memory, and restart.
+  /// Disable the calibration over temperature, but keep it in memory, and restart.
   disable_temperature = 5,
-  /// Copy the calibration from the sensor's own EEPROM to the main one.
+  /// Copy the calibration from the sensor's EEPROM to the main EEPROM.
   restore_factory = 6,
-  /// Put the main EEPROM's calibration into the sensor's own EEPROM.
+  /// Copy the calibration from the main EEPROM to the sensor's EEPROM.
   store_in_sensor = 7,
 };
 
-/// Which IMU, counted from 0.
+/// IMU, counted from 0.
 /// Source: Variables L1199, L1207. Errata: E053.
 enum class ImuIndex : std::uint8_t {
   /// The main IMU on the camera.
@@ -775,15 +837,15 @@ enum class OutputPin : std::uint8_t {
   ext_fc_input_pitch = 4,
   /// RC_INPUT_YAW: The RC_YAW pin. Since board 3.0.
   rc_input_yaw = 5,
-  /// PIN_AUX1: The AUX1 pin; on boards 1.x pin 2 of the microcontroller.
+  /// PIN_AUX1: The AUX1 pin; on 1.x boards, pin 2 of the microcontroller.
   pin_aux1 = 16,
-  /// PIN_AUX2: The AUX2 pin; on boards 1.x pin 11 of the microcontroller.
+  /// PIN_AUX2: The AUX2 pin; on 1.x boards, pin 11 of the microcontroller.
   pin_aux2 = 17,
-  /// PIN_AUX3: The AUX3 pin; on boards 1.x pin 12 of the microcontroller.
+  /// PIN_AUX3: The AUX3 pin; on 1.x boards, pin 12 of the microcontroller.
   pin_aux3 = 18,
-  /// PIN_BUZZER: The buzzer; on boards 1.x pin 32 of the microcontroller.
+  /// PIN_BUZZER: The buzzer; on 1.x boards, pin 32 of the microcontroller.
   pin_buzzer = 32,
-  /// PIN_SSAT_POWER: The 3.3 V supply in the Spektrum connector; LOW turns it on.
+  /// PIN_SSAT_POWER: The 3.3 V supply of the Spektrum connector; LOW turns it on.
   pin_ssat_power = 33,
 };
 
@@ -810,7 +872,7 @@ enum class I2cPort : std::uint8_t {
 enum class FileError : std::uint8_t {
   /// NO_ERROR: Success.
   no_error = 0,
-  /// ERR_EEPROM_FAULT: The memory chip does not answer.
+  /// ERR_EEPROM_FAULT: The memory chip does not respond.
   eeprom_fault = 1,
   /// ERR_FILE_NOT_FOUND: No file has this id.
   file_not_found = 2,
@@ -820,26 +882,26 @@ enum class FileError : std::uint8_t {
   no_free_space = 4,
   /// ERR_FAT_IS_FULL: The file table is full.
   fat_is_full = 5,
-  /// ERR_FILE_SIZE: The size is not possible.
+  /// ERR_FILE_SIZE: The size is invalid.
   file_size = 6,
-  /// ERR_CRC: The checksum does not hold.
+  /// ERR_CRC: Checksum mismatch.
   crc = 7,
-  /// ERR_LIMIT_REACHED: A limit of the file system is reached.
+  /// ERR_LIMIT_REACHED: The file system reached a limit.
   limit_reached = 8,
   /// The file is damaged.
   file_corrupted = 9,
-  /// A value of the request is not possible.
+  /// A value of the request is invalid.
   wrong_params = 10,
 };
 
-/// What to do with a script.
+/// Operation on a script.
 /// Source: Outgoing commands L936.
 enum class ScriptMode : std::uint8_t {
   /// Stop it.
   stop = 0,
   /// Start it.
   start = 1,
-  /// Start it and report its progress with CMD_SCRIPT_DEBUG.
+  /// Start it and report progress with CMD_SCRIPT_DEBUG.
   start_debug = 2,
 };
 
@@ -876,7 +938,7 @@ constexpr NumberType number_type(DebugVarKind value) noexcept {
   return NumberType::none;
 }
 
-/// Axis that a debug variable belongs to.
+/// Axis of a debug variable.
 /// Source: Variables L1188. Errata: E055.
 enum class DebugVarAxis : std::uint8_t {
   /// None.
@@ -889,7 +951,7 @@ enum class DebugVarAxis : std::uint8_t {
   yaw = 48,
 };
 
-/// What the board's hardware and firmware can do.
+/// Features of the board's hardware and firmware.
 /// Source: Variables L1008.
 enum class BoardFeature : std::uint16_t {
   /// BOARD_FEATURE_3AXIS: Drives three motors.
@@ -900,7 +962,7 @@ enum class BoardFeature : std::uint16_t {
   encoders = 0x0004,
   /// BOARD_FEATURE_BODE_TEST: Can record a frequency response.
   bode_test = 0x0008,
-  /// BOARD_FEATURE_SCRIPTING: Runs user-written scripts.
+  /// BOARD_FEATURE_SCRIPTING: Runs user scripts.
   scripting = 0x0010,
   /// BOARD_FEATURE_CURRENT_SENSOR: Measures the supply current.
   current_sensor = 0x0020,
@@ -910,12 +972,12 @@ using BoardFeatures = Flags<BoardFeature>;
 /// How the host is connected to the board.
 /// Source: Variables L1009.
 enum class ConnectionFlag : std::uint8_t {
-  /// CONNECTION_USB: The host talks over USB, not over a UART.
+  /// CONNECTION_USB: The host is connected over USB, not over a UART.
   usb = 0x01,
 };
 using ConnectionFlags = Flags<ConnectionFlag>;
 
-/// What the board does before it restarts.
+/// What the board does before a restart.
 /// Source: Outgoing commands L676, L685. Errata: E204.
 enum class ResetOption : std::uint8_t {
   /// Send CMD_RESET back first.
@@ -923,7 +985,7 @@ enum class ResetOption : std::uint8_t {
 };
 using ResetOptions = Flags<ResetOption>;
 
-/// Filters of an axis that are on; 0 turns all off.
+/// Enabled filters of an axis; 0 disables all.
 /// Source: Variables L1084.
 enum class FilterSwitch : std::uint8_t {
   /// EN_NOTCH1: First notch filter.
@@ -937,12 +999,12 @@ enum class FilterSwitch : std::uint8_t {
 };
 using FilterSwitches = Flags<FilterSwitch>;
 
-/// Options in the upper half of an encoder type byte.
+/// Options in the upper half of the encoder type byte.
 /// Source: Variables L1100. Errata: E057.
 enum class EncoderFlag : std::uint8_t {
-  /// SKIP_DETECTION: Do not detect whether the encoder is there.
+  /// SKIP_DETECTION: Do not detect whether the encoder is present.
   skip_detection = 0x10,
-  /// ENCODER_IS_GEARED: A gear sits between motor and encoder.
+  /// ENCODER_IS_GEARED: There is a gear between motor and encoder.
   encoder_is_geared = 0x80,
 };
 using EncoderFlags = Flags<EncoderFlag>;
@@ -963,7 +1025,7 @@ enum class BeeperMode : std::uint8_t {
 };
 using BeeperModes = Flags<BeeperMode>;
 
-/// Axes with adaptive PID control; 0 turns it off.
+/// Axes with adaptive PID control; 0 disables it.
 /// Source: Variables L1067.
 enum class AdaptivePidAxe : std::uint8_t {
   /// EN_ROLL: Roll.
@@ -975,16 +1037,16 @@ enum class AdaptivePidAxe : std::uint8_t {
 };
 using AdaptivePidAxes = Flags<AdaptivePidAxe>;
 
-/// Settings of the whole board.
+/// Options of the whole board.
 /// Source: Variables L1073. Errata: E059.
 enum class GeneralFlag : std::uint16_t {
-  /// REMEMBER_LAST_USED_PROFILE: Start with the profile that was used last.
+  /// REMEMBER_LAST_USED_PROFILE: Start with the last used profile.
   remember_last_used_profile = 0x0001,
-  /// UPSIDE_DOWN_AUTO: Notice a frame that is upside down.
+  /// UPSIDE_DOWN_AUTO: Detect an upside-down frame.
   upside_down_auto = 0x0002,
   /// SWAP_FRAME_MAIN_IMU: Swap frame IMU and main IMU.
   swap_frame_main_imu = 0x0004,
-  /// BLINK_PROFILE: Blink the number of the profile.
+  /// BLINK_PROFILE: Blink the profile number.
   blink_profile = 0x0008,
   /// EMERGENCY_STOP: Stop in an emergency.
   emergency_stop = 0x0010,
@@ -992,14 +1054,14 @@ enum class GeneralFlag : std::uint16_t {
   magnetometer_pos_frame = 0x0020,
   /// FRAME_IMU_FF: Feed forward from the frame IMU.
   frame_imu_ff = 0x0040,
-  /// OVERHEAT_STOP_MOTORS: Stop the motors when they are too hot.
+  /// OVERHEAT_STOP_MOTORS: Stop the motors when they overheat.
   overheat_stop_motors = 0x0080,
   /// CENTER_YAW_AT_STARTUP: Centre yaw at start-up.
   center_yaw_at_startup = 0x0100,
 };
 using GeneralFlags = Flags<GeneralFlag>;
 
-/// Settings of one profile.
+/// Options of one profile.
 /// Source: Variables L1074. Errata: E059.
 enum class ProfileFlag : std::uint16_t {
   /// ADC1_AUTO_DETECTION: Detect whether analog input 1 is connected.
@@ -1010,21 +1072,21 @@ enum class ProfileFlag : std::uint16_t {
   adc3_auto_detection = 0x0004,
   /// FOLLOW_USE_FRAME_IMU: Follow mode uses the frame IMU.
   follow_use_frame_imu = 0x0010,
-  /// BRIEFCASE_AUTO_DETECTION: Notice when the gimbal is carried like a briefcase.
+  /// BRIEFCASE_AUTO_DETECTION: Detect when the gimbal is carried like a briefcase.
   briefcase_auto_detection = 0x0020,
   /// UPSIDE_DOWN_AUTO_ROTATE: Turn the camera when the frame is upside down.
   upside_down_auto_rotate = 0x0040,
   /// FOLLOW_LOCK_OFFSET_CORRECTION: Do not correct the offset in follow mode.
   follow_lock_offset_correction = 0x0080,
-  /// START_NEUTRAL_POSITION: Start in neutral position.
+  /// START_NEUTRAL_POSITION: Start in the neutral position.
   start_neutral_position = 0x0100,
 };
 using ProfileFlags = Flags<ProfileFlag>;
 
-/// Errors that the board has noticed.
+/// Errors detected by the board.
 /// Source: Variables L1128-L1130. Errata: E048.
 enum class SystemError : std::uint16_t {
-  /// ERR_NO_SENSOR: The IMU sensor does not answer.
+  /// ERR_NO_SENSOR: The IMU sensor does not respond.
   no_sensor = 0x0001,
   /// ERR_CALIB_ACC: The accelerometer is not calibrated.
   calib_acc = 0x0002,
@@ -1032,21 +1094,21 @@ enum class SystemError : std::uint16_t {
   set_power = 0x0004,
   /// ERR_CALIB_POLES: The motor poles are not calibrated.
   calib_poles = 0x0008,
-  /// ERR_PROTECTION: The protection of the drivers has tripped.
+  /// ERR_PROTECTION: The driver protection tripped.
   protection = 0x0010,
   /// ERR_SERIAL: Errors on the serial line.
   serial = 0x0020,
   /// ERR_LOW_BAT1: The battery is below the alarm threshold.
   low_bat1 = 0x0040,
-  /// ERR_LOW_BAT2: The battery is below the threshold that stops the motors.
+  /// ERR_LOW_BAT2: The battery is below the motor stop threshold.
   low_bat2 = 0x0080,
-  /// ERR_GUI_VERSION: The host software does not fit the firmware.
+  /// ERR_GUI_VERSION: The host software does not match the firmware.
   gui_version = 0x0100,
-  /// ERR_MISS_STEPS: A motor has lost steps.
+  /// ERR_MISS_STEPS: A motor lost steps.
   miss_steps = 0x0200,
-  /// ERR_SYSTEM: An error of the system.
+  /// ERR_SYSTEM: System error.
   system = 0x0400,
-  /// ERR_EMERGENCY_STOP: Emergency stop; SYSTEM_SUB_ERROR tells the reason.
+  /// ERR_EMERGENCY_STOP: Emergency stop; SYSTEM_SUB_ERROR gives the reason.
   emergency_stop = 0x0800,
 };
 using SystemErrors = Flags<SystemError>;
@@ -1054,12 +1116,12 @@ using SystemErrors = Flags<SystemError>;
 /// State of the motors.
 /// Source: Variables L1133.
 enum class OtherFlag : std::uint8_t {
-  /// The motors are turned on.
+  /// The motors are on.
   motors_on = 0x01,
 };
 using OtherFlags = Flags<OtherFlag>;
 
-/// Which blocks CMD_REALTIME_DATA_CUSTOM delivers.
+/// Data blocks of CMD_REALTIME_DATA_CUSTOM.
 /// Source: Variables L1209.
 enum class RealtimeDataCustomFlag : std::uint32_t {
   /// Angles of the main IMU.
@@ -1091,10 +1153,10 @@ enum class ControlFlag : std::uint8_t {
 };
 using ControlFlags = Flags<ControlFlag>;
 
-/// What the automatic tuning of the PID controllers does.
+/// Options of automatic PID tuning.
 /// Source: Variables L1179-L1181. Errata: E056.
 enum class AutoPidFlag : std::uint8_t {
-  /// AUTO_PID_STOP: No bit: the whole value 0 stops the tuning.
+  /// AUTO_PID_STOP: Not a bit: the whole value 0 stops the tuning.
   stop = 0x00,
   /// AUTO_PID_CFG_ROLL: Tune roll.
   roll = 0x01,
@@ -1102,9 +1164,9 @@ enum class AutoPidFlag : std::uint8_t {
   pitch = 0x02,
   /// AUTO_PID_CFG_YAW: Tune yaw.
   yaw = 0x04,
-  /// AUTO_PID_CFG_SEND_GUI: Report the progress with CMD_AUTO_PID.
+  /// AUTO_PID_CFG_SEND_GUI: Report progress with CMD_AUTO_PID.
   send_gui = 0x08,
-  /// AUTO_PID_CFG_KEEP_CURRENT: Begin with the present gains.
+  /// AUTO_PID_CFG_KEEP_CURRENT: Start from the current gains.
   keep_current = 0x10,
   /// AUTO_PID_CFG_TUNE_LPF_FREQ: Tune the low-pass filter as well.
   tune_lpf_freq = 0x20,
@@ -1113,7 +1175,7 @@ enum class AutoPidFlag : std::uint8_t {
 };
 using AutoPidFlags = Flags<AutoPidFlag>;
 
-/// Directions in which the accelerometer is calibrated.
+/// Calibrated directions of the accelerometer.
 /// Source: Variables L1239. Errata: E054.
 enum class CalibratedLimit : std::uint8_t {
   /// Limit +X.
@@ -1131,17 +1193,17 @@ enum class CalibratedLimit : std::uint8_t {
 };
 using CalibratedLimits = Flags<CalibratedLimit>;
 
-/// What CMD_AHRS_HELPER does; without SET it asks, and all but FRAME_IMU is ignored.
+/// What CMD_AHRS_HELPER does. Without SET it queries, and only FRAME_IMU counts.
 /// Source: Variables L1193-L1195.
 enum class AhrsHelperModeBit : std::uint8_t {
-  /// Set the attitude, instead of asking for it.
+  /// Set the attitude instead of querying it.
   set = 0x01,
-  /// The frame IMU, instead of the main one.
+  /// The frame IMU instead of the main one.
   frame_imu = 0x02,
-  /// Only correct the estimate, as far as GYRO_TRUST allows, instead of replacing it.
+  /// Correct the estimate, as far as GYRO_TRUST allows, instead of replacing it.
   reference_only = 0x04,
-  /// Translate between camera and frame and use the result as a reference; the motor angles must be
-  /// known.
+  /// Translate between camera and frame and use the result as a reference; requires known motor
+  /// angles.
   translate = 0x08,
   /// Use Z1_VECTOR only.
   z1_only = 0x10,
@@ -1150,17 +1212,17 @@ enum class AhrsHelperModeBit : std::uint8_t {
 };
 using AhrsHelperMode = Flags<AhrsHelperModeBit>;
 
-/// What the forms of CMD_AHRS_HELPER do whose mode has two bytes; without SET they ask.
+/// What the forms of CMD_AHRS_HELPER with a two-byte mode do. Without SET they query.
 /// Source: Later firmware. Errata: E209.
 enum class AhrsHelperWideModeBit : std::uint16_t {
-  /// Set the attitude, instead of asking for it.
+  /// Set the attitude instead of querying it.
   set = 0x0001,
-  /// The frame IMU, instead of the main one.
+  /// The frame IMU instead of the main one.
   frame_imu = 0x0002,
-  /// Only correct the estimate, as far as GYRO_TRUST allows, instead of replacing it.
+  /// Correct the estimate, as far as GYRO_TRUST allows, instead of replacing it.
   reference_only = 0x0004,
-  /// Translate between camera and frame and use the result as a reference; the motor angles must be
-  /// known.
+  /// Translate between camera and frame and use the result as a reference; requires known motor
+  /// angles.
   translate = 0x0008,
   /// Use Z1_VECTOR only.
   z1_only = 0x0010,
@@ -1175,30 +1237,30 @@ enum class AhrsHelperWideModeBit : std::uint16_t {
 };
 using AhrsHelperWideMode = Flags<AhrsHelperWideModeBit>;
 
-/// Which sound CMD_BEEP_SOUND makes.
+/// Sounds of CMD_BEEP_SOUND.
 /// Source: Variables L1223. Errata: E111.
 enum class BeepMode : std::uint16_t {
-  /// BEEPER_MODE_CALIBRATE: The sound of a calibration.
+  /// BEEPER_MODE_CALIBRATE: The calibration sound.
   calibrate = 0x0001,
-  /// BEEPER_MODE_CONFIRM: The sound of a confirmation.
+  /// BEEPER_MODE_CONFIRM: The confirmation sound.
   confirm = 0x0002,
-  /// BEEPER_MODE_ERROR: The sound of an error.
+  /// BEEPER_MODE_ERROR: The error sound.
   error = 0x0004,
   /// BEEPER_MODE_CLICK: A click.
   click = 0x0010,
-  /// BEEPER_MODE_COMPLETE: The sound of completion.
+  /// BEEPER_MODE_COMPLETE: The completion sound.
   complete = 0x0020,
-  /// BEEPER_MODE_INTRO: The sound of a start.
+  /// BEEPER_MODE_INTRO: The start-up sound.
   intro = 0x0040,
   /// BEEPER_MODE_CUSTOM_MELODY: The notes of this message.
   custom_melody = 0x8000,
 };
 using BeepModes = Flags<BeepMode>;
 
-/// What is special about a debug variable.
+/// Properties of a debug variable.
 /// Source: Variables L1188. Errata: E055.
 enum class DebugVarFlag : std::uint8_t {
-  /// VAR_FLAG_ANGLE14: It is an angle, 16384 counts for one full turn.
+  /// VAR_FLAG_ANGLE14: An angle, 16384 counts per turn.
   angle14 = 0x40,
 };
 using DebugVarFlags = Flags<DebugVarFlag>;
@@ -1219,16 +1281,31 @@ class BoardVersion {
   constexpr raw_type major() const noexcept {
     return static_cast<raw_type>(raw_ / 10);
   }
+  /// False, and nothing changes, when the number does not fit.
+  constexpr bool set_major(unsigned value) noexcept {
+    return set_digits(major(), value, 10, 0);
+  }
 
   /// Minor version.
   constexpr raw_type minor() const noexcept {
     return static_cast<raw_type>(raw_ % 10);
+  }
+  /// False, and nothing changes, when the number does not fit.
+  constexpr bool set_minor(unsigned value) noexcept {
+    return set_digits(minor(), value, 1, 10);
   }
 
   friend constexpr bool operator==(const BoardVersion&, const BoardVersion&) = default;
   friend constexpr auto operator<=>(const BoardVersion&, const BoardVersion&) = default;
 
  private:
+  constexpr bool set_digits(unsigned old, unsigned value, unsigned divide, unsigned modulo) noexcept {
+    const std::uint64_t raw = raw_ + (std::uint64_t{value} - old) * divide;
+    if ((modulo != 0 && value >= modulo) || raw > raw_type(-1)) return false;
+    raw_ = static_cast<raw_type>(raw);
+    return true;
+  }
+
   raw_type raw_{};
 };
 
@@ -1248,21 +1325,40 @@ class FirmwareVersion {
   constexpr raw_type major() const noexcept {
     return static_cast<raw_type>(raw_ / 1000);
   }
+  /// False, and nothing changes, when the number does not fit.
+  constexpr bool set_major(unsigned value) noexcept {
+    return set_digits(major(), value, 1000, 0);
+  }
 
   /// Minor version.
   constexpr raw_type minor() const noexcept {
     return static_cast<raw_type>(raw_ / 10 % 100);
+  }
+  /// False, and nothing changes, when the number does not fit.
+  constexpr bool set_minor(unsigned value) noexcept {
+    return set_digits(minor(), value, 10, 100);
   }
 
   /// Beta version; 0 is a release.
   constexpr raw_type beta() const noexcept {
     return static_cast<raw_type>(raw_ % 10);
   }
+  /// False, and nothing changes, when the number does not fit.
+  constexpr bool set_beta(unsigned value) noexcept {
+    return set_digits(beta(), value, 1, 10);
+  }
 
   friend constexpr bool operator==(const FirmwareVersion&, const FirmwareVersion&) = default;
   friend constexpr auto operator<=>(const FirmwareVersion&, const FirmwareVersion&) = default;
 
  private:
+  constexpr bool set_digits(unsigned old, unsigned value, unsigned divide, unsigned modulo) noexcept {
+    const std::uint64_t raw = raw_ + (std::uint64_t{value} - old) * divide;
+    if ((modulo != 0 && value >= modulo) || raw > raw_type(-1)) return false;
+    raw_ = static_cast<raw_type>(raw);
+    return true;
+  }
+
   raw_type raw_{};
 };
 
@@ -1371,7 +1467,7 @@ class RcMix {
   /// The integer as it stands on the wire.
   constexpr raw_type raw() const noexcept { return raw_; }
 
-  /// 0 is RC alone, 32 half and half, 63 the flight controller alone.
+  /// 0 is RC only, 32 half and half, 63 the flight controller only.
   constexpr raw_type rate() const noexcept {
     return static_cast<raw_type>(raw_ & 0x3F);
   }
@@ -1380,7 +1476,7 @@ class RcMix {
     return set(static_cast<raw_type>(value), 0x3F, 0);
   }
 
-  /// Channel that it is mixed into.
+  /// Target channel of the mix.
   constexpr MixTarget target() const noexcept {
     return static_cast<MixTarget>((raw_ & 0xC0) >> 6);
   }
@@ -1449,7 +1545,7 @@ class EncoderType {
   raw_type raw_{};
 };
 
-/// Mode and options of control, for one axis or for all.
+/// Control mode and options, for one axis or for all.
 /// Source: Variables L1148.
 class ControlMode {
  public:
@@ -1508,7 +1604,7 @@ class I2cDevice {
   /// The integer as it stands on the wire.
   constexpr raw_type raw() const noexcept { return raw_; }
 
-  /// Bus that the device is on.
+  /// Bus of the device.
   constexpr I2cPort port() const noexcept {
     return static_cast<I2cPort>(raw_ & 0x01);
   }
@@ -1517,7 +1613,7 @@ class I2cDevice {
     return set(static_cast<raw_type>(value), 0x01, 0);
   }
 
-  /// Address of the device, 7 bits.
+  /// 7-bit address of the device.
   constexpr raw_type address() const noexcept {
     return static_cast<raw_type>((raw_ & 0xFE) >> 1);
   }
@@ -1539,7 +1635,7 @@ class I2cDevice {
   raw_type raw_{};
 };
 
-/// Type, axis and kind of a debug variable.
+/// Type, axis and properties of a debug variable.
 /// Source: Variables L1188. Errata: E055.
 class DebugVarType {
  public:
@@ -1564,7 +1660,7 @@ class DebugVarType {
     return set(static_cast<raw_type>(value), 0x0F, 0);
   }
 
-  /// Axis that it belongs to.
+  /// Axis of the variable.
   constexpr DebugVarAxis axis() const noexcept {
     return static_cast<DebugVarAxis>(raw_ & 0x30);
   }
@@ -1573,7 +1669,7 @@ class DebugVarType {
     return set(static_cast<raw_type>(value), 0x30, 0);
   }
 
-  /// What is special about it.
+  /// Properties of the variable.
   constexpr DebugVarFlags flags() const noexcept {
     return static_cast<DebugVarFlags>(raw_ & 0xC0);
   }
@@ -1598,6 +1694,12 @@ class DebugVarType {
 }  // namespace sbgc::msg
 
 namespace sbgc {
+
+/// The types whose display text is how the versions in an Availability are written.
+struct VersionTypes {
+  using Firmware = msg::FirmwareVersion;
+  using Board = msg::BoardVersion;
+};
 
 template <>
 inline constexpr bool is_flag<msg::BoardFeature> = true;

@@ -18,5 +18,7 @@ inline constexpr std::array<std::uint32_t, 9> baud_rates{115200, 57600, 38400, 1
 inline constexpr std::size_t named_baud_rates = 5;
 /// Parities, the most likely first.
 inline constexpr std::array<Parity, 2> parities{Parity::none, Parity::even};
+/// The settings of a new board.
+inline constexpr LineSettings default_line{baud_rates[0], parities[0]};
 
 }  // namespace sbgc

@@ -5,7 +5,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
+#include <sbgc/codec.hpp>
 #include <sbgc/frame.hpp>
 #include <sbgc/type_list.hpp>
 
@@ -21,6 +23,10 @@ struct ErrorExt;
 struct Reset;
 struct BoardInfoRequest;
 struct BoardInfo3Request;
+struct RealtimeData3;
+struct RealtimeData4;
+struct RealtimeDataCustom;
+struct AhrsHelper;
 
 enum class BoardErrorCode : std::uint8_t;
 }  // namespace msg
@@ -43,8 +49,22 @@ using IntroductionRequest = msg::BoardInfoRequest;
 using Details = msg::BoardInfo3;
 /// Asks for these details.
 using DetailsRequest = msg::BoardInfo3Request;
+
+/// The bytes that identify the board, in Details.
+template <class M>
+constexpr auto& serial_number(M& details) noexcept {
+  return details.device_id;
+}
+
+/// The size of its EEPROM, in Details.
+template <class M>
+constexpr auto& eeprom_size(M& details) noexcept {
+  return details.eeprom_size;
+}
 /// Starts, changes and ends a data stream.
 using StreamRequest = msg::DataStreamInterval;
+/// The messages that streams consist of.
+using StreamMessages = TypeList<msg::RealtimeData3, msg::RealtimeData4, msg::RealtimeDataCustom, msg::AhrsHelper>;
 
 /// The command whose message a StreamRequest is about.
 template <class Request>
@@ -64,7 +84,7 @@ inline constexpr std::uint32_t stream_end = 0;
 /// The interval, in counts, that stands for every cycle of the board, and how long one is.
 inline constexpr std::uint32_t stream_cycle = 1;
 inline constexpr std::uint32_t stream_cycle_us = 800;
-/// The most streams that the board keeps at a time, over all its ports.
+/// Maximum number of streams at a time, on all ports of the board together; 0 if it is not known.
 inline constexpr std::size_t stream_limit = 10;
 
 /// The largest documented body of a confirmation.
@@ -98,6 +118,23 @@ constexpr ErrorReason error_reason(const Frame& frame) noexcept {
   return static_cast<ErrorReason>(frame.body[0]);
 }
 
+/// The number that says why a request failed: the code of an error, or the result in a confirmation or
+/// in another response; 0 in a message that has neither.
+constexpr std::uint32_t failure_code([[maybe_unused]] const Frame& frame) noexcept {
+  if (frame.id == 255 && frame.body.size() == 5) return frame.body[0];
+  if (frame.id == 255 && frame.body.size() >= 6) return frame.body[1];
+  if (frame.id == 53 && frame.body.size() == 1) return frame.body[0];
+  if (!is_confirmation(frame)) return 0;
+  const std::uint8_t command = confirmed_command(frame);
+  if (command == 54 && frame.body.size() >= 2) {
+    return frame.body[1];
+  }
+  if (command == 55 && frame.body.size() >= 2) {
+    return frame.body[1];
+  }
+  return 0;
+}
+
 constexpr bool is_reset([[maybe_unused]] const Frame& frame) noexcept {
   return frame.id == 114;
 }
@@ -116,5 +153,12 @@ constexpr bool is_introduction([[maybe_unused]] const Frame& frame) noexcept {
 }
 
 }  // namespace roles
+
+/// The versions in the introduction of a board.
+template <class Info>
+  requires std::is_same_v<Info, roles::Introduction>
+constexpr Availability versions_of(const Info& info) noexcept {
+  return {info.firmware_ver.raw(), info.board_ver.raw()};
+}
 
 }  // namespace sbgc

@@ -17,7 +17,7 @@ namespace sbgc {
 template <class M>
 struct SettingsOf;
 
-/// Settings of one profile together with the general settings.
+/// Parameters of one profile and general parameters.
 template <>
 struct SettingsOf<msg::ReadParams3> {
   static constexpr const char* name = "ReadParams3";
@@ -52,7 +52,7 @@ struct SettingsOf<msg::ReadParams3> {
   }
 };
 
-/// Further settings of one profile: filters, encoders, magnetometer.
+/// More parameters of one profile: filters, encoders, magnetometer.
 template <>
 struct SettingsOf<msg::ReadParamsExt> {
   static constexpr const char* name = "ReadParamsExt";
@@ -73,7 +73,7 @@ struct SettingsOf<msg::ReadParamsExt> {
   static constexpr void share(const msg::ReadParamsExt&, msg::ReadParamsExt&) noexcept {}
 };
 
-/// Still further settings of one profile.
+/// The third set of parameters of one profile.
 template <>
 struct SettingsOf<msg::ReadParamsExt2> {
   static constexpr const char* name = "ReadParamsExt2";
@@ -94,7 +94,7 @@ struct SettingsOf<msg::ReadParamsExt2> {
   static constexpr void share(const msg::ReadParamsExt2&, msg::ReadParamsExt2&) noexcept {}
 };
 
-/// Names of the profiles.
+/// Profile names.
 template <>
 struct SettingsOf<msg::ReadProfileNames> {
   static constexpr const char* name = "ReadProfileNames";
@@ -103,7 +103,7 @@ struct SettingsOf<msg::ReadProfileNames> {
   static constexpr std::uint8_t copies = 1;
 };
 
-/// Which RC signals start actions and which ones change adjustable variables.
+/// RC signals that trigger actions or change adjustable variables.
 template <>
 struct SettingsOf<msg::ReadAdjVarsCfg> {
   static constexpr const char* name = "ReadAdjVarsCfg";
@@ -112,7 +112,7 @@ struct SettingsOf<msg::ReadAdjVarsCfg> {
   static constexpr std::uint8_t copies = 1;
 };
 
-/// Data of the user in the EEPROM.
+/// User data in the EEPROM.
 template <>
 struct SettingsOf<msg::ReadExternalData> {
   static constexpr const char* name = "ReadExternalData";

@@ -11,7 +11,7 @@
 
 namespace sbgc::msg {
 
-/// Angle, 16384 counts for one full turn.
+/// Angle, 16384 counts per turn.
 /// Unit: deg, one count is 360/16384. Errata: E074.
 class Angle14
     : public detail::Quantity<Angle14, std::int16_t, unit::deg, 45, 2048> {
@@ -24,7 +24,7 @@ class Angle14
   constexpr double degrees() const noexcept { return real(); }
 };
 
-/// Angle, 16384 counts for one full turn, counting on over many turns.
+/// Angle, 16384 counts per turn, accumulated over full turns.
 /// Unit: deg, one count is 360/16384. Errata: E074.
 class LongAngle14
     : public detail::Quantity<LongAngle14, std::int32_t, unit::deg, 45, 2048> {
@@ -63,7 +63,7 @@ class SmallDegrees
   constexpr double degrees() const noexcept { return real(); }
 };
 
-/// Small angle in whole degrees, with a sign.
+/// Small signed angle in whole degrees.
 /// Unit: deg.
 class SignedDegrees
     : public detail::Quantity<SignedDegrees, std::int8_t, unit::deg, 1, 1> {
@@ -115,7 +115,7 @@ class AngleError
   constexpr double degrees() const noexcept { return real(); }
 };
 
-/// Angular speed as commands and targets use it: full scale is 4000 deg/s.
+/// Angular speed of commands and targets: full scale is 4000 deg/s.
 /// Unit: deg/s, one count is 4000/32767. Errata: E071, E074.
 class ControlSpeed
     : public detail::Quantity<ControlSpeed, std::int16_t, unit::deg_per_s, 4000, 32767> {
@@ -141,7 +141,7 @@ class FineSpeed
   constexpr double degrees_per_second() const noexcept { return real(); }
 };
 
-/// Angular speed as the gyroscope reports it: full scale is 2000 deg/s.
+/// Angular speed from the gyroscope: full scale is 2000 deg/s.
 /// Unit: deg/s, one count is 2000/32767. Errata: E071, E074.
 class GyroRate
     : public detail::Quantity<GyroRate, std::int16_t, unit::deg_per_s, 2000, 32767> {
@@ -193,7 +193,7 @@ class Acceleration
   constexpr double g() const noexcept { return real(); }
 };
 
-/// Time stamp that starts again after 65.536 s.
+/// Time stamp that wraps after 65.536 s.
 /// Unit: ms.
 class MillisecondClock
     : public detail::Quantity<MillisecondClock, std::uint16_t, unit::ms, 1, 1> {
@@ -245,7 +245,7 @@ class TensOfMilliseconds
   constexpr double milliseconds() const noexcept { return real(); }
 };
 
-/// Length of a servo pulse; 0 and below have meanings of their own.
+/// Length of a servo pulse; values up to 0 are special.
 /// Unit: us. Errata: E076.
 class ServoPulse
     : public detail::Quantity<ServoPulse, std::int16_t, unit::us, 1, 1> {
@@ -453,7 +453,7 @@ class Thousandths
   constexpr double value() const noexcept { return real(); }
 };
 
-/// Number with eight bits before and eight bits behind the binary point.
+/// Number with eight integer and eight fractional bits.
 /// Unit: no unit, one count is 1/256.
 class FixedPoint8
     : public detail::Quantity<FixedPoint8, std::uint16_t, unit::value, 1, 256> {
@@ -505,7 +505,7 @@ class Percent
   constexpr double percent() const noexcept { return real(); }
 };
 
-/// Tenths of the gyroscope's own unit.
+/// Tenths of the gyroscope's native unit.
 /// Unit: gyro unit, one count is 1/10.
 class GyroDeadband
     : public detail::Quantity<GyroDeadband, std::uint8_t, unit::gyro_unit, 1, 10> {
@@ -518,7 +518,7 @@ class GyroDeadband
   constexpr double gyro_units() const noexcept { return real(); }
 };
 
-/// Thousandths of the gyroscope's own unit.
+/// Thousandths of the gyroscope's native unit.
 /// Unit: gyro unit, one count is 1/1000.
 class GyroOffset
     : public detail::Quantity<GyroOffset, std::int16_t, unit::gyro_unit, 1, 1000> {
@@ -544,7 +544,7 @@ class RcSignal
   constexpr double microseconds() const noexcept { return real(); }
 };
 
-/// RC signal in high resolution; the normal range is -1 to 1.
+/// High-resolution RC signal; the normal range is -1 to 1.
 /// Unit: no unit, one count is 1/16384. Errata: E070.
 class FineRcSignal
     : public detail::Quantity<FineRcSignal, std::int16_t, unit::fraction, 1, 16384> {
@@ -557,7 +557,7 @@ class FineRcSignal
   constexpr double fraction() const noexcept { return real(); }
 };
 
-/// RC signal around its middle; the normal range is -1 to 1.
+/// RC signal relative to its centre; the normal range is -1 to 1.
 /// Unit: no unit, one count is 1/500. Errata: E070.
 class CentredRcSignal
     : public detail::Quantity<CentredRcSignal, std::int16_t, unit::fraction, 1, 500> {

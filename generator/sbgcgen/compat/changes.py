@@ -6,7 +6,8 @@ import enum
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from sbgcgen.model import Availability, Position
+from sbgcgen.model import Availability, Position, Versions
+from sbgcgen.model.packed_text import text_of
 
 
 class Level(enum.Enum):
@@ -32,8 +33,9 @@ class Change:
 
 @dataclass
 class Changes:
-    """Collects changes; `what` says which thing they are about."""
+    """Collects changes; `what` says which thing they are about, `written` how versions are written."""
 
+    written: Versions = Versions()
     found: list[Change] = field(default_factory=list)
 
     def add(self, level: Level, what: str, old: object, new: object, at: Position) -> None:
@@ -59,22 +61,20 @@ class Changes:
         """A later version than before excludes somebody, an earlier one does not."""
         later = new.firmware > old.firmware or new.board > old.board
         level = Level.MEANING if later else Level.COMPATIBLE
-        self.compare(level, f"{what}: since", versions(old), versions(new), at)
+        self.compare(level, f"{what}: since", self.versions(old), self.versions(new), at)
+
+    def versions(self, since: Availability) -> str:
+        """The versions of an availability in words."""
+        words = []
+        for kind, number in (("firmware", since.firmware), ("board", since.board)):
+            type_ = self.written.of(kind)
+            if number:
+                words.append(f"{kind} {text_of(type_, number) if type_ else number}")
+        return ", ".join(words) or "always"
 
     def _append(self, change: Change) -> None:
         if change not in self.found:
             self.found.append(change)
-
-
-def versions(since: Availability) -> str:
-    """The versions of an availability in words."""
-    parts = []
-    if since.firmware:
-        beta = f"b{since.firmware % 10}" if since.firmware % 10 else ""
-        parts.append(f"firmware {since.firmware // 1000}.{since.firmware // 10 % 100:02}{beta}")
-    if since.board:
-        parts.append(f"board {since.board // 10}.{since.board % 10}")
-    return ", ".join(parts) or "always"
 
 
 def text(value: object) -> str:

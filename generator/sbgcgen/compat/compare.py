@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sbgcgen.compat.changes import Change, Changes, Level, versions
+from sbgcgen.compat.changes import Change, Changes, Level
 from sbgcgen.compat.fields import compare_fields, places
 from sbgcgen.compat.types import (
     compare_enum,
@@ -31,8 +31,9 @@ from sbgcgen.spec.load import MAIN_FILE
 
 def compare(old: Layout, new: Layout) -> list[Change]:
     """All changes, the worst first, and else in the order of the spec."""
-    changes = Changes()
+    changes = Changes(new.versions)
     _compare_framing(old, new, changes)
+    _compare_versions(old, new, changes)
     _compare_line(old, new, changes)
     commands = _compare_commands(old, new, changes)
     _compare_messages(old, new, commands, changes)
@@ -44,9 +45,30 @@ def compare(old: Layout, new: Layout) -> list[Change]:
 
 
 def _compare_framing(old: Layout, new: Layout, changes: Changes) -> None:
-    for key in ("start", "header_size", "trailer_size", "max_body"):
+    at = Position(f"spec/{MAIN_FILE}")
+    for key in ("start", "header", "trailer", "max_body"):
         before, now = getattr(old.framing, key), getattr(new.framing, key)
-        changes.compare(Level.WIRE, f"framing: {key}", before, now, Position(f"spec/{MAIN_FILE}"))
+        changes.compare(Level.WIRE, f"framing: {key}", before, now, at)
+    for checksum in new.framing.checksums:
+        other = old.framing.checksum(checksum.name)
+        if other is not None:
+            what = f"framing: {checksum.name}"
+            changes.compare(Level.WIRE, f"{what}: kind", other.kind, checksum.kind, at)
+            changes.compare(Level.WIRE, f"{what}: covers", other.covers, checksum.covers, at)
+
+
+def _compare_versions(old: Layout, new: Layout, changes: Changes) -> None:
+    at = Position(f"spec/{MAIN_FILE}")
+    for kind in ("firmware", "board"):
+        names = [
+            found.name if found else ""
+            for found in map(lambda v: v.of(kind), (old.versions, new.versions))
+        ]
+        if names[0]:
+            changes.compare(Level.MEANING, f"versions: {kind}", names[0], names[1], at)
+    newest = (old.newest_firmware, new.newest_firmware)
+    if newest[0]:
+        changes.compare(Level.COMPATIBLE, "newest firmware", newest[0], newest[1], at)
 
 
 def _compare_line(old: Layout, new: Layout, changes: Changes) -> None:
@@ -226,7 +248,7 @@ def _compare_message(old: Message, new: Message, renamed: dict[str, str], change
     stores = renamed.get(old.stores, old.stores)
     changes.compare(Level.MEANING, f"{what}: stores", stores, new.stores, new.at)
     changes.since(what, old.since, new.since, new.at)
-    ends = [_until_words(m.until, renamed if m is old else {}) for m in (old, new)]
+    ends = [_until_words(m.until, renamed if m is old else {}, changes) for m in (old, new)]
     changes.compare(Level.MEANING, f"{what}: until", ends[0], ends[1], new.at)
     marks = (bool(old.deprecated), bool(new.deprecated))
     changes.compare(Level.COMPATIBLE, f"{what}: deprecated", marks[0], marks[1], new.at)
@@ -235,11 +257,11 @@ def _compare_message(old: Message, new: Message, renamed: dict[str, str], change
     changes.compare(Level.COMPATIBLE, f"{what}: description", texts[0], texts[1], new.at)
 
 
-def _until_words(until: Until | None, renamed: dict[str, str]) -> str | None:
+def _until_words(until: Until | None, renamed: dict[str, str], changes: Changes) -> str | None:
     if until is None:
         return None
     instead = renamed.get(until.instead, until.instead)
-    return versions(until.versions) + (f", then {instead}" if instead else "")
+    return changes.versions(until.versions) + (f", then {instead}" if instead else "")
 
 
 def _lengths(message: Message) -> tuple[object, ...]:
@@ -285,8 +307,8 @@ def _compare_answers(
             )
             pair = (first.confirm, second.confirm)
             changes.compare(_level_of(pair), f"{case}: confirmed", pair[0], pair[1], new.at)
-        echoes = [sorted(c.echoes) for c in (first, second)]
-        changes.compare(Level.MEANING, f"{case}: repeats", echoes[0], echoes[1], new.at)
+        correlation = [sorted(c.correlation) for c in (first, second)]
+        changes.compare(Level.MEANING, f"{case}: repeats", correlation[0], correlation[1], new.at)
         ends_it = (first.restarts, second.restarts)
         changes.compare(Level.MEANING, f"{case}: restarts the board", *ends_it, new.at)
         results = [c.result.field.spec_name if c.result else "" for c in (first, second)]

@@ -20,7 +20,6 @@ from sbgcgen.model import (
     Field,
     Packed,
     Quantity,
-    Scalar,
     Struct,
     Type,
 )
@@ -78,7 +77,7 @@ def places(fields: Fields) -> list[Place]:
 def _place_text(place: Place) -> str:
     if len(place) == 1:
         return f"byte {place[0]}"
-    return f"byte {place[-1]} behind {len(place) // 2} variable parts"
+    return f"byte {place[-1]} after {len(place) // 2} variable parts"
 
 
 # Which field is which

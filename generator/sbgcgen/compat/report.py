@@ -6,11 +6,12 @@ import sys
 from collections import Counter
 from pathlib import Path
 
-from sbgcgen.build import load_layout, load_protocol
+from sbgcgen.build import load_protocol
 from sbgcgen.compat.changes import Change, Level
 from sbgcgen.compat.compare import compare
 from sbgcgen.spec.diagnostics import SpecError
 from sbgcgen.model import Layout
+from sbgcgen.compat.reading import UnreadableRevision, layout_of
 from sbgcgen.compat.revision import UnknownRevision, Version, version
 
 _LONGEST = 60
@@ -35,9 +36,9 @@ def _report(old: Version, new: Version, is_working_tree: bool) -> int:
     for side in (old, new):
         try:
             checked = is_working_tree and side is new
-            layouts.append(
-                load_protocol(side.folder).layout if checked else load_layout(side.folder)
-            )
+            layouts.append(load_protocol(side.folder).layout if checked else layout_of(side))
+        except UnreadableRevision as error:
+            print(f"{side.prefix}: its own generator cannot read it: {error}", file=sys.stderr)
         except SpecError as error:
             for diagnostic in error.diagnostics:
                 where = side.where(diagnostic.position)

@@ -10,8 +10,13 @@ import tempfile
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Optional
 
 from sbgcgen.model import Position
+
+
+# The folder of the generator in a project; a revision that has it is read by it.
+_GENERATOR = "generator"
 
 
 class UnknownRevision(Exception):
@@ -20,10 +25,11 @@ class UnknownRevision(Exception):
 
 @dataclass(frozen=True)
 class Version:
-    """A spec folder, and what to call its files."""
+    """A spec folder, what to call its files, and the generator that reads it, if not this one."""
 
     folder: Path
     prefix: str
+    generator: Optional[Path] = None
 
     def where(self, position: Position) -> str:
         """A position with the name of the version: HEAD~2:spec/control.yaml:12:7."""
@@ -35,8 +41,8 @@ class Version:
 def version(name: str, root: Path, spec_name: str) -> Iterator[Version]:
     """The spec folder `name`, or else the one of the git revision `name` of the project `root`.
 
-    A revision's files are put into a temporary folder. What is a folder and a revision, too, is
-    taken as a folder.
+    A revision's files are put into a temporary folder, with those of its generator if it has one.
+    What is a folder and a revision, too, is taken as a folder.
     """
     folder = Path(name)
     if name and folder.is_dir():
@@ -50,9 +56,13 @@ def version(name: str, root: Path, spec_name: str) -> Iterator[Version]:
         raise UnknownRevision(f"revision {name} has no folder {spec_name}/")
     with tempfile.TemporaryDirectory(prefix="sbgcgen-") as temporary:
         target = Path(temporary) / Path(spec_name).name
-        target.mkdir()
         _extract(root, tree.decode().strip(), target)
-        yield Version(target, f"{name}:{spec_name}/")
+        generator = None
+        tree = _git(root, "rev-parse", "--verify", "--quiet", f"{name}^{{commit}}:./{_GENERATOR}")
+        if tree is not None:
+            generator = Path(temporary) / "of the revision" / _GENERATOR
+            _extract(root, tree.decode().strip(), generator)
+        yield Version(target, f"{name}:{spec_name}/", generator)
 
 
 def _git(root: Path, *arguments: str) -> bytes | None:
@@ -65,13 +75,15 @@ def _git(root: Path, *arguments: str) -> bytes | None:
 
 
 def _extract(root: Path, tree: str, target: Path) -> None:
-    """Write the files of a git tree to a folder; a spec has no folders inside."""
+    """Write the files of a git tree to a folder."""
     top = _git(root, "rev-parse", "--show-toplevel")
     content = _git(Path(top.decode().strip()) if top else root, "archive", "--format=tar", tree)
     if content is None:
-        raise UnknownRevision(f"git can not read the tree {tree}")
+        raise UnknownRevision(f"git cannot read the tree {tree}")
     with tarfile.open(fileobj=io.BytesIO(content)) as archive:
         for member in archive:
             stream = archive.extractfile(member) if member.isfile() else None
-            if stream is not None and "/" not in member.name:
-                (target / member.name).write_bytes(stream.read())
+            if stream is not None:
+                path = target / member.name
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_bytes(stream.read())

@@ -16,6 +16,7 @@ from sbgcgen.model.values import (
     SCALARS,
     Scalar,
     Until,
+    Versions,
 )
 from sbgcgen.model.bodies import (
     Alternative,
@@ -35,14 +36,37 @@ from sbgcgen.model.bodies import (
     element_of,
     scalar_of,
 )
-from sbgcgen.model.answers import Answer, AnswerCase, Echo, Growth, Reply, Result, Role
+from sbgcgen.model.answers import (
+    Answer,
+    AnswerCase,
+    CorrelationField,
+    Growth,
+    Response,
+    Result,
+    Role,
+)
 from sbgcgen.model.effects import EFFECTS, Effect, EffectCase
-from sbgcgen.model.messages import Command, Family, Message, Settings, conditions, copy_field
+from sbgcgen.model.messages import (
+    COMMAND_IDS,
+    Command,
+    Family,
+    Message,
+    Settings,
+    conditions,
+    copy_field,
+)
 from sbgcgen.model.variables import Variable, VariableSetting
-from sbgcgen.model.protocol import Erratum, Framing, Layout, Line
+from sbgcgen.model.framing import BODY, CHECKSUM_SIZES, ID, SIZE, START, Checksum, Framing
+from sbgcgen.model.protocol import Erratum, Layout, Line
 from sbgcgen.model.revisions import Addition, Revision
 
 __all__ = [
+    "BODY",
+    "CHECKSUM_SIZES",
+    "Checksum",
+    "ID",
+    "SIZE",
+    "START",
     "Addition",
     "Alternative",
     "Announced",
@@ -51,13 +75,14 @@ __all__ = [
     "AnswerCase",
     "Availability",
     "Blob",
+    "COMMAND_IDS",
     "Command",
     "Condition",
     "Constant",
     "Context",
     "Deprecation",
     "EFFECTS",
-    "Echo",
+    "CorrelationField",
     "Effect",
     "EffectCase",
     "Enum",
@@ -77,7 +102,7 @@ __all__ = [
     "Part",
     "Position",
     "Quantity",
-    "Reply",
+    "Response",
     "Result",
     "Revision",
     "Role",
@@ -90,6 +115,7 @@ __all__ = [
     "Until",
     "Variable",
     "VariableSetting",
+    "Versions",
     "conditions",
     "constants",
     "copy_field",

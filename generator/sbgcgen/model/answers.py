@@ -10,7 +10,7 @@ from sbgcgen.model.values import EnumValue
 
 
 @dataclass(frozen=True)
-class Echo:
+class CorrelationField:
     """A number of the request that stands again in what answers it, `offset` bytes from its start.
 
     A special value of the request's `field` is not repeated.
@@ -35,7 +35,7 @@ class Growth:
 
 
 @dataclass(frozen=True)
-class Reply:
+class Response:
     """One message of the board that answers a request, or that it makes the board send."""
 
     message: str
@@ -44,7 +44,7 @@ class Reply:
     min_size: int
     max_size: int
     is_open: bool
-    echoes: tuple[Echo, ...] = ()
+    correlation: tuple[CorrelationField, ...] = ()
     growth: tuple[Growth, ...] = ()
 
 
@@ -62,7 +62,7 @@ class Result:
 class AnswerCase:
     """What a request is answered with, if `when` holds for it.
 
-    `echoes` are the fields that are repeated. `replies`, `confirmation` (what the data of a
+    `correlation` are the fields that are repeated. `responses`, `confirmation` (what the data of a
     confirmation repeat) and `result` follow from them and from the messages of the board.
     """
 
@@ -74,10 +74,10 @@ class AnswerCase:
     finish_ms: int
     retry_safe: bool
     restarts: bool
-    echoes: tuple[str, ...]
+    correlation: tuple[str, ...]
     errata: tuple[str, ...]
-    replies: tuple[Reply, ...] = ()
-    confirmation: Echo | None = None
+    responses: tuple[Response, ...] = ()
+    confirmation: CorrelationField | None = None
     result: Result | None = None
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
@@ -136,7 +136,7 @@ class Role:
     kind: str
     parts: dict[str, Field] = field(hash=False)
     messages: tuple[str, ...] = ()
-    streams: tuple[Reply, ...] = ()
+    streams: tuple[Response, ...] = ()
     interval_us: int = 0
     end: int = 0
     cycle: int | None = None

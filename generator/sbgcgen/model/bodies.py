@@ -237,7 +237,7 @@ class Announcement:
 
 @dataclass(frozen=True)
 class Context:
-    """Something a body can not be read without, that stands in an earlier message.
+    """Something a body cannot be read without, that stands in an earlier message.
 
     Either an enum or flag set, found in `sources` (message, path), or announced types.
     """

@@ -8,13 +8,13 @@ from sbgcgen.model.bodies import Condition
 
 # Every word of the spec language, the harmless first, with what it means to people.
 EFFECTS: dict[str, str] = {
-    "reads": "Reads: it changes nothing.",
-    "sets": "Sets for now: what it changes is lost when the board restarts.",
-    "stores": "Writes memory: what it changes lasts when the power is off.",
+    "reads": "Reads: changes nothing.",
+    "sets": "Sets temporarily: a restart of the board discards the change.",
+    "stores": "Writes memory: the change survives a power cycle.",
     "moves": "Moves: the camera can move, or the motors gain or lose power.",
     "restarts": "Restarts the board: the motors lose power until it is up again.",
-    "erases": "Erases what is stored.",
-    "unknown": "Not known: the specification only names the command.",
+    "erases": "Erases stored data.",
+    "unknown": "Unknown: the specification does not describe the command.",
 }
 
 

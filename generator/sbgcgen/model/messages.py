@@ -9,8 +9,11 @@ from sbgcgen.model.position import NOWHERE, Position
 from sbgcgen.model.answers import Answer, Role
 from sbgcgen.model.bodies import Condition, Context, Field, Leaf, Struct
 from sbgcgen.model.effects import Effect
-from sbgcgen.model.values import Availability, Deprecation, Until
+from sbgcgen.model.values import Availability, Deprecation, Enum, Until
 from sbgcgen.model.names import form_suffix, snake_case
+
+# The enum of the ids of commands, by direction.
+COMMAND_IDS = {"to_board": "CommandToBoard", "from_board": "CommandFromBoard"}
 
 
 @dataclass(frozen=True)
@@ -60,6 +63,11 @@ class Message:
         return snake_case(self.name)
 
     @property
+    def command_ids(self) -> str:
+        """The enum that has the id of its command; in both directions it is first of all a request."""
+        return COMMAND_IDS["to_board" if self.in_both_directions else self.direction]
+
+    @property
     def call(self) -> str:
         """The name of a function that sends it."""
         suffix = form_suffix(self.form)
@@ -68,6 +76,19 @@ class Message:
     @property
     def fields(self) -> tuple[Field, ...]:
         return self.body.fields
+
+    @property
+    def failure(self) -> Field | None:
+        """In the form that answers a request that has failed, the field that says why."""
+        return next(
+            (
+                f
+                for f in self.fields
+                if self.form == "error" and isinstance(f.type, Enum) and f.type.success
+                if f.offset is not None and f.dim == "one" and f.when is None
+            ),
+            None,
+        )
 
     @property
     def has_fixed_size(self) -> bool:

@@ -11,7 +11,6 @@ _FIELD = re.compile(
     r"(?P<rest>[A-Za-z0-9_]*)"
     r"(?P<array>\[(?P<index>[A-Za-z0-9_]*)\])?\Z"
 )
-_VERSION = re.compile(r"(?P<major>[0-9])\.(?P<minor>[0-9]{2})(b(?P<beta>[0-9]))?\Z")
 
 
 @dataclass(frozen=True)
@@ -91,20 +90,6 @@ def slug(name: str) -> str:
 def is_name(text: str) -> bool:
     """Whether a name is made of letters, digits and underscores, as every language has them."""
     return re.match(r"[A-Za-z][A-Za-z0-9_]*\Z", text) is not None
-
-
-def parse_version(text: str) -> int | None:
-    """2.55b5 -> 2555, 2.59 -> 2590 (as FIRMWARE_VER has it); None if it is not a version."""
-    match = _VERSION.match(text)
-    if match is None:
-        return None
-    return int(match["major"]) * 1000 + int(match["minor"]) * 10 + int(match["beta"] or 0)
-
-
-def parse_board(text: str) -> int | None:
-    """3.0 -> 30 (as BOARD_VER has it); None if it is not a version."""
-    match = re.match(r"([0-9]{1,2})\.([0-9])\Z", text)
-    return int(match[1]) * 10 + int(match[2]) if match else None
 
 
 def parse_lines(text: str) -> list[tuple[int, int]]:

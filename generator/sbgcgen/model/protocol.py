@@ -6,11 +6,12 @@ from dataclasses import dataclass, field
 
 from sbgcgen.model.position import NOWHERE, Position
 from sbgcgen.model.bodies import Identifier
+from sbgcgen.model.framing import Framing
 from sbgcgen.model.messages import Command, Family, Message, Settings
 from sbgcgen.model.revisions import Revision
-from sbgcgen.model.values import Enum, Packed, Quantity
+from sbgcgen.model.values import Enum, Packed, Quantity, Versions
 from sbgcgen.model.variables import Variable
-from sbgcgen.model.names import KNOWN_FORMS, parse_version
+from sbgcgen.model.names import KNOWN_FORMS
 
 
 @dataclass(frozen=True)
@@ -24,18 +25,6 @@ class Erratum:
     reading: str
     reason: str
     at: Position = field(default=NOWHERE, compare=False, repr=False)
-
-
-@dataclass(frozen=True)
-class Framing:
-    """How a body is wrapped on the line."""
-
-    start: int
-    header_size: int
-    trailer_size: int
-    max_body: int
-    source: str
-    errata: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -59,6 +48,7 @@ class Line:
 class Layout:
     """The whole protocol.
 
+    `newest_firmware` is the newest that the protocol as a whole describes; 0 if that is not said.
     `timeout_errata` tell where the times for an answer come from; `guides` are files of docs/ by what
     they are about; `synonyms` are groups of words for the same thing; `identifiers` are all the words
     that become names in code, those of fields that could not be resolved, too.
@@ -75,6 +65,8 @@ class Layout:
     variables: tuple[Variable, ...]
     errata: tuple[Erratum, ...]
     indices: dict[str, tuple[str, ...]]
+    versions: Versions = Versions()
+    newest_firmware: int = 0
     revisions: tuple[Revision, ...] = ()
     timeout_errata: tuple[str, ...] = ()
     guides: dict[str, str] = field(default_factory=dict)
@@ -115,11 +107,6 @@ class Layout:
         """The names of all forms, those with a meaning of their own first."""
         named = (m.form for m in self.messages if m.form)
         return tuple(dict.fromkeys((*KNOWN_FORMS, *named)))
-
-    @property
-    def newest_firmware(self) -> int:
-        """The newest firmware that the protocol as a whole describes; 0 if that is not said."""
-        return parse_version(self.protocol.get("newest_firmware", "")) or 0
 
     def having_role(self, kind: str) -> tuple[Message, ...]:
         """The messages with a role; several are forms of one command."""

@@ -42,10 +42,21 @@ SCALARS: dict[str, Scalar] = {
 
 @dataclass(frozen=True)
 class Availability:
-    """Since when something exists; encoded as on the wire (2.55b5 is 2555, board 3.0 is 30)."""
+    """Since when something exists: the versions as on the wire, and as they are written."""
 
     firmware: int = 0
     board: int = 0
+    firmware_text: str = field(default="", compare=False)
+    board_text: str = field(default="", compare=False)
+
+    @property
+    def words(self) -> tuple[tuple[str, str], ...]:
+        """What is said: ("firmware", "2.59"), ("board", "3.0")."""
+        said = (
+            ("firmware", self.firmware, self.firmware_text),
+            ("board", self.board, self.board_text),
+        )
+        return tuple((kind, text or str(number)) for kind, number, text in said if number)
 
     def __bool__(self) -> bool:
         return bool(self.firmware or self.board)
@@ -166,3 +177,15 @@ class Packed:
     kind: str = "packed"
     at: Position = field(default=NOWHERE, compare=False, repr=False)
     main: Part | None = None
+
+
+@dataclass(frozen=True)
+class Versions:
+    """The packed integers whose display text is how versions are written."""
+
+    firmware: Packed | None = None
+    board: Packed | None = None
+
+    def of(self, kind: str) -> Packed | None:
+        """The one of a kind of version."""
+        return self.firmware if kind == "firmware" else self.board

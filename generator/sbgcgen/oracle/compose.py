@@ -19,8 +19,9 @@ from sbgcgen.model import (
     conditions,
     element_of,
 )
-from sbgcgen.oracle.codec import LISTS, CodecError, Fields, encode, holds, is_bytes, keys_of
+from sbgcgen.oracle.codec import LISTS, CodecError, Fields, holds, is_bytes, keys_of
 from sbgcgen.oracle.edges import Edge, counting, edges
+from sbgcgen.oracle.encoding import encode
 from sbgcgen.oracle.typical import typical
 
 

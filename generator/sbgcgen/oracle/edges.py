@@ -6,7 +6,8 @@ from fractions import Fraction
 from typing import Any
 
 from sbgcgen.model import Blob, Enum, Field, Packed, Part, Scalar, Type
-from sbgcgen.oracle.codec import float_from_bits, float_to_bits, scalar_of, text_from_bytes
+from sbgcgen.oracle.codec import scalar_of
+from sbgcgen.oracle.json_values import float_from_bits, float_to_bits, text_from_bytes
 
 # A name for people, and the value as it stands in JSON.
 Edge = tuple[str, Any]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -23,16 +24,10 @@ from sbgcgen.model import (
     Struct,
     Type,
 )
-from sbgcgen.oracle.codec import (
-    LISTS,
-    Fields,
-    forms_of,
-    is_bytes,
-    keys_of,
-    scalar_of,
-    text_to_bytes,
-    write_frame,
-)
+from sbgcgen.model.packed_text import part_of, text_of
+from sbgcgen.oracle.codec import LISTS, Fields, is_bytes, keys_of, scalar_of
+from sbgcgen.oracle.frames import forms_of, write_frame
+from sbgcgen.oracle.json_values import text_to_bytes
 from sbgcgen.oracle.vector_line import line
 from sbgcgen.oracle.vectors import typical_vector
 
@@ -41,21 +36,23 @@ from sbgcgen.oracle.vectors import typical_vector
 class Piece:
     """One value of a body: where it stands, what it is, and what it means.
 
-    `path` has every index; `leaf` is the path of the Leaf of the model that it belongs to.
-    `access` is the path as C++ has it, with an arrow behind what may be missing; `may_be_missing`
-    tells that of the value itself. `data` are its bytes.
+    `path` has every index; `leaf` is the path of the Leaf of the model that it belongs to. `missing`
+    are the paths to what may be missing on the way to the value, and to itself. `data` are its bytes.
     """
 
     path: str
     leaf: str
-    access: str
-    may_be_missing: bool
+    missing: tuple[str, ...]
     field: Field
     type: Type
     value: Any
     offset: int
     data: bytes
     meaning: str
+
+    @property
+    def may_be_missing(self) -> bool:
+        return self.path in self.missing
 
     @property
     def is_padding(self) -> bool:
@@ -73,7 +70,7 @@ class Piece:
 
 @dataclass(frozen=True)
 class Example:
-    """An ordinary frame of a message, and the frames before it without which it can not be read.
+    """An ordinary frame of a message, and the frames before it without which it cannot be read.
 
     Of a message that stores what another one delivers, `read` is the example of that one.
     """
@@ -92,6 +89,11 @@ class Example:
         """The paths of the values that differ from what was read."""
         before = {piece.path: piece.data for piece in self.read.pieces} if self.read else {}
         return frozenset(p.path for p in self.pieces if before.get(p.path) != p.data)
+
+    @property
+    def missing(self) -> frozenset[str]:
+        """The paths to everything in the example that may be missing elsewhere."""
+        return frozenset(path for piece in self.pieces for path in piece.missing)
 
     @property
     def body(self) -> bytes:
@@ -144,31 +146,23 @@ def _read_before(message: Message, layout: Layout) -> Example | None:
 
 @dataclass(frozen=True)
 class _Place:
-    """Where a value stands: in the message, among the leaves of the model, in C++.
-
-    `arrow` is how C++ reaches what is in it.
-    """
+    """Where a value stands: in the message, and among the leaves of the model."""
 
     path: str = ""
     leaf: str = ""
-    access: str = "message"
-    arrow: str = "."
+    missing: tuple[str, ...] = ()
 
     def member(self, field: Field) -> _Place:
         dot = "." if self.path else ""
-        return _Place(
-            f"{self.path}{dot}{field.name}",
-            f"{self.leaf}{dot}{field.name}",
-            f"{self.access}{self.arrow}{field.name}",
-            "->" if field.when else ".",
-        )
+        path = f"{self.path}{dot}{field.name}"
+        missing = (*self.missing, path) if field.when else self.missing
+        return _Place(path, f"{self.leaf}{dot}{field.name}", missing)
 
     def key(self, key: str) -> _Place:
-        return _Place(f"{self.path}.{key}", f"{self.leaf}.{key}", f"{self.access}{self.arrow}{key}")
+        return _Place(f"{self.path}.{key}", f"{self.leaf}.{key}", self.missing)
 
     def item(self, field: Field, i: int) -> _Place:
-        list_ = f"(*{self.access})" if self.arrow == "->" else self.access
-        return _Place(f"{self.path}[{i}]", self.leaf + _index(field, i), f"{list_}[{i}]")
+        return _Place(f"{self.path}[{i}]", self.leaf + _index(field, i), self.missing)
 
 
 class _Taker:
@@ -220,8 +214,7 @@ class _Taker:
         piece = Piece(
             path=at.path,
             leaf=at.leaf,
-            access=at.access,
-            may_be_missing=at.arrow == "->",
+            missing=at.missing,
             field=field,
             type=type_,
             value=value,
@@ -312,16 +305,9 @@ def flag_names(enum: Enum, bits: int) -> str:
     return " | ".join(names + ([f"0x{bits:x}"] if bits else []))
 
 
-def part_of(part: Part, raw: int) -> int:
-    """What a part of a packed integer holds."""
-    number = ((raw & part.mask) >> part.shift) // part.divide
-    return number % part.modulo if part.modulo else number
-
-
 def _packed_text(packed: Packed, raw: int) -> str:
     if packed.display:
-        values = {part.name: part_of(part, raw) for part in packed.parts}
-        return packed.display.format(**values)
+        return text_of(packed, raw)
     named = [v.name for v in (packed.names.values if packed.names else ()) if v.value == raw]
     if named:
         return named[0]

@@ -14,8 +14,10 @@ from typing import Any
 
 from sbgcgen.model import Context, Message
 from sbgcgen.oracle.announced import announced_types, announcing
-from sbgcgen.oracle.codec import CodecError, Forms, choose_message, encode
+from sbgcgen.oracle.codec import CodecError
 from sbgcgen.oracle.compose import Choice, Places, compose
+from sbgcgen.oracle.encoding import encode
+from sbgcgen.oracle.frames import Forms, choose_message
 from sbgcgen.oracle.vectors import Vector
 
 

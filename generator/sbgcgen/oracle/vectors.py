@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from sbgcgen.model import Message, conditions
-from sbgcgen.oracle.codec import CodecError, Fields, decode, encode, holds
+from sbgcgen.oracle.codec import CodecError, Fields, holds
 from sbgcgen.oracle.compose import (
     Choice,
     Places,
@@ -21,6 +21,8 @@ from sbgcgen.oracle.compose import (
     typical_context,
     variable_parts,
 )
+from sbgcgen.oracle.decoding import decode
+from sbgcgen.oracle.encoding import encode
 
 
 @dataclass(frozen=True)

@@ -47,7 +47,7 @@ class Diagnostics:
 
 
 class SpecError(Exception):
-    """The spec can not be used; `diagnostics` says why, one entry for each mistake."""
+    """The spec cannot be used; `diagnostics` says why, one entry for each mistake."""
 
     def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
         self.diagnostics = list(diagnostics)

@@ -65,6 +65,12 @@ class Spec:
                     yield family, name, value, part.at(name)
 
 
+def directions_of(command: Map) -> tuple[str, ...]:
+    """The directions in which a command is described; both if it is described in neither."""
+    both = ("from_board", "to_board")
+    return tuple(direction for direction in both if direction in command) or both
+
+
 def _empty(position: Position) -> Map:
     result = Map()
     result.position = position
@@ -95,9 +101,7 @@ class _Builder:
     def build(self, node: yaml.Node) -> Any:
         if id(node) in self.seen:  # composed once, referred to twice: it could contain itself
             hint = "write it out, or make it a struct or 'same_as'"
-            self.found.add(
-                self.position(node), "SBGC001", "YAML anchors can not be used here", hint
-            )
+            self.found.add(self.position(node), "SBGC001", "YAML anchors cannot be used here", hint)
             return None
         self.seen.add(id(node))
         if isinstance(node, yaml.MappingNode):
@@ -121,7 +125,7 @@ class _Builder:
             at = self.position(key_node)
             if key in result:
                 first = result.keys_at[key]
-                message = f"key '{key}' stands twice (first at {first})"
+                message = f"key '{key}' occurs twice (first at {first})"
                 self.found.add(at, "SBGC002", message, "keep one of them")
                 continue
             result[key] = self.build(value_node)
@@ -134,7 +138,7 @@ def _read(path: Path, name: str, found: Diagnostics) -> Map:
     try:
         content = path.read_bytes()
     except OSError as error:
-        found.add(at, "SBGC001", f"can not read the file: {error.strerror}")
+        found.add(at, "SBGC001", f"cannot read the file: {error.strerror}")
         return _empty(at)
     try:
         text = content.decode("utf-8-sig")
@@ -188,11 +192,6 @@ def load(spec_dir: Path, found: Diagnostics) -> Spec:
         if isinstance(family, str) and family.isidentifier():
             spec.families[family] = read(f"{family}.yaml")
     spec.errata = read("errata.yaml")
-    for family, content in spec.families.items():
-        if isinstance(content.get("family"), str) and content["family"] != family:
-            message = f"the family '{content['family']}' stands in {family}.yaml"
-            hint = "a family is named like its file"
-            found.add(content.at("family"), "SBGC003", message, hint)
     for path in sorted(spec_dir.glob("*.y*ml")) if spec.families else []:
         if path not in spec.files:
             found.add(

@@ -53,7 +53,7 @@ class Recovery:
                 found.add(finding.position, finding.code, finding.message, finding.hint)
 
     def repair(self, error: ShapeError) -> bool:
-        """Mend one error; False if that can not be done."""
+        """Mend one error; False if that cannot be done."""
         node, parent = error.node, error.parent
         if error.validator == "additionalProperties":
             self._rename_keys(error)

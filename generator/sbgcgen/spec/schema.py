@@ -127,26 +127,26 @@ def add_shape_error(shape: ShapeError, found: Diagnostics) -> None:
         message = f"a key is missing: '{key}'"
         hint = str(error.schema.get("properties", {}).get(key, {}).get("description", hint))
     elif error.validator == "dependentRequired":
-        message = "'replaced_by' stands only beside 'deprecated'"
+        message = "'replaced_by' is valid only with 'deprecated'"
     elif error.validator == "uniqueItems":
-        message = "something stands twice here"
+        message = "an item occurs twice here"
     elif error.validator in ("minProperties", "minItems", "minLength"):
         message = "this must not be empty"
     elif error.validator == "enum":
         hint = did_you_mean(str(node), shape.known) or f"one of: {', '.join(shape.known)}"
         message = f"'{node}' is not possible here"
     elif error.validator == "pattern":
-        message = f"'{node}' is not written as it should be"
+        message = f"'{node}' has the wrong syntax"
     elif error.validator == "type":
         message = f"this should be {_words(error.validator_value)}, not {_kind(node)}"
         if node is None:
-            hint = "what belongs to a key stands behind it, or below it and further to the right"
+            hint = "the value of a key follows it, or is below it and indented further"
         elif error.validator_value == "array":
-            hint = "put each into a line of its own, behind '- '; or write [a, b]"
+            hint = "put each on its own line after '- ', or write [a, b]"
         elif error.validator_value == "object" and isinstance(node, list):
-            hint = "write 'NAME:' without '- ' in front of it"
+            hint = "write 'NAME:' without '- ' before it"
     elif error.validator in ("anyOf", "oneOf"):
-        message = f"{_kind(node)} is none of the forms that are possible here"
+        message = f"{_kind(node)} has none of the valid forms"
     found.add(at, "SBGC004", message, hint)
 
 
@@ -175,7 +175,7 @@ def _report_unknown_keys(shape: ShapeError, found: Diagnostics) -> None:
     for key in shape.unknown:
         hint = did_you_mean(key, shape.known) or f"known here: {', '.join(sorted(shape.known))}"
         if ":" in key:
-            hint = "an ordinary blank belongs behind the colon"
+            hint = "put an ordinary space after the colon"
         elif shape.patterns:
             hint = str(shape.error.schema.get("propertyNames", {}).get("description", ""))
         found.add(shape.node.at(key), "SBGC004", f"unknown key '{key}'", hint)

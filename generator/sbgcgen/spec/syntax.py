@@ -1,11 +1,10 @@
-"""Rules over the spec as written that a JSON Schema can not say; they need no other entry."""
+"""Rules over the spec as written that a JSON Schema cannot say; they need no other entry."""
 
 from __future__ import annotations
 
 import difflib
 import re
 from collections.abc import Iterator
-from typing import Any
 
 from sbgcgen.spec.diagnostics import Diagnostics
 from sbgcgen.spec.load import Map, Spec
@@ -18,10 +17,14 @@ _REST = re.compile(r"(bytes|text)\[\]$")
 def check_syntax(spec: Spec, found: Diagnostics) -> None:
     """Report entries that contradict themselves; the spec must fit the schema."""
     max_body = int(spec.main["framing"]["max_body"])
+    for family, content in spec.families.items():
+        if content["family"] != family:
+            text = f"the family '{content['family']}' is in {family}.yaml"
+            found.add(content.at("family"), "SBGC003", text, "a family is named like its file")
     for words in spec.main.get("indices", {}).values():
         for word, position in zip(words, words.items_at):
             if not is_name(word):
-                text = f"'{word}' can not be a name"
+                text = f"'{word}' cannot be a name"
                 found.add(position, "SBGC022", text, "call the element by another name")
     for _, _, packed, _ in spec.entries("packed"):
         for part in packed["parts"]:
@@ -56,7 +59,7 @@ def _check_form_names(node: Map, found: Diagnostics) -> None:
             hint = f"did you mean '{close[0]}'?"
             found.add(forms.at(form), "SBGC004", f"unknown form '{form}'", hint)
         elif not is_name(form):
-            text = f"'{form}' can not be the name of a form"
+            text = f"'{form}' cannot be the name of a form"
             found.add(forms.at(form), "SBGC022", text, "it is a word")
 
 
@@ -117,18 +120,18 @@ def _check_fields(
 def _check_include(field: Map, in_struct: bool, found: Diagnostics) -> None:
     if in_struct:
         hint = "only a message can include another; refer to a struct with 'type'"
-        found.add(field.at("include"), "SBGC040", "'include' stands in a struct", hint)
+        found.add(field.at("include"), "SBGC040", "'include' is in a struct", hint)
     for key in field:
         if key != "include":
             hint = "the fields of the message come as they are"
-            found.add(field.at(key), "SBGC040", f"'{key}' stands beside 'include'", hint)
+            found.add(field.at(key), "SBGC040", f"'{key}' is next to 'include'", hint)
 
 
 def _check_reserved(field: Map, found: Diagnostics) -> None:
     count = field["reserved"]
     for key in ("name", "type", "struct", "fields"):
         if key in field:
-            message = f"'{key}' stands beside 'reserved: {count}', which is bytes without a name"
+            message = f"'{key}' is next to 'reserved: {count}', which means unnamed bytes"
             hint = f"for a reserved field with a name: type: bytes[{count}], reserved: true"
             found.add(field.at(key), "SBGC040", message, hint)
 
@@ -150,7 +153,7 @@ def _check_field(field: Map, max_body: int, found: Diagnostics) -> None:
         hint = "give it one: struct: AxisState"
     elif "struct" in field and "fields" not in field:
         at, problem = field.at("struct"), "a struct, but no fields"
-        hint = "refer to a struct that stands elsewhere with 'type'"
+        hint = "refer to a struct defined elsewhere with 'type'"
     elif "type" not in field and "fields" not in field:
         problem, hint = "no type", "u8 … f32, bytes[N], text[N], or a name from the spec"
     elif "size" in field and "fields" not in field:
@@ -182,7 +185,7 @@ def _check_repetition(field: Map, name: FieldName, max_body: int, found: Diagnos
     elif name.index is not None and name.index.isdigit():
         last = int(name.index)
     if last < first:
-        message = f"{field['name']} stands for no element at all"
+        message = f"{field['name']} has no elements"
         found.add(at, "SBGC043", message, "count upwards, and at least one")
     elif last - first >= max_body:
         message = f"{field['name']} has {last - first + 1} elements; {max_body} bytes fit"

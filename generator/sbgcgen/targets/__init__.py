@@ -28,7 +28,7 @@ from sbgcgen.spec.load import Spec
 
 HERE = Path(__file__).resolve().parent
 
-Items = list[tuple[str, Any]]  # what stands in the path, and what the template gets to see
+Items = list[tuple[str, Any]]  # the text in the path, and the value that the template sees
 
 
 @dataclass(frozen=True)
@@ -85,7 +85,7 @@ class Target:
         return render(self, layout, project)
 
     def lint(self, spec: Spec, layout: Layout, found: Diagnostics) -> None:
-        """Its own rules: names of the protocol that its language can not have, say."""
+        """Its own rules, such as names of the protocol that its language reserves."""
 
     def example(self, example: Example) -> Optional[Code]:
         """How its language encodes or decodes a message."""

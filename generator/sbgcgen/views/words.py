@@ -20,6 +20,7 @@ from sbgcgen.model import (
     Struct,
 )
 from sbgcgen.model.names import slug
+from sbgcgen.views.framing import frame_parts, sums_in
 
 
 def to_json(value: Any) -> str:
@@ -35,14 +36,7 @@ def number(value: Fraction) -> str:
 
 def versions(since: Availability) -> str:
     """'firmware 2.59, board 3.0', or ''."""
-    words = []
-    if since.firmware:
-        beta = since.firmware % 10
-        text = f"firmware {since.firmware // 1000}.{since.firmware // 10 % 100:02}"
-        words.append(f"{text}b{beta}" if beta else text)
-    if since.board:
-        words.append(f"board {since.board // 10}.{since.board % 10}")
-    return ", ".join(words)
+    return ", ".join(f"{kind} {text}" for kind, text in since.words)
 
 
 def effect_text(word: str) -> str:
@@ -66,6 +60,8 @@ def title_of(name: str) -> str:
 
 
 FILTERS: dict[str, Callable[..., Any]] = {
+    "frame_parts": frame_parts,
+    "sums_in": sums_in,
     "to_json": to_json,
     "number": number,
     "versions": versions,

@@ -1,6 +1,7 @@
 #include <memory>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 #include <asio/post.hpp>
 #include <asio/thread_pool.hpp>
@@ -8,6 +9,7 @@
 #include <sbgc/client/async_client.hpp>
 
 #include "connect.hpp"
+#include "driving/asio_driver.hpp"
 
 namespace sbgc {
 
@@ -16,7 +18,6 @@ class AsyncClient::Impl : public std::enable_shared_from_this<AsyncClient::Impl>
   explicit Impl(asio::any_io_executor executor) : executor_(std::move(executor)) {}
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
-  /// What waits for the worker still ends, but quickly: there is no line.
   ~Impl() {
     close(true);
     worker_.join();
@@ -35,7 +36,7 @@ class AsyncClient::Impl : public std::enable_shared_from_this<AsyncClient::Impl>
   }
 
   void connect(const detail::Opener& opener, const ConnectOptions& options,
-               const Completion<void>& done) {
+               const Completion<Result<void>>& done) {
     asio::post(worker_, [this, opener, options, done] {
       close(false);
       auto conversation =
@@ -49,22 +50,35 @@ class AsyncClient::Impl : public std::enable_shared_from_this<AsyncClient::Impl>
     });
   }
 
-  void run(std::function<void(Result<Client>)> task) {
-    asio::post(worker_, [this, task = std::move(task)] {
-      if (!is_connected()) return task(not_connected());
-      task(detail::ClientMaker::make(nullptr, conversation()));
-    });
+  Stop run(const detail::Conversation& conversation, std::shared_ptr<TaskMachine> task,
+           std::function<void()> done) {
+    const auto driver = std::make_shared<detail::AsioDriver>(executor_, conversation,
+                                                             std::move(task), std::move(done));
+    {
+      const std::lock_guard lock(mutex_);
+      std::erase_if(drivers_, [](const auto& one) { return one.expired(); });
+      drivers_.push_back(driver);
+    }
+    driver->start();
+    return [weak = std::weak_ptr(driver)] {
+      if (const auto running = weak.lock()) running->cancel();
+    };
   }
 
   void close(bool for_good) noexcept {
     detail::Conversation conversation;
+    std::vector<std::weak_ptr<detail::AsioDriver>> drivers;
     {
       const std::lock_guard lock(mutex_);
       is_connected_ = false;
       is_closed_ = is_closed_ || for_good;
       conversation = conversation_;
+      drivers.swap(drivers_);
     }
     conversation.close();
+    for (const auto& weak : drivers) {
+      if (const auto driver = weak.lock()) driver->cancel();
+    }
   }
 
   Stop closer() {
@@ -91,9 +105,10 @@ class AsyncClient::Impl : public std::enable_shared_from_this<AsyncClient::Impl>
   asio::any_io_executor executor_;
   mutable std::mutex mutex_;
   detail::Conversation conversation_;
+  std::vector<std::weak_ptr<detail::AsioDriver>> drivers_;  // of the tasks under way
   bool is_connected_ = false;
-  bool is_closed_ = false;  // for good: the client is being destroyed
-  asio::thread_pool worker_{1};
+  bool is_closed_ = false;       // for good: the client is being destroyed
+  asio::thread_pool worker_{1};  // opening a line can block
 };
 
 AsyncClient::AsyncClient(const asio::any_io_executor& executor)
@@ -102,39 +117,27 @@ AsyncClient::AsyncClient(const asio::any_io_executor& executor)
 asio::any_io_executor AsyncClient::executor() const { return impl_->executor(); }
 
 auto AsyncClient::begin_connect(Impl& impl, const std::string& address,
-                                const ConnectOptions& options, const Completion<void>& done)
+                                const ConnectOptions& options, const Completion<Result<void>>& done)
     -> Stop {
   impl.connect(detail::opener_of(address, options), options, done);
   return impl.closer();
 }
 
 auto AsyncClient::begin_connect(Impl& impl, const TransportFactory& make,
-                                const ConnectOptions& options, const Completion<void>& done)
+                                const ConnectOptions& options, const Completion<Result<void>>& done)
     -> Stop {
   impl.connect(detail::opener_of(make, options), options, done);
   return impl.closer();
 }
 
-auto AsyncClient::begin_call(Impl& impl, detail::FrameBytes frame, const CallOptions& options,
-                             Completion<Reply> done) -> Stop {
-  if (!impl.is_connected()) return done(Impl::not_connected()), Stop{};
-  const detail::Conversation conversation = impl.conversation();
-  const auto ticket = conversation.start(frame, options, std::move(done));
-  return [conversation, ticket] { conversation.cancel(ticket); };
+Result<detail::Conversation> AsyncClient::conversation_of(const Impl& impl) {
+  if (!impl.is_connected()) return Impl::not_connected();
+  return impl.conversation();
 }
 
-auto AsyncClient::begin_stream(Impl& impl, detail::FrameBytes frame, detail::MessageKey key,
-                               detail::Conversation::MessageHandler handler,
-                               const CallOptions& options, Completion<Subscription> done) -> Stop {
-  if (!impl.is_connected()) return done(Impl::not_connected()), Stop{};
-  const detail::Conversation conversation = impl.conversation();
-  const auto ticket =
-      conversation.start_stream(frame, key, std::move(handler), options, std::move(done));
-  return [conversation, ticket] { conversation.cancel(ticket); };
-}
-
-void AsyncClient::run(Impl& impl, std::function<void(Result<Client>)> task) {
-  impl.run(std::move(task));
+auto AsyncClient::run(Impl& impl, const detail::Conversation& conversation,
+                      std::shared_ptr<TaskMachine> task, std::function<void()> done) -> Stop {
+  return impl.run(conversation, std::move(task), std::move(done));
 }
 
 Subscription AsyncClient::subscribe_to(detail::MessageKey key,
@@ -150,8 +153,8 @@ Subscription AsyncClient::on_notice(std::function<void(const Notice&)> handler) 
 
 bool AsyncClient::is_connected() const { return impl_->is_connected(); }
 
-BoardIdentity AsyncClient::board() const {
-  return is_connected() ? impl_->conversation().board() : BoardIdentity{};
+BoardIdentity AsyncClient::identity() const {
+  return is_connected() ? impl_->conversation().identity() : BoardIdentity{};
 }
 
 std::string AsyncClient::description() const {

@@ -6,13 +6,12 @@
 
 #include <sbgc/client/atomic_file.hpp>
 #include <sbgc/client/backup.hpp>
-#include <sbgc/client/client.hpp>
 #include <sbgc/json.hpp>
 #include <sbgc/meta/system.hpp>
 #include <sbgc/parse_json.hpp>
 
 #include "settings_kind.hpp"
-#include "task.hpp"
+#include "tasks/tools.hpp"
 
 namespace sbgc {
 namespace {
@@ -22,13 +21,6 @@ constexpr int format_version = 1;
 constexpr std::size_t largest_file = JsonLimits{}.size;
 
 using ByteVector = std::vector<std::uint8_t>;
-
-std::string utc_now() {
-  const auto now = std::chrono::system_clock::now();
-  const auto seconds = std::chrono::floor<std::chrono::seconds>(now);
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
-                     fmt::gmtime(std::chrono::system_clock::to_time_t(seconds)));
-}
 
 template <class M>
 ByteVector bytes_of(const M& message) {
@@ -175,14 +167,16 @@ class Reader {
 
 }  // namespace
 
-Result<Backup> make_backup(Client& client, const ReadOptions& options) {
-  Result<ParameterSet> settings = read_parameters(client, options);
-  if (!settings) return settings.error();
-  return Backup{client.board(), *std::move(settings), utc_now()};
+std::string utc_now() {
+  const auto now = std::chrono::system_clock::now();
+  const auto seconds = std::chrono::floor<std::chrono::seconds>(now);
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                     fmt::gmtime(std::chrono::system_clock::to_time_t(seconds)));
 }
 
 std::string to_json_text(const Backup& backup) {
-  Json board = {{"model", backup.board.board()}, {"firmware", backup.board.firmware()}};
+  Json board = {{"model", backup.board.board_version()},
+                {"firmware", backup.board.firmware_version()}};
   if (backup.board.details) board["serial_number"] = backup.board.serial_number();
   board["info"] = message_json(backup.board.info);
   if (backup.board.details) board["details"] = message_json(*backup.board.details);
@@ -221,60 +215,13 @@ Result<Backup> load_backup(const std::filesystem::path& file) {
   return backup;
 }
 
-namespace {
-
-std::string other_model(const BoardIdentity& board, const BoardIdentity& backup) {
-  if (board.info.board_ver == backup.info.board_ver) return "";
-  return fmt::format("the board is a {}, the backup is of a {}", board.board(), backup.board());
-}
-
-std::string other_firmware(const BoardIdentity& board, const BoardIdentity& backup) {
-  const bool is_other = board.info.firmware_ver != backup.info.firmware_ver;
-  const bool is_special = board.info.frw_extra_id != backup.info.frw_extra_id;
-  if (is_other) {
-    return fmt::format("the board has the firmware {}, the backup is of {}", board.firmware(),
-                       backup.firmware());
-  }
-  if (!is_special) return "";
-  return fmt::format("the board has the special firmware {:#x}, the backup is of {:#x}",
-                     board.info.frw_extra_id, backup.info.frw_extra_id);
-}
-
-}  // namespace
-
-std::vector<std::string> mismatches(const BoardIdentity& board, const BoardIdentity& backup) {
-  std::vector<std::string> result{other_model(board, backup), other_firmware(board, backup)};
-  std::erase(result, "");
-  return result;
-}
-
-WriteReport restore(Client& client, const Backup& backup, const RestoreOptions& options) {
-  const auto failed = [](ClientError error) { return WriteReport{std::move(error), {}}; };
-  const Deadline deadline(options.clock, options.timeout);
-  std::string refused = options.other_model ? "" : other_model(client.board(), backup.board);
-  if (refused.empty() && !options.other_firmware) {
-    refused = other_firmware(client.board(), backup.board);
-  }
-  if (!refused.empty()) return failed({ErrorCode::incompatible, refused});
-  if (!options.dry_run) {
-    if (options.present.empty()) {
-      return failed({ErrorCode::invalid, "restoring needs a file for the present settings"});
-    }
-    if (std::error_code unknown; std::filesystem::exists(options.present, unknown)) {
-      return failed({ErrorCode::invalid, options.present.string() + " is there already"});
-    }
-    const ReadOptions reading{deadline.left(), options.progress, options.clock};
-    const Result<Backup> present = make_backup(client, reading);
-    if (!present) return failed(detail::during("saving the present settings", present.error()));
-    const Result<void> saved = save_backup(*present, options.present);
-    if (!saved) return failed(detail::during("saving the present settings", saved.error()));
-  }
-  WriteOptions writing{.timeout = deadline.left(),
-                       .dry_run = options.dry_run,
-                       .validate = false,
-                       .progress = options.progress,
-                       .clock = options.clock};
-  return write_parameters(client, backup.settings, writing);
+BackupHandler save_to(std::filesystem::path file) {
+  return [file = std::move(file)](const Backup& backup) {
+    if (!backup.created.empty()) return save_backup(backup, file);
+    Backup dated = backup;
+    dated.created = utc_now();
+    return save_backup(dated, file);
+  };
 }
 
 }  // namespace sbgc

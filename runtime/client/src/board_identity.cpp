@@ -2,19 +2,23 @@
 #include <cstdio>
 
 #include <sbgc/client/board_identity.hpp>
-
-#include "text.hpp"
+#include <sbgc/roles.hpp>
+#include <sbgc/text.hpp>
 
 namespace sbgc {
 
-std::string BoardIdentity::firmware() const { return detail::firmware_text(versions().firmware); }
+std::string BoardIdentity::firmware_version() const {
+  return to_string(msg::FirmwareVersion(versions().firmware));
+}
 
-std::string BoardIdentity::board() const { return detail::board_text(versions().board); }
+std::string BoardIdentity::board_version() const {
+  return to_string(msg::BoardVersion(versions().board));
+}
 
 std::string BoardIdentity::serial_number() const {
   std::string text;
   if (!details) return text;
-  for (const std::uint8_t byte : details->device_id) {
+  for (const std::uint8_t byte : roles::serial_number(*details)) {
     std::array<char, 3> digits{};
     std::snprintf(digits.data(), digits.size(), "%02x", byte);
     text += digits.data();

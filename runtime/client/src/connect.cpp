@@ -8,7 +8,6 @@
 
 #include <asio/strand.hpp>
 
-#include <sbgc/exchanges/system.hpp>
 #include <sbgc/io/capture.hpp>
 #include <sbgc/io/clock.hpp>
 #include <sbgc/io/line.hpp>
@@ -16,7 +15,7 @@
 #include <sbgc/io/recorder.hpp>
 #include <sbgc/roles.hpp>
 
-#include "conversation_state.hpp"
+#include "conversation/state.hpp"
 #include "text.hpp"
 #include "waiter.hpp"
 
@@ -98,20 +97,18 @@ class Connector {
 
   Result<void> find_line() {
     if (!has_line_to_find_) return {};
-    using Detection = Conversation::State::Detection;
-    const auto waiter = std::make_shared<Waiter<Detection>>();
-    state_->detect([waiter](const Detection& detection) { waiter->put(detection); });
-    auto detection = waiter->wait_until(io::to_chrono(deadline_));
-    if (!detection) {
-      state_->stop_detecting();
-      detection = waiter->wait_until(io::to_chrono(io::now() + milliseconds(200)));
+    const auto waiter = std::make_shared<Waiter<LineSearch::Outcome>>();
+    state_->find_line([waiter](const LineSearch::Outcome& outcome) { waiter->put(outcome); });
+    auto search = waiter->wait_until(io::to_chrono(deadline_));
+    if (!search) {
+      state_->stop_finding_line();
+      search = waiter->wait_until(io::to_chrono(io::now() + milliseconds(200)));
     }
-    if (detection && detection->found) return {};
+    if (search && search->found) return {};
     const std::string description = state_->description();
     if (auto reason = state_->end_reason()) return *std::move(reason);
-    return ClientError{ErrorCode::not_found,
-                       "no board found on " + description + ": " +
-                           (detection ? tried(detection->trials) : "out of time")};
+    return ClientError{ErrorCode::not_found, "no board found on " + description + ": " +
+                                                 (search ? tried(search->trials) : "out of time")};
   }
 
   Result<void> introduce() {
@@ -119,7 +116,7 @@ class Connector {
     auto info = ask(roles::IntroductionRequest{});
     if (!info) return no_introduction(std::move(info).error());
     board.info = *std::move(info);
-    state_->set_board(board);
+    state_->set_identity(board);
     if (is_supported<roles::DetailsRequest>(board.versions())) {
       if (auto details = ask(roles::DetailsRequest{})) {
         board.details = *std::move(details);
@@ -129,7 +126,7 @@ class Connector {
                                                    details.error().message};
       }
     }
-    state_->set_board(board);
+    state_->set_identity(board);
     return {};
   }
 
@@ -143,10 +140,12 @@ class Connector {
 
   template <Message M>
   Result<CallAnswer<M>> ask(const M& request) {
-    const EncodedRequest encoded(request);
-    const auto usual = std::chrono::milliseconds(exchange_of(request).timeout_ms);
+    Result<Request> prepared = conversation().prepare(request, {});
+    if (!prepared) return std::move(prepared).error();
+    const auto usual = std::chrono::milliseconds(prepared->policy.timeout_ms);
     const auto all = usual * (options_.retries + 1);
-    return read_answer<M>(conversation().call(encoded.frame(), {.timeout = std::min(left(), all)}));
+    return read_answer<M>(
+        conversation().call(std::move(prepared), {.timeout = std::min(left(), all)}));
   }
 
   ClientError no_introduction(ClientError error) const {

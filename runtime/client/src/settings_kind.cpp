@@ -1,15 +1,14 @@
 #include "settings_kind.hpp"
 
 #include <algorithm>
-#include <array>
+#include <optional>
 #include <type_traits>
 #include <unordered_map>
 
 #include <fmt/format.h>
 
-#include <sbgc/client/client.hpp>
 #include <sbgc/message.hpp>
-#include <sbgc/validate.hpp>
+#include <sbgc/text.hpp>
 
 namespace sbgc::detail {
 namespace {
@@ -62,34 +61,43 @@ bool with_supported(TypeList<Requests...>, const Availability& versions, Use&& u
   return ((is_supported<Requests>(versions) && (use(Type<Requests>{}), true)) || ...);
 }
 
-template <class M>
-Result<std::vector<std::uint8_t>> read_settings(Client& client, std::uint8_t copy,
-                                                const CallOptions& options) {
-  Result<std::vector<std::uint8_t>> result = ClientError{
-      ErrorCode::unsupported, fmt::format("this board can not tell {}", Meta<M>::info.name)};
-  with_supported(typename SettingsOf<M>::Readers{}, client.board().versions(),
-                 [&]<class Request>(Type<Request>) {
-                   Request request{};
-                   if constexpr (SettingsOf<M>::copies > 1) SettingsOf<M>::copy(request) = copy;
-                   const Result<M> answer = client.call(request, options);
-                   if (!answer) {
-                     result = answer.error();
-                   } else {
-                     result = bytes_of(*answer);
-                   }
-                 });
-  return result;
+template <class M, class Request>
+Task<Result<std::vector<std::uint8_t>>> read_with(std::uint8_t copy, CallOptions options) {
+  Request request{};
+  if constexpr (SettingsOf<M>::copies > 1) SettingsOf<M>::copy(request) = copy;
+  const Result<M> answer = co_await tasks::call(request, options);
+  if (!answer) co_return answer.error();
+  co_return bytes_of(*answer);
 }
 
 template <class M>
-Result<void> write_settings(Client& client, Body body, const CallOptions& options) {
-  Result<void> result = ClientError{ErrorCode::unsupported,
-                                    fmt::format("this board can not store {}", Meta<M>::info.name)};
-  with_supported(typename SettingsOf<M>::Writers{}, client.board().versions(),
+Task<Result<std::vector<std::uint8_t>>> read_settings(std::uint8_t copy, CallOptions options) {
+  const TaskMachine& task = co_await tasks::this_task();
+  std::optional<Task<Result<std::vector<std::uint8_t>>>> reading;
+  with_supported(
+      typename SettingsOf<M>::Readers{}, task.identity().versions(),
+      [&]<class Request>(Type<Request>) { reading.emplace(read_with<M, Request>(copy, options)); });
+  if (reading) co_return co_await std::move(*reading);
+  co_return ClientError{ErrorCode::unsupported,
+                        fmt::format("this board cannot report {}", Meta<M>::info.name)};
+}
+
+template <class M, class Request>
+Task<Result<void>> write_with(std::vector<std::uint8_t> body, CallOptions options) {
+  co_return co_await tasks::call(Request{message_of<M>(body)}, options);
+}
+
+template <class M>
+Task<Result<void>> write_settings(std::vector<std::uint8_t> body, CallOptions options) {
+  const TaskMachine& task = co_await tasks::this_task();
+  std::optional<Task<Result<void>>> writing;
+  with_supported(typename SettingsOf<M>::Writers{}, task.identity().versions(),
                  [&]<class Request>(Type<Request>) {
-                   result = client.call(Request{message_of<M>(body)}, options);
+                   writing.emplace(write_with<M, Request>(body, options));
                  });
-  return result;
+  if (writing) co_return co_await std::move(*writing);
+  co_return ClientError{ErrorCode::unsupported,
+                        fmt::format("this board cannot store {}", Meta<M>::info.name)};
 }
 
 template <class M>
@@ -113,10 +121,7 @@ template <class M>
 void violations(Body body, const Availability& versions,
                 const std::function<void(std::string_view, std::string)>& report) {
   validate(message_of<M>(body), versions, [&](const Violation& violation) {
-    std::array<char, 128> path{};
-    violation.path.write(path.data(), path.size());
-    report(path.data(), fmt::format("{} is not allowed: the {} is {}", violation.value,
-                                    name(violation.rule), violation.limit));
+    report(to_string(violation.path), to_string(violation));
   });
 }
 
@@ -139,7 +144,7 @@ SettingsKind kind_of() {
       .read = read_settings<M>,
       .write = write_settings<M>,
       .problem = problem<M>,
-      .leaves = [](Body body) { return leaves(message_of<M>(body)); },
+      .leaves = [](Body body) { return leaf_texts(message_of<M>(body)); },
       .to_json = [](Body body) { return to_json(message_of<M>(body)); },
       .violations = violations<M>,
   };
@@ -192,22 +197,22 @@ bool are_equal(const SettingsKind& kind, Body a, Body b) {
 
 std::vector<FieldChange> field_changes(const SettingsKind& kind, Body before, Body after) {
   std::vector<FieldChange> changes;
-  std::vector<Leaf> now = kind.leaves(after);
-  std::unordered_map<std::string_view, const Leaf*> by_path;
-  for (const Leaf& leaf : now) by_path.emplace(leaf.path, &leaf);
-  for (Leaf& leaf : kind.leaves(before)) {
+  std::vector<LeafText> now = kind.leaves(after);
+  std::unordered_map<std::string_view, const LeafText*> by_path;
+  for (const LeafText& leaf : now) by_path.emplace(leaf.path, &leaf);
+  for (LeafText& leaf : kind.leaves(before)) {
     const auto found = by_path.find(leaf.path);
     if (found == by_path.end()) {
       changes.push_back({leaf.path, leaf.raw, "", leaf.meaning, ""});
       continue;
     }
-    const Leaf& other = *found->second;
+    const LeafText& other = *found->second;
     if (other.raw != leaf.raw) {
       changes.push_back({leaf.path, leaf.raw, other.raw, leaf.meaning, other.meaning});
     }
     by_path.erase(found);
   }
-  for (const Leaf& leaf : now) {
+  for (const LeafText& leaf : now) {
     if (by_path.contains(leaf.path)) {
       changes.push_back({leaf.path, "", leaf.raw, "", leaf.meaning});
     }

@@ -10,13 +10,10 @@
 #include <sbgc/availability.hpp>
 #include <sbgc/client/options.hpp>
 #include <sbgc/client/parameters.hpp>
+#include <sbgc/client/task.hpp>
 #include <sbgc/json.hpp>
 
 #include "leaves.hpp"
-
-namespace sbgc {
-class Client;
-}
 
 namespace sbgc::detail {
 
@@ -34,14 +31,13 @@ struct SettingsKind {
 
   bool (*is_readable)(const Availability& versions);
   bool (*is_writable)(const Availability& versions);
-  Result<std::vector<std::uint8_t>> (*read)(Client& client, std::uint8_t copy,
-                                            const CallOptions& options);
-  Result<void> (*write)(Client& client, Body body, const CallOptions& options);
+  Task<Result<std::vector<std::uint8_t>>> (*read)(std::uint8_t copy, CallOptions options);
+  Task<Result<void>> (*write)(std::vector<std::uint8_t> body, CallOptions options);
   /// Why the body is no settings of this copy; "" if it is.
   std::string (*problem)(Body body, std::uint8_t copy);
-  std::vector<Leaf> (*leaves)(Body body);
+  std::vector<LeafText> (*leaves)(Body body);
   Json (*to_json)(Body body);
-  /// Calls `report(path, reason)` for every value that these versions do not allow.
+  /// Calls `report(path, text)` for every value that these versions do not allow.
   void (*violations)(Body body, const Availability& versions,
                      const std::function<void(std::string_view, std::string)>& report);
 };

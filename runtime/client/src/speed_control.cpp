@@ -1,124 +1,56 @@
-#include <condition_variable>
-#include <mutex>
-#include <optional>
+#include <memory>
 #include <thread>
-#include <utility>
 
 #include <sbgc/client/client.hpp>
-#include <sbgc/client/motion.hpp>
 #include <sbgc/client/speed_control.hpp>
-#include <sbgc/messages/control.hpp>
+#include <sbgc/io/clock.hpp>
 
-#include "refusals.hpp"
-#include "speed_hold.hpp"
-#include "task.hpp"
+#include "connect.hpp"
+#include "driving/blocking_driver.hpp"
+#include "tasks/hold_speed.hpp"
 
 namespace sbgc {
 
-using detail::SpeedHold;
+using detail::DeadMansSwitch;
 
-/// The thread that sends, and what it shares with the owner.
+/// The thread that drives the task.
 class SpeedControl::Keeper {
  public:
   Keeper(Client& client, const SpeedControlOptions& options)
-      : client_(client),
-        clock_(options.clock),
-        hold_(options.silence, options.repeat),
-        refusals_(client, msg::CommandId::control),
-        thread_([this] { run(); }) {}
+      : clock_(options.clock),
+        speed_(std::make_shared<detail::HeldSpeed>(DeadMansSwitch(
+            milliseconds(options.silence.count()), milliseconds(options.repeat.count())))),
+        task_(detail::hold_speed(speed_)),
+        driver_(detail::ClientMaker::conversation(client), clock_),
+        thread_([this, &machine = task_.begin(client.identity())] { driver_.run(machine); }) {}
   Keeper(const Keeper&) = delete;
   Keeper& operator=(const Keeper&) = delete;
   Keeper(Keeper&&) = delete;
   Keeper& operator=(Keeper&&) = delete;
   ~Keeper() {
-    {
-      const std::scoped_lock lock(mutex_);
-      hold_.stop();
-      closing_ = true;
-    }
-    changed_.notify_all();
+    speed_->close();
+    driver_.wake();
     thread_.join();
   }
 
-  /// Changes the state with `change(hold)` and wakes the thread.
+  /// Changes the rules with `change(rules)` and wakes the thread.
   template <class Change>
-  Result<void> with(Change&& change) {
-    {
-      const std::scoped_lock lock(mutex_);
-      if (error_) return *error_;
-      if (Result<void> changed = change(hold_); !changed) return changed;
-    }
-    changed_.notify_all();
-    return {};
+  Result<void> with(const Change& change) {
+    Result<void> changed = speed_->with(change);
+    driver_.wake();
+    return changed;
   }
   Result<void> wait() {
-    std::unique_lock lock(mutex_);
-    idle_.wait(lock, [&] { return waiting_ && hold_.deadline(clock_.now()) > clock_.now(); });
-    return error_ ? Result<void>(*error_) : Result<void>();
+    return speed_->wait([this] { return now(); });
   }
-  State state() const {
-    const std::scoped_lock lock(mutex_);
-    return hold_.state();
-  }
-  Clock& clock() noexcept { return clock_; }
+  State state() const { return speed_->state(); }
+  Instant now() { return io::from_chrono(clock_.now()); }
 
  private:
-  void run() {
-    std::unique_lock lock(mutex_);
-    while (true) {
-      const SpeedHold::Action action = hold_.next(clock_.now());
-      if (action == SpeedHold::Action::none) {
-        if (closing_) return;
-        waiting_ = true;
-        idle_.notify_all();
-        clock_.wait_until(lock, changed_, hold_.deadline(clock_.now()));
-        waiting_ = false;
-        continue;
-      }
-      const SpeedHold::Speed speed = hold_.speed();
-      lock.unlock();
-      Result<void> sent = action == SpeedHold::Action::send ? send(speed) : halt();
-      lock.lock();
-      if (action == SpeedHold::Action::stop) {
-        if (sent || is_final(sent.error().code)) {
-          hold_.stopped();
-        } else {
-          hold_.not_stopped(clock_.now());
-        }
-      }
-      if (!sent) {
-        if (!error_) error_ = std::move(sent).error();
-        hold_.fail();
-      }
-    }
-  }
-
-  /// Whether nothing can ever be sent again.
-  static bool is_final(ErrorCode code) noexcept {
-    return code == ErrorCode::link_lost || code == ErrorCode::not_connected ||
-           code == ErrorCode::cancelled;
-  }
-
-  Result<void> send(const SpeedHold::Speed& speed) {
-    if (auto refused = refusals_.take()) return *std::move(refused);  // of the command before
-    msg::Control command;
-    command.control_mode.set_mode(msg::ControlModeKind::speed);
-    for (std::size_t i = 0; i < SpeedHold::Speed::size(); ++i) command.axes[i].speed = speed[i];
-    // A stop must not wait for long behind a command that finds no room.
-    return client_.call(command, {.timeout = std::chrono::seconds(1)});
-  }
-  Result<void> halt() { return sbgc::stop(client_, {.clock = clock_}); }
-
-  Client& client_;
   Clock& clock_;
-  mutable std::mutex mutex_;
-  std::condition_variable changed_;  ///< for the thread
-  std::condition_variable idle_;     ///< for wait()
-  SpeedHold hold_;
-  detail::Refusals refusals_;
-  std::optional<ClientError> error_{};
-  bool closing_ = false;
-  bool waiting_ = false;
+  std::shared_ptr<detail::HeldSpeed> speed_;
+  Task<Result<void>> task_;
+  detail::BlockingDriver driver_;
   std::thread thread_;
 };
 
@@ -128,25 +60,25 @@ SpeedControl::SpeedControl(Client& client, const SpeedControlOptions& options)
 SpeedControl::~SpeedControl() = default;
 
 Result<void> SpeedControl::set(const Axes<msg::ControlSpeed>& speed) {
-  return keeper_->with([&](SpeedHold& hold) -> Result<void> {
-    hold.set(speed, keeper_->clock().now());
+  return keeper_->with([&](DeadMansSwitch& rules) -> Result<void> {
+    rules.set(speed, keeper_->now());
     return {};
   });
 }
 
 Result<void> SpeedControl::refresh() {
-  return keeper_->with([&](SpeedHold& hold) -> Result<void> {
-    if (hold.state() != State::turning) {
+  return keeper_->with([&](DeadMansSwitch& rules) -> Result<void> {
+    if (rules.state() != State::turning) {
       return ClientError{ErrorCode::cancelled, "the camera has been stopped"};
     }
-    hold.refresh(keeper_->clock().now());
+    rules.refresh(keeper_->now());
     return {};
   });
 }
 
 Result<void> SpeedControl::stop() {
-  return keeper_->with([](SpeedHold& hold) -> Result<void> {
-    hold.stop();
+  return keeper_->with([](DeadMansSwitch& rules) -> Result<void> {
+    rules.stop();
     return {};
   });
 }

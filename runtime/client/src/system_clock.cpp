@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <thread>
 
 #include <sbgc/client/clock.hpp>
@@ -21,11 +20,6 @@ class SystemClock final : public Clock {
 Clock& Clock::system() noexcept {
   static SystemClock clock;
   return clock;
-}
-
-std::chrono::milliseconds Deadline::left() const {
-  const auto left = std::chrono::ceil<std::chrono::milliseconds>(end_ - clock_.now());
-  return std::max(left, std::chrono::milliseconds(0));
 }
 
 }  // namespace sbgc

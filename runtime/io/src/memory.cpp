@@ -11,7 +11,6 @@
 #include <asio/prefer.hpp>
 
 #include <sbgc/io/memory.hpp>
-#include <sbgc/session/uart.hpp>
 
 namespace sbgc::io {
 
@@ -126,11 +125,22 @@ class Pipe {
 
 /// What both ends share: pipes[i] and lines[i] are what end i reads from and how.
 struct Link {
-  explicit Link(const MemoryOptions& options) : pipes{Pipe(options), Pipe(options)} {}
+  explicit Link(const MemoryOptions& options)
+      : pipes{Pipe(options), Pipe(options)}, mismatch(options.mismatch) {}
+
+  /// What arrives of bytes that this end writes.
+  std::vector<std::uint8_t> received(std::size_t writer,
+                                     std::span<const std::uint8_t> bytes) const {
+    const LineSettings& sender = lines[writer];
+    const LineSettings& receiver = lines[1 - writer];
+    if (sender == receiver) return {bytes.begin(), bytes.end()};
+    return mismatch ? mismatch(bytes, sender, receiver) : std::vector<std::uint8_t>{};
+  }
 
   std::mutex mutex;
   std::array<Pipe, 2> pipes;
   std::array<LineSettings, 2> lines{default_line, default_line};
+  LineMismatch mismatch;
 };
 
 class MemoryLine final : public LineControl {
@@ -183,8 +193,8 @@ class MemoryTransport final : public Transport {
     Pending pending(executor_, std::move(handler));
     if (closed_) return pending.complete(asio::error::operation_aborted, 0);
     const std::scoped_lock lock(link_->mutex);
-    link_->pipes[1 - end_].write({received_as(bytes, link_->lines[end_], link_->lines[1 - end_]), 0,
-                                  bytes.size(), std::move(pending)});
+    link_->pipes[1 - end_].write(
+        {link_->received(end_, bytes), 0, bytes.size(), std::move(pending)});
   }
 
   void close() override { end_link(); }
@@ -213,19 +223,6 @@ class MemoryTransport final : public Transport {
 };
 
 }  // namespace
-
-std::vector<std::uint8_t> received_as(std::span<const std::uint8_t> bytes,
-                                      const LineSettings& sender, const LineSettings& receiver) {
-  if (sender == receiver) return {bytes.begin(), bytes.end()};
-  UartReceiver uart(sender, receiver);
-  std::vector<std::uint8_t> result;
-  const auto hear = [&](bool level) {
-    if (const auto byte = uart.hear(level)) result.push_back(*byte);
-  };
-  for (const std::uint8_t byte : bytes) send_levels(byte, parity_bit(byte, sender.parity), hear);
-  while (!uart.is_idle()) hear(true);
-  return result;
-}
 
 MemoryPair make_memory_pair(const asio::any_io_executor& executor, const MemoryOptions& options) {
   return make_memory_pair(executor, executor, options);

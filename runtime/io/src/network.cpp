@@ -13,9 +13,8 @@
 #include <poll.h>
 #include <sys/socket.h>
 
+#include <sbgc/io/detail/stream_transport.hpp>
 #include <sbgc/io/network.hpp>
-
-#include "stream_transport.hpp"
 
 namespace sbgc::io {
 

@@ -11,7 +11,7 @@
 
 #include "serving/motion_file.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 namespace {
 
 using testing::HasSubstr;
@@ -91,7 +91,7 @@ TEST(Arguments, Versions) {
   }
 }
 
-std::vector<board::FrameAngles> motion(const std::string& text) {
+std::vector<emulator::FrameAngles> motion(const std::string& text) {
   std::istringstream stream(text);
   return read_motion(stream, "m.csv");
 }
@@ -130,4 +130,4 @@ TEST(Motion, ProblemsHaveALineNumber) {
 }
 
 }  // namespace
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

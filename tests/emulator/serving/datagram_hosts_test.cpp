@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 namespace {
 
 using Port = std::optional<std::size_t>;
@@ -115,4 +115,4 @@ TEST(DatagramHosts, SilentOnesAreForgotten) {
 }
 
 }  // namespace
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

@@ -285,7 +285,7 @@ def test_one_demo_at_a_time(tmp_path: Path) -> None:
             [tmp_path / "dev", "demo"], capture_output=True, timeout=PATIENCE, check=False
         )
     assert done.returncode == 1
-    assert b"another one is running" in done.stderr
+    assert b"another demo is running" in done.stderr
 
 
 def test_the_tour(tmp_path: Path) -> None:

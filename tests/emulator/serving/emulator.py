@@ -33,7 +33,7 @@ def stream(milliseconds: int) -> bytes:
 
 
 def refused(*arguments: str) -> str:
-    """What it says when it can not begin."""
+    """What it says when it cannot start."""
     result = run("emulate", *arguments)
     assert result.status == 1, result
     return result.error

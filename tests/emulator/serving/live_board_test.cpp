@@ -13,7 +13,7 @@
 #include <sbgc/message.hpp>
 #include <sbgc/messages/system.hpp>
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 namespace {
 
 std::vector<std::uint8_t> request() {
@@ -84,4 +84,4 @@ TEST(LiveBoard, AnAnswerThatComesWhileAnotherHostIsServed) {
 }
 
 }  // namespace
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

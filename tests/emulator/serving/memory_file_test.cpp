@@ -19,12 +19,12 @@
 namespace {
 
 using sbgc::ErrorCode;
-using sbgc::board::ImuCalibration;
-using sbgc::board::Memory;
-using sbgc::tools::load_memory;
-using sbgc::tools::parse_memory;
-using sbgc::tools::save_memory;
-using sbgc::tools::SavedMemory;
+using sbgc::emulator::ImuCalibration;
+using sbgc::emulator::Memory;
+using sbgc::serving::load_memory;
+using sbgc::serving::parse_memory;
+using sbgc::serving::save_memory;
+using sbgc::serving::SavedMemory;
 using testing::HasSubstr;
 
 ImuCalibration calibration(std::mt19937& random) {
@@ -46,7 +46,7 @@ ImuCalibration calibration(std::mt19937& random) {
 
 SavedMemory random_memory(unsigned seed) {
   std::mt19937 random(seed);
-  SavedMemory saved{sbgc::tools::owner_of({}), {}};
+  SavedMemory saved{sbgc::serving::owner_of({}), {}};
   saved.owner.firmware = sbgc::msg::FirmwareVersion(static_cast<std::uint16_t>(random()));
   for (auto& byte : saved.owner.device_id) byte = static_cast<std::uint8_t>(random());
   for (auto& byte : saved.memory.eeprom) byte = static_cast<std::uint8_t>(random());
@@ -142,7 +142,7 @@ TEST(MemoryText, EveryChangedCharacterIsNoticed) {
 }
 
 TEST(MemoryText, SaysWhatIsWrongAndWhere) {
-  const SavedMemory saved{sbgc::tools::owner_of({}), {}};
+  const SavedMemory saved{sbgc::serving::owner_of({}), {}};
   const std::string text = to_json_text(saved);
   const auto bad = ErrorCode::bad_file;
   expect_error("", bad, "no JSON");

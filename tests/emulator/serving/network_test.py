@@ -222,7 +222,7 @@ def test_ports_in_a_row() -> None:
     port = two_free_ports()
     with Emulator("--tcp", str(port), "--count", "2", boards=2) as emulator:
         assert emulator.places == [f"tcp:127.0.0.1:{port}", f"tcp:127.0.0.1:{port + 1}"]
-        assert "can not listen" in refused("--tcp", str(port))
+        assert "cannot listen" in refused("--tcp", str(port))
 
 
 def waiting_for(terminal: Terminal) -> int:

@@ -21,13 +21,13 @@
 #include <sbgc/messages.hpp>
 #include <sbgc/parser.hpp>
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 namespace {
 
 constexpr auto patience = std::chrono::seconds(60);
 
-board::EmulatorOptions options() {
-  board::EmulatorOptions result;
+emulator::EmulatorOptions options() {
+  emulator::EmulatorOptions result;
   result.board.waits_for_saving = true;
   return result;
 }
@@ -36,7 +36,7 @@ board::EmulatorOptions options() {
 class Disk {
  public:
   StateKeeper::Save save() {
-    return [this](const tools::SavedMemory& saved) -> Result<void> {
+    return [this](const SavedMemory& saved) -> Result<void> {
       std::future<Result<void>> result;
       {
         const std::lock_guard lock(mutex_);
@@ -56,7 +56,7 @@ class Disk {
     const std::lock_guard lock(mutex_);
     return results_.size();
   }
-  board::Memory memory(std::size_t number) {
+  emulator::Memory memory(std::size_t number) {
     const std::lock_guard lock(mutex_);
     return memories_[number];
   }
@@ -69,7 +69,7 @@ class Disk {
   std::mutex mutex_;
   bool is_quick_ = true;
   std::vector<std::promise<Result<void>>> results_;
-  std::vector<board::Memory> memories_;
+  std::vector<emulator::Memory> memories_;
 };
 
 /// A board with its disk and a host.
@@ -207,7 +207,7 @@ TEST(StateKeeper, AFileThatCanNotBeWrittenIsToldAtTheBeginning) {
   LiveBoard board(rig.context.get_executor(), options(), {});
   const auto make = [&] {
     StateKeeper(rig.context.get_executor(), rig.pool, board,
-                [](const tools::SavedMemory&) -> Result<void> {
+                [](const SavedMemory&) -> Result<void> {
                   return ClientError{ErrorCode::io, "cannot write"};
                 },
                 {});
@@ -216,4 +216,4 @@ TEST(StateKeeper, AFileThatCanNotBeWrittenIsToldAtTheBeginning) {
 }
 
 }  // namespace
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

@@ -120,7 +120,7 @@ def test_a_state_is_of_one_emulator_at_a_time(tmp_path: Path) -> None:
     with Emulator("--tcp", "0", "--state", str(link)):
         assert link.is_symlink() and state.is_file()
         for name in (state, link):
-            assert f"{name} is the state of an emulator that runs" in refused("--state", str(name))
+            assert f"{name} is in use by another emulator" in refused("--state", str(name))
     with Emulator("--tcp", "0", "--state", str(state)):
         pass
     assert sorted(tmp_path.iterdir()) == [link, state]
@@ -130,7 +130,7 @@ def test_a_file_that_has_the_name_of_the_lock_is_left_alone(tmp_path: Path) -> N
     state = tmp_path / "state"
     lock = tmp_path / "state.sbgc-lock"
     lock.write_text("mine")
-    assert f"{lock} is somebody's file" in refused("--state", str(state))
+    assert f"{lock} is not a lock" in refused("--state", str(state))
     assert lock.read_text() == "mine"
     lock.unlink()
     lock.symlink_to("elsewhere")

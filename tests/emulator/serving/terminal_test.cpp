@@ -1,4 +1,4 @@
-// A pseudo-terminal that does not work any more.
+// A pseudo-terminal that no longer works.
 
 #include <array>
 #include <chrono>
@@ -19,7 +19,7 @@
 
 #include "serving/endpoint.hpp"
 
-namespace sbgc::emulate {
+namespace sbgc::serving {
 namespace {
 
 /// Nothing can be read from it.
@@ -47,7 +47,7 @@ void run(asio::io_context& context, int milliseconds) {
 }
 
 TEST(Terminal, ThatFailsLeavesItsPortAlone) {
-  board::EmulatorOptions options;
+  emulator::EmulatorOptions options;
   options.line.board.baud_rate = 9600;
   asio::io_context context(1);
   LiveBoard board(context.get_executor(), options, {});
@@ -77,4 +77,4 @@ TEST(Terminal, ThatFailsLeavesItsPortAlone) {
 }
 
 }  // namespace
-}  // namespace sbgc::emulate
+}  // namespace sbgc::serving

@@ -166,6 +166,21 @@ CASES: dict[str, Case] = {
         "message State: keeps its tail: yes → no",
     ),
     "start byte": ([("start: 0x3E", "start: 0x24")], WIRE, "framing: start: 62 → 36"),
+    "order of the header": (
+        [("header: [start, id, size,", "header: [start, size, id,")],
+        WIRE,
+        "framing: header: start, id, size, header_checksum → start, size, id, header_checksum",
+    ),
+    "bytes of a checksum": (
+        [
+            (
+                "body_checksum: {kind: sum8, covers: [body]",
+                "body_checksum: {kind: sum8, covers: [id, body]",
+            )
+        ],
+        WIRE,
+        "framing: body_checksum: covers: body → id, body",
+    ),
     "variable's id": ([("TRIM: {id: 1", "TRIM: {id: 2")], WIRE, "variable TRIM: id: 1 → 2"),
     "variable's type": (
         [("TRIM: {id: 1, type: i8", "TRIM: {id: 1, type: i16")],
@@ -346,11 +361,11 @@ CASES: dict[str, Case] = {
         [
             (
                 "      source: Incoming commands L52\n",
-                "      source: Incoming commands L52\n" "      role: {is: introduction}\n",
+                "      source: Incoming commands L52\n      role: {is: details}\n",
             )
         ],
         OK,
-        "message List: role: none → introduction",
+        "message List: role: none → details",
     ),
     "since later": (
         [("since: {firmware: 2.59}", "since: {firmware: 2.60}")],

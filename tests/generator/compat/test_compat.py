@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import os
 import shutil
-import subprocess
 from pathlib import Path
 
 import pytest
@@ -14,6 +12,7 @@ from sbgcgen.build import load_layout
 from sbgcgen.cli import main
 from sbgcgen.compat.compare import compare
 from sbgcgen.compat.report import describe
+from repository import commit, git, start
 from support import PROJECT, write_spec
 
 
@@ -95,39 +94,16 @@ def test_a_spec_that_does_not_load(tmp_path: Path, capsys: pytest.CaptureFixture
 # Revisions
 
 
-@pytest.fixture(autouse=True)
-def git_as_it_comes(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Without the settings of whoever runs the tests, and not in the repository of a hook."""
-    for name in list(os.environ):
-        if name.startswith("GIT_"):
-            monkeypatch.delenv(name)
-    monkeypatch.setenv("GIT_CONFIG_GLOBAL", os.devnull)
-    monkeypatch.setenv("GIT_CONFIG_SYSTEM", os.devnull)
-
-
-def git(folder: Path, *arguments: str) -> None:
-    user = ["-c", "user.name=Test", "-c", "user.email=test@example.org"]
-    command = ["git", *user, "-C", str(folder), *arguments]
-    subprocess.run(command, check=True, capture_output=True)
-
-
 @pytest.fixture
 def repository(tmp_path: Path) -> Path:
     """A repository with two revisions of the spec, and one before them without any."""
-    root = tmp_path / "project"
-    root.mkdir()
-    git(root, "init", "--quiet")
+    root = start(tmp_path / "project")
     (root / "README").write_text("nothing yet\n", encoding="utf-8")
-    git(root, "add", ".")
-    git(root, "commit", "--quiet", "-m", "start")
-    git(root, "tag", "v0")
+    commit(root, "v0")
     old_spec(root)
-    git(root, "add", ".")
-    git(root, "commit", "--quiet", "-m", "spec")
-    git(root, "tag", "v1")
+    commit(root, "v1")
     edited_spec(root, [("unit: deg,", "unit: rad,")])
-    git(root, "commit", "--quiet", "-a", "-m", "radians")
-    git(root, "tag", "v2")
+    commit(root, "v2")
     return root
 
 
@@ -150,12 +126,11 @@ def test_a_revision_and_the_working_tree(
 
 
 def test_the_project_lies_in_a_folder_of_the_repository(tmp_path: Path) -> None:
-    project = tmp_path / "some" / "project"
+    repository = start(tmp_path / "repository")
+    project = repository / "some" / "project"
     project.mkdir(parents=True)
-    git(tmp_path, "init", "--quiet")
     old_spec(project)
-    git(tmp_path, "add", ".")
-    git(tmp_path, "commit", "--quiet", "-m", "spec")
+    commit(repository, "v1")
     assert main(["compat", "--root", str(project), "HEAD"]) == 0
     edited_spec(project, [("id: 11", "id: 21")])
     assert main(["compat", "--root", str(project), "HEAD"]) == 1
@@ -165,7 +140,7 @@ def test_a_spec_folder_of_another_name(
     repository: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     git(repository, "mv", "spec", "protocol")
-    git(repository, "commit", "--quiet", "-m", "moved")
+    commit(repository, "v3")
     options = ["--root", str(repository), "--spec", str(repository / "protocol")]
     assert main(["compat", *options, "HEAD"]) == 0
     assert main(["compat", *options, "v1"]) == 2

@@ -7,10 +7,8 @@ import pytest
 from sbgcgen.model.names import (
     camel_case,
     is_name,
-    parse_board,
     parse_field_name,
     parse_lines,
-    parse_version,
     singular,
     snake_case,
     type_advice,
@@ -30,37 +28,6 @@ from sbgcgen.model.names import (
 )
 def test_singular(plural: str, expected: str) -> None:
     assert singular(plural) == expected
-
-
-@pytest.mark.parametrize(
-    ("text", "value"),
-    [
-        ("2.59", 2590),
-        ("2.55b5", 2555),
-        ("2.50", 2500),
-        ("2.5", None),  # 2.05 or 2.50?
-        ("2.43b9", 2439),
-        ("0.00", 0),
-        ("2", None),
-        ("2.590", None),
-        ("2.59b", None),
-        ("2.59b10", None),
-        ("v2.59", None),
-        ("2.59 ", None),
-        ("2,59", None),
-        ("", None),
-    ],
-)
-def test_firmware_version(text: str, value: int | None) -> None:
-    assert parse_version(text) == value
-
-
-@pytest.mark.parametrize(
-    ("text", "value"),
-    [("3.0", 30), ("3.6", 36), ("10.1", 101), ("3", None), ("3.10", None), ("a.b", None)],
-)
-def test_board_version(text: str, value: int | None) -> None:
-    assert parse_board(text) == value
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ from sbgcgen.model import EFFECTS
 from sbgcgen.model.export import export
 from sbgcgen.oracle.example import example_of
 from sbgcgen.oracle.vectors import typical_vector, vectors_of
-from sbgcgen.targets.cpp.example import code_of
+from sbgcgen.targets import codes_of
 from sbgcgen.views.history import Revisions
 from support import GENERATOR, PROJECT, layout_of, message_of, write_spec
 
@@ -147,8 +147,9 @@ def test_what_is_written_is_what_was_read_but_for_the_example(tmp_path: Path) ->
     }
     example = example_of(message_of(layout, "Write"), layout)
     assert example.changed == {"volume", "limits[0].min"}
-    lines = code_of(example).text.splitlines()
-    assert "sbgc::Write message{read};" in lines
+    (code,) = codes_of(example)
+    lines = code.text.splitlines()
+    assert "sbgc::msg::Write message{read};" in lines
     assert [line for line in lines if line.startswith("message.")] == [
         "message.volume = 0;",
         "message.limits[0].min = -30;",
@@ -161,7 +162,8 @@ def test_single_bytes_of_what_was_read_are_changed(tmp_path: Path) -> None:
     changes = 'example: {key: "0a0b0d", "limits[0].min": -30}'
     text = SETTINGS.replace(old, new).replace('example: {volume: 0, "limits[0].min": -30}', changes)
     layout = layout_of(tmp_path, text)
-    lines = code_of(example_of(message_of(layout, "Write"), layout)).text.splitlines()
+    (code,) = codes_of(example_of(message_of(layout, "Write"), layout))
+    lines = code.text.splitlines()
     assert [line for line in lines if line.startswith("message.")] == [
         "message.key[2] = 0x0D;",
         "message.limits[0].min = -30;",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections import defaultdict
 from collections.abc import Iterator
+from dataclasses import replace
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any
@@ -12,19 +13,27 @@ from typing import Any
 import pytest
 
 from sbgcgen.build import load_protocol
-from sbgcgen.model import Announced, Blob, Enum, Field, Layout, Leaf, Message, Packed, Struct
-from sbgcgen.oracle.codec import (
-    CodecError,
-    choose_message,
-    decode,
-    encode,
+from sbgcgen.model import (
+    Announced,
+    Blob,
+    Checksum,
+    Enum,
+    Field,
+    Layout,
+    Leaf,
+    Message,
+    Packed,
+    Struct,
+)
+from sbgcgen.oracle.codec import CodecError
+from sbgcgen.oracle.decoding import decode
+from sbgcgen.oracle.encoding import encode
+from sbgcgen.oracle.frames import choose_message, forms_of, header_of, read_frames, write_frame
+from sbgcgen.oracle.json_values import (
     float_from_bits,
     float_to_bits,
-    forms_of,
-    read_frames,
     text_from_bytes,
     text_to_bytes,
-    write_frame,
 )
 from sbgcgen.targets import target
 from support import PROJECT, layout_of, message_of
@@ -43,7 +52,8 @@ def lines() -> tuple[Line, ...]:
     """Every vector of the real protocol."""
     return tuple(
         json.loads(line)
-        for content in dict(target("vectors").files(protocol(), PROJECT)).values()
+        for path, content in target("vectors").files(protocol(), PROJECT)
+        if path.startswith("vectors/")
         for line in content.splitlines()
     )
 
@@ -212,6 +222,29 @@ def test_frames_are_found_behind_false_starts(layout: Layout) -> None:
     assert found == [(5, 67, b"\x01\x02"), (19, 67, b"\x01\x02")]
     with pytest.raises(CodecError, match="invalid_id"):
         write_frame(layout.framing, 0, b"")
+
+
+def test_frames_are_as_the_framing_says(layout: Layout) -> None:
+    """A start byte, an order of the header, and checksums that no protocol here has."""
+    checksums = (
+        Checksum("head", "sum8", ("start", "id")),
+        Checksum("size_again", "sum8", ("size",)),
+        Checksum("all", "sum8", ("start", "head", "id", "size", "size_again", "body")),
+    )
+    framing = replace(
+        layout.framing,
+        start=0x24,
+        header=("start", "size", "size_again", "id", "head"),
+        trailer=("all",),
+        checksums=checksums,
+    )
+    frame = write_frame(framing, 0xFF, b"\x01\x02")
+    assert frame == bytes.fromhex("24 02 02 ff 23 01 02 4d")
+    assert header_of(framing, 0xFF, 2) == frame[:5]
+    wrong = b"\x24\x02\x03" + frame[3:]
+    assert list(read_frames(framing, wrong + frame)) == [(8, 0xFF, b"\x01\x02")]
+    small = replace(framing, max_body=1)
+    assert not list(read_frames(small, frame))
 
 
 # The vectors

@@ -677,7 +677,7 @@ class Comparison:
                     yield Check("extra unit", 0, label, None, leaf["quantity"])
         names = {name for name, _ in self.named}
         for enum in self.model["enums"]:
-            for value in enum["values"] if enum["name"] != "CommandId" else []:
+            for value in enum["values"] if not enum["name"].startswith("Command") else []:
                 if value["named_by_specification"] and value["name"] not in names:
                     label = f"{enum['name']}.{value['name']}"
                     yield Check("extra constant", 0, label, None, value["value"])

@@ -1,4 +1,4 @@
-"""Files that can not be read: a clear message with a place, exit status 1, never a traceback."""
+"""Files that cannot be read: a clear message with a place, exit status 1, never a traceback."""
 
 from __future__ import annotations
 
@@ -64,11 +64,11 @@ def _dangling_link(spec: Path) -> None:
 @pytest.mark.parametrize(
     ("damage", "lines"),
     [
-        (_drop("simplebgc.yaml"), ["simplebgc.yaml:1:1: SBGC001 can not read the file: No such"]),
-        (_drop("errata.yaml"), ["errata.yaml:1:1: SBGC001 can not read the file: No such"]),
-        (_drop("base.yaml"), ["base.yaml:1:1: SBGC001 can not read the file: No such file"]),
-        (_folder, ["base.yaml:1:1: SBGC001 can not read the file: Is a directory"]),
-        (_dangling_link, ["base.yaml:1:1: SBGC001 can not read the file: No such file"]),
+        (_drop("simplebgc.yaml"), ["simplebgc.yaml:1:1: SBGC001 cannot read the file: No such"]),
+        (_drop("errata.yaml"), ["errata.yaml:1:1: SBGC001 cannot read the file: No such"]),
+        (_drop("base.yaml"), ["base.yaml:1:1: SBGC001 cannot read the file: No such file"]),
+        (_folder, ["base.yaml:1:1: SBGC001 cannot read the file: Is a directory"]),
+        (_dangling_link, ["base.yaml:1:1: SBGC001 cannot read the file: No such file"]),
         (shutil.rmtree, ["errata.yaml:1:1: SBGC001", "simplebgc.yaml:1:1: SBGC001"]),
     ],
 )
@@ -96,5 +96,5 @@ def test_families_that_are_no_names_are_not_opened(tmp_path: Path) -> None:
     )
     found = findings(tmp_path, text, "simplebgc.yaml")
     assert {d.code for d in found} == {"SBGC004"}
-    assert {d.position.line for d in found} == {21}
+    assert {d.position.line for d in found} == {23}
     assert len(found) == 3

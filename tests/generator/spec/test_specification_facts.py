@@ -179,6 +179,12 @@ def test_framing(layout: Layout) -> None:
     """L41-L61: '>', id, size, header checksum; body; body checksum."""
     framing = layout.framing
     assert (framing.start, framing.header_size, framing.trailer_size) == (ord(">"), 4, 1)
+    assert framing.header == ("start", "id", "size", "header_checksum")
+    assert framing.trailer == ("body_checksum",)
+    assert [(c.name, c.kind, c.covers) for c in framing.checksums] == [
+        ("header_checksum", "sum8", ("id", "size")),
+        ("body_checksum", "sum8", ("body",)),
+    ]
     assert framing.max_body == 255
 
 

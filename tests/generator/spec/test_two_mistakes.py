@@ -75,7 +75,7 @@ def test_the_line_without_mistakes_is_fine(tmp_path: Path) -> None:
 def test_a_mistake_in_what_is_misspelt_is_reported(tmp_path: Path) -> None:
     found = findings(tmp_path, SPEC.format(**RIGHT | {"range": "rnage: 1-90"}))
     assert [(d.code, d.message) for d in found] == [
-        ("SBGC004", "'1-90' is not written as it should be"),
+        ("SBGC004", "'1-90' has the wrong syntax"),
         ("SBGC004", "unknown key 'rnage'"),
     ]
 

@@ -146,13 +146,19 @@ def test_flags(tmp_path: Path) -> None:
 
 def test_command_ids_are_an_enum_in_the_order_of_ids(tmp_path: Path) -> None:
     more = TYPES + "  CMD_LAST: {id: 255, summary: Last., undocumented: true}\n"
-    ids = next(e for e in layout_of(tmp_path, more).enums if e.name == "CommandId")
-    assert [(v.name, v.identifier, v.value) for v in ids.values] == [
+    layout = layout_of(tmp_path, more)
+    to_board, from_board = (
+        [(v.name, v.identifier, v.value) for e in layout.enums if e.name == name for v in e.values]
+        for name in ("CommandToBoard", "CommandFromBoard")
+    )
+    last = ("CMD_LAST", "last", 255)  # in which direction it goes is not known
+    assert to_board == [
         ("CMD_PING", "ping", 1),
         ("CMD_USE", "use", 199),
         ("CMD_ALL", "all", 200),
-        ("CMD_LAST", "last", 255),
+        last,
     ]
+    assert from_board == [("CMD_PING", "ping", 1), last]
 
 
 def test_flags_that_extend_others(tmp_path: Path) -> None:

@@ -41,7 +41,7 @@ class Toy(Target):
     def lint(self, spec: Spec, layout: Layout, found: Diagnostics) -> None:
         for message in layout.messages:
             if message.name == "Toy":
-                found.add(message.at, "SBGC022", "'Toy' can not be a name in toys", "take another")
+                found.add(message.at, "SBGC022", "'Toy' cannot be a name in toys", "take another")
 
     def example(self, example: Example) -> Optional[Code]:
         return Code("Toys", "toy", f"play({example.message.name})")
@@ -123,7 +123,7 @@ def test_rules_of_a_target_are_checked(generator: Path, tmp_path: Path) -> None:
     add_toy(generator)
     done = run(generator, "lint", "--spec", str(spec))
     assert done.returncode == 1
-    assert "SBGC022 'Toy' can not be a name in toys" in done.stderr
+    assert "SBGC022 'Toy' cannot be a name in toys" in done.stderr
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -7,7 +7,7 @@
 #include <sbgc/time.hpp>
 #include <sbgc/types.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// The frame's attitude at one moment, Euler angles in degrees.
 struct FrameAngles {
@@ -29,4 +29,4 @@ struct Disturbance {
   std::vector<FrameAngles> recording{};  ///< times ascend from 0; for `recorded`
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

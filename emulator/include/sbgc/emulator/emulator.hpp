@@ -1,4 +1,4 @@
-/// A board with its lines: what a host sees of an emulated gimbal.
+/// A board behind its lines: an emulated gimbal as a host sees it.
 #pragma once
 
 #include <array>
@@ -12,71 +12,69 @@
 #include <sbgc/emulator/board.hpp>
 #include <sbgc/emulator/line.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 struct EmulatorOptions {
-  Options board{};
-  LineOptions line{};  ///< of each port; connections get seeds of their own from its seed
-  /// The line's rate is what the SERIAL_SPEED of the settings says, from each start on.
-  bool rate_of_settings = false;
-  std::optional<Duration> restart_at{};  ///< a reset that nobody asked for, since the beginning
+  BoardOptions board{};
+  LineOptions line{};  ///< of each port; each connection derives its own seed
+  /// The line's rate follows the parameter SERIAL_SPEED, from each start on.
+  bool rate_from_parameters = false;
+  std::optional<Duration> restart_at{};  ///< an unrequested reset, this long after the beginning
 };
 
-/// The board behind its lines. Like Board it has no clock, socket or thread: call from_host() with
-/// what the host sends, advance() at the time that next() names or later, and take what to_host()
-/// offers. Whenever advance() is called, everything happens at its own time. Times must not
-/// decrease. One thread at a time.
+/// The board behind its lines. Like Board it has no clock, socket or thread: pass what the host
+/// sends to from_host(), call advance() at next() or later, and take what to_host() offers.
+/// Everything happens at its own time, whenever advance() is called. Times must not decrease. One
+/// thread at a time.
 class Emulator {
  public:
-  /// What has arrived at the host and is not taken is limited to so many bytes, give or take what
-  /// the line holds: then the board's output waits, samples of its streams are skipped, and
-  /// text lines left out.
+  /// Limit of the bytes that have arrived at the host and are not taken, give or take what the line
+  /// holds. At the limit the board's output waits, samples of its streams are skipped and text
+  /// lines are left out.
   static constexpr std::size_t output_limit = 65536;
-  /// So many bytes from the host may be on their way to the board or wait there for their turn,
-  /// beyond its input buffer: see room().
+  /// Limit of the bytes from the host that are on their way to the board or queued there, beyond
+  /// its input buffer: see room().
   static constexpr std::size_t input_limit = 4096;
 
-  /// Switches the board on. `beginning` is where times in `options` are counted from; as a rule the
-  /// same moment.
+  /// Switches the board on. Times in `options` count from `beginning`, usually the same moment.
   Emulator(const EmulatorOptions& options, Memory memory, Instant now, Instant beginning);
   Emulator(const EmulatorOptions& options, Memory memory, Instant now)
       : Emulator(options, std::move(memory), now, now) {}
 
-  /// A host connects to a free port; nothing if all are taken. A port that is USB has no rate.
+  /// Connects a host to a free port; empty if all are taken. A USB port has no rate.
   std::optional<std::size_t> connect(bool is_usb, Instant now);
-  /// It leaves. Precondition for all that take a port: it is connected.
+  /// Disconnects the host. Precondition for all functions that take a port: it is connected.
   void disconnect(std::size_t port, Instant now);
-  /// What the host's serial port is set to; none: whatever is right.
+  /// The settings of the host's serial port; empty: always the right ones.
   void set_host_line(std::size_t port, const std::optional<LineSettings>& settings, Instant now);
 
-  /// The host sends nothing any more: its streams and text lines end, so that is_quiet() tells when
-  /// it has all that it has asked for.
+  /// The host sends nothing more: its streams and text lines end, and once is_quiet() it has
+  /// everything it asked for.
   void end_input(std::size_t port, Instant now);
 
-  /// Bytes from the host that are on their way, or wait to be carried out.
-  std::size_t waiting(std::size_t port) const;
-  /// How many bytes the host should send at most for now; from_host() takes more.
+  /// Bytes from the host that are on their way or queued.
+  std::size_t queued_bytes(std::size_t port) const;
+  /// How many bytes the host should send at most for now; from_host() accepts more.
   std::size_t room(std::size_t port) const;
   void from_host(std::size_t port, std::span<const std::uint8_t> bytes, Instant now);
-  /// Nothing that the host has sent waits to be carried out, and all that is for it has been taken.
+  /// No request of the host is pending, and all output for it has been taken.
   bool is_quiet(std::size_t port) const;
   void advance(Instant now);
   Instant next() const;
-  /// What has arrived at the host; take() says how much of it is taken.
-  /// Precondition: size <= to_host(port).size().
+  /// What has arrived at the host; take() removes it. Precondition: size <= to_host(port).size().
   std::span<const std::uint8_t> to_host(std::size_t port) const;
   void take(std::size_t port, std::size_t size, Instant now);
 
   /// Power off and on.
   void restart(Instant now);
 
-  /// As those of the board.
+  /// As in Board.
   void memory_saved(std::uint32_t revision, Instant now);
   void memory_not_saved(std::uint32_t revision, Instant now);
 
   Board& board() { return board_; }
   const Board& board() const { return board_; }
-  /// The board's end of the line as it is now.
+  /// The current settings of the board's end of the line.
   const LineSettings& line() const { return options_.line.board; }
   const LineCounters& counters(std::size_t port, Line::Way way) const;
 
@@ -94,7 +92,7 @@ class Emulator {
   const Port& at(std::size_t port) const;
   /// Everything that happens at this moment.
   void step(Instant now);
-  /// From the board's output onto the line, as far as there is room.
+  /// Puts the board's output on the line, as far as there is room.
   void pump(std::size_t number, Port& port, Instant now);
   void follow_rate();
   void follow_restarts();
@@ -109,4 +107,4 @@ class Emulator {
   std::vector<std::uint8_t> received_{};  // scratch
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

@@ -10,25 +10,25 @@
 #include <sbgc/time.hpp>
 #include <sbgc/types.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// A vector of space: x points right, y forward, z up (normal position). Roll turns about y, pitch
-/// about x, yaw about z, counter-clockwise looking against the axis. Ours: the specification does
-/// not publish directions.
+/// about x, yaw about z, counter-clockwise looking against the axis. Assumption: the specification
+/// does not publish directions.
 using Vector = Xyz<double>;
 
-/// What an axis is told to do. Angles in degrees, speeds in degrees per second.
+/// A command for one axis. Angles in degrees, speeds in degrees per second.
 ///
-/// Angles of `angle`, `speed_angle` and RC signals mean the same angle modulo 4 turns, where the
-/// protocol's 16 bits wrap: the nearest one to the present target. An axis that follows the frame
-/// (or what set_followed() tells) does so in `remote`, `signal` and `speed`, and counts the angles
-/// of RC signals from its neutral position, that is what it follows plus `follow_offset`.
+/// Angles of `angle`, `speed_angle` and RC signals are equal modulo 4 turns, where the protocol's
+/// 16 bits wrap: the one nearest to the present target counts. An axis that follows the frame (or
+/// the angle of set_followed()) does so in `remote`, `signal` and `speed`, and counts the angles of
+/// RC signals from its neutral position, that is what it follows plus `follow_offset`.
 enum class AxisMode : std::uint8_t {
   remote,          ///< no control: the RC signal of the axis
   speed,           ///< turn with `speed`
   angle,           ///< go to `angle` with `speed`, 0: the speed of the settings
   speed_angle,     ///< turn with `speed` and be pulled to `angle`; half a second after the command
-                   ///< (ours) the angle alone counts
+                   ///< (an assumption) the angle alone counts
   signal,          ///< `signal` stands for the RC signal
   relative_angle,  ///< go to `angle`, counted from the frame, over all turns; speed as for `angle`
 };
@@ -40,7 +40,7 @@ struct AxisCommand {
   double signal{};  ///< -1..1
 };
 
-/// How the settings tune one axis.
+/// How the parameters tune one axis.
 struct AxisTuning {
   double p = 10, i = 0.1, d = 10;            ///< as in the settings, times the gain factor
   double power = 100;                        ///< 0..255; 0: the motor holds nothing
@@ -97,19 +97,21 @@ struct Sample {
   double frame_heading_error{};
 };
 
-/// The simulation. It moves in fixed steps of 4 ms, so that its state depends on time and commands
-/// alone and not on how often it is asked; a sample between two steps is what the next one will do
-/// up to then. Commands act from the step on that has begun. Same seed, same commands at the same
-/// times: same samples.
+struct Mechanics;
+
+/// The simulation. It moves in fixed steps of 4 ms, so its state depends on time and commands only,
+/// not on how often it is sampled; a sample between two steps shows the part of the next step up to
+/// then. Commands act from the current step on. The same seed and the same commands at the same
+/// times give the same samples.
 ///
-/// If nobody asks for more than a minute, 10 s are simulated at the beginning and at the end of
-/// that time; between them moves that have speed go on or arrive, the camera is held without error,
-/// and battery, temperatures and drift go where they would.
+/// If more than a minute passes between two calls, 10 s are simulated at the beginning and at the
+/// end of it; in between, moves continue or arrive, the camera is held without error, and battery,
+/// temperatures and drift change as they would.
 ///
-/// What is handed in may be any number: angles are held within 10^6 degrees, speeds within
-/// 2000 deg/s (which the gyroscope can measure), signals within -1..1; no number counts as 0. The
-/// axes are independent of each other: an angle of the camera is that of the joint plus that of the
-/// frame (plus the estimate's error). Motors are off at the beginning; the joints are at 0.
+/// Arguments may be any number: angles are limited to 10^6 degrees, speeds to 2000 deg/s (the range
+/// of the gyroscope), signals to -1..1; NaN counts as 0. The axes are independent: the angle of the
+/// camera is that of the joint plus that of the frame (plus the error of the estimate). Initially
+/// motors are off and joints at 0.
 class Gimbal {
  public:
   struct Options {
@@ -129,63 +131,62 @@ class Gimbal {
   Gimbal& operator=(Gimbal&&) noexcept;
   ~Gimbal();
 
-  /// The board starts anew: commands, targets and estimates are forgotten, the camera stays where
-  /// it is, and moves to the start angles when the motors turn on. Motors are off; whole turns of
-  /// the joints are forgotten, what calibrations and corrections of the gyroscope do is not.
+  /// The board restarts: commands, targets and estimates are cleared, the camera stays where it is
+  /// and moves to the start angles when the motors turn on. Motors are off; whole turns of the
+  /// joints are forgotten, calibrations and corrections of the gyroscope are kept.
   void restart(Instant now);
-  /// As often as the settings change; what is under way goes on.
+  /// Whenever the parameters change; moves in progress continue.
   void tune(const Tuning& tuning, Instant now);
-  /// Targets are where the camera is when motors turn on; it goes on from there with its command.
+  /// When motors turn on, the targets are where the camera is; commands continue from there.
   void set_motors(bool on, Instant now);
   bool motors_on() const;
-  /// The battery has stopped the motors, until they are turned on and it has enough voltage.
+  /// The battery has stopped the motors; until they are turned on with enough voltage.
   bool stopped_by_battery() const;
 
   void command(std::size_t axis, const AxisCommand& command, Instant now);
   const AxisCommand& command(std::size_t axis) const;
-  /// The RC signal of an axis, -1..1; none: no signal, the axis holds its target.
+  /// The RC signal of an axis, -1..1; empty: no signal, the axis holds its target.
   void set_remote(std::size_t axis, std::optional<double> signal, Instant now);
-  /// The axis follows that angle, in degrees, and not the frame; none: as its tuning says.
+  /// The axis follows that angle, in degrees, instead of the frame; empty: as tuned.
   void set_followed(std::size_t axis, std::optional<double> angle, Instant now);
 
-  /// An outer system tells what it knows of the frame; that improves the stabilization for a
-  /// second. Ours: what it tells does not matter, the simulation knows the frame.
+  /// An outer system reports the motion of the frame, which improves the stabilization for a
+  /// second. Assumption: the report itself does not matter, the simulation knows the frame.
   void help(Instant now);
-  /// Replaces what an IMU knows of its attitude for a second, or as a reference corrects it slowly
-  /// for two. Vectors of any length; what is not given stays. Nothing happens if they are parallel,
-  /// shorter than 0.001, not finite, or `up` alone is opposite to what it was.
+  /// Replaces the attitude of an IMU for a second or, as a reference, corrects it slowly for two.
+  /// Vectors may have any length; an empty one leaves its part unchanged. Has no effect if they are
+  /// parallel, shorter than 0.001 or not finite, or if `up` alone reverses.
   struct Attitude {
     std::optional<Vector> up{};
     std::optional<Vector> north{};
     bool of_frame = false;
     bool reference_only = false;
-    /// By the joints it also tells the attitude of the other IMU, which takes it as a reference.
+    /// The other IMU takes the attitude as a reference, through the joints.
     bool translates = false;
   };
   void correct(const Attitude& attitude, Instant now);
-  /// Whether the frame's attitude is replaced so now.
-  bool is_frame_told(Instant now);
+  /// Whether the frame's attitude is replaced in that way now.
+  bool is_frame_reported(Instant now);
   /// Offset of a gyroscope's zero, deg/s: heading errors grow or shrink with it. `heading` turns
   /// about the vertical. Both replace what was given before.
   void correct_gyro(bool of_frame, const Vector& offset, double heading, Instant now);
-  /// A calibration at rest has ended: the drift of that gyroscope is gone, until the temperature
+  /// A calibration at rest has ended: the drift of that gyroscope is gone until the temperature
   /// changes, and so is its correction.
   void gyro_calibrated(bool of_frame, Instant now);
 
-  /// Test hooks: a hand turns the camera by so many degrees; a joint is stuck (or free again); the
-  /// battery's voltage is this from now on.
+  /// Test hooks: a hand turns the camera by that angle; a joint sticks (or is free again); the
+  /// battery keeps that voltage.
   void push(std::size_t axis, double degrees, Instant now);
   void jam(std::size_t axis, bool is_jammed, Instant now);
   void set_battery(double volts, Instant now);
-  /// Places the camera, at rest, with its targets there; commands end.
+  /// Places the camera at rest, with its targets there; commands end.
   void place(const Axes<double>& angles, Instant now);
 
-  /// Precondition for all: times do not decrease.
+  /// Precondition for all functions: times do not decrease.
   Sample sample(Instant now);
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  std::unique_ptr<Mechanics> mechanics_;
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

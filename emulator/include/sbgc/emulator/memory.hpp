@@ -1,4 +1,4 @@
-/// What an emulated board remembers without power.
+/// What an emulated board keeps without power.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 #include <sbgc/types.hpp>
 
-namespace sbgc::board {
+namespace sbgc::emulator {
 
 /// Calibration of one IMU.
 struct ImuCalibration {
@@ -23,8 +23,8 @@ struct ImuCalibration {
   bool operator==(const ImuCalibration&) const = default;
 };
 
-/// All of it. Settings, names, user data and files stand in the EEPROM, as on a real board: whoever
-/// writes to it changes them, those in use at the next start.
+/// Everything the board keeps. Parameters, names, user data and files are in the EEPROM, as on a
+/// real board: writing to it changes them; those in use change at the next start.
 struct Memory {
   static constexpr std::size_t eeprom_size = 32768;
 
@@ -33,12 +33,12 @@ struct Memory {
   std::array<ImuCalibration, 2> sensors{};  ///< in the EEPROM of each sensor: factory calibration
   double battery_factor = 1;                ///< calibration of the voltage measurement
   std::uint8_t profile = 0;                 ///< active one
-  std::uint32_t revision = 0;               ///< grows with each change; not kept
-  /// What has changed may not be safe yet: writing what is there already counts as a change, too.
-  /// Only with Options::waits_for_saving; not kept.
+  std::uint32_t revision = 0;               ///< grows with each change; not saved
+  /// Changes may not be saved yet, so rewriting the same bytes counts as a change as well. Only
+  /// with BoardOptions::waits_for_saving; not saved.
   bool is_unsaved = false;
 
   bool operator==(const Memory&) const = default;
 };
 
-}  // namespace sbgc::board
+}  // namespace sbgc::emulator

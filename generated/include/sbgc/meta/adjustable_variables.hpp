@@ -6,6 +6,7 @@
 #include <sbgc/messages/adjustable_variables.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/units.hpp>
 
 namespace sbgc {
 
@@ -14,10 +15,10 @@ struct Meta<msg::AdjVarValue> {
   static constexpr FieldInfo fields[] = {
       {.name = "param_id",
        .spec_name = "PARAM_ID",
-       .summary = "Which variable (Appendix B)."},
+       .summary = "The variable (Appendix B)."},
       {.name = "param_value",
        .spec_name = "PARAM_VALUE",
-       .summary = "The value, widened to 32 bits whatever the variable's own type is.",
+       .summary = "The value, extended to 32 bits whatever the type of the variable.",
        .is_variable_value = true},
   };
 
@@ -37,7 +38,7 @@ struct Meta<msg::TriggerSlot> {
        .summary = "RC signal."},
       {.name = "action",
        .spec_name = "ACTION{1..5}",
-       .summary = "Action that each level of the signal starts."},
+       .summary = "Action of each signal level."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -56,13 +57,13 @@ struct Meta<msg::AnalogSlot> {
        .summary = "RC signal."},
       {.name = "param_id",
        .spec_name = "PARAM_ID",
-       .summary = "Variable that it changes (Appendix B)."},
+       .summary = "Variable to change (Appendix B)."},
       {.name = "min_val",
        .spec_name = "MIN_VAL",
-       .summary = "Begin of the working range, as a share of the variable's own range."},
+       .summary = "Start of the working range, as a fraction of the variable's range."},
       {.name = "max_val",
        .spec_name = "MAX_VAL",
-       .summary = "End of the working range, as a share of the variable's own range."},
+       .summary = "End of the working range, as a fraction of the variable's range."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -85,13 +86,13 @@ struct Meta<msg::SetAdjVarsVal> {
       .direction = Direction::both,
       .min_size = 1,
       .max_size = 201,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::sets) | Effect::moves};
   static constexpr Range num_vars_range{1, 40};
   static constexpr FieldInfo fields[] = {
       {.name = "num_vars",
        .spec_name = "NUM_VARS",
-       .summary = "How many variables follow.",
+       .summary = "Number of variables that follow.",
        .range = &num_vars_range},
       {.name = "params",
        .spec_name = "params",
@@ -113,23 +114,23 @@ struct Meta<msg::GetAdjVarsVal> {
   static constexpr MessageInfo info{
       .name = "GetAdjVarsVal",
       .command = "CMD_GET_ADJ_VARS_VAL",
-      .summary = "Ask for the values of adjustable variables.",
+      .summary = "Request the values of adjustable variables.",
       .id = 64,
       .direction = Direction::to_board,
       .min_size = 1,
       .max_size = 41,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range num_vars_range{1, 40};
   static constexpr FieldInfo fields[] = {
       {.name = "num_vars",
        .spec_name = "NUM_VARS",
-       .summary = "How many variables follow.",
+       .summary = "Number of variables that follow.",
        .range = &num_vars_range},
       {.name = "param_id",
        .spec_name = "PARAM_ID",
-       .summary = "Which variables (Appendix B)."},
+       .summary = "The variables (Appendix B)."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -145,16 +146,16 @@ struct Meta<msg::ReadAdjVarsCfg> {
   static constexpr MessageInfo info{
       .name = "ReadAdjVarsCfg",
       .command = "CMD_READ_ADJ_VARS_CFG",
-      .summary = "Which RC signals start actions and which ones change adjustable variables.",
+      .summary = "RC signals that trigger actions or change adjustable variables.",
       .id = 43,
       .direction = Direction::from_board,
       .min_size = 128,
       .max_size = 128,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "trigger_slots",
        .spec_name = "trigger_slots",
-       .summary = "RC signals that start actions; the range of a signal is split into five levels."},
+       .summary = "RC signals that trigger actions; the range of a signal is split into five levels."},
       {.name = "analog_slots",
        .spec_name = "analog_slots",
        .summary = "RC signals that change adjustable variables."},
@@ -180,12 +181,12 @@ struct Meta<msg::ReadAdjVarsCfgRequest> {
   static constexpr MessageInfo info{
       .name = "ReadAdjVarsCfgRequest",
       .command = "CMD_READ_ADJ_VARS_CFG",
-      .summary = "Ask which RC signals start actions and which ones change adjustable variables.",
+      .summary = "Request the RC signals that trigger actions or change adjustable variables.",
       .id = 43,
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
@@ -200,12 +201,12 @@ struct Meta<msg::AdjVarsState> {
   static constexpr MessageInfo info{
       .name = "AdjVarsState",
       .command = "CMD_ADJ_VARS_STATE",
-      .summary = "What one trigger slot and one analog slot do at the moment.",
+      .summary = "Current state of one trigger slot and one analog slot.",
       .id = 46,
       .direction = Direction::from_board,
       .min_size = 15,
       .max_size = 15,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr Range trigger_rc_data_range{-500, 500};
   static constexpr Range trigger_action_range{0, 255};
   static constexpr Range analog_rc_data_range{-500, 500};
@@ -213,14 +214,16 @@ struct Meta<msg::AdjVarsState> {
       {.name = "trigger_rc_data",
        .spec_name = "TRIGGER_RC_DATA",
        .summary = "RC signal of the trigger slot.",
+       .unit = &UnitMeta<msg::CentredRcSignal>::info,
        .range = &trigger_rc_data_range},
       {.name = "trigger_action",
        .spec_name = "TRIGGER_ACTION",
-       .summary = "Action that it has started.",
+       .summary = "Action that the slot triggered.",
        .range = &trigger_action_range},
       {.name = "analog_rc_data",
        .spec_name = "ANALOG_RC_DATA",
        .summary = "RC signal of the analog slot.",
+       .unit = &UnitMeta<msg::CentredRcSignal>::info,
        .range = &analog_rc_data_range},
       {.name = "analog_value",
        .spec_name = "ANALOG_VALUE",
@@ -249,12 +252,12 @@ struct Meta<msg::AdjVarsStateRequest> {
   static constexpr MessageInfo info{
       .name = "AdjVarsStateRequest",
       .command = "CMD_ADJ_VARS_STATE",
-      .summary = "Ask what one trigger slot and one analog slot do.",
+      .summary = "Request the state of one trigger slot and one analog slot.",
       .id = 46,
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 2,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
@@ -280,18 +283,18 @@ struct Meta<msg::AdjVarsStateRequestExt> {
   static constexpr MessageInfo info{
       .name = "AdjVarsStateRequestExt",
       .command = "CMD_ADJ_VARS_STATE",
-      .summary = "Ask for the state of adjustable variables, as later firmware does it.",
+      .summary = "Request the state of adjustable variables, in the form of later firmware.",
       .id = 46,
       .direction = Direction::to_board,
       .min_size = 7,
       .max_size = 7,
-      .since = {2625, 0},
+      .since = {.firmware = 2625},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "params",
        .spec_name = "PARAMS",
-       .summary = "Not documented."},
+       .summary = "Undocumented."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -306,12 +309,12 @@ struct Meta<msg::WriteAdjVarsCfg> : Meta<msg::ReadAdjVarsCfg> {
   static constexpr MessageInfo info{
       .name = "WriteAdjVarsCfg",
       .command = "CMD_WRITE_ADJ_VARS_CFG",
-      .summary = "Store which RC signals start actions and which ones change adjustable variables.",
+      .summary = "Store the RC signals that trigger actions or change adjustable variables.",
       .id = 44,
       .direction = Direction::to_board,
       .min_size = 128,
       .max_size = 128,
-      .since = {0, 30},
+      .since = {.board = 30},
       .stores = "ReadAdjVarsCfg",
       .effects = Effects(Effect::stores) | Effect::moves};
 };

@@ -6,6 +6,7 @@
 #include <sbgc/messages/calibration.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/units.hpp>
 
 namespace sbgc {
 
@@ -14,7 +15,7 @@ struct Meta<msg::AxisTuning> {
   static constexpr FieldInfo fields[] = {
       {.name = "tracking_error",
        .spec_name = "TRACKING_ERROR",
-       .summary = "How badly the axis holds its target."},
+       .summary = "Tracking error of the axis."},
       {.name = "reserved",
        .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
@@ -61,10 +62,10 @@ struct Meta<msg::CalibAccExt> {
   static constexpr FieldInfo fields[] = {
       {.name = "imu_idx",
        .spec_name = "IMU_IDX",
-       .summary = "Which IMU."},
+       .summary = "The IMU."},
       {.name = "action",
        .spec_name = "ACTION",
-       .summary = "What to do."},
+       .summary = "Operation."},
       {.name = "reserved",
        .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
@@ -112,10 +113,10 @@ struct Meta<msg::CalibGyroExt> {
   static constexpr FieldInfo fields[] = {
       {.name = "imu_idx",
        .spec_name = "IMU_IDX",
-       .summary = "Which IMU."},
+       .summary = "The IMU."},
       {.name = "action",
        .spec_name = "ACTION",
-       .summary = "What to do."},
+       .summary = "Operation."},
       {.name = "reserved",
        .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
@@ -141,7 +142,7 @@ struct Meta<msg::CalibMag> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::stores)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -155,7 +156,7 @@ struct Meta<msg::CalibExtGain> {
   static constexpr MessageInfo info{
       .name = "CalibExtGain",
       .command = "CMD_CALIB_EXT_GAIN",
-      .summary = "Calibrate the gains of the signals from a flight controller.",
+      .summary = "Calibrate the gains of a flight controller's signals.",
       .id = 71,
       .direction = Direction::to_board,
       .min_size = 0,
@@ -173,7 +174,7 @@ struct Meta<msg::CalibPoles> {
   static constexpr MessageInfo info{
       .name = "CalibPoles",
       .command = "CMD_CALIB_POLES",
-      .summary = "Find out poles and direction of the motors.",
+      .summary = "Detect the poles and the direction of the motors.",
       .id = 80,
       .direction = Direction::to_board,
       .min_size = 0,
@@ -191,7 +192,7 @@ struct Meta<msg::CalibOffset> {
   static constexpr MessageInfo info{
       .name = "CalibOffset",
       .command = "CMD_CALIB_OFFSET",
-      .summary = "Calibrate the offset of the follow mode.",
+      .summary = "Calibrate the follow mode offset.",
       .id = 79,
       .direction = Direction::to_board,
       .min_size = 0,
@@ -209,7 +210,7 @@ struct Meta<msg::CalibBat> {
   static constexpr MessageInfo info{
       .name = "CalibBat",
       .command = "CMD_CALIB_BAT",
-      .summary = "Calibrate the measurement of the battery voltage.",
+      .summary = "Calibrate the battery voltage measurement.",
       .id = 66,
       .direction = Direction::to_board,
       .min_size = 2,
@@ -218,7 +219,8 @@ struct Meta<msg::CalibBat> {
   static constexpr FieldInfo fields[] = {
       {.name = "actual_voltage",
        .spec_name = "ACTUAL_VOLTAGE",
-       .summary = "The true voltage, measured by other means."},
+       .summary = "Actual voltage, measured externally.",
+       .unit = &UnitMeta<msg::Voltage>::info},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -233,12 +235,12 @@ struct Meta<msg::CalibInfo> {
   static constexpr MessageInfo info{
       .name = "CalibInfo",
       .command = "CMD_CALIB_INFO",
-      .summary = "What a host shows while sensors are calibrated.",
+      .summary = "Calibration status for display.",
       .id = 49,
       .direction = Direction::from_board,
       .min_size = 33,
       .max_size = 33,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr Range progress_range{0, 100};
   static constexpr Range acc_cur_axis_range{0, 2};
   static constexpr Range imu_temp_cels_range{-127, 127};
@@ -253,59 +255,67 @@ struct Meta<msg::CalibInfo> {
   static constexpr FieldInfo fields[] = {
       {.name = "progress",
        .spec_name = "PROGRESS",
-       .summary = "How much of the calibration is done.",
+       .summary = "Progress of the calibration.",
+       .unit = &UnitMeta<msg::Percent>::info,
        .range = &progress_range},
       {.name = "imu_type",
        .spec_name = "IMU_TYPE",
-       .summary = "IMU that this is about."},
+       .summary = "The IMU."},
       {.name = "acc_data",
        .spec_name = "ACC_DATA",
-       .summary = "Accelerometer, as in CMD_REALTIME_DATA_3."},
+       .summary = "Accelerometer, as in CMD_REALTIME_DATA_3.",
+       .unit = &UnitMeta<msg::Acceleration>::info},
       {.name = "gyro_abs_val",
        .spec_name = "GYRO_ABS_VAL",
-       .summary = "Strength of the gyroscope's signal."},
+       .summary = "Magnitude of the gyroscope signal."},
       {.name = "acc_cur_axis",
        .spec_name = "ACC_CUR_AXIS",
-       .summary = "Axis of the accelerometer that is calibrated next.",
+       .summary = "Accelerometer axis to calibrate next.",
        .range = &acc_cur_axis_range},
       {.name = "acc_limits_info",
        .spec_name = "ACC_LIMITS_INFO",
-       .summary = "Directions of the accelerometer that are calibrated."},
+       .summary = "Calibrated directions of the accelerometer."},
       {.name = "imu_temp_cels",
        .spec_name = "IMU_TEMP_CELS",
        .summary = "Temperature of the IMU.",
+       .unit = &UnitMeta<msg::Temperature>::info,
        .range = &imu_temp_cels_range},
       {.name = "temp_calib_gyro_enabled",
        .spec_name = "TEMP_CALIB_GYRO_ENABLED",
-       .summary = "1 if the gyroscope's calibration over temperature is used.",
+       .summary = "1 if the gyroscope's calibration over temperature is enabled.",
        .range = &temp_calib_gyro_enabled_range},
       {.name = "temp_calib_gyro_t_min_cels",
        .spec_name = "TEMP_CALIB_GYRO_T_MIN_CELS",
        .summary = "Lowest temperature of the gyroscope's calibration.",
+       .unit = &UnitMeta<msg::Temperature>::info,
        .range = &temp_calib_gyro_t_min_cels_range},
       {.name = "temp_calib_gyro_t_max_cels",
        .spec_name = "TEMP_CALIB_GYRO_T_MAX_CELS",
        .summary = "Highest temperature of the gyroscope's calibration.",
+       .unit = &UnitMeta<msg::Temperature>::info,
        .range = &temp_calib_gyro_t_max_cels_range},
       {.name = "temp_calib_acc_enabled",
        .spec_name = "TEMP_CALIB_ACC_ENABLED",
-       .summary = "1 if the accelerometer's calibration over temperature is used.",
+       .summary = "1 if the accelerometer's calibration over temperature is enabled.",
        .range = &temp_calib_acc_enabled_range},
       {.name = "temp_calib_acc_slot_num",
        .spec_name = "TEMP_CALIB_ACC_SLOT_NUM",
-       .summary = "Calibrated temperatures of the accelerometer in the directions +X, +Y, +Z, -X, -Y, -Z.",
+       .summary = "Number of calibrated temperatures of the accelerometer in the directions +X, +Y, +Z, -X, -Y, -Z.",
        .range = &temp_calib_acc_slot_num_range},
       {.name = "temp_calib_acc_t_min_cels",
        .spec_name = "TEMP_CALIB_ACC_T_MIN_CELS",
        .summary = "Lowest temperature of the accelerometer's calibration.",
+       .unit = &UnitMeta<msg::Temperature>::info,
        .range = &temp_calib_acc_t_min_cels_range},
       {.name = "temp_calib_acc_t_max_cels",
        .spec_name = "TEMP_CALIB_ACC_T_MAX_CELS",
        .summary = "Highest temperature of the accelerometer's calibration.",
+       .unit = &UnitMeta<msg::Temperature>::info,
        .range = &temp_calib_acc_t_max_cels_range},
       {.name = "h1_err_length",
        .spec_name = "H1_ERR_LENGTH",
-       .summary = "Length of the difference between the estimated and the reference heading vector; the vectors have length 1.",
+       .summary = "Length of the difference between the estimated and the reference heading vector, both of length 1.",
+       .unit = &UnitMeta<msg::Hundredths>::info,
        .range = &h1_err_length_range},
       {.name = "reserved",
        .spec_name = "RESERVED",
@@ -342,18 +352,18 @@ struct Meta<msg::CalibInfoRequest> {
   static constexpr MessageInfo info{
       .name = "CalibInfoRequest",
       .command = "CMD_CALIB_INFO",
-      .summary = "Ask for what to show while sensors are calibrated.",
+      .summary = "Request the calibration status.",
       .id = 49,
       .direction = Direction::to_board,
       .min_size = 12,
       .max_size = 12,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type",
        .spec_name = "IMU_TYPE",
-       .summary = "Which IMU."},
+       .summary = "The IMU."},
       {.name = "reserved",
        .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
@@ -373,16 +383,16 @@ struct Meta<msg::CalibMotorMagLink> {
   static constexpr MessageInfo info{
       .name = "CalibMotorMagLink",
       .command = "CMD_CALIB_MOTOR_MAG_LINK",
-      .summary = "Body from the board, not documented.",
+      .summary = "Undocumented body from the board.",
       .id = 74,
       .direction = Direction::from_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
-       .summary = "Whatever it holds."},
+       .summary = "Undocumented content."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -397,17 +407,17 @@ struct Meta<msg::CalibMotorMagLinkRequest> {
   static constexpr MessageInfo info{
       .name = "CalibMotorMagLinkRequest",
       .command = "CMD_CALIB_MOTOR_MAG_LINK",
-      .summary = "Body to the board, not documented.",
+      .summary = "Undocumented body to the board.",
       .id = 74,
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
-       .summary = "Whatever it holds."},
+       .summary = "Undocumented content."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -427,7 +437,7 @@ struct Meta<msg::EncodersCalibOffset4> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::stores)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -446,7 +456,7 @@ struct Meta<msg::EncodersCalibFldOffset4> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::stores) | Effect::moves};
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -465,7 +475,7 @@ struct Meta<msg::AutoPid> {
       .direction = Direction::from_board,
       .min_size = 57,
       .max_size = 57,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "p",
        .spec_name = "P",
@@ -481,10 +491,10 @@ struct Meta<msg::AutoPid> {
        .summary = "Low-pass filter of each axis, as stored."},
       {.name = "iter_num",
        .spec_name = "ITER_NUM",
-       .summary = "How many rounds are done."},
+       .summary = "Number of completed iterations."},
       {.name = "axes",
        .spec_name = "axes",
-       .summary = "Result of each axis so far."},
+       .summary = "Current result of each axis."},
       {.name = "reserved",
        .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
@@ -515,7 +525,7 @@ struct Meta<msg::AutoPidRequest> {
       .direction = Direction::to_board,
       .min_size = 19,
       .max_size = 19,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::stores) | Effect::moves};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special cfg_flags_special[] = {
@@ -529,11 +539,11 @@ struct Meta<msg::AutoPidRequest> {
        .range = &profile_id_range},
       {.name = "cfg_flags",
        .spec_name = "CFG_FLAGS",
-       .summary = "What to tune and how.",
+       .summary = "What to tune, and options.",
        .special = cfg_flags_special},
       {.name = "gain_vs_stability",
        .spec_name = "GAIN_VS_STABILITY",
-       .summary = "How far to go for high gains, at the cost of stability.",
+       .summary = "Preference for high gains at the cost of stability.",
        .range = &gain_vs_stability_range},
       {.name = "reserved",
        .spec_name = "RESERVED",

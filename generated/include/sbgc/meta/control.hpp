@@ -6,21 +6,24 @@
 #include <sbgc/messages/control.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/units.hpp>
 
 namespace sbgc {
 
 template <>
 struct Meta<msg::ControlAxis> {
-  static constexpr AlternativeUnit speed_alternative{"control_mode", 0x80, "deg/s", 1, 1000};
+  static constexpr AlternativeUnit speed_alternative{"control_mode", 0x80, &UnitMeta<msg::FineSpeed>::info};
   static constexpr Range angle_range{-32768, 32767};
   static constexpr FieldInfo fields[] = {
       {.name = "speed",
        .spec_name = "SPEED_{AXIS}",
-       .summary = "Speed to move with; an acceleration limit of the settings may hold it back.",
+       .summary = "Speed of the motion; the acceleration limit in the parameters may restrict it.",
+       .unit = &UnitMeta<msg::ControlSpeed>::info,
        .alternative = &speed_alternative},
       {.name = "angle",
        .spec_name = "ANGLE_{AXIS}",
-       .summary = "Angle to reach; in MODE_RC the RC signal, -500 to 500.",
+       .summary = "Target angle; in MODE_RC the RC signal, -500 to 500.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &angle_range},
   };
 
@@ -39,15 +42,18 @@ struct Meta<msg::AxisState> {
   static constexpr FieldInfo fields[] = {
       {.name = "imu_angle",
        .spec_name = "IMU_ANGLE",
-       .summary = "Measured angle; starts again after two full turns.",
+       .summary = "Measured angle; wraps after two full turns.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &imu_angle_range},
       {.name = "rc_target_angle",
        .spec_name = "RC_TARGET_ANGLE",
-       .summary = "Angle that the gimbal should hold, set by RC or by control commands.",
+       .summary = "Target angle, set by RC or by control commands.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &rc_target_angle_range},
       {.name = "rc_speed",
        .spec_name = "RC_SPEED",
-       .summary = "Speed that the gimbal should hold; 0 once the target is reached."},
+       .summary = "Target speed; 0 once the target is reached.",
+       .unit = &UnitMeta<msg::ControlSpeed>::info},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -66,15 +72,18 @@ struct Meta<msg::AxisStateExt> {
   static constexpr FieldInfo fields[] = {
       {.name = "imu_angle",
        .spec_name = "IMU_ANGLE",
-       .summary = "Measured angle; starts again after two full turns.",
+       .summary = "Measured angle; wraps after two full turns.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &imu_angle_range},
       {.name = "rc_target_angle",
        .spec_name = "RC_TARGET_ANGLE",
-       .summary = "Angle that the gimbal should hold.",
+       .summary = "Target angle.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &rc_target_angle_range},
       {.name = "stator_rotor_angle",
        .spec_name = "STATOR_ROTOR_ANGLE",
-       .summary = "Angle of the joint, from an encoder or the second IMU; 0 in normal position, and it counts on over full turns."},
+       .summary = "Angle of the joint, from an encoder or the second IMU; 0 in the normal position, accumulated over full turns.",
+       .unit = &UnitMeta<msg::LongAngle14>::info},
       {.name = "reserved",
        .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
@@ -96,7 +105,7 @@ struct Meta<msg::Control> {
   static constexpr MessageInfo info{
       .name = "Control",
       .command = "CMD_CONTROL",
-      .summary = "Move the camera, one mode for all axes.",
+      .summary = "Move the camera, with one mode for all axes.",
       .id = 67,
       .direction = Direction::to_board,
       .min_size = 13,
@@ -129,7 +138,7 @@ struct Meta<msg::ControlExt> {
       .direction = Direction::to_board,
       .min_size = 15,
       .max_size = 15,
-      .since = {2555, 0},
+      .since = {.firmware = 2555},
       .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
       {.name = "control_mode",
@@ -153,7 +162,7 @@ struct Meta<msg::GetAngles> {
   static constexpr MessageInfo info{
       .name = "GetAngles",
       .command = "CMD_GET_ANGLES",
-      .summary = "Angles and targets of the camera.",
+      .summary = "Camera angles and targets.",
       .id = 73,
       .direction = Direction::from_board,
       .min_size = 18,
@@ -178,7 +187,7 @@ struct Meta<msg::GetAnglesRequest> {
   static constexpr MessageInfo info{
       .name = "GetAnglesRequest",
       .command = "CMD_GET_ANGLES",
-      .summary = "Ask for the angles and targets of the camera.",
+      .summary = "Request camera angles and targets.",
       .id = 73,
       .direction = Direction::to_board,
       .min_size = 0,
@@ -197,12 +206,12 @@ struct Meta<msg::GetAnglesExt> {
   static constexpr MessageInfo info{
       .name = "GetAnglesExt",
       .command = "CMD_GET_ANGLES_EXT",
-      .summary = "Angles, targets and joint angles of the gimbal.",
+      .summary = "Camera angles, targets and joint angles.",
       .id = 61,
       .direction = Direction::from_board,
       .min_size = 54,
       .max_size = 54,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "axes",
        .spec_name = "axes",
@@ -223,12 +232,12 @@ struct Meta<msg::GetAnglesExtRequest> {
   static constexpr MessageInfo info{
       .name = "GetAnglesExtRequest",
       .command = "CMD_GET_ANGLES_EXT",
-      .summary = "Ask for angles, targets and joint angles.",
+      .summary = "Request angles, targets and joint angles.",
       .id = 61,
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
@@ -266,7 +275,7 @@ struct Meta<msg::MotorsOff> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .until = {2687, 0},
+      .until = {.firmware = 2687},
       .effects = Effects(Effect::moves)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -285,7 +294,7 @@ struct Meta<msg::MotorsOffExt> {
       .direction = Direction::to_board,
       .min_size = 1,
       .max_size = 1,
-      .since = {2687, 0},
+      .since = {.firmware = 2687},
       .effects = Effects(Effect::moves)};
   static constexpr FieldInfo fields[] = {
       {.name = "mode",
@@ -305,7 +314,7 @@ struct Meta<msg::ExecuteMenu> {
   static constexpr MessageInfo info{
       .name = "ExecuteMenu",
       .command = "CMD_EXECUTE_MENU",
-      .summary = "Carry out an action of the menu.",
+      .summary = "Execute a menu action.",
       .id = 69,
       .direction = Direction::to_board,
       .min_size = 1,
@@ -329,7 +338,7 @@ struct Meta<msg::ExecuteMenuExt> {
   static constexpr MessageInfo info{
       .name = "ExecuteMenuExt",
       .command = "CMD_EXECUTE_MENU",
-      .summary = "Carry out an action of the menu, with a parameter that later firmware takes.",
+      .summary = "Execute a menu action, with a parameter of later firmware.",
       .id = 69,
       .direction = Direction::to_board,
       .min_size = 2,
@@ -357,7 +366,7 @@ struct Meta<msg::HelperData> {
   static constexpr MessageInfo info{
       .name = "HelperData",
       .command = "CMD_HELPER_DATA",
-      .summary = "Tell the board how the frame accelerates and leans.",
+      .summary = "Report acceleration and tilt of the frame to the board.",
       .id = 72,
       .direction = Direction::to_board,
       .min_size = 10,
@@ -374,15 +383,18 @@ struct Meta<msg::HelperData> {
   static constexpr FieldInfo fields[] = {
       {.name = "frame_acc",
        .spec_name = "FRAME_ACC_{XYZ}",
-       .summary = "Linear acceleration of the frame; keeps the horizon level in accelerated motion."},
+       .summary = "Linear acceleration of the frame; keeps the horizon level during acceleration.",
+       .unit = &UnitMeta<msg::Acceleration>::info},
       {.name = "frame_angle_roll",
        .spec_name = "FRAME_ANGLE_ROLL",
-       .summary = "Inclination of the frame to the side.",
+       .summary = "Sideways tilt of the frame.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &frame_angle_roll_range,
        .special = frame_angle_roll_special},
       {.name = "frame_angle_pitch",
        .spec_name = "FRAME_ANGLE_PITCH",
-       .summary = "Inclination of the frame forwards.",
+       .summary = "Forward tilt of the frame.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &frame_angle_pitch_range,
        .special = frame_angle_pitch_special},
   };
@@ -401,12 +413,12 @@ struct Meta<msg::HelperDataExt> {
   static constexpr MessageInfo info{
       .name = "HelperDataExt",
       .command = "CMD_HELPER_DATA",
-      .summary = "Tell the board how the frame accelerates, leans and turns.",
+      .summary = "Report acceleration, tilt and rotation of the frame to the board.",
       .id = 72,
       .direction = Direction::to_board,
       .min_size = 20,
       .max_size = 20,
-      .since = {2590, 0},
+      .since = {.firmware = 2590},
       .effects = Effects(Effect::moves)};
   static constexpr Range frame_angle_roll_range{-32768, 32767};
   static constexpr Special frame_angle_roll_special[] = {
@@ -422,23 +434,27 @@ struct Meta<msg::HelperDataExt> {
   static constexpr FieldInfo fields[] = {
       {.name = "frame_acc",
        .spec_name = "FRAME_ACC",
-       .summary = "Linear acceleration of the frame; keeps the horizon level in accelerated motion."},
+       .summary = "Linear acceleration of the frame; keeps the horizon level during acceleration.",
+       .unit = &UnitMeta<msg::Acceleration>::info},
       {.name = "frame_angle_roll",
        .spec_name = "FRAME_ANGLE_ROLL",
-       .summary = "Inclination of the frame to the side.",
+       .summary = "Sideways tilt of the frame.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &frame_angle_roll_range,
        .special = frame_angle_roll_special},
       {.name = "frame_angle_pitch",
        .spec_name = "FRAME_ANGLE_PITCH",
-       .summary = "Inclination of the frame forwards.",
+       .summary = "Forward tilt of the frame.",
+       .unit = &UnitMeta<msg::Angle14>::info,
        .range = &frame_angle_pitch_range,
        .special = frame_angle_pitch_special},
       {.name = "coord_sys",
        .spec_name = "COORD_SYS",
-       .summary = "Coordinates that all the vectors are given in."},
+       .summary = "Coordinate system of all the vectors."},
       {.name = "frame_speed",
        .spec_name = "FRAME_SPEED",
-       .summary = "Angular speed of the frame; helps without encoders and without a second IMU.",
+       .summary = "Angular speed of the frame; useful without encoders and a second IMU.",
+       .unit = &UnitMeta<msg::GyroRate>::info,
        .special = frame_speed_special},
       {.name = "reserved",
        .spec_name = "RESERVED",

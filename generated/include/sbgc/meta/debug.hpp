@@ -6,6 +6,7 @@
 #include <sbgc/messages/debug.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/units.hpp>
 
 namespace sbgc {
 
@@ -24,7 +25,7 @@ struct Meta<msg::DebugVarInfo> {
        .summary = "Its type."},
       {.name = "arr_size",
        .spec_name = "ARR_SIZE",
-       .summary = "How many elements it has; no board is known to send arrays.",
+       .summary = "Number of elements; no board is known to send arrays.",
        .special = arr_size_special},
   };
 
@@ -47,12 +48,12 @@ struct Meta<msg::DebugVarsInfo3> {
       .direction = Direction::from_board,
       .min_size = 1,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr Range debug_vars_num_range{1, 255};
   static constexpr FieldInfo fields[] = {
       {.name = "debug_vars_num",
        .spec_name = "DEBUG_VARS_NUM",
-       .summary = "How many variables follow.",
+       .summary = "Number of variables that follow.",
        .range = &debug_vars_num_range},
       {.name = "vars",
        .spec_name = "vars",
@@ -74,12 +75,12 @@ struct Meta<msg::DebugVarsInfo3Request> {
   static constexpr MessageInfo info{
       .name = "DebugVarsInfo3Request",
       .command = "CMD_DEBUG_VARS_INFO_3",
-      .summary = "Ask for names and types of the debug variables.",
+      .summary = "Request the names and types of the debug variables.",
       .id = 253,
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
@@ -99,11 +100,11 @@ struct Meta<msg::DebugVars3> {
       .direction = Direction::from_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "var_value",
        .spec_name = "VAR_VALUE",
-       .summary = "The values one behind the other, each with the type and the number of elements that CMD_DEBUG_VARS_INFO_3 announces; which variables there are differs between firmwares."},
+       .summary = "The values in sequence, each with the type and the number of elements announced by CMD_DEBUG_VARS_INFO_3. The set of variables depends on the firmware."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -120,12 +121,12 @@ struct Meta<msg::DebugVars3Request> {
   static constexpr MessageInfo info{
       .name = "DebugVars3Request",
       .command = "CMD_DEBUG_VARS_3",
-      .summary = "Ask for the values of the debug variables.",
+      .summary = "Request the values of the debug variables.",
       .id = 254,
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
 

@@ -8,81 +8,117 @@
 namespace sbgc {
 
 template <>
-struct EnumMeta<msg::CommandId> {
+struct EnumMeta<msg::CommandToBoard> {
   static constexpr ValueInfo values[] = {
       {"CMD_BOARD_INFO_3", 20, "Serial numbers, memory and scripts of the board."},
-      {"CMD_READ_PARAMS_3", 21, "Settings of one profile together with the general settings."},
-      {"CMD_WRITE_PARAMS_3", 22, "Store the settings of one profile and the general ones."},
+      {"CMD_READ_PARAMS_3", 21, "Parameters of one profile and general parameters."},
+      {"CMD_WRITE_PARAMS_3", 22, "Store the parameters of one profile and the general parameters."},
       {"CMD_REALTIME_DATA_3", 23, "Live data."},
-      {"CMD_SELECT_IMU_3", 24, "Choose the IMU that is configured and calibrated; ignored if it is not connected."},
+      {"CMD_SELECT_IMU_3", 24, "Select the IMU to configure and calibrate; ignored if it is not connected."},
       {"CMD_REALTIME_DATA_4", 25, "Live data with joint angles, currents and temperatures."},
       {"CMD_ENCODERS_CALIB_OFFSET_4", 26, "Calibrate the offsets of the encoders."},
       {"CMD_ENCODERS_CALIB_FLD_OFFSET_4", 27, "Calibrate the offsets between encoders and the motors' magnetic fields."},
-      {"CMD_READ_PROFILE_NAMES", 28, "Names of the profiles."},
-      {"CMD_WRITE_PROFILE_NAMES", 29, "Store the names of the profiles."},
-      {"CMD_QUEUE_PARAMS_INFO_3", 30, "Not documented; perhaps it describes the adjustable variables, as CMD_GET_PARAMS_3 was meant to."},
+      {"CMD_READ_PROFILE_NAMES", 28, "Profile names."},
+      {"CMD_WRITE_PROFILE_NAMES", 29, "Store the profile names."},
+      {"CMD_QUEUE_PARAMS_INFO_3", 30, "Undocumented; possibly describes the adjustable variables, the purpose of CMD_GET_PARAMS_3."},
       {"CMD_SET_ADJ_VARS_VAL", 31, "Values of adjustable variables."},
-      {"CMD_SAVE_PARAMS_3", 32, "Save the settings that are in use, with all changes to adjustable variables, to the active profile."},
-      {"CMD_READ_PARAMS_EXT", 33, "Further settings of one profile: filters, encoders, magnetometer."},
-      {"CMD_WRITE_PARAMS_EXT", 34, "Store further settings of one profile."},
+      {"CMD_SAVE_PARAMS_3", 32, "Save the parameters in use, with all changes to adjustable variables, to the active profile."},
+      {"CMD_READ_PARAMS_EXT", 33, "More parameters of one profile: filters, encoders, magnetometer."},
+      {"CMD_WRITE_PARAMS_EXT", 34, "Store more parameters of one profile."},
       {"CMD_AUTO_PID", 35, "Tune the PID controllers automatically."},
       {"CMD_SERVO_OUT", 36, "Send PWM signals to servos."},
       {"CMD_I2C_WRITE_REG_BUF", 39, "Write to a device on an I2C bus."},
-      {"CMD_I2C_READ_REG_BUF", 40, "Data of a device on an I2C bus."},
-      {"CMD_WRITE_EXTERNAL_DATA", 41, "Store data of the user in the EEPROM."},
-      {"CMD_READ_EXTERNAL_DATA", 42, "Data of the user in the EEPROM."},
-      {"CMD_READ_ADJ_VARS_CFG", 43, "Which RC signals start actions and which ones change adjustable variables."},
-      {"CMD_WRITE_ADJ_VARS_CFG", 44, "Store which RC signals start actions and which ones change adjustable variables."},
-      {"CMD_API_VIRT_CH_CONTROL", 45, "Set the virtual RC channels that the host provides; they can control the camera and more."},
-      {"CMD_ADJ_VARS_STATE", 46, "What one trigger slot and one analog slot do at the moment."},
+      {"CMD_I2C_READ_REG_BUF", 40, "Data from a device on an I2C bus."},
+      {"CMD_WRITE_EXTERNAL_DATA", 41, "Store user data in the EEPROM."},
+      {"CMD_READ_EXTERNAL_DATA", 42, "User data in the EEPROM."},
+      {"CMD_READ_ADJ_VARS_CFG", 43, "RC signals that trigger actions or change adjustable variables."},
+      {"CMD_WRITE_ADJ_VARS_CFG", 44, "Store the RC signals that trigger actions or change adjustable variables."},
+      {"CMD_API_VIRT_CH_CONTROL", 45, "Set the host's virtual RC channels, which can control the camera and more."},
+      {"CMD_ADJ_VARS_STATE", 46, "Current state of one trigger slot and one analog slot."},
       {"CMD_EEPROM_WRITE", 47, "Write a block to the EEPROM."},
       {"CMD_EEPROM_READ", 48, "A block of the EEPROM."},
-      {"CMD_CALIB_INFO", 49, "What a host shows while sensors are calibrated."},
-      {"CMD_BOOT_MODE_3", 51, "Enter the bootloader, to load new firmware."},
-      {"CMD_SYSTEM_STATE", 52, "Not documented; by its name, the state of the system."},
+      {"CMD_CALIB_INFO", 49, "Calibration status for display."},
+      {"CMD_BOOT_MODE_3", 51, "Enter the bootloader to load new firmware."},
+      {"CMD_SYSTEM_STATE", 52, "Undocumented; by its name, the state of the system."},
       {"CMD_READ_FILE", 53, "Part of a file."},
-      {"CMD_WRITE_FILE", 54, "Write part of a file; without data the file is deleted."},
+      {"CMD_WRITE_FILE", 54, "Write part of a file; without data, delete it."},
       {"CMD_FS_CLEAR_ALL", 55, "Delete all files."},
       {"CMD_AHRS_HELPER", 56, "Attitude of an IMU as two unit vectors."},
       {"CMD_RUN_SCRIPT", 57, "Start or stop a script."},
-      {"CMD_SCRIPT_DEBUG", 58, "Progress of a script that was started with debugging."},
       {"CMD_CALIB_MAG", 59, "Calibrate the magnetometer."},
-      {"CMD_GET_ANGLES_EXT", 61, "Angles, targets and joint angles of the gimbal."},
-      {"CMD_READ_PARAMS_EXT2", 62, "Still further settings of one profile."},
-      {"CMD_WRITE_PARAMS_EXT2", 63, "Store still further settings of one profile."},
-      {"CMD_GET_ADJ_VARS_VAL", 64, "Ask for the values of adjustable variables."},
+      {"CMD_GET_ANGLES_EXT", 61, "Camera angles, targets and joint angles."},
+      {"CMD_READ_PARAMS_EXT2", 62, "The third set of parameters of one profile."},
+      {"CMD_WRITE_PARAMS_EXT2", 63, "Store the third set of parameters of one profile."},
+      {"CMD_GET_ADJ_VARS_VAL", 64, "Request the values of adjustable variables."},
       {"CMD_CALIB_ACC", 65, "Calibrate an accelerometer."},
-      {"CMD_CALIB_BAT", 66, "Calibrate the measurement of the battery voltage."},
-      {"CMD_CONFIRM", 67, "The board has carried out a command."},
+      {"CMD_CALIB_BAT", 66, "Calibrate the battery voltage measurement."},
       {"CMD_CONTROL", 67, "Move the camera."},
       {"CMD_REALTIME_DATA", 68, "Live data."},
-      {"CMD_EXECUTE_MENU", 69, "Carry out an action of the menu, as the menu button or the RC command channel would."},
-      {"CMD_USE_DEFAULTS", 70, "Return to the factory settings."},
-      {"CMD_CALIB_EXT_GAIN", 71, "Calibrate the gains of the signals from a flight controller."},
-      {"CMD_HELPER_DATA", 72, "Motion of the frame as an outer system knows it; makes the stabilization more precise."},
-      {"CMD_GET_ANGLES", 73, "Angles and targets of the camera."},
-      {"CMD_CALIB_MOTOR_MAG_LINK", 74, "Not documented; by its name, it calibrates the magnetic linkage of the motors."},
-      {"CMD_GYRO_CORRECTION", 75, "Correct the zero of a gyroscope by hand; the camera drifts if the correction is wrong."},
+      {"CMD_EXECUTE_MENU", 69, "Execute a menu action, as the menu button or the RC command channel does."},
+      {"CMD_USE_DEFAULTS", 70, "Restore the factory defaults."},
+      {"CMD_CALIB_EXT_GAIN", 71, "Calibrate the gains of a flight controller's signals."},
+      {"CMD_HELPER_DATA", 72, "Motion of the frame from an external system; improves stabilization."},
+      {"CMD_GET_ANGLES", 73, "Camera angles and targets."},
+      {"CMD_CALIB_MOTOR_MAG_LINK", 74, "Undocumented; by its name, calibrates the magnetic linkage of the motors."},
+      {"CMD_GYRO_CORRECTION", 75, "Correct the zero of a gyroscope manually; the camera drifts if the correction is wrong."},
       {"CMD_MOTORS_ON", 77, "Turn the motors on."},
-      {"CMD_CALIB_OFFSET", 79, "Calibrate the offset of the follow mode."},
-      {"CMD_CALIB_POLES", 80, "Find out poles and direction of the motors."},
+      {"CMD_CALIB_OFFSET", 79, "Calibrate the follow mode offset."},
+      {"CMD_CALIB_POLES", 80, "Detect the poles and the direction of the motors."},
       {"CMD_READ_PARAMS", 82, "Older id of CMD_READ_PARAMS_3."},
       {"CMD_TRIGGER_PIN", 84, "Switch an output pin."},
-      {"CMD_DATA_STREAM_INTERVAL", 85, "Start, change or end a data stream: messages that the board sends at a fixed rate, unasked."},
-      {"CMD_BOARD_INFO", 86, "Version and features of the board."},
+      {"CMD_DATA_STREAM_INTERVAL", 85, "Start, change or end a data stream: messages that the board sends at a fixed rate."},
+      {"CMD_BOARD_INFO", 86, "Board version and features."},
       {"CMD_WRITE_PARAMS", 87, "Older id of CMD_WRITE_PARAMS_3."},
-      {"CMD_REALTIME_DATA_CUSTOM", 88, "Live data of the blocks that the request names."},
-      {"CMD_BEEP_SOUND", 89, "Play a melody through the motors, or one of the standard sounds."},
+      {"CMD_REALTIME_DATA_CUSTOM", 88, "Live data of the requested blocks."},
+      {"CMD_BEEP_SOUND", 89, "Play a melody through the motors, or a standard sound."},
       {"CMD_CALIB_GYRO", 103, "Calibrate a gyroscope."},
       {"CMD_MOTORS_OFF", 109, "Turn the motors off."},
       {"CMD_RESET", 114, "The board restarts."},
-      {"CMD_MAVLINK_INFO", 250, "Not documented; by its name, information about a MAVLink connection."},
-      {"CMD_MAVLINK_DEBUG", 251, "Not documented; by its name, debugging of a MAVLink connection."},
+      {"CMD_MAVLINK_INFO", 250, "Undocumented; by its name, information about a MAVLink connection."},
+      {"CMD_MAVLINK_DEBUG", 251, "Undocumented; by its name, debugging of a MAVLink connection."},
       {"CMD_DEBUG_VARS_INFO_3", 253, "Names and types of the debug variables, in the order of CMD_DEBUG_VARS_3."},
       {"CMD_DEBUG_VARS_3", 254, "Values of the debug variables."},
-      {"CMD_ERROR", 255, "The board could not carry out a command."},
   };
-  static constexpr EnumInfo info{"CommandId", values, false};
+  static constexpr EnumInfo info{"CommandToBoard", values, false};
+};
+
+template <>
+struct EnumMeta<msg::CommandFromBoard> {
+  static constexpr ValueInfo values[] = {
+      {"CMD_BOARD_INFO_3", 20, "Serial numbers, memory and scripts of the board."},
+      {"CMD_READ_PARAMS_3", 21, "Parameters of one profile and general parameters."},
+      {"CMD_REALTIME_DATA_3", 23, "Live data."},
+      {"CMD_REALTIME_DATA_4", 25, "Live data with joint angles, currents and temperatures."},
+      {"CMD_READ_PROFILE_NAMES", 28, "Profile names."},
+      {"CMD_QUEUE_PARAMS_INFO_3", 30, "Undocumented; possibly describes the adjustable variables, the purpose of CMD_GET_PARAMS_3."},
+      {"CMD_SET_ADJ_VARS_VAL", 31, "Values of adjustable variables."},
+      {"CMD_READ_PARAMS_EXT", 33, "More parameters of one profile: filters, encoders, magnetometer."},
+      {"CMD_AUTO_PID", 35, "Tune the PID controllers automatically."},
+      {"CMD_I2C_READ_REG_BUF", 40, "Data from a device on an I2C bus."},
+      {"CMD_READ_EXTERNAL_DATA", 42, "User data in the EEPROM."},
+      {"CMD_READ_ADJ_VARS_CFG", 43, "RC signals that trigger actions or change adjustable variables."},
+      {"CMD_ADJ_VARS_STATE", 46, "Current state of one trigger slot and one analog slot."},
+      {"CMD_EEPROM_READ", 48, "A block of the EEPROM."},
+      {"CMD_CALIB_INFO", 49, "Calibration status for display."},
+      {"CMD_SYSTEM_STATE", 52, "Undocumented; by its name, the state of the system."},
+      {"CMD_READ_FILE", 53, "Part of a file."},
+      {"CMD_AHRS_HELPER", 56, "Attitude of an IMU as two unit vectors."},
+      {"CMD_SCRIPT_DEBUG", 58, "Progress of a script started with debugging."},
+      {"CMD_GET_ANGLES_EXT", 61, "Camera angles, targets and joint angles."},
+      {"CMD_READ_PARAMS_EXT2", 62, "The third set of parameters of one profile."},
+      {"CMD_CONFIRM", 67, "The board executed a command."},
+      {"CMD_GET_ANGLES", 73, "Camera angles and targets."},
+      {"CMD_CALIB_MOTOR_MAG_LINK", 74, "Undocumented; by its name, calibrates the magnetic linkage of the motors."},
+      {"CMD_BOARD_INFO", 86, "Board version and features."},
+      {"CMD_REALTIME_DATA_CUSTOM", 88, "Live data of the requested blocks."},
+      {"CMD_RESET", 114, "The board restarts."},
+      {"CMD_MAVLINK_INFO", 250, "Undocumented; by its name, information about a MAVLink connection."},
+      {"CMD_MAVLINK_DEBUG", 251, "Undocumented; by its name, debugging of a MAVLink connection."},
+      {"CMD_DEBUG_VARS_INFO_3", 253, "Names and types of the debug variables, in the order of CMD_DEBUG_VARS_3."},
+      {"CMD_DEBUG_VARS_3", 254, "Values of the debug variables."},
+      {"CMD_ERROR", 255, "The board could not execute a command."},
+  };
+  static constexpr EnumInfo info{"CommandFromBoard", values, false};
 };
 
 template <>
@@ -100,39 +136,39 @@ struct EnumMeta<msg::VariableId> {
       {"POWER_ROLL", 9, "Power of the roll motor."},
       {"POWER_PITCH", 10, "Power of the pitch motor."},
       {"POWER_YAW", 11, "Power of the yaw motor."},
-      {"ACC_LIMITER", 12, "Limit of the acceleration of all axes."},
-      {"FOLLOW_SPEED_ROLL", 13, "Speed of the follow mode of roll."},
-      {"FOLLOW_SPEED_PITCH", 14, "Speed of the follow mode of pitch."},
-      {"FOLLOW_SPEED_YAW", 15, "Speed of the follow mode of yaw."},
-      {"FOLLOW_LPF_ROLL", 16, "Low-pass filter of the follow mode of roll."},
-      {"FOLLOW_LPF_PITCH", 17, "Low-pass filter of the follow mode of pitch."},
-      {"FOLLOW_LPF_YAW", 18, "Low-pass filter of the follow mode of yaw."},
-      {"RC_SPEED_ROLL", 19, "Speed of RC control of roll."},
-      {"RC_SPEED_PITCH", 20, "Speed of RC control of pitch."},
-      {"RC_SPEED_YAW", 21, "Speed of RC control of yaw."},
-      {"RC_LPF_ROLL", 22, "Low-pass filter of the RC signal of roll."},
-      {"RC_LPF_PITCH", 23, "Low-pass filter of the RC signal of pitch."},
-      {"RC_LPF_YAW", 24, "Low-pass filter of the RC signal of yaw."},
-      {"RC_TRIM_ROLL", 25, "Trim of the RC signal of roll."},
-      {"RC_TRIM_PITCH", 26, "Trim of the RC signal of pitch."},
-      {"RC_TRIM_YAW", 27, "Trim of the RC signal of yaw."},
-      {"RC_DEADBAND", 28, "Dead band around the middle of the RC signals."},
-      {"RC_EXPO_RATE", 29, "Curvature of the RC signals."},
+      {"ACC_LIMITER", 12, "Acceleration limit of all axes."},
+      {"FOLLOW_SPEED_ROLL", 13, "Follow mode speed of roll."},
+      {"FOLLOW_SPEED_PITCH", 14, "Follow mode speed of pitch."},
+      {"FOLLOW_SPEED_YAW", 15, "Follow mode speed of yaw."},
+      {"FOLLOW_LPF_ROLL", 16, "Follow mode low-pass filter of roll."},
+      {"FOLLOW_LPF_PITCH", 17, "Follow mode low-pass filter of pitch."},
+      {"FOLLOW_LPF_YAW", 18, "Follow mode low-pass filter of yaw."},
+      {"RC_SPEED_ROLL", 19, "RC control speed of roll."},
+      {"RC_SPEED_PITCH", 20, "RC control speed of pitch."},
+      {"RC_SPEED_YAW", 21, "RC control speed of yaw."},
+      {"RC_LPF_ROLL", 22, "RC low-pass filter of roll."},
+      {"RC_LPF_PITCH", 23, "RC low-pass filter of pitch."},
+      {"RC_LPF_YAW", 24, "RC low-pass filter of yaw."},
+      {"RC_TRIM_ROLL", 25, "RC trim of roll."},
+      {"RC_TRIM_PITCH", 26, "RC trim of pitch."},
+      {"RC_TRIM_YAW", 27, "RC trim of yaw."},
+      {"RC_DEADBAND", 28, "Dead band around the centre of the RC signals."},
+      {"RC_EXPO_RATE", 29, "Expo rate of the RC signals."},
       {"FOLLOW_MODE", 30, "What the camera follows: 0 nothing, 1 the flight controller, 2 pitch and roll of the frame."},
-      {"RC_FOLLOW_YAW", 31, "1 if yaw follows the frame, else 0."},
+      {"RC_FOLLOW_YAW", 31, "1 if yaw follows the frame, otherwise 0."},
       {"FOLLOW_DEADBAND", 32, "Dead band of the follow mode."},
-      {"FOLLOW_EXPO_RATE", 33, "Curvature of the follow mode."},
-      {"FOLLOW_ROLL_MIX_START", 34, "Angle at which pitch begins to follow roll."},
-      {"FOLLOW_ROLL_MIX_RANGE", 35, "Angle over which pitch goes on to follow roll."},
-      {"GYRO_TRUST", 36, "Trust in the gyroscope against the accelerometer."},
+      {"FOLLOW_EXPO_RATE", 33, "Expo rate of the follow mode."},
+      {"FOLLOW_ROLL_MIX_START", 34, "Angle at which pitch starts to follow roll."},
+      {"FOLLOW_ROLL_MIX_RANGE", 35, "Angle over which pitch continues to follow roll."},
+      {"GYRO_TRUST", 36, "Trust in the gyroscope relative to the accelerometer."},
       {"FRAME_HEADING_ANGLE", 37, "Heading of the frame."},
-      {"GYRO_HEADING_CORRECTION", 38, "Correction of the gyroscope about the vertical."},
-      {"ACC_LIMITER_ROLL", 39, "Limit of the acceleration of roll."},
-      {"ACC_LIMITER_PITCH", 40, "Limit of the acceleration of pitch."},
-      {"ACC_LIMITER_YAW", 41, "Limit of the acceleration of yaw."},
-      {"PID_GAIN_ROLL", 42, "Factor on P, I and D of roll."},
-      {"PID_GAIN_PITCH", 43, "Factor on P, I and D of pitch."},
-      {"PID_GAIN_YAW", 44, "Factor on P, I and D of yaw."},
+      {"GYRO_HEADING_CORRECTION", 38, "Gyroscope correction about the vertical."},
+      {"ACC_LIMITER_ROLL", 39, "Acceleration limit of roll."},
+      {"ACC_LIMITER_PITCH", 40, "Acceleration limit of pitch."},
+      {"ACC_LIMITER_YAW", 41, "Acceleration limit of yaw."},
+      {"PID_GAIN_ROLL", 42, "Factor for P, I and D of roll."},
+      {"PID_GAIN_PITCH", 43, "Factor for P, I and D of pitch."},
+      {"PID_GAIN_YAW", 44, "Factor for P, I and D of yaw."},
       {"LPF_FREQ_ROLL", 45, "Low-pass filter of roll."},
       {"LPF_FREQ_PITCH", 46, "Low-pass filter of pitch."},
       {"LPF_FREQ_YAW", 47, "Low-pass filter of yaw."},
@@ -143,14 +179,14 @@ struct EnumMeta<msg::VariableId> {
 template <>
 struct EnumMeta<msg::BoardErrorCode> {
   static constexpr ValueInfo values[] = {
-      {"CMD_SIZE", 1, "The body has a size that the command does not have."},
-      {"WRONG_PARAMS", 2, "A value is not possible."},
-      {"CRYPTO", 4, "A check of a key or a signature has failed."},
+      {"CMD_SIZE", 1, "The command has no body of this size."},
+      {"WRONG_PARAMS", 2, "A value is invalid."},
+      {"CRYPTO", 4, "A key or signature check failed."},
       {"UNKNOWN_COMMAND", 6, "The board does not know the command."},
-      {"WRONG_STATE", 8, "Not possible in the present state."},
-      {"NOT_SUPPORTED", 9, "The board lacks what the command needs."},
-      {"OPERATION_FAILED", 10, "The board has tried and failed."},
-      {"TEMPORARY", 11, "Not possible at the moment; it may be later."},
+      {"WRONG_STATE", 8, "Not possible in the current state."},
+      {"NOT_SUPPORTED", 9, "The board lacks what the command requires."},
+      {"OPERATION_FAILED", 10, "The board tried and failed."},
+      {"TEMPORARY", 11, "Temporarily not possible; retry later."},
   };
   static constexpr EnumInfo info{"BoardErrorCode", values, false};
 };
@@ -169,7 +205,7 @@ struct EnumMeta<msg::PwmFrequency> {
   static constexpr ValueInfo values[] = {
       {"PWM_FREQ_LOW", 0, "Low."},
       {"PWM_FREQ_HIGH", 1, "High."},
-      {"PWM_FREQ_ULTRA_HIGH", 2, "Ultra high.", {0, 30}},
+      {"PWM_FREQ_ULTRA_HIGH", 2, "Ultra high.", {.board = 30}},
   };
   static constexpr EnumInfo info{"PwmFrequency", values, false};
 };
@@ -191,9 +227,9 @@ struct EnumMeta<msg::RcVirtualMode> {
   static constexpr ValueInfo values[] = {
       {"RC_VIRT_MODE_NORMAL", 0, "One PWM signal."},
       {"RC_VIRT_MODE_CPPM", 1, "Sum-PPM."},
-      {"RC_VIRT_MODE_SBUS", 2, "S.BUS.", {0, 30}},
-      {"RC_VIRT_MODE_SPEKTRUM", 3, "Spektrum satellite.", {0, 30}},
-      {"RC_VIRT_MODE_API", 10, "Virtual channels of the Serial API.", {0, 30}},
+      {"RC_VIRT_MODE_SBUS", 2, "S.BUS.", {.board = 30}},
+      {"RC_VIRT_MODE_SPEKTRUM", 3, "Spektrum satellite.", {.board = 30}},
+      {"RC_VIRT_MODE_API", 10, "Virtual channels of the Serial API.", {.board = 30}},
   };
   static constexpr EnumInfo info{"RcVirtualMode", values, false};
 };
@@ -206,10 +242,10 @@ struct EnumMeta<msg::RcInput> {
       {"RC_INPUT_PITCH", 2, "PWM at the RC_PITCH pin."},
       {"EXT_FC_INPUT_ROLL", 3, "PWM at the FC_ROLL pin."},
       {"EXT_FC_INPUT_PITCH", 4, "PWM at the FC_PITCH pin."},
-      {"RC_INPUT_YAW", 5, "PWM at the RC_YAW pin.", {0, 30}},
-      {"ADC1", 33, "Analog input 1; RC_INPUT_ROLL on older boards.", {0, 30}},
-      {"ADC2", 34, "Analog input 2; RC_INPUT_PITCH on older boards.", {0, 30}},
-      {"ADC3", 35, "Analog input 3; EXT_FC_INPUT_ROLL on older boards.", {0, 30}},
+      {"RC_INPUT_YAW", 5, "PWM at the RC_YAW pin.", {.board = 30}},
+      {"ADC1", 33, "Analog input 1; RC_INPUT_ROLL on older boards.", {.board = 30}},
+      {"ADC2", 34, "Analog input 2; RC_INPUT_PITCH on older boards.", {.board = 30}},
+      {"ADC3", 35, "Analog input 3; EXT_FC_INPUT_ROLL on older boards.", {.board = 30}},
       {"EXT_FC_INPUT_PITCH_ANALOG", 36, "Analog signal at the FC_PITCH pin of boards before 3.0."},
   };
   static constexpr EnumInfo info{"RcInput", values, false};
@@ -266,7 +302,7 @@ struct EnumMeta<msg::FrameImuPosition> {
       {"FRAME_IMU_DISABLED", 0, "There is none."},
       {"FRAME_IMU_BELOW_YAW", 1, "Below the yaw motor."},
       {"FRAME_IMU_ABOVE_YAW", 2, "Above the yaw motor."},
-      {"FRAME_IMU_BELOW_YAW_PID_SOURCE", 3, "Below the yaw motor, and the source of the PID controller."},
+      {"FRAME_IMU_BELOW_YAW_PID_SOURCE", 3, "Below the yaw motor, and the input of the PID controller."},
   };
   static constexpr EnumInfo info{"FrameImuPosition", values, false};
 };
@@ -276,7 +312,7 @@ struct EnumMeta<msg::SkipGyroCalibration> {
   static constexpr ValueInfo values[] = {
       {"DO_NOT_SKIP", 0, "Calibrate."},
       {"SKIP_ALWAYS", 1, "Never calibrate."},
-      {"SKIP_IF_MOVING", 2, "Calibrate, unless the board moves."},
+      {"SKIP_IF_MOVING", 2, "Calibrate unless the board moves."},
   };
   static constexpr EnumInfo info{"SkipGyroCalibration", values, false};
 };
@@ -292,12 +328,12 @@ struct EnumMeta<msg::MenuCommand> {
       {"MENU_CMD_SWAP_YAW_ROLL", 5, "Swap the RC signals of yaw and roll."},
       {"MENU_CMD_CALIB_ACC", 6, "Calibrate the accelerometer."},
       {"MENU_CMD_RESET", 7, "Restart the board."},
-      {"MENU_CMD_SET_ANGLE", 8, "Make the present angle the initial one."},
+      {"MENU_CMD_SET_ANGLE", 8, "Make the current angle the initial angle."},
       {"MENU_CMD_CALIB_GYRO", 9, "Calibrate the gyroscope."},
       {"MENU_CMD_MOTOR_TOGGLE", 10, "Turn the motors on or off."},
       {"MENU_CMD_MOTOR_ON", 11, "Turn the motors on."},
       {"MENU_CMD_MOTOR_OFF", 12, "Turn the motors off."},
-      {"MENU_CMD_FRAME_UPSIDE_DOWN", 13, "The frame is upside down."},
+      {"MENU_CMD_FRAME_UPSIDE_DOWN", 13, "Treat the frame as upside down."},
       {"MENU_CMD_PROFILE4", 14, "Switch to profile 4."},
       {"MENU_CMD_PROFILE5", 15, "Switch to profile 5."},
       {"MENU_CMD_AUTO_PID", 16, "Tune the PID controllers."},
@@ -306,7 +342,7 @@ struct EnumMeta<msg::MenuCommand> {
       {"MENU_CMD_RC_BIND", 19, "Bind an RC receiver."},
       {"MENU_CMD_CALIB_GYRO_TEMP", 20, "Calibrate the gyroscope over temperature."},
       {"MENU_CMD_CALIB_ACC_TEMP", 21, "Calibrate the accelerometer over temperature."},
-      {"MENU_CMD_BUTTON_PRESS", 22, "As if the menu button were pressed."},
+      {"MENU_CMD_BUTTON_PRESS", 22, "Press the menu button."},
       {"MENU_CMD_RUN_SCRIPT1", 23, "Run script 1."},
       {"MENU_CMD_RUN_SCRIPT2", 24, "Run script 2."},
       {"MENU_CMD_RUN_SCRIPT3", 25, "Run script 3."},
@@ -315,8 +351,8 @@ struct EnumMeta<msg::MenuCommand> {
       {"MENU_CMD_CALIB_MAG", 33, "Calibrate the magnetometer."},
       {"MENU_CMD_LEVEL_ROLL_PITCH", 34, "Level roll and pitch."},
       {"MENU_CMD_CENTER_YAW", 35, "Centre yaw."},
-      {"MENU_CMD_UNTWIST_CABLES", 36, "Turn back until the cables are untwisted."},
-      {"MENU_CMD_SET_ANGLE_NO_SAVE", 37, "Make the present angle the initial one, without saving it."},
+      {"MENU_CMD_UNTWIST_CABLES", 36, "Turn back to untwist the cables."},
+      {"MENU_CMD_SET_ANGLE_NO_SAVE", 37, "Make the current angle the initial angle, without saving it."},
   };
   static constexpr EnumInfo info{"MenuCommand", values, false};
 };
@@ -417,17 +453,17 @@ struct EnumMeta<msg::SystemSubError> {
   static constexpr ValueInfo values[] = {
       {"NONE", 0, "No emergency stop."},
       {"SUB_ERR_I2C_ERRORS", 1, "Too many errors on the I2C bus."},
-      {"SUB_ERR_DRV_OTW", 2, "A motor driver warns of its temperature."},
-      {"SUB_ERR_DRV_FAULT", 3, "A motor driver has failed."},
-      {"SUB_ERR_ENCODER_IMU_ANGLE", 4, "Encoder and IMU do not agree."},
-      {"SUB_ERR_CALIBRATION_FAILED", 5, "A calibration has failed."},
-      {"SUB_ERR_INTERNAL_SYSTEM_ERROR", 6, "An internal error."},
+      {"SUB_ERR_DRV_OTW", 2, "A motor driver reports an overtemperature warning."},
+      {"SUB_ERR_DRV_FAULT", 3, "A motor driver failed."},
+      {"SUB_ERR_ENCODER_IMU_ANGLE", 4, "Encoder and IMU disagree."},
+      {"SUB_ERR_CALIBRATION_FAILED", 5, "A calibration failed."},
+      {"SUB_ERR_INTERNAL_SYSTEM_ERROR", 6, "Internal error."},
       {"SUB_ERR_ENCODER_CALIB_BAD_SCALE", 7, "The scale of an encoder is wrong."},
-      {"SUB_ERR_OVER_TEMPERATURE", 8, "Too hot."},
-      {"SUB_ERR_BAD_MOTOR_POLES_INVERT", 9, "Poles or direction of a motor are set wrongly."},
+      {"SUB_ERR_OVER_TEMPERATURE", 8, "Overtemperature."},
+      {"SUB_ERR_BAD_MOTOR_POLES_INVERT", 9, "Wrong poles or direction of a motor."},
       {"SUB_ERR_NOT_ENOUGH_MEMORY", 10, "Out of memory."},
-      {"SUB_ERR_IMU_SENSOR_NOT_RESPONDING", 11, "The IMU sensor does not answer."},
-      {"SUB_ERR_MOTOR_OVERHEAT_PROTECTION", 13, "A motor is too hot."},
+      {"SUB_ERR_IMU_SENSOR_NOT_RESPONDING", 11, "The IMU sensor does not respond."},
+      {"SUB_ERR_MOTOR_OVERHEAT_PROTECTION", 13, "A motor overheated."},
   };
   static constexpr EnumInfo info{"SystemSubError", values, false};
 };
@@ -435,12 +471,12 @@ struct EnumMeta<msg::SystemSubError> {
 template <>
 struct EnumMeta<msg::ControlModeKind> {
   static constexpr ValueInfo values[] = {
-      {"MODE_NO_CONTROL", 0, "Serial control ends; RC has control again."},
-      {"MODE_SPEED", 1, "Turn with the given speed, in Euler coordinates, until the next command; the angle is ignored."},
-      {"MODE_ANGLE", 2, "Go to the given angle, in Euler coordinates, with the given speed; speed 0 is the speed from the settings."},
-      {"MODE_SPEED_ANGLE", 3, "Follow the given speed while the controller holds the given angle: the most exact mode."},
+      {"MODE_NO_CONTROL", 0, "Serial control ends and RC takes over."},
+      {"MODE_SPEED", 1, "Turn at the given speed, in Euler coordinates, until the next command; the angle is ignored."},
+      {"MODE_ANGLE", 2, "Go to the given angle, in Euler coordinates, at the given speed; speed 0 selects the speed from the parameters."},
+      {"MODE_SPEED_ANGLE", 3, "Follow the given speed while the controller holds the given angle; the most precise mode."},
       {"MODE_RC", 4, "The angle replaces the RC signal, -500 to 500; the speed is ignored."},
-      {"MODE_ANGLE_REL_FRAME", 5, "Go to the given angle counted from the frame's neutral point; turns back full turns, so it untwists cables. Speed 0 is the speed from the settings."},
+      {"MODE_ANGLE_REL_FRAME", 5, "Go to the given angle relative to the frame's neutral point; undoes full turns, so it untwists cables. Speed 0 selects the speed from the parameters."},
   };
   static constexpr EnumInfo info{"ControlModeKind", values, false};
 };
@@ -458,7 +494,7 @@ struct EnumMeta<msg::MotorsOffMode> {
 template <>
 struct EnumMeta<msg::CoordinateSystem> {
   static constexpr ValueInfo values[] = {
-      {"COORD_SYS_GROUND_YAW_ROTATED", 1, "Of the ground, turned with the camera about Z: Z points up, X right, Y forward. The usual one."},
+      {"COORD_SYS_GROUND_YAW_ROTATED", 1, "Ground coordinates rotated with the camera about Z: Z points up, X right, Y forward. The default."},
   };
   static constexpr EnumInfo info{"CoordinateSystem", values, false};
 };
@@ -466,7 +502,7 @@ struct EnumMeta<msg::CoordinateSystem> {
 template <>
 struct EnumMeta<msg::CalibImu> {
   static constexpr ValueInfo values[] = {
-      {"ACTIVE", 0, "The IMU that is active now."},
+      {"ACTIVE", 0, "The active IMU."},
       {"MAIN", 1, "The main IMU on the camera."},
       {"FRAME", 2, "The IMU on the frame."},
   };
@@ -476,13 +512,13 @@ struct EnumMeta<msg::CalibImu> {
 template <>
 struct EnumMeta<msg::CalibAction> {
   static constexpr ValueInfo values[] = {
-      {"REGULAR", 1, "Calibrate at the present temperature."},
-      {"RESET", 2, "Forget all calibrations and restart."},
+      {"REGULAR", 1, "Calibrate at the current temperature."},
+      {"RESET", 2, "Erase all calibrations and restart."},
       {"TEMPERATURE", 3, "Calibrate over temperature."},
-      {"ENABLE_TEMPERATURE", 4, "Use the calibration over temperature, if there is one, and restart."},
-      {"DISABLE_TEMPERATURE", 5, "Do not use the calibration over temperature, though it stays in memory, and restart."},
-      {"RESTORE_FACTORY", 6, "Copy the calibration from the sensor's own EEPROM to the main one."},
-      {"STORE_IN_SENSOR", 7, "Put the main EEPROM's calibration into the sensor's own EEPROM."},
+      {"ENABLE_TEMPERATURE", 4, "Enable the calibration over temperature, if there is one, and restart."},
+      {"DISABLE_TEMPERATURE", 5, "Disable the calibration over temperature, but keep it in memory, and restart."},
+      {"RESTORE_FACTORY", 6, "Copy the calibration from the sensor's EEPROM to the main EEPROM."},
+      {"STORE_IN_SENSOR", 7, "Copy the calibration from the main EEPROM to the sensor's EEPROM."},
   };
   static constexpr EnumInfo info{"CalibAction", values, false};
 };
@@ -503,12 +539,12 @@ struct EnumMeta<msg::OutputPin> {
       {"RC_INPUT_PITCH", 2, "The RC_PITCH pin."},
       {"EXT_FC_INPUT_ROLL", 3, "The FC_ROLL pin."},
       {"EXT_FC_INPUT_PITCH", 4, "The FC_PITCH pin."},
-      {"RC_INPUT_YAW", 5, "The RC_YAW pin.", {0, 30}},
-      {"PIN_AUX1", 16, "The AUX1 pin; on boards 1.x pin 2 of the microcontroller."},
-      {"PIN_AUX2", 17, "The AUX2 pin; on boards 1.x pin 11 of the microcontroller."},
-      {"PIN_AUX3", 18, "The AUX3 pin; on boards 1.x pin 12 of the microcontroller."},
-      {"PIN_BUZZER", 32, "The buzzer; on boards 1.x pin 32 of the microcontroller."},
-      {"PIN_SSAT_POWER", 33, "The 3.3 V supply in the Spektrum connector; LOW turns it on."},
+      {"RC_INPUT_YAW", 5, "The RC_YAW pin.", {.board = 30}},
+      {"PIN_AUX1", 16, "The AUX1 pin; on 1.x boards, pin 2 of the microcontroller."},
+      {"PIN_AUX2", 17, "The AUX2 pin; on 1.x boards, pin 11 of the microcontroller."},
+      {"PIN_AUX3", 18, "The AUX3 pin; on 1.x boards, pin 12 of the microcontroller."},
+      {"PIN_BUZZER", 32, "The buzzer; on 1.x boards, pin 32 of the microcontroller."},
+      {"PIN_SSAT_POWER", 33, "The 3.3 V supply of the Spektrum connector; LOW turns it on."},
   };
   static constexpr EnumInfo info{"OutputPin", values, false};
 };
@@ -535,16 +571,16 @@ template <>
 struct EnumMeta<msg::FileError> {
   static constexpr ValueInfo values[] = {
       {"NO_ERROR", 0, "Success."},
-      {"ERR_EEPROM_FAULT", 1, "The memory chip does not answer."},
+      {"ERR_EEPROM_FAULT", 1, "The memory chip does not respond."},
       {"ERR_FILE_NOT_FOUND", 2, "No file has this id."},
       {"ERR_FAT", 3, "The file table is damaged."},
       {"ERR_NO_FREE_SPACE", 4, "The memory is full."},
       {"ERR_FAT_IS_FULL", 5, "The file table is full."},
-      {"ERR_FILE_SIZE", 6, "The size is not possible."},
-      {"ERR_CRC", 7, "The checksum does not hold."},
-      {"ERR_LIMIT_REACHED", 8, "A limit of the file system is reached."},
+      {"ERR_FILE_SIZE", 6, "The size is invalid."},
+      {"ERR_CRC", 7, "Checksum mismatch."},
+      {"ERR_LIMIT_REACHED", 8, "The file system reached a limit."},
       {"ERR_FILE_CORRUPTED", 9, "The file is damaged."},
-      {"ERR_WRONG_PARAMS", 10, "A value of the request is not possible."},
+      {"ERR_WRONG_PARAMS", 10, "A value of the request is invalid."},
   };
   static constexpr EnumInfo info{"FileError", values, false};
 };
@@ -554,7 +590,7 @@ struct EnumMeta<msg::ScriptMode> {
   static constexpr ValueInfo values[] = {
       {"STOP", 0, "Stop it."},
       {"START", 1, "Start it."},
-      {"START_DEBUG", 2, "Start it and report its progress with CMD_SCRIPT_DEBUG."},
+      {"START_DEBUG", 2, "Start it and report progress with CMD_SCRIPT_DEBUG."},
   };
   static constexpr EnumInfo info{"ScriptMode", values, false};
 };
@@ -591,7 +627,7 @@ struct EnumMeta<msg::BoardFeature> {
       {"BOARD_FEATURE_BAT_MONITORING", 2, "Measures the battery voltage."},
       {"BOARD_FEATURE_ENCODERS", 4, "Supports motor encoders."},
       {"BOARD_FEATURE_BODE_TEST", 8, "Can record a frequency response."},
-      {"BOARD_FEATURE_SCRIPTING", 16, "Runs user-written scripts."},
+      {"BOARD_FEATURE_SCRIPTING", 16, "Runs user scripts."},
       {"BOARD_FEATURE_CURRENT_SENSOR", 32, "Measures the supply current."},
   };
   static constexpr EnumInfo info{"BoardFeatures", values, true};
@@ -600,7 +636,7 @@ struct EnumMeta<msg::BoardFeature> {
 template <>
 struct EnumMeta<msg::ConnectionFlag> {
   static constexpr ValueInfo values[] = {
-      {"CONNECTION_USB", 1, "The host talks over USB, not over a UART."},
+      {"CONNECTION_USB", 1, "The host is connected over USB, not over a UART."},
   };
   static constexpr EnumInfo info{"ConnectionFlags", values, true};
 };
@@ -627,8 +663,8 @@ struct EnumMeta<msg::FilterSwitch> {
 template <>
 struct EnumMeta<msg::EncoderFlag> {
   static constexpr ValueInfo values[] = {
-      {"SKIP_DETECTION", 16, "Do not detect whether the encoder is there."},
-      {"ENCODER_IS_GEARED", 128, "A gear sits between motor and encoder."},
+      {"SKIP_DETECTION", 16, "Do not detect whether the encoder is present."},
+      {"ENCODER_IS_GEARED", 128, "There is a gear between motor and encoder."},
   };
   static constexpr EnumInfo info{"EncoderFlags", values, true};
 };
@@ -658,14 +694,14 @@ struct EnumMeta<msg::AdaptivePidAxe> {
 template <>
 struct EnumMeta<msg::GeneralFlag> {
   static constexpr ValueInfo values[] = {
-      {"REMEMBER_LAST_USED_PROFILE", 1, "Start with the profile that was used last."},
-      {"UPSIDE_DOWN_AUTO", 2, "Notice a frame that is upside down."},
+      {"REMEMBER_LAST_USED_PROFILE", 1, "Start with the last used profile."},
+      {"UPSIDE_DOWN_AUTO", 2, "Detect an upside-down frame."},
       {"SWAP_FRAME_MAIN_IMU", 4, "Swap frame IMU and main IMU."},
-      {"BLINK_PROFILE", 8, "Blink the number of the profile."},
+      {"BLINK_PROFILE", 8, "Blink the profile number."},
       {"EMERGENCY_STOP", 16, "Stop in an emergency."},
       {"MAGNETOMETER_POS_FRAME", 32, "The magnetometer is on the frame."},
       {"FRAME_IMU_FF", 64, "Feed forward from the frame IMU."},
-      {"OVERHEAT_STOP_MOTORS", 128, "Stop the motors when they are too hot."},
+      {"OVERHEAT_STOP_MOTORS", 128, "Stop the motors when they overheat."},
       {"CENTER_YAW_AT_STARTUP", 256, "Centre yaw at start-up."},
   };
   static constexpr EnumInfo info{"GeneralFlags", values, true};
@@ -678,10 +714,10 @@ struct EnumMeta<msg::ProfileFlag> {
       {"ADC2_AUTO_DETECTION", 2, "Detect whether analog input 2 is connected."},
       {"ADC3_AUTO_DETECTION", 4, "Detect whether analog input 3 is connected."},
       {"FOLLOW_USE_FRAME_IMU", 16, "Follow mode uses the frame IMU."},
-      {"BRIEFCASE_AUTO_DETECTION", 32, "Notice when the gimbal is carried like a briefcase."},
+      {"BRIEFCASE_AUTO_DETECTION", 32, "Detect when the gimbal is carried like a briefcase."},
       {"UPSIDE_DOWN_AUTO_ROTATE", 64, "Turn the camera when the frame is upside down."},
       {"FOLLOW_LOCK_OFFSET_CORRECTION", 128, "Do not correct the offset in follow mode."},
-      {"START_NEUTRAL_POSITION", 256, "Start in neutral position."},
+      {"START_NEUTRAL_POSITION", 256, "Start in the neutral position."},
   };
   static constexpr EnumInfo info{"ProfileFlags", values, true};
 };
@@ -689,18 +725,18 @@ struct EnumMeta<msg::ProfileFlag> {
 template <>
 struct EnumMeta<msg::SystemError> {
   static constexpr ValueInfo values[] = {
-      {"ERR_NO_SENSOR", 1, "The IMU sensor does not answer."},
+      {"ERR_NO_SENSOR", 1, "The IMU sensor does not respond."},
       {"ERR_CALIB_ACC", 2, "The accelerometer is not calibrated."},
       {"ERR_SET_POWER", 4, "The motor power is not set."},
       {"ERR_CALIB_POLES", 8, "The motor poles are not calibrated."},
-      {"ERR_PROTECTION", 16, "The protection of the drivers has tripped."},
+      {"ERR_PROTECTION", 16, "The driver protection tripped."},
       {"ERR_SERIAL", 32, "Errors on the serial line."},
       {"ERR_LOW_BAT1", 64, "The battery is below the alarm threshold."},
-      {"ERR_LOW_BAT2", 128, "The battery is below the threshold that stops the motors."},
-      {"ERR_GUI_VERSION", 256, "The host software does not fit the firmware."},
-      {"ERR_MISS_STEPS", 512, "A motor has lost steps."},
-      {"ERR_SYSTEM", 1024, "An error of the system."},
-      {"ERR_EMERGENCY_STOP", 2048, "Emergency stop; SYSTEM_SUB_ERROR tells the reason."},
+      {"ERR_LOW_BAT2", 128, "The battery is below the motor stop threshold."},
+      {"ERR_GUI_VERSION", 256, "The host software does not match the firmware."},
+      {"ERR_MISS_STEPS", 512, "A motor lost steps."},
+      {"ERR_SYSTEM", 1024, "System error."},
+      {"ERR_EMERGENCY_STOP", 2048, "Emergency stop; SYSTEM_SUB_ERROR gives the reason."},
   };
   static constexpr EnumInfo info{"SystemErrors", values, true};
 };
@@ -708,7 +744,7 @@ struct EnumMeta<msg::SystemError> {
 template <>
 struct EnumMeta<msg::OtherFlag> {
   static constexpr ValueInfo values[] = {
-      {"MOTORS_ON", 1, "The motors are turned on."},
+      {"MOTORS_ON", 1, "The motors are on."},
   };
   static constexpr EnumInfo info{"OtherFlags", values, true};
 };
@@ -732,7 +768,7 @@ struct EnumMeta<msg::RealtimeDataCustomFlag> {
 template <>
 struct EnumMeta<msg::ControlFlag> {
   static constexpr ValueInfo values[] = {
-      {"CONTROL_FLAG_HIGH_RES_SPEED", 128, "Speeds are in 0.001 deg/s.", {2590, 0}},
+      {"CONTROL_FLAG_HIGH_RES_SPEED", 128, "Speeds are in 0.001 deg/s.", {.firmware = 2590}},
   };
   static constexpr EnumInfo info{"ControlFlags", values, true};
 };
@@ -740,12 +776,12 @@ struct EnumMeta<msg::ControlFlag> {
 template <>
 struct EnumMeta<msg::AutoPidFlag> {
   static constexpr ValueInfo values[] = {
-      {"AUTO_PID_STOP", 0, "No bit: the whole value 0 stops the tuning."},
+      {"AUTO_PID_STOP", 0, "Not a bit: the whole value 0 stops the tuning."},
       {"AUTO_PID_CFG_ROLL", 1, "Tune roll."},
       {"AUTO_PID_CFG_PITCH", 2, "Tune pitch."},
       {"AUTO_PID_CFG_YAW", 4, "Tune yaw."},
-      {"AUTO_PID_CFG_SEND_GUI", 8, "Report the progress with CMD_AUTO_PID."},
-      {"AUTO_PID_CFG_KEEP_CURRENT", 16, "Begin with the present gains."},
+      {"AUTO_PID_CFG_SEND_GUI", 8, "Report progress with CMD_AUTO_PID."},
+      {"AUTO_PID_CFG_KEEP_CURRENT", 16, "Start from the current gains."},
       {"AUTO_PID_CFG_TUNE_LPF_FREQ", 32, "Tune the low-pass filter as well."},
       {"AUTO_PID_CFG_ALL_PROFILES", 64, "Store the result in all profiles."},
   };
@@ -768,10 +804,10 @@ struct EnumMeta<msg::CalibratedLimit> {
 template <>
 struct EnumMeta<msg::AhrsHelperModeBit> {
   static constexpr ValueInfo values[] = {
-      {"SET", 1, "Set the attitude, instead of asking for it."},
-      {"FRAME_IMU", 2, "The frame IMU, instead of the main one."},
-      {"REFERENCE_ONLY", 4, "Only correct the estimate, as far as GYRO_TRUST allows, instead of replacing it."},
-      {"TRANSLATE", 8, "Translate between camera and frame and use the result as a reference; the motor angles must be known."},
+      {"SET", 1, "Set the attitude instead of querying it."},
+      {"FRAME_IMU", 2, "The frame IMU instead of the main one."},
+      {"REFERENCE_ONLY", 4, "Correct the estimate, as far as GYRO_TRUST allows, instead of replacing it."},
+      {"TRANSLATE", 8, "Translate between camera and frame and use the result as a reference; requires known motor angles."},
       {"Z1_ONLY", 16, "Use Z1_VECTOR only."},
       {"H1_ONLY", 32, "Use H1_VECTOR only."},
   };
@@ -781,15 +817,15 @@ struct EnumMeta<msg::AhrsHelperModeBit> {
 template <>
 struct EnumMeta<msg::AhrsHelperWideModeBit> {
   static constexpr ValueInfo values[] = {
-      {"SET", 1, "Set the attitude, instead of asking for it."},
-      {"FRAME_IMU", 2, "The frame IMU, instead of the main one."},
-      {"REFERENCE_ONLY", 4, "Only correct the estimate, as far as GYRO_TRUST allows, instead of replacing it."},
-      {"TRANSLATE", 8, "Translate between camera and frame and use the result as a reference; the motor angles must be known."},
+      {"SET", 1, "Set the attitude instead of querying it."},
+      {"FRAME_IMU", 2, "The frame IMU instead of the main one."},
+      {"REFERENCE_ONLY", 4, "Correct the estimate, as far as GYRO_TRUST allows, instead of replacing it."},
+      {"TRANSLATE", 8, "Translate between camera and frame and use the result as a reference; requires known motor angles."},
       {"Z1_ONLY", 16, "Use Z1_VECTOR only."},
       {"H1_ONLY", 32, "Use H1_VECTOR only."},
       {"TRANSLATE_Z1_ONLY", 64, "Translate Z1_VECTOR only."},
       {"TRANSLATE_H1_ONLY", 128, "Translate H1_VECTOR only."},
-      {"DISABLE_CORRECTION", 1024, "Turn the correction off.", {2701, 0}},
+      {"DISABLE_CORRECTION", 1024, "Turn the correction off.", {.firmware = 2701}},
   };
   static constexpr EnumInfo info{"AhrsHelperWideMode", values, true};
 };
@@ -797,12 +833,12 @@ struct EnumMeta<msg::AhrsHelperWideModeBit> {
 template <>
 struct EnumMeta<msg::BeepMode> {
   static constexpr ValueInfo values[] = {
-      {"BEEPER_MODE_CALIBRATE", 1, "The sound of a calibration."},
-      {"BEEPER_MODE_CONFIRM", 2, "The sound of a confirmation."},
-      {"BEEPER_MODE_ERROR", 4, "The sound of an error."},
+      {"BEEPER_MODE_CALIBRATE", 1, "The calibration sound."},
+      {"BEEPER_MODE_CONFIRM", 2, "The confirmation sound."},
+      {"BEEPER_MODE_ERROR", 4, "The error sound."},
       {"BEEPER_MODE_CLICK", 16, "A click."},
-      {"BEEPER_MODE_COMPLETE", 32, "The sound of completion."},
-      {"BEEPER_MODE_INTRO", 64, "The sound of a start."},
+      {"BEEPER_MODE_COMPLETE", 32, "The completion sound."},
+      {"BEEPER_MODE_INTRO", 64, "The start-up sound."},
       {"BEEPER_MODE_CUSTOM_MELODY", 32768, "The notes of this message."},
   };
   static constexpr EnumInfo info{"BeepModes", values, true};
@@ -811,7 +847,7 @@ struct EnumMeta<msg::BeepMode> {
 template <>
 struct EnumMeta<msg::DebugVarFlag> {
   static constexpr ValueInfo values[] = {
-      {"VAR_FLAG_ANGLE14", 64, "It is an angle, 16384 counts for one full turn."},
+      {"VAR_FLAG_ANGLE14", 64, "An angle, 16384 counts per turn."},
   };
   static constexpr EnumInfo info{"DebugVarFlags", values, true};
 };
@@ -832,7 +868,7 @@ struct PackedMeta<msg::FirmwareVersion> {
       {"minor", 0xFFFF, 0, 10, 100},
       {"beta", 0xFFFF, 0, 1, 10},
   };
-  static constexpr PackedInfo info{"FirmwareVersion", "{major}.{minor:02}b{beta}", nullptr, parts};
+  static constexpr PackedInfo info{"FirmwareVersion", "{major}.{minor:02}[b{beta}]", nullptr, parts};
 };
 
 template <>

@@ -6,6 +6,7 @@
 #include <sbgc/messages/imu.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/units.hpp>
 
 namespace sbgc {
 
@@ -14,17 +15,17 @@ struct Meta<msg::SelectImu3> {
   static constexpr MessageInfo info{
       .name = "SelectImu3",
       .command = "CMD_SELECT_IMU_3",
-      .summary = "Choose the IMU that is configured and calibrated.",
+      .summary = "Select the IMU to configure and calibrate.",
       .id = 24,
       .direction = Direction::to_board,
       .min_size = 1,
       .max_size = 1,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type",
        .spec_name = "IMU_TYPE",
-       .summary = "Which IMU."},
+       .summary = "The IMU."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -39,23 +40,23 @@ struct Meta<msg::SelectImu3Ext> {
   static constexpr MessageInfo info{
       .name = "SelectImu3Ext",
       .command = "CMD_SELECT_IMU_3",
-      .summary = "Choose an IMU, with parameters that later firmware takes.",
+      .summary = "Select an IMU, with parameters of later firmware.",
       .id = 24,
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 12,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type",
        .spec_name = "IMU_TYPE",
-       .summary = "Which IMU."},
+       .summary = "The IMU."},
       {.name = "param",
        .spec_name = "PARAM",
-       .summary = "Its meaning is not documented."},
+       .summary = "Undocumented."},
       {.name = "params",
        .spec_name = "PARAMS",
-       .summary = "Further parameters; not documented.",
+       .summary = "Further undocumented parameters.",
        .max_count = 10},
   };
 
@@ -78,13 +79,13 @@ struct Meta<msg::AhrsHelper> {
       .direction = Direction::from_board,
       .min_size = 24,
       .max_size = 24,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr Range z1_vector_range{-1, 1};
   static constexpr Range h1_vector_range{-1, 1};
   static constexpr FieldInfo fields[] = {
       {.name = "z1_vector",
        .spec_name = "Z1_VECTOR",
-       .summary = "Unit vector that points up (the Z axis in the normal position); later sources say down.",
+       .summary = "Unit vector that points up (the Z axis in the normal position); down according to later sources.",
        .range = &z1_vector_range},
       {.name = "h1_vector",
        .spec_name = "H1_VECTOR",
@@ -107,19 +108,19 @@ struct Meta<msg::AhrsHelperRequest> {
   static constexpr MessageInfo info{
       .name = "AhrsHelperRequest",
       .command = "CMD_AHRS_HELPER",
-      .summary = "Ask for the attitude of an IMU.",
+      .summary = "Query the attitude of an IMU.",
       .id = 56,
       .direction = Direction::to_board,
       .min_size = 1,
       .max_size = 1,
-      .since = {0, 30},
-      .until = {2695, 0},
+      .since = {.board = 30},
+      .until = {.firmware = 2695},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "mode",
        .spec_name = "MODE",
-       .summary = "Which IMU; without SET."},
+       .summary = "The IMU to query; without SET."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -135,18 +136,18 @@ struct Meta<msg::AhrsHelperRequestWide> {
   static constexpr MessageInfo info{
       .name = "AhrsHelperRequestWide",
       .command = "CMD_AHRS_HELPER",
-      .summary = "Ask for the attitude of an IMU, with a mode of two bytes.",
+      .summary = "Query the attitude of an IMU, with a two-byte mode.",
       .id = 56,
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 2,
-      .since = {2695, 0},
+      .since = {.firmware = 2695},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr FieldInfo fields[] = {
       {.name = "mode",
        .spec_name = "MODE",
-       .summary = "Which IMU; without SET."},
+       .summary = "The IMU to query; without SET."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -162,13 +163,13 @@ struct Meta<msg::AhrsHelperRequestExt> {
   static constexpr MessageInfo info{
       .name = "AhrsHelperRequestExt",
       .command = "CMD_AHRS_HELPER",
-      .summary = "Ask for the attitude of an IMU or set it.",
+      .summary = "Query or set the attitude of an IMU.",
       .id = 56,
       .direction = Direction::to_board,
       .min_size = 25,
       .max_size = 25,
-      .since = {0, 30},
-      .until = {2695, 0},
+      .since = {.board = 30},
+      .until = {.firmware = 2695},
       .answers = answers,
       .effects = Effects(Effect::moves)};
   static constexpr Range z1_vector_range{-1, 1};
@@ -176,14 +177,14 @@ struct Meta<msg::AhrsHelperRequestExt> {
   static constexpr FieldInfo fields[] = {
       {.name = "mode",
        .spec_name = "MODE",
-       .summary = "What to do."},
+       .summary = "Operation."},
       {.name = "z1_vector",
        .spec_name = "Z1_VECTOR",
-       .summary = "Unit vector that points up (the Z axis in the normal position), or down by later sources; not used when asking.",
+       .summary = "Unit vector that points up (the Z axis in the normal position), or down according to later sources; unused in a query.",
        .range = &z1_vector_range},
       {.name = "h1_vector",
        .spec_name = "H1_VECTOR",
-       .summary = "Unit vector that points north (the Y axis in the normal position); not used when asking.",
+       .summary = "Unit vector that points north (the Y axis in the normal position); unused in a query.",
        .range = &h1_vector_range},
   };
 
@@ -202,12 +203,12 @@ struct Meta<msg::AhrsHelperRequestExtWide> {
   static constexpr MessageInfo info{
       .name = "AhrsHelperRequestExtWide",
       .command = "CMD_AHRS_HELPER",
-      .summary = "Ask for the attitude of an IMU or set it, with a mode of two bytes.",
+      .summary = "Query or set the attitude of an IMU, with a two-byte mode.",
       .id = 56,
       .direction = Direction::to_board,
       .min_size = 26,
       .max_size = 26,
-      .since = {2695, 0},
+      .since = {.firmware = 2695},
       .answers = answers,
       .effects = Effects(Effect::moves)};
   static constexpr Range z1_vector_range{-1, 1};
@@ -215,14 +216,14 @@ struct Meta<msg::AhrsHelperRequestExtWide> {
   static constexpr FieldInfo fields[] = {
       {.name = "mode",
        .spec_name = "MODE",
-       .summary = "What to do."},
+       .summary = "Operation."},
       {.name = "z1_vector",
        .spec_name = "Z1_VECTOR",
-       .summary = "Unit vector that points up (the Z axis in the normal position), or down by later sources; not used when asking.",
+       .summary = "Unit vector that points up (the Z axis in the normal position), or down according to later sources; unused in a query.",
        .range = &z1_vector_range},
       {.name = "h1_vector",
        .spec_name = "H1_VECTOR",
-       .summary = "Unit vector that points north (the Y axis in the normal position); not used when asking.",
+       .summary = "Unit vector that points north (the Y axis in the normal position); unused in a query.",
        .range = &h1_vector_range},
   };
 
@@ -240,23 +241,25 @@ struct Meta<msg::GyroCorrection> {
   static constexpr MessageInfo info{
       .name = "GyroCorrection",
       .command = "CMD_GYRO_CORRECTION",
-      .summary = "Correct the zero of a gyroscope by hand; the camera drifts if the correction is wrong.",
+      .summary = "Correct the zero of a gyroscope manually; the camera drifts if the correction is wrong.",
       .id = 75,
       .direction = Direction::to_board,
       .min_size = 9,
       .max_size = 9,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::stores) | Effect::moves};
   static constexpr FieldInfo fields[] = {
       {.name = "imu_type",
        .spec_name = "IMU_TYPE",
-       .summary = "Which IMU."},
+       .summary = "The IMU."},
       {.name = "gyro_zero_corr",
        .spec_name = "GYRO_ZERO_CORR",
-       .summary = "Offset of the zero of each axis."},
+       .summary = "Zero offset of each axis.",
+       .unit = &UnitMeta<msg::GyroOffset>::info},
       {.name = "gyro_zero_heading_corr",
        .spec_name = "GYRO_ZERO_HEADING_CORR",
-       .summary = "Offset of the rotation about the vertical, to correct the heading; the board spreads it over the axes."},
+       .summary = "Offset of the rotation about the vertical, to correct the heading; the board distributes it over the axes.",
+       .unit = &UnitMeta<msg::GyroOffset>::info},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.

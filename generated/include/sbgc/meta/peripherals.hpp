@@ -6,6 +6,7 @@
 #include <sbgc/messages/peripherals.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/units.hpp>
 
 namespace sbgc {
 
@@ -14,12 +15,12 @@ struct Meta<msg::BeepSound> {
   static constexpr MessageInfo info{
       .name = "BeepSound",
       .command = "CMD_BEEP_SOUND",
-      .summary = "Play a melody through the motors, or one of the standard sounds.",
+      .summary = "Play a melody through the motors, or a standard sound.",
       .id = 89,
       .direction = Direction::to_board,
       .min_size = 12,
       .max_size = 72,
-      .since = {2590, 30},
+      .since = {.firmware = 2590, .board = 30},
       .effects = Effects(Effect::sets)};
   static constexpr Range note_length_range{1, 255};
   static constexpr Special note_length_special[] = {
@@ -36,15 +37,16 @@ struct Meta<msg::BeepSound> {
   static constexpr FieldInfo fields[] = {
       {.name = "mode",
        .spec_name = "MODE",
-       .summary = "Which sound to make."},
+       .summary = "Sound to play."},
       {.name = "note_length",
        .spec_name = "NOTE_LENGTH",
        .summary = "Length of each note of a custom melody.",
+       .unit = &UnitMeta<msg::NoteLength>::info,
        .range = &note_length_range,
        .special = note_length_special},
       {.name = "decay_factor",
        .spec_name = "DECAY_FACTOR",
-       .summary = "How slowly a note fades after each pause; 0 turns the envelope off. Heard only with encoder firmware or while the motors are off.",
+       .summary = "How slowly a note fades after each pause; 0 disables the envelope. Audible only with encoder firmware or while the motors are off.",
        .range = &decay_factor_range,
        .special = decay_factor_special},
       {.name = "reserved",
@@ -54,6 +56,7 @@ struct Meta<msg::BeepSound> {
       {.name = "note_freq_hz",
        .spec_name = "NOTE_FREQ_HZ",
        .summary = "The notes of a custom melody.",
+       .unit = &UnitMeta<msg::NoteFrequency>::info,
        .range = &note_freq_hz_range,
        .special = note_freq_hz_special,
        .max_count = 30},
@@ -84,10 +87,10 @@ struct Meta<msg::TriggerPin> {
   static constexpr FieldInfo fields[] = {
       {.name = "pin_id",
        .spec_name = "PIN_ID",
-       .summary = "Which pin."},
+       .summary = "The pin."},
       {.name = "state",
        .spec_name = "STATE",
-       .summary = "What to switch it to."},
+       .summary = "New state of the pin."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -108,7 +111,7 @@ struct Meta<msg::ServoOut> {
       .direction = Direction::to_board,
       .min_size = 16,
       .max_size = 16,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::moves)};
   static constexpr Range servo_time_range{-1, 20000};
   static constexpr Special servo_time_special[] = {
@@ -119,6 +122,7 @@ struct Meta<msg::ServoOut> {
       {.name = "servo_time",
        .spec_name = "SERVO{1..8}_TIME",
        .summary = "Pulse of each output.",
+       .unit = &UnitMeta<msg::ServoPulse>::info,
        .range = &servo_time_range,
        .special = servo_time_special},
   };
@@ -140,18 +144,18 @@ struct Meta<msg::I2cWriteRegBuf> {
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 255,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::sets) | Effect::stores};
   static constexpr FieldInfo fields[] = {
       {.name = "device_addr",
        .spec_name = "DEVICE_ADDR",
-       .summary = "Which device."},
+       .summary = "The device."},
       {.name = "reg_addr",
        .spec_name = "REG_ADDR",
-       .summary = "Register to begin with."},
+       .summary = "First register."},
       {.name = "data",
        .spec_name = "DATA",
-       .summary = "What to write."},
+       .summary = "Data to write."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -168,16 +172,16 @@ struct Meta<msg::I2cReadRegBuf> {
   static constexpr MessageInfo info{
       .name = "I2cReadRegBuf",
       .command = "CMD_I2C_READ_REG_BUF",
-      .summary = "Data of a device on an I2C bus.",
+      .summary = "Data from a device on an I2C bus.",
       .id = 40,
       .direction = Direction::from_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
-       .summary = "What was read, 1 to 255 bytes: as many as were asked for.",
+       .summary = "The data, 1 to 255 bytes: as many as requested.",
        .max_count = 255},
   };
 
@@ -199,20 +203,21 @@ struct Meta<msg::I2cReadRegBufRequest> {
       .direction = Direction::to_board,
       .min_size = 3,
       .max_size = 3,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range data_len_range{1, 255};
   static constexpr FieldInfo fields[] = {
       {.name = "device_addr",
        .spec_name = "DEVICE_ADDR",
-       .summary = "Which device."},
+       .summary = "The device."},
       {.name = "reg_addr",
        .spec_name = "REG_ADDR",
-       .summary = "Register to begin with."},
+       .summary = "First register."},
       {.name = "data_len",
        .spec_name = "DATA_LEN",
-       .summary = "How much to read.",
+       .summary = "Number of bytes to read.",
+       .unit = &UnitMeta<msg::SmallByteCount>::info,
        .range = &data_len_range},
   };
 
@@ -230,12 +235,12 @@ struct Meta<msg::ApiVirtChControl> {
   static constexpr MessageInfo info{
       .name = "ApiVirtChControl",
       .command = "CMD_API_VIRT_CH_CONTROL",
-      .summary = "Set the virtual RC channels that the host provides; they can control the camera and more.",
+      .summary = "Set the host's virtual RC channels, which can control the camera and more.",
       .id = 45,
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 64,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves | Effect::restarts};
   static constexpr Range val_ch_range{-500, 500};
   static constexpr Special val_ch_special[] = {
@@ -244,7 +249,8 @@ struct Meta<msg::ApiVirtChControl> {
   static constexpr FieldInfo fields[] = {
       {.name = "val_ch",
        .spec_name = "VAL_CH{1..32}",
-       .summary = "Signal of each channel from the first on; the board clips what goes beyond.",
+       .summary = "Signal of each channel, starting with the first; the board clips values beyond the range.",
+       .unit = &UnitMeta<msg::CentredRcSignal>::info,
        .range = &val_ch_range,
        .special = val_ch_special,
        .min_count = 1,

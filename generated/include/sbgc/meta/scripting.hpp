@@ -6,6 +6,7 @@
 #include <sbgc/messages/scripting.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/units.hpp>
 
 namespace sbgc {
 
@@ -19,15 +20,15 @@ struct Meta<msg::RunScript> {
       .direction = Direction::to_board,
       .min_size = 34,
       .max_size = 34,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves | Effect::restarts};
   static constexpr FieldInfo fields[] = {
       {.name = "mode",
        .spec_name = "MODE",
-       .summary = "What to do."},
+       .summary = "Operation."},
       {.name = "slot",
        .spec_name = "SLOT",
-       .summary = "Slot of the script; whether slots count from 0 or from 1 is unknown."},
+       .summary = "Script slot; whether it counts from 0 or from 1 is unknown."},
       {.name = "reserved",
        .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
@@ -48,19 +49,19 @@ struct Meta<msg::ScriptDebug> {
   static constexpr MessageInfo info{
       .name = "ScriptDebug",
       .command = "CMD_SCRIPT_DEBUG",
-      .summary = "Progress of a script that was started with debugging.",
+      .summary = "Progress of a script started with debugging.",
       .id = 58,
       .direction = Direction::from_board,
       .min_size = 3,
       .max_size = 3,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "cmd_count",
        .spec_name = "CMD_COUNT",
-       .summary = "Number of the script's command that runs now."},
+       .summary = "Number of the running script command."},
       {.name = "err_code",
        .spec_name = "ERR_CODE",
-       .summary = "What went wrong; codes that are not listed are possible."},
+       .summary = "Error code; unlisted codes are possible."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.

@@ -6,6 +6,7 @@
 #include <sbgc/messages/storage.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/units.hpp>
 
 namespace sbgc {
 
@@ -19,16 +20,16 @@ struct Meta<msg::EepromWrite> {
       .direction = Direction::to_board,
       .min_size = 4,
       .max_size = 196,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::stores) | Effect::moves};
   static constexpr FieldInfo fields[] = {
       {.name = "addr",
        .spec_name = "ADDR",
-       .summary = "Where to write.",
+       .summary = "Address to write to.",
        .align = 64},
       {.name = "data",
        .spec_name = "DATA",
-       .summary = "What to write.",
+       .summary = "Data to write.",
        .max_count = 192,
        .align = 64},
   };
@@ -51,17 +52,19 @@ struct Meta<msg::ReadFile> {
       .direction = Direction::from_board,
       .min_size = 4,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "file_size",
        .spec_name = "FILE_SIZE",
-       .summary = "Size of the whole file."},
+       .summary = "Size of the whole file.",
+       .unit = &UnitMeta<msg::ByteCount>::info},
       {.name = "page_offset",
        .spec_name = "PAGE_OFFSET",
-       .summary = "Where in the file the data begin; as in the request."},
+       .summary = "Offset of the data in the file, as in the request.",
+       .unit = &UnitMeta<msg::Pages>::info},
       {.name = "data",
        .spec_name = "DATA",
-       .summary = "As many bytes as were asked for, or less at the end of the file.",
+       .summary = "As many bytes as requested, or fewer at the end of the file.",
        .max_count = 251},
   };
 
@@ -84,11 +87,11 @@ struct Meta<msg::ReadFileError> {
       .direction = Direction::from_board,
       .min_size = 1,
       .max_size = 1,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "err_code",
        .spec_name = "ERR_CODE",
-       .summary = "What went wrong."},
+       .summary = "Error code."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -109,20 +112,22 @@ struct Meta<msg::ReadFileRequest> {
       .direction = Direction::to_board,
       .min_size = 20,
       .max_size = 20,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range max_data_size_range{0, 251};
   static constexpr FieldInfo fields[] = {
       {.name = "file_id",
        .spec_name = "FILE_ID",
-       .summary = "Which file."},
+       .summary = "File id."},
       {.name = "page_offset",
        .spec_name = "PAGE_OFFSET",
-       .summary = "Where to begin."},
+       .summary = "Start of the block.",
+       .unit = &UnitMeta<msg::Pages>::info},
       {.name = "max_data_size",
        .spec_name = "MAX_SIZE",
-       .summary = "How many bytes to read at most; they must fit into one message.",
+       .summary = "Maximum number of bytes to read; they must fit into one message.",
+       .unit = &UnitMeta<msg::ByteCount>::info,
        .range = &max_data_size_range},
       {.name = "reserved",
        .spec_name = "RESERVED",
@@ -145,26 +150,28 @@ struct Meta<msg::WriteFile> {
   static constexpr MessageInfo info{
       .name = "WriteFile",
       .command = "CMD_WRITE_FILE",
-      .summary = "Write part of a file; without data the file is deleted.",
+      .summary = "Write part of a file; without data, delete it.",
       .id = 54,
       .direction = Direction::to_board,
       .min_size = 6,
       .max_size = 255,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::stores) | Effect::erases};
   static constexpr FieldInfo fields[] = {
       {.name = "file_id",
        .spec_name = "FILE_ID",
-       .summary = "Which file; it is made if there is none."},
+       .summary = "File id; a missing file is created."},
       {.name = "file_size",
        .spec_name = "FILE_SIZE",
-       .summary = "Size that the whole file shall have."},
+       .summary = "Size of the whole file.",
+       .unit = &UnitMeta<msg::ByteCount>::info},
       {.name = "page_offset",
        .spec_name = "PAGE_OFFSET",
-       .summary = "Where to begin."},
+       .summary = "Start of the block.",
+       .unit = &UnitMeta<msg::Pages>::info},
       {.name = "data",
        .spec_name = "DATA",
-       .summary = "What to write; empty deletes the file.",
+       .summary = "Data to write; empty deletes the file.",
        .max_count = 249},
   };
 
@@ -188,7 +195,7 @@ struct Meta<msg::FsClearAll> {
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::erases)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -207,15 +214,15 @@ struct Meta<msg::EepromRead> {
       .direction = Direction::from_board,
       .min_size = 4,
       .max_size = 196,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "addr",
        .spec_name = "ADDR",
-       .summary = "Where the block lies.",
+       .summary = "Address of the block.",
        .align = 64},
       {.name = "data",
        .spec_name = "DATA",
-       .summary = "What it holds, as many bytes as were asked for.",
+       .summary = "Content of the block, as many bytes as requested.",
        .max_count = 192},
   };
 
@@ -238,18 +245,19 @@ struct Meta<msg::EepromReadRequest> {
       .direction = Direction::to_board,
       .min_size = 6,
       .max_size = 6,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
   static constexpr Range size_range{0, 192};
   static constexpr FieldInfo fields[] = {
       {.name = "addr",
        .spec_name = "ADDR",
-       .summary = "Where to begin.",
+       .summary = "Start of the block.",
        .align = 64},
       {.name = "size",
        .spec_name = "SIZE",
-       .summary = "How much to read; it must fit into one message.",
+       .summary = "Number of bytes to read; they must fit into one message.",
+       .unit = &UnitMeta<msg::ByteCount>::info,
        .range = &size_range,
        .align = 64},
   };
@@ -267,16 +275,16 @@ struct Meta<msg::ReadExternalData> {
   static constexpr MessageInfo info{
       .name = "ReadExternalData",
       .command = "CMD_READ_EXTERNAL_DATA",
-      .summary = "Data of the user in the EEPROM.",
+      .summary = "User data in the EEPROM.",
       .id = 42,
       .direction = Direction::from_board,
       .min_size = 128,
       .max_size = 128,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "data",
-       .summary = "Whatever the user stored."},
+       .summary = "The user data."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -293,12 +301,12 @@ struct Meta<msg::ReadExternalDataRequest> {
   static constexpr MessageInfo info{
       .name = "ReadExternalDataRequest",
       .command = "CMD_READ_EXTERNAL_DATA",
-      .summary = "Ask for the data of the user in the EEPROM.",
+      .summary = "Request the user data in the EEPROM.",
       .id = 42,
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
@@ -313,12 +321,12 @@ struct Meta<msg::WriteExternalData> : Meta<msg::ReadExternalData> {
   static constexpr MessageInfo info{
       .name = "WriteExternalData",
       .command = "CMD_WRITE_EXTERNAL_DATA",
-      .summary = "Store data of the user in the EEPROM.",
+      .summary = "Store user data in the EEPROM.",
       .id = 41,
       .direction = Direction::to_board,
       .min_size = 128,
       .max_size = 128,
-      .since = {0, 30},
+      .since = {.board = 30},
       .stores = "ReadExternalData",
       .effects = Effects(Effect::stores)};
 };

@@ -6,6 +6,7 @@
 #include <sbgc/messages/system.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/units.hpp>
 
 namespace sbgc {
 
@@ -14,7 +15,7 @@ struct Meta<msg::BoardInfo> {
   static constexpr MessageInfo info{
       .name = "BoardInfo",
       .command = "CMD_BOARD_INFO",
-      .summary = "Version and features of the board.",
+      .summary = "Board version and features.",
       .id = 86,
       .direction = Direction::from_board,
       .min_size = 18,
@@ -31,20 +32,20 @@ struct Meta<msg::BoardInfo> {
        .summary = "Firmware version."},
       {.name = "debug_mode",
        .spec_name = "DEBUG_MODE",
-       .summary = "Whether debugging output is wanted.",
+       .summary = "Whether debug output is enabled.",
        .special = debug_mode_special},
       {.name = "board_features",
        .spec_name = "BOARD_FEATURES",
-       .summary = "What the board can do."},
+       .summary = "Features of the board."},
       {.name = "connection_flags",
        .spec_name = "CONNECTION_FLAGS",
        .summary = "How this host is connected."},
       {.name = "frw_extra_id",
        .spec_name = "FRW_EXTRA_ID",
-       .summary = "Identifies special builds of the firmware."},
+       .summary = "Identifies special firmware builds."},
       {.name = "reserved",
        .spec_name = "RESERVED",
-       .summary = "Later firmware keeps more feature bits, IMU models and a base firmware version here.",
+       .summary = "Later firmware holds more feature bits, IMU models and a base firmware version here.",
        .reserved = true},
   };
 
@@ -68,7 +69,7 @@ struct Meta<msg::BoardInfoRequest> {
   static constexpr MessageInfo info{
       .name = "BoardInfoRequest",
       .command = "CMD_BOARD_INFO",
-      .summary = "Ask for the version of board and firmware.",
+      .summary = "Request the board and firmware version.",
       .id = 86,
       .direction = Direction::to_board,
       .min_size = 0,
@@ -88,7 +89,7 @@ struct Meta<msg::BoardInfoRequestOneByte> {
   static constexpr MessageInfo info{
       .name = "BoardInfoRequestOneByte",
       .command = "CMD_BOARD_INFO",
-      .summary = "Ask for the version of board and firmware, with a byte that means nothing.",
+      .summary = "Request the board and firmware version, with a byte that has no meaning.",
       .id = 86,
       .direction = Direction::to_board,
       .min_size = 1,
@@ -115,7 +116,7 @@ struct Meta<msg::BoardInfoRequestExt> {
   static constexpr MessageInfo info{
       .name = "BoardInfoRequestExt",
       .command = "CMD_BOARD_INFO",
-      .summary = "Ask for the version of board and firmware, and configure this serial port.",
+      .summary = "Request the board and firmware version, and configure this serial port.",
       .id = 86,
       .direction = Direction::to_board,
       .min_size = 2,
@@ -125,7 +126,8 @@ struct Meta<msg::BoardInfoRequestExt> {
   static constexpr FieldInfo fields[] = {
       {.name = "cfg",
        .spec_name = "CFG",
-       .summary = "On a UART, the pause between the 20-byte packets of a Bluetooth LE link; without meaning on USB."},
+       .summary = "On a UART, the pause between the 20-byte packets of a Bluetooth LE link; no meaning on USB.",
+       .unit = &UnitMeta<msg::Milliseconds>::info},
       {.name = "reserved",
        .spec_name = "RESERVED",
        .summary = "Of undefined size; send it empty.",
@@ -145,7 +147,7 @@ struct Meta<msg::Confirm> {
   static constexpr MessageInfo info{
       .name = "Confirm",
       .command = "CMD_CONFIRM",
-      .summary = "The board has carried out a command.",
+      .summary = "The board executed a command.",
       .id = 67,
       .direction = Direction::from_board,
       .min_size = 1,
@@ -153,16 +155,16 @@ struct Meta<msg::Confirm> {
   static constexpr FieldInfo fields[] = {
       {.name = "cmd",
        .spec_name = "CMD",
-       .summary = "The command that is confirmed."},
+       .summary = "The confirmed command."},
       {.name = "addr",
        .spec_name = "ADDR",
-       .summary = "Address of the block that was written."},
+       .summary = "Address of the written block."},
       {.name = "err_code",
        .spec_name = "ERR_CODE",
-       .summary = "How the file operation ended."},
+       .summary = "Result of the file operation."},
       {.name = "data",
        .spec_name = "DATA",
-       .summary = "Data of other commands; mostly empty.",
+       .summary = "Data of other commands; usually empty.",
        .max_count = 5},
   };
 
@@ -181,16 +183,16 @@ struct Meta<msg::Error> {
   static constexpr MessageInfo info{
       .name = "Error",
       .command = "CMD_ERROR",
-      .summary = "An error, as the specification describes it.",
+      .summary = "An error as the specification describes it.",
       .id = 255,
       .direction = Direction::from_board,
       .min_size = 5,
       .max_size = 5,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "error_code",
        .spec_name = "ERROR_CODE",
-       .summary = "What went wrong."},
+       .summary = "Error code."},
       {.name = "error_data",
        .spec_name = "ERROR_DATA",
        .summary = "Details that depend on the code."},
@@ -209,19 +211,19 @@ struct Meta<msg::ErrorExt> {
   static constexpr MessageInfo info{
       .name = "ErrorExt",
       .command = "CMD_ERROR",
-      .summary = "An error, as real boards send it: with the command that failed.",
+      .summary = "An error as real boards send it, with the failed command.",
       .id = 255,
       .direction = Direction::from_board,
       .min_size = 6,
       .max_size = 6,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "cmd_id",
        .spec_name = "CMD_ID",
-       .summary = "The command that failed."},
+       .summary = "The failed command."},
       {.name = "error_code",
        .spec_name = "ERROR_CODE",
-       .summary = "What went wrong."},
+       .summary = "Error code."},
       {.name = "error_data",
        .spec_name = "ERROR_DATA",
        .summary = "Details that depend on the code."},
@@ -247,7 +249,7 @@ struct Meta<msg::BoardInfo3> {
       .direction = Direction::from_board,
       .min_size = 69,
       .max_size = 69,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr Special script_slot_size_special[] = {
       {0, "the slot is empty"},
   };
@@ -260,10 +262,12 @@ struct Meta<msg::BoardInfo3> {
        .summary = "Identifies the microcontroller."},
       {.name = "eeprom_size",
        .spec_name = "EEPROM_SIZE",
-       .summary = "Size of the EEPROM."},
+       .summary = "Size of the EEPROM.",
+       .unit = &UnitMeta<msg::LongByteCount>::info},
       {.name = "script_slot_size",
        .spec_name = "SCRIPT_SLOT{1..5}_SIZE",
-       .summary = "Size of the user-written script in each slot.",
+       .summary = "Size of the user script in each slot.",
+       .unit = &UnitMeta<msg::ByteCount>::info,
        .special = script_slot_size_special},
       {.name = "reserved",
        .spec_name = "RESERVED",
@@ -289,12 +293,12 @@ struct Meta<msg::BoardInfo3Request> {
   static constexpr MessageInfo info{
       .name = "BoardInfo3Request",
       .command = "CMD_BOARD_INFO_3",
-      .summary = "Ask for serial numbers, memory and scripts of the board.",
+      .summary = "Request serial numbers, memory and scripts of the board.",
       .id = 20,
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
 
@@ -327,7 +331,7 @@ struct Meta<msg::ResetRequest> {
   static constexpr MessageInfo info{
       .name = "ResetRequest",
       .command = "CMD_RESET",
-      .summary = "Restart at once and without notice.",
+      .summary = "Restart immediately, without notification.",
       .id = 114,
       .direction = Direction::to_board,
       .min_size = 0,
@@ -346,7 +350,7 @@ struct Meta<msg::ResetRequestExt> {
   static constexpr MessageInfo info{
       .name = "ResetRequestExt",
       .command = "CMD_RESET",
-      .summary = "Restart after a while, with notice if that is asked for.",
+      .summary = "Restart after a delay, with an optional notification.",
       .id = 114,
       .direction = Direction::to_board,
       .min_size = 3,
@@ -359,7 +363,8 @@ struct Meta<msg::ResetRequestExt> {
        .summary = "Whether CMD_RESET is sent back first."},
       {.name = "delay_ms",
        .spec_name = "DELAY_MS",
-       .summary = "How long to wait before the restart."},
+       .summary = "Delay before the restart.",
+       .unit = &UnitMeta<msg::Milliseconds>::info},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -375,12 +380,12 @@ struct Meta<msg::BootMode3> {
   static constexpr MessageInfo info{
       .name = "BootMode3",
       .command = "CMD_BOOT_MODE_3",
-      .summary = "Enter the bootloader at once and without notice.",
+      .summary = "Enter the bootloader immediately, without notification.",
       .id = 51,
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 0,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::restarts)};
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -395,12 +400,12 @@ struct Meta<msg::BootMode3Ext> {
   static constexpr MessageInfo info{
       .name = "BootMode3Ext",
       .command = "CMD_BOOT_MODE_3",
-      .summary = "Enter the bootloader after a while, with notice if that is asked for.",
+      .summary = "Enter the bootloader after a delay, with an optional notification.",
       .id = 51,
       .direction = Direction::to_board,
       .min_size = 3,
       .max_size = 3,
-      .since = {0, 30},
+      .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::restarts)};
   static constexpr FieldInfo fields[] = {
@@ -409,7 +414,8 @@ struct Meta<msg::BootMode3Ext> {
        .summary = "Whether CMD_RESET is sent back first."},
       {.name = "delay_ms",
        .spec_name = "DELAY_MS",
-       .summary = "How long to wait before the bootloader starts."},
+       .summary = "Delay before the bootloader starts.",
+       .unit = &UnitMeta<msg::Milliseconds>::info},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -425,16 +431,16 @@ struct Meta<msg::QueueParamsInfo3> {
   static constexpr MessageInfo info{
       .name = "QueueParamsInfo3",
       .command = "CMD_QUEUE_PARAMS_INFO_3",
-      .summary = "Body from the board, not documented.",
+      .summary = "Undocumented body from the board.",
       .id = 30,
       .direction = Direction::from_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
-       .summary = "Whatever it holds."},
+       .summary = "Undocumented content."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -449,17 +455,17 @@ struct Meta<msg::QueueParamsInfo3Request> {
   static constexpr MessageInfo info{
       .name = "QueueParamsInfo3Request",
       .command = "CMD_QUEUE_PARAMS_INFO_3",
-      .summary = "Body to the board, not documented.",
+      .summary = "Undocumented body to the board.",
       .id = 30,
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
-       .summary = "Whatever it holds."},
+       .summary = "Undocumented content."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -474,16 +480,16 @@ struct Meta<msg::SystemState> {
   static constexpr MessageInfo info{
       .name = "SystemState",
       .command = "CMD_SYSTEM_STATE",
-      .summary = "Body from the board, not documented.",
+      .summary = "Undocumented body from the board.",
       .id = 52,
       .direction = Direction::from_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
-       .summary = "Whatever it holds."},
+       .summary = "Undocumented content."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -498,17 +504,17 @@ struct Meta<msg::SystemStateRequest> {
   static constexpr MessageInfo info{
       .name = "SystemStateRequest",
       .command = "CMD_SYSTEM_STATE",
-      .summary = "Body to the board, not documented.",
+      .summary = "Undocumented body to the board.",
       .id = 52,
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
-       .summary = "Whatever it holds."},
+       .summary = "Undocumented content."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -523,16 +529,16 @@ struct Meta<msg::MavlinkInfo> {
   static constexpr MessageInfo info{
       .name = "MavlinkInfo",
       .command = "CMD_MAVLINK_INFO",
-      .summary = "Body from the board, not documented.",
+      .summary = "Undocumented body from the board.",
       .id = 250,
       .direction = Direction::from_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
-       .summary = "Whatever it holds."},
+       .summary = "Undocumented content."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -547,17 +553,17 @@ struct Meta<msg::MavlinkInfoRequest> {
   static constexpr MessageInfo info{
       .name = "MavlinkInfoRequest",
       .command = "CMD_MAVLINK_INFO",
-      .summary = "Body to the board, not documented.",
+      .summary = "Undocumented body to the board.",
       .id = 250,
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
-       .summary = "Whatever it holds."},
+       .summary = "Undocumented content."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -572,16 +578,16 @@ struct Meta<msg::MavlinkDebug> {
   static constexpr MessageInfo info{
       .name = "MavlinkDebug",
       .command = "CMD_MAVLINK_DEBUG",
-      .summary = "Body from the board, not documented.",
+      .summary = "Undocumented body from the board.",
       .id = 251,
       .direction = Direction::from_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30}};
+      .since = {.board = 30}};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
-       .summary = "Whatever it holds."},
+       .summary = "Undocumented content."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -596,17 +602,17 @@ struct Meta<msg::MavlinkDebugRequest> {
   static constexpr MessageInfo info{
       .name = "MavlinkDebugRequest",
       .command = "CMD_MAVLINK_DEBUG",
-      .summary = "Body to the board, not documented.",
+      .summary = "Undocumented body to the board.",
       .id = 251,
       .direction = Direction::to_board,
       .min_size = 0,
       .max_size = 255,
-      .since = {0, 30},
+      .since = {.board = 30},
       .effects = Effects(Effect::unknown)};
   static constexpr FieldInfo fields[] = {
       {.name = "data",
        .spec_name = "DATA",
-       .summary = "Whatever it holds."},
+       .summary = "Undocumented content."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.

@@ -41,11 +41,11 @@ def lint_bodies(layout: Layout, found: Diagnostics) -> None:
 
 def _check_message(message: Message, max_body: int, found: Diagnostics) -> None:
     if not is_name(message.name):
-        text = f"'{message.name}' can not be a name"
+        text = f"'{message.name}' cannot be a name"
         found.add(message.at, "SBGC022", text, "give the message another one with 'as'")
     if not message.min_size <= message.max_size <= max_body and message.min_size <= max_body:
         text = f"{message.name} has at least {message.min_size} bytes, at most {message.max_size}"
-        hint = f"'max_size' lies between the fields' least size and {max_body}"
+        hint = f"'max_size' is between the minimum size of the fields and {max_body}"
         found.add(message.at, "SBGC042", text, hint)
 
 
@@ -79,7 +79,7 @@ def _check_families(layout: Layout, found: Diagnostics) -> None:
 def _check_source(source: str, owner: Message | Enum | Packed, found: Diagnostics) -> None:
     """Line ranges run forwards. (What came later than the specification names no lines.)"""
     if any(last < first for first, last in parse_lines(source)):
-        text = f"the source of {owner.name} names lines backwards"
+        text = f"the source of {owner.name} has a line range that ends before it starts"
         hint = "write it like 'Variables L1005-L1009'"
         found.add(owner.at, "SBGC020", text, hint)
 
@@ -102,12 +102,12 @@ def _check_list(fields: tuple[Field, ...], found: Diagnostics) -> None:
         if isinstance(field.type, Struct) and _takes_rest(field.type):
             if field.dim != "one" or field is not fields[-1]:
                 text = f"{field.type.name} takes the rest of the body, but something follows it"
-                hint = "such a struct stands once, and last"
+                hint = "such a struct occurs once, and last"
                 found.add(field.at, "SBGC027", text, hint)
         if field.counter:
             problem = _counter_problem(by_name.get(field.counter), counted)
             if problem:
-                text = f"'{field.counter}' can not count '{field.name}': {problem}"
+                text = f"'{field.counter}' cannot count '{field.name}': {problem}"
                 hint = "a counter is a u8, u16 or u32 of its own, in the same list of fields"
                 found.add(field.at, "SBGC043", text, hint)
             counted.add(field.counter)
@@ -121,16 +121,16 @@ def _check_varying(field: Field, found: Diagnostics) -> None:
     is_bytes = isinstance(field.type, Blob) and field.type.kind == "bytes"
     if field.dim == "rest" and varies and not is_bytes:
         text = f"the elements of '{field.name}', which takes the rest of the body, vary in size"
-        found.add(field.at, "SBGC043", text, "put a counter in front of it: NAME[COUNT]")
+        found.add(field.at, "SBGC043", text, "put a counter before it: NAME[COUNT]")
     if field.when is not None and is_list:
         text = f"the list '{field.name}' has a condition"
         found.add(field.at, "SBGC043", text, "make it part of a struct, and give that the 'when'")
     elif field.when is not None and field.when.may_be_missing and field.size is None:
-        text = f"'{field.name}' varies in size, so nobody can tell whether it is missing"
+        text = f"'{field.name}' varies in size, so a decoder cannot tell whether it is missing"
         found.add(field.at, "SBGC026", text, "leave out 'may_be_missing'")
     if isinstance(field.type, Announced) and field.dim != "rest":
         text = f"'{field.name}' is announced, but does not take the rest of the body"
-        found.add(field.at, "SBGC043", text, "as many as are announced stand here: NAME[]")
+        found.add(field.at, "SBGC043", text, "write NAME[] for as many as are announced")
 
 
 # Regions
@@ -139,13 +139,13 @@ def _check_varying(field: Field, found: Diagnostics) -> None:
 def _check_struct(struct: Struct, found: Diagnostics) -> None:
     for field in struct.fields:
         if isinstance(field.type, Announced):
-            text = f"the announced '{field.name}' stands in a struct"
-            found.add(field.at, "SBGC026", text, "contexts are known to messages only")
+            text = f"the announced '{field.name}' is in a struct"
+            found.add(field.at, "SBGC026", text, "only messages have contexts")
         if isinstance(field.type, Struct) and field.type.is_region:
-            text = f"'{field.name}', which has a size of its own, stands in a struct"
+            text = f"'{field.name}', which has its own size, is in a struct"
             found.add(field.at, "SBGC033", text, "move it into the message")
         if struct.is_region and field.name == "rest" and not field.optional:
-            text = "'rest' is a member that everything with a size of its own has"
+            text = "'rest' is a member of every struct with its own size"
             found.add(field.at, "SBGC022", text, "give the field another name with 'as'")
 
 
@@ -156,15 +156,17 @@ def _check_regions(message: Message, found: Diagnostics) -> None:
         if isinstance(field.type, Struct) and field.type.is_region:
             counts = any(f.is_counter for f in message.fields)
             if field.dim != "one" or field.offset is None or field.when or counts:
-                text = f"'{field.name}', which has a size of its own, does not always stand there"
-                hint = "it stands once, without a condition, in a message without counted lists"
+                text = f"'{field.name}', which has its own size, is not always present"
+                hint = "it occurs once, without a condition, in a message without counted lists"
                 found.add(field.at, "SBGC033", text, hint)
             for when in (inner.when for inner in field.type.fields if inner.when):
                 source = earlier.get(when.source)
                 known = source is not None and source.type == when.enum and source.dim == "one"
                 if when.from_context or not known:
-                    text = f"'{field.name}' depends on '{when.source}', which is no earlier field"
-                    hint = "only fields of the message around it can tell what is in it"
+                    text = (
+                        f"'{field.name}' depends on '{when.source}', which is not an earlier field"
+                    )
+                    hint = "only fields of the enclosing message can select its content"
                     found.add(field.at, "SBGC033", text, hint)
                     break
         earlier[field.name] = field
@@ -179,13 +181,13 @@ def _takes_rest(struct: Struct) -> bool:
 
 def _counter_problem(counter: Field | None, counted: set[str]) -> str:
     if counter is None:
-        return "it stands elsewhere"
+        return "it is elsewhere"
     if counter.name in counted:
         return "it counts another list"
     if not isinstance(counter.type, Scalar) or counter.type.minimum != 0:
-        return "it is no unsigned number"
+        return "it is not an unsigned number"
     if counter.dim != "one":
-        return "there are several of it"
+        return "it is not a single field"
     return "it is not always present" if counter.when is not None else ""
 
 
@@ -202,7 +204,7 @@ def _check_alternatives(message: Message, fields: tuple[Field, ...], found: Diag
             and field.type.scalar == field.alternative.quantity.scalar
             and field.type.unit == field.alternative.quantity.unit
         ):
-            text = f"{field.alternative.quantity.name} is no other scale of '{field.name}'"
+            text = f"{field.alternative.quantity.name} is not another scale of '{field.name}'"
             hint = "both are quantities in one unit over the same number"
             found.add(field.at, "SBGC026", text, hint)
         source = by_name.get(field.alternative.source) if field.alternative else None
@@ -261,7 +263,7 @@ def _check_source_of(
 ) -> None:
     field = _find(source.fields if source else (), path.split("."))
     if field is None:
-        text = f"the context '{context.name}' of {message.name} comes from no field"
+        text = f"the context '{context.name}' of {message.name} has no source field"
         hint = f"there is no single '{name}.{path}'; write it like BoardInfo.FIRMWARE_VER"
         found.add(message.at, "SBGC026", text, hint)
     elif context.type is not None and field.type != context.type:

@@ -13,10 +13,10 @@ def lint_effects(layout: Layout, found: Diagnostics) -> None:
         text, hint = "", ""
         if message.direction == "from_board":
             if message.effect is not None:
-                text = f"{message.name} comes from the board, so it does nothing to it"
+                text = f"{message.name} comes from the board, so it has no effect on it"
                 hint = "'effect' belongs to 'to_board'"
         elif message.effect is None:
-            text = f"{message.name} does not say what it does to the board"
+            text = f"{message.name} does not state its effect on the board"
             hint = f"say 'effect:' with one or more of: {', '.join(EFFECTS)}"
         else:
             text, hint = _problem(message, message.effect, message.command in undocumented)
@@ -36,8 +36,8 @@ def _problem(message: Message, effect: Effect, is_undocumented: bool) -> tuple[s
             return text, "each case has a 'when' but the last, which holds if none does"
         for word in ("reads", "unknown"):
             if word in case.words and len(case.words) > 1:
-                text = f"{message.name} says '{word}' beside another effect"
-                return text, f"'{word}' stands alone"
+                text = f"{message.name} combines '{word}' with another effect"
+                return text, f"'{word}' excludes all others"
     if "unknown" in effect.words and not is_undocumented:
         text = f"{message.name} is described, so its effect is known"
         return text, "'unknown' is for commands with 'undocumented: true'"

@@ -28,7 +28,7 @@ def _check_units(spec: Spec, found: Diagnostics) -> None:
         unit = node.get("unit")
         if known and unit is not None and str(unit) not in known:
             hint = did_you_mean(str(unit), known) or "add it to 'units' in simplebgc.yaml"
-            found.add(node.at("unit"), "SBGC065", f"{name} is in '{unit}', no known unit", hint)
+            found.add(node.at("unit"), "SBGC065", f"{name} has the unknown unit '{unit}'", hint)
 
 
 def _check_synonyms(spec: Spec, found: Diagnostics) -> None:
@@ -37,8 +37,8 @@ def _check_synonyms(spec: Spec, found: Diagnostics) -> None:
         for word, at in zip(group, group.items_at):
             first = seen.setdefault(str(word), at)
             if first is not at:
-                text = f"'{word}' stands in two groups of synonyms (first at {first})"
-                found.add(at, "SBGC066", text, "keep it in one, or make one group of both")
+                text = f"'{word}' is in two groups of synonyms (first at {first})"
+                found.add(at, "SBGC066", text, "keep it in one, or merge the groups")
 
 
 def _check_revisions(spec: Spec, found: Diagnostics) -> None:
@@ -47,11 +47,11 @@ def _check_revisions(spec: Spec, found: Diagnostics) -> None:
     for number, node in nodes.items():
         this = (tuple(int(part) for part in number.split(".")), str(node["date"]))
         if this[0] <= before[0]:
-            text = f"revision {number} stands behind a later one"
-            found.add(nodes.at(number), "SBGC067", text, "the first revision stands first")
+            text = f"revision {number} comes after a later one"
+            found.add(nodes.at(number), "SBGC067", text, "list the oldest revision first")
         elif this[1] < before[1]:
             text = f"revision {number} is older than the one before it ({before[1]})"
-            found.add(node.at("date"), "SBGC067", text, "the first revision stands first")
+            found.add(node.at("date"), "SBGC067", text, "list the oldest revision first")
         before = this
 
 
@@ -68,8 +68,8 @@ def _check_lines(spec: Spec, found: Diagnostics) -> None:
             found.add(at, "SBGC068", message, f"the specification has {count} lines")
         for first, last in re.findall(r"\bL([0-9]+)-L([0-9]+)\b", text):
             if int(last) < int(first):
-                message = f"'L{first}-L{last}' ends before it begins"
-                found.add(at, "SBGC068", message, "the first line stands first")
+                message = f"'L{first}-L{last}' ends before it starts"
+                found.add(at, "SBGC068", message, "write the first line first")
 
 
 def _places(spec: Spec) -> Iterator[tuple[str, Position]]:

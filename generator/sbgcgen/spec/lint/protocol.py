@@ -11,7 +11,6 @@ from sbgcgen.model import (
     Layout,
     Message,
     Packed,
-    Position,
     Quantity,
     Scalar,
     Settings,
@@ -23,7 +22,7 @@ from sbgcgen.model import (
     scalar_of,
 )
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
-from sbgcgen.spec.load import Spec
+from sbgcgen.spec.load import Spec, directions_of
 
 # What the runtime counts in a byte.
 MAX_COPIES = 255
@@ -36,7 +35,6 @@ def lint(spec: Spec, layout: Layout, found: Diagnostics) -> None:
     _check_ids(spec, layout, found)
     _check_forms(layout, found)
     _check_until(layout, found)
-    _check_newest(spec, layout, found)
     _check_bodies(layout, found)
     _check_variables(layout, found)
     _check_stores(layout, found)
@@ -56,7 +54,7 @@ def _check_ids(spec: Spec, layout: Layout, found: Diagnostics) -> None:
     for direction in ("from_board", "to_board"):
         seen: dict[int, Command] = {}
         for command in layout.commands:
-            if direction not in nodes[command.name] or command.id is None:
+            if direction not in directions_of(nodes[command.name]) or command.id is None:
                 continue
             first = seen.setdefault(command.id, command)
             if first is not command:
@@ -74,7 +72,7 @@ def _check_forms(layout: Layout, found: Diagnostics) -> None:
             same = (message.command, message.direction) == (other.command, other.direction)
             if same and message.min_size <= other.max_size and other.min_size <= message.max_size:
                 text = f"{message.name} and {other.name} can have the same size"
-                hint = f"forms are told apart by size; see {other.at}"
+                hint = f"forms are distinguished by size; see {other.at}"
                 found.add(message.at, "SBGC014", text, hint)
 
 
@@ -86,7 +84,7 @@ def _check_until(layout: Layout, found: Diagnostics) -> None:
         if until is None:
             continue
         if not until.versions.firmware > message.since.firmware or until.versions.board:
-            text = f"{message.name} ends before it begins"
+            text = f"{message.name} ends before it starts"
             hint = "write 'until: {firmware: 2.68b7}', later than its 'since'"
             found.add(until.at, "SBGC047", text, hint)
         other = by_key.get((until.instead, message.direction))
@@ -97,7 +95,7 @@ def _check_until(layout: Layout, found: Diagnostics) -> None:
             found.add(until.at, "SBGC047", text, f"see {other.at}")
         answers = [m.answer.messages if m.answer else () for m in (message, other)]
         if answers[0] != answers[1]:
-            text = f"{other.name}, which takes the place of {message.name}, is answered otherwise"
+            text = f"{other.name}, which replaces {message.name}, has a different answer"
             found.add(until.at, "SBGC047", text, f"see {other.at}")
         fields = {f.name: f for f in other.fields}
         for field in message.fields:
@@ -123,13 +121,6 @@ def _can_hold(wide: Field, narrow: Field) -> bool:
     if holds is None or holds.minimum is None or holds.maximum is None:
         return False
     return holds.minimum <= has.minimum and has.maximum <= holds.maximum
-
-
-def _check_newest(spec: Spec, layout: Layout, found: Diagnostics) -> None:
-    node = spec.main.get("protocol", {})
-    if "newest_firmware" in node and not layout.newest_firmware:
-        text = f"'{node['newest_firmware']}' is not a firmware version"
-        found.add(node.at("newest_firmware"), "SBGC030", text, "write it like 2.55b5")
 
 
 def _check_bodies(layout: Layout, found: Diagnostics) -> None:
@@ -169,7 +160,7 @@ def _check_alternatives(message: Message, fields: tuple[Field, ...], found: Diag
     for field in fields:
         if field.alternative and field.alternative.source not in names:
             source = field.alternative.source.upper()
-            text = f"the unit of '{field.name}' hangs on {source}, which {message.name} has not"
+            text = f"the unit of '{field.name}' depends on {source}, which {message.name} does not have"
             found.add(field.at, "SBGC026", text, "'of' names a field of the same message")
         if isinstance(field.type, Struct):
             _check_alternatives(message, field.type.fields, found)
@@ -188,7 +179,7 @@ def _check_stores(layout: Layout, found: Diagnostics) -> None:
     by_name = {m.name: m for m in layout.messages}
     for message in layout.messages:
         if message.stores and message.stores not in by_name:
-            text = f"{message.name} stores '{message.stores}', which is no message"
+            text = f"{message.name} stores '{message.stores}', which is not a message"
             found.add(message.at, "SBGC021", text, did_you_mean(message.stores, by_name))
 
 
@@ -206,14 +197,14 @@ def _check_roles(layout: Layout, found: Diagnostics) -> None:
     for struct in (s for family in layout.families for s in family.structs):
         for field in struct.fields:
             if field.role:
-                text = f"the role of '{field.name}' is lost inside of {struct.name}"
+                text = f"the role of '{field.name}' is lost inside {struct.name}"
                 found.add(field.at, "SBGC037", text, "only fields of a message have a role")
     for message in layout.messages:
         if message.same_as or message.name in stored:
             continue
         for field in message.fields:
             if field.role and not (field.role == "copy" and id(message) in readers):
-                text = f"{message.name} is neither settings nor asks for them"
+                text = f"{message.name} neither holds nor requests settings"
                 found.add(field.at, "SBGC037", text, "a 'role' belongs to what a message 'stores'")
 
 
@@ -222,22 +213,24 @@ def _check_copies(settings: Settings, found: Diagnostics) -> None:
     for message in (settings.message, *settings.readers):
         copies = [f for f in message.fields if f.role == "copy"]
         for extra in copies[1:]:
-            text = f"{message.name} has two fields that say which copy it is about"
-            found.add(extra.at, "SBGC037", text, "one of them is the one that counts")
+            text = f"{message.name} has two fields that select its copy"
+            found.add(extra.at, "SBGC037", text, "only one field may select the copy")
         field = copies[0] if copies else None
         if field is None and own is not None:
-            text = f"{message.name} does not say which copy of {settings.message.name} it asks for"
+            text = f"{message.name} does not say which copy of {settings.message.name} it requests"
             found.add(message.at, "SBGC037", text, "mark its field with 'role: copy'")
         if field is None:
             continue
         is_number = isinstance(field.type, Scalar) and field.dim == "one" and field.when is None
         is_limited = field.maximum is not None and field.maximum < MAX_COPIES
         if not is_number or field.is_counter or field.minimum != 0 or not is_limited:
-            text = f"'{field.name}' can not count the copies of the settings"
-            hint = f"it is one integer with a range within 0..{MAX_COPIES - 1} that begins at 0"
+            text = f"'{field.name}' cannot count the copies of the settings"
+            hint = f"it is one integer with a range within 0..{MAX_COPIES - 1} that starts at 0"
             found.add(field.at, "SBGC037", text, hint)
         elif own is not None and own.maximum not in (None, field.maximum):
-            text = f"'{field.name}' and '{own.name}' of {settings.message.name} have other ranges"
+            text = (
+                f"'{field.name}' and '{own.name}' of {settings.message.name} have different ranges"
+            )
             found.add(field.at, "SBGC037", text, "both count the same copies")
 
 
@@ -250,14 +243,16 @@ def _check_marked(settings: Settings, found: Diagnostics) -> None:
         scalar = getattr(field.type, "scalar", field.type)
         is_number = isinstance(scalar, Scalar) and not scalar.is_float
         if not is_number or field.dim != "one" or field.when is not None:
-            text = f"'{field.name}' is no integer that always stands there"
+            text = f"'{field.name}' is not an integer that is always present"
             found.add(field.at, "SBGC037", text, f"only one integer has the role '{field.role}'")
         elif field.is_counter or field.name in shaping:
-            text = f"'{field.name}' says what else there is in {settings.message.name}"
-            found.add(field.at, "SBGC037", text, f"nothing hangs on a field of role '{field.role}'")
+            text = f"'{field.name}' determines the layout of {settings.message.name}"
+            found.add(
+                field.at, "SBGC037", text, f"no layout depends on a field of role '{field.role}'"
+            )
         elif field.offset is None:
-            text = f"'{field.name}' has no fixed place"
-            found.add(field.at, "SBGC037", text, "put it in front of what varies")
+            text = f"'{field.name}' has no fixed offset"
+            found.add(field.at, "SBGC037", text, "put it before the fields of varying size")
         elif field.role == "general" and settings.copies == 1:
             text = f"there is only one copy of {settings.message.name}"
             hint = "without a field with 'role: copy' all settings are those of the whole board"

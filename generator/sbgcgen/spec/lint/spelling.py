@@ -7,10 +7,10 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-from sbgcgen.model import Position
+from sbgcgen.model import COMMAND_IDS, Position
 from sbgcgen.spec.diagnostics import Diagnostics
 from sbgcgen.spec.load import Map, Spec
-from sbgcgen.spec.resolve.types import COMMAND_ID, VARIABLE_ID
+from sbgcgen.spec.resolve.types import VARIABLE_ID
 
 # Types of the spec begin with an upper-case letter, what is built in does not.
 _BUILT_IN = re.compile(r"[a-z]")
@@ -22,7 +22,7 @@ _SIMILAR = 0.85
 
 def lint_spelling(spec: Spec, found: Diagnostics) -> None:
     """Check the names of fields and of named values; findings go into `found`."""
-    leaf_types = {COMMAND_ID, VARIABLE_ID}
+    leaf_types = {*COMMAND_IDS.values(), VARIABLE_ID}
     for section in ("quantities", "enums", "flags", "packed"):
         leaf_types.update(name for _, name, _, _ in spec.entries(section))
     for content in spec.families.values():
@@ -66,8 +66,8 @@ def _check_prefix(name: str, node: Map, found: Diagnostics) -> None:
     if not prefix:
         return
     if not any(value.startswith(prefix) for value in values):
-        message = f"no value of {name} begins with '{prefix}'"
-        found.add(node.at("prefix"), "SBGC054", message, "leave 'prefix' out, or mend it")
+        message = f"no value of {name} starts with '{prefix}'"
+        found.add(node.at("prefix"), "SBGC054", message, "leave 'prefix' out, or correct it")
         return
     for value in values:
         begin = value[: len(prefix)]

@@ -51,6 +51,7 @@ def _check_unused(spec: Spec, nodes: list[Map], found: Diagnostics) -> None:
     used = {
         node[key] for node in nodes for key in ("type", "names", "extends") if _is_text(node, key)
     }
+    used |= set(spec.main.get("versions", Map()).values())
     for section, kind in _TYPES.items():
         for _, name, _, at in spec.entries(section):
             if name not in used:
@@ -97,6 +98,6 @@ def _check_texts(spec: Spec, nodes: list[Map], found: Diagnostics) -> None:
         for key in ("summary", "description"):
             for name in _COMMAND.findall(node[key]) if _is_text(node, key) else ():
                 if name not in commands | fields:
-                    message = f"the {key} speaks of {name}, which does not exist"
+                    message = f"the {key} mentions {name}, which does not exist"
                     hint = did_you_mean(name, commands) or "name a command of this protocol"
                     found.add(node.at(key), "SBGC052", message, hint)

@@ -1,59 +1,41 @@
-"""Resolves what answers a request, the roles of messages, and the line they travel over."""
+"""Resolves what answers a request."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from fractions import Fraction
 from typing import Any
 
 from sbgcgen.model import (
+    COMMAND_IDS,
     Answer,
     AnswerCase,
-    Blob,
-    Echo,
+    CorrelationField,
     Enum,
     Field,
     Growth,
-    Line,
     Message,
     Position,
-    Quantity,
-    Reply,
+    Response,
     Result,
-    Role,
     Struct,
     scalar_of,
 )
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import List, Map, Spec
 from sbgcgen.spec.resolve.fields import FieldResolver
+from sbgcgen.spec.resolve.roles import RoleResolver
 from sbgcgen.spec.resolve.types import TypeResolver
 
 # What the runtime has room for.
-MAX_ECHOES = 2
-MAX_REPLIES = 2
-MAX_CONFIG = 8
-_UNITS = {"s": 1_000_000, "ms": 1000, "us": 1}
-# The fields that a role needs, and those that it can have; then what else it has.
-_PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
-    "confirmation": (("command",), ()),
-    "error": ((), ("code", "command")),
-    "reset": ((), ()),
-    "introduction": ((), ()),
-    "details": ((), ()),
-    "stream_request": (("command", "interval", "config"), ()),
-}
-_WORDS = {
-    "reset": ("delay_ms",),
-    "stream_request": ("end", "cycle", "cycle_us", "limit", "messages"),
-}
+MAX_CORRELATION_FIELDS = 2
+MAX_RESPONSES = 2
 
 
 class AnswerResolver:
-    """What the `answer` and `role` of messages say; findings go into `found`.
+    """What the `answer` of messages says; findings go into `found`.
 
-    answer() and role() need the message's own fields, settle() all messages.
+    answer() needs the message's own fields, settle() all messages.
     """
 
     def __init__(
@@ -61,11 +43,10 @@ class AnswerResolver:
     ) -> None:
         self.types = types
         self.fields = fields
+        self.roles = RoleResolver(types.versions.versions, found)
         self.found = found
         self.defaults = spec.main.get("defaults", {})
         self.nodes: dict[Position, Map] = {}  # what was resolved, to point at its keys
-
-    # While messages are resolved
 
     def answer(self, node: Any, name: str, fields: tuple[Field, ...], at: Position) -> Answer:
         """`node` is what stands behind `answer:`, None if nothing does."""
@@ -95,7 +76,7 @@ class AnswerResolver:
         names = node.get("message", [])
         confirm = str(node.get("confirm", "never"))
         return AnswerCase(
-            when=self.fields.condition(node, list(fields), ()),
+            when=self.fields.references.condition(node, list(fields), ()),
             messages=tuple(str(n) for n in (names if isinstance(names, list) else [names])),
             confirm=confirm,
             confirmations=int(node.get("confirmations", 0 if confirm == "never" else 1)),
@@ -103,99 +84,14 @@ class AnswerResolver:
             finish_ms=int(node.get("finish_ms", 0)),
             retry_safe=node.get("retry", "unsafe") == "safe",
             restarts=node.get("then") == "restart",
-            echoes=tuple(str(name) for name in node.get("echoes", ())),
+            correlation=tuple(str(name) for name in node.get("correlation", ())),
             errata=self.types.errata(node),
             at=node.position,
         )
 
-    def role(self, node: Any, direction: str, fields: tuple[Field, ...]) -> Role | None:
-        """`node` is what stands behind `role:`."""
-        if not isinstance(node, Map):
-            return None
-        kind = str(node["is"])
-        if (kind == "stream_request") != (direction == "to_board"):
-            message = (
-                f"a message {'to' if direction == 'to_board' else 'from'} the board is no {kind}"
-            )
-            self.found.add(node.at("is"), "SBGC037", message, "move it to the other direction")
-            return None
-        self.nodes[node.position] = node
-        needed, possible = _PARTS[kind]
-        words = _WORDS.get(kind, ())
-        for word in node:
-            if word not in ("is", *needed, *possible, *words):
-                message = f"'{word}' says nothing about a role of kind {kind}"
-                known = ", ".join((*needed, *possible, *words)) or "nothing else"
-                self.found.add(node.at(word), "SBGC037", message, f"it has: {known}")
-        parts: dict[str, Field] = {}
-        for part in (*needed, *possible):
-            if part in node:
-                field = self._part(node, part, fields)
-                if field is not None:
-                    parts[part] = field
-            elif part in needed:
-                hint = f"{part}: NAME of the field"
-                self.found.add(node.position, "SBGC037", f"a {kind} has '{part}'", hint)
-        if any(part not in parts for part in needed):
-            return None
-        role = Role(kind, parts, delay_ms=int(node.get("delay_ms", 0)), at=node.position)
-        return self._stream_role(node, role) if kind == "stream_request" else role
-
-    def _part(self, node: Map, part: str, fields: tuple[Field, ...]) -> Field | None:
-        by_name = {field.spec_name: field for field in fields}
-        wanted = str(node[part])
-        field = by_name.get(wanted)
-        if field is None:
-            hint = did_you_mean(wanted, by_name) or f"known here: {', '.join(by_name) or 'none'}"
-            self.found.add(node.at(part), "SBGC037", f"'{wanted}' is no field here", hint)
-            return None
-        problem = "" if field.offset is not None and field.when is None else "has no fixed place"
-        if not problem and part == "config":
-            is_bytes = isinstance(field.type, (Struct, Blob)) and field.dim == "one"
-            if not is_bytes or field.size is None or field.size > MAX_CONFIG:
-                problem = f"does not have 1 to {MAX_CONFIG} bytes"
-        elif not problem and part == "command":
-            if not isinstance(field.type, Enum) or field.type.name != "CommandId":
-                problem = "is no command: its type is not CommandId"
-        elif not problem and part == "code":
-            if not isinstance(field.type, Enum) or field.type.scalar.size != 1:
-                problem = "is no enum of one byte"
-        elif not problem and not isinstance(field.type, Quantity):
-            problem = "is no quantity"
-        if problem:
-            hint = f"{part}: a field that every body of the message has"
-            self.found.add(node.at(part), "SBGC037", f"'{wanted}' {problem}", hint)
-            return None
-        return field
-
-    def _stream_role(self, node: Map, role: Role) -> Role | None:
-        quantity = role.parts["interval"].type
-        assert isinstance(quantity, Quantity)
-        unit = _UNITS.get(quantity.unit or "", 0) * quantity.scale
-        if not unit or unit.denominator != 1 or quantity.offset != Fraction(0):
-            message = f"'{node['interval']}' is not in whole microseconds"
-            hint = "its unit is s, ms or us"
-            self.found.add(node.at("interval"), "SBGC037", message, hint)
-            return None
-        if "messages" not in node or ("cycle" in node) != ("cycle_us" in node):
-            hint = "messages: [NAME, …]; cycle and cycle_us stand together or not at all"
-            self.found.add(node.position, "SBGC037", "a stream_request lacks something", hint)
-            return None
-        return replace(
-            role,
-            messages=tuple(str(name) for name in node["messages"]),
-            interval_us=int(unit),
-            end=int(node.get("end", 0)),
-            cycle=node.get("cycle"),
-            cycle_us=int(node.get("cycle_us", 0)),
-            limit=int(node.get("limit", 0)),
-        )
-
-    # When all messages are there
-
     def settle(self, messages: list[Message]) -> list[Message]:
         """Completes answers and roles with what the board's messages are like."""
-        self._check_roles(messages)
+        self.roles.check(messages)
         board = {m.name: m for m in messages if m.direction == "from_board"}
         confirmations = [m for m in messages if m.role and m.role.kind == "confirmation"]
         confirmation = confirmations[0] if confirmations else None
@@ -206,44 +102,20 @@ class AnswerResolver:
                 cases = [self._settle(c, message, board, confirmation) for c in answer.cases]
                 answer = Answer(tuple(cases))
             if role is not None and role.messages:
-                known = [self._board(n, board, role.at, "messages") for n in role.messages]
-                streams = tuple(_reply(message, m) for m in known if m is not None)
+                known = [
+                    self._board(n, board, self.roles.nodes[role.at].at("messages"))
+                    for n in role.messages
+                ]
+                streams = tuple(_response(message, m) for m in known if m is not None)
                 role = replace(role, streams=streams)
             result.append(replace(message, answer=answer, role=role))
         return result
 
-    def _check_roles(self, messages: list[Message]) -> None:
-        first: dict[str, Message] = {}
-        for message in messages:
-            if message.role is None:
-                continue
-            other = first.setdefault(message.role.kind, message)
-            if other.command != message.command or (
-                other is not message and message.role.kind != "error"
-            ):
-                text = f"{message.name} has the role of {other.name}: {message.role.kind}"
-                self.found.add(
-                    message.role.at,
-                    "SBGC037",
-                    text,
-                    f"see {other.role.at if other.role else other.at}",
-                )
-            elif other.role and other is not message:
-                codes = [role.parts.get("code") for role in (other.role, message.role)]
-                types = [code.type if code else None for code in codes]
-                if types[0] != types[1]:
-                    text = f"{message.name} has no code of the type that {other.name} has"
-                    self.found.add(message.role.at, "SBGC037", text, f"see {other.role.at}")
-
-    def _board(
-        self, name: str, board: dict[str, Message], at: Position, key: str
-    ) -> Message | None:
-        """The board's message that the `key` of the node at `at` names."""
+    def _board(self, name: str, board: dict[str, Message], at: Position) -> Message | None:
+        """The board's message that is named at `at`."""
         if name not in board:
             hint = did_you_mean(name, board) or "name a message under 'from_board'"
-            self.found.add(
-                self.nodes[at].at(key), "SBGC021", f"the board sends no message '{name}'", hint
-            )
+            self.found.add(at, "SBGC021", f"the board sends no message '{name}'", hint)
         return board.get(name)
 
     def _settle(
@@ -253,18 +125,18 @@ class AnswerResolver:
         board: dict[str, Message],
         confirmation: Message | None,
     ) -> AnswerCase:
-        answers = [self._board(n, board, case.at, "message") for n in case.messages]
-        replies = [_reply(request, message) for message in answers if message is not None]
-        if len(replies) > MAX_REPLIES:
-            text = f"{request.name} has {len(replies)} answers; {MAX_REPLIES} are possible"
+        answers = [self._board(n, board, self.nodes[case.at].at("message")) for n in case.messages]
+        responses = [_response(request, message) for message in answers if message is not None]
+        if len(responses) > MAX_RESPONSES:
+            text = f"{request.name} has {len(responses)} answers; {MAX_RESPONSES} are possible"
             at = self.nodes[case.at].at("message")
             self.found.add(at, "SBGC041", text, "let the forms of one message be one answer")
         by_name = {field.spec_name: field for field in request.fields}
-        confirmed: Echo | None = None
-        at = self.nodes[case.at].at("echoes") if case.echoes else case.at
-        for name in case.echoes:
+        confirmed: CorrelationField | None = None
+        at = self.nodes[case.at].at("correlation") if case.correlation else case.at
+        for name in case.correlation:
             field = by_name.get(name)
-            problem = _why_not_echoed(field)
+            problem = _why_not_repeated(field)
             if field is None or problem:
                 hint = did_you_mean(name, by_name) if field is None else ""
                 hint = hint or "name a number of the request"
@@ -276,59 +148,29 @@ class AnswerResolver:
                 if offset is None:
                     continue
                 found = True
-                echo = Echo(field, offset, field.size or 0)
-                replies[index] = replace(replies[index], echoes=(*replies[index].echoes, echo))
+                repeated = CorrelationField(field, offset, field.size or 0)
+                responses[index] = replace(
+                    responses[index], correlation=(*responses[index].correlation, repeated)
+                )
             if case.confirm != "never" and confirmation is not None:
                 data = confirmation_data(confirmation, request.command)
                 for other, offset in data:
                     if other.spec_name == field.spec_name and other.size == field.size:
-                        found, confirmed = True, Echo(field, offset, field.size or 0)
+                        found, confirmed = True, CorrelationField(field, offset, field.size or 0)
             if not found:
                 text = f"what answers {request.name} does not have '{name}' in a fixed place"
-                hint = "a field of the same name and size, in front of what varies"
+                hint = "a field of the same name and size, before the fields of varying size"
                 self.found.add(at, "SBGC036", text, hint)
-        if len(case.echoes) > MAX_ECHOES:
-            text = f"{len(case.echoes)} fields of {request.name} are repeated"
-            self.found.add(at, "SBGC036", text, f"at most {MAX_ECHOES} are possible")
+        if len(case.correlation) > MAX_CORRELATION_FIELDS:
+            text = f"{len(case.correlation)} fields of {request.name} are repeated"
+            self.found.add(at, "SBGC036", text, f"at most {MAX_CORRELATION_FIELDS} are possible")
         result = None
         if case.confirm != "never" and confirmation is not None:
             result = _result(confirmation, request.command)
-        return replace(case, replies=tuple(replies), confirmation=confirmed, result=result)
-
-    # The line
-
-    def line(self, node: Any) -> Line:
-        """`node` is what stands behind `line:` in the main file, None if nothing does."""
-        if not isinstance(node, Map):
-            return Line((), 0, (), 0, 0, "", ())
-        named: list[int] = []
-        if "baud_rates" in node:
-            enum = self.types.enum_named(str(node["baud_rates"]), node.at("baud_rates"))
-            named = [value.number for value in enum.values if value.number] if enum else []
-            if enum and not named:
-                text = f"no value of {enum.name} has a 'number'"
-                self.found.add(node.at("baud_rates"), "SBGC038", text, f"see {enum.at}")
-        for rate in node.get("more_baud_rates", ()):
-            if rate in named:
-                text = f"{rate} is one of {node['baud_rates']}"
-                self.found.add(node.at("more_baud_rates"), "SBGC038", text, "leave it out")
-        low, _, high = str(node["pause_ms"]).partition("..")
-        if int(low) > int(high):
-            text = "the break behind each command is upside down"
-            self.found.add(node.at("pause_ms"), "SBGC017", text, f"write {high}..{low}")
-        return Line(
-            baud_rates=(*named, *node.get("more_baud_rates", ())),
-            named=len(named),
-            parities=tuple(str(parity) for parity in node["parities"]),
-            shortest_pause_ms=int(low),
-            longest_pause_ms=int(high),
-            source=str(node["source"]),
-            errata=self.types.errata(node),
-            at=node.position,
-        )
+        return replace(case, responses=tuple(responses), confirmation=confirmed, result=result)
 
 
-def _why_not_echoed(field: Field | None) -> str:
+def _why_not_repeated(field: Field | None) -> str:
     if field is None:
         return "does not exist"
     scalar = scalar_of(field.type)
@@ -367,7 +209,7 @@ def _result(confirmation: Message, command: str) -> Result | None:
     return None
 
 
-def _reply(request: Message, message: Message) -> Reply:
+def _response(request: Message, message: Message) -> Response:
     """What the board's message is like when this request makes the board send it."""
     known = {
         context.name: path
@@ -381,7 +223,7 @@ def _reply(request: Message, message: Message) -> Reply:
         if when and when.from_context and when.source in known and field.size is not None:
             path = known[when.source]
             growth.append(Growth(path, _is_optional(path, request.fields), when, field.size))
-    return Reply(
+    return Response(
         message=message.name,
         id=message.id,
         is_error=message.form == "error",

@@ -33,7 +33,7 @@ _STEP = re.compile(r"\.?([a-z_][a-z0-9_]*)|\[([0-9]+)\]")
 
 
 class _Unfit(Exception):
-    """A value that its field can not have."""
+    """A value that its field cannot have."""
 
     def __init__(self, problem: str, hint: str) -> None:
         super().__init__(problem)
@@ -85,7 +85,7 @@ class ExampleReader:
         return result
 
     def _is_broken(self, type_: Type) -> bool:
-        """Whether values of a type can not be read, because another finding has to go first."""
+        """Whether values of a type cannot be read, because another finding has to go first."""
         if isinstance(type_, Struct):
             return any(self._is_broken(member.type) for member in type_.fields)
         return isinstance(type_, Packed) and type_.name in self._broken
@@ -168,7 +168,7 @@ def _single(field: Field, type_: Type, node: Any) -> Any:
     if isinstance(type_, Blob):
         return _blob(type_, node)
     if isinstance(type_, Announced):
-        raise _Unfit("can not be given", "its type is announced by another message")
+        raise _Unfit("cannot be given", "its type is announced by another message")
     scalar = type_ if isinstance(type_, Scalar) else type_.scalar
     if isinstance(type_, Packed):
         value: Any = _packed(type_, node)
@@ -182,7 +182,7 @@ def _single(field: Field, type_: Type, node: Any) -> Any:
 
 def _struct(type_: Struct, node: Any) -> dict[str, Any]:
     if not isinstance(node, Map):
-        raise _Unfit("is no mapping", "give an element like {param_id: P_ROLL, param_value: 20}")
+        raise _Unfit("is not a mapping", "give an element like {param_id: P_ROLL, param_value: 20}")
     members = {member.name: member for member in type_.fields}
     for name in node:
         if name not in members:
@@ -219,7 +219,7 @@ def _enum(type_: Enum, node: Any) -> int:
     for name in node if isinstance(node, list) else [node]:
         if str(name) not in names:
             hint = did_you_mean(str(name), names) or f"name values of {type_.name}"
-            raise _Unfit(f"is '{name}', which is no value of {type_.name}", hint)
+            raise _Unfit(f"is '{name}', which is not a value of {type_.name}", hint)
         result = result | names[str(name)] if type_.kind == "flags" else names[str(name)]
     return result
 
@@ -248,7 +248,7 @@ def _part(part: Part, node: Any) -> int:
     try:
         value = _enum(part.enum, node) if part.enum else int(node)
     except (TypeError, ValueError):
-        text = f"has '{node}' as '{part.name}', which is no whole number"
+        text = f"has '{node}' as '{part.name}', which is not an integer"
         raise _Unfit(text, "give a number") from None
     if part.is_digits:
         if value < 0 or (part.modulo and value >= part.modulo):
@@ -263,7 +263,7 @@ def _number(type_: Type, scalar: Scalar, node: Any) -> int | float:
     try:
         real = Fraction(str(node))
     except (ValueError, ZeroDivisionError):
-        raise _Unfit(f"is '{node}', which is no number", "write it like -12.5") from None
+        raise _Unfit(f"is '{node}', which is not a number", "write it like -12.5") from None
     if isinstance(type_, Quantity):
         real = (real - type_.offset) / type_.scale
     elif real.denominator != 1 and not scalar.is_float:
@@ -280,4 +280,4 @@ def _check(field: Field, scalar: Scalar, value: int | float) -> None:
     if (low is not None and value < low) or (high is not None and value > high):
         raise _Unfit(f"is {value} on the wire, out of its range", f"it goes from {low} to {high}")
     if field.align != 1 and value % field.align:
-        raise _Unfit(f"is {value}, which is no multiple of {field.align}", "round it")
+        raise _Unfit(f"is {value}, which is not a multiple of {field.align}", "round it")

@@ -1,61 +1,34 @@
-"""Resolves lists of fields: types, repetitions, offsets, conditions and limits."""
+"""Resolves lists of fields: types, repetitions and offsets; and the structs made of them."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
 from dataclasses import replace
-from fractions import Fraction
 from typing import Any
 
 from sbgcgen.model import (
     SCALARS,
-    Alternative,
     Announced,
-    Announcement,
     Availability,
     Blob,
-    Condition,
     Context,
-    Enum,
     Field,
-    Leaf,
-    Packed,
     Position,
-    Quantity,
-    Scalar,
-    Special,
     Struct,
     Type,
-    scalar_of,
 )
 from sbgcgen.model.names import FieldName, parse_field_name, snake_case, type_advice
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Map, Spec
 from sbgcgen.spec.resolve.examples import ExampleReader
-from sbgcgen.spec.resolve.types import VARIABLE_ID, TypeResolver, parse_bits
+from sbgcgen.spec.resolve.limits import LimitResolver
+from sbgcgen.spec.resolve.references import ReferenceResolver
+from sbgcgen.spec.resolve.sizes import min_size, min_size_of, size_of, total_size
+from sbgcgen.spec.resolve.types import TypeResolver, parse_bits
 
 _BLOB = re.compile(r"(bytes|text(?=\[[0-9]))\[([1-9][0-9]{0,5})?\]$")
 _ANNOUNCED = re.compile(r"announced\(([A-Z][A-Z0-9_]*)\)$")
-_RANGE = re.compile(r"(-?[0-9]+(?:\.[0-9]+)?)\.\.(-?[0-9]+(?:\.[0-9]+)?)$")
-
-
-def _size_of(type_: Type) -> int | None:
-    scalar = scalar_of(type_)
-    if scalar is not None:
-        return scalar.size
-    if isinstance(type_, Announced):
-        return None
-    assert isinstance(type_, (Blob, Struct))
-    return None if isinstance(type_, Blob) and type_.kind == "string" else type_.size
-
-
-def _min_size_of(type_: Type) -> int:
-    if isinstance(type_, Struct):
-        return type_.min_size
-    if isinstance(type_, Blob) and type_.kind == "string":
-        return 1
-    return _size_of(type_) or 0
 
 
 class FieldResolver:
@@ -68,7 +41,8 @@ class FieldResolver:
         self.max_body = max_body
         self.examples = ExampleReader(found, types.broken)
         self.structs: dict[str, Struct] = {}
-        self._variable_ids = types.types.enums[VARIABLE_ID]
+        self.references = ReferenceResolver(types, found)
+        self.limits = LimitResolver(types, found)
         self.indices: dict[str, tuple[str, ...]] = {
             name: tuple(words) for name, words in spec.main.get("indices", {}).items()
         }
@@ -110,6 +84,12 @@ class FieldResolver:
                 at=at,
             )
         return self.structs[name]
+
+    def all_structs(self) -> list[Struct]:
+        """Those that nothing has used yet, too."""
+        for name in self._nodes:
+            self.struct(name)
+        return list(self.structs.values())
 
     def _region_rest(self, node: Map, fields: tuple[Field, ...]) -> Field:
         """The member that keeps what the conditional fields of a region do not use."""
@@ -250,16 +230,16 @@ class FieldResolver:
             return None
         is_reserved = shorthand or bool(node.get("reserved", False))
         dim, count, index, counter = self._dimension(name, at, earlier, in_struct)
-        size = _size_of(type_)
+        size = size_of(type_)
         if isinstance(type_, Blob) and size is None and type_.kind != "string":
             dim = "rest"
         max_count = node.get("max_count")
         if dim == "fixed" and index and "min_count" in node:  # the first ones of those named
             dim, count, max_count = "rest", 0, count
         whole = None if size is None or dim in ("counted", "rest") else size * count
-        when = self.condition(node, earlier, contexts)
-        minimum, maximum, special = self._limits(node, type_, text)
-        smallest = max(1, _min_size_of(type_))
+        when = self.references.condition(node, earlier, contexts)
+        minimum, maximum, special = self.limits.limits(node, type_, text)
+        smallest = max(1, min_size_of(type_))
         before = sum(f.size or 0 for f in earlier if not f.is_variable)
         capacity = max(0, (self.max_body - before) // smallest)
         field = Field(
@@ -279,12 +259,12 @@ class FieldResolver:
             special=special,
             min_count=int(node.get("min_count", 0)),
             max_count=max_count,
-            variable=self._variable(node, earlier),
+            variable=self.references.variable(node, earlier),
             align=int(node.get("align", 1)),
             reserved=is_reserved,
             optional=False,
             when=when,
-            alternative=self._alternative(node, earlier, in_struct),
+            alternative=self.references.alternative(node),
             since=self.types.availability(node),
             deprecated=self.types.deprecation(node),
             summary="Reserved; kept as it is."
@@ -298,7 +278,7 @@ class FieldResolver:
 
     def _check_broken(self, node: Map, at: Position, text: str, owner: str) -> None:
         """What else is wrong with a field that has no name or type, whatever they should be."""
-        self._limits(node, SCALARS["f32"], text)
+        self.limits.limits(node, SCALARS["f32"], text)
         self.types.availability(node)
         self.types.deprecation(node)
         if not node.get("reserved"):
@@ -331,144 +311,11 @@ class FieldResolver:
         names = {f.spec_name: f for f in earlier}
         if name.index not in names:
             hint = did_you_mean(name.index, [*names, *self.indices])
-            hint = hint or "a list is counted by a field that stands in front of it"
+            hint = hint or "a list is counted by a field before it"
             message = f"'{name.index}' is neither an index nor an earlier field"
             self.found.add(at, "SBGC025", message, hint)
             return "fixed", 1, (), ""
         return "counted", 0, (), names[name.index].name
-
-    def _limits(
-        self, node: Map, type_: Type, text: str
-    ) -> tuple[Fraction | None, Fraction | None, tuple[Special, ...]]:
-        at = node.at("range")
-        special = self._special(node)
-        minimum = maximum = None
-        scalar = scalar_of(type_)
-        if "range" in node:
-            match = _RANGE.match(str(node["range"]))
-            if match is None or scalar is None:
-                hint = "write it like 0..100, for a number"
-                self.found.add(at, "SBGC017", f"the range of {text} makes no sense", hint)
-            else:
-                minimum, maximum = Fraction(match[1]), Fraction(match[2])
-                if minimum > maximum:
-                    hint = f"write {match[2]}..{match[1]}"
-                    self.found.add(at, "SBGC017", f"the range of {text} is upside down", hint)
-                if not scalar.is_float and minimum.denominator * maximum.denominator != 1:
-                    message = f"the range of {text} is not one of whole numbers"
-                    self.found.add(at, "SBGC017", message, "the range is in raw wire values")
-                if not scalar.is_float and not (_fits(scalar, minimum) and _fits(scalar, maximum)):
-                    message = f"the range of {text} goes beyond {scalar.name}"
-                    self.found.add(at, "SBGC017", message, "the range is in raw wire values")
-        for entry in special:
-            where = node["special"].at(str(entry.value)) if isinstance(node["special"], Map) else at
-            if scalar is None or not _fits(scalar, Fraction(entry.value)):
-                message = f"the special value {entry.value} of {text} does not fit its type"
-                self.found.add(where, "SBGC017", message, "it is a raw wire value")
-            elif minimum is not None and maximum is not None:
-                if minimum <= entry.value <= maximum and not node.get("special_in_range"):
-                    message = f"the special value {entry.value} of {text} lies inside its range"
-                    hint = "narrow the range, or mark it with 'special_in_range: true'"
-                    self.found.add(where, "SBGC018", message, hint)
-        return minimum, maximum, special
-
-    def _special(self, node: Map) -> tuple[Special, ...]:
-        """The special values, which are texts, or mappings that give them a name in C++."""
-        result = []
-        for key, content in (node.get("special") or {}).items():
-            if not isinstance(content, Map):
-                result.append(Special(int(key), str(content), at=node["special"].at(key)))
-                continue
-            at = content.at("as")
-            name = self.types.identifier(str(content["as"]), at)
-            text = self.types.summary(content, content.position, f"the special value {key}")
-            result.append(Special(int(key), text, name, at))
-        return tuple(result)
-
-    def _variable(self, node: Map, earlier: list[Field]) -> str:
-        """The earlier field with the id of the adjustable variable that this is the value of."""
-        wanted = str(node.get("variable", ""))
-        for field in earlier:
-            if wanted and field.spec_name == wanted and field.type == self._variable_ids:
-                return field.name
-        if wanted:
-            message = f"'{wanted}' is no earlier field of type {VARIABLE_ID}"
-            self.found.add(node.at("variable"), "SBGC026", message)
-        return ""
-
-    def condition(
-        self, node: Map, earlier: list[Field], contexts: tuple[Context, ...]
-    ) -> Condition | None:
-        """The `when` of a node, about a context or one of the `earlier` fields."""
-        when = node.get("when")
-        if not isinstance(when, Map):
-            return None
-        from_context = "context" in when
-        key = "context" if from_context else "field"
-        wanted = str(when.get(key))
-        found: dict[str, tuple[str, Type, bool]] = (
-            {c.name.upper(): (c.name, c.type, False) for c in contexts if c.type is not None}
-            if from_context
-            else {
-                f.spec_name: (f.name, f.type, f.when is not None) for f in earlier if f.dim == "one"
-            }
-        )
-        unknown = {c.name.upper() for c in contexts if c.type is None and c.announced is None}
-        if from_context and wanted in unknown:
-            return None  # its type is reported where it is named
-        if wanted not in found:
-            hint = did_you_mean(wanted, found) or f"known here: {', '.join(found) or 'none'}"
-            self.found.add(when.at(key), "SBGC026", f"'{wanted}' is no earlier {key}", hint)
-            return None
-        source, type_, conditional = found[wanted]
-        if not isinstance(type_, Enum):
-            message = f"'{wanted}' is neither an enum nor a flag set"
-            self.found.add(when.at(key), "SBGC026", message, "a condition needs named values")
-            return None
-        word = "has" if type_.kind == "flags" else "is"
-        if word not in when:
-            message = f"'{wanted}' is {'a flag set' if word == 'has' else 'an enum'}"
-            self.found.add(when.position, "SBGC026", message, f"use '{word}' for it")
-            return None
-        flags, values = (
-            self._values(type_, when, word) if word in when else () for word in ("has", "is")
-        )
-        mask = 0
-        for flag in flags:
-            mask |= flag.value
-        if flags and not mask:
-            message = f"{flags[0].name} has no bits, so it is always set"
-            self.found.add(when.at("has"), "SBGC026", message, "a condition needs bits to look at")
-        missing = bool(when.get("may_be_missing", False))
-        return Condition(source, from_context, mask, values, flags, type_, missing, conditional)
-
-    def _values(self, enum: Enum, node: Map, key: str) -> tuple[Any, ...]:
-        names = node[key] if isinstance(node[key], list) else [node[key]]
-        by_name = {v.name: v for v in enum.values}
-        for name in names:
-            if name not in by_name:
-                hint = did_you_mean(str(name), by_name) or f"see {enum.at}"
-                self.found.add(node.at(key), "SBGC026", f"{enum.name} has no value '{name}'", hint)
-        return tuple(by_name[n] for n in names if n in by_name)
-
-    def _alternative(self, node: Map, earlier: list[Field], in_struct: bool) -> Alternative | None:
-        other = node.get("alternative")
-        if not isinstance(other, Map):
-            return None
-        quantity = self.types.types.quantities.get(str(other["type"]))
-        if quantity is None:
-            hint = did_you_mean(str(other["type"]), self.types.types.quantities)
-            hint = hint or "name one under 'quantities'"
-            self.found.add(other.at("type"), "SBGC010", f"unknown quantity '{other['type']}'", hint)
-            return None
-        for enum in self.types.types.enums.values():
-            for value in enum.values if enum.kind == "flags" else ():
-                if value.name == other["flag"]:
-                    return Alternative(quantity, snake_case(str(other["of"])), value.value, value)
-        flags = [v.name for e in self.types.types.enums.values() for v in e.values]
-        hint = did_you_mean(str(other["flag"]), flags) or "name a value of a flag set"
-        self.found.add(other.at("flag"), "SBGC026", f"there is no flag '{other['flag']}'", hint)
-        return None
 
     # Checks
 
@@ -486,7 +333,7 @@ class FieldResolver:
         for field, following in zip(fields, fields[1:]):
             if field.dim == "rest":
                 message = f"'{field.name}' of {owner} takes the rest of the body but is not last"
-                self.found.add(following.at, "SBGC027", message, "move it behind everything else")
+                self.found.add(following.at, "SBGC027", message, "move it to the end")
 
 
 def _inline_structs(spec: Spec) -> Iterator[tuple[str, Map]]:
@@ -505,12 +352,6 @@ def _inline_structs(spec: Spec) -> Iterator[tuple[str, Map]]:
             yield family, node
 
 
-def _fits(scalar: Scalar, value: Fraction) -> bool:
-    if scalar.minimum is None or scalar.maximum is None:
-        return True
-    return scalar.minimum <= value <= scalar.maximum
-
-
 def _number_reserved(fields: list[Field]) -> list[Field]:
     result = []
     number = 0
@@ -525,125 +366,3 @@ def _number_reserved(fields: list[Field]) -> list[Field]:
 def _mark_counters(fields: list[Field]) -> list[Field]:
     counters = {f.counter for f in fields if f.counter}
     return [replace(f, is_counter=True) if f.name in counters else f for f in fields]
-
-
-def announceable_types(announcement: Announcement, fields: tuple[Field, ...]) -> tuple[str, ...]:
-    """The types that a message can announce; none if it does not have what announces them."""
-
-    def find(name: str, members: tuple[Field, ...], dim: str) -> Type | None:
-        return next((f.type for f in members if (f.name, f.dim, f.when) == (name, dim, None)), None)
-
-    element = find(announcement.list, fields, "counted")
-    if not isinstance(element, Struct):
-        return ()
-    member, _, part = announcement.kind.partition(".")
-    count = find(announcement.count, element.fields, "one")
-    kind = find(member, element.fields, "one")
-    if isinstance(kind, Packed):
-        kind = next((p.enum for p in kind.parts if p.name == part), None)
-    elif part:
-        return ()
-    counts = isinstance(count, Scalar) and count.minimum == 0
-    return tuple(v.wire for v in kind.values if v.wire) if counts and isinstance(kind, Enum) else ()
-
-
-def total_size(fields: tuple[Field, ...]) -> int | None:
-    """Size of a list of fields in bytes, None if it varies."""
-    total = 0
-    for field in fields:
-        if field.is_variable or field.size is None:
-            return None
-        total += field.size
-    return total
-
-
-def min_size(fields: tuple[Field, ...]) -> int:
-    """The fewest bytes that a list of fields takes."""
-    return sum(_min_field(field) for field in fields if field.when is None)
-
-
-def _min_field(field: Field) -> int:
-    if field.dim in ("counted", "rest"):
-        return field.min_count * (_size_of(field.type) or 1)
-    return _min_size_of(field.type) * field.count
-
-
-def max_size(fields: tuple[Field, ...], limit: int) -> int:
-    """The most bytes that the specification describes, at most `limit`."""
-    total = 0
-    by_name = {field.name: field for field in fields}
-    for field in fields:
-        if field.dim in ("counted", "rest"):
-            count = field.max_count
-            if field.counter and by_name[field.counter].maximum is not None:
-                maximum = by_name[field.counter].maximum
-                assert maximum is not None
-                count = int(maximum)
-            if count is None:
-                return limit
-            total += count * (_size_of(field.type) or 1)
-        elif field.size is None:
-            return limit
-        else:
-            total += field.size
-    return min(total, limit)
-
-
-def expand_name(spec_name: str, word: str) -> str:
-    """SPEED_{AXIS} with ROLL -> SPEED_ROLL."""
-    return re.sub(r"\{[^}]*\}", word, spec_name)
-
-
-def leaves(
-    fields: tuple[Field, ...], path: str = "", base: int | None = 0, word: str = ""
-) -> Iterator[Leaf]:
-    """The leaves of a list of fields in wire order, every index written out."""
-    for field in fields:
-        offset = None if base is None or field.offset is None else base + field.offset
-        yield from _field_leaves(field, path + field.name, offset, word)
-
-
-def _field_leaves(field: Field, path: str, offset: int | None, word: str) -> Iterator[Leaf]:
-    element = _size_of(field.type)
-
-    def one(path: str, offset: int | None, word: str, count: int | None) -> Iterator[Leaf]:
-        if isinstance(field.type, Struct) and field.type.is_region:
-            cases = tuple(leaves(field.type.fields[:-1], f"{path}.", None, word))
-            cases = tuple(replace(case, offset=offset) for case in cases)
-            yield Leaf(path, field, field.spec_name, "bytes", field.type.size, offset, cases)
-            return
-        if isinstance(field.type, Struct):
-            yield from leaves(field.type.fields, f"{path}.", offset, word)
-            return
-        scalar = scalar_of(field.type)
-        if isinstance(field.type, Announced):
-            yield Leaf(path, field, field.spec_name, "bytes", None, offset)
-            return
-        if isinstance(field.type, Blob):
-            name, amount = field.type.kind, field.type.size if field.type.kind != "string" else None
-        else:
-            assert scalar is not None
-            name, amount = scalar.name, count
-        yield Leaf(path, field, expand_name(field.spec_name, word), name, amount, offset)
-
-    def step(i: int) -> int | None:
-        return None if offset is None or element is None else offset + i * element
-
-    if field.dim in ("counted", "rest") and not field.index:
-        suffix = "[]" if isinstance(field.type, Struct) else ""
-        for leaf in one(path + suffix, offset, word, None):
-            yield replace(leaf, count=None)
-    elif field.dim in ("fixed", "rest"):
-        if not field.index and not isinstance(field.type, (Struct, Blob)):
-            yield from one(path, offset, word, field.count)
-            return
-        for i in range(len(field.index) or field.count):
-            inner = field.index[i] if field.index else word
-            may_be_missing = field.dim == "rest" and i >= field.min_count
-            for leaf in one(f"{path}[{i}]", step(i), inner, 1):
-                yield replace(leaf, optional=may_be_missing)
-    elif field.dim == "one":
-        yield from one(path, offset, word, 1)
-    else:
-        for i, inner in enumerate(field.index):
-            yield from one(f"{path}.{inner.lower()}", step(i), inner, 1)

@@ -3,35 +3,28 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
 from sbgcgen.model import (
+    COMMAND_IDS,
     SCALARS,
     Availability,
-    Deprecation,
     Enum,
     EnumValue,
-    Identifier,
     Packed,
     Part,
     Position,
     Quantity,
     Scalar,
 )
-from sbgcgen.model.names import (
-    is_name,
-    parse_board,
-    parse_version,
-    singular,
-    snake_case,
-)
+from sbgcgen.model.names import singular, snake_case
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
-from sbgcgen.spec.load import List, Map, Spec
+from sbgcgen.spec.load import Map, Spec, directions_of
+from sbgcgen.spec.resolve.entries import Entries
 
 # Enums that follow from other sections of the spec.
-COMMAND_ID = "CommandId"
 VARIABLE_ID = "VariableId"
 
 
@@ -44,20 +37,20 @@ class Types:
     packed: dict[str, Packed] = field(default_factory=dict)
 
 
-class TypeResolver:
+class TypeResolver(Entries):
     """Turns the type sections of a spec into model types; findings go into `found`."""
 
     def __init__(self, spec: Spec, found: Diagnostics) -> None:
-        self.spec = spec
-        self.found = found
+        super().__init__(spec, found)
         self.types = Types()
-        self.identifiers: list[Identifier] = []
         self.broken: set[str] = set()  # packed integers with a part whose type does not exist
 
     def run(self) -> Types:
         for _, name, value, at in self.spec.entries("quantities"):
             self.types.quantities[name] = self._quantity(name, value, at)
-        self.types.enums[COMMAND_ID] = self._command_ids()
+        self._read_versions()
+        for direction, enum in COMMAND_IDS.items():
+            self.types.enums[enum] = self._command_ids(direction)
         self.types.enums[VARIABLE_ID] = self._variable_ids()
         for section, kind in (("enums", "enum"), ("flags", "flags")):
             entries = {name: (value, at) for _, name, value, at in self.spec.entries(section)}
@@ -65,76 +58,20 @@ class TypeResolver:
                 values = self._enum_values(name, entries, ())
                 self.types.enums[name] = self._enum(name, value, at, kind, values)
         for _, name, value, at in self.spec.entries("packed"):
-            self.types.packed[name] = self._packed(name, value, at)
+            if name not in self.types.packed:
+                self.types.packed[name] = self._packed(name, value, at)
         self._check_unique_names()
         return self.types
 
-    # Small pieces that every part of the spec shares
-
-    def errata(self, node: Map) -> tuple[str, ...]:
-        """The errata numbers of a node, each of which must exist."""
-        numbers = node.get("errata", [])
-        known = self.spec.errata.get("errata", {})
-        for index, number in enumerate(numbers):
-            if number not in known:
-                at = numbers.items_at[index] if isinstance(numbers, List) else node.position
-                hint = did_you_mean(str(number), known) or "add it to spec/errata.yaml"
-                self.found.add(at, "SBGC023", f"there is no erratum {number}", hint)
-        return tuple(str(n) for n in numbers)
-
-    def availability(self, node: Map, key: str = "since") -> Availability:
-        """The versions under `since`, as the wire has them."""
-        since = node.get(key)
-        if not isinstance(since, Map):
-            return Availability()
-        result = Availability()
-        for part, parse, example in (
-            ("firmware", parse_version, "2.55b5"),
-            ("board", parse_board, "3.0"),
-        ):
-            if part in since:
-                value = parse(str(since[part]))
-                if value is None:
-                    message = f"'{since[part]}' is not a {part} version"
-                    self.found.add(since.at(part), "SBGC030", message, f"write it like {example}")
-                else:
-                    result = replace(result, **{part: value})
-        return result
-
-    def deprecation(self, node: Map) -> Deprecation | None:
-        """What `deprecated` and `replaced_by` say."""
-        mark = node.get("deprecated")
-        if not mark:
-            return None
-        since = self.availability(mark) if isinstance(mark, Map) else Availability()
-        return Deprecation(since, str(node.get("replaced_by", "")))
-
-    def summary(self, node: Map, at: Position, what: str) -> str:
-        """The summary, which nothing may lack."""
-        text = " ".join(str(node.get("summary") or "").split())
-        if not text:
-            self.found.add(
-                at, "SBGC019", f"{what} has no summary", "say in one sentence what it is"
-            )
-        return text
-
-    def source(self, node: Map, at: Position, what: str) -> str:
-        """Where the specification describes it, which nothing that comes from it may lack."""
-        text = str(node.get("source") or "")
-        if not text:
-            hint = "name the section and lines, as in 'Variables L1005-L1009'"
-            self.found.add(at, "SBGC020", f"{what} does not say where it comes from", hint)
-        return text
-
-    def identifier(self, name: str, at: Position) -> str:
-        """`name`, after a check that it is one."""
-        self.identifiers.append(Identifier(name, at))
-        if not is_name(name):
-            message = f"'{name}' can not be a name"
-            self.found.add(at, "SBGC022", message, "give another one with 'as'")
-        return name
-
-    # The sections
+    def _read_versions(self) -> None:
+        """What says how versions are written comes first: everything else may have a version."""
+        names = []
+        for _, name, value, at in self.spec.entries("packed"):
+            names.append(name)
+            has_enums = "names" in value or any("type" in part for part in value["parts"])
+            if name in self.versions.names and not has_enums:
+                self.types.packed[name] = self._packed(name, value, at)
+        self.versions.use(self.types.packed, names)
 
     def _quantity(self, name: str, node: Map, at: Position) -> Quantity:
         accessor = str(node.get("accessor", "value"))
@@ -144,7 +81,7 @@ class TypeResolver:
         offset = Fraction(str(node.get("offset", 0)))
         for key, number in (("scale", scale), ("offset", offset)):
             if max(abs(number.numerator), number.denominator) >= 1 << 63:
-                message = f"the {key} of {name} is no fraction of two 64-bit integers"
+                message = f"the {key} of {name} is not a fraction of two 64-bit integers"
                 self.found.add(node.at(key), "SBGC017", message, "give it with fewer digits")
         if scale <= 0:
             message = f"the scale of {name} is not positive"
@@ -164,10 +101,11 @@ class TypeResolver:
             at=at,
         )
 
-    def _command_ids(self) -> Enum:
+    def _command_ids(self, direction: str) -> Enum:
+        """The ids of what goes in one direction; in the other one they may mean other commands."""
         values = []
         for _, name, value, at in self.spec.entries("commands"):
-            if value["id"] is None:
+            if value["id"] is None or direction not in directions_of(value):
                 continue
             identifier = self.identifier(snake_case(name.removeprefix("CMD_")), at)
             summary = str(value.get("summary", ""))
@@ -175,11 +113,11 @@ class TypeResolver:
                 EnumValue(name, identifier, value["id"], summary, False, "", Availability(), (), at)
             )
         return Enum(
-            name=COMMAND_ID,
-            member=COMMAND_ID,
+            name=COMMAND_IDS[direction],
+            member=COMMAND_IDS[direction],
             scalar=SCALARS["u8"],
             kind="enum",
-            summary="The commands of the protocol. Some share an id in opposite directions.",
+            summary=f"The commands of messages {'to' if direction == 'to_board' else 'from'} the board.",
             source="Command ID definitions L75-L154",
             errata=(),
             values=tuple(sorted(values, key=lambda v: (v.value, v.name))),
@@ -215,7 +153,7 @@ class TypeResolver:
             hint = did_you_mean(base, entries) or "name one of the same section"
             self.found.add(node.at("extends"), "SBGC010", f"there is no '{base}' to extend", hint)
         elif base in (name, *on_the_way):
-            hint = "one of them must stand for itself"
+            hint = "one of them must not extend another"
             self.found.add(node.at("extends"), "SBGC029", f"{name} extends itself", hint)
         elif base:
             values = self._enum_values(base, entries, (name, *on_the_way))
@@ -313,12 +251,14 @@ class TypeResolver:
                 self.found.add(part.at, "SBGC015", message, "each bit belongs to one part")
             used |= part.mask
         display = str(node.get("display", ""))
-        if re.search(r"[{}]", re.sub(r"\{\w+(:[0-9]+)?\}", "", display)):
-            message = f"the display text of {name} is not written as it should be"
-            self.found.add(node.at("display"), "SBGC025", message, "write {part} or {part:02}")
+        literal = re.sub(r"\{\w+(:[0-9]+)?\}", "", display)
+        if not re.fullmatch(r"[^][{}]*(\[[^][{}]*\][^][{}]*)*", literal):
+            message = f"the display text of {name} has the wrong syntax"
+            hint = "write {part} or {part:02}, and [b{part}] for what is left out when it is 0"
+            self.found.add(node.at("display"), "SBGC025", message, hint)
         for word in re.findall(r"\{(\w+)", display):
             if word not in seen:
-                message = f"'{word}' in the display text is no part of {name}"
+                message = f"'{word}' in the display text is not a part of {name}"
                 hint = did_you_mean(word, seen) or f"parts: {', '.join(sorted(seen))}"
                 self.found.add(node.at("display"), "SBGC025", message, hint)
         names = self.enum_named(node["names"], node.at("names")) if "names" in node else None
@@ -384,7 +324,7 @@ class TypeResolver:
         for value in enum.values if enum else ():
             if value.value < 0 or (value.value << shift) & ~mask:
                 message = f"{value.name} = {value.value} does not fit into the bits of '{name}'"
-                hint = "use 'mask' for values that stand in place, 'bits' for shifted ones"
+                hint = "use 'mask' for values in place, 'bits' for shifted ones"
                 self.found.add(node.at("type"), "SBGC016", message, hint)
         return Part(
             name=name,
@@ -409,7 +349,7 @@ class TypeResolver:
                     self.found.add(at, "SBGC028", message, hint)
         for section in ("quantities", "enums", "flags", "packed", "structs"):
             for _, name, _, at in self.spec.entries(section):
-                if name in SCALARS or name in (COMMAND_ID, VARIABLE_ID):
+                if name in SCALARS or name in (*COMMAND_IDS.values(), VARIABLE_ID):
                     message = f"'{name}' is the name of a built-in type"
                     self.found.add(at, "SBGC028", message, "choose another one")
                 first = seen.setdefault(name, at)

@@ -56,8 +56,8 @@ class VariableResolver:
             self.found.add(node.at("range"), "SBGC017", message, hint)
         is_switch = bool(node.get("as_switch", False))
         if is_switch and ((minimum, maximum) != (0, 1) or "sets" not in node):
-            message = f"{name} is no switch"
-            hint = "one has the range 0..1, and settings that it stands for"
+            message = f"{name} is not a switch"
+            hint = "a switch has the range 0..1, and settings that it sets"
             self.found.add(node.at("as_switch"), "SBGC044", message, hint)
         return Variable(
             name=name,
@@ -96,15 +96,15 @@ class VariableResolver:
             self.found.add(at, "SBGC021", f"{name} has no value '{path}'", hint)
             return None
         scalar = _number(leaf)
-        problem = "is no integer that always stands there" if scalar is None else ""
+        problem = "is not an integer that is always present" if scalar is None else ""
         if name not in self.stored:
-            problem = "is no setting: no message stores it"
+            problem = "is not a setting: no message stores it"
         elif leaf.field.role in ("copy", "state") or leaf.field.reserved or leaf.field.is_counter:
             problem = "is no setting"
         elif not _always_there(leaf, message):
             problem = "does not always stand there"
         if problem or scalar is None:
-            hint = "a variable stands for one number among the settings that a message stores"
+            hint = "a variable sets one number among the settings that a message stores"
             self.found.add(at, "SBGC044", f"'{text}' {problem}", hint)
             return None
         ours = quantity
@@ -131,11 +131,13 @@ class VariableResolver:
             text = f"a value between two special ones of '{text}' has no step of its own"
             self.found.add(at, "SBGC044", text, "give the variable the type of the setting")
         elif not all(_fits(scalar, setting.count(value)) for value in limits):
-            text = f"'{text}' can not hold every value of the range"
+            text = f"'{text}' cannot hold every value of the range"
             self.found.add(at, "SBGC044", text, f"it is of type {scalar.name}")
         elif not _is_told(setting):
-            text = f"not every value of '{text}' can be told as a variable"
-            self.found.add(at, "SBGC044", text, f"a variable is told as {_WIDEST.name}")
+            text = f"not every value of '{text}' fits into a variable"
+            self.found.add(
+                at, "SBGC044", text, f"the value of a variable is sent as {_WIDEST.name}"
+            )
         return setting
 
 

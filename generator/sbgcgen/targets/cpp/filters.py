@@ -7,12 +7,13 @@ import textwrap
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from sbgcgen.model import Field, Quantity, constants, copy_field
+from sbgcgen.model import Field, Quantity, constants, copy_field, scalar_of
 from sbgcgen.targets.cpp.flag_unit import flag_units
-from sbgcgen.targets.cpp.memory import Run, runs
+
+LINE = 100  # columns
 
 
-def comment(text: str, indent: int = 0, width: int = 100, mark: str = "/// ") -> str:
+def comment(text: str, indent: int = 0, width: int = LINE, mark: str = "/// ") -> str:
     """Text as comment lines, wrapped; the first line is not indented."""
     lines = textwrap.wrap(text.replace("??", "? ?"), width - indent - len(mark)) or [""]
     # A backslash at the end of a line would make the next one part of the comment.
@@ -23,6 +24,34 @@ def comment(text: str, indent: int = 0, width: int = 100, mark: str = "/// ") ->
 def c_string(text: str) -> str:
     """Text as a C string literal, in which nothing looks like a trigraph."""
     return json.dumps(text, ensure_ascii=False).replace("??", "?\\?")
+
+
+def statement(text: str, indent: int) -> str:
+    """A statement on as many lines as it needs, with this indent."""
+    first = " " * indent
+    return textwrap.fill(
+        text.strip(),
+        LINE,
+        initial_indent=first,
+        subsequent_indent=first + " " * 4,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+
+
+def narrow_range(field: Field) -> str:
+    """The range of a field in its unit, if it is narrower than that of its type: '-90 to 90 deg'."""
+    scalar = scalar_of(field.type)
+    if field.minimum is None or field.maximum is None or scalar is None:
+        return ""
+    if field.minimum == scalar.minimum and field.maximum == scalar.maximum:
+        return ""
+    limits = [field.minimum, field.maximum]
+    unit = ""
+    if isinstance(field.type, Quantity):
+        limits = [limit * field.type.scale + field.type.offset for limit in limits]
+        unit = f" {field.type.unit}" if field.type.unit else ""
+    return " to ".join(f"{float(limit):.6g}" for limit in limits) + unit
 
 
 def unit_name(quantity: Quantity) -> str:
@@ -36,21 +65,14 @@ def units(quantities: Iterable[Quantity]) -> list[Quantity]:
     return list({unit_name(q): q for q in reversed(list(quantities))}.values())[::-1]
 
 
-def fast_runs(fields: list[Field]) -> list[Run | Field]:
-    """The runs of a list of fields, if copying them in blocks is worth it; else nothing."""
-    joined = runs(fields)
-    return joined if len(fields) > 2 and 2 * len(joined) <= len(fields) else []
-
-
 FILTERS: dict[str, Callable[..., Any]] = {
     "comment": comment,
     "c_string": c_string,
-    "fast_runs": fast_runs,
+    "statement": statement,
+    "narrow_range": narrow_range,
     "unit_name": unit_name,
     "units": units,
     "flag_units": flag_units,
     "constants": constants,
     "copy_field": copy_field,
 }
-
-TESTS: dict[str, Callable[..., bool]] = {"a_run": lambda step: isinstance(step, Run)}

@@ -22,10 +22,13 @@ WORDS = frozenset(
     using virtual void volatile wchar_t while xor xor_eq""".split()
 )
 # Members that every generated message, struct, packed integer and quantity has of its own.
+_MEMBERS = ("varying_members", "tagged_unions")
 _MESSAGE = frozenset(
-    ("command", "direction", "form", "min_size", "max_size", "since", "tail", "until")
+    ("command", "direction", "form", "min_size", "max_size", "since", "tail", "until", *_MEMBERS)
 )
-_STRUCT = frozenset(("wire_size",))
+# Types that messages have inside.
+_INNER_TYPES = frozenset(("Context", "Response"))
+_STRUCT = frozenset(("wire_size", *_MEMBERS))
 _PACKED = frozenset(("raw", "raw_", "raw_type", "named", "set"))
 _QUANTITY = frozenset(("raw", "real", "unit", "from_real"))
 
@@ -39,12 +42,16 @@ def check_names(spec: Spec, layout: Layout, found: Diagnostics) -> None:
     """Report every name that the headers could not have; findings go into `found`."""
     for at, name, hint in _all_names(spec, layout):
         if not can_be_a_name(name):
-            found.add(at, "SBGC022", f"'{name}' can not be a name in C++", hint)
+            found.add(at, "SBGC022", f"'{name}' cannot be a name in C++", hint)
     for form, at in _forms(spec):
         if form == "only" or not can_be_a_name(form):
-            text = f"'{form}' can not be the name of a form"
+            text = f"'{form}' cannot be the name of a form"
             found.add(at, "SBGC022", text, "it becomes an enumerator in C++")
     types = _types(layout)
+    for name, at in (*types.items(), *((m.name, m.at) for m in layout.messages)):
+        if name in _INNER_TYPES:
+            text = f"'{name}' is a type that every message has inside"
+            found.add(at, "SBGC022", text, "choose another name")
     for struct in (s for family in layout.families for s in family.structs):
         _check_members(struct.fields, "struct", _STRUCT, types, found)
     for message in layout.messages:
@@ -65,7 +72,7 @@ def check_names(spec: Spec, layout: Layout, found: Diagnostics) -> None:
 
 
 def _all_names(spec: Spec, layout: Layout) -> Iterator[tuple[Position, str, str]]:
-    """Names with their places, and what to do if one of them can not stay."""
+    """Names with their places, and what to do if one of them cannot stay."""
     for words in spec.main.get("indices", {}).values():
         for word, at in zip(words, words.items_at):
             yield at, word.lower(), "call the element by another name"
@@ -101,7 +108,7 @@ def _check_members(
             found.add(field.at, "SBGC022", text, "give the field another name with 'as'")
         if field.name in types:
             text = f"'{field.name}' is the name of a type"
-            found.add(field.at, "SBGC022", text, "a member's name begins with a lower-case letter")
+            found.add(field.at, "SBGC022", text, "a member's name starts with a lower-case letter")
         for special in field.special:
             if special.name in words:
                 text = f"'{special.name}' is the name of another member"

@@ -45,7 +45,7 @@ class _Cell:
 def byte_map(message: Message) -> str:
     """The bytes of a body as a drawing; the numbers are those of the leaves, from 1 on.
 
-    Where a leaf takes whole rows beyond its first, only the last is drawn. What has no fixed place
+    Where a leaf takes whole rows beyond its first, only the last is drawn. What has no fixed offset
     is left to the table.
     """
     spans = []

@@ -9,10 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
+from sbgcgen.model import Field, Layout, Message, Struct
+from sbgcgen.oracle.codec import scalar_of
 from sbgcgen.oracle.compose import Choice, Places, first_that_fits, full_context
 from sbgcgen.oracle.edges import counting
-from sbgcgen.model import Field, Layout, Message, Struct
-from sbgcgen.oracle.codec import scalar_of, write_frame
+from sbgcgen.oracle.frames import header_of, write_frame
 from sbgcgen.targets import Target
 
 _WRITE_FRAME = 240
@@ -102,9 +103,10 @@ def _written(layout: Layout) -> Iterator[bytes]:
 
 def _no_frames(layout: Layout) -> Iterator[bytes]:
     """What looks like a frame at first: id 0, a header without its body, bad checksums."""
-    start = layout.framing.start
-    for header in ((start, 0, 0, 0), (start, 1, 255, 0), (start, 1, 0, 1), (start, 1, 0, 2)):
-        yield _chunk(bytes(header) + b"\xff")
+    good = header_of(layout.framing, 1, 0)
+    bad = good[:-1] + bytes(((good[-1] + 1) % 256,))
+    for header in (*(header_of(layout.framing, *it) for it in ((0, 0), (1, 255))), good, bad):
+        yield _chunk(header + b"\xff")
         yield bytes((_FLUSH,))
 
 
@@ -116,7 +118,7 @@ def _dictionary(layout: Layout) -> str:
     words: dict[str, bytes] = {"start": bytes((layout.framing.start,))}
     for message in layout.messages:
         size = message.min_size
-        header = bytes((layout.framing.start, message.id, size, (message.id + size) % 256))
+        header = header_of(layout.framing, message.id, size)
         words[f"header_{message.direction}_{message.identifier}"] = header
     for message in layout.messages:
         for size in (message.min_size, message.max_size):

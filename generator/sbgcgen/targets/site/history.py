@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from sbgcgen.model import Availability, Command, Enum, Layout, Message
 from sbgcgen.targets.site.rows import Row, rows_of
@@ -28,8 +28,9 @@ def added(layout: Layout) -> list[Added]:
     everything |= {row.field.since for _, row in rows}
     everything |= {row.field.deprecated.since for _, row in rows if row.field.deprecated}
     everything |= {value.since for enum in layout.enums for value in enum.values}
-    parts = [Availability(firmware=n) for n in sorted({a.firmware for a in everything} - {0})]
-    parts += [Availability(board=n) for n in sorted({a.board for a in everything} - {0})]
+    of_firmware = {a.firmware: replace(a, board=0) for a in everything if a.firmware}
+    of_board = {a.board: replace(a, firmware=0) for a in everything if a.board}
+    parts = [part for found in (of_firmware, of_board) for _, part in sorted(found.items())]
 
     def is_in(since: Availability, part: Availability) -> bool:
         if part.firmware:

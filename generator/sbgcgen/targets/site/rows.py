@@ -7,7 +7,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from sbgcgen.model import Field, Layout, Leaf, Message, Struct
-from sbgcgen.oracle.codec import CodecError, choose_message, forms_of
+from sbgcgen.oracle.codec import CodecError
+from sbgcgen.oracle.frames import choose_message, forms_of
 
 
 @dataclass(frozen=True)

@@ -30,19 +30,19 @@ _PAGES = (
     (
         "framing",
         "Framing",
-        "How a frame is built, checked and found in a stream of bytes.",
+        "How to build and check frames and find them in a byte stream.",
         "frame frames header body start byte id size checksum crc sync line serial baud parity",
     ),
     (
         "decoder",
         "Decoder",
-        "Shows the frames, fields, units and errors in bytes of the line.",
+        "Shows the frames, fields, units and errors in bytes of a serial line.",
         "decode parse inspect hex bytes capture log dump frame frames",
     ),
     (
         "availability",
         "Availability",
-        "What each version of firmware and board, and each revision, has added.",
+        "Additions of each firmware and board version and each revision.",
         "version versions firmware board revision revisions since history changes deprecated",
     ),
     (
@@ -142,7 +142,7 @@ def _pages(layout: Layout) -> Iterator[Entry]:
     for part in added(layout):
         page = f"availability.html#{anchor_of(part.version)}"
         words = f"version availability {part.version.split()[-1]}"
-        yield Entry("page", part.version.capitalize(), "What it has added.", page, words)
+        yield Entry("page", part.version.capitalize(), "Additions of this version.", page, words)
     for revision in layout.revisions:
         has_own = revision.adds or revision.changes
         anchor = f"revision-{revision.number}" if has_own else "revisions"

@@ -14,7 +14,7 @@ from urllib.parse import quote
 import markdown
 from markupsafe import Markup, escape
 
-from sbgcgen.model import Enum, Framing, Layout, Leaf, Message, Packed, Quantity
+from sbgcgen.model import Enum, Layout, Leaf, Message, Packed, Quantity
 from sbgcgen.oracle.example import Example, example_of, physical
 from sbgcgen.targets import Items, Target, View, codes_of, conversions_of
 from sbgcgen.targets.render import expand, sources_of
@@ -154,7 +154,6 @@ def _filters(layout: Layout) -> dict[str, Callable[..., Any]]:
         "physical": lambda raw, quantity: physical(int(raw), quantity),
         "fragment": fragment,
         "breakable": lambda name: escape(name).replace("_", Markup("_<wbr>")),
-        "frame_parts": frame_parts,
         "hex_list": lambda numbers: bytes(numbers).hex(" ").upper(),
         "slug_of": anchor_of,
         "with_unit": lambda quantities: [q for q in quantities if q.unit],
@@ -240,39 +239,6 @@ def offset_words(leaf: Leaf, row: rows.Row) -> str:
     if leaf.offset is None:
         return "varies"
     return f"{leaf.offset}…" if "[]" in leaf.path and "[]" in row.path else str(leaf.offset)
-
-
-@dataclass(frozen=True)
-class FramePart:
-    """A part of a frame: where, what, how long, and what it is for."""
-
-    at: str
-    name: str
-    size: str
-    text: str
-
-
-def frame_parts(framing: Framing) -> list[FramePart]:
-    """The parts of a frame in the order of the line."""
-    body, most = framing.header_size, framing.max_body
-    return [
-        FramePart(
-            "0",
-            "start",
-            "1 byte",
-            f"Always 0x{framing.start:02X}, the character {framing.start:c}.",
-        ),
-        FramePart("1", "id", "1 byte", "The command, 1 to 255."),
-        FramePart("2", "size", "1 byte", f"How many bytes the body has, 0 to {most}."),
-        FramePart("3", "header checksum", "1 byte", "The sum of id and size, modulo 256."),
-        FramePart(str(body), "body", f"0 to {most} bytes", "What the command has to say."),
-        FramePart(
-            f"{body} + size",
-            "body checksum",
-            f"{framing.trailer_size} byte",
-            "The sum of all bytes of the body, modulo 256; 0 for an empty one.",
-        ),
-    ]
 
 
 @dataclass(frozen=True)

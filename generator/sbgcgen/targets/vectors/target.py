@@ -1,7 +1,8 @@
 """Test vectors: bodies and what they say, by the reference codec.
 
 `vectors/<family>.jsonl` has one vector a line, as `oracle/vector_line.py` describes it;
-`vectors/unknown.jsonl` has bodies that are no message at all.
+`vectors/unknown.jsonl` has bodies that are no message at all; `frames.jsonl` has streams and their
+frames, as `oracle/streams.py` describes them.
 """
 
 from __future__ import annotations
@@ -12,7 +13,9 @@ from pathlib import Path
 from typing import Any
 
 from sbgcgen.model import Layout
-from sbgcgen.oracle.codec import CodecError, Forms, choose_message, forms_of
+from sbgcgen.oracle.codec import CodecError
+from sbgcgen.oracle.frames import Forms, choose_message, forms_of
+from sbgcgen.oracle.streams import stream_lines
 from sbgcgen.oracle.vector_line import error_words, line
 from sbgcgen.oracle.vectors import vectors_of
 from sbgcgen.targets import Target
@@ -34,6 +37,7 @@ class Vectors(Target):
             if lines:
                 yield f"vectors/{family.name}.jsonl", "".join(lines).encode()
         yield "vectors/unknown.jsonl", "".join(_of_no_message(forms)).encode()
+        yield "frames.jsonl", "".join(stream_lines(layout)).encode()
 
 
 def _of_no_message(forms: Forms) -> Iterator[str]:

@@ -2,19 +2,13 @@
 #pragma once
 
 #include <sbgc/message.hpp>
+#include <sbgc/roles.hpp>
 
 namespace sbgc {
 
 /// Whether something that exists since `since` is there on a board with these versions.
 constexpr bool is_available(const Availability& since, const Availability& versions) noexcept {
   return since.firmware <= versions.firmware && since.board <= versions.board;
-}
-
-/// The versions in a message that tells them, which is BoardInfo.
-template <class Info>
-  requires requires(const Info& info) { info.firmware_ver.raw() + info.board_ver.raw(); }
-constexpr Availability versions_of(const Info& info) noexcept {
-  return {info.firmware_ver.raw(), info.board_ver.raw()};
 }
 
 /// Whether a board with these versions takes the message: not if its firmware is too old for it,

@@ -1,8 +1,9 @@
-/// How frames lie in a byte stream. This is the one file that knows: the parser asks it what
+/// How frames lie in a byte stream. Only this file knows: the parser asks it what
 /// stands at a position, the writer lets it complete a frame. Another framing (other start byte,
 /// other trailer) is another case in each of these functions.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -29,14 +30,15 @@ struct Candidate {
   std::size_t size{};
 };
 
-/// The framing with start byte, id, body size, header checksum, body, body checksum.
+/// The framing of FrameParts: a start byte, a header of id, body size and their sum in any order,
+/// the body, and its sum.
 struct Framing {
   /// Judges the bytes from `bytes` on, of which `available` (at least one) are there.
   static constexpr Candidate inspect(const std::uint8_t* bytes, std::size_t available) noexcept {
     if (bytes[0] != frame_start) return {Verdict::no_start, 0};
     if (available < frame_header_size) return {Verdict::incomplete, frame_header_size};
     if (!is_header(bytes)) return {Verdict::bad_header, 0};
-    const std::size_t body_size = bytes[2];
+    const std::size_t body_size = bytes[frame_size_offset];
     const std::size_t size = frame_size(body_size);
     if (available < size) return {Verdict::incomplete, size};
     const std::uint8_t* const content = bytes + frame_header_size;
@@ -64,9 +66,11 @@ struct Framing {
   }
 
   /// The id and the body of a frame that inspect() found good.
-  static constexpr std::uint8_t id(const std::uint8_t* frame) noexcept { return frame[1]; }
+  static constexpr std::uint8_t id(const std::uint8_t* frame) noexcept {
+    return frame[frame_id_offset];
+  }
   static constexpr std::span<const std::uint8_t> body(const std::uint8_t* frame) noexcept {
-    return {frame + frame_header_size, frame[2]};
+    return {frame + frame_header_size, frame[frame_size_offset]};
   }
 
   /// The size of a whole frame with a body of `body_size` bytes.
@@ -86,9 +90,9 @@ struct Framing {
   static constexpr std::size_t finish(std::uint8_t* frame, std::uint8_t id, std::size_t body_size,
                                       std::uint8_t sum) noexcept {
     frame[0] = frame_start;
-    frame[1] = id;
-    frame[2] = static_cast<std::uint8_t>(body_size);
-    frame[3] = static_cast<std::uint8_t>(id + body_size);
+    frame[frame_id_offset] = id;
+    frame[frame_size_offset] = static_cast<std::uint8_t>(body_size);
+    frame[frame_header_checksum_offset] = static_cast<std::uint8_t>(id + body_size);
     frame[frame_header_size + body_size] = sum;
     return frame_size(body_size);
   }
@@ -97,8 +101,23 @@ struct Framing {
   /// Whether the frame_header_size bytes behind a start byte are a valid header.
   static constexpr bool is_header(const std::uint8_t* bytes) noexcept {
     // No command has the id 0, and a start byte followed by zeros would pass both checksums.
-    return bytes[1] != 0 && static_cast<std::uint8_t>(bytes[1] + bytes[2]) == bytes[3];
+    const std::uint8_t id = bytes[frame_id_offset];
+    if (max_body_size < 255 && bytes[frame_size_offset] > max_body_size) return false;
+    return id != 0 && static_cast<std::uint8_t>(id + bytes[frame_size_offset]) ==
+                          bytes[frame_header_checksum_offset];
   }
+
+  using Checksum = FrameParts::Checksum;
+  static_assert(FrameParts::header_checksum == Checksum::sum8 &&
+                    FrameParts::header_checksum_covers ==
+                        std::array{FramePart::id, FramePart::size},
+                "another header checksum in spec/simplebgc.yaml needs another is_header(), "
+                "skip_blocks() and finish()");
+  static_assert(FrameParts::trailer == std::array{FramePart::body_checksum} &&
+                    FrameParts::body_checksum == Checksum::sum8 &&
+                    FrameParts::body_checksum_covers == std::array{FramePart::body},
+                "another trailer in spec/simplebgc.yaml needs another inspect() and finish(), and "
+                "another sum in checksum.hpp and add_in_memory()");
 
 #if defined(__SSE2__)
   /// Goes on to where a header checksum holds, or fewer than 16 headers are left, or 255 blocks of
@@ -116,8 +135,9 @@ struct Framing {
     Bytes16 starts_passed{};
     for (; begin <= last; begin += 16) {
       const auto starts = reinterpret_cast<Bytes16>(load16(begin) == start);
-      const auto sums =
-          reinterpret_cast<Bytes16>(load16(begin + 1) + load16(begin + 2) == load16(begin + 3));
+      const auto sums = reinterpret_cast<Bytes16>(load16(begin + frame_id_offset) +
+                                                      load16(begin + frame_size_offset) ==
+                                                  load16(begin + frame_header_checksum_offset));
       if (const unsigned mask = detail::sign_bits(starts & sums); mask != 0) {
         const int position = std::countr_zero(mask);
         unsigned before = detail::sign_bits(starts) & ((1U << position) - 1);

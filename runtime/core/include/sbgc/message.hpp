@@ -1,35 +1,47 @@
 /// Messages in frames.
 #pragma once
 
-#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <type_traits>
+#include <utility>
 
+#include <sbgc/checksum.hpp>
 #include <sbgc/codec.hpp>
+#include <sbgc/detail/layout.hpp>
 #include <sbgc/frame.hpp>
 
 namespace sbgc {
 
-/// What every generated message has.
-template <class M>
-concept Message = requires(const M& message, std::span<std::uint8_t> out) {
-  M::command;
-  M::direction;
-  M::form;
-  M::min_size;
-  M::max_size;
-  { encode(message, out) } -> std::same_as<WriteResult>;
-};
-
 namespace detail {
 
-/// The sum of a message's bytes without reading back what has just been written, which is slow; for
-/// messages that stand in memory as on the wire.
+/// Whether the bytes of a message are the same in memory and on the wire, but for its tail.
 template <class M>
-inline Optional<std::uint8_t> sum_in_memory(const M& message) noexcept {
-  if constexpr (requires(ByteSum sum) { add_in_memory(sum, message); }) {
-    if (ByteSum sum; add_in_memory(sum, message)) return sum.value();
+inline constexpr bool is_same_in_memory =
+    layout<M>.only_blocks && !HasVaryingMembers<M> && !HasTaggedUnions<M>;
+
+template <class M, std::size_t... i>
+[[gnu::always_inline]] inline void add_blocks(ByteSum& sum, const M& message,
+                                              std::index_sequence<i...>) noexcept {
+  constexpr auto block = [](std::size_t index) {
+    return layout<M>.places[layout<M>.blocks[index]];
+  };
+  const auto* const bytes = reinterpret_cast<const std::uint8_t*>(&message);
+  (sum.add(bytes + block(i).memory, block(i).block), ...);
+}
+
+/// The sum of the bytes of a message, without reading back what has just been written, which is
+/// slow.
+template <class M>
+  requires is_same_in_memory<M>
+inline std::uint8_t sum_in_memory(const M& message) noexcept {
+  ByteSum sum;
+  add_blocks(sum, message, std::make_index_sequence<layout<M>.block_count>{});
+  if constexpr (HasTail<M>) {
+    if (!message.tail.empty()) sum.add(byte_sum(message.tail.data(), message.tail.size()));
   }
-  return {};
+  return sum.value();
 }
 
 }  // namespace detail
@@ -51,9 +63,10 @@ template <Message M>
     return {0, {code, body.status.offset, body.status.field}};
   }
   constexpr auto id = static_cast<std::uint8_t>(M::command);
-  if (!std::is_constant_evaluated()) {
-    if (const auto sum = detail::sum_in_memory(message)) {
-      return {Framing::finish(out.data(), id, body.size, *sum), {}};
+  if constexpr (detail::is_same_in_memory<detail::CodedAs<M>>) {
+    if (!std::is_constant_evaluated()) {
+      const std::uint8_t sum = detail::sum_in_memory<detail::CodedAs<M>>(message);
+      return {Framing::finish(out.data(), id, body.size, sum), {}};
     }
   }
   return {finish_frame(out.data(), id, body.size), {}};

@@ -58,26 +58,38 @@ struct Range {
   double highest{};
 };
 
+/// What a raw value stands for.
+struct UnitInfo {
+  const char* name = "";  ///< "deg"; "" for a number without a unit
+  double numerator = 1;
+  double denominator = 1;
+  double offset{};
+
+  /// The value in the unit.
+  constexpr double real(double raw) const noexcept {
+    return raw * numerator / denominator + offset;
+  }
+  /// Whether the raw value says as much.
+  constexpr bool is_plain() const noexcept {
+    return *name == '\0' && numerator == denominator && offset == 0;
+  }
+};
+
 /// Another unit of the same raw value, in force when the field `of` of the message has the bits
 /// `mask`. If that field has an index (an axis), the index of the value applies to it.
 struct AlternativeUnit {
   const char* of = "";
   std::uint32_t mask{};
-  const char* unit = "";
-  double numerator{};
-  double denominator = 1;
+  const UnitInfo* unit{};
 };
 
-/// An adjustable variable. Its values are integers: real = raw * numerator / denominator + offset.
+/// An adjustable variable. Its values are integers.
 struct VariableInfo {
   msg::VariableId id{};
   const char* name = "";
   const char* summary = "";
   Range range{};
-  const char* unit = "";
-  double numerator = 1;
-  double denominator = 1;
-  double offset{};
+  UnitInfo unit{};
 };
 
 /// What a field is among the settings that a message holds.
@@ -93,6 +105,7 @@ struct FieldInfo {
   const char* name = "";
   const char* spec_name = "";  ///< the protocol's own; {AXIS} stands for the index
   const char* summary = "";
+  const UnitInfo* unit{};  ///< of a quantity
   const Range* range{};
   std::span<const Special> special{};
   std::uint16_t min_count{};  ///< of a list
@@ -130,7 +143,7 @@ struct MessageInfo {
   std::size_t max_size{};
   Availability since{};
   Availability until{};  ///< these versions and later ones no longer take it; 0: all do
-  /// Names of the messages that answer it; what else is known of that, exchange_of() knows.
+  /// Names of the messages that answer it; what else is known of that, response_policy() knows.
   std::span<const char* const> answers{};
   const char* stores = "";  ///< the message whose settings it writes, or ""
   Effects effects{};        ///< none of a message from the board
@@ -174,6 +187,10 @@ struct Meta<Xyz<T>> {
     visitor(fields[2], xyz.z);
   }
 };
+
+/// The unit of a quantity. Generated.
+template <class Q>
+struct UnitMeta;
 
 /// The names of an enum or flag enum. Generated.
 template <class E>

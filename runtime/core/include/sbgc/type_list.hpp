@@ -1,6 +1,8 @@
 /// Types handed around as values.
 #pragma once
 
+#include <type_traits>
+
 namespace sbgc {
 
 /// A type handed over as a value.
@@ -12,6 +14,10 @@ struct Type {
 /// A list of types.
 template <class... T>
 struct TypeList {
+  /// Whether U is one of them.
+  template <class U>
+  static constexpr bool contains = (std::is_same_v<U, T> || ...);
+
   /// Calls `use(Type<T>{})` for each, in order.
   template <class Use>
   static constexpr void for_each(Use&& use) {

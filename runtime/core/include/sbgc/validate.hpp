@@ -8,39 +8,12 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <sbgc/field_path.hpp>
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
 #include <sbgc/meta/variables.hpp>
 
 namespace sbgc {
-
-/// A place in a message: a chain of members and indices, from the inside out, kept on the stack.
-struct FieldPath {
-  const FieldPath* parent{};
-  const char* name = "";  ///< of a member, or of an axis
-  std::size_t index{};    ///< of an element, when `name` is ""
-
-  /// Writes the path, such as "params[3].param_id", with a final NUL; cut off if it does not fit.
-  /// Returns the length written.
-  constexpr std::size_t write(char* out, std::size_t space) const noexcept {
-    std::size_t length = parent != nullptr ? parent->write(out, space) : 0;
-    const auto add = [&](char c) {
-      if (length + 1 < space) out[length++] = c;
-    };
-    if (*name != '\0') {
-      if (length != 0) add('.');
-      for (const char* c = name; *c != '\0'; ++c) add(*c);
-    } else {
-      add('[');
-      std::size_t unit = 1;
-      while (index / unit >= 10) unit *= 10;
-      for (; unit != 0; unit /= 10) add(static_cast<char>('0' + index / unit % 10));
-      add(']');
-    }
-    if (space != 0) out[length] = '\0';
-    return length;
-  }
-};
 
 /// What a value violates.
 enum class Rule : std::uint8_t {
@@ -66,12 +39,15 @@ constexpr const char* name(Rule rule) noexcept {
 }
 
 /// One value that the specification does not allow. `path` is valid during the report only.
+/// to_string() of <sbgc/text.hpp> makes a sentence of it.
 struct Violation {
   const FieldPath& path;
   const FieldInfo& field;
   double value{};  ///< raw, as on the wire
   double limit{};
   Rule rule{};
+  const UnitInfo* unit{};    ///< of `value`; null if it has none, or one that depends on a flag
+  const ValueInfo* named{};  ///< the enum value or flag that does not exist yet, or null
 };
 
 namespace detail {
@@ -103,7 +79,7 @@ class Validator {
       if constexpr (std::is_same_v<Member, msg::VariableId>) variable = find_variable(member);
       if constexpr (std::is_integral_v<Member>) {
         if (field.is_variable_value && variable != nullptr) {
-          return validator.limits(member, variable->range, field, path);
+          return validator.limits(member, variable->range, field, path, &variable->unit);
         }
       }
       validator.value(member, field, path);
@@ -205,12 +181,12 @@ class Validator {
   }
 
   constexpr void limits(double value, const Range& range, const FieldInfo& field,
-                        const FieldPath& path) {
+                        const FieldPath& path, const UnitInfo* variable_unit = nullptr) {
     // Written so that NaN is a violation.
     if (!(value >= range.lowest)) {
-      fail(field, path, value, range.lowest, Rule::minimum);
+      fail(field, path, value, range.lowest, Rule::minimum, variable_unit);
     } else if (value > range.highest) {
-      fail(field, path, value, range.highest, Rule::maximum);
+      fail(field, path, value, range.highest, Rule::maximum, variable_unit);
     }
   }
 
@@ -218,28 +194,36 @@ class Validator {
   constexpr void named(const EnumInfo& info, std::int64_t raw, const FieldInfo& field,
                        const FieldPath& path) {
     for (const ValueInfo& known : info.values) {
-      if (known.value == raw) existence(known.since, static_cast<double>(raw), field, path);
+      if (known.value == raw) {
+        existence(known.since, static_cast<double>(raw), field, path, &known);
+      }
     }
   }
   constexpr void flags(const EnumInfo& info, std::uint32_t raw, const FieldInfo& field,
                        const FieldPath& path) {
     for (const ValueInfo& flag : info.values) {
       const auto mask = static_cast<std::uint32_t>(flag.value);
-      if (mask != 0 && (raw & mask) == mask) existence(flag.since, raw, field, path);
+      if (mask != 0 && (raw & mask) == mask) existence(flag.since, raw, field, path, &flag);
     }
   }
   constexpr void existence(const Availability& since, double value, const FieldInfo& field,
-                           const FieldPath& path) {
+                           const FieldPath& path, const ValueInfo* named = nullptr) {
     if (since.firmware > versions_.firmware) {
-      fail(field, path, value, since.firmware, Rule::firmware);
+      fail(field, path, value, since.firmware, Rule::firmware, nullptr, named);
     }
-    if (since.board > versions_.board) fail(field, path, value, since.board, Rule::board);
+    if (since.board > versions_.board) {
+      fail(field, path, value, since.board, Rule::board, nullptr, named);
+    }
   }
 
   constexpr void fail(const FieldInfo& field, const FieldPath& path, double value, double limit,
-                      Rule rule) {
+                      Rule rule, const UnitInfo* variable_unit = nullptr,
+                      const ValueInfo* named = nullptr) {
     valid_ = false;
-    report_(Violation{path, field, value, limit, rule});
+    const bool has_unit = field.alternative == nullptr && rule != Rule::count;
+    const UnitInfo* unit = has_unit ? field.unit : nullptr;
+    if (variable_unit != nullptr) unit = variable_unit;
+    report_(Violation{path, field, value, limit, rule, unit, named});
   }
 
   Availability versions_;

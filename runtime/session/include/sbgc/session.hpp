@@ -8,14 +8,15 @@
 #include <limits>
 #include <span>
 
-#include <sbgc/exchange.hpp>
 #include <sbgc/line.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/parser.hpp>
+#include <sbgc/response_policy.hpp>
 #include <sbgc/roles.hpp>
 #include <sbgc/session/event.hpp>
-#include <sbgc/session/ghosts.hpp>
+#include <sbgc/session/late_replies.hpp>
 #include <sbgc/session/pacing.hpp>
+#include <sbgc/session/request.hpp>
 #include <sbgc/session/streams.hpp>
 #include <sbgc/time.hpp>
 
@@ -23,72 +24,85 @@ namespace sbgc {
 
 /// What a session can hold.
 struct SessionCapacity {
-  std::size_t requests = 8;  ///< waiting and in flight
-  std::size_t ghosts = 12;   ///< kinds of requests in flight, or over with late answers possible
-  std::size_t streams = 10;  ///< data streams; firmware 2.59 can not have more
+  std::size_t requests = 8;       ///< queued and in flight
+  std::size_t late_replies = 12;  ///< kinds of requests that are in flight or may get late replies
+  std::size_t streams = roles::stream_limit;  ///< data streams
 };
 
-/// Sends requests one behind the other, finds out what answers which, and reports each end.
+/// Sends requests one after the other, finds out which response belongs to which, and reports the
+/// outcome of each.
 ///
-///     const auto sent = session.send(ReadParams3Request{.profile_id = 0});
+///     const auto sent = session.send(msg::ReadParams3Request{.profile_id = 0});
 ///     const Output output = session.poll(now, sink);    // write output.bytes, if any
 ///     session.feed(received, now, sink);                // sink(const Event&)
 ///
 /// - Every request that send() takes completes with exactly one event, whatever happens.
-/// - Requests go out in order, with the break between them that the protocol asks for. One whose
-///   answer could be taken for that of another in flight waits; unrelated ones overtake it.
-/// - When a request is over and its answer may still come, a later request that this answer would
-///   fit waits, too. So a late answer is never taken for the answer of the next request.
+/// - Requests go out in order, with the pauses that the protocol asks for. A request waits while
+/// its
+///   response could be taken for that of another one in flight; unrelated ones overtake it.
+/// - When a request is over and its response may still come, a later request that this response
+///   would fit waits as well. So a late reply is never taken for the response to the next request.
 /// - The sink may call send(), cancel(), set_line(), statistics() and the like, but not feed(),
-///   poll(), written() or abandon(). It must not throw. An event comes when the session has taken
-///   in what it tells: a request that the sink sends belongs to what comes after.
-/// - Time may jump forward; if it runs backwards it counts as standing still.
+///   poll(), written() or abandon(). It must not throw. The session reports an event when its state
+///   is up to date: a request that the sink sends belongs to what comes next.
+/// - Time may jump forward. If it runs backwards, it counts as standing still.
 ///
-/// No heap, no clock, no locks. A Session takes about 6 KB.
+/// No heap, no clock, no locks. A Session takes about 6 KB. See detail::RequestState for the states
+/// of a request.
 template <SessionCapacity capacity>
 class BasicSession {
  public:
   constexpr explicit BasicSession(const SessionOptions& options = {}) noexcept
       : options_(options) {}
 
-  /// Takes a request; needs its family of <sbgc/exchanges/>. A later poll() writes its frame.
+  /// Takes a request; needs the header of its family in <sbgc/responses/>. A later poll() returns
+  /// its frame.
   template <Message M>
   SendResult send(const M& request, const SendOptions& options = {}) noexcept {
-    Request* const slot = free_slot();
-    if (slot == nullptr) return refuse(SendStatus::queue_full);
-    const WriteResult written = encode_frame(request, slot->frame);
-    if (!written) return refuse(SendStatus::not_encodable, written.status);
-    return accept(*slot, written.size, exchange_of(request), options);
+    constexpr bool is_request = M::direction != Direction::from_board;
+    constexpr bool has_policy = requires { response_policy(request); };
+    static_assert(is_request, "only the board sends this message");
+    static_assert(has_policy || !is_request,
+                  "include <sbgc/responses/all.hpp>, or its header for the family of the message");
+    if constexpr (is_request && has_policy) {
+      Request* const slot = free_slot();
+      if (slot == nullptr) return refuse(SendStatus::queue_full);
+      const WriteResult written = encode_frame(request, slot->frame);
+      if (!written) return refuse(SendStatus::not_encodable, written.status);
+      return accept(*slot, written.size, response_policy(request), options);
+    } else {
+      return {};
+    }
   }
 
-  /// Takes a request whose body is already encoded; `exchange` is that of the message it is.
-  SendResult send(std::uint8_t id, std::span<const std::uint8_t> body, const Exchange& exchange,
+  /// Takes a request whose body is already encoded; `policy` is that of the message it is.
+  SendResult send(std::uint8_t id, std::span<const std::uint8_t> body, const ResponsePolicy& policy,
                   const SendOptions& options = {}) noexcept {
     Request* const slot = free_slot();
     if (slot == nullptr) return refuse(SendStatus::queue_full);
     const WriteResult written = write_frame(id, body, slot->frame);
     if (!written) return refuse(SendStatus::not_encodable, written.status);
-    return accept(*slot, written.size, exchange, options);
+    return accept(*slot, written.size, policy, options);
   }
 
-  /// Takes bytes that have come over the line.
+  /// Takes bytes that have come over the line, which may complete requests.
   template <class Sink>
   void feed(std::span<const std::uint8_t> bytes, Instant now, Sink&& sink) {
     advance(now);
-    end_silence(sink);
+    flush_after_silence(sink);
     if (bytes.empty()) return;
     last_byte_ = now_;
     parser_.feed(bytes, [&](const Frame& frame) { take(frame, sink); });
   }
 
   /// Reports what is over by now, and returns the frame to write, if one is due: at most one, which
-  /// counts as being written from `now` on. When nothing is to be written, the deadline lies behind
-  /// `now`. send(), feed() and cancel() can make it earlier: call poll() behind them.
+  /// counts as being written from `now` on. If there is none, the deadline is later than `now`.
+  /// send(), feed() and cancel() can make it earlier: call poll() after them.
   template <class Sink>
   [[nodiscard]] Output poll(Instant now, Sink&& sink) {
     advance(now);
-    end_silence(sink);
-    ghosts_.expire(now_);
+    flush_after_silence(sink);
+    late_replies_.expire(now_);
     end_overdue(sink);
     std::size_t size = 0;
     if (next_send_ <= now_) {
@@ -98,23 +112,24 @@ class BasicSession {
     return {{out_.data(), size}, size != 0 ? next : later(next, now_ + microseconds(1))};
   }
 
-  /// For links on which a write can take long: the frame of the last poll() has left only now, and
-  /// the time for its answer begins here. To be called before the next poll().
+  /// For links on which a write can take long: the frame of the last poll() leaves only now, and
+  /// the time for its response begins here. Call it before the next poll().
   void written(Instant now) noexcept {
     advance(now);
     next_send_ = later(next_send_, now_ + sent_.pause);
     for (Request& request : requests_) {
       if (!request.handle || request.handle != sent_.handle || request.confirmations != 0) continue;
-      const Instant sent_at = later(request.sent_at, now_ + sent_.answer_time);
+      const Instant sent_at = later(request.sent_at, now_ + sent_.response_time);
       if (request.attempt_end != Instant::never) request.attempt_end = sent_at + request.timeout;
       request.sent_at = sent_at;
       return;
     }
-    ghosts_.prolong(sent_.replies, now_ + sent_.answer_time + sent_.finish + options_.late);
+    late_replies_.prolong(sent_.responses,
+                          now_ + sent_.response_time + sent_.finish + options_.late);
   }
 
-  /// Ends a request with the outcome `cancelled`; false if it is already over. What is sent can not
-  /// be called back: its answer still has its time.
+  /// Ends a request with the outcome `cancelled`; false if it is already over. The board may still
+  /// respond to what has been sent.
   template <class Sink>
   bool cancel(Handle handle, Sink&& sink) {
     for (Request& request : requests_) {
@@ -126,14 +141,14 @@ class BasicSession {
   }
 
   /// The link is gone: every request completes with `link_lost`, and all that was known about the
-  /// board's state is forgotten. The session can be used on with another link.
+  /// board's state is forgotten. The session can go on with another link.
   template <class Sink>
   void abandon(Sink&& sink) {
     parser_.flush([](const Frame&) {});
     forget_streams();
     next_send_ = now_;
     complete_all(Outcome::link_lost, sink, Handle{last_handle_});
-    ghosts_.clear();  // those of the requests that have just ended, too
+    late_replies_.clear();  // those of the requests that have just ended, too
   }
 
   /// The line is another one, or has other settings.
@@ -147,50 +162,25 @@ class BasicSession {
     return result;
   }
 
-  /// What the data streams take of the line, those included that are being started.
+  /// How much of the line the data streams take, including those that are being started.
   StreamUsage stream_usage() const noexcept { return {streams_.used(), stream_limit()}; }
 
-  /// Requests that are waiting or in flight.
+  /// Requests that are queued or in flight.
   std::size_t open_requests() const noexcept {
     std::size_t count = 0;
-    for (const Request& request : requests_) count += request.handle ? 1U : 0U;
+    for (const Request& request : requests_) count += request.is_open() ? 1U : 0U;
     return count;
   }
 
  private:
-  struct Request {
-    Handle handle{};      // none: the slot is free
-    Exchange exchange{};  // its `stream` is a change that `streams_` has noted, or none
-    bool waits{};         // for something that the board says
-    bool is_in_flight{};
-    bool is_due{};            // to be sent again
-    std::uint8_t attempts{};  // transmissions left
-    std::uint8_t transmissions{};
-    std::uint8_t confirmations{};
-    std::uint16_t size{};
-    Duration timeout{};
-    Duration finish{};       // for the last confirmation
-    Instant sent_at{};       // when its answer could have come over the line
-    Instant confirmed_at{};  // last
-    Instant attempt_end = Instant::never;
-    Instant deadline = Instant::never;
-    std::array<std::uint8_t, max_frame_size> frame{};
-  };
-
-  /// The last transmission.
-  struct Transmission {
-    Handle handle{};
-    Replies replies{};
-    Duration pause{};        // behind it
-    Duration answer_time{};  // of the answer on the line
-    Duration finish{};
-  };
+  using Request = detail::SessionRequest;
+  using State = detail::RequestState;
 
   // Taking requests
 
   Request* free_slot() noexcept {
     for (Request& request : requests_) {
-      if (!request.handle) return &request;
+      if (!request.is_open()) return &request;
     }
     return nullptr;
   }
@@ -200,32 +190,17 @@ class BasicSession {
     return {{}, status, encoding};
   }
 
-  SendResult accept(Request& slot, std::size_t size, const Exchange& exchange,
+  SendResult accept(Request& slot, std::size_t size, const ResponsePolicy& policy,
                     const SendOptions& options) noexcept {
-    const StreamChange& stream = exchange.stream;
+    const StreamChange& stream = policy.stream;
     if (stream.command != 0) {
       const std::uint32_t limit = options.ignore_budget ? 0 : stream_limit();
       const SendStatus status = streams_.check(stream, limit);
       if (status != SendStatus::ok) return refuse(status);
     }
-    const bool certain = is_certain(exchange);
-    const std::uint8_t attempts = options.attempts != 0 ? options.attempts : options_.attempts;
-    slot.handle = {++last_handle_};
-    slot.exchange = exchange;
-    if (stream.command != 0 && !streams_.ask(stream)) slot.exchange.stream = {};
-    const bool may_be_confirmed = exchange.replies.confirmed != Confirmed::never;
-    slot.waits = certain || (options.expect_confirmation && may_be_confirmed);
-    slot.is_in_flight = slot.is_due = false;
-    // That a possible confirmation does not come is no reason to send again.
-    slot.attempts = certain && exchange.retry_is_safe && attempts != 0 ? attempts : 1;
-    slot.transmissions = slot.confirmations = 0;
-    slot.size = static_cast<std::uint16_t>(size);
-    const Duration timeout = milliseconds(exchange.timeout_ms);
-    const Duration finish = milliseconds(exchange.finish_ms);
-    slot.timeout = options.timeout > Duration{} ? options.timeout : timeout;
-    slot.finish = finish < slot.timeout ? slot.timeout : finish;
-    slot.attempt_end = Instant::never;
-    slot.deadline = options.deadline;
+    const bool is_noted = stream.command != 0 && streams_.ask(stream);
+    slot.open({++last_handle_}, size, policy, options, options_.attempts);
+    if (!is_noted) slot.policy.stream = {};
     return {slot.handle, SendStatus::ok, {}};
   }
 
@@ -241,35 +216,26 @@ class BasicSession {
     Request* next = nullptr;
     for (Request& request : requests_) {
       const bool is_older = next == nullptr || request.handle < next->handle;
-      if (request.handle && is_older && may_be_sent(request)) next = &request;
+      if (request.is_open() && is_older && may_be_sent(request)) next = &request;
     }
     return next;
   }
 
   bool may_be_sent(const Request& request) const noexcept {
-    if (request.is_in_flight) return request.is_due;
-    const Replies& replies = request.exchange.replies;
+    if (request.state != State::queued) return request.state == State::resend;
+    const Responses& responses = request.policy.responses;
     std::size_t in_flight = 0;
     for (const Request& other : requests_) {
-      if (!other.handle) continue;
-      in_flight += other.is_in_flight ? 1U : 0U;
-      const bool is_before = other.is_in_flight || other.handle < request.handle;
-      if (is_before && (other.waits || request.waits) &&
-          replies.can_be_confused_with(other.exchange.replies)) {
+      if (!other.is_open()) continue;
+      in_flight += other.is_in_flight() ? 1U : 0U;
+      const bool is_before = other.is_in_flight() || other.handle < request.handle;
+      if (is_before && (other.awaits_response || request.awaits_response) &&
+          responses.can_be_confused_with(other.policy.responses)) {
         return false;
       }
     }
-    if (request.waits && ghosts_.can_be_confused_with(replies)) return false;
-    return !has_replies(replies) || ghosts_.has_room(replies, in_flight);
-  }
-
-  /// Whether something comes back unless it is lost or the request fails.
-  static bool is_certain(const Exchange& exchange) noexcept {
-    return exchange.answer_required || exchange.replies.confirmed == Confirmed::always;
-  }
-
-  static bool has_replies(const Replies& replies) noexcept {
-    return replies.answer_count != 0 || replies.confirmed != Confirmed::never;
+    if (request.awaits_response && late_replies_.can_be_confused_with(responses)) return false;
+    return !responses.are_possible() || late_replies_.has_room(responses, in_flight);
   }
 
   /// Puts the frame of a request into `out_`; returns its size.
@@ -279,39 +245,38 @@ class BasicSession {
     __builtin_memcpy(out_.data(), request.frame.data(), size);
     ++statistics_.sent_frames;
     statistics_.sent_bytes += size;
-    statistics_.retries += request.is_in_flight ? 1U : 0U;
-    const std::size_t answer = answer_size(request.exchange);
-    sent_ = {request.handle, request.exchange.replies, detail::pause_behind(options_, size, answer),
-             wire_time(options_.line, answer), request.finish};
+    statistics_.retries += request.state == State::resend ? 1U : 0U;
+    const std::size_t response = response_size(request.policy.responses);
+    sent_ = {request.handle, request.policy.responses,
+             detail::pause_after(options_, size, response), wire_time(options_.line, response),
+             request.finish};
     const Instant left = now_ + wire_time(options_.line, size);
     next_send_ = left + sent_.pause;
-    request.is_in_flight = true;
-    request.is_due = false;
+    request.state = State::in_flight;
     --request.attempts;
     ++request.transmissions;
-    request.sent_at = left + sent_.answer_time;
+    request.sent_at = left + sent_.response_time;
     request.attempt_end = request.sent_at + request.timeout;
-    if (!request.waits) complete(request, Outcome::sent, {}, sink);
+    if (!request.awaits_response) complete(request, Outcome::sent, {}, sink);
     return size;
   }
 
-  /// The size of the frame that answers, the largest if it varies.
-  static std::size_t answer_size(const Exchange& exchange) noexcept {
-    const Replies& replies = exchange.replies;
-    std::size_t size = replies.confirmed != Confirmed::never ? roles::confirmation_size : 0;
-    for (std::size_t i = 0; i < replies.answer_count; ++i) {
-      if (size < replies.answers[i].size) size = replies.answers[i].size;
+  /// The size of the frame that comes back, the largest if it varies.
+  static std::size_t response_size(const Responses& responses) noexcept {
+    std::size_t size = responses.confirmed != Confirmed::never ? roles::confirmation_size : 0;
+    for (std::size_t i = 0; i < responses.form_count; ++i) {
+      if (size < responses.forms[i].size) size = responses.forms[i].size;
     }
-    return has_replies(replies) ? Framing::frame_size(size) : 0;
+    return responses.are_possible() ? Framing::frame_size(size) : 0;
   }
 
   // Time
 
   void advance(Instant now) noexcept { now_ = later(now_, now); }
 
-  /// A candidate that the line has left incomplete is false; a frame may be hidden behind it.
+  /// After a silence, what could still become a frame is none; it may hide one.
   template <class Sink>
-  void end_silence(Sink& sink) {
+  void flush_after_silence(Sink& sink) {
     if (parser_.waiting_bytes() == 0 || now_ < last_byte_ + options_.idle) return;
     parser_.flush([&](const Frame& frame) { take(frame, sink); });
   }
@@ -320,7 +285,7 @@ class BasicSession {
   void end_overdue(Sink& sink) {
     const Handle newest{last_handle_};  // what the sink sends from here on is not looked at
     for (Request& request : requests_) {
-      if (!request.handle || newest < request.handle) continue;
+      if (!request.is_open() || newest < request.handle) continue;
       if (request.deadline <= now_) {
         complete(request, Outcome::timeout, {}, sink);
       } else if (request.attempt_end <= now_) {
@@ -334,10 +299,10 @@ class BasicSession {
     ++statistics_.timeouts;
     request.attempt_end = Instant::never;
     if (request.attempts != 0 && request.confirmations == 0) {
-      request.is_due = true;
+      request.state = State::resend;
       return;
     }
-    complete(request, is_certain(request.exchange) ? Outcome::timeout : Outcome::unconfirmed, {},
+    complete(request, request.policy.is_certain() ? Outcome::timeout : Outcome::unconfirmed, {},
              sink);
   }
 
@@ -347,16 +312,16 @@ class BasicSession {
     if (parser_.waiting_bytes() != 0) next = last_byte_ + options_.idle;
     bool is_blocked = false;
     for (const Request& request : requests_) {
-      if (!request.handle) continue;
+      if (!request.is_open()) continue;
       next = earlier(next, earlier(request.deadline, request.attempt_end));
-      if (request.is_in_flight && !request.is_due) continue;
+      if (request.state == State::in_flight) continue;
       if (may_be_sent(request)) {
         next = earlier(next, later(next_send_, now_));
       } else {
         is_blocked = true;
       }
     }
-    return is_blocked ? earlier(next, ghosts_.next_end()) : next;
+    return is_blocked ? earlier(next, late_replies_.next_end()) : next;
   }
 
   // What the board says
@@ -377,13 +342,13 @@ class BasicSession {
   template <class Sink>
   void take_message(const Frame& frame, Sink& sink) {
     for (Request& request : requests_) {
-      const AnswerForm* const form = waiting_form(request, frame);
+      const ResponseForm* const form = awaited_form(request, frame);
       if (form == nullptr) continue;
       complete(request, form->is_error ? Outcome::failed : Outcome::answered, frame, sink);
       return;
     }
-    const bool is_late =
-        take_late([&](const Replies& replies) { return replies.answer(frame) != nullptr; });
+    const bool is_late = take_late_reply(
+        [&](const Responses& responses) { return responses.form_of(frame) != nullptr; });
     const bool is_sample = streams_.has(frame.id);
     statistics_.unsolicited += is_late || is_sample ? 0U : 1U;
     report({.kind = is_sample ? EventKind::stream : EventKind::unsolicited,
@@ -394,9 +359,9 @@ class BasicSession {
   }
 
   /// The form in which the frame answers a request in flight, or null.
-  const AnswerForm* waiting_form(const Request& request, const Frame& frame) const noexcept {
-    if (!request.handle || !request.is_in_flight) return nullptr;
-    const AnswerForm* const form = request.exchange.replies.answer(frame);
+  const ResponseForm* awaited_form(const Request& request, const Frame& frame) const noexcept {
+    if (!request.is_in_flight()) return nullptr;
+    const ResponseForm* const form = request.policy.responses.form_of(frame);
     if (form == nullptr) return nullptr;
     const bool is_sample = form->size != frame.body.size() && streams_.has_size_of_sample(frame);
     return is_sample ? nullptr : form;
@@ -406,10 +371,10 @@ class BasicSession {
   void take_confirmation(const Frame& frame, Sink& sink) {
     const std::uint8_t command = roles::confirmed_command(frame);
     for (Request& request : requests_) {
-      const Exchange& exchange = request.exchange;
-      if (!request.handle || !request.is_in_flight) continue;
-      if (!exchange.replies.is_confirmed_by(command, frame)) continue;
-      if (request.confirmations != 0 && repeats() &&
+      const ResponsePolicy& policy = request.policy;
+      if (!request.is_in_flight()) continue;
+      if (!policy.responses.is_confirmed_by(command, frame)) continue;
+      if (request.confirmations != 0 && line_repeats_frames() &&
           now_ < request.confirmed_at + options_.duplicates) {
         break;  // the last one again
       }
@@ -420,24 +385,24 @@ class BasicSession {
               .handle = handle,
               .command = command,
               .confirmation = request.confirmations,
-              .confirmations = exchange.confirmations,
+              .confirmations = policy.confirmations,
               .frame = frame},
              sink);
       if (request.handle != handle) return;  // cancelled by the sink
-      if (exchange.result.is_failure(frame.body)) {
+      if (policy.result.is_failure(frame.body)) {
         complete(request, Outcome::failed, frame, sink);
-      } else if (exchange.answer_required) {
-        // The answer comes, too.
-      } else if (request.confirmations >= exchange.confirmations) {
+      } else if (policy.response_required) {
+        // The message that answers comes as well.
+      } else if (request.confirmations >= policy.confirmations) {
         complete(request, Outcome::confirmed, frame, sink);
       } else {
-        request.is_due = false;
+        request.state = State::in_flight;
         request.attempt_end = request.sent_at + request.finish;
       }
       return;
     }
-    const bool is_late =
-        take_late([&](const Replies& replies) { return replies.is_confirmed_by(command, frame); });
+    const bool is_late = take_late_reply(
+        [&](const Responses& responses) { return responses.is_confirmed_by(command, frame); });
     report(
         {.kind = EventKind::confirmation, .command = command, .is_late = is_late, .frame = frame},
         sink);
@@ -449,10 +414,10 @@ class BasicSession {
     ++statistics_.board_errors;
     const std::uint8_t command = roles::failed_command(frame);
     Request* meant = nullptr;
-    bool is_clear = !ghosts_.has_command(command);
+    bool is_clear = !late_replies_.has_command(command);
     for (Request& request : requests_) {
-      if (!request.handle || !request.is_in_flight) continue;
-      if (command != 0 && request.exchange.replies.command != command) continue;
+      if (!request.is_in_flight()) continue;
+      if (command != 0 && request.policy.responses.command != command) continue;
       is_clear = is_clear && meant == nullptr;
       meant = &request;
     }
@@ -460,8 +425,8 @@ class BasicSession {
       complete(*meant, Outcome::board_error, frame, sink);
       return;
     }
-    const bool is_late = meant == nullptr && take_late([&](const Replies& replies) {
-                           return command == 0 || replies.command == command;
+    const bool is_late = meant == nullptr && take_late_reply([&](const Responses& responses) {
+                           return command == 0 || responses.command == command;
                          });
     report({.kind = EventKind::board_error, .command = command, .is_late = is_late, .frame = frame},
            sink);
@@ -473,81 +438,82 @@ class BasicSession {
     const Handle newest{last_handle_};
     forget_streams();
     for (Request& request : requests_) {
-      if (waiting_form(request, frame) == nullptr) continue;
+      if (awaited_form(request, frame) == nullptr) continue;
       complete(request, Outcome::answered, frame, sink);
       break;
     }
     report({.kind = EventKind::reset, .command = frame.id, .frame = frame}, sink);
     complete_all(Outcome::reset, sink, newest);
     // Until it restarts, the board may go on answering.
-    ghosts_.limit(now_ + milliseconds(roles::reset_delay_ms) + options_.late);
+    late_replies_.limit(now_ + milliseconds(roles::reset_delay_ms) + options_.late);
   }
 
   /// Whether a frame may come twice.
-  bool repeats() const noexcept { return options_.duplicates > Duration{}; }
+  bool line_repeats_frames() const noexcept { return options_.duplicates > Duration{}; }
 
   template <class Fits>
-  bool take_late(Fits&& fits) noexcept {
-    const bool is_late = ghosts_.take(fits, repeats(), now_ + options_.duplicates);
-    statistics_.late_answers += is_late ? 1U : 0U;
+  bool take_late_reply(Fits&& fits) noexcept {
+    const bool is_late =
+        late_replies_.take(fits, line_repeats_frames(), now_ + options_.duplicates);
+    statistics_.late_replies += is_late ? 1U : 0U;
     return is_late;
   }
 
   // Ends
 
-  /// No stream runs any more, and no change that has been asked for will be made. Not behind an
+  /// No stream runs any more, and no change that has been asked for will be made. Not after an
   /// event of the same occurrence: the sink may have asked for another stream.
   void forget_streams() noexcept {
     streams_.clear();
-    for (Request& request : requests_) request.exchange.stream = {};
+    for (Request& request : requests_) request.policy.stream = {};
   }
 
   /// Completes the requests up to `newest`: not what the sink sends meanwhile.
   template <class Sink>
   void complete_all(Outcome outcome, Sink& sink, Handle newest) {
     for (Request& request : requests_) {
-      if (request.handle && request.handle <= newest) complete(request, outcome, {}, sink);
+      if (request.is_open() && request.handle <= newest) complete(request, outcome, {}, sink);
     }
   }
 
-  /// Frees the slot of a request, leaves a ghost if more may come, and reports the end.
+  /// Frees a request, expects late replies if more may come, and reports the outcome.
   template <class Sink>
   void complete(Request& request, Outcome outcome, const Frame& frame, Sink& sink) {
-    const Exchange& exchange = request.exchange;
-    leave_ghost(request, outcome);
+    const ResponsePolicy& policy = request.policy;
+    expect_late_reply(request, outcome);
     const bool done =
         outcome == Outcome::answered || outcome == Outcome::confirmed || outcome == Outcome::sent;
-    if (exchange.stream.command != 0) streams_.settle(exchange.stream, done);
-    if (exchange.restarts_board && done) streams_.stop();
+    if (policy.stream.command != 0) streams_.settle(policy.stream, done);
+    if (policy.restarts_board && done) streams_.stop();
     const Event event{.kind = EventKind::completed,
                       .handle = request.handle,
                       .outcome = outcome,
-                      .command = exchange.replies.command,
+                      .command = policy.responses.command,
                       .may_be_sample = outcome == Outcome::answered && streams_.has(frame.id),
                       .frame = frame};
-    request.handle = {};
+    request.close();
     report(event, sink);
   }
 
-  void leave_ghost(const Request& request, Outcome outcome) noexcept {
-    const Exchange& exchange = request.exchange;
-    if (request.transmissions == 0 || !has_replies(exchange.replies)) return;
+  void expect_late_reply(const Request& request, Outcome outcome) noexcept {
+    const ResponsePolicy& policy = request.policy;
+    if (request.transmissions == 0 || !policy.responses.are_possible()) return;
     const bool is_answered = outcome == Outcome::answered || outcome == Outcome::failed ||
                              outcome == Outcome::board_error;
-    const std::uint32_t each = exchange.replies.answer_count != 0 ? 1 : exchange.confirmations;
+    const std::uint32_t each = policy.responses.form_count != 0 ? 1 : policy.confirmations;
     std::uint32_t expected = each * request.transmissions;
     const std::uint32_t seen = is_answered ? each : request.confirmations;
     expected = expected > seen ? expected - seen : 0;
     Instant end{};
     if (expected != 0) end = request.sent_at + request.finish + options_.late;
     if (is_answered || outcome == Outcome::confirmed) {
-      if (repeats()) {
+      if (line_repeats_frames()) {
         ++expected;
         end = later(end, now_ + options_.duplicates);
       }
     }
     // Even if it is over by now: the frame may still be stuck, see written().
-    if (expected != 0) ghosts_.add(exchange.replies, expected, end);
+    if (expected != 0) late_replies_.add(policy.responses, expected, end);
   }
 
   template <class Sink>
@@ -561,9 +527,9 @@ class BasicSession {
   Instant last_byte_{};
   Instant next_send_{std::numeric_limits<std::int64_t>::min()};
   std::uint64_t last_handle_{};
-  Transmission sent_{};
+  detail::Transmission sent_{};
   std::array<Request, capacity.requests> requests_{};
-  detail::Ghosts<capacity.ghosts> ghosts_{};
+  detail::LateReplies<capacity.late_replies> late_replies_{};
   detail::Streams<capacity.streams> streams_{};
   SessionStatistics statistics_{};
   std::array<std::uint8_t, max_frame_size> out_{};

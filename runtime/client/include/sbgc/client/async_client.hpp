@@ -25,6 +25,7 @@
 #include <asio/post.hpp>
 #include <asio/prefer.hpp>
 
+#include <sbgc/client/async_task_calls.hpp>
 #include <sbgc/client/client.hpp>
 #include <sbgc/client/own_transport.hpp>
 #include <sbgc/roles.hpp>
@@ -36,22 +37,22 @@ namespace sbgc {
 /// Operations end with one call of their completion handler, `void(Result<T>)`, through the
 /// handler's associated executor, which is by default the one given here; never from inside the
 /// call that begins them. All three ways of asio::cancellation_type end an operation with
-/// ErrorCode::cancelled; only async_run() goes on. Errors are those of Client.
+/// ErrorCode::cancelled. Errors are those of Client.
 ///
 /// Functions may be called from any thread, also at the same time. Handlers of subscriptions run
 /// one at a time, on the executor.
 ///
 /// Destroying the client ends all operations with ErrorCode::cancelled. The execution context must
 /// live longer than the client, and something must run it for anything to happen.
-class AsyncClient {
+class AsyncClient : public AsyncTaskCalls<AsyncClient> {
  public:
   explicit AsyncClient(const asio::any_io_executor& executor);
   AsyncClient(AsyncClient&&) noexcept = default;
   AsyncClient& operator=(AsyncClient&&) noexcept = default;
   AsyncClient(const AsyncClient&) = delete;
   AsyncClient& operator=(const AsyncClient&) = delete;
-  /// Waits for a task of async_run(), or the opening of a line (the look-up of a host's name, a TCP
-  /// connection), that is under way.
+  /// Waits for the opening of a line (the look-up of a host's name, a TCP connection) that is under
+  /// way.
   ~AsyncClient() = default;
 
   asio::any_io_executor executor() const;
@@ -60,28 +61,27 @@ class AsyncClient {
   /// been begun again, other operations fail with ErrorCode::not_connected.
   template <class Token>
   auto async_connect(const std::string& address, const ConnectOptions& options, Token&& token) {
-    return initiate<void>(token, [&impl = *impl_, address, options](const Completion<void>& done) {
-      return begin_connect(impl, address, options, done);
-    });
+    return initiate<Result<void>>(
+        token, [&impl = *impl_, address, options](const Completion<Result<void>>& done) {
+          return begin_connect(impl, address, options, done);
+        });
   }
   /// As connect_over().
   template <class Token>
   auto async_connect_over(const TransportFactory& make, const ConnectOptions& options,
                           Token&& token) {
-    return initiate<void>(token, [&impl = *impl_, make, options](const Completion<void>& done) {
-      return begin_connect(impl, make, options, done);
-    });
+    return initiate<Result<void>>(
+        token, [&impl = *impl_, make, options](const Completion<Result<void>>& done) {
+          return begin_connect(impl, make, options, done);
+        });
   }
 
   /// As Client::call(). Handler: void(CallResult<M>).
   template <Message M, class Token>
   auto async_call(const M& request, const CallOptions& options, Token&& token) {
-    using Answer = detail::CallAnswer<M>;
-    return initiate<Answer>(
-        token, [&impl = *impl_, request, options](Completion<Answer> done) -> Stop {
-          const detail::EncodedRequest encoded(request);
-          if (!encoded) return done(encoded.error()), Stop{};
-          return begin_call(impl, encoded.frame(), options,
+    return initiate<CallResult<M>>(
+        token, [&impl = *impl_, request, options](Completion<CallResult<M>> done) -> Stop {
+          return begin_call(impl, request, options,
                             [done = std::move(done)](const Result<Reply>& reply) {
                               done(detail::read_answer<M>(reply));
                             });
@@ -91,12 +91,10 @@ class AsyncClient {
   /// As Client::transact(). Handler: void(Result<Reply>).
   template <Message M, class Token>
   auto async_transact(const M& request, const CallOptions& options, Token&& token) {
-    return initiate<Reply>(token,
-                           [&impl = *impl_, request, options](Completion<Reply> done) -> Stop {
-                             const detail::EncodedRequest encoded(request);
-                             if (!encoded) return done(encoded.error()), Stop{};
-                             return begin_call(impl, encoded.frame(), options, std::move(done));
-                           });
+    return initiate<Result<Reply>>(
+        token, [&impl = *impl_, request, options](Completion<Result<Reply>> done) -> Stop {
+          return begin_call(impl, request, options, std::move(done));
+        });
   }
 
   /// As Client::stream(). Handler: void(Result<Subscription>).
@@ -113,22 +111,19 @@ class AsyncClient {
                               token);
   }
 
-  /// Runs `task(Client&)`, which may block and returns a Result<T>, on a thread of this client; one
-  /// task runs at a time. It talks to the same board: so functions that take a Client& are used
-  /// asynchronously. Handler: void(Result<T>). A task that has begun runs to its end, but its calls
-  /// fail once the client is closed.
-  template <class Task, class Token>
-  auto async_run(Task task, Token&& token) {
-    using T = typename std::invoke_result_t<Task&, Client&>::value_type;
-    return initiate<T>(
-        token, [&impl = *impl_, task = std::move(task)](const Completion<T>& done) mutable -> Stop {
-          const auto shared = std::make_shared<Task>(std::move(task));
-          run(impl, [shared, done](Result<Client> client) {
-            if (!client) return done(std::move(client).error());
-            done((*shared)(*client));
-          });
-          return {};
-        });
+  /// As Client::run(). Handler: void(R). Cancelling it is TaskMachine::cancel().
+  template <class R, class Token>
+  auto async_run(Task<R> task, Token&& token) {
+    return initiate<R>(token,
+                       [&impl = *impl_, shared = std::make_shared<Task<R>>(std::move(task))](
+                           const Completion<R>& done) -> Stop {
+                         const auto conversation = conversation_of(impl);
+                         if (!conversation) return done(conversation.error()), Stop{};
+                         const std::shared_ptr<TaskMachine> machine(
+                             shared, &shared->begin(conversation->identity()));
+                         return run(impl, *conversation, machine,
+                                    [shared, done] { done(std::move(*shared).result()); });
+                       });
   }
 
   /// As Client::subscribe(); empty before the client is connected.
@@ -140,7 +135,7 @@ class AsyncClient {
 
   bool is_connected() const;
   /// Of a connected client; else empty.
-  BoardIdentity board() const;
+  BoardIdentity identity() const;
   std::string description() const;
   ClientStatistics statistics() const;
   /// Ends every operation with ErrorCode::cancelled, and closes the line.
@@ -149,8 +144,8 @@ class AsyncClient {
  private:
   class Impl;
 
-  template <class T>
-  using Completion = std::function<void(Result<T>)>;
+  template <class R>
+  using Completion = std::function<void(R)>;
   /// Cancels an operation; may be empty.
   using Stop = std::function<void()>;
 
@@ -158,23 +153,34 @@ class AsyncClient {
   template <Message M, class Request, class Token>
   auto register_stream(Result<Request> request, std::function<void(const M&)> handler,
                        const CallOptions& options, Token& token) {
-    return initiate<Subscription>(
+    return initiate<Result<Subscription>>(
         token,
-        [&impl = *impl_, request = std::move(request), options,
-         handler = std::move(handler)](const Completion<Subscription>& done) mutable -> Stop {
+        [&impl = *impl_, request = std::move(request), options, handler = std::move(handler)](
+            const Completion<Result<Subscription>>& done) mutable -> Stop {
           if (!request) return done(request.error()), Stop{};
-          roles::stream_command(*request) = M::command;
-          const detail::EncodedRequest encoded(*request);
-          if (!encoded) return done(encoded.error()), Stop{};
-          return begin_stream(impl, encoded.frame(), detail::key_of<M>,
-                              detail::typed_handler<M>(std::move(handler)), options, done);
+          const auto conversation = conversation_of(impl);
+          if (!conversation) return done(conversation.error()), Stop{};
+          const auto ticket = conversation->start_stream(
+              detail::stream_requests<M>(*conversation, *std::move(request), options),
+              detail::key_of<M>, detail::typed_handler<M>(std::move(handler)), options, done);
+          return [conversation = *conversation, ticket] { conversation.cancel(ticket); };
         });
   }
 
+  template <Message M>
+  static Stop begin_call(Impl& impl, const M& request, const CallOptions& options,
+                         Completion<Result<Reply>> done) {
+    const auto conversation = conversation_of(impl);
+    if (!conversation) return done(conversation.error()), Stop{};
+    const auto ticket =
+        conversation->start(conversation->prepare(request, options), options, std::move(done));
+    return [conversation = *conversation, ticket] { conversation.cancel(ticket); };
+  }
+
   /// Begins an operation with `begin(completion)`, whose completion goes to the token's handler.
-  template <class T, class Token, class Begin>
+  template <class R, class Token, class Begin>
   auto initiate(Token& token, Begin&& begin) {
-    return asio::async_initiate<Token, void(Result<T>)>(
+    return asio::async_initiate<Token, void(R)>(
         [executor = executor()](auto handler, std::decay_t<Begin> start) {
           auto on = asio::prefer(asio::get_associated_executor(handler, executor),
                                  asio::execution::outstanding_work_t::tracked);
@@ -196,7 +202,7 @@ class AsyncClient {
           };
           const auto pending =
               std::make_shared<Pending>(Pending{std::move(handler), std::move(on)});
-          canceller->stop = start([pending, canceller](Result<T> result) {
+          canceller->stop = start([pending, canceller](R result) {
             canceller->is_over = true;
             auto last = std::move(pending->executor);
             asio::post(last, [pending, result = std::move(result)]() mutable {
@@ -209,15 +215,12 @@ class AsyncClient {
   }
 
   static Stop begin_connect(Impl& impl, const std::string& address, const ConnectOptions& options,
-                            const Completion<void>& done);
+                            const Completion<Result<void>>& done);
   static Stop begin_connect(Impl& impl, const TransportFactory& make, const ConnectOptions& options,
-                            const Completion<void>& done);
-  static Stop begin_call(Impl& impl, detail::FrameBytes frame, const CallOptions& options,
-                         Completion<Reply> done);
-  static Stop begin_stream(Impl& impl, detail::FrameBytes frame, detail::MessageKey key,
-                           detail::Conversation::MessageHandler handler, const CallOptions& options,
-                           Completion<Subscription> done);
-  static void run(Impl& impl, std::function<void(Result<Client>)> task);
+                            const Completion<Result<void>>& done);
+  static Result<detail::Conversation> conversation_of(const Impl& impl);
+  static Stop run(Impl& impl, const detail::Conversation& conversation,
+                  std::shared_ptr<TaskMachine> task, std::function<void()> done);
   Subscription subscribe_to(detail::MessageKey key, detail::Conversation::MessageHandler handler);
 
   std::shared_ptr<Impl> impl_;

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,10 +23,9 @@
 #include <sbgc/client/board_identity.hpp>
 #include <sbgc/client/parameters.hpp>
 #include <sbgc/client/result.hpp>
+#include <sbgc/client/task.hpp>
 
 namespace sbgc {
-
-class Client;
 
 /// The settings of a board, and which board it was.
 struct Backup {
@@ -34,8 +34,8 @@ struct Backup {
   std::string created{};  ///< when, in UTC: "2024-05-01T12:00:00Z"
 };
 
-/// Reads all settings of the board.
-Result<Backup> make_backup(Client& client, const ReadOptions& options = {});
+/// The time of this computer as Backup::created has it.
+std::string utc_now();
 
 /// The content of a backup file.
 std::string to_json_text(const Backup& backup);
@@ -63,12 +63,17 @@ Result<Backup> load_backup(const std::filesystem::path& file);
 /// Another board of the same model with the same firmware fits.
 std::vector<std::string> mismatches(const BoardIdentity& board, const BoardIdentity& backup);
 
+/// Keeps a backup. It runs on the thread that drives the task; an error ends the task.
+using BackupHandler = std::function<Result<void>(const Backup&)>;
+
+/// Saves to a file that does not exist yet; see save_backup().
+BackupHandler save_to(std::filesystem::path file);
+
 /// How a backup is restored.
 struct RestoreOptions {
-  /// Where the present settings are saved before anything is written; needed unless dry_run. An
-  /// existing file is not replaced.
-  std::filesystem::path present{};
-  /// Only tells what would change.
+  /// Keeps the present settings before anything is written; needed unless dry_run.
+  BackupHandler save_present{};
+  /// Only reports what would change.
   bool dry_run = false;
   /// Restore although the backup is of another board model, or another firmware.
   bool other_model = false;
@@ -76,12 +81,16 @@ struct RestoreOptions {
   /// For all of it.
   std::chrono::milliseconds timeout{180'000};
   ProgressHandler progress{};
-  Clock& clock = Clock::system();
 };
+
+namespace tasks {
+
+/// Reads all settings of the board. `created` is for the backup; a task has no clock of its own.
+Task<Result<Backup>> make_backup(std::string created, ReadOptions options = {});
 
 /// Makes the settings of the board those of a backup; what the backup does not have stays. See
 /// write_parameters() for how; values are not checked, because a board had them.
-[[nodiscard]] WriteReport restore(Client& client, const Backup& backup,
-                                  const RestoreOptions& options = {});
+Task<WriteReport> restore(Backup backup, RestoreOptions options = {});
 
+}  // namespace tasks
 }  // namespace sbgc

@@ -17,9 +17,9 @@ struct BoardIdentity {
   constexpr Availability versions() const noexcept { return versions_of(info); }
   bool has(msg::BoardFeature feature) const noexcept { return info.board_features.has(feature); }
   /// "2.59", "2.43b9".
-  std::string firmware() const;
+  std::string firmware_version() const;
   /// "3.0".
-  std::string board() const;
+  std::string board_version() const;
   /// Its serial number in hex digits; "" if the board has not told it.
   std::string serial_number() const;
 };

@@ -8,12 +8,10 @@
 #include <functional>
 #include <optional>
 
-#include <sbgc/client/result.hpp>
+#include <sbgc/client/task.hpp>
 #include <sbgc/messages/calibration.hpp>
 
 namespace sbgc {
-
-class Client;
 
 /// What is calibrated.
 enum class Sensor : std::uint8_t { accelerometer, gyroscope };
@@ -40,9 +38,12 @@ struct CalibrationOptions {
   std::function<bool(const CalibrationProgress&)> progress{};
 };
 
-/// Calibrates a sensor and waits for the end. The camera must not move for a gyroscope, and stand
-/// level for an accelerometer. A board that restarts meanwhile is an error. An error tells whether
-/// the calibration had begun.
-Result<void> calibrate(Client& client, Sensor sensor, const CalibrationOptions& options = {});
+namespace tasks {
 
+/// Calibrates a sensor and waits for the end. The camera must not move for a gyroscope, and must be
+/// level for an accelerometer. A board that restarts meanwhile is an error. An error says whether
+/// the calibration had begun.
+Task<Result<void>> calibrate(Sensor sensor, CalibrationOptions options = {});
+
+}  // namespace tasks
 }  // namespace sbgc

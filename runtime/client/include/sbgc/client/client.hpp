@@ -19,19 +19,27 @@
 
 #include <sbgc/client/board_identity.hpp>
 #include <sbgc/client/calls.hpp>
+#include <sbgc/client/clock.hpp>
 #include <sbgc/client/conversation.hpp>
 #include <sbgc/client/options.hpp>
 #include <sbgc/client/reply.hpp>
 #include <sbgc/client/result.hpp>
 #include <sbgc/client/subscription.hpp>
+#include <sbgc/client/task.hpp>
+#include <sbgc/client/task_calls.hpp>
 #include <sbgc/client/typed.hpp>
 #include <sbgc/roles.hpp>
 
 namespace sbgc {
 
 namespace detail {
+
 struct ClientMaker;
-}
+
+/// Drives a task to its end in this thread.
+void drive(const Conversation& conversation, TaskMachine& task, Clock& clock);
+
+}  // namespace detail
 
 /// A connected board. Every function may be called from any thread, also at the same time; nothing
 /// throws, nothing waits longer than its timeout.
@@ -41,7 +49,7 @@ struct ClientMaker;
 ///
 /// Handlers run on the client's own thread, one at a time, and must not wait for the client: a call
 /// from there fails with ErrorCode::invalid.
-class Client : public Calls<Client> {
+class Client : public TaskCalls<Client> {
  public:
   /// Opens the address, finds the line's settings if it is a serial port without them, and reads
   /// what the board tells about itself. For addresses see <sbgc/io/open.hpp>: "/dev/ttyUSB0",
@@ -62,12 +70,10 @@ class Client : public Calls<Client> {
     return detail::read_answer<M>(transact(request, options));
   }
 
-  /// As call(), but tells how it ended and leaves the answer as it came.
+  /// As call(), but says how it ended and leaves the answer as it came.
   template <Message M>
   Result<Reply> transact(const M& request, const CallOptions& options = {}) {
-    const detail::EncodedRequest encoded(request);
-    if (!encoded) return encoded.error();
-    return conversation_.call(encoded.frame(), options);
+    return conversation_.call(conversation_.prepare(request, options), options);
   }
 
   /// Calls `handler` with every M that the board sends, whether asked for or not.
@@ -99,15 +105,20 @@ class Client : public Calls<Client> {
   Result<Subscription> stream(std::type_identity_t<Request> request,
                               std::function<void(const M&)> handler,
                               const CallOptions& options = {}) {
-    roles::stream_command(request) = M::command;
-    const detail::EncodedRequest encoded(request);
-    if (!encoded) return encoded.error();
-    return conversation_.stream(encoded.frame(), detail::key_of<M>,
-                                detail::typed_handler<M>(std::move(handler)), options);
+    return conversation_.stream(
+        detail::stream_requests<M>(conversation_, std::move(request), options), detail::key_of<M>,
+        detail::typed_handler<M>(std::move(handler)), options);
+  }
+
+  /// Drives a task to its end. The clock is what the task waits on between its calls.
+  template <class R>
+  R run(Task<R> task, Clock& clock = Clock::system()) {
+    detail::drive(conversation_, task.begin(conversation_.identity()), clock);
+    return std::move(task).result();
   }
 
   /// What the board has told about itself.
-  const BoardIdentity& board() const noexcept { return conversation_.board(); }
+  const BoardIdentity& identity() const noexcept { return conversation_.identity(); }
   /// What this client is connected to: "serial port /dev/ttyUSB0, 115200 8N1".
   std::string description() const { return conversation_.description(); }
   ClientStatistics statistics() const { return conversation_.statistics(); }

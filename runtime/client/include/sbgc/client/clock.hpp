@@ -29,20 +29,4 @@ class Clock {
   static Clock& system() noexcept;
 };
 
-/// The end of a task that consists of many calls.
-class Deadline {
- public:
-  Deadline(Clock& clock, std::chrono::milliseconds timeout)
-      : clock_(clock), end_(clock.now() + timeout) {}
-
-  [[nodiscard]] bool is_over() const { return clock_.now() >= end_; }
-  [[nodiscard]] Clock::TimePoint end() const noexcept { return end_; }
-  /// What is left, rounded up; 0 when it is over.
-  [[nodiscard]] std::chrono::milliseconds left() const;
-
- private:
-  Clock& clock_;
-  Clock::TimePoint end_;
-};
-
 }  // namespace sbgc

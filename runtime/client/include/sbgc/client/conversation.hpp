@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <span>
 #include <string>
 
 #include <sbgc/client/notice.hpp>
 #include <sbgc/client/options.hpp>
 #include <sbgc/client/reply.hpp>
+#include <sbgc/client/request.hpp>
 #include <sbgc/client/result.hpp>
 #include <sbgc/client/statistics.hpp>
 #include <sbgc/client/subscription.hpp>
@@ -21,10 +21,7 @@ struct BoardIdentity;
 
 namespace detail {
 
-/// A request in its frame. Everything else about it the library finds out from the bytes.
-using FrameBytes = std::span<const std::uint8_t>;
-
-/// One message as a subscriber names it.
+/// One message from the board, as a subscriber names it.
 struct MessageKey {
   std::uint8_t id{};
   Form form{};
@@ -42,8 +39,8 @@ inline constexpr MessageKey key_of{static_cast<std::uint8_t>(M::command), M::for
 class Conversation {
  public:
   using ReplyHandler = std::function<void(Result<Reply>)>;
-  /// False: the message cannot be decoded.
-  using MessageHandler = std::function<bool(const Received&)>;
+  /// Takes the decoded message of the key that it is subscribed to.
+  using MessageHandler = std::function<void(const void* message)>;
   using Ticket = std::uint64_t;
 
   class State;
@@ -51,31 +48,47 @@ class Conversation {
   Conversation() noexcept = default;
   explicit Conversation(std::shared_ptr<State> state) noexcept : state_(std::move(state)) {}
 
-  /// Begins a call. The handler may run before start() returns.
-  Ticket start(FrameBytes frame, const CallOptions& options, ReplyHandler handler) const;
+  /// The request with this message for this board.
+  template <Message M>
+  Result<Request> prepare(const M& message, const CallOptions& options) const {
+    static_assert(M::direction != Direction::from_board, "only the board sends this message");
+    return detail::prepare(message, versions(), options.validate);
+  }
+
+  /// Begins a call, or fails with the reason why there is no request. The handler may run before
+  /// start() returns.
+  Ticket start(Result<Request> request, const CallOptions& options, ReplyHandler handler) const;
   /// Ends a call with ErrorCode::cancelled, if it has not ended yet.
   void cancel(Ticket ticket) const;
   /// A call that is waited for. Not from a handler.
-  Result<Reply> call(FrameBytes frame, const CallOptions& options) const;
+  Result<Reply> call(Result<Request> request, const CallOptions& options) const;
 
   Subscription subscribe(MessageKey key, MessageHandler handler) const;
   Subscription on_notice(std::function<void(const Notice&)> handler) const;
 
+  /// The request that starts a data stream, and the one that ends it.
+  struct StreamRequests {
+    Result<Request> start;
+    Result<Request> end;
+  };
   using StreamHandler = std::function<void(Result<Subscription>)>;
-  /// Registers a data stream with the request in `frame` and subscribes to its messages.
-  Ticket start_stream(FrameBytes frame, MessageKey key, MessageHandler handler,
+  /// Registers a data stream and subscribes to its messages.
+  Ticket start_stream(StreamRequests requests, MessageKey key, MessageHandler handler,
                       const CallOptions& options, StreamHandler done) const;
-  Result<Subscription> stream(FrameBytes frame, MessageKey key, MessageHandler handler,
+  Result<Subscription> stream(StreamRequests requests, MessageKey key, MessageHandler handler,
                               const CallOptions& options) const;
 
-  const BoardIdentity& board() const noexcept;
+  const BoardIdentity& identity() const noexcept;
   std::string description() const;
   ClientStatistics statistics() const;
   void close() const noexcept;
 
+  explicit operator bool() const noexcept { return state_ != nullptr; }
   const std::shared_ptr<State>& state() const noexcept { return state_; }
 
  private:
+  Availability versions() const noexcept;
+
   std::shared_ptr<State> state_;
 };
 

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include <sbgc/printable.hpp>
+
 namespace sbgc {
 
 /// Every way in which an operation of the client can fail.
@@ -55,5 +57,14 @@ struct ClientError {
 
   bool operator==(const ClientError&) const = default;
 };
+
+inline std::string to_string(ErrorCode code) { return name(code); }
+/// The message.
+inline std::string to_string(const ClientError& error) { return error.message; }
+
+template <>
+inline constexpr bool is_printable<ErrorCode> = true;
+template <>
+inline constexpr bool is_printable<ClientError> = true;
 
 }  // namespace sbgc

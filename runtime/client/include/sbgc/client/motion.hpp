@@ -4,14 +4,11 @@
 #include <chrono>
 #include <functional>
 
-#include <sbgc/client/clock.hpp>
-#include <sbgc/client/result.hpp>
+#include <sbgc/client/task.hpp>
 #include <sbgc/types.hpp>
 #include <sbgc/units.hpp>
 
 namespace sbgc {
-
-class Client;
 
 /// {.pitch = -30_deg} moves one axis; axes without an angle are left alone.
 using MoveTarget = Axes<Optional<msg::Angle14>>;
@@ -26,6 +23,8 @@ struct MoveProgress {
 
 /// How a move is made.
 struct MoveOptions {
+  /// Without a direction; 0 is the speed from the board's parameters.
+  msg::ControlSpeed speed{};
   /// For all of it.
   std::chrono::milliseconds timeout{30'000};
   /// How far from its target an axis may end, in degrees.
@@ -38,31 +37,31 @@ struct MoveOptions {
   bool stop_on_failure = true;
   /// Called with all that is seen. False cancels the move.
   std::function<bool(const MoveProgress&)> progress{};
-  Clock& clock = Clock::system();
 };
-
-/// Moves the camera to `target`, in Euler coordinates, and waits until it is there. Returns what
-/// was seen last; an error tells how far it got. Axes left alone stay with, or go back to, RC
-/// control; firmware before 2.55b5 holds them at their present targets. Speed 0 is the speed from
-/// the settings. When the measured angle stands still elsewhere the command is sent again.
-///
-/// Angles cover two full turns in each direction, so 370 degrees is another target than 10.
-Result<MoveProgress> move_to(Client& client, const MoveTarget& target, msg::ControlSpeed speed = {},
-                             const MoveOptions& options = {});
 
 /// How the camera is stopped.
 struct StopOptions {
   std::chrono::milliseconds timeout{3'000};
   /// How often it is looked at and the command sent again.
   std::chrono::milliseconds interval{50};
-  Clock& clock = Clock::system();
 };
+
+namespace tasks {
+
+/// Moves the camera to `target`, in Euler coordinates, and waits until it is there. Returns what
+/// was seen last; an error says how far it got. Axes left alone stay with, or go back to, RC
+/// control; firmware before 2.55b5 holds them at their present targets. When the measured angle
+/// stays elsewhere the command is sent again.
+///
+/// Angles cover two full turns in each direction, so 370 degrees is another target than 10.
+Task<Result<MoveProgress>> move_to(MoveTarget target, MoveOptions options = {});
 
 /// Stops all axes where they are and waits until the board says that none has a speed any more.
 /// Serial control goes on, with speed 0; see release().
-Result<void> stop(Client& client, const StopOptions& options = {});
+Task<Result<void>> stop(StopOptions options = {});
 
 /// Ends serial control; RC has control again.
-Result<void> release(Client& client);
+Task<Result<void>> release();
 
+}  // namespace tasks
 }  // namespace sbgc

@@ -27,14 +27,12 @@
 #include <string_view>
 #include <vector>
 
-#include <sbgc/client/clock.hpp>
 #include <sbgc/client/progress.hpp>
 #include <sbgc/client/result.hpp>
+#include <sbgc/client/task.hpp>
 #include <sbgc/settings.hpp>
 
 namespace sbgc {
-
-class Client;
 
 /// A message that holds settings.
 template <class M>
@@ -133,11 +131,7 @@ struct ReadOptions {
   /// For all of it.
   std::chrono::milliseconds timeout{60'000};
   ProgressHandler progress{};
-  Clock& clock = Clock::system();
 };
-
-/// Reads all settings that this board and firmware have.
-Result<ParameterSet> read_parameters(Client& client, const ReadOptions& options = {});
 
 /// How settings are written.
 struct WriteOptions {
@@ -149,7 +143,6 @@ struct WriteOptions {
   /// settings that differ between the wanted blocks but do not on the board.
   bool validate = true;
   ProgressHandler progress{};
-  Clock& clock = Clock::system();
 };
 
 /// What is known to stand on the board for one block that was to be written.
@@ -176,6 +169,11 @@ struct BlockReport {
 
 /// What write_parameters() has done, also if it has failed.
 struct WriteReport {
+  WriteReport() = default;
+  /// Of what failed before anything was done.
+  // NOLINTNEXTLINE(google-explicit-constructor): `return error;`
+  WriteReport(ClientError error) : outcome(std::move(error)) {}
+
   /// Everything that was wanted stands on the board, or would after a dry run.
   Result<void> outcome{};
   std::vector<BlockReport> blocks{};
@@ -186,6 +184,11 @@ struct WriteReport {
 /// For people: the outcome, and what is known about each block.
 std::string to_text(const WriteReport& report);
 
+namespace tasks {
+
+/// Reads all settings that this board and firmware have.
+Task<Result<ParameterSet>> read_parameters(ReadOptions options = {});
+
 /// Makes the settings of the board those in `wanted`. Blocks that `wanted` does not have stay.
 ///
 /// All blocks are read first; what can be found wrong is found before anything is written. Only
@@ -193,7 +196,7 @@ std::string to_text(const WriteReport& report);
 /// once more. State of the board, and bytes that the board has behind the end of a wanted body,
 /// are written back as they were read. Nothing is undone after a failure: the report says what
 /// stands on the board.
-[[nodiscard]] WriteReport write_parameters(Client& client, const ParameterSet& wanted,
-                                           const WriteOptions& options = {});
+Task<WriteReport> write_parameters(ParameterSet wanted, WriteOptions options = {});
 
+}  // namespace tasks
 }  // namespace sbgc

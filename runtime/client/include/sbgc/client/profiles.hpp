@@ -6,31 +6,33 @@
 #include <string>
 #include <string_view>
 
-#include <sbgc/client/result.hpp>
+#include <sbgc/client/task.hpp>
 #include <sbgc/messages/parameters.hpp>
 
 namespace sbgc {
-
-class Client;
 
 inline constexpr std::size_t profile_count = decltype(msg::ReadProfileNames::profile_name){}.size();
 /// Most bytes of a name, in UTF-8.
 inline constexpr std::size_t profile_name_size =
     decltype(msg::ReadProfileNames::profile_name)::value_type::capacity();
 
-using ProfileNames = std::array<std::string, profile_count>;
+/// One name for each profile.
+struct ProfileNames : std::array<std::string, profile_count> {};
 
-/// Why a profile can not be named so: more bytes than fit, not UTF-8, or a NUL inside. Names are
+/// Why a profile cannot have this name: more bytes than fit, not UTF-8, or a NUL inside. Names are
 /// never cut.
 Result<void> check_profile_name(std::string_view name);
 
+namespace tasks {
+
 /// The names as the board has them, without the padding. Bytes that are not UTF-8 come as they are.
-Result<ProfileNames> read_profile_names(Client& client);
+Task<Result<ProfileNames>> profile_names();
 
 /// Names one profile, counted from 0; the others keep their names to the last byte. Read back.
-Result<void> write_profile_name(Client& client, std::size_t profile, std::string_view name);
+Task<Result<void>> rename_profile(std::size_t profile, std::string name);
 
 /// Names all profiles. Read back.
-Result<void> write_profile_names(Client& client, const ProfileNames& names);
+Task<Result<void>> rename_profiles(ProfileNames names);
 
+}  // namespace tasks
 }  // namespace sbgc

@@ -1,4 +1,4 @@
-/// What comes from the board, before its type is known.
+/// What comes back for a request, before its type is known.
 #pragma once
 
 #include <cstdint>
@@ -13,43 +13,35 @@ namespace sbgc {
 
 struct Contexts;
 
-/// One message from the board. A view: valid during the call that hands it out.
-struct Received {
-  std::uint8_t id{};
-  std::span<const std::uint8_t> body{};
-  const Contexts* contexts{};  ///< what earlier messages say about how to read it, if it matters
-};
-
 /// How a request ended well.
-enum class Ending : std::uint8_t {
+enum class ReplyKind : std::uint8_t {
   answered,     ///< with the message that answers it
   confirmed,    ///< with all its confirmations
-  unconfirmed,  ///< a confirmation was hoped for, but none came
+  unconfirmed,  ///< a confirmation was possible, but none came
   sent,         ///< nothing comes back for it
 };
 
 /// What came back for a request.
 struct Reply {
-  Ending ending{};
+  ReplyKind kind{};
   std::uint8_t id{};                   ///< of the answer, or of the last confirmation; else 0
   BoundedBytes<max_body_size> body{};  ///< its body
+  /// What earlier messages say about how to read it, if it matters.
   std::shared_ptr<const Contexts> contexts{};
-
-  Received received() const noexcept { return {id, {body.data(), body.size()}, contexts.get()}; }
 };
 
 namespace detail {
 
 /// Decodes a message that cannot be read without its context. The library has it for each of them.
 template <class M>
-Status decode_in_context(const Received& received, M& out) noexcept;
+Status decode_in_context(const Reply& reply, M& out) noexcept;
 
 template <class M>
-Status read(const Received& received, M& out) noexcept {
+Status read(const Reply& reply, M& out) noexcept {
   if constexpr (requires { typename M::Context; }) {
-    return decode_in_context(received, out);
+    return decode_in_context(reply, out);
   } else {
-    return decode(received.body, out);
+    return decode(std::span<const std::uint8_t>(reply.body.data(), reply.body.size()), out);
   }
 }
 

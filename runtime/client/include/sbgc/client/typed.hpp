@@ -1,18 +1,16 @@
 /// From messages to bytes and back, for the calls of Client and AsyncClient.
 #pragma once
 
-#include <array>
 #include <chrono>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
-#include <span>
 #include <type_traits>
 #include <utility>
 #include <variant>
 
-#include <sbgc/client/calls.hpp>
+#include <sbgc/client/call_result.hpp>
 #include <sbgc/client/conversation.hpp>
 #include <sbgc/client/reply.hpp>
 #include <sbgc/client/result.hpp>
@@ -23,28 +21,10 @@ namespace sbgc {
 
 namespace detail {
 
-ClientError encode_error(Status status);
 ClientError decode_error(Status status, const Reply& reply);
 ClientError missing_answer(const Reply& reply);
 /// The interval of a data stream in the counts of the protocol, of which the largest is `most`.
 Result<std::int64_t> stream_interval_count(std::chrono::milliseconds interval, std::int64_t most);
-
-/// A request in its frame, or why it has none.
-class EncodedRequest {
- public:
-  template <Message M>
-  explicit EncodedRequest(const M& request) noexcept : written_(encode_frame(request, bytes_)) {
-    static_assert(M::direction != Direction::from_board, "only the board sends this message");
-  }
-
-  explicit operator bool() const noexcept { return static_cast<bool>(written_); }
-  FrameBytes frame() const noexcept { return {bytes_.data(), written_.size}; }
-  ClientError error() const { return encode_error(written_.status); }
-
- private:
-  std::array<std::uint8_t, max_frame_size> bytes_{};
-  WriteResult written_;
-};
 
 template <class T>
 struct IsOptional : std::false_type {};
@@ -53,11 +33,11 @@ struct IsOptional<std::optional<T>> : std::true_type {};
 
 /// One of several messages that may answer: the first that the body is.
 template <class... Ms>
-Status read(const Received& received, std::variant<Ms...>& out) noexcept {
+Status read(const Reply& reply, std::variant<Ms...>& out) noexcept {
   Status status{Code::unknown_form};
   const auto try_one = [&](auto message) {
-    if (static_cast<std::uint8_t>(message.command) != received.id) return false;
-    status = read(received, message);
+    if (static_cast<std::uint8_t>(message.command) != reply.id) return false;
+    status = read(reply, message);
     if (status) out = message;
     return static_cast<bool>(status);
   };
@@ -73,15 +53,15 @@ Result<CallAnswer<M>> read_answer(const Result<Reply>& reply) {
   if constexpr (std::is_void_v<Answer>) {
     return {};
   } else {
-    const bool is_answered = reply->ending == Ending::answered;
+    const bool is_answered = reply->kind == ReplyKind::answered;
     Answer answer{};
     Status status{};
     if constexpr (IsOptional<Answer>::value) {
       if (!is_answered) return answer;
-      status = read(reply->received(), answer.emplace());
+      status = read(*reply, answer.emplace());
     } else {
       if (!is_answered) return missing_answer(*reply);
-      status = read(reply->received(), answer);
+      status = read(*reply, answer);
     }
     if (!status) return decode_error(status, *reply);
     return answer;
@@ -101,22 +81,38 @@ Result<Request> stream_request(std::chrono::milliseconds interval) {
   return request;
 }
 
-/// Decodes messages for a handler that takes them typed.
+/// Makes `request` be about the stream of M.
+template <class M, class Request>
+void choose_stream(Request& request) noexcept {
+  constexpr bool is_streamed = roles::StreamMessages::contains<M>;
+  static_assert(
+      is_streamed,
+      "the board has no stream of this message: sbgc::roles::StreamMessages are possible");
+  if constexpr (is_streamed) {
+    auto& command = roles::stream_command(request);
+    command = static_cast<std::remove_reference_t<decltype(command)>>(M::command);
+  }
+}
+
+/// The requests that start and end the data stream of `message`, which is asked for as `request`.
+template <Message M, Message Request>
+Conversation::StreamRequests stream_requests(const Conversation& conversation, Request request,
+                                             const CallOptions& options) {
+  choose_stream<M>(request);
+  Request end = request;
+  auto& interval = roles::stream_interval(end);
+  interval = std::remove_reference_t<decltype(interval)>(roles::stream_end);
+  return {conversation.prepare(request, options), conversation.prepare(end, options)};
+}
+
+/// The handler of a message as the conversation calls it.
 template <class M>
 Conversation::MessageHandler typed_handler(std::function<void(const M&)> handler) {
-  return [handler = std::move(handler)](const Received& received) {
-    M message{};
-    const bool readable = static_cast<bool>(read(received, message));
-    if (readable) handler(message);
-    return readable;
+  return [handler = std::move(handler)](const void* message) {
+    handler(*static_cast<const M*>(message));
   };
 }
 
 }  // namespace detail
-
-/// What a call with the request M returns: the answer, or nothing where the protocol has none; an
-/// optional answer where it depends on what the request says.
-template <class M>
-using CallResult = Result<detail::CallAnswer<M>>;
 
 }  // namespace sbgc

@@ -5,19 +5,15 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <sbgc/client/result.hpp>
+#include <sbgc/client/task.hpp>
 #include <sbgc/enums.hpp>
 #include <sbgc/meta/variables.hpp>
 
 namespace sbgc {
-
-class Client;
 
 /// A variable and its value in the variable's unit: {"LPF_FREQ_ROLL", 120} is 120 Hz.
 struct VariableValue {
@@ -38,19 +34,22 @@ double variable_value(const VariableInfo& variable, std::int32_t raw) noexcept;
 /// if the variable can not have it.
 Result<std::int32_t> variable_raw(const VariableInfo& variable, double value);
 
+namespace tasks {
+
 /// The values of these variables, in their order. Many are asked for with few messages.
-Result<std::vector<double>> get_variables(Client& client, std::span<const std::string_view> names);
+Task<Result<std::vector<double>>> get_variables(std::vector<std::string> names);
 /// The value of one variable.
-Result<double> get_variable(Client& client, std::string_view name);
+Task<Result<double>> get_variable(std::string name);
 
 /// Sets variables until the next start, or until they are saved. All are checked before the first
 /// one is sent. As many as fit into a message change at the same moment; after a failure the error
 /// says how many have been set, in the order given.
-Result<void> set_variables(Client& client, std::span<const VariableValue> values);
+Task<Result<void>> set_variables(std::vector<VariableValue> values);
 /// Sets one variable.
-Result<void> set_variable(Client& client, std::string_view name, double value);
+Task<Result<void>> set_variable(std::string name, double value);
 
 /// Saves the board's volatile settings, with all changes to variables, to the active profile.
-Result<void> save_variables(Client& client);
+Task<Result<void>> save_variables();
 
+}  // namespace tasks
 }  // namespace sbgc

@@ -2,24 +2,30 @@
 #pragma once
 
 #include <cstddef>
-#include <string_view>
 
 #include <sbgc/meta.hpp>
 
 namespace sbgc::detail {
 
+consteval bool is_same_text(const char* a, const char* b) noexcept {
+  for (; *a == *b; ++a, ++b) {
+    if (*a == '\0') return true;
+  }
+  return false;
+}
+
 /// The table of a field of M. Does not compile if there is none.
 template <class M>
-consteval const FieldInfo& field_info(std::string_view name) {
+consteval const FieldInfo& field_info(const char* name) {
   for (const FieldInfo& field : Meta<M>::fields) {
-    if (field.name == name) return field;
+    if (is_same_text(field.name, name)) return field;
   }
   throw "no field has this name";  // NOLINT(*-exception-*): stops the compiler
 }
 
 /// The highest value of a field, as a size.
 template <class M>
-consteval std::size_t highest(std::string_view name) {
+consteval std::size_t highest(const char* name) {
   return static_cast<std::size_t>(field_info<M>(name).range->highest);
 }
 

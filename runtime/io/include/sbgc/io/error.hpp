@@ -6,6 +6,8 @@
 #include <system_error>
 #include <type_traits>
 
+#include <sbgc/printable.hpp>
+
 namespace sbgc::io {
 
 /// The failures a caller may want to tell apart. Whatever else the operating system reports keeps
@@ -41,7 +43,13 @@ struct Error {
   explicit operator bool() const noexcept { return static_cast<bool>(code); }
 };
 
+/// The message.
+inline std::string to_string(const Error& error) { return error.message; }
+
 }  // namespace sbgc::io
+
+template <>
+inline constexpr bool sbgc::is_printable<sbgc::io::Error> = true;
 
 template <>
 struct std::is_error_code_enum<sbgc::io::Errc> : std::true_type {};

@@ -5,14 +5,13 @@
 
 #include <sbgc/io/error.hpp>
 #include <sbgc/line.hpp>
+#include <sbgc/line_facts.hpp>
 
 namespace sbgc::io {
 
+using sbgc::default_line;
 using sbgc::LineSettings;
 using sbgc::Parity;
-
-/// What a board is set to when it is new.
-inline constexpr LineSettings default_line{115200, Parity::none};
 
 /// "115200 8N1".
 std::string to_string(const LineSettings& settings);

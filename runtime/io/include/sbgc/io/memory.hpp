@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <span>
@@ -14,15 +15,21 @@
 
 namespace sbgc::io {
 
+/// What a receiver gets of bytes that were sent back to back with other line settings than its own.
+using LineMismatch = std::function<std::vector<std::uint8_t>(
+    std::span<const std::uint8_t> bytes, const LineSettings& sender, const LineSettings& receiver)>;
+
 struct MemoryOptions {
   /// Bytes each way that may be written but not read; a write completes when all its bytes are
   /// among them. At least 1.
   std::size_t capacity = 65536;
   /// The most bytes that one read delivers. At least 1.
   std::size_t max_read = std::numeric_limits<std::size_t>::max();
-  /// Both ends have a LineControl. What is written while their settings differ arrives as the
-  /// garbage that a UART would make of it.
+  /// Both ends have a LineControl.
   bool with_line = false;
+  /// What arrives of bytes written while the settings of the two ends differ; without it, nothing
+  /// does.
+  LineMismatch mismatch{};
 };
 
 /// What one end writes, the other reads. When an end is closed, the other reads what was written
@@ -38,10 +45,5 @@ MemoryPair make_memory_pair(const asio::any_io_executor& executor,
 /// Each end on an executor of its own; they may run on different threads.
 MemoryPair make_memory_pair(const asio::any_io_executor& first, const asio::any_io_executor& second,
                             const MemoryOptions& options = {});
-
-/// What a UART with the settings `receiver` makes of bytes that another sends, back to back on an
-/// idle line, with the settings `sender`. It drops bytes without a stop bit or with a wrong parity.
-std::vector<std::uint8_t> received_as(std::span<const std::uint8_t> bytes,
-                                      const LineSettings& sender, const LineSettings& receiver);
 
 }  // namespace sbgc::io

@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <span>
 
-#include <sbgc/exchange.hpp>
 #include <sbgc/frame.hpp>
 #include <sbgc/line.hpp>
 #include <sbgc/parser.hpp>
 #include <sbgc/protocol.hpp>
+#include <sbgc/response_policy.hpp>
 #include <sbgc/status.hpp>
 #include <sbgc/time.hpp>
 
@@ -44,10 +44,10 @@ enum class EventKind : std::uint8_t {
   completed,     ///< a request is over: once for every request that send() took
   confirmation,  ///< a confirmation; for a request with `handle`, the last one just before it
                  ///< completes
-  board_error,   ///< an error that can not be assigned to a request
+  board_error,   ///< an error that cannot be assigned to a request
   stream,        ///< a sample of a data stream that this session has started
   unsolicited,   ///< any other message that no request waits for
-  reset,         ///< the board is about to restart; the requests complete right behind
+  reset,         ///< the board is about to restart; the requests complete right after
 };
 
 /// One thing that happened. `frame` is a view, valid during the call.
@@ -69,7 +69,7 @@ enum class SendStatus : std::uint8_t {
   queue_full,        ///< there are as many requests as the session can hold
   not_encodable,     ///< see the result's `encoding`
   over_budget,       ///< the data stream would take too much of the line
-  too_many_streams,  ///< the board, or the session, can not have another data stream
+  too_many_streams,  ///< the board, or the session, has no room for another data stream
 };
 
 /// What send() reports: a handle if the status is ok.
@@ -91,10 +91,10 @@ struct SendOptions {
   Instant deadline = Instant::never;  ///< completes with `timeout` at this moment, sent or not
 };
 
-/// The break behind each command, so that the board's input buffer does not overflow.
+/// The pause after each command, so that the board's input buffer does not overflow.
 struct PacingOptions {
-  Duration shortest = milliseconds(shortest_pause_ms);  ///< behind a small request and answer
-  Duration longest = milliseconds(longest_pause_ms);    ///< behind the largest
+  Duration shortest = milliseconds(shortest_pause_ms);  ///< after a small request and response
+  Duration longest = milliseconds(longest_pause_ms);    ///< after the largest
 };
 
 /// How a session works. The defaults are right for a serial line whose speed is not known.
@@ -102,7 +102,7 @@ struct SessionOptions {
   LineSettings line{};                ///< what sending and receiving take; 0 baud: no time
   PacingOptions pacing{};             ///< both 0: none
   std::uint8_t attempts = 3;          ///< most transmissions of a request whose retry is safe
-  Duration late = milliseconds(500);  ///< how long behind its time an answer may still come
+  Duration late = milliseconds(500);  ///< how late a response may still come
   Duration duplicates{};              ///< how long a frame may come again (UDP); 0: never
   Duration idle = milliseconds(100);  ///< silence that ends an incomplete frame
   std::uint8_t stream_percent = 80;   ///< of the line, that data streams may take
@@ -114,8 +114,8 @@ struct SessionStatistics {
   std::uint64_t sent_frames{};  ///< retries included
   std::uint64_t sent_bytes{};
   std::uint64_t retries{};
-  std::uint64_t timeouts{};      ///< transmissions without answer
-  std::uint64_t late_answers{};  ///< answers and confirmations to requests that were over
+  std::uint64_t timeouts{};      ///< transmissions without a response
+  std::uint64_t late_replies{};  ///< responses to requests that were over
   std::uint64_t unsolicited{};
   std::uint64_t board_errors{};
   std::uint64_t resets{};

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <limits>
 
-#include <sbgc/exchange.hpp>
 #include <sbgc/frame.hpp>
+#include <sbgc/response_policy.hpp>
 #include <sbgc/session/event.hpp>
 
 namespace sbgc::detail {

@@ -1,6 +1,6 @@
-// Runs the decoder module on one input after the other. This function is everything the worker
-// consists of: the page hands its source to the worker, because a page that was opened from a file
-// may not load a script into one. `scope` is the worker's global object, or what stands for it.
+// Runs the decoder module on one input after the other. This function is the whole worker: the page
+// passes its source to the worker, because a page opened from a file may not load a script into one.
+// `scope` is the worker's global object or a substitute.
 "use strict";
 
 function decoderEngine(scope) {
@@ -45,7 +45,7 @@ function decoderEngine(scope) {
     size += piece.length;
   }
 
-  // What the page's list shows; the rest is asked for when somebody looks at it.
+  // Content of the page's list; the page requests the rest when an item is opened.
   function summary(line) {
     const { frame, rows } = line;
     return {
@@ -61,7 +61,7 @@ function decoderEngine(scope) {
     };
   }
 
-  // Lets messages be heard: a new input, a question about a frame.
+  // Lets messages in: a new input, a request for a frame.
   const pause = () =>
     new Promise((resolve) => {
       const channel = new MessageChannel();
@@ -144,7 +144,7 @@ function decoderEngine(scope) {
     } else {
       const limit = 5; // start bytes that are explained
       give(bytes.subarray(offset, Math.min(size, offset + length + wasm.frame_limit())));
-      wasm.near_misses(length, limit);
+      wasm.rejected_candidates(length, limit);
       answer.misses = JSON.parse(outputText());
     }
     scope.postMessage(answer);

@@ -1,4 +1,4 @@
-// How the decoder shows frames: from the engine's answers to elements of the page.
+// Turns the engine's answers into elements of the page.
 "use strict";
 
 const decoderView = (() => {
@@ -19,7 +19,7 @@ const decoderView = (() => {
   function referenceOf(message, path) {
     const known = messagePages[message];
     if (known === undefined || path === "tail") return null;
-    // Elements that the model does not tell apart share a place.
+    // Elements that the model does not distinguish share a place.
     const shared = [path.replace(/\[\d+\]/g, "[]"), path.replace(/\[\d+\]$/, "")];
     const place = shared.find((name) => known.lists.includes(name)) ?? path;
     return `${root}${known.page}#field-${encodeURIComponent(place)}`;
@@ -29,7 +29,7 @@ const decoderView = (() => {
     `${number.toLocaleString("en")} ${thing}${number === 1 ? "" : "s"}`;
   const hexByte = (byte) => byte.toString(16).padStart(2, "0");
 
-  /** The path with places where a line may break. */
+  /** The path, with optional line breaks. */
   function breakable(path) {
     const parts = path.split(/(?=[.[])/);
     return parts.flatMap((part, i) => (i === 0 ? [part] : [element("wbr"), part]));
@@ -37,7 +37,7 @@ const decoderView = (() => {
 
   const senders = { from_board: "board to host", to_board: "host to board" };
 
-  /** What stands in the list before anybody looks inside: a button that opens the item. */
+  /** The closed list entry: a button that opens the item. */
   function heading(item, index) {
     const button = element("button", {
       type: "button",
@@ -102,7 +102,7 @@ const decoderView = (() => {
   }
 
   function rowsTable(answer) {
-    // Where it is narrow the table is laid out as a list; the roles keep it a table for readers.
+    // On narrow screens the table becomes a list; the roles keep it a table for screen readers.
     const head = element("tr", { role: "row" });
     for (const title of ["Byte", "Field", "Raw", "Meaning"]) {
       head.append(element("th", { scope: "col", role: "columnheader", class: title.toLowerCase() }, title));
@@ -129,7 +129,7 @@ const decoderView = (() => {
     return element("div", region, table);
   }
 
-  /** What is inside a frame. */
+  /** The content of a frame. */
   function insideFrame(answer) {
     const { frame, rows } = answer;
     const result = [coloured(answer.bytes, partsOf(answer), "Bytes of the frame")];
@@ -140,7 +140,7 @@ const decoderView = (() => {
       note.append(`${frame.error.offset} of the body.`);
       result.push(element("div", { class: "note bad" }, note));
     } else if (rows.length === 0) {
-      result.push(element("p", { class: "muted" }, "Its body has no fields to show."));
+      result.push(element("p", { class: "muted" }, "The body has no fields."));
     } else {
       result.push(rowsTable(answer));
     }
@@ -151,7 +151,7 @@ const decoderView = (() => {
     return result;
   }
 
-  /** What is inside a gap. */
+  /** The content of a gap. */
   function insideGap(answer, item) {
     const shown = 512; // bytes
     const list = element("ul", {});
@@ -171,14 +171,14 @@ const decoderView = (() => {
       result.push(element("p", { class: "muted" }, `… and ${counted(item.size - shown, "byte")} more`));
     }
     if (starts.size === 0) {
-      result.push(element("p", {}, "There is no start byte (3e) among them."));
+      result.push(element("p", {}, "They contain no start byte (3e)."));
     } else {
       result.push(list);
     }
     return result;
   }
 
-  /** Lets bytes and rows with the same part light each other up. */
+  /** Highlights bytes and rows of the same part together. */
   function connect(inside) {
     const mark = (event, on) => {
       const part = event.target.closest?.("[data-part]")?.dataset.part;

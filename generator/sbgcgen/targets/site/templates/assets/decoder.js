@@ -8,10 +8,10 @@
   const text = get("hex");
 
   const pageSize = 100; // items of the list
-  const largestText = 20000; // characters that a text area shows without trouble
+  const largestText = 20000; // characters that a text area handles well
   const typingPause = 150; // ms
 
-  // The engine, in a worker if there can be one.
+  // The engine, in a worker if possible.
 
   function startWorker(receive) {
     try {
@@ -36,12 +36,12 @@
     return send;
   }
 
-  // What is decoded: the text area, or something that is held outside of it.
+  // The input: the text area, or data held outside it.
 
   let held = null; // {name, data: string or ArrayBuffer, hex}
   let job = 0;
   let items = [];
-  let shown = []; // indices of the items that the filter lets through
+  let shown = []; // indices of the items that pass the filter
   let page = 0;
   let finished = false;
   let hexError = null;
@@ -85,7 +85,7 @@
     if (message.type === "batch") receiveBatch(message);
     if (message.type === "details") receiveDetails(message);
     if (message.type === "failed") {
-      showProblem(`The decoder has failed: ${message.reason}`);
+      showProblem(`The decoder failed: ${message.reason}`);
     }
   }
 
@@ -117,7 +117,7 @@
     const objections = items.reduce((sum, item) => sum + (item.objections ?? 0), 0);
     const parts = [counted(end.frames, "frame")];
     if (errors) parts.push(`${errors.toLocaleString("en")} of them not decodable`);
-    if (objections) parts.push(counted(objections, "value") + " that the specification does not allow");
+    if (objections) parts.push(counted(objections, "value") + " outside the specification");
     if (end.skipped_bytes) {
       const why = [
         [end.header_errors, "bad header"],
@@ -143,7 +143,7 @@
     fillPage();
   }
 
-  /** Adds what is missing at the end of the current page. */
+  /** Fills up the end of the current page. */
   function fillPage() {
     const list = get("frames");
     const first = page * pageSize;
@@ -247,7 +247,7 @@
 
   function showHexError() {
     const { line, column, reason } = hexError;
-    const before = items.length === 0 ? "" : " What stands before it is decoded below.";
+    const before = items.length === 0 ? "" : " The bytes before it are decoded below.";
     showProblem(`This is not hex text. Line ${line}, column ${column}: ${reason}.${before}`);
     if (held) return;
     text.setAttribute("aria-invalid", "true");
@@ -257,7 +257,7 @@
   get("problem-show").addEventListener("click", () => {
     const lines = text.value.split("\n");
     const start = lines.slice(0, hexError.line - 1).reduce((sum, line) => sum + line.length + 1, 0);
-    // The engine counts bytes; before the place there may be other characters only in comments.
+    // The engine counts bytes; only comments can hold multi-byte characters before the place.
     const at = start + hexError.column - 1;
     text.focus();
     text.setSelectionRange(at, at + 1);
@@ -303,7 +303,7 @@
       hold({ name: file.name, data, hex: isHexText(new Uint8Array(data)) });
       decode();
     } catch (error) {
-      showProblem(`The file can not be read: ${error.message}`);
+      showProblem(`The file cannot be read: ${error.message}`);
     }
   }
 
@@ -311,7 +311,7 @@
   text.addEventListener("paste", (event) => {
     const pasted = event.clipboardData.getData("text");
     if (text.value.length + pasted.length <= largestText) return;
-    // A text area takes seconds for what is decoded in one.
+    // A text area takes seconds for input that decodes in one.
     event.preventDefault();
     setText(text.value.slice(0, text.selectionStart) + pasted + text.value.slice(text.selectionEnd));
   });
@@ -360,6 +360,6 @@
     return true;
   }
   addEventListener("hashchange", openHash);
-  // A browser may give back what was in the text area before.
+  // A browser may restore the previous content of the text area.
   if (!openHash() && text.value !== "") decode();
 })();

@@ -1,4 +1,4 @@
-// Small comforts; every page can be read without them.
+// Conveniences; every page works without them.
 "use strict";
 
 (() => {
@@ -14,7 +14,7 @@
     try {
       localStorage.setItem("theme", root.dataset.theme);
     } catch {
-      // It holds for this page only.
+      // The choice lasts for this page only.
     }
     showTheme();
   });
@@ -71,7 +71,7 @@
     block.prepend(button);
   }
 
-  // Bytes of a frame and the rows that explain them light each other up.
+  // Highlights bytes of a frame and their rows together.
   for (const part of document.querySelectorAll("[data-part]")) {
     const scope = part.closest("article") ?? document;
     const mark = (on) => {

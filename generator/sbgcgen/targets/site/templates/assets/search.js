@@ -8,9 +8,9 @@
   const status = document.getElementById("search-status");
   const root = document.body.dataset.root;
   const limit = 30;
-  // Words of a question that say nothing about what is looked for.
+  // Stop words.
   const empty = new Set("a an are can do does for how i in is it my of on the to what with".split(" "));
-  // What counts as a synonym of a word is worth less than the word, and less the later it is named.
+  // A synonym scores less than the word itself, and less the later it is listed.
   const [synonymWorth, laterWorth] = [0.5, 0.02];
   // The order of kinds among equals.
   const kinds = ["message", "command", "page", "guide", "unit", "section", "family", "enum", "flags", "packed", "variable", "field", "value", "erratum"];
@@ -58,7 +58,7 @@
   // Lines of the specification, as in "L1148" or "L1148-L1160".
   const isLines = /^l(\d+)(?:-l(\d+))?$/;
 
-  // How well lines fit that an entry comes from: a short range says more than a long one.
+  // How well the source lines of an entry match: a short range counts more than a long one.
   const fitLines = (entry, first, last) => {
     const sizes = entry.lines.filter(([from, to]) => from <= last && first <= to).map(([from, to]) => to - from);
     return sizes.length ? 95 - Math.min(10, Math.min(...sizes) / 10) : 0;
@@ -68,7 +68,7 @@
   // "Axes.roll" and "axes_roll" are one.
   const squeeze = (text) => text.replace(/[\s_.·-]+/g, "");
 
-  // How well one word fits: 0 not at all.
+  // How well one word matches; 0 means not at all.
   const fit = (entry, word, isProse) => {
     const lines = isLines.exec(word);
     if (lines) return fitLines(entry, Number(lines[1]), Number(lines[2] ?? lines[1]));
@@ -82,17 +82,17 @@
     return word.length > 2 && !/^\d+$/.test(word) && entry.text.includes(word) ? 10 : 0;
   };
 
-  // How well a word fits the name and the other words of an entry.
+  // How well a word matches the name and the other words of an entry.
   const fitName = (entry, word, tight, isProse) => {
     if (word.includes(" ") && !isProse && ` ${entry.words.join(" ")} `.includes(` ${word} `)) return 90;
     if (entry.names === word || squeeze(entry.names) === tight) return 100;
-    // A guide says many words, most of them by the way.
+    // Most words of a guide are incidental.
     if (!isProse && entry.words.includes(word)) return entry.kind === "value" ? 75 : 90;
     const last = entry.names.slice(entry.names.lastIndexOf(".") + 1);
     if (last === word) return 85;
     if (entry.names.startsWith(word) || entry.names.startsWith(`cmd_${word}`)) return 70;
     if (last.startsWith(word) || (!isProse && entry.words.some((w) => w.startsWith(word)))) return 60;
-    if (/^\d+$/.test(word)) return 0; // a number is meant as a whole
+    if (/^\d+$/.test(word)) return 0; // a number matches only as a whole
     if (entry.parts.at(-1) === word) return 70; // "ControlSpeed" is a speed
     if (entry.parts.includes(word)) return 55;
     if (entry.parts.some((part) => part.startsWith(word))) return 50;
@@ -103,7 +103,7 @@
     return 0;
   };
 
-  // What else may be meant by a word, and what that is worth.
+  // Alternatives to a word, with their scores.
   const meanings = (word) => {
     const found = new Map([[word, 1]]);
     for (const group of synonyms) {
@@ -140,7 +140,7 @@
     return score / words.length;
   };
 
-  // The number of letters to add, drop, change or swap, as far as that is at most `most`.
+  // The edit distance with swaps, if it is at most `most`.
   const distance = (a, b, most) => {
     if (Math.abs(a.length - b.length) > most) return most + 1;
     let [before, row] = [[], Array.from({ length: b.length + 1 }, (_, j) => j)];
@@ -158,7 +158,7 @@
     return row[b.length];
   };
 
-  // The words that a misspelt one is nearest to; also to how they begin.
+  // The words, or prefixes of words, nearest to a misspelt one.
   const nearest = (word) => {
     const most = word.length < 4 ? 0 : word.length < 8 ? 1 : 2;
     vocabulary ??= new Set(
@@ -177,7 +177,7 @@
     return found.sort((a, b) => a[1] - b[1]).slice(0, 4).map(([known]) => known);
   };
 
-  // What is found, and what it was taken for if nothing fits a word as it is spelt.
+  // The results, and the corrections of misspelt words.
   const find = (query) => {
     const words = wordsOf(query);
     const taken = [];
@@ -192,7 +192,7 @@
     });
     const found = [];
     for (const entry of words.length ? entries : []) {
-      // Of twins the one that fits best is shown, and leads to its own page.
+      // Of several twins, the best match is shown and links to its own page.
       let [most, shown] = [best(entry, alternatives, entry.isProse), entry];
       for (const twin of entry.twins) {
         const score = best(twin, alternatives, false);
@@ -226,7 +226,7 @@
     return link;
   };
 
-  // A line among the results that leads nowhere.
+  // A line among the results without a link.
   const note = (text) => {
     const line = document.createElement("div");
     line.className = "nothing";
@@ -274,11 +274,11 @@
       status.textContent = "The search index could not be loaded.";
       return;
     }
-    if (query !== input.value) return; // more has been typed
+    if (query !== input.value) return; // the query has changed
     const { found, taken } = find(query);
     active = -1;
     list.replaceChildren(...found.slice(0, limit).map(option));
-    const read = taken.map(([word, known]) => `“${word}” is taken for “${known}”.`).join(" ");
+    const read = taken.map(([word, known]) => `Showing “${known}” for “${word}”.`).join(" ");
     const count = found.length === 1 ? "1 result" : `${found.length} results`;
     status.textContent = `${read} ${count}`.trim();
     if (found.length === 0) list.prepend(note("Nothing found."));
@@ -310,7 +310,7 @@
   form.addEventListener("focusout", (event) => {
     if (!form.contains(event.relatedTarget)) close();
   });
-  list.addEventListener("pointerdown", (event) => event.preventDefault()); // the focus stays
+  list.addEventListener("pointerdown", (event) => event.preventDefault()); // keeps the focus
   document.addEventListener("keydown", (event) => {
     const typing = event.target.closest("input, textarea, select, [contenteditable]");
     if (event.key !== "/" || typing || event.ctrlKey || event.metaKey || event.altKey) return;

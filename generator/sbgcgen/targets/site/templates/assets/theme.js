@@ -1,4 +1,4 @@
-// Runs before the page is drawn, so that it never shows the wrong colours for a moment.
+// Runs before the page is drawn, so the wrong colours never flash.
 "use strict";
 
 (() => {
@@ -8,6 +8,6 @@
     const chosen = localStorage.getItem("theme");
     if (chosen === "light" || chosen === "dark") root.dataset.theme = chosen;
   } catch {
-    // No storage, no memory: the system's choice holds.
+    // Without storage, the system's choice applies.
   }
 })();

@@ -1,0 +1,213 @@
+// spec/calibration.yaml: calibrating and tuning.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include <sbgc/meta/calibration.hpp>
+#include <sbgc/settings.hpp>
+
+#include "device/device.hpp"
+#include "device/handlers.hpp"
+
+namespace sbgc::emulator {
+namespace {
+
+using Kind = Calibrations::Kind;
+
+/// Index of an IMU in Memory::imus; empty if the board does not have it.
+std::optional<std::size_t> index_of(const Device& device, msg::CalibImu imu) {
+  switch (imu) {
+    case msg::CalibImu::active: return device.cur_imu == msg::SelectedImu::frame ? 1 : 0;
+    case msg::CalibImu::main: return 0;
+    case msg::CalibImu::frame: break;
+    default: return {};
+  }
+  return device.has_frame_imu() ? std::optional<std::size_t>(1) : std::nullopt;
+}
+
+/// Starts a calibration that is confirmed on reception and, if `confirms_end`, once more at its
+/// end.
+Outcome begin(RequestContext& context, Kind kind, std::size_t imu, bool confirms_end) {
+  std::optional<Calibrations::Requester> requester;
+  if (confirms_end) requester = Calibrations::Requester{context.port, context.command};
+  if (!context.device.calibrations.start(context.device, kind, imu, requester, context.now)) {
+    return context.refuse(msg::BoardErrorCode::wrong_state);
+  }
+  return context.confirm();
+}
+
+/// Starts a calibration that is confirmed once, at its end.
+Outcome begin_silently(RequestContext& context, Kind kind) {
+  const Calibrations::Requester requester{context.port, context.command};
+  if (!context.device.calibrations.start(context.device, kind, 0, requester, context.now)) {
+    return context.refuse(msg::BoardErrorCode::wrong_state);
+  }
+  return Outcome::carried_out;
+}
+
+Outcome restart(RequestContext& context) {
+  ++context.device.memory.revision;
+  const Outcome outcome = context.confirm();
+  context.device.restarts.announce(context.device, context.now);
+  return outcome;
+}
+
+/// What CMD_CALIB_ACC and CMD_CALIB_GYRO do with a sensor of an IMU.
+struct Sensor {
+  Kind regular, temperature, from_sensor, to_sensor;
+  void (*forget)(ImuCalibration& imu);
+  /// Enables or disables the calibration over temperature, if there is one.
+  void (*use_temperature)(ImuCalibration& imu, bool used);
+};
+
+constexpr Sensor gyro{Kind::gyro,
+                      Kind::gyro_temperature,
+                      Kind::gyro_from_sensor,
+                      Kind::gyro_to_sensor,
+                      [](ImuCalibration& imu) {
+                        imu.gyro_is_calibrated = imu.gyro_temperature_enabled = false;
+                        imu.gyro_temperature_min = imu.gyro_temperature_max = 0;
+                        imu.gyro_offset = {};
+                      },
+                      [](ImuCalibration& imu, bool used) {
+                        // Assumption: a range of 0 to 0 degrees means that there is none.
+                        const bool exists =
+                            imu.gyro_temperature_min != 0 || imu.gyro_temperature_max != 0;
+                        imu.gyro_temperature_enabled = used && exists;
+                      }};
+
+constexpr Sensor acc{Kind::acc,
+                     Kind::acc_temperature,
+                     Kind::acc_from_sensor,
+                     Kind::acc_to_sensor,
+                     [](ImuCalibration& imu) {
+                       imu.acc_limits = 0;
+                       imu.acc_temperature_enabled = false;
+                       imu.acc_temperature_min = imu.acc_temperature_max = 0;
+                       imu.acc_slots = {};
+                     },
+                     [](ImuCalibration& imu, bool used) {
+                       const bool exists =
+                           std::any_of(imu.acc_slots.begin(), imu.acc_slots.end(),
+                                       [](std::uint8_t slots) { return slots != 0; });
+                       imu.acc_temperature_enabled = used && exists;
+                     }};
+
+Outcome carry_out(RequestContext& context, const Sensor& sensor, msg::CalibImu which,
+                  msg::CalibAction action) {
+  Device& device = context.device;
+  const auto imu = index_of(device, which);
+  if (!imu) return RequestContext::ignore();
+  ImuCalibration& memory = device.memory.imus[*imu];
+  const bool changes_at_once = action == msg::CalibAction::reset ||
+                               action == msg::CalibAction::enable_temperature ||
+                               action == msg::CalibAction::disable_temperature;
+  if (changes_at_once && device.calibrations.under_way()) {
+    return context.refuse(msg::BoardErrorCode::wrong_state);
+  }
+  switch (action) {
+    case msg::CalibAction::regular: return begin(context, sensor.regular, *imu, true);
+    case msg::CalibAction::temperature: return begin(context, sensor.temperature, *imu, true);
+    case msg::CalibAction::restore_factory: return begin(context, sensor.from_sensor, *imu, true);
+    case msg::CalibAction::store_in_sensor: return begin(context, sensor.to_sensor, *imu, true);
+    case msg::CalibAction::reset: sensor.forget(memory); return restart(context);
+    case msg::CalibAction::enable_temperature:
+      sensor.use_temperature(memory, true);
+      return restart(context);
+    case msg::CalibAction::disable_temperature:
+      sensor.use_temperature(memory, false);
+      return restart(context);
+  }
+  return RequestContext::ignore();
+}
+
+}  // namespace
+
+Outcome handle(RequestContext& context, const msg::CalibAcc&) {
+  return carry_out(context, acc, msg::CalibImu::active, msg::CalibAction::regular);
+}
+Outcome handle(RequestContext& context, const msg::CalibAccExt& request) {
+  return carry_out(context, acc, request.imu_idx, request.action);
+}
+Outcome handle(RequestContext& context, const msg::CalibGyro&) {
+  return carry_out(context, gyro, msg::CalibImu::active, msg::CalibAction::regular);
+}
+Outcome handle(RequestContext& context, const msg::CalibGyroExt& request) {
+  return carry_out(context, gyro, request.imu_idx, request.action);
+}
+
+Outcome handle(RequestContext& context, const msg::CalibMag&) {
+  return begin(context, Kind::mag, 0, false);
+}
+Outcome handle(RequestContext& context, const msg::CalibExtGain&) {
+  return begin_silently(context, Kind::ext_gain);
+}
+Outcome handle(RequestContext& context, const msg::CalibPoles&) {
+  return begin_silently(context, Kind::poles);
+}
+
+Outcome handle(RequestContext& context, const msg::CalibOffset&) {
+  if (!Calibrations::store_follow_offsets(context.device, context.now)) {
+    return context.refuse(msg::BoardErrorCode::wrong_state);
+  }
+  return context.confirm();
+}
+
+Outcome handle(RequestContext& context, const msg::CalibBat& request) {
+  if (!context.device.has_battery_meter())
+    return context.refuse(msg::BoardErrorCode::not_supported);
+  const double measured = context.device.gimbal.sample(context.now).battery;
+  // Assumption: a voltage divider is never off by more than this, so the request is a mistake.
+  constexpr double lowest = 0.5;
+  constexpr double highest = 2;
+  const double factor = measured > 0 ? request.actual_voltage.volts() / measured : 0;
+  if (!(factor >= lowest && factor <= highest))
+    return context.refuse(msg::BoardErrorCode::wrong_params);
+  context.device.memory.battery_factor = factor;
+  ++context.device.memory.revision;
+  context.device.apply_parameters(context.now);
+  return context.confirm();
+}
+
+Outcome handle(RequestContext& context, const msg::EncodersCalibOffset4&) {
+  if (!context.device.has_encoders()) return context.refuse(msg::BoardErrorCode::not_supported);
+  return begin(context, Kind::encoder_offset, 0, false);
+}
+Outcome handle(RequestContext& context, const msg::EncodersCalibFldOffset4&) {
+  if (!context.device.has_encoders()) return context.refuse(msg::BoardErrorCode::not_supported);
+  return begin(context, Kind::encoder_field, 0, false);
+}
+
+Outcome handle(RequestContext& context, const msg::CalibInfoRequest& request) {
+  Device& device = context.device;
+  const bool is_frame = request.imu_type == msg::SelectedImu::frame;
+  if (!is_frame && request.imu_type != msg::SelectedImu::main) {
+    return context.refuse(msg::BoardErrorCode::wrong_params);
+  }
+  if (is_frame && !device.has_frame_imu())
+    return context.refuse(msg::BoardErrorCode::not_supported);
+  return context.answer(device.calibrations.info(device, is_frame ? 1 : 0, context.now));
+}
+
+Outcome handle(RequestContext& context, const msg::AutoPidRequest& request) {
+  Device& device = context.device;
+  if (request.cfg_flags.raw() == msg::AutoPidRequest::stop_tuning) {
+    device.auto_tuning.stop();
+    return context.confirm();
+  }
+  const msg::AutoPidFlags flags = request.cfg_flags;
+  const bool names_axis = flags.has(msg::AutoPidFlag::roll) || flags.has(msg::AutoPidFlag::pitch) ||
+                          flags.has(msg::AutoPidFlag::yaw);
+  if (request.profile_id >= SettingsOf<msg::ReadParams3>::copies || !names_axis) {
+    return context.refuse(msg::BoardErrorCode::wrong_params);
+  }
+  if (!device.auto_tuning.start(device, request.profile_id, flags, request.gain_vs_stability,
+                                context.port, context.now)) {
+    return context.refuse(msg::BoardErrorCode::wrong_state);
+  }
+  return context.confirm();
+}
+
+}  // namespace sbgc::emulator

@@ -1,0 +1,80 @@
+/// The response to requests without a handler, from the model alone: a command that is new in the
+/// specification needs no code here.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include <sbgc/framing.hpp>
+#include <sbgc/response.hpp>
+#include <sbgc/response_policy.hpp>
+
+#include "device/request_context.hpp"
+
+namespace sbgc::emulator {
+
+namespace detail {
+
+template <class Answer>
+struct FirstOf {
+  using type = Answer;
+};
+template <class First, class... Others>
+struct FirstOf<TypeList<First, Others...>> {
+  using type = First;
+};
+
+using Body = std::array<std::uint8_t, max_body_size>;
+
+/// Writes a correlation field; returns the size that the body needs for it.
+inline std::size_t put_field(const CorrelationField& field, Body& body) {
+  for (std::size_t i = 0; i < field.size; ++i) {
+    body[field.offset + i] = static_cast<std::uint8_t>(field.value >> (8 * i));
+  }
+  return field.size == 0 ? 0 : std::size_t{field.offset} + field.size;
+}
+
+}  // namespace detail
+
+/// Whether the model documents the request: not if its body may be anything.
+template <class Request>
+inline constexpr bool is_documented = Request::min_size != 0 || Request::max_size != max_body_size;
+
+/// Sends an empty response with the correlation fields of the request, or confirms the request
+/// where that is possible, or sends nothing.
+template <class Request>
+Outcome default_response(RequestContext& context, const Request& request) {
+  if constexpr (!is_documented<Request>) {
+    // Assumption: a real board does something undocumented here; this one does nothing.
+    return Outcome::carried_out;
+  } else {
+    const ResponsePolicy policy = response_policy(request);
+    detail::Body body{};
+    if constexpr (requires { detail::FirstOf<ResponseMessages<Request>>::type::command; }) {
+      using Answer = typename detail::FirstOf<ResponseMessages<Request>>::type;
+      if (policy.responses.form_count != 0) {
+        if (!is_supported<Answer>(context.versions())) return Outcome::carried_out;
+        const ResponseForm& form = policy.responses.forms[0];
+        const WriteResult written = encode(Answer{}, body);
+        std::size_t size = std::max<std::size_t>(written.size, form.min_size);
+        for (const CorrelationField& field : form.correlation)
+          size = std::max(size, detail::put_field(field, body));
+        context.answer_body(form.id, std::span(body).first(size));
+      }
+    }
+    if (policy.responses.confirmed != Confirmed::never) {
+      const ConfirmationResult& result = policy.result;
+      std::size_t size = detail::put_field(policy.responses.confirmation, body);
+      size = std::max(size, detail::put_field({result.offset, result.size, result.success}, body));
+      // Offsets count from the id of the confirmed command.
+      const auto data = size > 1 ? std::span(body).subspan(1, size - 1) : std::span(body).first(0);
+      for (unsigned i = 0; i < policy.confirmations; ++i) static_cast<void>(context.confirm(data));
+    }
+    return Outcome::carried_out;
+  }
+}
+
+}  // namespace sbgc::emulator

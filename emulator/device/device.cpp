@@ -1,0 +1,108 @@
+#include "device/device.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <sbgc/roles.hpp>
+
+#include "device/parts/gimbal_tuning.hpp"
+
+namespace sbgc::emulator {
+
+Device::Device(BoardOptions of, Memory kept, Instant now)
+    : options(std::move(of)),
+      memory(std::move(kept)),
+      eeprom(memory),
+      parameters(memory),
+      files(memory),
+      gimbal(options.gimbal, now),
+      ports(options),
+      restarts(*this, now) {}
+
+Availability Device::versions() const { return {options.firmware.raw(), options.board.raw()}; }
+
+bool Device::has_frame_imu() const {
+  return options.has_frame_imu &&
+         parameters.of<msg::ReadParams3>().frame_imu_pos != msg::FrameImuPosition::disabled;
+}
+
+double Device::gyro_unit() { return msg::GyroRate(1).degrees_per_second(); }
+
+Duration Device::cycle() { return microseconds(roles::stream_cycle_us); }
+
+bool Device::has_encoders() const { return options.features.has(msg::BoardFeature::encoders); }
+
+bool Device::has_battery_meter() const {
+  return options.features.has(msg::BoardFeature::bat_monitoring);
+}
+
+double Device::battery_factor() const { return has_battery_meter() ? memory.battery_factor : 0; }
+
+double Device::measured_battery(const Sample& sample) const {
+  return sample.battery * battery_factor();
+}
+
+void Device::select_profile(std::uint8_t profile, Instant now) {
+  parameters.select_profile(profile);
+  apply_parameters(now);
+}
+
+void Device::apply_parameters(Instant now) {
+  if (!has_frame_imu()) cur_imu = msg::SelectedImu::main;
+  gimbal.tune(tuning_of(parameters, versions(), has_encoders(), battery_factor()), now);
+  correct_gyros(now);
+  remote.apply(*this, now);
+  slots.apply_parameters(*this, now);
+}
+
+void Device::forget_calibrations() {
+  memory.imus = {};
+  memory.battery_factor = Memory{}.battery_factor;
+  ++memory.revision;
+  gyro_headings = {};
+}
+
+void Device::correct_gyros(Instant now) {
+  const auto variable = parameters.variable(msg::VariableId::gyro_heading_correction);
+  const double more =
+      msg::GyroOffset(static_cast<std::int16_t>(variable.value_or(0))).gyro_units() * gyro_unit();
+  for (const std::size_t imu : {0U, 1U}) {
+    const double heading = gyro_headings[imu] + (imu == 0 ? more : 0);
+    gimbal.correct_gyro(imu == 1, memory.imus[imu].gyro_offset, heading, now);
+  }
+}
+
+void Device::set_motors(bool on, Instant now) { gimbal.set_motors(on, now); }
+
+void Device::calibrate_at_start(Instant now) {
+  const msg::SkipGyroCalibration skip = parameters.of<msg::ReadParams3>().skip_gyro_calib;
+  if (skip == msg::SkipGyroCalibration::skip_always) return;
+  const Sample sample = gimbal.sample(now);
+  // Assumption: faster than this, in deg/s, it counts as moving.
+  constexpr double still = 1;
+  for (const bool of_frame : {false, true}) {
+    const Vector& gyro = of_frame ? sample.frame_gyro : sample.gyro;
+    const bool moves = std::hypot(gyro.x, gyro.y, gyro.z) > still;
+    if (moves && skip == msg::SkipGyroCalibration::skip_if_moving) continue;
+    gimbal.gyro_calibrated(of_frame, now);
+    Vector& offset = memory.imus[of_frame ? 1 : 0].gyro_offset;
+    if (offset != Vector{}) ++memory.revision;
+    offset = {};
+  }
+}
+
+Flags<msg::SystemError> Device::errors(Instant now) {
+  Flags<msg::SystemError> errors = calibrations.errors();
+  if (has_battery_meter()) {
+    const auto& thresholds = parameters.of<msg::ReadParams3>();
+    const double volts = measured_battery(gimbal.sample(now));
+    // A negative threshold disables the check: no voltage is below it.
+    if (volts < thresholds.bat_threshold_alarm.volts()) errors.set(msg::SystemError::low_bat1);
+    if (volts < thresholds.bat_threshold_motors.volts()) errors.set(msg::SystemError::low_bat2);
+  }
+  // Without the motors' current the voltage may have risen again.
+  if (gimbal.stopped_by_battery()) errors.set(msg::SystemError::low_bat2);
+  return errors;
+}
+
+}  // namespace sbgc::emulator

@@ -1,0 +1,87 @@
+/// Answers every request that reads or writes parameters.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+
+#include <sbgc/settings.hpp>
+
+#include "device/device.hpp"
+#include "device/request_context.hpp"
+
+namespace sbgc::emulator {
+
+namespace detail {
+
+template <class M, class List>
+inline constexpr bool is_one_of = false;
+template <class M, class... Others>
+inline constexpr bool is_one_of<M, TypeList<Others...>> = (std::is_same_v<M, Others> || ...);
+
+template <class Request, class Parameters>
+inline constexpr bool reads = is_one_of<Request, typename SettingsOf<Parameters>::Readers>;
+template <class Request, class Parameters>
+inline constexpr bool writes = is_one_of<Request, typename SettingsOf<Parameters>::Writers>;
+
+template <class Request, class List>
+inline constexpr bool accesses_one = false;
+template <class Request, class... Parameters>
+inline constexpr bool accesses_one<Request, TypeList<Parameters...>> =
+    ((reads<Request, Parameters> || writes<Request, Parameters>) || ...);
+
+/// The copy that a request names; empty if there is no such copy.
+template <class S, class Request>
+std::optional<std::uint8_t> copy_of(const Device& device, const Request& request) {
+  if constexpr (SettingsOf<S>::copies == 1) {
+    return std::uint8_t{0};
+  } else {
+    const std::uint8_t copy = SettingsOf<S>::copy(request);
+    if (copy == Request::active_profile) return device.parameters.profile();
+    if (copy < SettingsOf<S>::copies) return copy;
+    return {};
+  }
+}
+
+/// Sets the fields that show the state of the board.
+template <class S>
+void fill_state(const Device& device, S& parameters) {
+  if constexpr (requires { parameters.cur_imu; }) parameters.cur_imu = device.cur_imu;
+  if constexpr (requires { parameters.cur_profile_id; }) {
+    parameters.cur_profile_id = device.parameters.profile();
+  }
+}
+
+}  // namespace detail
+
+/// Whether a request reads or writes parameters.
+template <class Request>
+inline constexpr bool accesses_parameters = detail::accesses_one<Request, StoredMessages>;
+
+/// Carries out such a request. Any values are stored: the specification does not say that the board
+/// checks them, and it must keep what it does not understand.
+template <class Request>
+Outcome access_parameters(RequestContext& context, const Request& request) {
+  Outcome outcome = Outcome::refused;
+  StoredMessages::for_each([&]<class S>(Type<S>) {
+    if constexpr (detail::reads<Request, S> || detail::writes<Request, S>) {
+      Device& device = context.device;
+      const auto copy = detail::copy_of<S>(device, request);
+      if (!copy) {
+        outcome = context.refuse(msg::BoardErrorCode::wrong_params);
+      } else if constexpr (detail::reads<Request, S>) {
+        S answer = device.parameters.read<S>(*copy);
+        detail::fill_state(device, answer);
+        outcome = context.answer_anyway(answer);
+      } else if (device.parameters.write<S>(*copy, request)) {
+        device.apply_parameters(context.now);
+        outcome = context.confirm();
+      } else {
+        outcome = context.refuse(msg::BoardErrorCode::operation_failed);
+      }
+    }
+  });
+  return outcome;
+}
+
+}  // namespace sbgc::emulator

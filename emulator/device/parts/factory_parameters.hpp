@@ -1,0 +1,30 @@
+/// The parameters of a new board.
+#pragma once
+
+#include <cstdint>
+
+#include <sbgc/messages.hpp>
+#include <sbgc/settings.hpp>
+
+namespace sbgc::emulator {
+
+/// The StoredMessages of a new board. All values are assumptions: the specification gives none.
+/// They suit an ordinary gimbal with three axes and a battery of four lithium cells, are within all
+/// ranges, and use only what boards of version 3.0 know. Reserved bytes are 0.
+template <class M>
+M factory_parameters(std::uint8_t copy);
+
+template <>
+msg::ReadParams3 factory_parameters(std::uint8_t copy);
+template <>
+msg::ReadParamsExt factory_parameters(std::uint8_t copy);
+template <>
+msg::ReadParamsExt2 factory_parameters(std::uint8_t copy);
+template <>
+msg::ReadProfileNames factory_parameters(std::uint8_t copy);
+template <>
+msg::ReadAdjVarsCfg factory_parameters(std::uint8_t copy);
+template <>
+msg::ReadExternalData factory_parameters(std::uint8_t copy);
+
+}  // namespace sbgc::emulator

@@ -1,0 +1,20 @@
+/// How the parameters tune the mechanics.
+#pragma once
+
+#include <sbgc/availability.hpp>
+#include <sbgc/emulator/gimbal.hpp>
+#include <sbgc/types.hpp>
+
+#include "device/parts/parameters.hpp"
+
+namespace sbgc::emulator {
+
+/// Without encoders the limits of the joints do not apply. `battery_factor`: the reading of the
+/// sensor for one volt; 0: there is no sensor.
+Tuning tuning_of(const Parameters& parameters, const Availability& versions, bool has_encoders,
+                 double battery_factor);
+
+/// The start and home angles of the camera.
+Axes<double> home_angles(const Parameters& parameters);
+
+}  // namespace sbgc::emulator

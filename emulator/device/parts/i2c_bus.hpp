@@ -1,0 +1,48 @@
+/// The I2C buses of the board and the devices on them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+#include <sbgc/enums.hpp>
+#include <sbgc/time.hpp>
+
+namespace sbgc::emulator {
+
+struct Device;
+
+/// Register spaces of the chips: two IMUs and a magnetometer on the sensor bus, the EEPROM on the
+/// other one (assumption: real boards differ).
+class I2cBus {
+ public:
+  static constexpr std::uint8_t main_imu = 0x68;
+  static constexpr std::uint8_t frame_imu = 0x69;  ///< if the board has one
+  static constexpr std::uint8_t magnetometer = 0x1E;
+  static constexpr std::uint8_t eeprom = 0x50;  ///< on the second bus
+
+  /// Whether a chip acknowledges this address.
+  static bool answers(const Device& device, msg::I2cDevice chip);
+  /// Register addresses count up and wrap after the last one. Precondition for both: the chip
+  /// answers.
+  std::vector<std::uint8_t> read(Device& device, msg::I2cDevice chip, std::uint8_t address,
+                                 std::size_t size, Instant now) const;
+  /// Read-only registers stay as they are.
+  void write(Device& device, msg::I2cDevice chip, std::uint8_t address,
+             std::span<const std::uint8_t> data);
+
+  static Instant next() { return Instant::never; }
+  static void advance(Device&, Instant) {}
+  /// The chips keep their power, and so their registers.
+  static void restart(Device&, Instant) {}
+  /// The chips lose what hosts have written.
+  void power_off() { written_.clear(); }
+
+ private:
+  /// What hosts have written into registers, by address of device and register.
+  std::map<std::uint16_t, std::uint8_t> written_{};
+};
+
+}  // namespace sbgc::emulator

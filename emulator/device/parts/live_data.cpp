@@ -1,0 +1,235 @@
+#include "device/parts/live_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <sbgc/detail/meta_limits.hpp>
+#include <sbgc/meta/realtime.hpp>
+#include <sbgc/responses/realtime.hpp>
+
+#include "device/device.hpp"
+#include "physics/quantities.hpp"
+
+namespace sbgc::emulator {
+namespace {
+
+/// An axis turns about one direction of its sensor: roll about y, which points forward, pitch about
+/// x, which points right, yaw about z, which points up. (Assumption: the specification names axes
+/// only.)
+constexpr std::size_t sensor_axis(std::size_t axis) {
+  constexpr std::array<std::size_t, 3> directions{1, 0, 2};
+  return directions[axis];
+}
+
+/// An RC signal as a pulse of the range that the specification gives.
+msg::RcSignal pulse(std::optional<double> signal) {
+  constexpr Range range = *sbgc::detail::field_info<msg::RealtimeData3>("rc").range;
+  constexpr double middle = (range.lowest + range.highest) / 2;
+  constexpr double half = (range.highest - range.lowest) / 2;
+  // An input without a signal reads as its middle: an assumption.
+  return saturated<msg::RcSignal>(middle + half * signal.value_or(0));
+}
+
+/// A flight controller's signal; 0 if no input is assigned to it.
+msg::RcSignal controller_pulse(const Device& device, msg::RcMap source) {
+  const auto signal = device.remote.signal(source);
+  return signal ? pulse(signal) : msg::RcSignal(msg::RealtimeData3::ext_fc_unused);
+}
+
+msg::FineRcSignal fine(std::optional<double> signal) {
+  return signal ? saturated<msg::FineRcSignal>(*signal)
+                : msg::FineRcSignal(msg::RealtimeDataCustom::undefined);
+}
+
+Xyz<float> vector(const Vector& from) {
+  return {static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z)};
+}
+
+template <class Q, class From>
+Axes<Q> sensor(const From& from) {
+  Axes<Q> to;
+  for (std::size_t axis = 0; axis < to.size(); ++axis) {
+    to[axis] = saturated<Q>(from[sensor_axis(axis)]);
+  }
+  return to;
+}
+
+Axes<msg::Angle14> angles(const Axes<double>& from) {
+  return {wire_angle(from.roll), wire_angle(from.pitch), wire_angle(from.yaw)};
+}
+
+/// Sets the fields that both long messages begin with.
+template <class M>
+void measure_common(Device& device, std::size_t port, Instant now, const Sample& sample, M& data) {
+  const auto& parameters = device.parameters.of<msg::ReadParams3>();
+  for (std::size_t axis = 0; axis < data.axes.size(); ++axis) {
+    data.axes[axis].acc_data = saturated<msg::Acceleration>(sample.acceleration[sensor_axis(axis)]);
+    data.axes[axis].gyro_data = saturated<msg::GyroRate>(sample.gyro[sensor_axis(axis)]);
+    data.rc[axis] = pulse(device.remote.own(device, axis));
+    data.motor_power[axis] =
+        saturated_raw<std::uint8_t>(sample.power[axis] * std::numeric_limits<std::uint8_t>::max());
+  }
+  // Counters wrap.
+  data.serial_error_cnt = static_cast<std::uint16_t>(device.ports.errors(port));
+  data.system_error = device.errors(now);
+  data.error_code = static_cast<std::uint8_t>(data.system_error.raw());
+  data.rc_cmd = pulse(device.remote.signal(parameters.rc_map_cmd));
+  data.ext_fc_roll = controller_pulse(device, parameters.rc_map_fc_roll);
+  data.ext_fc_pitch = controller_pulse(device, parameters.rc_map_fc_pitch);
+  data.angle = angles(sample.angles);
+  data.rc_angle = angles(sample.targets);
+  if (device.has_frame_imu()) data.frame_imu_angle = angles(sample.frame);
+  data.cycle_time = saturated<msg::Microseconds>(static_cast<double>(device.cycle().us));
+  data.bat_level = saturated<msg::Voltage>(device.measured_battery(sample));
+  if (device.gimbal.motors_on()) data.other_flags.set(msg::OtherFlag::motors_on);
+  data.cur_imu = device.cur_imu;
+  data.cur_profile = device.parameters.profile();
+}
+
+template <class M, class Use>
+bool use_if(const Device& device, const msg::DataStreamInterval& request, Use&& use) {
+  if (static_cast<std::uint8_t>(request.cmd_id) != static_cast<std::uint8_t>(M::command)) {
+    return false;
+  }
+  return is_supported<M>(device.versions()) && use();
+}
+
+bool is_of_frame(const msg::DataStreamInterval& request) {
+  return request.config.imu_type && *request.config.imu_type == msg::ImuIndex::frame;
+}
+
+}  // namespace
+
+bool knows_frame(Device& device, Instant now) {
+  return device.has_frame_imu() || device.gimbal.is_frame_reported(now);
+}
+
+bool knows_joints(const Device& device) { return device.has_encoders() || device.has_frame_imu(); }
+
+void measure(Device& device, std::size_t port, Instant now, msg::RealtimeData3& data) {
+  measure_common(device, port, now, device.gimbal.sample(now), data);
+}
+
+void measure(Device& device, std::size_t port, Instant now, msg::RealtimeData4& data) {
+  const Sample sample = device.gimbal.sample(now);
+  measure_common(device, port, now, sample, data);
+  if (knows_joints(device)) data.rotor_angle = angles(sample.joints);
+  for (std::size_t axis = 0; axis < data.mag_data.size(); ++axis) {
+    data.balance_error[axis] = saturated<msg::BalanceError>(100 * sample.imbalance[axis]);
+    // Assumption: the scale of the raw data depends on the sensor.
+    data.mag_data[axis] = saturated_raw<std::int16_t>(1000 * sample.magnetic[sensor_axis(axis)]);
+  }
+  if (device.options.features.has(msg::BoardFeature::current_sensor)) {
+    data.current = saturated<msg::Current>(1000 * sample.current);
+  }
+  data.imu_temperature = saturated<msg::Temperature>(sample.temperature);
+  if (device.has_frame_imu()) {
+    data.frame_imu_temperature = saturated<msg::Temperature>(sample.frame_temperature);
+  }
+  const bool is_frame = device.cur_imu == msg::SelectedImu::frame;
+  data.imu_g_err =
+      saturated<msg::AngleError>(is_frame ? sample.frame_gravity_error : sample.gravity_error);
+  data.imu_h_err =
+      saturated<msg::AngleError>(is_frame ? sample.frame_heading_error : sample.heading_error);
+}
+
+void measure(Device& device, msg::RealtimeDataCustomFlags blocks, Instant now,
+             msg::RealtimeDataCustom& data) {
+  using Flag = msg::RealtimeDataCustomFlag;
+  const Sample sample = device.gimbal.sample(now);
+  const auto& parameters = device.parameters.of<msg::ReadParams3>();
+  // The clock has 16 bits and wraps every 65.5 s.
+  data.timestamp_ms = msg::MillisecondClock(
+      static_cast<std::uint16_t>((now - device.restarts.started()).us / 1000));
+  if (blocks.has(Flag::imu_angles)) data.imu_angles = angles(sample.angles);
+  if (blocks.has(Flag::target_angles)) data.target_angles = angles(sample.targets);
+  if (blocks.has(Flag::target_speed)) {
+    Axes<msg::GyroRate>& speeds = data.target_speed.emplace();
+    for (std::size_t axis = 0; axis < speeds.size(); ++axis) {
+      speeds[axis] = saturated<msg::GyroRate>(sample.target_speeds[axis]);
+    }
+  }
+  if (blocks.has(Flag::stator_rotor_angle)) {
+    data.stator_rotor_angle = knows_joints(device) ? angles(sample.joints) : Axes<msg::Angle14>{};
+  }
+  if (blocks.has(Flag::gyro_data)) data.gyro_data = sensor<msg::GyroRate>(sample.gyro);
+  if (blocks.has(Flag::rc_data)) {
+    auto& signals = data.rc_data.emplace();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      signals[axis] = fine(device.remote.own(device, axis));
+    }
+    signals[3] = fine(device.remote.signal(parameters.rc_map_cmd));
+    signals[4] = fine(device.remote.signal(parameters.rc_map_fc_roll));
+    signals[5] = fine(device.remote.signal(parameters.rc_map_fc_pitch));
+  }
+  if (blocks.has(Flag::z1_h1_vectors)) {
+    data.z1_vector = vector(sample.up);
+    data.h1_vector = vector(sample.north);
+  }
+  // No receiver is connected.
+  if (blocks.has(Flag::rc_channels)) data.rc_channels.emplace().fill(fine({}));
+  if (blocks.has(Flag::acc_data)) data.acc_data = sensor<msg::Acceleration>(sample.acceleration);
+}
+
+void measure(Device& device, Instant now, msg::GetAngles& data) {
+  const Sample sample = device.gimbal.sample(now);
+  for (std::size_t axis = 0; axis < data.axes.size(); ++axis) {
+    data.axes[axis].imu_angle = wire_angle(sample.angles[axis]);
+    data.axes[axis].rc_target_angle = wire_angle(sample.targets[axis]);
+    data.axes[axis].rc_speed = saturated<msg::ControlSpeed>(sample.target_speeds[axis]);
+  }
+}
+
+void measure(Device& device, Instant now, msg::GetAnglesExt& data) {
+  const Sample sample = device.gimbal.sample(now);
+  for (std::size_t axis = 0; axis < data.axes.size(); ++axis) {
+    data.axes[axis].imu_angle = wire_angle(sample.angles[axis]);
+    data.axes[axis].rc_target_angle = wire_angle(sample.targets[axis]);
+    if (knows_joints(device)) {
+      data.axes[axis].stator_rotor_angle = saturated<msg::LongAngle14>(sample.joints[axis]);
+    }
+  }
+}
+
+void measure(Device& device, bool of_frame, Instant now, msg::AhrsHelper& data) {
+  const Sample sample = device.gimbal.sample(now);
+  data.z1_vector = vector(of_frame ? sample.frame_up : sample.up);
+  data.h1_vector = vector(of_frame ? sample.frame_north : sample.north);
+}
+
+bool can_stream(Device& device, const msg::DataStreamInterval& request, Instant now) {
+  const auto yes = [] { return true; };
+  return use_if<msg::RealtimeData3>(device, request, yes) ||
+         use_if<msg::RealtimeData4>(device, request, yes) ||
+         use_if<msg::RealtimeDataCustom>(device, request, yes) ||
+         use_if<msg::AhrsHelper>(device, request, [&] {
+           if (is_of_frame(request)) return knows_frame(device, now);
+           return !request.config.imu_type || *request.config.imu_type == msg::ImuIndex::main;
+         });
+}
+
+bool offer_sample(Device& device, std::size_t port, const msg::DataStreamInterval& request,
+                  Instant now) {
+  // Measuring costs more than checking first.
+  const std::size_t size = Framing::frame_size(stream_change(request).size);
+  if (device.ports.room(port) < size) return false;
+  const auto offer = [&]<class M>(M data, auto&&... what) {
+    measure(device, what..., now, data);
+    return device.ports.offer(port, data);
+  };
+  return use_if<msg::RealtimeData3>(device, request,
+                                    [&] { return offer(msg::RealtimeData3{}, port); }) ||
+         use_if<msg::RealtimeData4>(device, request,
+                                    [&] { return offer(msg::RealtimeData4{}, port); }) ||
+         use_if<msg::RealtimeDataCustom>(device, request,
+                                         [&] {
+                                           return offer(msg::RealtimeDataCustom{},
+                                                        request.config.flags
+                                                            ? *request.config.flags
+                                                            : msg::RealtimeDataCustomFlags{});
+                                         }) ||
+         use_if<msg::AhrsHelper>(device, request,
+                                 [&] { return offer(msg::AhrsHelper{}, is_of_frame(request)); });
+}
+
+}  // namespace sbgc::emulator

@@ -1,0 +1,65 @@
+/// Outputs besides the motors: pins, servo pulses, sounds.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <tuple>
+
+#include <sbgc/enums.hpp>
+#include <sbgc/messages/peripherals.hpp>
+#include <sbgc/time.hpp>
+
+namespace sbgc::emulator {
+
+struct Device;
+
+/// Nothing is connected; hosts can ask for the state of the outputs.
+class Outputs {
+ public:
+  static constexpr std::size_t servos = std::tuple_size_v<decltype(msg::ServoOut::servo_time)>;
+  /// Servo outputs that have a pin; the others are reserved.
+  static constexpr std::size_t servo_pins = 4;
+
+  /// The sound that is playing.
+  struct Sound {
+    msg::BeepModes mode{};
+    Instant end{};
+  };
+
+  /// False, without effect, if there is no such pin or it has another purpose now.
+  bool set_pin(const Device& device, msg::OutputPin pin, msg::PinState state);
+  /// The state that a host has set; empty if none has.
+  std::optional<msg::PinState> pin(msg::OutputPin pin) const;
+  /// The pins that are high, one bit per pin in the order of OutputPin.
+  std::uint16_t high_pins() const;
+
+  /// False, without effect, if a pulse does not fit into the period of SERVO_RATE. Assumption: it
+  /// takes the pin from any other purpose.
+  bool set_servos(const Device& device, const msg::ServoOut& request);
+  /// As in CMD_SERVO_OUT. Precondition: index < servos.
+  msg::ServoPulse servo(std::size_t index) const { return servos_[index]; }
+
+  /// Plays a melody or a standard sound, instead of the current one. False, without effect, if the
+  /// message does not describe one.
+  bool play(const msg::BeepSound& sound, Instant now);
+  /// Plays the standard sound of an event, if it has one and the parameters enable it.
+  void signal(const Device& device, msg::BeeperMode event, Instant now);
+  std::optional<Sound> sound() const { return sound_; }
+
+  Instant next() const;
+  void advance(Device& device, Instant now);
+  void restart(Device& device, Instant now);
+
+ private:
+  static constexpr std::size_t pin_count = 10;
+
+  std::array<std::optional<msg::PinState>, pin_count> pins_{};
+  std::array<msg::ServoPulse, servos> servos_ = free_servos();
+  std::optional<Sound> sound_{};
+
+  static std::array<msg::ServoPulse, servos> free_servos();
+};
+
+}  // namespace sbgc::emulator

@@ -1,0 +1,89 @@
+#include "device/parts/parameters.hpp"
+
+#include <sbgc/meta/variables.hpp>
+#include <sbgc/variable_settings.hpp>
+
+namespace sbgc::emulator {
+
+Parameters::Parameters(Memory& memory) : memory_(memory), eeprom_(memory) { reload(); }
+
+void Parameters::reload() {
+  variables_.clear();
+  StoredMessages::for_each([this]<class M>(Type<M>) { use(stored<M>(copy_in_use<M>())); });
+}
+
+std::uint8_t Parameters::profile() const {
+  constexpr std::uint8_t profiles = SettingsOf<msg::ReadParams3>::copies;
+  return memory_.profile < profiles ? memory_.profile : std::uint8_t{0};
+}
+
+void Parameters::select_profile(std::uint8_t profile) {
+  if (memory_.is_unsaved || memory_.profile != profile) ++memory_.revision;
+  memory_.profile = profile;
+  StoredMessages::for_each([&]<class M>(Type<M>) {
+    if constexpr (is_of_profile<M>) use(stored<M>(profile));
+  });
+}
+
+std::optional<std::int32_t> Parameters::variable(msg::VariableId id) const {
+  if (find_variable(id) == nullptr) return std::nullopt;
+  const Optional<std::int32_t> now = variable_value(in_use_, id);
+  // Another variable may have changed the same setting since.
+  const auto set = variables_.find(id);
+  if (set != variables_.end() && set->second.made == now) return set->second.given;
+  return now ? *now : 0;
+}
+
+bool Parameters::set_variable(msg::VariableId id, std::int32_t value) {
+  const VariableInfo* const known = find_variable(id);
+  if (known == nullptr || value < known->range.lowest || value > known->range.highest) {
+    return false;
+  }
+  if (variable_value(in_use_, id) && !sbgc::set_variable(in_use_, id, value)) return false;
+  variables_[id] = {value, variable_value(in_use_, id)};
+  return true;
+}
+
+std::optional<msg::VariableId> Parameters::set_variables(std::span<const msg::AdjVarValue> values) {
+  const auto in_use = in_use_;
+  const auto variables = variables_;
+  for (const msg::AdjVarValue& one : values) {
+    if (set_variable(one.param_id, one.param_value)) continue;
+    // Not by setting the old values: they may lie where no variable can be set to.
+    in_use_ = in_use;
+    variables_ = variables;
+    return one.param_id;
+  }
+  return {};
+}
+
+void Parameters::forget_variables() {
+  std::erase_if(variables_, [](const auto& entry) { return entry.second.made.has_value(); });
+}
+
+void Parameters::save() {
+  StoredMessages::for_each([this]<class M>(Type<M>) {
+    // What is in use has been stored or loaded before, so it is not too long.
+    if constexpr (is_of_profile<M>) static_cast<void>(store(profile(), of<M>()));
+  });
+  forget_variables();
+}
+
+void Parameters::use_defaults(std::uint8_t profile) {
+  StoredMessages::for_each([&]<class M>(Type<M>) {
+    if constexpr (is_of_profile<M>) {
+      M defaults = factory_parameters<M>(profile);
+      share(record<M>(0), defaults);
+      static_cast<void>(write(profile, defaults));
+    }
+  });
+}
+
+void Parameters::erase() {
+  eeprom_.erase();
+  if (memory_.profile != 0) ++memory_.revision;
+  memory_.profile = 0;
+  reload();
+}
+
+}  // namespace sbgc::emulator

@@ -1,0 +1,143 @@
+/// The serial interfaces of the board: queued requests and pending output.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <sbgc/emulator/board.hpp>
+#include <sbgc/message.hpp>
+#include <sbgc/parser.hpp>
+
+namespace sbgc::emulator {
+
+/// A request that waits to be carried out.
+struct QueuedRequest {
+  std::uint8_t id{};
+  std::vector<std::uint8_t> body{};
+};
+
+/// Buffers, which do not know what frames mean.
+class Ports {
+ public:
+  /// The number of no port; sending to it does nothing.
+  static constexpr std::size_t none = Board::max_ports;
+
+  explicit Ports(const BoardOptions& options);
+
+  /// Ends a step of the board's work, with the revision if the step changed the memory. Frames that
+  /// report the change, and all after them, then wait for release() or fail().
+  void end_step(std::optional<std::uint32_t> changed);
+  /// Changes up to that revision may be reported.
+  void release(std::uint32_t revision);
+  /// They could not be saved: `refusal(frame)` is the frame to send instead of each that reports
+  /// one.
+  using Refusal = std::function<std::vector<std::uint8_t>(std::span<const std::uint8_t>)>;
+  void fail(std::uint32_t revision, const Refusal& refusal);
+
+  std::optional<std::size_t> open(bool is_usb);
+  void close(std::size_t port);
+  bool is_open(std::size_t port) const;
+  bool is_usb(std::size_t port) const;
+  /// The host sends nothing more: from now on there is no room for samples of streams.
+  void end_input(std::size_t port);
+  /// Errors of the line since the board started.
+  std::uint64_t errors(std::size_t port) const;
+
+  /// Sends a message, even if it has to wait for room; no effect if the port is closed.
+  template <Message M>
+  void send(std::size_t port, const M& message) {
+    std::array<std::uint8_t, max_frame_size> frame{};
+    const WriteResult written = encode_frame(message, frame);
+    if (written) send_frame(port, std::span(frame).first(written.size));
+  }
+  /// The same for a sample of a stream: false, and nothing is sent, if there is no room for it now.
+  template <Message M>
+  bool offer(std::size_t port, const M& message) {
+    std::array<std::uint8_t, max_frame_size> frame{};
+    const WriteResult written = encode_frame(message, frame);
+    if (!written || written.size > room(port)) return false;
+    send_frame(port, std::span(frame).first(written.size));
+    return true;
+  }
+  void send_frame(std::size_t port, std::span<const std::uint8_t> frame);
+  /// Bytes of samples that fit into the output buffer now; 0 for a closed port.
+  std::size_t room(std::size_t port) const;
+
+  /// Size of the queued requests.
+  std::size_t queued_bytes(std::size_t port) const { return ports_[port].requests_size; }
+
+  /// Parses what came from a host and queues the requests, or only counts them while the board does
+  /// not listen.
+  void receive(std::size_t port, std::span<const std::uint8_t> bytes, bool is_listening);
+  /// Whether a frame has begun and is not complete.
+  bool is_in_frame(std::size_t port) const;
+  /// Gives up the partial frame: the line has been idle.
+  void give_up_frame(std::size_t port, bool is_listening);
+  /// Whether a request is queued and pending output does not hold it up.
+  bool can_take(std::size_t port) const;
+  /// Precondition: can_take(port).
+  QueuedRequest take(std::size_t port);
+  /// Drops the input, because the board restarted. `output_too`: pending output as well.
+  void restart(bool output_too);
+
+  /// What may be sent now.
+  std::span<const std::uint8_t> output(std::size_t port) const;
+  /// Whether anything is to be sent, now or later.
+  bool has_output(std::size_t port) const;
+  void sent(std::size_t port, std::size_t size);
+
+  /// A silent board sends nothing.
+  void set_silent(bool is_silent) { is_silent_ = is_silent; }
+
+  Instant now{};  ///< for `on_traffic`
+  const std::function<void(const Board::Traffic&)>* on_traffic{};
+  BoardCounters counters{};
+
+  void report(std::size_t port, const Frame& frame, std::optional<Outcome> outcome) const;
+
+ private:
+  /// More than a host that waits for responses ever queues; limits the cost of one that floods. An
+  /// assumption.
+  static constexpr std::size_t max_input = 1U << 20U;
+  /// Limit of unrequested output, such as the progress of a calibration, beyond the output buffer
+  /// when a host does not read. An assumption.
+  static constexpr std::size_t max_overflow = 4096;
+
+  /// A frame of the output that waits for its change to be saved.
+  struct Held {
+    std::size_t begin{}, size{};              ///< in Port::output
+    std::optional<std::uint32_t> revision{};  ///< empty: that of the current step
+  };
+
+  struct Port {
+    bool is_open{}, is_usb{}, has_ended{};
+    Parser parser{};
+    std::deque<QueuedRequest> requests{};
+    std::size_t requests_size{};
+    std::vector<std::uint8_t> output{};  ///< from `output_begin` on
+    std::size_t output_begin{};
+    std::deque<Held> held{};
+
+    std::size_t output_size() const { return output.size() - output_begin; }
+    /// Removes the bytes sent from `output`.
+    void forget_sent();
+  };
+
+  static std::uint64_t parser_errors(const Parser& parser);
+  static void forget_input(Port& port);
+  void keep(std::size_t port, const Frame& frame, bool is_listening);
+
+  std::array<Port, Board::max_ports> ports_{};
+  std::size_t input_limit_{};
+  std::size_t output_limit_{};
+  bool holds_{};
+  bool is_silent_{};
+};
+
+}  // namespace sbgc::emulator

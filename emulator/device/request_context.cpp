@@ -1,0 +1,70 @@
+#include "device/request_context.hpp"
+
+#include <algorithm>
+
+#include "device/device.hpp"
+
+namespace sbgc::emulator {
+namespace {
+
+/// CMD_ERROR as real boards send it: with the command that failed (E086).
+msg::ErrorExt error_about(std::uint8_t command, msg::BoardErrorCode reason, std::uint32_t detail) {
+  msg::ErrorExt error;
+  error.cmd_id = static_cast<msg::CommandToBoard>(command);
+  error.error_code = reason;
+  for (std::size_t i = 0; i < error.error_data.size(); ++i) {
+    error.error_data[i] = static_cast<std::uint8_t>(detail >> (8 * i));
+  }
+  return error;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> refusal_instead(Availability versions,
+                                          std::span<const std::uint8_t> frame) {
+  const Frame held{Framing::id(frame.data()), Framing::body(frame.data()), 0};
+  if (!roles::is_confirmation(held)) return {frame.begin(), frame.end()};
+  if (!is_supported<msg::ErrorExt>(versions)) return {};
+  std::vector<std::uint8_t> result(max_frame_size);
+  const std::uint8_t command = roles::confirmed_command(held);
+  result.resize(
+      encode_frame(error_about(command, msg::BoardErrorCode::operation_failed, 0), result).size);
+  return result;
+}
+
+Availability RequestContext::versions() const { return device.versions(); }
+
+void RequestContext::send_frame(std::span<const std::uint8_t> frame) {
+  device.ports.send_frame(port, frame);
+}
+
+void RequestContext::answer_body(std::uint8_t id, std::span<const std::uint8_t> body) {
+  std::array<std::uint8_t, max_frame_size> frame{};
+  if (const WriteResult written = write_frame(id, body, frame)) {
+    send_frame(std::span(frame).first(written.size));
+  }
+}
+
+Outcome RequestContext::confirm(std::span<const std::uint8_t> data) {
+  if (!confirms()) return Outcome::carried_out;
+  std::array<std::uint8_t, max_body_size> body{command};
+  std::size_t size = 1;
+  for (const std::uint8_t byte : data.first(std::min(data.size(), body.size() - 1))) {
+    body[size++] = byte;
+  }
+  answer_body(static_cast<std::uint8_t>(roles::Confirmation::command), std::span(body).first(size));
+  return Outcome::carried_out;
+}
+
+Outcome RequestContext::confirm(roles::Confirmation confirmation) {
+  if (!confirms()) return Outcome::carried_out;
+  confirmation.cmd = static_cast<msg::CommandToBoard>(command);
+  return answer(confirmation);
+}
+
+Outcome RequestContext::refuse(msg::BoardErrorCode reason, std::uint32_t detail) {
+  static_cast<void>(answer(error_about(command, reason, detail)));
+  return Outcome::refused;
+}
+
+}  // namespace sbgc::emulator

@@ -1,0 +1,39 @@
+/// What an emulated board is.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <sbgc/emulator/gimbal.hpp>
+#include <sbgc/messages/system.hpp>
+#include <sbgc/time.hpp>
+
+namespace sbgc::emulator {
+
+struct BoardOptions {
+  msg::BoardVersion board{30};
+  msg::FirmwareVersion firmware{2590};
+  msg::BoardFeatures features = msg::BoardFeature::three_axis | msg::BoardFeature::bat_monitoring |
+                                msg::BoardFeature::encoders | msg::BoardFeature::bode_test |
+                                msg::BoardFeature::scripting | msg::BoardFeature::current_sensor;
+  Bytes<9> device_id{{0x53, 0x42, 0x47, 0x43, 0, 0, 0, 0, 1}};
+  Bytes<12> mcu_id{{'e', 'm', 'u', 'l', 'a', 't', 'e', 'd', 0, 0, 0, 1}};
+  bool has_frame_imu = true;
+  Gimbal::Options gimbal{};
+  /// Size of the request queue; a request that does not fit is lost whole. 0: one megabyte, more
+  /// than a host that waits for responses ever fills.
+  std::size_t input_buffer = 0;
+  /// Size of the output buffer: responses wait until they fit, samples of streams are skipped. 0:
+  /// unlimited.
+  std::size_t output_buffer = 1024;
+  /// From a restart until the board listens again.
+  Duration start_time = milliseconds(500);
+  /// How long the bootloader waits for firmware before it starts the board again.
+  Duration bootloader_time = seconds(5);
+  /// Duration of calibrations, in percent of a real board's.
+  unsigned calibration_time = 100;
+  /// Frames that report a change of the memory wait until Board::memory_saved() is called.
+  bool waits_for_saving = false;
+};
+
+}  // namespace sbgc::emulator

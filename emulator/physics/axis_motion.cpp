@@ -1,0 +1,95 @@
+#include "physics/axis_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/limits.hpp"
+
+namespace sbgc::emulator {
+
+namespace {
+
+/// Friction of a joint without motor power, deg/s^2.
+constexpr double friction = 1000;
+/// Of a motor at power 100, deg/s^2.
+constexpr double motor_strength = 3000;
+
+}  // namespace
+
+AxisGains gains_of(const AxisTuning& tuning) {
+  const double power = within(tuning.power, 0, 255) / 100;
+  AxisGains gains;
+  gains.strength = motor_strength * power;
+  // Default parameters (10, 0.1, 10, power 100) result in 4 Hz with a damping ratio of 0.8.
+  gains.stiffness = 60 * within(tuning.p, 0, 1e4) * power;
+  gains.damping = 4 * within(tuning.d, 0, 1e4) * power;
+  // Assumption: bad tuning makes an axis weak, or swing for a while; it never becomes unstable.
+  gains.integral =
+      std::min(6000 * within(tuning.i, 0, 1e4) * power, 0.3 * gains.stiffness * gains.damping);
+  // Half of the motor's strength is for the target's acceleration, the rest for disturbances.
+  gains.acceleration = std::clamp(gains.strength / 2, 1.0, motor_strength / 3);
+  const double limit = within(tuning.acceleration, 0, 1e9);
+  if (limit > 0) gains.acceleration = std::min(gains.acceleration, limit);
+  return gains;
+}
+
+void AxisMotion::hold(const AxisGains& gains, const Path& path, double acceleration,
+                      const AxisSurroundings& around, double seconds) {
+  // Implicit in the new speed, so that no parameters make the numbers diverge.
+  const double drag = around.coupling;
+  const double outside = drag * (around.frame_speed + around.error_speed) + around.imbalance;
+  const double halfway = path.position - angle - speed * seconds / 2;
+  const double wish = gains.stiffness * halfway + gains.damping * path.speed +
+                      gains.integral * integral + acceleration + outside;
+  double next = (speed + seconds * wish) /
+                (1 + seconds * (gains.damping + drag + gains.stiffness * seconds / 2));
+  const double inverse = 1 / seconds;
+  double torque = (next - speed) * inverse - outside + drag * next;
+  if (std::abs(torque) > gains.strength) {
+    torque = std::copysign(gains.strength, torque);
+    next = (speed + seconds * (torque + outside)) / (1 + seconds * drag);
+  }
+  load = torque / gains.strength;
+  balance += (load - balance) * seconds;
+
+  if (is_jammed) {
+    stick(around);
+    return;
+  }
+  const double before = speed;
+  const double fastest = 2 * top_speed;  // what the motor can do at all
+  speed = std::clamp(next, -fastest, fastest);
+  angle += (before + speed) / 2 * seconds;
+  if (std::abs(load) < 1) {
+    integral += (path.position - angle) * seconds;
+    // No more than the motor can do.
+    const double most = gains.integral > 0 ? gains.strength / gains.integral : 0;
+    integral = std::clamp(integral, -most, most);
+  }
+  joint = angle - around.frame - around.error;
+  joint_speed = speed - around.frame_speed - around.error_speed;
+}
+
+void AxisMotion::coast(const AxisSurroundings& around, double seconds) {
+  load = 0;
+  balance -= balance * seconds;
+  integral = 0;
+  if (joint_speed != 0 && !is_jammed) {
+    const double before = joint_speed;
+    const double change = friction * seconds;
+    joint_speed = std::abs(before) <= change ? 0 : before - std::copysign(change, before);
+    joint += (before + joint_speed) / 2 * seconds;
+    angle = around.frame + joint + around.error;
+    speed = around.frame_speed + joint_speed + around.error_speed;
+    return;
+  }
+  stick(around);
+}
+
+void AxisMotion::stick(const AxisSurroundings& around) {
+  joint_speed = 0;
+  angle = around.frame + joint + around.error;
+  speed = around.frame_speed + around.error_speed;
+}
+
+}  // namespace sbgc::emulator

@@ -1,0 +1,77 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// adjustable_variables: what comes back for each request.
+#pragma once
+
+#include <cstdint>
+
+#include <sbgc/response_policy.hpp>
+#include <sbgc/messages/adjustable_variables.hpp>
+
+namespace sbgc::msg {
+
+constexpr ResponsePolicy response_policy(const SetAdjVarsVal&) noexcept {
+  return {.responses = {.command = 31,
+              .confirmed = Confirmed::always},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const GetAdjVarsVal&) noexcept {
+  return {.responses = {.command = 64,
+              .form_count = 1,
+              .forms = {{{.id = 31,
+               .min_size = 1,
+               .max_size = max_body_size,
+               .size = 201}}}},
+      .response_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const ReadAdjVarsCfgRequest&) noexcept {
+  return {.responses = {.command = 43,
+              .form_count = 1,
+              .forms = {{{.id = 43,
+               .min_size = 128,
+               .max_size = max_body_size,
+               .size = 128}}}},
+      .response_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const WriteAdjVarsCfg&) noexcept {
+  return {.responses = {.command = 44,
+              .confirmed = Confirmed::always},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .timeout_ms = 2000};
+}
+
+constexpr ResponsePolicy response_policy(const AdjVarsStateRequest&) noexcept {
+  return {.responses = {.command = 46,
+              .form_count = 1,
+              .forms = {{{.id = 46,
+               .min_size = 15,
+               .max_size = max_body_size,
+               .size = 15}}}},
+      .response_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const AdjVarsStateRequestExt&) noexcept {
+  return {.responses = {.command = 46,
+              .form_count = 1,
+              .forms = {{{.id = 46,
+               .min_size = 15,
+               .max_size = max_body_size,
+               .size = 15}}}},
+      .response_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+}  // namespace sbgc::msg

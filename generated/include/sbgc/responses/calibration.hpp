@@ -1,0 +1,149 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// calibration: what comes back for each request.
+#pragma once
+
+#include <cstdint>
+
+#include <sbgc/response_policy.hpp>
+#include <sbgc/messages/calibration.hpp>
+
+namespace sbgc::msg {
+
+constexpr ResponsePolicy response_policy(const CalibAcc&) noexcept {
+  return {.responses = {.command = 65,
+              .confirmed = Confirmed::always},
+      .confirmations = 2,
+      .timeout_ms = 500,
+      .finish_ms = 30000};
+}
+
+constexpr ResponsePolicy response_policy(const CalibAccExt& request) noexcept {
+  if (request.action == CalibAction::reset || request.action == CalibAction::enable_temperature || request.action == CalibAction::disable_temperature) {
+    return {.responses = {.command = 65,
+              .confirmed = Confirmed::always},
+      .confirmations = 1,
+      .restarts_board = true,
+      .timeout_ms = 500};
+  }
+  if (request.action == CalibAction::temperature) {
+    return {.responses = {.command = 65,
+              .confirmed = Confirmed::always},
+      .confirmations = 2,
+      .timeout_ms = 500,
+      .finish_ms = 3600000};
+  }
+  return {.responses = {.command = 65,
+              .confirmed = Confirmed::always},
+      .confirmations = 2,
+      .timeout_ms = 500,
+      .finish_ms = 30000};
+}
+
+constexpr ResponsePolicy response_policy(const CalibGyro&) noexcept {
+  return {.responses = {.command = 103,
+              .confirmed = Confirmed::always},
+      .confirmations = 2,
+      .timeout_ms = 500,
+      .finish_ms = 30000};
+}
+
+constexpr ResponsePolicy response_policy(const CalibGyroExt& request) noexcept {
+  if (request.action == CalibAction::reset || request.action == CalibAction::enable_temperature || request.action == CalibAction::disable_temperature) {
+    return {.responses = {.command = 103,
+              .confirmed = Confirmed::always},
+      .confirmations = 1,
+      .restarts_board = true,
+      .timeout_ms = 500};
+  }
+  if (request.action == CalibAction::temperature) {
+    return {.responses = {.command = 103,
+              .confirmed = Confirmed::always},
+      .confirmations = 2,
+      .timeout_ms = 500,
+      .finish_ms = 3600000};
+  }
+  return {.responses = {.command = 103,
+              .confirmed = Confirmed::always},
+      .confirmations = 2,
+      .timeout_ms = 500,
+      .finish_ms = 30000};
+}
+
+constexpr ResponsePolicy response_policy(const CalibMag&) noexcept {
+  return {.responses = {.command = 59,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const CalibExtGain&) noexcept {
+  return {.responses = {.command = 71,
+              .confirmed = Confirmed::always},
+      .confirmations = 1,
+      .timeout_ms = 30000};
+}
+
+constexpr ResponsePolicy response_policy(const CalibPoles&) noexcept {
+  return {.responses = {.command = 80,
+              .confirmed = Confirmed::always},
+      .confirmations = 1,
+      .timeout_ms = 30000};
+}
+
+constexpr ResponsePolicy response_policy(const CalibOffset&) noexcept {
+  return {.responses = {.command = 79,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const CalibBat&) noexcept {
+  return {.responses = {.command = 66,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const CalibInfoRequest& request) noexcept {
+  return {.responses = {.command = 49,
+              .form_count = 1,
+              .forms = {{{.id = 49,
+               .min_size = 33,
+               .max_size = max_body_size,
+               .size = 33,
+               .correlation = {{{1, 1, static_cast<std::uint32_t>(static_cast<std::uint8_t>(request.imu_type))}}}}}}},
+      .response_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const CalibMotorMagLinkRequest&) noexcept {
+  return {.responses = {.command = 74,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const EncodersCalibOffset4&) noexcept {
+  return {.responses = {.command = 26,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const EncodersCalibFldOffset4&) noexcept {
+  return {.responses = {.command = 27,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const AutoPidRequest&) noexcept {
+  return {.responses = {.command = 35,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+}  // namespace sbgc::msg

@@ -1,0 +1,98 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// imu: what comes back for each request.
+#pragma once
+
+#include <cstdint>
+
+#include <sbgc/response_policy.hpp>
+#include <sbgc/messages/imu.hpp>
+
+namespace sbgc::msg {
+
+constexpr ResponsePolicy response_policy(const SelectImu3&) noexcept {
+  return {.responses = {.command = 24,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const SelectImu3Ext&) noexcept {
+  return {.responses = {.command = 24,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const AhrsHelperRequest&) noexcept {
+  return {.responses = {.command = 56,
+              .form_count = 1,
+              .forms = {{{.id = 56,
+               .min_size = 24,
+               .max_size = max_body_size,
+               .size = 24}}}},
+      .response_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const AhrsHelperRequestWide&) noexcept {
+  return {.responses = {.command = 56,
+              .form_count = 1,
+              .forms = {{{.id = 56,
+               .min_size = 24,
+               .max_size = max_body_size,
+               .size = 24}}}},
+      .response_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const AhrsHelperRequestExt& request) noexcept {
+  if (request.mode.has(AhrsHelperModeBit::set)) {
+    return {.responses = {.command = 56,
+              .confirmed = Confirmed::unlikely},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+  }
+  return {.responses = {.command = 56,
+              .form_count = 1,
+              .forms = {{{.id = 56,
+               .min_size = 24,
+               .max_size = max_body_size,
+               .size = 24}}}},
+      .response_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const AhrsHelperRequestExtWide& request) noexcept {
+  if (request.mode.has(AhrsHelperWideModeBit::set)) {
+    return {.responses = {.command = 56,
+              .confirmed = Confirmed::unlikely},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+  }
+  return {.responses = {.command = 56,
+              .form_count = 1,
+              .forms = {{{.id = 56,
+               .min_size = 24,
+               .max_size = max_body_size,
+               .size = 24}}}},
+      .response_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const GyroCorrection&) noexcept {
+  return {.responses = {.command = 75,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+}  // namespace sbgc::msg

@@ -1,0 +1,62 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// peripherals: what comes back for each request.
+#pragma once
+
+#include <cstdint>
+
+#include <sbgc/response_policy.hpp>
+#include <sbgc/messages/peripherals.hpp>
+
+namespace sbgc::msg {
+
+constexpr ResponsePolicy response_policy(const BeepSound&) noexcept {
+  return {.responses = {.command = 89,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const TriggerPin&) noexcept {
+  return {.responses = {.command = 84,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const ServoOut&) noexcept {
+  return {.responses = {.command = 36,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const I2cWriteRegBuf&) noexcept {
+  return {.responses = {.command = 39,
+              .confirmed = Confirmed::always},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const I2cReadRegBufRequest&) noexcept {
+  return {.responses = {.command = 40,
+              .form_count = 1,
+              .forms = {{{.id = 40,
+               .min_size = 0,
+               .max_size = max_body_size,
+               .size = 255}}}},
+      .response_required = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const ApiVirtChControl&) noexcept {
+  return {.responses = {.command = 45,
+              .confirmed = Confirmed::unlikely},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+}  // namespace sbgc::msg

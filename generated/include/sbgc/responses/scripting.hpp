@@ -1,0 +1,20 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// scripting: what comes back for each request.
+#pragma once
+
+#include <cstdint>
+
+#include <sbgc/response_policy.hpp>
+#include <sbgc/messages/scripting.hpp>
+
+namespace sbgc::msg {
+
+constexpr ResponsePolicy response_policy(const RunScript&) noexcept {
+  return {.responses = {.command = 57,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+}  // namespace sbgc::msg

@@ -1,0 +1,71 @@
+"""Prints the model of a spec folder as JSON. The generator of any revision can run this file.
+
+So it stands alone, and asks of a generator only what all have had: `load_layout` of `sbgcgen.build` (the
+very first: `load_protocol`), and a model of dataclasses. What is in the model twice is printed once.
+See reading.py for the way back.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import sys
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+
+def load(spec_dir: Path) -> Any:
+    """The Layout of a spec folder."""
+    from sbgcgen import build
+
+    if hasattr(build, "load_layout"):
+        return build.load_layout(spec_dir)
+    return build.load_protocol(spec_dir).layout
+
+
+class Dump:
+    """All objects of a model, each with its class and fields; a reference is a number in a list."""
+
+    def __init__(self) -> None:
+        self.objects: list[Any] = []
+        self.numbers: dict[int, int] = {}
+
+    def plain(self, value: Any) -> Any:
+        """A value with numbers for the objects in it."""
+        if value is None or isinstance(value, (bool, int, float, str)):
+            return value
+        if isinstance(value, Fraction):
+            return {"fraction": str(value)}
+        if isinstance(value, dict):
+            return {"map": [[self.plain(k), self.plain(v)] for k, v in value.items()]}
+        if isinstance(value, tuple):
+            return {"tuple": [self.plain(item) for item in value]}
+        if isinstance(value, list):
+            return [self.plain(item) for item in value]
+        assert dataclasses.is_dataclass(value), f"no plain data: {value!r}"
+        if id(value) not in self.numbers:
+            fields = {f.name: self.plain(getattr(value, f.name)) for f in dataclasses.fields(value)}
+            self.numbers[id(value)] = len(self.objects)
+            self.objects.append([type(value).__name__, fields])
+        return {"object": self.numbers[id(value)]}
+
+
+def dump(layout: Any) -> list[Any]:
+    """The objects of a model, those that others refer to first: the last one is the Layout."""
+    made = Dump()
+    made.plain(layout)
+    return made.objects
+
+
+def main() -> None:
+    """Print the model of the folder that is named; or on stderr, what is wrong with it."""
+    try:
+        made = dump(load(Path(sys.argv[1])))
+    except Exception as error:  # whatever a generator of that time raises
+        sys.exit(f"{type(error).__name__}: {error}")
+    json.dump(made, sys.stdout)
+
+
+if __name__ == "__main__":
+    main()

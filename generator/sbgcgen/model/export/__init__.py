@@ -1,0 +1,89 @@
+"""The model as plain data: generated/simplebgc.json, for tools in any language."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sbgcgen.model import Layout
+from sbgcgen.model.export.messages import message_json
+from sbgcgen.model.export.types import enum_json, packed_json, quantity_json, variable_json, version
+
+__all__ = ["export"]
+
+
+def export(layout: Layout) -> dict[str, Any]:
+    """Everything the model knows, ready for JSON."""
+    return {
+        "protocol": layout.protocol,
+        "framing": {
+            "start": layout.framing.start,
+            "header": list(layout.framing.header),
+            "trailer": list(layout.framing.trailer),
+            "checksums": [
+                {"name": checksum.name, "kind": checksum.kind, "covers": list(checksum.covers)}
+                for checksum in layout.framing.checksums
+            ],
+            "header_size": layout.framing.header_size,
+            "trailer_size": layout.framing.trailer_size,
+            "max_body": layout.framing.max_body,
+            "source": layout.framing.source,
+            "errata": list(layout.framing.errata),
+        },
+        "versions": {
+            "firmware": layout.versions.firmware.name if layout.versions.firmware else None,
+            "board": layout.versions.board.name if layout.versions.board else None,
+            "newest_firmware": layout.newest_firmware or None,
+        },
+        "line": {
+            "baud_rates": list(layout.line.baud_rates),
+            "named_baud_rates": list(layout.line.baud_rates[: layout.line.named]),
+            "parities": list(layout.line.parities),
+            "shortest_pause_ms": layout.line.shortest_pause_ms,
+            "longest_pause_ms": layout.line.longest_pause_ms,
+            "source": layout.line.source,
+            "errata": list(layout.line.errata),
+        },
+        "revisions": [
+            {
+                "number": revision.number,
+                "date": revision.date,
+                "source": revision.source,
+                "adds": [addition.text for addition in revision.adds],
+                "changes": list(revision.changes),
+            }
+            for revision in layout.revisions
+        ],
+        "families": [
+            {"name": family.name, "summary": family.summary} for family in layout.families
+        ],
+        "timeouts": {"errata": list(layout.timeout_errata)},
+        "commands": [
+            {
+                "name": command.name,
+                "id": command.id,
+                "family": command.family,
+                "summary": command.summary,
+                "source": command.source,
+                "errata": list(command.errata),
+                "since": version(command.since),
+                "documented": not command.undocumented,
+            }
+            for command in layout.commands
+        ],
+        "messages": [message_json(message) for message in layout.messages],
+        "enums": [enum_json(enum) for enum in layout.enums],
+        "packed": [packed_json(packed) for packed in layout.packed],
+        "quantities": [quantity_json(quantity) for quantity in layout.quantities],
+        "adjustable_variables": [variable_json(variable) for variable in layout.variables],
+        "errata": [
+            {
+                "number": erratum.number,
+                "kind": erratum.kind,
+                "lines": list(erratum.lines),
+                "problem": erratum.problem,
+                "reading": erratum.reading,
+                "reason": erratum.reason or None,
+            }
+            for erratum in layout.errata
+        ],
+    }

@@ -1,0 +1,240 @@
+"""Messages as plain data."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sbgcgen.model import (
+    Announced,
+    Answer,
+    AnswerCase,
+    Condition,
+    Context,
+    Effect,
+    Enum,
+    Field,
+    Leaf,
+    Message,
+    Packed,
+    Quantity,
+    Role,
+    Until,
+    element_of,
+)
+from sbgcgen.model.export.types import deprecation, number, version
+
+# Words for forms that readers of the export may rely on.
+_FORMS = ("simple", "extended", "success", "error")
+
+
+def _until(until: Until | None) -> dict[str, str | None] | None:
+    if until is None:
+        return None
+    return {**(version(until.versions) or {}), "instead": until.instead or None}
+
+
+def _enum_name(field: Field) -> str | None:
+    return field.type.name if isinstance(field.type, Enum) else None
+
+
+def _condition(when: Condition | None) -> dict[str, Any] | None:
+    if when is None:
+        return None
+    return {
+        "context" if when.from_context else "field": when.source,
+        "has": [f.name for f in when.flags],
+        "is": [v.name for v in when.values],
+        "may_be_missing": when.may_be_missing,
+    }
+
+
+def _leaf(leaf: Leaf) -> dict[str, Any]:
+    field = leaf.field
+    quantity = field.type if isinstance(field.type, Quantity) else None
+    result: dict[str, Any] = {
+        "path": leaf.path,
+        "spec_name": leaf.spec_name,
+        "offset": leaf.offset,
+        "type": leaf.type,
+        "count": leaf.count,
+        "unit": quantity.unit if quantity else None,
+        "scale": number(quantity.scale) if quantity else None,
+        "min": number(field.minimum),
+        "max": number(field.maximum),
+        "enum": _enum_name(field),
+        "reserved": field.reserved,
+        "summary": field.summary,
+    }
+    if quantity:
+        result["quantity"] = quantity.name
+        result["scale_exact"] = str(quantity.scale)
+        if quantity.offset:
+            result["add"] = number(quantity.offset)
+    if isinstance(field.type, Announced):
+        result["announced"] = field.type.context
+    if isinstance(field.type, Packed):
+        result["packed"] = field.type.name
+    if field.special:
+        result["special"] = {str(s.value): s.meaning for s in field.special}
+    if any(s.name for s in field.special):
+        result["special_names"] = {str(s.value): s.name for s in field.special if s.name}
+    if field.min_count and not field.index:
+        result["min_count"] = field.min_count
+    if leaf.optional:
+        result["may_be_missing"] = True
+    if field.max_count is not None and not field.index:
+        result["max_count"] = field.max_count
+    if field.align != 1:
+        result["align"] = field.align
+    if field.role:
+        result["role"] = field.role
+    if field.variable:
+        result["value_of_variable"] = field.variable
+    if field.counter:
+        result["counted_by"] = field.counter
+    if field.when:
+        result["when"] = _condition(field.when)
+    if field.alternative:
+        other = field.alternative
+        result["alternative"] = {
+            "unit": other.quantity.unit,
+            "scale": number(other.quantity.scale),
+            "flag": other.flag.name,
+            "field": other.source,
+        }
+    if field.since:
+        result["since"] = version(field.since)
+    if field.typical is not None:
+        result["typical"] = element_of(field.typical, leaf.path)
+    if field.deprecated:
+        result["deprecated"] = deprecation(field.deprecated)
+    if field.errata:
+        result["errata"] = list(field.errata)
+    if leaf.cases:
+        result["cases"] = [_leaf(case) for case in leaf.cases]
+    return result
+
+
+def _answer(answer: Answer | None) -> dict[str, Any] | None:
+    """What holds of all cases, then the cases one by one."""
+    if answer is None:
+        return None
+    return {
+        "messages": list(answer.messages),
+        "confirm": answer.confirm,
+        "confirmations": answer.confirmations,
+        "timeout_ms": answer.timeout_ms,
+        "retry": "safe" if answer.retry_safe else "unsafe",
+        "certain": answer.is_certain,
+        "cases": [_case(case) for case in answer.cases],
+    }
+
+
+def _case(case: AnswerCase) -> dict[str, Any]:
+    result: dict[str, Any] = {
+        "when": _condition(case.when),
+        "messages": list(case.messages),
+        "confirm": case.confirm,
+        "confirmations": case.confirmations,
+        "timeout_ms": case.timeout_ms,
+        "finish_ms": case.finish_ms or case.timeout_ms,
+        "retry": "safe" if case.retry_safe else "unsafe",
+        "restarts_board": case.restarts,
+        "correlation": [
+            {"field": repeated.field.name, "message": response.message, "offset": repeated.offset}
+            for response in case.responses
+            for repeated in response.correlation
+        ],
+        "errata": list(case.errata),
+    }
+    if case.confirmation:
+        repeated = case.confirmation
+        result["confirmation_correlation"] = {
+            "field": repeated.field.name,
+            "offset": repeated.offset,
+        }
+    if case.result:
+        found = case.result
+        result["confirmation_result"] = {
+            "field": found.field.name,
+            "offset": found.offset,
+            "success": found.success.name,
+        }
+    return result
+
+
+def _role(role: Role | None) -> dict[str, Any] | None:
+    if role is None:
+        return None
+    result: dict[str, Any] = {"is": role.kind}
+    result.update({part: field.name for part, field in role.parts.items()})
+    if role.kind == "stream_request":
+        result.update(
+            messages=list(role.messages),
+            interval_us=role.interval_us,
+            end=role.end,
+            cycle=role.cycle,
+            cycle_us=role.cycle_us,
+            limit=role.limit or None,
+        )
+    if role.kind == "reset":
+        result["delay_ms"] = role.delay_ms
+    return result
+
+
+def _effect(effect: Effect | None) -> dict[str, Any] | None:
+    """All that a request may do, then case by case."""
+    if effect is None:
+        return None
+    cases = [{"when": _condition(case.when), "does": list(case.words)} for case in effect.cases]
+    return {"does": list(effect.words), "cases": cases}
+
+
+def _context(context: Context) -> dict[str, Any]:
+    common = {"name": context.name, "summary": context.summary}
+    if context.announced is None:
+        sources = [f"{message}.{field}" for message, field in context.sources]
+        enum = context.type.name if context.type else None
+        return {**common, "enum": enum, "from": sources}
+    announced = context.announced
+    return {
+        **common,
+        "announced_by": f"{announced.message}.{announced.list}",
+        "kind": announced.kind,
+        "count": announced.count,
+    }
+
+
+def _form(name: str | None) -> str | None:
+    """The kind of a form. Beside those of the protocol, all forms are later, longer ones."""
+    return name if name in (None, *_FORMS) else "extended"
+
+
+def message_json(message: Message) -> dict[str, Any]:
+    """A message."""
+    return {
+        "name": message.name,
+        "command": message.command,
+        "id": message.id,
+        "direction": message.direction,
+        "form": _form(message.form),
+        **({"form_name": message.form} if message.form else {}),
+        "family": message.family,
+        "summary": message.summary,
+        "description": message.description or None,
+        "source": message.source,
+        "errata": list(message.errata),
+        "since": version(message.since),
+        "until": _until(message.until),
+        "deprecated": deprecation(message.deprecated),
+        "min_size": message.min_size,
+        "max_size": message.max_size,
+        "keeps_tail": message.keeps_tail,
+        "same_as": message.same_as or None,
+        "stores": message.stores or None,
+        "effect": _effect(message.effect),
+        "role": _role(message.role),
+        "context": [_context(context) for context in message.contexts],
+        "response": _answer(message.answer),
+        "layout": [_leaf(leaf) for leaf in message.leaves],
+    }

@@ -1,0 +1,125 @@
+"""Versions, numbers and types as plain data."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+from sbgcgen.model.values import Availability, Deprecation, Enum, Packed, Quantity
+from sbgcgen.model.variables import Variable
+
+
+def number(value: Fraction | None) -> int | float | None:
+    """An exact number, as a number of JSON."""
+    if value is None:
+        return None
+    return int(value) if value.denominator == 1 else float(value)
+
+
+def version(since: Availability) -> dict[str, str] | None:
+    """The versions of an availability; None for always."""
+    if not since:
+        return None
+    return dict(since.words)
+
+
+def deprecation(mark: Deprecation | None) -> dict[str, Any] | None:
+    """Since when something is deprecated, and what replaces it."""
+    if mark is None:
+        return None
+    return {"since": version(mark.since), "replaced_by": mark.replaced_by or None}
+
+
+def enum_json(enum: Enum) -> dict[str, Any]:
+    """An enum or flag set."""
+    return {
+        "name": enum.name,
+        "kind": enum.kind,
+        "width": enum.scalar.size,
+        "type": enum.scalar.name,
+        "summary": enum.summary,
+        "source": enum.source,
+        "errata": list(enum.errata),
+        "success": enum.success.name if enum.success else None,
+        "values": [
+            {
+                "name": value.name,
+                "value": value.value,
+                "identifier": value.identifier,
+                "named_by_specification": not value.ours,
+                "summary": value.summary,
+                "since": version(value.since),
+                "errata": list(value.errata),
+                "number": value.number,
+                "number_type": value.wire or None,
+            }
+            for value in enum.values
+        ],
+    }
+
+
+def packed_json(packed: Packed) -> dict[str, Any]:
+    """A packed integer."""
+    return {
+        "name": packed.name,
+        "width": packed.scalar.size,
+        "summary": packed.summary,
+        "source": packed.source,
+        "errata": list(packed.errata),
+        "names": packed.names.name if packed.names else None,
+        "display": packed.display or None,
+        "main": packed.main.name if packed.main else None,
+        "parts": [
+            {
+                "name": part.name,
+                "mask": None if part.is_digits else part.mask,
+                "shift": None if part.is_digits else part.shift,
+                "divide": part.divide if part.is_digits else None,
+                "modulo": part.modulo if part.is_digits else None,
+                "enum": part.enum.name if part.enum else None,
+                "summary": part.summary,
+            }
+            for part in packed.parts
+        ],
+    }
+
+
+def quantity_json(q: Quantity) -> dict[str, Any]:
+    """A quantity."""
+    return {
+        "name": q.name,
+        "type": q.scalar.name,
+        "unit": q.unit,
+        "scale": number(q.scale),
+        "scale_exact": str(q.scale),
+        "offset": number(q.offset),
+        "summary": q.summary,
+        "errata": list(q.errata),
+    }
+
+
+def variable_json(variable: Variable) -> dict[str, Any]:
+    """An adjustable variable, and the parameters that it sets."""
+    quantity = variable.quantity
+    return {
+        "name": variable.name,
+        "id": variable.id,
+        "type": variable.scalar.name,
+        "min": variable.minimum,
+        "max": variable.maximum,
+        "unit": quantity.unit if quantity else None,
+        "scale": number(quantity.scale) if quantity else None,
+        "add": number(quantity.offset) if quantity else None,
+        "summary": variable.summary,
+        "errata": list(variable.errata),
+        "sets": [
+            {
+                "message": setting.message,
+                "path": setting.path,
+                "scale_exact": str(setting.scale),
+                "add_exact": str(setting.offset),
+            }
+            for setting in variable.settings
+        ],
+        "as_switch": variable.is_switch,
+    }

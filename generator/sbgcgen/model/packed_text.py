@@ -1,0 +1,58 @@
+"""How a packed integer is written: its display text, read and filled in."""
+
+from __future__ import annotations
+
+import re
+
+from sbgcgen.model.values import Packed, Part
+
+_PART = re.compile(r"\{(\w+)(?::0([0-9]+))?\}")
+_GROUP = re.compile(r"\[([^]]*)\]")
+
+
+def part_of(part: Part, raw: int) -> int:
+    """What a part of a packed integer holds."""
+    number = ((raw & part.mask) >> part.shift) // part.divide
+    return number % part.modulo if part.modulo else number
+
+
+def text_of(packed: Packed, raw: int) -> str:
+    """The display text with the values of the parts; a group in brackets that holds zeros is left out."""
+    values = {part.name: part_of(part, raw) for part in packed.parts}
+
+    def group(match: re.Match[str]) -> str:
+        is_zero = not any(values[name] for name, _ in _PART.findall(match[1]))
+        return "" if is_zero else match[1]
+
+    return _GROUP.sub(group, packed.display).format(**values)
+
+
+def raw_of(packed: Packed, text: str) -> int | None:
+    """The integer that is written like this; None if none is."""
+    match = re.fullmatch(_pattern(packed.display), text)
+    if match is None:
+        return None
+    raw = 0
+    for part in packed.parts:
+        number = int(match.groupdict().get(part.name) or 0)
+        raw += number * part.divide << part.shift
+    fits = raw < 1 << 8 * packed.scalar.size
+    return raw if fits and text_of(packed, raw) == text else None
+
+
+def _pattern(display: str) -> str:
+    """A regular expression for all texts of this display, with a group for each part."""
+    outside = _GROUP.split(display)  # every second one was in brackets
+    return "".join(
+        f"(?:{_literal(text)})?" if number % 2 else _literal(text)
+        for number, text in enumerate(outside)
+    )
+
+
+def _literal(text: str) -> str:
+    """The same for a text without brackets."""
+    pieces = _PART.split(text)
+    result = re.escape(pieces[0])
+    for name, digits, literal in zip(pieces[1::3], pieces[2::3], pieces[3::3]):
+        result += f"(?P<{name}>[0-9]{{{digits or 1},}})" + re.escape(literal)
+    return result

@@ -1,0 +1,154 @@
+"""Reads a body: one half of the second codec (see codec.py)."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sbgcgen.model import SCALARS, Announced, Blob, Field, Message, Struct, Type
+from sbgcgen.oracle.codec import (
+    LISTS,
+    CodecError,
+    Fields,
+    fixed_part,
+    holds,
+    is_bytes,
+    keys_of,
+    scalar_of,
+)
+from sbgcgen.oracle.json_values import float_from_bits, text_from_bytes
+
+
+class _Reader:
+    """A place in a body; whoever reads says for which field."""
+
+    def __init__(self, body: bytes, at: int = 0) -> None:
+        self.body = body
+        self.at = at
+
+    def left(self) -> int:
+        return len(self.body) - self.at
+
+    def take(self, size: int, field: str) -> bytes:
+        if self.left() < size:
+            raise CodecError("too_short", field, len(self.body))
+        self.at += size
+        return self.body[self.at - size : self.at]
+
+
+def decode(message: Message, body: bytes, context: Fields | None = None) -> Fields:
+    """The fields of a body.
+
+    `context` has what earlier messages have told: raw values, and lists of the names of types.
+    """
+    fixed = fixed_part(message.fields)
+    size = sum(f.size or 0 for f in fixed)
+    exact = len(fixed) == len(message.fields) and not message.keeps_tail
+    if len(body) < size or (exact and len(body) != size):
+        raise CodecError("too_short" if len(body) < size else "too_long", "", min(len(body), size))
+    reader = _Reader(body)
+    values = _read_fields(message.fields, reader, context or {})
+    if message.keeps_tail:
+        if reader.left() > message.tail_capacity:
+            everything = len(fixed) == len(message.fields)
+            raise CodecError("too_long", *(("", 255) if everything else ("tail", reader.at)))
+        if reader.left():
+            values["tail"] = reader.take(reader.left(), "tail").hex()
+    elif reader.left():
+        raise CodecError("too_long", "", reader.at)
+    return values
+
+
+def _read_fields(fields: tuple[Field, ...], reader: _Reader, context: Fields) -> Fields:
+    values: Fields = {}
+    for field in fields:
+        if field.when:
+            known = context if field.when.from_context else values
+            if not holds(
+                field.when, known.get(field.when.source, 0 if field.when.from_context else None)
+            ):
+                continue
+            if field.when.may_be_missing and reader.left() < (field.size or 0):
+                continue
+        values[field.name] = _read_field(field, reader, values, context)
+    return values
+
+
+def _read_announced(types: list[str], reader: _Reader, field: Field) -> list[Fields]:
+    """Numbers of announced types, as many as there are bytes for."""
+    numbers = []
+    for name in types:
+        if reader.left() < SCALARS[name].size:
+            break
+        numbers.append({name: _read_value(SCALARS[name], reader, field.name)})
+    return numbers
+
+
+def _read_field(field: Field, reader: _Reader, values: Fields, context: Fields) -> Any:
+    if field.dim == "one":
+        if isinstance(field.type, Struct) and field.type.is_region:
+            return _read_region(field.type, reader, values)
+        return _read_value(field.type, reader, field.name)
+    if field.dim not in LISTS:
+        return {key: _read_value(field.type, reader, field.name) for key in keys_of(field)}
+    if isinstance(field.type, Announced):
+        return _read_announced(context.get(field.type.context, []), reader, field)
+    count = _count(field, reader, values)
+    if is_bytes(field):
+        return reader.take(count, field.name).hex()
+    return [_read_value(field.type, reader, field.name) for _ in range(count)]
+
+
+def _count(field: Field, reader: _Reader, values: Fields) -> int:
+    if field.dim == "fixed":
+        return field.count
+    if field.dim == "counted":
+        count = int(values[field.counter])
+        if count > field.capacity:  # so many elements would not fit into any body
+            raise CodecError("too_short", field.name, reader.at)
+        return count
+    size = 1 if is_bytes(field) else _size_of(field.type)
+    if reader.left() % size or reader.left() // size < field.min_count:
+        raise CodecError("too_short", field.name, len(reader.body))
+    if reader.left() // size > field.capacity:
+        raise CodecError("too_long", field.name, reader.at)
+    return reader.left() // size
+
+
+def _size_of(type_: Type) -> int:
+    size = type_.size if isinstance(type_, (Blob, Struct)) else scalar_of(type_).size
+    assert size is not None, f"the size of {type_} varies"
+    return size
+
+
+def _read_value(type_: Type, reader: _Reader, name: str) -> Any:
+    if isinstance(type_, Struct):
+        if type_.size is not None:  # is there as a whole, or not at all
+            reader = _Reader(reader.take(type_.size, name))
+        return _read_fields(type_.fields, reader, {})
+    if isinstance(type_, Blob):
+        return _read_blob(type_, reader, name)
+    scalar = scalar_of(type_)
+    data = reader.take(scalar.size, name)
+    if scalar.is_float:
+        return float_from_bits(int.from_bytes(data, "little"))
+    return int.from_bytes(data, "little", signed=scalar.name[0] == "i")
+
+
+def _read_blob(type_: Blob, reader: _Reader, name: str) -> str:
+    if type_.kind == "string":
+        return text_from_bytes(reader.take(reader.take(1, name)[0], name))
+    assert type_.size is not None, "bytes without a size are the rest of a body"
+    data = reader.take(type_.size, name)
+    return text_from_bytes(data.rstrip(b"\0")) if type_.kind == "text" else data.hex()
+
+
+def _read_region(type_: Struct, reader: _Reader, around: Fields) -> Fields:
+    """A region has its size whatever is in it; its conditions are about the fields around it."""
+    assert type_.size is not None
+    inner = _Reader(reader.take(type_.size, ""))
+    values: Fields = {}
+    for field in type_.fields:
+        if field.when and not holds(field.when, around.get(field.when.source)):
+            continue
+        values[field.name] = _read_field(field, inner, values, {})
+    return values

@@ -1,0 +1,182 @@
+"""Writes a body: the other half of the second codec (see codec.py)."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sbgcgen.model import SCALARS, Announced, Blob, Field, Message, Scalar, Struct, Type
+from sbgcgen.oracle.codec import LISTS, CodecError, Fields, holds, is_bytes, keys_of, scalar_of
+from sbgcgen.oracle.json_values import float_to_bits, text_to_bytes
+
+
+class _Writer:
+    """A body in the making, of at most `limit` bytes, the first of which is byte `base`."""
+
+    def __init__(self, limit: int, base: int = 0) -> None:
+        self.data = bytearray()
+        self.limit = limit
+        self.base = base
+        self.missing: list[tuple[int, int, str]] = []  # up to which byte, from where, what
+
+    @property
+    def at(self) -> int:
+        return self.base + len(self.data)
+
+    def put(self, data: bytes, field: str) -> None:
+        if len(self.data) + len(data) > self.limit:
+            raise CodecError("buffer_too_small", field, self.at)
+        self.data += data
+
+
+def encode(message: Message, fields: Fields, limit: int = 255) -> bytes:
+    """The body that holds these fields, of at most `limit` bytes.
+
+    Beyond what the C++ codec can report, values of the wrong kind or size are refused: there, the
+    types of the members see to that.
+    """
+    writer = _Writer(limit)
+    given = dict(fields)
+    tail = str(given.pop("tail", "")) if message.keeps_tail else ""
+    _write_fields(message.fields, given, writer, "")
+    writer.put(_hex(tail, None, "tail", writer), "tail")
+    # What follows a missing value must be too short to be taken for it.
+    for end, at, name in sorted(writer.missing, key=lambda entry: entry[0])[:1]:
+        if writer.at >= end:
+            raise CodecError("presence_mismatch", name, at)
+    return bytes(writer.data)
+
+
+def _write_fields(
+    fields: tuple[Field, ...], values: Fields, writer: _Writer, path: str, around: Any = None
+) -> None:
+    conditions = values if around is None else around
+    unknown = values.keys() - {f.name for f in fields}
+    if unknown:
+        raise CodecError("presence_mismatch", path + min(unknown), writer.at)
+    for field in fields:
+        name = path + field.name
+        present = field.name in values
+        if field.is_counter:
+            _write_counter(fields, field, values, writer, name)
+        elif field.when:
+            # A context is not at hand here, so what depends on one is written if it is there.
+            if not field.when.from_context:
+                wanted = holds(field.when, conditions.get(field.when.source))
+                if present != wanted and (present or not field.when.may_be_missing):
+                    raise CodecError("presence_mismatch", name, writer.at)
+                if wanted and not present:
+                    writer.missing.append((writer.at + (field.size or 0), writer.at, name))
+            if present:
+                _write_field(field, values[field.name], writer, name, values)
+        elif present:
+            _write_field(field, values[field.name], writer, name, values)
+        elif not field.optional:
+            raise CodecError("presence_mismatch", name, writer.at)
+
+
+def _write_counter(
+    fields: tuple[Field, ...], counter: Field, values: Fields, writer: _Writer, name: str
+) -> None:
+    counted = next(f for f in fields if f.counter == counter.name)
+    if counted.name not in values:
+        raise CodecError("presence_mismatch", counted.name, writer.at)
+    value = values[counted.name]
+    count = len(value) // 2 if isinstance(value, str) else len(value)
+    if values.get(counter.name, count) != count:
+        raise CodecError("count_mismatch", name, writer.at)
+    _write_value(counter.type, count, writer, name)
+
+
+def _write_field(field: Field, value: Any, writer: _Writer, name: str, around: Fields) -> None:
+    if field.dim == "one":
+        if isinstance(field.type, Struct) and field.type.is_region:
+            _write_region(field.type, value, writer, name, around)
+        else:
+            _write_value(field.type, value, writer, name)
+    elif field.dim not in LISTS:
+        if list(value) != list(keys_of(field)):
+            raise CodecError("presence_mismatch", name, writer.at)
+        _write_all(field, list(value.values()), writer, name)
+    elif isinstance(field.type, Announced):
+        _check_count(field, len(value), name, writer)
+        for number in value:
+            for word, element in number.items():
+                _write_value(SCALARS[word], element, writer, name)
+    elif is_bytes(field):
+        data = bytes.fromhex(value)
+        _check_count(field, len(data), name, writer)
+        writer.put(data, name)
+    elif field.type == SCALARS["u8"]:  # bytes that are numbers; they fit all together or not at all
+        _check_count(field, len(value), name, writer)
+        writer.put(b"".join(_number(SCALARS["u8"], v, writer, name) for v in value), name)
+    else:
+        _check_count(field, len(value), name, writer)
+        _write_all(field, value, writer, name)
+
+
+def _write_all(field: Field, elements: list[Any], writer: _Writer, name: str) -> None:
+    """Elements one by one; those of a member of fixed size fit all together or not at all."""
+    inner = writer if field.size is None else _Writer(field.size, writer.at)
+    for element in elements:
+        _write_value(field.type, element, inner, name)
+    if inner is not writer:
+        writer.put(bytes(inner.data), name)
+
+
+def _check_count(field: Field, count: int, name: str, writer: _Writer) -> None:
+    fits = field.min_count <= count <= field.capacity
+    if not fits if field.dim != "fixed" else count != field.count:
+        raise CodecError("count_mismatch", name, writer.at)
+
+
+def _hex(text: str, size: int | None, name: str, writer: _Writer) -> bytes:
+    data = bytes.fromhex(text)
+    if size is not None and len(data) != size:
+        raise CodecError("count_mismatch", name, writer.at)
+    return data
+
+
+def _write_value(type_: Type, value: Any, writer: _Writer, name: str) -> None:
+    if isinstance(type_, Struct):
+        inner = _Writer(type_.size or writer.limit, writer.at) if type_.size else writer
+        # The C++ codec names the whole of a struct of fixed size, a member of any other.
+        _write_fields(type_.fields, value, inner, f"{name}." if type_.size else "")
+        if inner is not writer:
+            writer.put(bytes(inner.data), name)
+    elif isinstance(type_, Blob):
+        _write_blob(type_, value, writer, name)
+    else:
+        writer.put(_number(scalar_of(type_), value, writer, name), name)
+
+
+def _number(scalar: Scalar, value: Any, writer: _Writer, name: str) -> bytes:
+    try:
+        if scalar.is_float:
+            return float_to_bits(value).to_bytes(4, "little")
+        return int(value).to_bytes(scalar.size, "little", signed=scalar.name[0] == "i")
+    except (OverflowError, ValueError):
+        raise CodecError("value_out_of_range", name, writer.at) from None
+
+
+def _write_blob(type_: Blob, value: str, writer: _Writer, name: str) -> None:
+    if type_.kind == "bytes":
+        writer.put(_hex(value, type_.size, name, writer), name)
+        return
+    data = text_to_bytes(value)
+    assert type_.size is not None
+    if len(data) > type_.size:
+        raise CodecError("text_too_long", name, writer.at)
+    if type_.kind == "text":
+        writer.put(data.ljust(type_.size, b"\0"), name)
+        return
+    for byte in (len(data), *data):
+        writer.put(bytes((byte,)), name)
+
+
+def _write_region(
+    type_: Struct, values: Fields, writer: _Writer, name: str, around: Fields
+) -> None:
+    assert type_.size is not None
+    inner = _Writer(type_.size, writer.at)
+    _write_fields(type_.fields, values, inner, f"{name}.", around)
+    writer.put(bytes(inner.data).ljust(type_.size, b"\0"), name)

@@ -1,0 +1,95 @@
+"""Which message a body is, and how bodies stand in frames."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from sbgcgen.model import BODY, ID, SIZE, START, Framing, Layout, Message
+from sbgcgen.oracle.codec import CodecError
+
+Forms = dict[tuple[str, int], list[Message]]
+
+
+def forms_of(layout: Layout) -> Forms:
+    """The messages of each direction and id."""
+    forms: Forms = {}
+    for message in layout.messages:
+        forms.setdefault((message.direction, message.id), []).append(message)
+    return forms
+
+
+def choose_message(forms: Forms, direction: str, id: int, size: int) -> Message:
+    """The message that a body of `size` bytes is.
+
+    A command with one form is always that; of several forms the one that allows the size.
+    """
+    candidates = forms.get((direction, id), [])
+    if not candidates:
+        raise CodecError("unknown_command")
+    if len(candidates) == 1:
+        return candidates[0]
+    for message in candidates:
+        if message.min_size <= size and (message.is_open or size <= message.max_size):
+            return message
+    raise CodecError("unknown_form")
+
+
+def write_frame(framing: Framing, id: int, body: bytes) -> bytes:
+    """A body in its frame."""
+    if id == 0:
+        raise CodecError("invalid_id")
+    if len(body) > framing.max_body:
+        raise CodecError("too_long", "", framing.max_body)
+    parts = _header(framing, id, len(body)) | {BODY: body}
+    for part in framing.trailer:
+        parts[part] = _checksum(framing, part, parts)
+    return b"".join(parts[part] for part in (*framing.header, BODY, *framing.trailer))
+
+
+def header_of(framing: Framing, id: int, size: int) -> bytes:
+    """The bytes before a body of `size` bytes."""
+    return b"".join(_header(framing, id, size).values())
+
+
+def read_frames(framing: Framing, stream: bytes) -> Iterator[tuple[int, int, bytes]]:
+    """The frames in a stream: position, id and body of each, by the rule of the design."""
+    at = 0
+    while at < len(stream):
+        frame = _frame_at(framing, stream[at:])
+        if frame is None:
+            at += 1
+        else:
+            yield at, frame[0], frame[1]
+            at += framing.header_size + len(frame[1]) + framing.trailer_size
+
+
+def _frame_at(framing: Framing, data: bytes) -> tuple[int, bytes] | None:
+    """The frame that begins here: what says that it is one is written just so."""
+    header = data[: framing.header_size]
+    if len(header) < framing.header_size:
+        return None
+    id, size = header[framing.place(ID)], header[framing.place(SIZE)]
+    if id == 0 or size > framing.max_body or header != header_of(framing, id, size):
+        return None
+    body = data[framing.header_size :][:size]
+    frame = write_frame(framing, id, body)
+    return (id, body) if len(body) == size and data.startswith(frame) else None
+
+
+def _header(framing: Framing, id: int, size: int) -> dict[str, bytes]:
+    parts: dict[str, bytes] = {}
+    known = {START: bytes((framing.start,)), ID: bytes((id,)), SIZE: bytes((size,))}
+    for part in framing.header:
+        parts[part] = known[part] if part in known else _checksum(framing, part, parts)
+    return parts
+
+
+def _checksum(framing: Framing, name: str, parts: dict[str, bytes]) -> bytes:
+    """A checksum over the parts that it covers, all of which come before it."""
+    checksum = framing.checksum(name)
+    assert checksum is not None
+    covered = b"".join(parts[part] for part in checksum.covers)
+    return _CHECKSUMS[checksum.kind](covered).to_bytes(checksum.size, "little")
+
+
+_CHECKSUMS: dict[str, Callable[[bytes], int]] = {"sum8": lambda covered: sum(covered) % 256}

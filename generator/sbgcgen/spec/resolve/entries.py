@@ -1,0 +1,76 @@
+"""What entries of all sections have: a summary, a source, errata, versions, a name."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sbgcgen.model import Availability, Deprecation, Identifier, Position
+from sbgcgen.model.names import is_name
+from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
+from sbgcgen.spec.load import List, Map, Spec
+from sbgcgen.spec.resolve.versions import KINDS, VersionReader
+
+
+class Entries:
+    """Reads what entries have in common; findings go into `found`."""
+
+    def __init__(self, spec: Spec, found: Diagnostics) -> None:
+        self.spec = spec
+        self.found = found
+        self.versions = VersionReader(spec.main.get("versions", Map()), found)
+        self.identifiers: list[Identifier] = []
+
+    def errata(self, node: Map) -> tuple[str, ...]:
+        """The errata numbers of a node, each of which must exist."""
+        numbers = node.get("errata", [])
+        known = self.spec.errata.get("errata", {})
+        for index, number in enumerate(numbers):
+            if number not in known:
+                at = numbers.items_at[index] if isinstance(numbers, List) else node.position
+                hint = did_you_mean(str(number), known) or "add it to spec/errata.yaml"
+                self.found.add(at, "SBGC023", f"there is no erratum {number}", hint)
+        return tuple(str(n) for n in numbers)
+
+    def availability(self, node: Map, key: str = "since") -> Availability:
+        """The versions under `since`, as the wire has them."""
+        since = node.get(key)
+        if not isinstance(since, Map):
+            return Availability()
+        said: dict[str, Any] = {}
+        for kind in KINDS:
+            if kind in since:
+                text = str(since[kind])
+                said[kind] = self.versions.version(kind, text, since.at(kind))
+                said[f"{kind}_text"] = text
+        return Availability(**said)
+
+    def deprecation(self, node: Map) -> Deprecation | None:
+        """What `deprecated` and `replaced_by` say."""
+        mark = node.get("deprecated")
+        if not mark:
+            return None
+        since = self.availability(mark) if isinstance(mark, Map) else Availability()
+        return Deprecation(since, str(node.get("replaced_by", "")))
+
+    def summary(self, node: Map, at: Position, what: str) -> str:
+        """The summary, which nothing may lack."""
+        text = " ".join(str(node.get("summary") or "").split())
+        if not text:
+            self.found.add(at, "SBGC019", f"{what} has no summary", "describe it in one sentence")
+        return text
+
+    def source(self, node: Map, at: Position, what: str) -> str:
+        """Where the specification describes it, which nothing that comes from it may lack."""
+        text = str(node.get("source") or "")
+        if not text:
+            hint = "name the section and lines, as in 'Variables L1005-L1009'"
+            self.found.add(at, "SBGC020", f"{what} does not say where it comes from", hint)
+        return text
+
+    def identifier(self, name: str, at: Position) -> str:
+        """`name`, after a check that it is one."""
+        self.identifiers.append(Identifier(name, at))
+        if not is_name(name):
+            message = f"'{name}' cannot be a name"
+            self.found.add(at, "SBGC022", message, "give another one with 'as'")
+        return name

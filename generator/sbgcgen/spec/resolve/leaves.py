@@ -1,0 +1,70 @@
+"""The leaves of a body: its values in wire order, every index written out."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+
+from sbgcgen.model import Announced, Blob, Field, Leaf, Struct, scalar_of
+from sbgcgen.spec.resolve.sizes import size_of
+
+
+def expand_name(spec_name: str, word: str) -> str:
+    """SPEED_{AXIS} with ROLL -> SPEED_ROLL."""
+    return re.sub(r"\{[^}]*\}", word, spec_name)
+
+
+def leaves(
+    fields: tuple[Field, ...], path: str = "", base: int | None = 0, word: str = ""
+) -> Iterator[Leaf]:
+    """The leaves of a list of fields in wire order, every index written out."""
+    for field in fields:
+        offset = None if base is None or field.offset is None else base + field.offset
+        yield from _field_leaves(field, path + field.name, offset, word)
+
+
+def _field_leaves(field: Field, path: str, offset: int | None, word: str) -> Iterator[Leaf]:
+    element = size_of(field.type)
+
+    def one(path: str, offset: int | None, word: str, count: int | None) -> Iterator[Leaf]:
+        if isinstance(field.type, Struct) and field.type.is_region:
+            cases = tuple(leaves(field.type.fields[:-1], f"{path}.", None, word))
+            cases = tuple(replace(case, offset=offset) for case in cases)
+            yield Leaf(path, field, field.spec_name, "bytes", field.type.size, offset, cases)
+            return
+        if isinstance(field.type, Struct):
+            yield from leaves(field.type.fields, f"{path}.", offset, word)
+            return
+        scalar = scalar_of(field.type)
+        if isinstance(field.type, Announced):
+            yield Leaf(path, field, field.spec_name, "bytes", None, offset)
+            return
+        if isinstance(field.type, Blob):
+            name, amount = field.type.kind, field.type.size if field.type.kind != "string" else None
+        else:
+            assert scalar is not None
+            name, amount = scalar.name, count
+        yield Leaf(path, field, expand_name(field.spec_name, word), name, amount, offset)
+
+    def step(i: int) -> int | None:
+        return None if offset is None or element is None else offset + i * element
+
+    if field.dim in ("counted", "rest") and not field.index:
+        suffix = "[]" if isinstance(field.type, Struct) else ""
+        for leaf in one(path + suffix, offset, word, None):
+            yield replace(leaf, count=None)
+    elif field.dim in ("fixed", "rest"):
+        if not field.index and not isinstance(field.type, (Struct, Blob)):
+            yield from one(path, offset, word, field.count)
+            return
+        for i in range(len(field.index) or field.count):
+            inner = field.index[i] if field.index else word
+            may_be_missing = field.dim == "rest" and i >= field.min_count
+            for leaf in one(f"{path}[{i}]", step(i), inner, 1):
+                yield replace(leaf, optional=may_be_missing)
+    elif field.dim == "one":
+        yield from one(path, offset, word, 1)
+    else:
+        for i, inner in enumerate(field.index):
+            yield from one(f"{path}.{inner.lower()}", step(i), inner, 1)

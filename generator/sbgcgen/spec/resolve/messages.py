@@ -1,0 +1,346 @@
+"""Resolves messages: the forms of a command in each direction, and their bodies."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+from sbgcgen.model import (
+    Command,
+    Context,
+    Effect,
+    EffectCase,
+    Field,
+    Message,
+    Position,
+    Struct,
+    Until,
+)
+from sbgcgen.model.names import camel_case, form_suffix
+from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
+from sbgcgen.spec.load import Map
+from sbgcgen.spec.resolve.answers import AnswerResolver
+from sbgcgen.spec.resolve.contexts import announceable_types, context_of
+from sbgcgen.spec.resolve.fields import FieldResolver
+from sbgcgen.spec.resolve.leaves import leaves
+from sbgcgen.spec.resolve.sizes import max_size, min_size, total_size
+from sbgcgen.spec.resolve.types import TypeResolver
+
+DIRECTIONS = ("from_board", "to_board")
+
+
+@dataclass
+class _Draft:
+    """A message before its body is resolved."""
+
+    name: str
+    command: Command
+    entry: Map  # of the command
+    direction: str
+    form: str | None
+    node: Map
+    parent: Map
+    at: Position
+
+    def get(self, key: str, default: Any = None) -> Any:
+        """A property of the form, or else of the direction it belongs to."""
+        return self.node.get(key, self.parent.get(key, default))
+
+
+class MessageResolver:
+    """Makes drafts of all messages first, because any of them may need the body of another."""
+
+    def __init__(
+        self,
+        types: TypeResolver,
+        fields: FieldResolver,
+        answers: AnswerResolver,
+        found: Diagnostics,
+    ) -> None:
+        self.types = types
+        self.fields = fields
+        self.answers = answers
+        self.found = found
+        self.drafts: dict[tuple[str, str], _Draft] = {}
+        self.done: dict[tuple[str, str], Message] = {}
+        self.open: list[str] = []
+
+    def add(self, command: Command, node: Map) -> None:
+        """Make drafts of the messages of a command."""
+        for direction in DIRECTIONS:
+            if direction in node:
+                self._draft(command, direction, node)
+
+    def run(self) -> list[Message]:
+        """All messages, once all commands are there."""
+        self._check_same_as()
+        messages = self._settle_tails([self._message(draft) for draft in self.drafts.values()])
+        messages = [self._settle_types(message) for message in messages]
+        return self.answers.settle(messages)
+
+    def _draft(self, command: Command, direction: str, node: Map) -> None:
+        side = node[direction]
+        forms = side.get("forms", {None: side})
+        base = camel_case(command.name.removeprefix("CMD_"))
+        answers_itself = direction == "to_board" and "from_board" in node
+        shared = any("same_as" in node.get(d, {}) for d in DIRECTIONS)
+        if answers_itself and not (shared and self._is_own_body(node, base)):
+            base += "Request"
+        for form, content in forms.items():
+            at = side["forms"].at(form) if form else node.at(direction)
+            body = content if content is not None else _no_body(at)
+            name = str(body.get("as", base + camel_case(form_suffix(form))))
+            draft = _Draft(name, command, node, direction, form, body, side, at)
+            key = (name, direction)
+            if key in self.drafts:
+                first = self.drafts[key].at
+                message = f"message {name} is defined twice (first at {first})"
+                if self.drafts[key].command.name != command.name or first.file == at.file:
+                    self.found.add(at, "SBGC028", message, "give one of them a name with 'as'")
+            self.drafts[key] = draft
+
+    def _check_same_as(self) -> None:
+        """Every 'same_as' must lead to a list of fields; one that does not is taken out."""
+        for draft in self.drafts.values():
+            seen: list[_Draft] = []
+            step: _Draft | None = draft
+            while step is not None and step.get("same_as") and step not in seen:
+                seen.append(step)
+                name = step.get("same_as")
+                others = [d for (n, _), d in self.drafts.items() if n == name and d is not step]
+                others.sort(key=lambda d: bool(d.get("same_as")))
+                step = others[0] if others else (step if name == step.name else None)
+            if step is not None and step in seen:
+                node = draft.node if "same_as" in draft.node else draft.parent
+                message = f"the 'same_as' of {draft.name} leads back to itself"
+                hint = "one of them must list the fields"
+                self.found.add(node.at("same_as"), "SBGC029", message, hint)
+                node.pop("same_as")
+
+    def _is_own_body(self, node: Map, base: str) -> bool:
+        """Whether one direction of a command has the very body of the other."""
+        return any(node[d].get("same_as") == base for d in DIRECTIONS if d in node)
+
+    def _find(self, name: str, at: Position) -> Message | None:
+        """A message by name, whichever direction defines its body."""
+        candidates = [d for (n, _), d in self.drafts.items() if n == name]
+        candidates.sort(key=lambda d: "same_as" in d.node)
+        if not candidates:
+            known = sorted({n for n, _ in self.drafts})
+            hint = did_you_mean(name, known)
+            hint = hint or "name the C++ message, such as BoardInfo"
+            self.found.add(at, "SBGC021", f"there is no message '{name}'", hint)
+            return None
+        if name in self.open:
+            hint = "write the fields out in one of them"
+            self.found.add(at, "SBGC029", f"message {name} includes itself", hint)
+            return None
+        return self._message(candidates[0])
+
+    def _message(self, draft: _Draft) -> Message:
+        key = (draft.name, draft.direction)
+        if key in self.done:
+            return self.done[key]
+        self.open.append(draft.name)
+        contexts = tuple(context_of(c, self.types) for c in draft.get("context", []))
+        same_as = str(draft.get("same_as", ""))
+        both = (draft.name, _other(draft.direction)) in self.drafts
+        body = self._body(draft, contexts, same_as, both)
+        original = self._original(draft, same_as)
+        if original is not None:
+            contexts = contexts or original.contexts
+        self.open.pop()
+        keep = original.keeps_tail if original else draft.direction == "from_board" or both
+        tail = str(draft.get("tail", "keep" if keep else "refuse"))
+        limit = self.fields.max_body
+        largest = int(draft.get("max_size", max_size(body.fields, limit)))
+        if body.min_size > limit:
+            message = (
+                f"the body of {draft.name} has {body.min_size} bytes; {limit} fit into a frame"
+            )
+            self.found.add(draft.at, "SBGC013", message, "split it into several messages")
+        open_ended = any(f.dim == "rest" and f.type.kind != "announced" for f in body.fields)
+        message_ = Message(
+            name=draft.name,
+            command=draft.command.name,
+            command_identifier=draft.command.identifier,
+            id=draft.command.id or 0,
+            direction=draft.direction,
+            form=draft.form,
+            family=draft.command.family,
+            summary=self._summary(draft),
+            description=" ".join(str(draft.get("description", "")).split()),
+            source=self.types.source(draft.parent, draft.at, draft.name)
+            if not draft.node.get("source")
+            else str(draft.node["source"]),
+            errata=tuple(
+                dict.fromkeys((*self.types.errata(draft.parent), *self.types.errata(draft.node)))
+            ),
+            since=self.types.availability(draft.node)
+            or self.types.availability(draft.parent)
+            or draft.command.since,
+            until=self._until(draft),
+            deprecated=self.types.deprecation(draft.node)
+            or self.types.deprecation(draft.parent)
+            or self.types.deprecation(draft.entry),
+            body=body,
+            same_as=same_as if same_as != draft.name else "",
+            in_both_directions=both,
+            keeps_tail=tail == "keep" and not open_ended,
+            is_open=False,
+            tail_capacity=max(0, limit - body.min_size),
+            min_size=body.min_size,
+            max_size=largest,
+            contexts=contexts,
+            answer=self.answers.answer(draft.get("answer"), draft.name, body.fields, draft.at)
+            if draft.direction == "to_board"
+            else None,
+            role=self.answers.roles.role(draft.get("role"), draft.direction, body.fields),
+            stores=str(draft.get("stores", "")),
+            effect=self._effect(draft.get("effect"), body.fields),
+            example={
+                **(original.example if original else {}),
+                **self.fields.examples.example(body.fields, draft.get("example"), draft.name),
+            },
+            leaves=tuple(leaves(body.fields)) if body.min_size <= limit else (),
+            at=draft.at,
+        )
+        self.done[key] = message_
+        return message_
+
+    def _effect(self, node: Any, fields: tuple[Field, ...]) -> Effect | None:
+        """`node` is what stands behind `effect:`: a word, several, or cases."""
+        if node is None:
+            return None
+        listed = node if isinstance(node, list) else [node]
+        if not isinstance(listed[0], Map):
+            return Effect((EffectCase(None, tuple(listed)),))
+        cases = []
+        for case in listed:
+            does = case["does"]
+            when = self.fields.references.condition(case, list(fields), ())
+            cases.append(EffectCase(when, tuple(does if isinstance(does, list) else [does])))
+        return Effect(tuple(cases))
+
+    def _until(self, draft: _Draft) -> Until | None:
+        """The firmware that no longer takes the message, and the form that it takes instead."""
+        node = draft.get("until")
+        if not isinstance(node, Map):
+            return None
+        owner = draft.node if "until" in draft.node else draft.parent
+        versions = self.types.availability(owner, "until")
+        wanted = str(node.get("instead", ""))
+        forms = {
+            d.form: d.name
+            for d in self.drafts.values()
+            if (d.command, d.direction) == (draft.command, draft.direction) and d is not draft
+        }
+        if wanted and wanted not in forms:
+            hint = (
+                did_you_mean(wanted, [f for f in forms if f]) or "name another form of the command"
+            )
+            at = node.at("instead")
+            self.found.add(at, "SBGC021", f"{draft.command.name} has no form '{wanted}'", hint)
+        return Until(versions, forms.get(wanted, "") if wanted else "", node.position)
+
+    def _original(self, draft: _Draft, same_as: str) -> Message | None:
+        """The other message whose body this one has."""
+        for direction in DIRECTIONS if same_as != draft.name else ():
+            if (same_as, direction) in self.drafts:
+                return self._message(self.drafts[same_as, direction])
+        return None
+
+    def _settle_tails(self, messages: list[Message]) -> list[Message]:
+        """Of several forms only the longest may grow: the others are told apart by their size.
+
+        A message with the body of another grows as that does, unless it says otherwise.
+        """
+        result = []
+        for message in messages:
+            forms = [
+                m.max_size
+                for m in messages
+                if m.command == message.command and m.direction == message.direction
+            ]
+            longest = message.max_size == max(forms)
+            open_ended = message.keeps_tail or any(f.dim == "rest" for f in message.fields)
+            keeps = message.keeps_tail and longest
+            result.append(replace(message, keeps_tail=keeps, is_open=open_ended and longest))
+        owners = {id(m.body): m.keeps_tail for m in result if not m.same_as}
+        return [
+            replace(m, keeps_tail=owners.get(id(m.body), m.keeps_tail))
+            if m.same_as and self.drafts[m.name, m.direction].get("tail") is None
+            else m
+            for m in result
+        ]
+
+    def _settle_types(self, message: Message) -> Message:
+        """What the contexts of a message can announce is known when all messages are."""
+        contexts = []
+        for context in message.contexts:
+            announced = context.announced
+            if announced:
+                others = [m for (n, _), m in self.done.items() if n == announced.message]
+                types = announceable_types(announced, others[0].fields) if others else ()
+                context = replace(context, announced=replace(announced, types=types))
+            contexts.append(context)
+        return replace(message, contexts=tuple(contexts))
+
+    def _summary(self, draft: _Draft) -> str:
+        for node in (draft.node, draft.parent):
+            if node.get("summary"):
+                return self.types.summary(node, draft.at, draft.name)
+        if draft.direction == "from_board" or "from_board" not in draft.entry:
+            return draft.command.summary
+        return self.types.summary(draft.node, draft.at, draft.name)
+
+    def _body(
+        self, draft: _Draft, contexts: tuple[Context, ...], same_as: str, both: bool
+    ) -> Struct:
+        at = draft.node.at("same_as") if "same_as" in draft.node else draft.parent.at("same_as")
+        fields: tuple[Field, ...] = ()
+        if same_as and (same_as != draft.name or both):
+            if same_as == draft.name:
+                other = self.drafts[(draft.name, _other(draft.direction))]
+                return self._message(other).body
+            original = self._find(same_as, at)
+            if original is not None:
+                return original.body
+        else:
+            fields = self.fields.fields(
+                draft.node.get("fields", []), draft.name, contexts, include=self._included
+            )
+        size = total_size(fields)
+        return Struct(
+            name=draft.name,
+            summary="",
+            fields=fields,
+            size=size,
+            min_size=size if size is not None else min_size(fields),
+            family=draft.command.family,
+            at=draft.at,
+        )
+
+    def _included(self, node: Map) -> list[Field]:
+        message = self._find(str(node["include"]), node.at("include"))
+        if message is None:
+            return []
+        return [
+            replace(
+                f,
+                name="reserved" if f.reserved and f.spec_name == "RESERVED" else f.name,
+                at=node.at("include"),
+            )
+            for f in message.fields
+        ]
+
+
+def _no_body(at: Position) -> Map:
+    """The content of a form that is only named."""
+    result = Map()
+    result.position, result.keys_at = at, {}
+    return result
+
+
+def _other(direction: str) -> str:
+    return "to_board" if direction == "from_board" else "from_board"

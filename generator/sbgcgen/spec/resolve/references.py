@@ -1,0 +1,106 @@
+"""Resolves what a field depends on: conditions, flags that choose a unit, ids of variables."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sbgcgen.model import Alternative, Condition, Context, Enum, Field, Type
+from sbgcgen.model.names import snake_case
+from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
+from sbgcgen.spec.load import Map
+from sbgcgen.spec.resolve.types import VARIABLE_ID, TypeResolver
+
+
+class ReferenceResolver:
+    """References to earlier fields and to contexts; findings go into `found`."""
+
+    def __init__(self, types: TypeResolver, found: Diagnostics) -> None:
+        self.types = types
+        self.found = found
+        self._ids = types.types.enums[VARIABLE_ID]
+
+    def condition(
+        self, node: Map, earlier: list[Field], contexts: tuple[Context, ...]
+    ) -> Condition | None:
+        """The `when` of a node, about a context or one of the `earlier` fields."""
+        when = node.get("when")
+        if not isinstance(when, Map):
+            return None
+        from_context = "context" in when
+        key = "context" if from_context else "field"
+        wanted = str(when.get(key))
+        found: dict[str, tuple[str, Type, bool]] = (
+            {c.name.upper(): (c.name, c.type, False) for c in contexts if c.type is not None}
+            if from_context
+            else {
+                f.spec_name: (f.name, f.type, f.when is not None) for f in earlier if f.dim == "one"
+            }
+        )
+        unknown = {c.name.upper() for c in contexts if c.type is None and c.announced is None}
+        if from_context and wanted in unknown:
+            return None  # its type is reported where it is named
+        if wanted not in found:
+            hint = did_you_mean(wanted, found) or f"known here: {', '.join(found) or 'none'}"
+            self.found.add(when.at(key), "SBGC026", f"'{wanted}' is not an earlier {key}", hint)
+            return None
+        source, type_, conditional = found[wanted]
+        if not isinstance(type_, Enum):
+            message = f"'{wanted}' is neither an enum nor a flag set"
+            self.found.add(when.at(key), "SBGC026", message, "a condition needs named values")
+            return None
+        word = "has" if type_.kind == "flags" else "is"
+        if word not in when:
+            message = f"'{wanted}' is {'a flag set' if word == 'has' else 'an enum'}"
+            self.found.add(when.position, "SBGC026", message, f"use '{word}' for it")
+            return None
+        flags, values = (
+            self._values(type_, when, word) if word in when else () for word in ("has", "is")
+        )
+        mask = 0
+        for flag in flags:
+            mask |= flag.value
+        if flags and not mask:
+            message = f"{flags[0].name} has no bits, so it is always set"
+            self.found.add(when.at("has"), "SBGC026", message, "a condition needs bits to look at")
+        missing = bool(when.get("may_be_missing", False))
+        return Condition(source, from_context, mask, values, flags, type_, missing, conditional)
+
+    def _values(self, enum: Enum, node: Map, key: str) -> tuple[Any, ...]:
+        names = node[key] if isinstance(node[key], list) else [node[key]]
+        by_name = {v.name: v for v in enum.values}
+        for name in names:
+            if name not in by_name:
+                hint = did_you_mean(str(name), by_name) or f"see {enum.at}"
+                self.found.add(node.at(key), "SBGC026", f"{enum.name} has no value '{name}'", hint)
+        return tuple(by_name[n] for n in names if n in by_name)
+
+    def alternative(self, node: Map) -> Alternative | None:
+        """The other unit of a field, and the flag that chooses it."""
+        other = node.get("alternative")
+        if not isinstance(other, Map):
+            return None
+        quantity = self.types.types.quantities.get(str(other["type"]))
+        if quantity is None:
+            hint = did_you_mean(str(other["type"]), self.types.types.quantities)
+            hint = hint or "name one under 'quantities'"
+            self.found.add(other.at("type"), "SBGC010", f"unknown quantity '{other['type']}'", hint)
+            return None
+        for enum in self.types.types.enums.values():
+            for value in enum.values if enum.kind == "flags" else ():
+                if value.name == other["flag"]:
+                    return Alternative(quantity, snake_case(str(other["of"])), value.value, value)
+        flags = [v.name for e in self.types.types.enums.values() for v in e.values]
+        hint = did_you_mean(str(other["flag"]), flags) or "name a value of a flag set"
+        self.found.add(other.at("flag"), "SBGC026", f"there is no flag '{other['flag']}'", hint)
+        return None
+
+    def variable(self, node: Map, earlier: list[Field]) -> str:
+        """The earlier field with the id of the adjustable variable that this is the value of."""
+        wanted = str(node.get("variable", ""))
+        for field in earlier:
+            if wanted and field.spec_name == wanted and field.type == self._ids:
+                return field.name
+        if wanted:
+            message = f"'{wanted}' is not an earlier field of type {VARIABLE_ID}"
+            self.found.add(node.at("variable"), "SBGC026", message)
+        return ""

@@ -1,0 +1,67 @@
+"""How many bytes types and lists of fields take."""
+
+from __future__ import annotations
+
+from sbgcgen.model import Announced, Blob, Field, Struct, Type, scalar_of
+
+
+def size_of(type_: Type) -> int | None:
+    """The bytes that a type takes, None if that varies."""
+    scalar = scalar_of(type_)
+    if scalar is not None:
+        return scalar.size
+    if isinstance(type_, Announced):
+        return None
+    assert isinstance(type_, (Blob, Struct))
+    return None if isinstance(type_, Blob) and type_.kind == "string" else type_.size
+
+
+def min_size_of(type_: Type) -> int:
+    """The fewest bytes that a type takes."""
+    if isinstance(type_, Struct):
+        return type_.min_size
+    if isinstance(type_, Blob) and type_.kind == "string":
+        return 1
+    return size_of(type_) or 0
+
+
+def total_size(fields: tuple[Field, ...]) -> int | None:
+    """Size of a list of fields in bytes, None if it varies."""
+    total = 0
+    for field in fields:
+        if field.is_variable or field.size is None:
+            return None
+        total += field.size
+    return total
+
+
+def min_size(fields: tuple[Field, ...]) -> int:
+    """The fewest bytes that a list of fields takes."""
+    return sum(_min_field(field) for field in fields if field.when is None)
+
+
+def _min_field(field: Field) -> int:
+    if field.dim in ("counted", "rest"):
+        return field.min_count * (size_of(field.type) or 1)
+    return min_size_of(field.type) * field.count
+
+
+def max_size(fields: tuple[Field, ...], limit: int) -> int:
+    """The most bytes that the specification describes, at most `limit`."""
+    total = 0
+    by_name = {field.name: field for field in fields}
+    for field in fields:
+        if field.dim in ("counted", "rest"):
+            count = field.max_count
+            if field.counter and by_name[field.counter].maximum is not None:
+                maximum = by_name[field.counter].maximum
+                assert maximum is not None
+                count = int(maximum)
+            if count is None:
+                return limit
+            total += count * (size_of(field.type) or 1)
+        elif field.size is None:
+            return limit
+        else:
+            total += field.size
+    return min(total, limit)

@@ -1,0 +1,87 @@
+"""What each part of a frame is for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from sbgcgen.model import BODY, ID, SIZE, START, Framing
+
+_KINDS = {"sum8": "the sum of {}, modulo 256"}
+_ALL_BYTES = "all bytes of the body"
+
+
+@dataclass(frozen=True)
+class FramePart:
+    """A part of a frame: where, what, how long, and what it is for."""
+
+    at: str
+    name: str
+    size: str
+    text: str
+
+
+def frame_parts(framing: Framing) -> list[FramePart]:
+    """The parts of a frame in the order of the line."""
+    behind = f"{framing.header_size} + size"
+    parts = [_part(framing, part, str(framing.place(part))) for part in framing.header]
+    most = framing.max_body
+    parts.append(
+        FramePart(str(framing.header_size), BODY, f"0 to {most} bytes", "Content of the message.")
+    )
+    for part in framing.trailer:
+        offset = framing.place(part)
+        parts.append(_part(framing, part, f"{behind} + {offset}" if offset else behind))
+    return parts
+
+
+def checksum_text(framing: Framing, name: str) -> str:
+    """What a checksum is: "the sum of id and size, modulo 256"."""
+    checksum = framing.checksum(name)
+    assert checksum is not None
+    covers = [_ALL_BYTES if part == BODY else part_name(part) for part in checksum.covers]
+    words = " and ".join(filter(None, [", ".join(covers[:-1]), covers[-1]]))
+    return _KINDS[checksum.kind].format(words)
+
+
+def part_name(part: str) -> str:
+    """header_checksum -> header checksum."""
+    return part.replace("_", " ")
+
+
+def _part(framing: Framing, part: str, at: str) -> FramePart:
+    size = framing.size_of(part)
+    words = {
+        START: f"Always 0x{framing.start:02X}, the character {framing.start:c}.",
+        ID: "Command id, 1 to 255.",
+        SIZE: f"Size of the body in bytes, 0 to {framing.max_body}.",
+    }
+    if part not in words:
+        checksum = checksum_text(framing, part)
+        words[part] = f"{checksum[0].upper()}{checksum[1:]}."
+    return FramePart(at, part_name(part), f"{size} byte{'s' if size > 1 else ''}", words[part])
+
+
+@dataclass(frozen=True)
+class Sum:
+    """A checksum in a frame, and the bytes that it covers there."""
+
+    name: str
+    covered: bytes
+    value: int
+
+
+def sums_in(frame: bytes, framing: Framing) -> list[Sum]:
+    """The checksums of a frame."""
+    body_end = len(frame) - framing.trailer_size
+    parts = {BODY: frame[framing.header_size : body_end]}
+    for part in (*framing.header, *framing.trailer):
+        begin = framing.place(part) + (0 if part in framing.header else body_end)
+        parts[part] = frame[begin : begin + framing.size_of(part)]
+    return [
+        Sum(
+            part_name(checksum.name),
+            b"".join(parts[part] for part in checksum.covers),
+            int.from_bytes(parts[checksum.name], "little"),
+        )
+        for checksum in framing.checksums
+    ]

@@ -1,0 +1,56 @@
+/// What a call returns.
+#pragma once
+
+#include <optional>
+#include <type_traits>
+#include <variant>
+
+#include <sbgc/client/result.hpp>
+#include <sbgc/protocol.hpp>
+#include <sbgc/response.hpp>
+#include <sbgc/type_list.hpp>
+
+namespace sbgc {
+
+namespace detail {
+
+/// One of the messages that do not say that the request has failed: that makes the call fail.
+template <class Kept, class... Messages>
+struct OneOf;
+template <class Only>
+struct OneOf<TypeList<Only>> {
+  using type = Only;
+};
+template <class... Kept>
+struct OneOf<TypeList<Kept...>> {
+  using type = std::variant<Kept...>;
+};
+template <class... Kept, class Next, class... Others>
+struct OneOf<TypeList<Kept...>, Next, Others...>
+    : OneOf<
+          std::conditional_t<Next::form == Form::error, TypeList<Kept...>, TypeList<Kept..., Next>>,
+          Others...> {};
+
+template <class Response>
+struct Delivered {
+  using type = Response;
+};
+template <class... Messages>
+struct Delivered<TypeList<Messages...>> : OneOf<TypeList<>, Messages...> {};
+template <class Response>
+struct Delivered<Maybe<Response>> {
+  using type = std::optional<typename Delivered<Response>::type>;
+};
+
+/// What a call with the request M delivers.
+template <class M>
+using CallAnswer = typename Delivered<typename M::Response>::type;
+
+}  // namespace detail
+
+/// What a call with the request M returns: the answer, or nothing where the protocol has none; an
+/// optional answer where it depends on what the request says.
+template <class M>
+using CallResult = Result<detail::CallAnswer<M>>;
+
+}  // namespace sbgc

@@ -1,0 +1,308 @@
+/// Work of several calls as a state machine without I/O.
+///
+/// A task is written as a coroutine and driven from outside: step() says what to do next, the
+/// driver does it and tells the task what came of it. Whoever has a clock and a line can be that
+/// driver: Client::run(), AsyncClient::async_run(), a test in virtual time, a browser.
+///
+///     sbgc::Task<sbgc::Result<double>> yaw_after(std::chrono::seconds pause) {
+///       sbgc::TaskMachine& task = co_await sbgc::tasks::this_task();
+///       auto waited = co_await sbgc::tasks::wait_until(task.now() + sbgc::seconds(pause.count()));
+///       if (!waited) co_return waited.error();
+///       const auto angles = co_await sbgc::tasks::call(sbgc::msg::GetAnglesRequest{});
+///       if (!angles) co_return angles.error();
+///       co_return angles->axes.yaw.imu_angle.degrees();
+///     }
+///
+/// Parameters of such a coroutine are values: what a reference refers to may be gone when the task
+/// goes on.
+#pragma once
+
+#include <coroutine>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <limits>
+#include <list>
+#include <memory>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+
+#include <sbgc/client/board_identity.hpp>
+#include <sbgc/client/notice.hpp>
+#include <sbgc/client/options.hpp>
+#include <sbgc/client/reply.hpp>
+#include <sbgc/client/request.hpp>
+#include <sbgc/client/result.hpp>
+#include <sbgc/client/typed.hpp>
+#include <sbgc/time.hpp>
+
+namespace sbgc {
+
+/// What the driver of a task does next.
+struct TaskStep {
+  enum class Kind : std::uint8_t {
+    call,    ///< begin `request`; hand its end to TaskMachine::replied()
+    cancel,  ///< cancel the call `number`; its end does not matter any more
+    wait,    ///< call step() again when something has come, at `until` at the latest
+    done,    ///< the task is over
+  };
+
+  Kind kind{};
+  std::uint32_t number{};  ///< of the call, from 1
+  Result<detail::Request> request = ClientError{};
+  CallOptions options{};
+  Instant until = Instant::never;
+  /// Of `wait`: whether TaskMachine::wake() ends it.
+  bool can_be_woken = false;
+};
+
+/// A task under way. Not thread-safe.
+class TaskMachine {
+ public:
+  explicit TaskMachine(BoardIdentity board) : board_(std::move(board)) {}
+  TaskMachine(const TaskMachine&) = delete;
+  TaskMachine& operator=(const TaskMachine&) = delete;
+  ~TaskMachine() = default;
+
+  // For the driver
+
+  /// Goes on as far as possible. The time never goes back.
+  TaskStep step(Instant now);
+  /// A call has ended.
+  void replied(std::uint32_t number, Result<Reply> reply);
+  /// A confirmation of a call has come; its end follows.
+  void confirmed(std::uint32_t number);
+  void notice(const Notice& notice);
+  /// What the task waits for ends with ErrorCode::cancelled, once. It may still have to clean up.
+  void cancel() noexcept { is_cancelled_ = true; }
+  /// Ends a wait of tasks::wait_for_wake().
+  void wake() noexcept { is_woken_ = true; }
+
+  // For the task
+
+  Instant now() const noexcept { return now_; }
+  const BoardIdentity& identity() const noexcept { return board_; }
+
+  /// Begins a call that goes on while the task does; returns its number.
+  template <Message M>
+  std::uint32_t begin(const M& request, const CallOptions& options) {
+    static_assert(M::direction != Direction::from_board, "only the board sends this message");
+    return begin_call(detail::prepare(request, board_.versions(), options.validate), options);
+  }
+  /// Whether it was confirmed at least once.
+  bool has_started(std::uint32_t number) const;
+  /// How it ended; nothing while it goes on.
+  const Result<Reply>* reply(std::uint32_t number) const;
+  /// Forgets a call, and cancels it if it goes on.
+  void end(std::uint32_t number);
+
+  using NoticeHandler = std::function<void(const Notice&)>;
+  using Listener = std::list<NoticeHandler>::iterator;
+  Listener listen(NoticeHandler handler);
+  void stop_listening(Listener listener) { listeners_.erase(listener); }
+
+  /// What a coroutine waits for: the first of these.
+  struct Wait {
+    std::uint32_t call{};          ///< its end
+    bool start_is_enough = false;  ///< or its first confirmation
+    Instant until = Instant::never;
+    bool for_wake = false;  ///< or wake()
+  };
+  void wait(std::coroutine_handle<> coroutine, const Wait& wait) noexcept {
+    coroutine_ = coroutine;
+    wait_ = wait;
+  }
+  /// Whether the last wait was cancelled.
+  bool was_cancelled() const noexcept { return was_cancelled_; }
+
+ private:
+  struct Call {
+    unsigned confirmations{};
+    std::optional<Result<Reply>> reply{};
+  };
+
+  std::uint32_t begin_call(Result<detail::Request> request, const CallOptions& options);
+  bool is_ready();
+
+  BoardIdentity board_;
+  Instant now_{};
+  std::coroutine_handle<> coroutine_{};  // that goes on next
+  Wait wait_{.until = Instant{std::numeric_limits<std::int64_t>::min()}};
+  std::deque<TaskStep> steps_{};
+  std::uint32_t last_call_{};
+  std::unordered_map<std::uint32_t, Call> calls_{};
+  std::list<NoticeHandler> listeners_{};
+  bool is_cancelled_ = false;
+  bool was_cancelled_ = false;
+  bool is_woken_ = false;
+
+  template <class R>
+  friend class Task;
+};
+
+/// A task that ends with an R, such as Result<void>. It does nothing until it is driven, or awaited
+/// by another task.
+template <class R>
+class [[nodiscard]] Task {
+  struct Promise;
+
+ public:
+  using promise_type = Promise;
+  using result_type = R;
+
+  Task(Task&& other) noexcept
+      : coroutine_(std::exchange(other.coroutine_, nullptr)), machine_(std::move(other.machine_)) {}
+  Task& operator=(Task&& other) noexcept {
+    std::swap(coroutine_, other.coroutine_);
+    std::swap(machine_, other.machine_);
+    return *this;
+  }
+  Task(const Task&) = delete;
+  Task& operator=(const Task&) = delete;
+  ~Task() {
+    if (coroutine_) coroutine_.destroy();
+  }
+
+  /// Begins the task for this board. Once.
+  TaskMachine& begin(const BoardIdentity& board) {
+    machine_ = std::make_unique<TaskMachine>(board);
+    coroutine_.promise().machine = machine_.get();
+    machine_->coroutine_ = coroutine_;
+    return *machine_;
+  }
+  /// Precondition: the last step was TaskStep::Kind::done.
+  R result() && { return *std::move(coroutine_.promise().result); }
+
+  // As part of another task
+  // NOLINTBEGIN(readability-identifier-naming): the language's names
+
+  bool await_ready() const noexcept { return false; }
+  template <class Other>
+  std::coroutine_handle<> await_suspend(std::coroutine_handle<Other> awaiting) noexcept {
+    coroutine_.promise().machine = awaiting.promise().machine;
+    coroutine_.promise().awaiting = awaiting;
+    return coroutine_;
+  }
+  R await_resume() { return *std::move(coroutine_.promise().result); }
+
+  // NOLINTEND(readability-identifier-naming)
+
+ private:
+  struct Ending {
+    bool await_ready() const noexcept { return false; }
+    std::coroutine_handle<> await_suspend(std::coroutine_handle<Promise> ended) const noexcept {
+      if (ended.promise().awaiting) return ended.promise().awaiting;
+      ended.promise().machine->coroutine_ = nullptr;
+      return std::noop_coroutine();
+    }
+    void await_resume() const noexcept {}
+  };
+
+  struct Promise {
+    TaskMachine* machine{};
+    std::coroutine_handle<> awaiting{};
+    std::optional<R> result{};
+
+    Task get_return_object() { return Task(std::coroutine_handle<Promise>::from_promise(*this)); }
+    std::suspend_always initial_suspend() const noexcept { return {}; }
+    Ending final_suspend() const noexcept { return {}; }
+    /// What a handler of the task's owner throws goes to whoever drives it.
+    void unhandled_exception() { throw; }
+    template <class Value>
+    void return_value(Value&& value) {
+      result.emplace(std::forward<Value>(value));
+    }
+  };
+
+  explicit Task(std::coroutine_handle<Promise> coroutine) noexcept : coroutine_(coroutine) {}
+
+  std::coroutine_handle<Promise> coroutine_;
+  std::unique_ptr<TaskMachine> machine_{};
+};
+
+namespace detail {
+
+struct ThisTask {
+  TaskMachine* machine{};
+
+  bool await_ready() const noexcept { return false; }
+  template <class Promise>
+  bool await_suspend(std::coroutine_handle<Promise> coroutine) noexcept {
+    machine = coroutine.promise().machine;
+    return false;
+  }
+  TaskMachine& await_resume() const noexcept { return *machine; }
+};
+
+struct Waiting {
+  TaskMachine::Wait wait{};
+  TaskMachine* machine{};
+
+  bool await_ready() const noexcept { return false; }
+  template <class Promise>
+  void await_suspend(std::coroutine_handle<Promise> coroutine) noexcept {
+    machine = coroutine.promise().machine;
+    machine->wait(coroutine, wait);
+  }
+  Result<void> await_resume() const {
+    if (!machine->was_cancelled()) return {};
+    return ClientError{ErrorCode::cancelled, "cancelled"};
+  }
+};
+
+template <Message M>
+struct Calling {
+  M request;
+  CallOptions options;
+  TaskMachine* machine{};
+  std::uint32_t number{};
+
+  bool await_ready() const noexcept { return false; }
+  template <class Promise>
+  void await_suspend(std::coroutine_handle<Promise> coroutine) {
+    machine = coroutine.promise().machine;
+    number = machine->begin(request, options);
+    machine->wait(coroutine, {.call = number});
+  }
+  CallResult<M> await_resume() {
+    const Result<Reply>* const reply = machine->reply(number);
+    CallResult<M> result =
+        reply != nullptr
+            ? read_answer<M>(*reply)
+            : CallResult<M>(ClientError{ErrorCode::cancelled, "the call was cancelled"});
+    machine->end(number);
+    return result;
+  }
+};
+
+}  // namespace detail
+
+namespace tasks {
+
+/// The task that a coroutine is part of.
+inline detail::ThisTask this_task() noexcept { return {}; }
+
+/// As Client::call(). CallOptions::on_confirmation is not called.
+template <Message M>
+detail::Calling<M> call(const M& request, const CallOptions& options = {}) {
+  return {request, options};
+}
+
+/// Waits, or fails with ErrorCode::cancelled.
+inline detail::Waiting wait_until(Instant until) noexcept { return {{.until = until}}; }
+/// Waits for TaskMachine::wake(), until then at the latest.
+inline detail::Waiting wait_for_wake(Instant until) noexcept {
+  return {{.until = until, .for_wake = true}};
+}
+/// Waits for the end of a call that TaskMachine::begin() has begun, until then at the latest.
+inline detail::Waiting wait_for_call(std::uint32_t number, Instant until) noexcept {
+  return {{.call = number, .until = until}};
+}
+/// Waits for its first confirmation, or its end.
+inline detail::Waiting wait_for_start(std::uint32_t number, Instant until) noexcept {
+  return {{.call = number, .start_is_enough = true, .until = until}};
+}
+
+}  // namespace tasks
+}  // namespace sbgc

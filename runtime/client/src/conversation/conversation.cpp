@@ -1,0 +1,89 @@
+#include <memory>
+#include <utility>
+
+#include <sbgc/io/clock.hpp>
+
+#include "state.hpp"
+#include "waiter.hpp"
+
+namespace sbgc::detail {
+
+ClientError handler_waits_error() {
+  return {ErrorCode::invalid, "a handler must not wait for its own client"};
+}
+
+ClientError stuck_error() {
+  return {ErrorCode::timeout, "a handler keeps the client from working"};
+}
+
+namespace {
+
+/// Begins something with `begin(handler)` and waits for its end.
+template <class T, class Begin>
+Result<T> wait_for(Conversation::State& state, const Begin& begin) {
+  if (state.runs_in_this_thread()) {
+    return handler_waits_error();
+  }
+  const auto waiter = std::make_shared<Waiter<Result<T>>>();
+  const auto [ticket, deadline] =
+      begin([waiter](Result<T> result) { waiter->put(std::move(result)); });
+  if (auto result = waiter->wait_until(io::to_chrono(deadline + grace))) return *std::move(result);
+  state.end(ticket, stuck_error());
+  // The end, this one or another that came first, is on its way in some thread.
+  return waiter->wait();
+}
+
+}  // namespace
+
+auto Conversation::start(Result<Request> request, const CallOptions& options,
+                         ReplyHandler handler) const -> Ticket {
+  return state_->start(std::move(request), options, std::move(handler)).ticket;
+}
+
+void Conversation::cancel(Ticket ticket) const {
+  state_->end(ticket, {ErrorCode::cancelled, "the call was cancelled"});
+}
+
+Result<Reply> Conversation::call(Result<Request> request, const CallOptions& options) const {
+  return wait_for<Reply>(*state_, [&](ReplyHandler handler) {
+    return state_->start(std::move(request), options, std::move(handler));
+  });
+}
+
+Subscription Conversation::subscribe(MessageKey key, MessageHandler handler) const {
+  return state_->subscribe(key, std::move(handler));
+}
+
+Subscription Conversation::on_notice(std::function<void(const Notice&)> handler) const {
+  return state_->on_notice(std::move(handler));
+}
+
+auto Conversation::start_stream(StreamRequests requests, MessageKey key, MessageHandler handler,
+                                const CallOptions& options, StreamHandler done) const -> Ticket {
+  return state_
+      ->start_stream(std::move(requests), key, std::move(handler), options, std::move(done))
+      .ticket;
+}
+
+Result<Subscription> Conversation::stream(StreamRequests requests, MessageKey key,
+                                          MessageHandler handler,
+                                          const CallOptions& options) const {
+  return wait_for<Subscription>(*state_, [&](StreamHandler done) {
+    return state_->start_stream(std::move(requests), key, std::move(handler), options,
+                                std::move(done));
+  });
+}
+
+Availability Conversation::versions() const noexcept { return identity().versions(); }
+
+const BoardIdentity& Conversation::identity() const noexcept { return state_->identity(); }
+
+std::string Conversation::description() const { return state_->description(); }
+
+ClientStatistics Conversation::statistics() const { return state_->statistics(); }
+
+void Conversation::close() const noexcept {
+  if (state_) state_->close();
+}
+
+}  // namespace sbgc::detail

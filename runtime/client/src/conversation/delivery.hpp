@@ -1,0 +1,43 @@
+/// What the board sends, on its way to the subscribers.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include <sbgc/client/conversation.hpp>
+#include <sbgc/dispatch.hpp>
+#include <sbgc/frame.hpp>
+
+#include "handlers.hpp"
+
+namespace sbgc::detail {
+
+/// Subscribing is thread-safe; the rest belongs to whoever runs the conversation.
+class Delivery {
+ public:
+  std::unique_ptr<Subscription::Hold> subscribe(MessageKey key,
+                                                Conversation::MessageHandler handler);
+  std::unique_ptr<Subscription::Hold> on_notice(std::function<void(const Notice&)> handler);
+
+  /// Decodes a message once, if anybody wants it: a subscriber, or the contexts.
+  void deliver(const Frame& frame);
+  void notify(const Notice& notice);
+
+  /// What earlier messages say about how to read later ones.
+  Contexts& contexts() noexcept { return contexts_; }
+  /// Messages for a subscriber that could not be decoded.
+  std::uint64_t unreadable() const noexcept { return unreadable_; }
+
+ private:
+  using MessageHandlers = Handlers<MessageKey, void(const void*)>;
+  using NoticeHandlers = Handlers<int, void(const Notice&)>;
+
+  std::shared_ptr<MessageHandlers> messages_ = std::make_shared<MessageHandlers>();
+  std::shared_ptr<NoticeHandlers> notices_ = std::make_shared<NoticeHandlers>();
+  Contexts contexts_;
+  std::atomic<std::uint64_t> unreadable_{};
+};
+
+}  // namespace sbgc::detail

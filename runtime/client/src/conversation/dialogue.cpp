@@ -1,0 +1,206 @@
+#include "dialogue.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include <sbgc/roles.hpp>
+#include <sbgc/text/status.hpp>
+
+#include "board_words.hpp"
+
+namespace sbgc::detail {
+
+namespace {
+
+constexpr const char* refused_words = ": the board refused: ";
+
+/// In whole milliseconds, rounded up.
+std::string milliseconds_text(Duration duration) {
+  return std::to_string((duration.us + 999) / 1000) + " ms";
+}
+
+SessionOptions session_options(const ConnectOptions& options) {
+  SessionOptions result;
+  if (!options.pacing) result.pacing = {Duration{}, Duration{}};
+  result.duplicates = milliseconds(options.duplicates.count());
+  result.stream_percent = static_cast<std::uint8_t>(std::min(options.stream_share, 100U));
+  return result;
+}
+
+ClientError overdue(const Call& call, bool was_sent) {
+  const std::string within = " within " + milliseconds_text(call.allowed);
+  const std::string command = call.request.command;
+  return {ErrorCode::timeout,
+          was_sent ? "no answer to " + command + within : command + " could not be sent" + within};
+}
+
+ClientError no_answer(const Call& call) {
+  const unsigned attempts = call.send.attempts;
+  std::string text = std::string("no answer to ") + call.request.command;
+  if (attempts > 1) text += ", sent " + std::to_string(attempts) + " times,";
+  text += " within " + milliseconds_text(call.send.timeout);
+  if (attempts > 1) text += " each";
+  return {ErrorCode::timeout, text};
+}
+
+/// Whether a message can be read only with what others have said.
+bool needs_context(const Frame& frame) {
+  bool needs = false;
+  select(Direction::from_board, frame.id, frame.body.size(), [&]<class M>(Type<M>) {
+    needs = requires { typename M::Context; };
+  });
+  return needs;
+}
+
+}  // namespace
+
+Dialogue::Dialogue(const ConnectOptions& options, PendingCalls& calls, Delivery& delivery)
+    : calls_(calls), delivery_(delivery), session_(session_options(options)) {}
+
+Output Dialogue::advance(Instant now, bool can_write) {
+  Output output;
+  do {
+    has_room_ = false;
+    send_waiting();
+    end_overdue(now);
+    // While a write is under way no other can begin, so nothing is to be had from the session.
+    if (!can_write) break;
+    output = session_.poll(now, [this](const Event& event) { handle(event); });
+  } while (has_room_ && output.bytes.empty());
+  if (has_room_) send_waiting();
+  output.deadline = earlier(output.deadline, calls_.deadline());
+  return output;
+}
+
+void Dialogue::feed(std::span<const std::uint8_t> bytes, Instant now) {
+  session_.feed(bytes, now, [this](const Event& event) { handle(event); });
+}
+
+void Dialogue::send_waiting() {
+  while (in_session_.size() < capacity.requests) {
+    const CallPointer call = calls_.next_waiting();
+    if (!call) return;
+    const Request& request = call->request;
+    const std::span<const std::uint8_t> body(request.body.data(), request.body.size());
+    const SendResult sent = session_.send(request.id, body, request.policy, call->send);
+    if (sent) {
+      call->handle = sent.handle;
+      in_session_.emplace(sent.handle.number, call);
+      const bool starts_stream = request.policy.stream.command != 0;
+      if (starts_stream && request.teach) request.teach(delivery_.contexts());
+    } else if (calls_.take(call->ticket)) {
+      calls_.complete(*call, refusal(*call, sent));
+    }
+  }
+}
+
+ClientError Dialogue::refusal(const Call& call, const SendResult& refused) const {
+  const std::string command = call.request.command;
+  switch (refused.status) {
+    case SendStatus::over_budget: {
+      const StreamUsage usage = session_.stream_usage();
+      return {ErrorCode::overload, command + ": the data stream does not fit through the line: " +
+                                       std::to_string(usage.limit) + " bytes/s are for streams, " +
+                                       std::to_string(usage.used) + " of them are taken"};
+    }
+    case SendStatus::too_many_streams:
+      return {ErrorCode::overload, command + ": the board cannot have another data stream"};
+    case SendStatus::not_encodable:
+      return {ErrorCode::overload, command + ": " + to_string(refused.encoding)};
+    default: return {ErrorCode::overload, command + ": too many requests at once"};
+  }
+}
+
+void Dialogue::forget(const Call& call) {
+  if (in_session_.erase(call.handle.number) == 0) return;
+  session_.cancel(call.handle, [](const Event&) {});
+}
+
+void Dialogue::end_overdue(Instant now) {
+  while (const CallPointer call = calls_.take_overdue(now)) {
+    const bool was_sent = static_cast<bool>(call->handle);
+    forget(*call);
+    calls_.complete(*call, overdue(*call, was_sent));
+  }
+}
+
+void Dialogue::handle(const Event& event) {
+  const Frame& frame = event.frame;
+  switch (event.kind) {
+    case EventKind::completed:
+      // Confirmations and resets have an event of their own.
+      if (!roles::is_confirmation(frame) && !roles::is_reset(frame)) delivery_.deliver(frame);
+      return handle_completion(event);
+    case EventKind::confirmation: {
+      delivery_.deliver(frame);
+      const auto place = in_session_.find(event.handle.number);
+      if (place == in_session_.end()) return;
+      const CallPointer call = place->second;
+      if (call->on_confirmation) call->on_confirmation(event.confirmation);
+      return;
+    }
+    case EventKind::board_error: {
+      delivery_.deliver(frame);
+      const std::string what =
+          event.command == 0 ? "the board reports an error: "
+                             : command_name(event.command, Direction::to_board) + refused_words;
+      return delivery_.notify({NoticeKind::board_error, what + describe(frame.id, frame.body),
+                               static_cast<int>(roles::failure_code(frame)), event.command});
+    }
+    case EventKind::reset:
+      delivery_.deliver(frame);
+      return delivery_.notify({NoticeKind::board_reset, "the board is restarting"});
+    case EventKind::stream:
+    case EventKind::unsolicited: return delivery_.deliver(frame);
+  }
+}
+
+void Dialogue::handle_completion(const Event& event) {
+  has_room_ = true;
+  const auto place = in_session_.find(event.handle.number);
+  if (place == in_session_.end()) return;
+  const CallPointer call = std::move(place->second);
+  in_session_.erase(place);
+  if (calls_.take(call->ticket)) calls_.complete(*call, result_of(*call, event));
+}
+
+Reply Dialogue::reply_to(const Call& call, ReplyKind kind, const Frame& frame) const {
+  Reply reply{kind, frame.id, {}, nullptr};
+  static_cast<void>(reply.body.resize(frame.body.size()));  // the body of a frame fits
+  std::ranges::copy(frame.body, reply.body.begin());
+  if (needs_context(frame)) {
+    const auto contexts = std::make_shared<Contexts>(delivery_.contexts());
+    if (call.request.teach) call.request.teach(*contexts);
+    reply.contexts = contexts;
+  }
+  return reply;
+}
+
+Result<Reply> Dialogue::result_of(const Call& call, const Event& event) const {
+  const std::string command = call.request.command;
+  const Frame& frame = event.frame;
+  const auto refused = [&](const char* how) {
+    return ClientError{ErrorCode::board_error, command + how + describe(frame.id, frame.body),
+                       static_cast<int>(roles::failure_code(frame))};
+  };
+  switch (event.outcome) {
+    case Outcome::answered: return reply_to(call, ReplyKind::answered, frame);
+    case Outcome::confirmed: return reply_to(call, ReplyKind::confirmed, frame);
+    case Outcome::unconfirmed: return reply_to(call, ReplyKind::unconfirmed, frame);
+    case Outcome::sent: return reply_to(call, ReplyKind::sent, frame);
+    case Outcome::failed: return refused(" has failed: ");
+    case Outcome::board_error: return refused(refused_words);
+    case Outcome::timeout: return no_answer(call);
+    case Outcome::reset:
+      return ClientError{ErrorCode::board_reset,
+                         "the board restarted before " + command + " was done"};
+    case Outcome::link_lost:
+      return ClientError{ErrorCode::link_lost, command + ": the connection is lost"};
+    case Outcome::cancelled:
+    case Outcome::none: break;
+  }
+  return ClientError{ErrorCode::cancelled, command + " was cancelled"};
+}
+
+}  // namespace sbgc::detail

@@ -1,0 +1,59 @@
+/// Requests and what comes back for them, without I/O: the calls of a conversation over a session.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <unordered_map>
+
+#include <sbgc/session.hpp>
+
+#include "delivery.hpp"
+#include "pending_calls.hpp"
+
+namespace sbgc::detail {
+
+/// Its owner hands in bytes and the time, and writes the bytes that come out. Not thread-safe; only
+/// the pending calls are shared with other threads.
+class Dialogue {
+ public:
+  Dialogue(const ConnectOptions& options, PendingCalls& calls, Delivery& delivery);
+
+  /// The settings of the line that the bytes go over.
+  void set_line(const LineSettings& line) { session_.set_line(line); }
+
+  /// Hands waiting calls to the session and ends those that are overdue. Returns what is to be
+  /// written, and when to come again. While a write is under way: `can_write` is false, and nothing
+  /// is to be written.
+  Output advance(Instant now, bool can_write);
+  void feed(std::span<const std::uint8_t> bytes, Instant now);
+  /// The bytes of the last advance() have left.
+  void written(Instant now) { session_.written(now); }
+  /// Forgets a call that has been taken out of the pending ones.
+  void forget(const Call& call);
+  /// Forgets all calls.
+  void forget_all() { in_session_.clear(); }
+
+  SessionStatistics statistics() const noexcept { return session_.statistics(); }
+  StreamUsage stream_usage() const noexcept { return session_.stream_usage(); }
+
+ private:
+  static constexpr SessionCapacity capacity{.requests = 32, .late_replies = 64, .streams = 10};
+
+  void send_waiting();
+  void end_overdue(Instant now);
+  void handle(const Event& event);
+  void handle_completion(const Event& event);
+  Result<Reply> result_of(const Call& call, const Event& event) const;
+  Reply reply_to(const Call& call, ReplyKind kind, const Frame& frame) const;
+  ClientError refusal(const Call& call, const SendResult& refused) const;
+
+  PendingCalls& calls_;
+  Delivery& delivery_;
+  BasicSession<capacity> session_;
+  std::unordered_map<std::uint64_t, CallPointer> in_session_;  // by the number of their handle
+  bool has_room_ = false;                                      // a request has left the session
+};
+
+}  // namespace sbgc::detail

@@ -1,0 +1,92 @@
+/// Handlers that their owners may take back at any time.
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include <sbgc/client/subscription.hpp>
+
+namespace sbgc::detail {
+
+/// The handlers for something that happens again and again, each with a key. Thread-safe.
+template <class Key, class Signature>
+class Handlers : public std::enable_shared_from_this<Handlers<Key, Signature>> {
+ public:
+  using Function = std::function<Signature>;
+
+  struct Entry {
+    Entry(const Key& wanted, Function called) : key(wanted), function(std::move(called)) {}
+
+    const Key key;
+    std::recursive_mutex running;  // held while the function runs, which may cancel itself
+    bool is_member = true;
+    bool is_running = false;
+    Function function;
+  };
+
+  /// Subscribed as long as the result lives. Once it is gone the function neither runs nor will
+  /// run, and what it holds is released; only a function that takes itself back still runs to its
+  /// end.
+  std::unique_ptr<Subscription::Hold> add(const Key& key, Function function) {
+    auto entry = std::make_shared<Entry>(key, std::move(function));
+    const std::lock_guard lock(mutex_);
+    entries_.push_back(entry);
+    return std::make_unique<Membership>(this->shared_from_this(), std::move(entry));
+  }
+
+  /// Those with this key at this moment.
+  std::vector<std::shared_ptr<Entry>> with_key(const Key& key) {
+    std::vector<std::shared_ptr<Entry>> result;
+    const std::lock_guard lock(mutex_);
+    std::copy_if(entries_.begin(), entries_.end(), std::back_inserter(result),
+                 [&](const auto& entry) { return entry->key == key; });
+    return result;
+  }
+
+  /// Calls `use(function)` for each of them that has not been taken back meanwhile.
+  template <class Use>
+  static void call(const std::vector<std::shared_ptr<Entry>>& entries, const Use& use) {
+    for (const auto& entry : entries) {
+      const std::lock_guard lock(entry->running);
+      if (!entry->is_member) continue;
+      entry->is_running = true;
+      use(entry->function);
+      entry->is_running = false;
+    }
+  }
+
+ private:
+  class Membership : public Subscription::Hold {
+   public:
+    Membership(std::shared_ptr<Handlers> handlers, std::shared_ptr<Entry> entry)
+        : handlers_(std::move(handlers)), entry_(std::move(entry)) {}
+    Membership(const Membership&) = delete;
+    Membership& operator=(const Membership&) = delete;
+    ~Membership() override { handlers_->remove(entry_); }
+
+   private:
+    std::shared_ptr<Handlers> handlers_;
+    std::shared_ptr<Entry> entry_;
+  };
+
+  void remove(const std::shared_ptr<Entry>& entry) noexcept {
+    {
+      const std::lock_guard lock(mutex_);
+      std::erase(entries_, entry);
+    }
+    Function released;
+    const std::lock_guard lock(entry->running);
+    entry->is_member = false;
+    if (!entry->is_running) released = std::move(entry->function);
+  }
+
+  std::mutex mutex_;
+  std::vector<std::shared_ptr<Entry>> entries_;
+};
+
+}  // namespace sbgc::detail

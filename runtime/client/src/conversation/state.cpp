@@ -1,0 +1,300 @@
+#include "state.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <sbgc/io/clock.hpp>
+
+#include "text.hpp"
+
+namespace sbgc::detail {
+
+namespace {
+
+ClientError closed_error() { return {ErrorCode::cancelled, "the client was closed"}; }
+
+std::vector<std::uint8_t> frame_of(const Request& request) {
+  std::vector<std::uint8_t> frame(max_frame_size);
+  std::ranges::copy(request.body, frame_body(frame.data()));
+  frame.resize(finish_frame(frame.data(), request.id, request.body.size()));
+  return frame;
+}
+
+}  // namespace
+
+Conversation::State::State(Strand strand, const ConnectOptions& options)
+    : options_(options),
+      calls_(options.queue),
+      dialogue_(options, calls_, delivery_),
+      channel_(std::move(strand)) {}
+
+void Conversation::State::attach(std::unique_ptr<io::Transport> transport) {
+  {
+    const std::lock_guard lock(mutex_);
+    description_ = transport->description();
+  }
+  // A function that Asio can copy.
+  post([this, shared = std::make_shared<std::unique_ptr<io::Transport>>(std::move(transport))] {
+    if (const io::LineControl* const line = (*shared)->line()) {
+      dialogue_.set_line(line->current());
+    }
+    channel_.open(std::move(*shared), shared_from_this());
+    if (!is_open()) return shut();
+    advance();
+  });
+}
+
+void Conversation::State::post(std::function<void()> function) {
+  channel_.post(shared_from_this(), std::move(function));
+}
+
+void Conversation::State::wake() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (std::exchange(is_woken_, true)) return;
+  }
+  post([this] {
+    {
+      const std::lock_guard lock(mutex_);
+      is_woken_ = false;
+    }
+    advance();
+  });
+}
+
+// Calls and subscriptions
+
+auto Conversation::State::start(Result<Request> request, const CallOptions& options,
+                                ReplyHandler handler) -> Begun {
+  if (request) return begin(*std::move(request), options, std::move(handler));
+  calls_.count_failure();
+  handler(std::move(request).error());
+  return {};
+}
+
+auto Conversation::State::begin(Request request, const CallOptions& options, ReplyHandler handler)
+    -> Begun {
+  const CallPointer call =
+      make_call(std::move(request), options, options_, io::now(), std::move(handler));
+  if (auto refusal = calls_.add(call)) {
+    calls_.complete(*call, *std::move(refusal));
+    return {};
+  }
+  const Begun begun{call->ticket, call->deadline};
+  wake();
+  return begun;
+}
+
+void Conversation::State::end(Ticket ticket, ClientError error) {
+  const CallPointer call = calls_.take(ticket);
+  if (!call) return;
+  post([this, call] {
+    dialogue_.forget(*call);
+    advance();
+  });
+  calls_.complete(*call, std::move(error));
+}
+
+Subscription Conversation::State::subscribe(MessageKey key, MessageHandler handler) {
+  return Subscription(delivery_.subscribe(key, std::move(handler)));
+}
+
+Subscription Conversation::State::on_notice(std::function<void(const Notice&)> handler) {
+  return Subscription(delivery_.on_notice(std::move(handler)));
+}
+
+/// Listens to a data stream as long as it lives.
+class Conversation::State::StreamHold : public Subscription::Hold {
+ public:
+  StreamHold(std::unique_ptr<Hold> membership, std::weak_ptr<State> state, StreamListeners::Key key)
+      : membership_(std::move(membership)), state_(std::move(state)), key_(std::move(key)) {}
+  StreamHold(const StreamHold&) = delete;
+  StreamHold& operator=(const StreamHold&) = delete;
+  // NOLINTNEXTLINE(bugprone-exception-escape): only if there is no memory left
+  ~StreamHold() override {
+    membership_.reset();
+    if (const auto state = state_.lock()) state->leave_stream(key_);
+  }
+
+ private:
+  std::unique_ptr<Hold> membership_;
+  std::weak_ptr<State> state_;
+  StreamListeners::Key key_;
+};
+
+auto Conversation::State::start_stream(StreamRequests requests, MessageKey key,
+                                       MessageHandler handler, const CallOptions& options,
+                                       StreamHandler done) -> Begun {
+  Result<Request>& start = requests.start;
+  if (start && start->policy.stream.command == 0) {
+    start = ClientError{ErrorCode::invalid, std::string(start->command) + " starts no data stream"};
+  }
+  if (start && !requests.end) start = requests.end.error();
+  if (!start) {
+    done(std::move(start).error());
+    return {};
+  }
+  const StreamListeners::Key stream = StreamListeners::key_of(*start);
+  streams_.join(stream, *std::move(requests.end));
+  // Subscribed before the first sample can come.
+  auto hold = std::make_unique<StreamHold>(delivery_.subscribe(key, std::move(handler)),
+                                           weak_from_this(), stream);
+  return begin(*std::move(start), options,
+               [this, stream, hold = std::make_shared<std::unique_ptr<StreamHold>>(std::move(hold)),
+                done = std::move(done)](Result<Reply> reply) {
+                 const bool is_unheard = !reply && reply.error().code != ErrorCode::timeout &&
+                                         reply.error().code != ErrorCode::cancelled;
+                 // If the board may have heard the request, the end has to be asked for, too.
+                 if (!is_unheard) streams_.set_running(stream);
+                 if (reply) return done(Subscription(std::move(*hold)));
+                 hold->reset();
+                 done(std::move(reply).error());
+               });
+}
+
+void Conversation::State::leave_stream(const StreamListeners::Key& key) {
+  std::optional<Request> end = streams_.leave(key);
+  if (!end) return;
+  begin(*std::move(end), {}, [this, key](const Result<Reply>& reply) {
+    // A conversation that is over ends its streams itself.
+    const bool is_over = !reply && (reply.error().code == ErrorCode::cancelled ||
+                                    reply.error().code == ErrorCode::not_connected);
+    if (!is_over) streams_.end_sent(key);
+  });
+}
+
+// On the strand
+
+void Conversation::State::advance() {
+  if (!channel_.is_open()) return;
+  if (search_.is_active()) {
+    if (search_.advance(channel_, io::now())) end_search();
+    return;
+  }
+  const Output output = dialogue_.advance(io::now(), channel_.can_write());
+  if (!output.bytes.empty()) channel_.write(output.bytes);
+  {
+    const std::lock_guard lock(mutex_);
+    statistics_.session = dialogue_.statistics();
+    statistics_.streams = dialogue_.stream_usage();
+  }
+  channel_.wake_at(output.deadline);
+}
+
+void Conversation::State::received(std::span<const std::uint8_t> bytes) {
+  if (search_.is_active()) return search_.feed(bytes);
+  dialogue_.feed(bytes, io::now());
+}
+
+void Conversation::State::written() {
+  dialogue_.written(io::now());
+  advance();
+}
+
+void Conversation::State::find_line(LineSearch::Done done) {
+  search_.on_done(std::move(done));
+  if (!is_open()) return search_.report({});
+  post([this] {
+    if (!channel_.is_open() || channel_.transport().line() == nullptr) return search_.report({});
+    search_.begin();
+    advance();
+  });
+}
+
+void Conversation::State::stop_finding_line() {
+  post([this] {
+    if (search_.is_active()) end_search();
+  });
+}
+
+void Conversation::State::end_search() {
+  const LineSearch::Outcome outcome = search_.take_outcome();
+  if (outcome.found) dialogue_.set_line(search_.line());
+  {
+    const std::lock_guard lock(mutex_);
+    description_ = channel_.transport().description();
+  }
+  search_.report(outcome);
+}
+
+// The end
+
+bool Conversation::State::is_open() const {
+  const std::lock_guard lock(mutex_);
+  return phase_ == Phase::open;
+}
+
+void Conversation::State::line_failed(const std::error_code& reason) {
+  std::string loss;
+  {
+    const std::lock_guard lock(mutex_);
+    if (phase_ == Phase::open) {
+      phase_ = Phase::lost;
+      loss_ = "the connection is lost: " + description_ + ": " + without_stop(reason.message());
+      loss = loss_;
+    }
+  }
+  if (!loss.empty()) {
+    for (const CallPointer& call : calls_.take_all({ErrorCode::not_connected, loss})) {
+      const std::string text = std::string(call->request.command) + ": " + loss;
+      calls_.complete(*call, ClientError{ErrorCode::link_lost, text});
+    }
+  }
+  shut();
+  channel_.hang_up();
+  if (!loss.empty()) delivery_.notify({NoticeKind::link_lost, loss});
+}
+
+void Conversation::State::close() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (phase_ == Phase::closed) return;
+    phase_ = Phase::closed;
+  }
+  const auto ended = calls_.take_all({ErrorCode::not_connected, "the client is closed"});
+  // Here, too: who closes may be the one that runs the strand.
+  search_.report({});
+  for (const CallPointer& call : ended) calls_.complete(*call, closed_error());
+  post([this] { shut(); });
+}
+
+/// Begins to end all that Asio does for this conversation.
+void Conversation::State::shut() {
+  if (search_.is_active()) end_search();
+  dialogue_.forget_all();
+  const bool is_closed = [&] {
+    const std::lock_guard lock(mutex_);
+    return phase_ == Phase::closed;
+  }();
+  std::vector<Channel::Frame> last_frames;
+  if (is_closed) {
+    for (const Request& end : streams_.take_running()) last_frames.push_back(frame_of(end));
+  }
+  channel_.close(std::move(last_frames));
+}
+
+std::string Conversation::State::description() const {
+  const std::lock_guard lock(mutex_);
+  return description_;
+}
+
+ClientStatistics Conversation::State::statistics() const {
+  ClientStatistics result;
+  {
+    const std::lock_guard lock(mutex_);
+    result = statistics_;
+  }
+  result.calls = calls_.begun();
+  result.failures = calls_.failed();
+  result.unreadable = delivery_.unreadable();
+  return result;
+}
+
+std::optional<ClientError> Conversation::State::end_reason() const {
+  const std::lock_guard lock(mutex_);
+  if (phase_ == Phase::open) return std::nullopt;
+  if (phase_ == Phase::lost) return ClientError{ErrorCode::link_lost, loss_};
+  return closed_error();
+}
+
+}  // namespace sbgc::detail

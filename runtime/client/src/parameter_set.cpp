@@ -1,0 +1,119 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include <sbgc/client/parameters.hpp>
+
+#include "settings_kind.hpp"
+
+namespace sbgc {
+
+using detail::SettingsKind;
+
+namespace {
+
+std::string change_text(const FieldChange& change) {
+  const auto side = [](const std::string& raw, const std::string& meaning) {
+    if (raw.empty()) return std::string("nothing");
+    return meaning.empty() ? raw : fmt::format("{} ({})", raw, meaning);
+  };
+  return fmt::format("  {}: {} -> {}\n", change.path, side(change.before, change.before_meaning),
+                     side(change.after, change.after_meaning));
+}
+
+}  // namespace
+
+std::string to_text(const BlockId& id) {
+  const SettingsKind* const kind = detail::find_settings_kind(id.message);
+  const bool has_copies = kind != nullptr && kind->copies > 1;
+  return has_copies || id.copy != 0 ? fmt::format("{} of profile {}", id.message, id.copy + 1)
+                                    : id.message;
+}
+
+const Block* ParameterSet::find(const BlockId& id) const noexcept {
+  const auto found = std::ranges::find(blocks_, id, &Block::id);
+  return found != blocks_.end() ? &*found : nullptr;
+}
+
+Result<void> ParameterSet::put(Block block) {
+  const SettingsKind* const kind = detail::find_settings_kind(block.id.message);
+  if (kind == nullptr) {
+    return ClientError{ErrorCode::invalid,
+                       fmt::format("no message {} holds settings", block.id.message)};
+  }
+  const std::string problem = kind->problem(block.body, block.id.copy);
+  if (!problem.empty()) {
+    return ClientError{ErrorCode::invalid, fmt::format("{}: {}", to_text(block.id), problem)};
+  }
+  const auto found = std::ranges::find(blocks_, block.id, &Block::id);
+  if (found != blocks_.end()) {
+    *found = std::move(block);
+  } else {
+    blocks_.push_back(std::move(block));
+  }
+  return {};
+}
+
+ClientError ParameterSet::missing(const BlockId& id) {
+  return {ErrorCode::not_found, fmt::format("{} is not among these settings", to_text(id))};
+}
+
+std::vector<BlockChange> diff(const ParameterSet& before, const ParameterSet& after) {
+  using Kind = BlockChange::Kind;
+  std::vector<BlockChange> changes;
+  for (const Block& block : before.blocks()) {
+    const Block* const other = after.find(block.id);
+    if (other == nullptr) {
+      changes.push_back({block.id, Kind::only_before, {}});
+      continue;
+    }
+    const SettingsKind& kind = *detail::find_settings_kind(block.id.message);
+    auto fields = detail::field_changes(kind, block.body, other->body);
+    if (!fields.empty()) changes.push_back({block.id, Kind::changed, std::move(fields)});
+  }
+  for (const Block& block : after.blocks()) {
+    if (before.find(block.id) == nullptr) changes.push_back({block.id, Kind::only_after, {}});
+  }
+  return changes;
+}
+
+std::string to_text(const std::vector<BlockChange>& changes) {
+  std::string result;
+  for (const BlockChange& change : changes) {
+    result += to_text(change.id);
+    switch (change.kind) {
+      case BlockChange::Kind::changed: result += ":\n"; break;
+      case BlockChange::Kind::only_before: result += ": not there any more\n"; break;
+      case BlockChange::Kind::only_after: result += ": not there before\n"; break;
+    }
+    for (const FieldChange& field : change.fields) result += change_text(field);
+  }
+  return result;
+}
+
+const char* name(BlockState state) noexcept {
+  switch (state) {
+    case BlockState::equal: return "equal";
+    case BlockState::written: return "written";
+    case BlockState::unwritten: return "unwritten";
+    case BlockState::different: return "different";
+    case BlockState::unknown: return "unknown";
+  }
+  return "unknown_state";
+}
+
+std::string to_text(const WriteReport& report) {
+  std::string result =
+      report.outcome ? "done\n" : fmt::format("failed: {}\n", report.outcome.error().message);
+  for (const BlockReport& block : report.blocks) {
+    result += fmt::format("{}: {}\n", to_text(block.id), name(block.state));
+    const bool is_as_wanted =
+        block.state == BlockState::equal || block.state == BlockState::written;
+    if (is_as_wanted) continue;
+    const auto& fields = block.deviation.empty() ? block.wanted : block.deviation;
+    for (const FieldChange& field : fields) result += change_text(field);
+  }
+  return result;
+}
+
+}  // namespace sbgc

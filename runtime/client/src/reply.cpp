@@ -1,0 +1,67 @@
+#include <algorithm>
+#include <string>
+#include <tuple>
+#include <type_traits>
+
+#include <sbgc/client/reply.hpp>
+#include <sbgc/client/typed.hpp>
+#include <sbgc/dispatch.hpp>
+#include <sbgc/text/status.hpp>
+
+#include "board_words.hpp"
+
+namespace sbgc::detail {
+
+template <class M>
+Status decode_in_context(const Reply& reply, M& out) noexcept {
+  const std::span<const std::uint8_t> body(reply.body.data(), reply.body.size());
+  if (reply.contexts == nullptr) return decode(body, out, Contexts{}.of(out));
+  return decode(body, out, reply.contexts->of(out));
+}
+
+namespace {
+
+template <class M>
+constexpr auto decoder_of() noexcept {
+  if constexpr (requires { typename M::Context; }) {
+    return std::tuple{&decode_in_context<M>};
+  } else {
+    return std::tuple{};
+  }
+}
+
+template <class... Ms>
+constexpr auto decoders_of(TypeList<Ms...>) noexcept {
+  return std::tuple_cat(decoder_of<Ms>()...);
+}
+
+/// Makes the compiler emit decode_in_context() for every message that needs it.
+[[gnu::used]] const auto decoders = decoders_of(AllMessages{});
+
+}  // namespace
+
+Result<std::int64_t> stream_interval_count(std::chrono::milliseconds interval, std::int64_t most) {
+  constexpr std::int64_t unit = roles::stream_interval_us;
+  const std::int64_t longest = most * unit / 1000;
+  const std::int64_t wanted = interval.count();
+  const bool is_possible = wanted > 0 && wanted <= longest && wanted * 1000 % unit == 0 &&
+                           wanted * 1000 / unit != roles::stream_end;
+  if (is_possible) return wanted * 1000 / unit;
+  return ClientError{ErrorCode::invalid,
+                     "a stream cannot come every " + std::to_string(wanted) + " ms: from " +
+                         std::to_string(std::max<std::int64_t>(unit / 1000, 1)) + " to " +
+                         std::to_string(longest) + " ms is possible"};
+}
+
+ClientError decode_error(Status status, const Reply& reply) {
+  return {ErrorCode::bad_answer, "the answer " + command_name(reply.id, Direction::from_board) +
+                                     " cannot be read: " + to_string(status)};
+}
+
+ClientError missing_answer(const Reply& reply) {
+  return {ErrorCode::bad_answer, reply.kind == ReplyKind::confirmed
+                                     ? "the board confirmed the request instead of answering it"
+                                     : "the board did not answer the request"};
+}
+
+}  // namespace sbgc::detail

@@ -1,0 +1,106 @@
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <sbgc/client/calibration.hpp>
+
+#include "tasks/tools.hpp"
+
+namespace sbgc {
+namespace {
+
+/// The IMU by the name that the request for the state has for it.
+msg::SelectedImu selected(msg::CalibImu imu) noexcept {
+  return imu == msg::CalibImu::frame ? msg::SelectedImu::frame : msg::SelectedImu::main;
+}
+
+/// The call of a calibration, which goes on while the board is looked at.
+class CalibrationCall {
+ public:
+  template <Message M>
+  CalibrationCall(TaskMachine& task, const M& request)
+      : task_(task), number_(task.begin(request, {})) {}
+  CalibrationCall(const CalibrationCall&) = delete;
+  CalibrationCall& operator=(const CalibrationCall&) = delete;
+  ~CalibrationCall() { task_.end(number_); }
+
+  bool has_started() const { return task_.has_started(number_); }
+  const Result<Reply>* end() const { return task_.reply(number_); }
+
+  detail::Waiting wait_for_start(Instant until) const {
+    return tasks::wait_for_start(number_, until);
+  }
+  detail::Waiting wait_for_end(Instant until) const { return tasks::wait_for_call(number_, until); }
+
+  ClientError error(ClientError reason) const {
+    return detail::during(
+        has_started() ? "the calibration has begun, but its end is not known" : "calibrating",
+        std::move(reason));
+  }
+
+ private:
+  TaskMachine& task_;
+  std::uint32_t number_;
+};
+
+template <Message M>
+Task<Result<void>> calibrate_with(M request, CalibrationOptions options) {
+  TaskMachine& task = co_await tasks::this_task();
+  const CalibrationCall call(task, request);
+  const Instant start = task.now();
+  const Instant end =
+      options.timeout ? start + detail::duration_of(*options.timeout) : Instant::never;
+  const bool can_look =
+      options.progress && is_supported<msg::CalibInfoRequest>(task.identity().versions());
+  Result<void> waited = co_await call.wait_for_start(end);
+  while (waited) {
+    if (const Result<Reply>* const reply = call.end()) {
+      co_return *reply ? Result<void>() : call.error(reply->error());
+    }
+    if (task.now() >= end) {
+      co_return call.error(
+          {ErrorCode::timeout, fmt::format("it took more than {} ms", options.timeout->count())});
+    }
+    CalibrationProgress seen{call.has_started(), std::nullopt, {}};
+    if (can_look) {
+      msg::CalibInfoRequest look;
+      look.imu_type = selected(options.imu);
+      // A board that calibrates may be too busy to answer; that is for its end to tell.
+      const Result<msg::CalibInfo> state = co_await tasks::call(look);
+      if (state) seen.state = *state;
+      if (!state && state.error().code == ErrorCode::cancelled) break;
+    }
+    const Instant now = task.now();
+    seen.elapsed = detail::whole_milliseconds(now - start);
+    if (options.progress && !options.progress(seen)) break;
+    const Instant next =
+        options.progress ? now + detail::duration_of(options.interval) : Instant::never;
+    waited = co_await call.wait_for_end(earlier(end, next));
+  }
+  co_return detail::cancelled_error("the calibration, which the board goes on with,");
+}
+
+template <class Simple, class Extended>
+Task<Result<void>> calibrate_as(CalibrationOptions options) {
+  if (options.imu == msg::CalibImu::active && options.action == msg::CalibAction::regular) {
+    return calibrate_with(Simple{}, std::move(options));
+  }
+  Extended request;
+  request.imu_idx = options.imu;
+  request.action = options.action;
+  return calibrate_with(request, std::move(options));
+}
+
+}  // namespace
+
+namespace tasks {
+
+Task<Result<void>> calibrate(Sensor sensor, CalibrationOptions options) {
+  return sensor == Sensor::accelerometer
+             ? calibrate_as<msg::CalibAcc, msg::CalibAccExt>(std::move(options))
+             : calibrate_as<msg::CalibGyro, msg::CalibGyroExt>(std::move(options));
+}
+
+}  // namespace tasks
+}  // namespace sbgc

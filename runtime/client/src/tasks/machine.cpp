@@ -1,0 +1,77 @@
+#include <sbgc/client/task.hpp>
+
+namespace sbgc {
+
+TaskStep TaskMachine::step(Instant now) {
+  now_ = later(now_, now);
+  while (steps_.empty()) {
+    if (!coroutine_) return {.kind = TaskStep::Kind::done};
+    if (!is_ready()) {
+      return {.kind = TaskStep::Kind::wait, .until = wait_.until, .can_be_woken = wait_.for_wake};
+    }
+    coroutine_.resume();
+  }
+  TaskStep step = std::move(steps_.front());
+  steps_.pop_front();
+  return step;
+}
+
+bool TaskMachine::is_ready() {
+  was_cancelled_ = false;
+  if (wait_.until <= now_) return true;
+  was_cancelled_ = std::exchange(is_cancelled_, false);
+  if (was_cancelled_) return true;
+  if (wait_.for_wake && std::exchange(is_woken_, false)) return true;
+  const auto call = calls_.find(wait_.call);
+  if (call == calls_.end()) return false;
+  return call->second.reply || (wait_.start_is_enough && call->second.confirmations != 0);
+}
+
+void TaskMachine::replied(std::uint32_t number, Result<Reply> reply) {
+  const auto call = calls_.find(number);
+  if (call != calls_.end()) call->second.reply = std::move(reply);
+}
+
+void TaskMachine::confirmed(std::uint32_t number) {
+  const auto call = calls_.find(number);
+  if (call != calls_.end()) ++call->second.confirmations;
+}
+
+void TaskMachine::notice(const Notice& notice) {
+  for (const NoticeHandler& handler : listeners_) handler(notice);
+}
+
+std::uint32_t TaskMachine::begin_call(Result<detail::Request> request, const CallOptions& options) {
+  const std::uint32_t number = ++last_call_;
+  calls_.emplace(number, Call{});
+  steps_.push_back({.kind = TaskStep::Kind::call,
+                    .number = number,
+                    .request = std::move(request),
+                    .options = options});
+  return number;
+}
+
+bool TaskMachine::has_started(std::uint32_t number) const {
+  const auto call = calls_.find(number);
+  return call != calls_.end() && call->second.confirmations != 0;
+}
+
+const Result<Reply>* TaskMachine::reply(std::uint32_t number) const {
+  const auto call = calls_.find(number);
+  return call != calls_.end() && call->second.reply ? &*call->second.reply : nullptr;
+}
+
+void TaskMachine::end(std::uint32_t number) {
+  const auto call = calls_.find(number);
+  if (call == calls_.end()) return;
+  if (!call->second.reply) {
+    steps_.push_back({.kind = TaskStep::Kind::cancel, .number = number});
+  }
+  calls_.erase(call);
+}
+
+TaskMachine::Listener TaskMachine::listen(NoticeHandler handler) {
+  return listeners_.insert(listeners_.end(), std::move(handler));
+}
+
+}  // namespace sbgc

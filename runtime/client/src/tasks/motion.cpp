@@ -1,0 +1,222 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <sbgc/client/motion.hpp>
+#include <sbgc/messages/control.hpp>
+
+#include "tasks/tools.hpp"
+
+namespace sbgc {
+namespace {
+
+constexpr std::array<const char*, 3> axis_names{"roll", "pitch", "yaw"};
+/// How long a camera that stands still elsewhere may do so before the command is sent again.
+constexpr Duration patience = milliseconds(500);
+
+/// The way from one angle to another. Both count two turns in each direction and then begin again.
+double degrees_between(msg::Angle14 from, msg::Angle14 to) noexcept {
+  const auto raw = static_cast<std::uint16_t>(to.raw() - from.raw());
+  return msg::Angle14(static_cast<std::int16_t>(raw)).degrees();
+}
+
+/// move_to() as it goes on.
+class Move {
+ public:
+  Move(TaskMachine& task, const MoveTarget& target, const MoveOptions& options)
+      : task_(task),
+        target_(target),
+        options_(options),
+        start_(task.now()),
+        deadline_(task, options.timeout) {}
+
+  bool was_sent() const noexcept { return sent_; }
+
+  Task<Result<MoveProgress>> arrive() {
+    Instant close_since = Instant::never;
+    Instant sent_at{};
+    while (true) {
+      // Without an answer there is no use in commands, and old firmware has to be told where axes
+      // are that are left alone.
+      const Result<msg::GetAngles> state =
+          co_await tasks::call(msg::GetAnglesRequest{}, detail::options_within(deadline_));
+      if (!state) co_return detail::during(where(), state.error());
+      if (auto refused = refusals_.take(); refused && sent_) co_return *std::move(refused);
+      const Instant now = task_.now();
+      see(*state, now);
+      const bool stands_still = !seen_->is_close && !turns(*state) && now - sent_at >= patience;
+      if (!sent_ || stands_still) {
+        const Result<void> sent = co_await send(*state);
+        if (!sent) co_return detail::during("sending the target", sent.error());
+        sent_ = true;
+        sent_at = now;
+      }
+      if (options_.progress && !options_.progress(*seen_)) co_return cancelled();
+      close_since = seen_->is_close ? earlier(close_since, now) : Instant::never;
+      if (seen_->is_close && now - close_since >= detail::duration_of(options_.settle)) {
+        co_return *seen_;
+      }
+      if (deadline_.is_over()) {
+        co_return ClientError{ErrorCode::timeout,
+                              fmt::format("the camera did not arrive within {} ms: {}",
+                                          options_.timeout.count(), where())};
+      }
+      const Instant next = now + detail::duration_of(options_.interval);
+      const Result<void> waited = co_await tasks::wait_until(earlier(next, deadline_.end()));
+      if (!waited) co_return cancelled();
+    }
+  }
+
+ private:
+  ClientError cancelled() const { return detail::cancelled_error("the move; " + where()); }
+
+  void see(const msg::GetAngles& state, Instant now) {
+    MoveProgress& seen = seen_.emplace();
+    seen.is_close = true;
+    seen.elapsed = detail::whole_milliseconds(now - start_);
+    for (std::size_t i = 0; i < axis_names.size(); ++i) {
+      seen.angles[i] = state.axes[i].imu_angle;
+      if (!target_[i]) continue;
+      seen.remaining[i] = degrees_between(seen.angles[i], *target_[i]);
+      if (std::abs(seen.remaining[i]) > options_.tolerance) seen.is_close = false;
+    }
+  }
+
+  /// Whether an axis that is moved has a speed.
+  bool turns(const msg::GetAngles& state) const {
+    for (std::size_t i = 0; i < axis_names.size(); ++i) {
+      if (target_[i] && state.axes[i].rc_speed.raw() != 0) return true;
+    }
+    return false;
+  }
+
+  Task<Result<void>> send(msg::GetAngles state) {
+    const CallOptions options = detail::options_within(deadline_);
+    const bool all = target_.roll && target_.pitch && target_.yaw;
+    if (!all && is_supported<msg::ControlExt>(task_.identity().versions())) {
+      msg::ControlExt command;
+      for (std::size_t i = 0; i < axis_names.size(); ++i) {
+        if (!target_[i]) continue;  // no control, which is 0
+        command.control_mode[i].set_mode(msg::ControlModeKind::angle);
+        command.axes[i] = {options_.speed, *target_[i]};
+      }
+      co_return co_await tasks::call(command, options);
+    }
+    msg::Control command;
+    command.control_mode.set_mode(msg::ControlModeKind::angle);
+    for (std::size_t i = 0; i < axis_names.size(); ++i) {
+      command.axes[i] = {options_.speed, target_[i] ? *target_[i] : state.axes[i].rc_target_angle};
+    }
+    co_return co_await tasks::call(command, options);
+  }
+
+  /// "roll is at 1.5 deg, 3 deg before its target; …"
+  std::string where() const {
+    if (!seen_) return "asking where the camera is";
+    std::string result;
+    for (std::size_t i = 0; i < axis_names.size(); ++i) {
+      if (!target_[i]) continue;
+      result += fmt::format("{}{} is at {:.2f} deg, {:.2f} deg from its target",
+                            result.empty() ? "" : ", ", axis_names[i], seen_->angles[i].degrees(),
+                            std::abs(seen_->remaining[i]));
+    }
+    return result;
+  }
+
+  TaskMachine& task_;
+  const MoveTarget& target_;
+  const MoveOptions& options_;
+  Instant start_;
+  detail::Deadline deadline_;
+  detail::Refusals refusals_{task_, msg::CommandToBoard::control};
+  bool sent_ = false;
+  std::optional<MoveProgress> seen_{};
+};
+
+Result<void> check(const MoveTarget& target, const MoveOptions& options) {
+  if (!target.roll && !target.pitch && !target.yaw) {
+    return ClientError{ErrorCode::invalid, "a move needs a target for at least one axis"};
+  }
+  if (options.speed.raw() < 0) {
+    return ClientError{ErrorCode::invalid, "the speed of a move has no direction"};
+  }
+  if (!(options.tolerance > 0) || options.interval.count() <= 0) {
+    return ClientError{ErrorCode::invalid, "tolerance and interval of a move are more than 0"};
+  }
+  return {};
+}
+
+/// "yaw with 61.04 deg/s", or "" if no axis turns.
+std::string turning(const msg::GetAngles& state) {
+  std::string result;
+  for (std::size_t i = 0; i < axis_names.size(); ++i) {
+    const msg::ControlSpeed speed = state.axes[i].rc_speed;
+    if (speed.raw() == 0) continue;
+    result += fmt::format("{}{} with {:.2f} deg/s", result.empty() ? "" : ", ", axis_names[i],
+                          speed.degrees_per_second());
+  }
+  return result;
+}
+
+}  // namespace
+
+namespace tasks {
+
+Task<Result<MoveProgress>> move_to(MoveTarget target, MoveOptions options) {
+  if (const Result<void> checked = check(target, options); !checked) co_return checked.error();
+  Move move(co_await this_task(), target, options);
+  Result<MoveProgress> result = co_await move.arrive();
+  if (result || !move.was_sent() || !options.stop_on_failure) co_return result;
+  ClientError error = result.error();
+  const Result<void> stopped = co_await stop();
+  if (!stopped) {
+    error.message += fmt::format("; stopping it failed: {}", stopped.error().message);
+  } else {
+    // A board that refuses the target refuses the stop as well.
+    error.message += error.code == ErrorCode::board_error ? "; the camera stands still"
+                                                          : "; it has been stopped";
+  }
+  co_return error;
+}
+
+Task<Result<void>> stop(StopOptions options) {
+  TaskMachine& task = co_await this_task();
+  msg::Control halt;
+  halt.control_mode.set_mode(msg::ControlModeKind::speed);
+  const detail::Deadline deadline(task, options.timeout);
+  detail::Refusals refusals(task, msg::CommandToBoard::control);
+  while (true) {
+    // The command need not be confirmed, so it may be lost without notice: it is sent until the
+    // board is seen to have obeyed.
+    const Result<void> sent = co_await call(halt, detail::options_within(deadline));
+    if (!sent) co_return sent;
+    const Result<msg::GetAngles> state =
+        co_await call(msg::GetAnglesRequest{}, detail::options_within(deadline));
+    const bool is_silent = !state && state.error().code == ErrorCode::timeout;
+    if ((!state && !is_silent) || (is_silent && deadline.is_over())) {
+      co_return detail::during("looking whether the camera has stopped", state.error());
+    }
+    const std::string still = state ? turning(*state) : "";
+    if (state && still.empty()) co_return Result<void>();
+    if (auto refused = refusals.take()) {
+      refused->message += "; the camera still turns: " + still;
+      co_return *std::move(refused);
+    }
+    if (deadline.is_over()) {
+      co_return ClientError{ErrorCode::timeout, "the camera still turns: " + still};
+    }
+    const Instant next = task.now() + detail::duration_of(options.interval);
+    const Result<void> waited = co_await wait_until(earlier(next, deadline.end()));
+    if (!waited) co_return detail::cancelled_error("stopping the camera");
+  }
+}
+
+Task<Result<void>> release() { co_return co_await call(msg::Control{}); }
+
+}  // namespace tasks
+}  // namespace sbgc

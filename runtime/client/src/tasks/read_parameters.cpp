@@ -1,0 +1,65 @@
+#include <fmt/format.h>
+
+#include <sbgc/client/parameters.hpp>
+
+#include "tasks/parameter_block.hpp"
+
+namespace sbgc {
+namespace detail {
+
+CallOptions settings_options(const Deadline& deadline) {
+  CallOptions options = options_within(deadline);
+  options.expect_confirmation = true;
+  // The fields that change are checked before. What is on the board already has to be written
+  // again, whatever the specification says about it.
+  options.validate = false;
+  return options;
+}
+
+Task<Result<Block>> read_block(const SettingsKind& kind, std::uint8_t copy,
+                               const Deadline& deadline) {
+  const BlockId id{std::string(kind.name), copy};
+  const std::string what = fmt::format("reading {}", to_text(id));
+  if (deadline.is_over()) co_return late_error(what);
+  Result<std::vector<std::uint8_t>> body = co_await kind.read(copy, settings_options(deadline));
+  if (!body) co_return during(what, body.error());
+  if (const std::string problem = kind.problem(*body, copy); !problem.empty()) {
+    co_return ClientError{ErrorCode::mismatch, fmt::format("{}: {}", what, problem)};
+  }
+  co_return Block{id, *std::move(body)};
+}
+
+}  // namespace detail
+
+namespace tasks {
+
+Task<Result<ParameterSet>> read_parameters(ReadOptions options) {
+  const TaskMachine& machine = co_await this_task();
+  const detail::Deadline deadline(machine, options.timeout);
+  const Availability versions = machine.identity().versions();
+  std::size_t total = 0;
+  for (const detail::SettingsKind& kind : detail::settings_kinds()) {
+    if (kind.is_readable(versions)) total += kind.copies;
+  }
+  const std::string task = "reading the settings";
+  ParameterSet result;
+  for (const detail::SettingsKind& kind : detail::settings_kinds()) {
+    if (!kind.is_readable(versions)) continue;
+    for (std::uint8_t copy = 0; copy < kind.copies; ++copy) {
+      const std::string what = to_text(BlockId{std::string(kind.name), copy});
+      const Progress progress{result.blocks().size(), total, what};
+      const auto going = detail::go_on(task, options.progress, progress, deadline);
+      if (!going) co_return going.error();
+      Result<Block> block = co_await detail::read_block(kind, copy, deadline);
+      if (!block) co_return block.error();
+      if (const auto done = result.put(*std::move(block)); !done) co_return done.error();
+    }
+  }
+  const Progress end{total, total, "all settings are read"};
+  const auto done = detail::go_on(task, options.progress, end, deadline);
+  if (!done) co_return done.error();
+  co_return result;
+}
+
+}  // namespace tasks
+}  // namespace sbgc

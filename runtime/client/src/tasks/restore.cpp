@@ -1,0 +1,76 @@
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <sbgc/client/backup.hpp>
+
+#include "tasks/tools.hpp"
+
+namespace sbgc {
+
+namespace {
+
+std::string other_model(const BoardIdentity& board, const BoardIdentity& backup) {
+  if (board.versions().board == backup.versions().board) return "";
+  return fmt::format("the board is a {}, the backup is of a {}", board.board_version(),
+                     backup.board_version());
+}
+
+std::string other_firmware(const BoardIdentity& board, const BoardIdentity& backup) {
+  const bool is_other = board.versions().firmware != backup.versions().firmware;
+  const bool is_special = board.info.frw_extra_id != backup.info.frw_extra_id;
+  if (is_other) {
+    return fmt::format("the board has the firmware {}, the backup is of {}",
+                       board.firmware_version(), backup.firmware_version());
+  }
+  if (!is_special) return "";
+  return fmt::format("the board has the special firmware {:#x}, the backup is of {:#x}",
+                     board.info.frw_extra_id, backup.info.frw_extra_id);
+}
+
+}  // namespace
+
+std::vector<std::string> mismatches(const BoardIdentity& board, const BoardIdentity& backup) {
+  std::vector<std::string> result{other_model(board, backup), other_firmware(board, backup)};
+  std::erase(result, "");
+  return result;
+}
+
+namespace tasks {
+
+Task<Result<Backup>> make_backup(std::string created, ReadOptions options) {
+  const TaskMachine& task = co_await this_task();
+  Result<ParameterSet> settings = co_await read_parameters(std::move(options));
+  if (!settings) co_return settings.error();
+  co_return Backup{task.identity(), *std::move(settings), std::move(created)};
+}
+
+Task<WriteReport> restore(Backup backup, RestoreOptions options) {
+  const TaskMachine& task = co_await this_task();
+  const detail::Deadline deadline(task, options.timeout);
+  std::string refused = options.other_model ? "" : other_model(task.identity(), backup.board);
+  if (refused.empty() && !options.other_firmware) {
+    refused = other_firmware(task.identity(), backup.board);
+  }
+  if (!refused.empty()) co_return ClientError{ErrorCode::incompatible, refused};
+  if (!options.dry_run) {
+    if (!options.save_present) {
+      co_return ClientError{ErrorCode::invalid, "restoring needs to save the present settings"};
+    }
+    const std::string saving = "saving the present settings";
+    ReadOptions reading{deadline.left(), options.progress};
+    const Result<Backup> present = co_await make_backup("", std::move(reading));
+    if (!present) co_return detail::during(saving, present.error());
+    const Result<void> saved = options.save_present(*present);
+    if (!saved) co_return detail::during(saving, saved.error());
+  }
+  WriteOptions writing{.timeout = deadline.left(),
+                       .dry_run = options.dry_run,
+                       .validate = false,
+                       .progress = options.progress};
+  co_return co_await write_parameters(std::move(backup.settings), std::move(writing));
+}
+
+}  // namespace tasks
+}  // namespace sbgc

@@ -1,0 +1,103 @@
+/// What tasks have in common.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <sbgc/client/options.hpp>
+#include <sbgc/client/progress.hpp>
+#include <sbgc/client/result.hpp>
+#include <sbgc/client/task.hpp>
+#include <sbgc/enums.hpp>
+
+namespace sbgc::detail {
+
+constexpr Duration duration_of(std::chrono::milliseconds time) noexcept {
+  return milliseconds(time.count());
+}
+
+constexpr std::chrono::milliseconds whole_milliseconds(Duration duration) noexcept {
+  return std::chrono::milliseconds(duration.us / 1000);
+}
+
+/// The end of a task.
+class Deadline {
+ public:
+  Deadline(const TaskMachine& task, std::chrono::milliseconds timeout) noexcept
+      : task_(task), end_(task.now() + duration_of(timeout)) {}
+
+  bool is_over() const noexcept { return task_.now() >= end_; }
+  Instant end() const noexcept { return end_; }
+  /// What is left, rounded up; 0 when it is over.
+  std::chrono::milliseconds left() const noexcept {
+    const std::int64_t left = std::max<std::int64_t>((end_ - task_.now()).us, 0);
+    return std::chrono::milliseconds(left / 1000 + (left % 1000 != 0 ? 1 : 0));
+  }
+
+ private:
+  const TaskMachine& task_;
+  Instant end_;
+};
+
+/// The options of a call that may not last longer than the task it belongs to. A call ends by
+/// itself long before most tasks do, so that it can be sent again; only towards the end of a task
+/// there is less time than that. The last one still gets enough for an answer to come.
+inline CallOptions options_within(const Deadline& deadline) {
+  constexpr std::chrono::seconds enough{10};
+  constexpr std::chrono::milliseconds least{250};
+  CallOptions options;
+  if (deadline.left() < enough) options.timeout = std::max(deadline.left(), least);
+  return options;
+}
+
+/// The same error with a beginning that says what was done: "reading the file 5: timeout".
+inline ClientError during(const std::string& what, ClientError error) {
+  error.message = fmt::format("{}: {}", what, error.message);
+  return error;
+}
+
+inline ClientError cancelled_error(const std::string& what) {
+  return {ErrorCode::cancelled, fmt::format("{} was cancelled by the caller", what)};
+}
+
+inline ClientError late_error(const std::string& what) {
+  return {ErrorCode::timeout, fmt::format("{} was not done in time", what)};
+}
+
+/// Tells how far a task is. Fails when it has to end: cancelled, or its time is over.
+inline Result<void> go_on(const std::string& task, const ProgressHandler& progress,
+                          const Progress& state, const Deadline& deadline) {
+  if (progress && !progress(state)) return cancelled_error(task);
+  if (state.done < state.total && deadline.is_over()) return late_error(task);
+  return {};
+}
+
+/// Collects the errors that the board reports about a command. A call of such a command is over
+/// when it has been sent, so only the next look at take() sees its refusal.
+class Refusals {
+ public:
+  Refusals(TaskMachine& task, msg::CommandToBoard command)
+      : task_(task), listener_(task.listen([this, command](const Notice& notice) {
+          const bool is_about_it = notice.kind == NoticeKind::board_error &&
+                                   notice.command == static_cast<std::uint8_t>(command);
+          if (is_about_it) last_ = {ErrorCode::board_error, notice.message, notice.detail};
+        })) {}
+  Refusals(const Refusals&) = delete;
+  Refusals& operator=(const Refusals&) = delete;
+  ~Refusals() { task_.stop_listening(listener_); }
+
+  /// "CMD_CONTROL: the board refused: WRONG_STATE", once for the refusals since the last call.
+  std::optional<ClientError> take() { return std::exchange(last_, std::nullopt); }
+
+ private:
+  TaskMachine& task_;
+  std::optional<ClientError> last_{};
+  TaskMachine::Listener listener_;
+};
+
+}  // namespace sbgc::detail

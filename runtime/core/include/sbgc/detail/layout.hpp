@@ -1,0 +1,75 @@
+/// Where members lie in memory beside where they lie on the wire.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <type_traits>
+
+#include <sbgc/type_list.hpp>
+#include <sbgc/wire_size.hpp>
+
+namespace sbgc::detail {
+
+/// A member with a fixed place on the wire.
+struct Place {
+  std::size_t wire{};    ///< its offset in the body
+  std::size_t memory{};  ///< its offset in the struct
+  /// Bytes of the block that begins with it: of the members that follow each other in memory as
+  /// they do on the wire. 0 inside a block, and for a member that looks different in memory.
+  std::size_t block{};
+  bool same{};  ///< whether its bytes are the same in memory and on the wire
+};
+
+/// The places of `n` members, and whether to copy them in blocks, which a compiler seldom finds.
+template <std::size_t n>
+struct Layout {
+  std::array<Place, n> places{};
+  bool in_blocks{};
+  bool only_blocks{};         ///< no member differs
+  std::size_t block_count{};  ///< the blocks begin with the first members of `blocks`
+  std::array<std::size_t, n> blocks{};
+};
+
+template <class M, class... T>
+constexpr auto layout_of(TypeList<T...>) noexcept {
+  constexpr std::size_t count = sizeof...(T);
+  constexpr std::array<std::size_t, count> sizes{sizeof(T)...};
+  constexpr std::array<std::size_t, count> alignments{alignof(T)...};
+  constexpr std::array<std::size_t, count> wire_sizes{wire_size<T>...};
+  // Types without padding, in which no part is larger than on the wire.
+  constexpr std::array<bool, count> same{(sizeof(T) == wire_size<T> && !TaggedUnion<T>)...};
+  Layout<count> layout;
+  std::size_t memory = 0;
+  std::size_t wire = 0;
+  std::size_t others = 0;
+  bool is_packed = false;
+  Place* block = nullptr;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (alignments[i] > alignof(M)) is_packed = true;
+    memory = (memory + alignments[i] - 1) / alignments[i] * alignments[i];
+    Place& place = layout.places[i];
+    place = {wire, memory, 0, same[i]};
+    const bool goes_on = block != nullptr && memory - wire == block->memory - block->wire;
+    if (!same[i]) {
+      block = nullptr;
+      ++others;
+    } else if (!goes_on) {
+      block = &place;
+      layout.blocks[layout.block_count++] = i;
+    }
+    if (block != nullptr) block->block += sizes[i];
+    memory += sizes[i];
+    wire += wire_sizes[i];
+  }
+  const bool pays = count > 2 && 2 * (layout.block_count + others) <= count;
+  layout.in_blocks = pays && !is_packed && std::endian::native == std::endian::little;
+  layout.only_blocks = layout.in_blocks && others == 0;
+  return layout;
+}
+
+/// The layout of the members with a fixed place; all other members follow them.
+template <class M>
+inline constexpr auto layout = layout_of<M>(fixed_types<M>);
+
+}  // namespace sbgc::detail

@@ -1,0 +1,173 @@
+/// Reading what has no fixed place on the wire.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+
+#include <sbgc/detail/fixed.hpp>
+#include <sbgc/number.hpp>
+#include <sbgc/status.hpp>
+#include <sbgc/types.hpp>
+#include <sbgc/wire_size.hpp>
+
+namespace sbgc::detail {
+
+/// Reads members in the order of the wire. It remembers the first failure; later calls then do
+/// nothing. Writer has the same functions, so that varying_members() serves both.
+class Reader {
+ public:
+  /// Starts at `at` of a body that has at least as many bytes.
+  constexpr Reader(std::span<const std::uint8_t> body, std::size_t at) noexcept
+      : body_(body), at_(at) {}
+
+  template <class T>
+  constexpr void value(T& out, const char* field) noexcept {
+    if constexpr (wire_size<T> == 0) {
+      T::varying_members(out, *this);
+    } else if (take(wire_size<T>, field)) {
+      Fixed::get(body_.data() + at_ - wire_size<T>, out);
+    }
+  }
+
+  template <std::size_t n>
+  constexpr void value(BoundedText<n>& out, const char* field) noexcept {
+    std::uint8_t length = 0;
+    value(length, field);
+    if (!take(length, field)) return;
+    out.clear();
+    for (std::size_t i = at_ - length; i < at_; ++i) {
+      if (!out.push_back(static_cast<char>(body_[i]))) return fail(Code::text_too_long, field);
+    }
+  }
+
+  // Several values whose size varies.
+  template <class T>
+    requires(wire_size<T> == 0)
+  constexpr void value(Axes<T>& out, const char* field) noexcept {
+    for (std::size_t i = 0; i < out.size(); ++i) value(out[i], field);
+  }
+  template <class T>
+    requires(wire_size<T> == 0)
+  constexpr void value(Xyz<T>& out, const char* field) noexcept {
+    for (std::size_t i = 0; i < out.size(); ++i) value(out[i], field);
+  }
+  template <class T, std::size_t n>
+    requires(wire_size<T> == 0)
+  constexpr void value(std::array<T, n>& out, const char* field) noexcept {
+    for (T& element : out) value(element, field);
+  }
+
+  /// A value that is there if `condition` holds.
+  template <class T>
+  constexpr void when(bool condition, Optional<T>& out, const char* field) noexcept {
+    out.reset();
+    if (!condition || !status_) return;
+    value(out.emplace(), field);
+    if (!status_) out.reset();
+  }
+  /// The same, but the body may also end before it.
+  template <class T>
+  constexpr void when_or_missing(bool condition, Optional<T>& out, const char* field) noexcept {
+    when(condition && body_.size() - at_ >= wire_size<T>, out, field);
+  }
+  /// A value that is there if the context says so.
+  template <class T>
+  constexpr void when_context(bool condition, Optional<T>& out, const char* field) noexcept {
+    when(condition, out, field);
+  }
+
+  /// The number of elements that a list has later in the body.
+  template <class T, class List>
+  constexpr void count(T& out, const List& /*list*/, const char* field) noexcept {
+    value(out, field);
+  }
+  /// A list with so many elements.
+  template <class T, std::size_t n>
+  constexpr void counted(BoundedArray<T, n>& out, std::size_t count, const char* field,
+                         std::size_t /*least*/ = 0) noexcept {
+    out.clear();
+    if (!status_) return;
+    if (!out.resize(count)) return fail(Code::too_short, field);
+    if constexpr (std::is_same_v<T, std::uint8_t>) {
+      if (take(count, field)) detail::copy(body_.data() + at_ - count, out.data(), count);
+    } else {
+      for (std::size_t i = 0; i < count && status_; ++i) value(out[i], field);
+    }
+    if (!status_) out.clear();
+  }
+
+  /// Numbers of announced types, as many as there are bytes for.
+  template <std::size_t n>
+  constexpr void numbers(BoundedArray<Number, n>& out, const NumberTypes& types,
+                         const char* /*field*/) noexcept {
+    out.clear();
+    for (const NumberType type : types) {
+      const std::size_t size = size_of(type);
+      if (!status_ || body_.size() - at_ < size) return;
+      Number number{type};
+      for (std::size_t i = 0; i < size; ++i) {
+        number.bits |= static_cast<std::uint32_t>(body_[at_ + i]) << (8 * i);
+      }
+      if (!out.push_back(number)) return;
+      at_ += size;
+    }
+  }
+
+  /// Everything up to the end of the body, which must be a whole number of elements and at least
+  /// `least` of them.
+  template <class T, std::size_t n>
+  constexpr void rest(BoundedArray<T, n>& out, const char* field, std::size_t least = 0) noexcept {
+    constexpr std::size_t element = wire_size<T>;
+    const std::size_t left = body_.size() - at_;
+    if (status_ && (left % element != 0 || left / element < least)) {
+      at_ = body_.size();
+      fail(Code::too_short, field);
+    }
+    const std::size_t count = status_ ? left / element : 0;
+    if (count > n) fail(Code::too_long, field);
+    counted(out, count, field);
+  }
+
+  /// Goes to a tagged union, of which the body has all bytes.
+  constexpr void enter(std::size_t at, std::size_t size) noexcept {
+    body_ = {body_.data(), at + size};
+    at_ = at;
+  }
+  constexpr void leave() noexcept {}
+
+  /// The status of the whole body, of which nothing may be left.
+  constexpr Status end() noexcept {
+    if (status_ && at_ != body_.size()) fail(Code::too_long, "");
+    return status_;
+  }
+
+  /// The status of the whole body; what is left goes to `tail`.
+  template <std::size_t n>
+  constexpr Status end(BoundedBytes<n>& tail) noexcept {
+    rest(tail, "tail");
+    return status_;
+  }
+
+ private:
+  constexpr bool take(std::size_t size, const char* field) noexcept {
+    if (!status_) return false;
+    if (body_.size() - at_ < size) {
+      at_ = body_.size();
+      fail(Code::too_short, field);
+      return false;
+    }
+    at_ += size;
+    return true;
+  }
+  constexpr void fail(Code code, const char* field) noexcept {
+    status_ = {code, static_cast<std::uint16_t>(at_), field};
+  }
+
+  std::span<const std::uint8_t> body_;
+  std::size_t at_;
+  Status status_{};
+};
+
+}  // namespace sbgc::detail

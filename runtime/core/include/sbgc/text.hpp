@@ -1,0 +1,147 @@
+/// Everything of the protocol as text for people: `to_string(value)`.
+///
+///     Angle14, Milliseconds …    "-30 deg", "500 ms"
+///     enum values                "MODE_ANGLE"; "200" if it has no name
+///     flag sets                  "CONNECTION_USB | 0x40"; "0" without flags
+///     packed integers            "2.43b9", "RC_MODE_ANGLE, inverted 1"
+///     messages                   "GetAngles{axes.roll.imu_angle = -30 deg, …}"
+///     statuses, violations       "params: The body ends before this field does",
+///                                "axes.pitch.angle: 800 deg is above 720 deg"
+///
+/// The text of a message has every value in wire order, but reserved bytes that are 0 and the
+/// counts of lists. Include the tables of the messages to print, <sbgc/meta/control.hpp> or
+/// <sbgc/meta/all.hpp>. <sbgc/fmt.hpp> and <sbgc/ostream.hpp> print the same.
+#pragma once
+
+#include <string>
+#include <type_traits>
+
+#include <sbgc/printable.hpp>
+#include <sbgc/text/leaves.hpp>
+#include <sbgc/text/status.hpp>
+#include <sbgc/text/values.hpp>
+#include <sbgc/validate.hpp>
+
+namespace sbgc {
+
+namespace detail {
+
+template <class T>
+concept NamedEnum = std::is_enum_v<T> && requires {
+  EnumMeta<T>::info;
+};
+template <class T>
+concept NamedFlags = requires {
+  EnumMeta<typename T::flag_type>::info;
+};
+template <class T>
+concept NamedPacked = requires {
+  PackedMeta<T>::info;
+};
+template <class T>
+concept AnyQuantity = requires {
+  UnitMeta<T>::info;
+};
+template <class T>
+concept AnyStruct = requires(const T& value) {
+  Meta<T>::visit(value, [](auto&&...) {});
+};
+
+inline std::string or_number(std::string text, std::int64_t raw) {
+  return text.empty() ? std::to_string(raw) : text;
+}
+
+/// A raw value or limit in its unit.
+inline std::string limit_text(double raw, const UnitInfo* unit) {
+  return unit != nullptr && !unit->is_plain() ? unit_text(unit->real(raw), *unit)
+                                              : number_text(raw);
+}
+
+}  // namespace detail
+
+template <class T>
+  requires detail::NamedEnum<T> || detail::NamedFlags<T> || detail::NamedPacked<T> ||
+      detail::AnyQuantity<T> || detail::AnyStruct<T>
+inline constexpr bool is_printable<T> = true;
+template <>
+inline constexpr bool is_printable<Rule> = true;
+template <>
+inline constexpr bool is_printable<FieldPath> = true;
+template <>
+inline constexpr bool is_printable<Violation> = true;
+
+template <detail::NamedEnum E>
+std::string to_string(E value) {
+  const auto raw = static_cast<std::underlying_type_t<E>>(value);
+  return detail::or_number(std::string(detail::value_name(EnumMeta<E>::info, raw)), raw);
+}
+
+template <detail::NamedFlags F>
+std::string to_string(F flags) {
+  const auto raw = flags.raw();
+  return detail::or_number(detail::flag_names(EnumMeta<typename F::flag_type>::info, raw), raw);
+}
+
+template <detail::NamedPacked P>
+std::string to_string(P packed) {
+  const auto raw = packed.raw();
+  return detail::or_number(detail::packed_text(PackedMeta<P>::info, raw), raw);
+}
+
+template <detail::AnyQuantity Q>
+std::string to_string(Q quantity) {
+  return detail::unit_text(UnitMeta<Q>::info.real(static_cast<double>(quantity.raw())),
+                           UnitMeta<Q>::info);
+}
+
+/// A message, or a part of one, which has no name in front of the brace.
+template <detail::AnyStruct T>
+std::string to_string(const T& message) {
+  std::string result;
+  if constexpr (requires { Meta<T>::info; }) result = Meta<T>::info.name;
+  result += '{';
+  bool is_first = true;
+  for_each_leaf(message, [&](const Leaf& leaf) {
+    if (leaf.kind == LeafKind::counter || is_unused(leaf)) return;
+    if (!is_first) result += ", ";
+    is_first = false;
+    result += to_string(leaf.path) + " = " + value_text(leaf);
+  });
+  return result + '}';
+}
+
+inline std::string to_string(Rule rule) { return name(rule); }
+
+/// What is wrong with a value, to be read after the value: "is above 720 deg".
+inline std::string objection_text(const Violation& violation) {
+  const std::string limit = detail::limit_text(violation.limit, violation.unit);
+  const auto version = static_cast<std::uint16_t>(violation.limit);
+  switch (violation.rule) {
+    case Rule::minimum:
+      return violation.value < violation.limit ? "is below " + limit : "is not a number";
+    case Rule::maximum: return "is above " + limit;
+    case Rule::alignment: return "is not a multiple of " + limit;
+    case Rule::count: {
+      const std::string verb = violation.value == 1 ? "is " : "are ";
+      return verb + (violation.value < violation.limit ? "fewer than " : "more than ") + limit;
+    }
+    case Rule::firmware: return "needs firmware " + to_string(VersionTypes::Firmware(version));
+    case Rule::board:
+      return "needs board " + to_string(VersionTypes::Board(static_cast<std::uint8_t>(version)));
+  }
+  return "is not allowed";
+}
+
+/// "axes.pitch.angle: 800 deg is above 720 deg".
+inline std::string to_string(const Violation& violation) {
+  std::string value = detail::limit_text(violation.value, violation.unit);
+  if (violation.named != nullptr) value = violation.named->name;
+  if (violation.rule == Rule::count) value += violation.value == 1 ? " element" : " elements";
+  return to_string(violation.path) + ": " + value + ' ' + objection_text(violation);
+}
+
+namespace msg {
+using sbgc::to_string;  // for calls without a namespace
+}  // namespace msg
+
+}  // namespace sbgc

@@ -1,0 +1,329 @@
+/// The single values of a message, one after the other, with all that the tables know about each.
+/// Needs a hosted standard library.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include <sbgc/field_path.hpp>
+#include <sbgc/meta.hpp>
+#include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/units.hpp>
+#include <sbgc/meta/variables.hpp>
+#include <sbgc/text/values.hpp>
+
+namespace sbgc {
+
+enum class LeafKind : std::uint8_t { integer, real, bytes, text, counter };
+
+/// One value of a message. All views are valid during the call only.
+struct Leaf {
+  const FieldPath& path;
+  const FieldInfo& field;
+  LeafKind kind{};
+  std::int64_t integer{};                 ///< of an integer or a counter, as on the wire
+  float real{};                           ///< of a real number
+  std::span<const std::uint8_t> bytes{};  ///< of bytes without a meaning as numbers
+  std::string_view text{};                ///< of a text
+  // What the value means; at most one of these is there.
+  const UnitInfo* unit{};      ///< the one in force, where a flag or a variable decides
+  const EnumInfo* names{};     ///< of enum values or flags
+  const PackedInfo* packed{};  ///< of a packed integer
+  NumberType announced{};      ///< of a number whose type another message has announced
+  // Its place in the body, as the protocol lays it out.
+  std::size_t offset{};
+  std::size_t size{};
+};
+
+/// Whether it is reserved and 0, as it should be.
+inline bool is_unused(const Leaf& leaf) {
+  if (!leaf.field.reserved) return false;
+  for (const std::uint8_t byte : leaf.bytes) {
+    if (byte != 0) return false;
+  }
+  return leaf.integer == 0;
+}
+
+/// The value as on the wire: "-1365", "0.5", "00ff", "\"Drone\"".
+inline std::string raw_text(const Leaf& leaf) {
+  switch (leaf.kind) {
+    case LeafKind::integer:
+    case LeafKind::counter: return std::to_string(leaf.integer);
+    case LeafKind::real: return detail::float_text(leaf.real);
+    case LeafKind::bytes: return detail::to_hex(leaf.bytes);
+    case LeafKind::text: return detail::quoted(leaf.text);
+  }
+  return "";
+}
+
+/// The meaning of a value outside the ordinary range, null if it has none.
+inline const char* special_meaning(const Leaf& leaf) {
+  if (leaf.kind != LeafKind::integer) return nullptr;
+  for (const Special& special : leaf.field.special) {
+    if (special.value == leaf.integer) return special.meaning;
+  }
+  return nullptr;
+}
+
+/// What the raw value means: "-30 deg", "MODE_ANGLE", "2.43b9", "use the current profile"; "" if it
+/// says all there is.
+inline std::string meaning_text(const Leaf& leaf) {
+  if (const char* const special = special_meaning(leaf)) return special;
+  const auto bits = static_cast<std::uint32_t>(leaf.integer);
+  if (leaf.unit != nullptr) {
+    if (leaf.unit->is_plain()) return "";
+    const double raw = leaf.kind == LeafKind::real ? static_cast<double>(leaf.real)
+                                                   : static_cast<double>(leaf.integer);
+    return detail::unit_text(leaf.unit->real(raw), *leaf.unit);
+  }
+  if (leaf.names != nullptr) {
+    return leaf.names->is_flags ? detail::flag_names(*leaf.names, bits)
+                                : std::string(detail::value_name(*leaf.names, leaf.integer));
+  }
+  if (leaf.packed != nullptr) return detail::packed_text(*leaf.packed, bits);
+  return leaf.announced == NumberType::none ? "" : name(leaf.announced);
+}
+
+/// The value in one piece: its meaning if there is one, else as on the wire. Special values stand
+/// with their meaning in parentheses, as in "21000 (pause)".
+inline std::string value_text(const Leaf& leaf) {
+  std::string meaning = meaning_text(leaf);
+  if (meaning.empty() || leaf.announced != NumberType::none) return raw_text(leaf);
+  if (special_meaning(leaf) != nullptr) return raw_text(leaf) + " (" + meaning + ')';
+  return meaning.find(", ") == std::string::npos ? meaning : '(' + meaning + ')';
+}
+
+/// The path of a value, such as "params[3].param_id".
+inline std::string to_string(const FieldPath& path) {
+  char buffer[128];
+  return {buffer, path.write(buffer, sizeof buffer)};
+}
+
+namespace detail {
+
+/// Goes through the values in wire order. Built so that the compiler makes a function for each type
+/// of member, not for each member of each message or each use: the reference site downloads it.
+class LeafWalk {
+ public:
+  using Use = void (*)(void* user, const Leaf& leaf);
+
+  LeafWalk(Use use, void* user) : use_(use), user_(user) {}
+
+  template <class T>
+  void members(const T& value, const FieldPath* parent) {
+    Meta<T>::visit(value, Members{*this, parent});
+  }
+
+ private:
+  struct Members {
+    LeafWalk& walk;
+    const FieldPath* parent = nullptr;       ///< of the struct itself
+    const VariableInfo* variable = nullptr;  ///< that the last member has named
+
+    template <class T>
+    void operator()(const FieldInfo& field, const T& member) {
+      const FieldPath path{parent, field.name};
+      if constexpr (std::is_same_v<T, msg::VariableId>) variable = find_variable(member);
+      if constexpr (std::is_integral_v<T>) {
+        if (field.is_variable_value && variable != nullptr) {
+          return walk.integer(member, field, path, wire_size<T>, {.unit = &variable->unit});
+        }
+      }
+      walk.value(member, field, path);
+    }
+  };
+
+  /// What an integer means.
+  struct Meaning {
+    const UnitInfo* unit = nullptr;
+    const EnumInfo* names = nullptr;
+    const PackedInfo* packed = nullptr;
+  };
+
+  template <class T>
+  void value(const T& value, const FieldInfo& field, const FieldPath& path) {
+    if constexpr (std::is_enum_v<T>) {
+      integer(static_cast<std::underlying_type_t<T>>(value), field, path, wire_size<T>,
+              {.names = &EnumMeta<T>::info});
+    } else if constexpr (std::is_floating_point_v<T>) {
+      real(value, field, path, nullptr);
+    } else if constexpr (std::is_arithmetic_v<T>) {
+      integer(value, field, path, wire_size<T>, {});
+    } else if constexpr (requires { UnitMeta<T>::info; }) {
+      quantity(value, field, path);
+    } else if constexpr (requires { typename T::flag_type; }) {
+      integer(value.raw(), field, path, wire_size<T>,
+              {.names = &EnumMeta<typename T::flag_type>::info});
+    } else if constexpr (requires { PackedMeta<T>::info; }) {
+      integer(value.raw(), field, path, wire_size<T>, {.packed = &PackedMeta<T>::info});
+    } else {
+      members(value, &path);
+    }
+  }
+  void value(Counter counter, const FieldInfo& field, const FieldPath& path) {
+    add({.path = path,
+         .field = field,
+         .kind = LeafKind::counter,
+         .integer = static_cast<std::int64_t>(counter.count),
+         .size = wire_size<std::uint8_t>});
+  }
+  void value(const Number& number, const FieldInfo& field, const FieldPath& path) {
+    const bool is_real = number.type == NumberType::f32;
+    add({.path = path,
+         .field = field,
+         .kind = is_real ? LeafKind::real : LeafKind::integer,
+         .integer = is_real ? 0 : number.integer(),
+         .real = is_real ? number.real() : 0,
+         .announced = number.type,
+         .size = size_of(number.type)});
+  }
+  template <class T>
+  void value(const Optional<T>& optional, const FieldInfo& field, const FieldPath& path) {
+    if (optional) value(*optional, field, path);
+  }
+  template <class T>
+  void value(const Axes<T>& axes, const FieldInfo& field, const FieldPath& path) {
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      value(axes[i], field, {&path, Meta<Axes<T>>::fields[i].name});
+    }
+  }
+  template <class T>
+  void value(const Xyz<T>& xyz, const FieldInfo& field, const FieldPath& path) {
+    for (std::size_t i = 0; i < xyz.size(); ++i) {
+      value(xyz[i], field, {&path, Meta<Xyz<T>>::fields[i].name});
+    }
+  }
+  template <std::size_t n>
+  void value(const Bytes<n>& bytes, const FieldInfo& field, const FieldPath& path) {
+    this->bytes(bytes, field, path);
+  }
+  template <std::size_t n>
+  void value(const BoundedBytes<n>& bytes, const FieldInfo& field, const FieldPath& path) {
+    if (&field != &tail_field || !bytes.empty()) {
+      this->bytes({bytes.data(), bytes.size()}, field, path);
+    }
+  }
+  template <std::size_t n>
+  void value(const Text<n>& text, const FieldInfo& field, const FieldPath& path) {
+    this->text({text.data(), text.size()}, n, field, path);
+  }
+  template <std::size_t n>
+  void value(const BoundedText<n>& text, const FieldInfo& field, const FieldPath& path) {
+    this->text({text.data(), text.size()}, 1 + text.size(), field, path);
+  }
+  template <class T, std::size_t n>
+  void value(const std::array<T, n>& array, const FieldInfo& field, const FieldPath& path) {
+    list(array.data(), n, field, path);
+  }
+  template <class T, std::size_t n>
+  void value(const BoundedArray<T, n>& array, const FieldInfo& field, const FieldPath& path) {
+    list(array.data(), array.size(), field, path);
+  }
+  template <class T>
+  void list(const T* elements, std::size_t size, const FieldInfo& field, const FieldPath& path) {
+    for (std::size_t i = 0; i < size; ++i) value(elements[i], field, {&path, "", i});
+  }
+
+  template <class Q>
+  void quantity(Q value, const FieldInfo& field, const FieldPath& path) {
+    const UnitInfo* const unit = unit_in_force(UnitMeta<Q>::info, field, path);
+    if constexpr (std::is_floating_point_v<typename Q::raw_type>) {
+      real(value.raw(), field, path, unit);
+    } else {
+      integer(value.raw(), field, path, wire_size<Q>, {.unit = unit});
+    }
+  }
+
+  void integer(std::int64_t raw, const FieldInfo& field, const FieldPath& path, std::size_t size,
+               const Meaning& meaning) {
+    remember(raw, path);
+    add({.path = path,
+         .field = field,
+         .kind = LeafKind::integer,
+         .integer = raw,
+         .unit = meaning.unit,
+         .names = meaning.names,
+         .packed = meaning.packed,
+         .size = size});
+  }
+  void real(float raw, const FieldInfo& field, const FieldPath& path, const UnitInfo* unit) {
+    add({.path = path,
+         .field = field,
+         .kind = LeafKind::real,
+         .real = raw,
+         .unit = unit,
+         .size = wire_size<float>});
+  }
+  void bytes(std::span<const std::uint8_t> bytes, const FieldInfo& field, const FieldPath& path) {
+    add({.path = path,
+         .field = field,
+         .kind = LeafKind::bytes,
+         .bytes = bytes,
+         .size = bytes.size()});
+  }
+  void text(std::string_view text, std::size_t size, const FieldInfo& field,
+            const FieldPath& path) {
+    add({.path = path, .field = field, .kind = LeafKind::text, .text = text, .size = size});
+  }
+  void add(Leaf leaf) {
+    leaf.offset = offset_;
+    offset_ += leaf.size;
+    use_(user_, leaf);
+  }
+
+  /// A number of the message itself, which may decide the unit of a later one.
+  struct Remembered {
+    const char* name;
+    const char* axis;  ///< "" without one
+    std::int64_t raw;
+  };
+
+  void remember(std::int64_t raw, const FieldPath& path) {
+    if (path.parent == nullptr) numbers_.push_back({path.name, "", raw});
+    if (path.parent != nullptr && path.parent->parent == nullptr) {
+      numbers_.push_back({path.parent->name, path.name, raw});
+    }
+  }
+
+  const UnitInfo* unit_in_force(const UnitInfo& usual, const FieldInfo& field,
+                                const FieldPath& path) const {
+    if (field.alternative == nullptr) return &usual;
+    for (const Remembered& number : numbers_) {
+      if (number.name != std::string_view(field.alternative->of)) continue;
+      if (*number.axis != '\0' && !leads_through(path, number.axis)) continue;
+      if ((number.raw & field.alternative->mask) != 0) return field.alternative->unit;
+    }
+    return &usual;
+  }
+
+  static bool leads_through(const FieldPath& path, std::string_view name) {
+    return path.name == name || (path.parent != nullptr && leads_through(*path.parent, name));
+  }
+
+  Use use_;
+  void* user_;
+  std::vector<Remembered> numbers_;
+  std::size_t offset_ = 0;  // in the body
+};
+
+template <class User>
+void call_user(void* user, const Leaf& leaf) {
+  (*static_cast<User*>(user))(leaf);
+}
+
+}  // namespace detail
+
+/// Calls `use(const Leaf&)` for every value of a message or struct, in wire order. A missing member
+/// and an empty tail have none.
+template <class T, class User>
+void for_each_leaf(const T& message, User&& use) {
+  detail::LeafWalk walk(detail::call_user<std::remove_reference_t<User>>, &use);
+  walk.members(message, nullptr);
+}
+
+}  // namespace sbgc

@@ -1,0 +1,198 @@
+/// Single values as text: numbers, units, names. Needs a hosted standard library.
+#pragma once
+
+#include <algorithm>
+#include <clocale>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+#include <sbgc/json_text.hpp>
+#include <sbgc/meta.hpp>
+
+namespace sbgc::detail {
+
+/// As printf does with "%.*g", but with a point whatever the locale. (std::to_chars would add a
+/// third to the size of the WebAssembly decoder.)
+inline std::string general_text(double value, int digits) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
+  std::string result = buffer;
+  const char* const point = std::localeconv()->decimal_point;
+  const std::size_t at = result.find(point);
+  if (at != std::string::npos) result.replace(at, std::strlen(point), ".");
+  return result;
+}
+
+/// A number: integers in full, others with six digits.
+inline std::string number_text(double value) {
+  const bool is_integer = value > -1e15 && value < 1e15 &&
+                          value == static_cast<double>(static_cast<std::int64_t>(value));
+  return is_integer ? std::to_string(static_cast<std::int64_t>(value)) : general_text(value, 6);
+}
+
+/// A float of the wire, with as many digits as are needed to tell it from its neighbours.
+inline std::string float_text(float value) {
+  for (int digits = 6; digits < 9; ++digits) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.*g", digits, static_cast<double>(value));
+    if (std::strtof(buffer, nullptr) == value)
+      return general_text(static_cast<double>(value), digits);
+  }
+  return general_text(static_cast<double>(value), 9);
+}
+
+/// "-30 deg": a value in its unit, with six digits.
+inline std::string unit_text(double value, const UnitInfo& unit) {
+  const std::string number = general_text(value, 6);
+  return *unit.name == '\0' ? number : number + ' ' + unit.name;
+}
+
+/// "0x1f".
+inline std::string hex_text(std::uint32_t value) {
+  char buffer[16];
+  std::snprintf(buffer, sizeof buffer, "0x%lx", static_cast<unsigned long>(value));
+  return buffer;
+}
+
+/// The name of a value, or "" if it has none.
+inline std::string_view value_name(const EnumInfo& info, std::int64_t value) {
+  for (const ValueInfo& known : info.values) {
+    if (known.value == value) return known.name;
+  }
+  return "";
+}
+
+/// "NAME | NAME | 0x40"; "" for no bits.
+inline std::string flag_names(const EnumInfo& info, std::uint32_t bits) {
+  std::string result;
+  const auto add = [&](std::string_view name) {
+    if (!result.empty()) result += " | ";
+    result += name;
+  };
+  for (const ValueInfo& flag : info.values) {
+    const auto mask = static_cast<std::uint32_t>(flag.value);
+    if (mask == 0 || (bits & mask) != mask) continue;
+    add(flag.name);
+    bits &= ~mask;
+  }
+  if (bits != 0) add(hex_text(bits));
+  return result;
+}
+
+inline std::int64_t part_value(const PartInfo& part, std::uint32_t raw) {
+  const std::uint32_t bits = (raw & part.mask) >> part.shift;
+  const std::uint32_t digits = bits / part.divide;
+  return part.modulo != 0 ? digits % part.modulo : digits;
+}
+
+/// A piece of the display text of a packed integer, with {part} and {part:02} replaced. Says in
+/// `is_zero` whether every part in it is 0.
+inline std::string filled_in(const PackedInfo& info, std::uint32_t raw, std::string_view pattern,
+                             bool& is_zero) {
+  std::string result;
+  is_zero = true;
+  while (!pattern.empty()) {
+    const std::size_t open = pattern.find('{');
+    result += pattern.substr(0, open);
+    if (open == std::string_view::npos) break;
+    const std::size_t close = pattern.find('}', open);
+    std::string_view name = pattern.substr(open + 1, close - open - 1);
+    pattern.remove_prefix(close + 1);
+    std::size_t width = 0;
+    if (const std::size_t colon = name.find(':'); colon != std::string_view::npos) {
+      width = static_cast<std::size_t>(std::atoi(name.data() + colon + 1));
+      name = name.substr(0, colon);
+    }
+    for (const PartInfo& part : info.parts) {
+      if (name != part.name) continue;
+      const std::int64_t value = part_value(part, raw);
+      const std::string digits = std::to_string(value);
+      result.append(width - std::min(width, digits.size()), '0');
+      result += digits;
+      is_zero = is_zero && value == 0;
+    }
+  }
+  return result;
+}
+
+/// The display text of a packed integer. What stands in brackets is left out if it holds zeros
+/// only:
+/// "{major}.{minor:02}[b{beta}]" makes 2.43b9, but 2.59 where beta is 0.
+inline std::string displayed(const PackedInfo& info, std::uint32_t raw) {
+  std::string result;
+  std::string_view pattern = info.display;
+  bool is_zero = false;
+  while (!pattern.empty()) {
+    const std::size_t open = pattern.find('[');
+    result += filled_in(info, raw, pattern.substr(0, open), is_zero);
+    if (open == std::string_view::npos) break;
+    const std::size_t close = pattern.find(']', open);
+    const std::string part =
+        filled_in(info, raw, pattern.substr(open + 1, close - open - 1), is_zero);
+    if (!is_zero) result += part;
+    pattern.remove_prefix(close + 1);
+  }
+  return result;
+}
+
+/// "RC_MODE_ANGLE", "inverted 1", or "" for an unnamed 0 of an enum.
+inline std::string part_text(const PartInfo& part, std::uint32_t raw) {
+  const std::int64_t value = part_value(part, raw);
+  const auto plain = [&] { return std::string(part.name) + ' ' + std::to_string(value); };
+  if (part.values == nullptr) return plain();
+  std::string named = part.values->is_flags
+                          ? flag_names(*part.values, static_cast<std::uint32_t>(value))
+                          : std::string(value_name(*part.values, value));
+  return named.empty() && value != 0 ? plain() : named;
+}
+
+/// A packed integer: "2.43b9", "RC_MODE_ANGLE, inverted 0".
+inline std::string packed_text(const PackedInfo& info, std::uint32_t raw) {
+  if (*info.display != '\0') return displayed(info, raw);
+  if (info.names != nullptr) {
+    if (const std::string_view named = value_name(*info.names, raw); !named.empty()) {
+      return std::string(named);
+    }
+  }
+  std::string result;
+  for (const PartInfo& part : info.parts) {
+    const std::string text = part_text(part, raw);
+    if (!text.empty()) result += (result.empty() ? "" : ", ") + text;
+  }
+  return result;
+}
+
+/// A text in quotes, with nothing in it that a terminal would take for a command.
+inline std::string quoted(std::string_view bytes) {
+  const std::string text = to_utf8(bytes);
+  std::string result = "\"";
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto c = static_cast<std::uint8_t>(text[i]);
+    const auto next = static_cast<std::uint8_t>(i + 1 < text.size() ? text[i + 1] : '\0');
+    const bool is_c1 = c == 0xC2 && next < 0xA0;  // a control character of two bytes
+    if (c == '"' || c == '\\') {
+      result += '\\';
+      result += text[i];
+    } else if (c == '\n') {
+      result += "\\n";
+    } else if (c == '\t') {
+      result += "\\t";
+    } else if (c == '\r') {
+      result += "\\r";
+    } else if (c < 0x20 || c == 0x7F || is_c1) {
+      char escape[8];
+      std::snprintf(escape, sizeof escape, "\\u%04x", unsigned{is_c1 ? next : c});
+      result += escape;
+      if (is_c1) ++i;
+    } else {
+      result += text[i];
+    }
+  }
+  return result + '"';
+}
+
+}  // namespace sbgc::detail

@@ -1,0 +1,110 @@
+/// How many bytes a value takes on the wire.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <type_traits>
+
+#include <sbgc/type_list.hpp>
+#include <sbgc/types.hpp>
+#include <sbgc/wire.hpp>
+
+namespace sbgc {
+
+/// A type over one integer of the wire: quantities, flag sets, packed integers.
+template <class T>
+concept RawValue = requires(const T value) {
+  typename T::raw_type;
+  { value.raw() } -> std::same_as<typename T::raw_type>;
+  T(value.raw());
+};
+
+/// The members of a generated struct or message that have a fixed place on the wire, in its order.
+/// The type has it as FixedMembers.
+template <auto... member>
+struct Members {};
+
+namespace detail {
+
+template <class T>
+concept HasFixedMembers = requires {
+  typename T::FixedMembers;
+};
+
+/// A generated struct or message with members that have no fixed place:
+/// varying_members(self, cursor) reads or writes them, and a message may need its Context, too.
+template <class T>
+concept HasVaryingMembers = requires {
+  &T::template varying_members<T, int>;
+};
+
+/// A tagged union takes `wire_size` bytes. The message around it knows what they hold:
+/// tagged_unions(self, cursor) reads or writes them.
+template <class T>
+concept TaggedUnion = requires {
+  T::wire_size;
+};
+
+template <class Struct, class T>
+T type_of_member(T Struct::*);
+
+template <auto... member>
+constexpr TypeList<decltype(type_of_member(member))...> types_of(Members<member...>) noexcept {
+  return {};
+}
+
+/// The types of the members with a fixed place.
+template <class T>
+inline constexpr TypeList<> fixed_types{};
+template <HasFixedMembers T>
+inline constexpr auto fixed_types<T> = types_of(typename T::FixedMembers{});
+
+template <class T>
+constexpr std::size_t size_of_struct() noexcept;
+
+}  // namespace detail
+
+/// Bytes that a type takes on the wire; 0 if that varies.
+template <class T>
+inline constexpr std::size_t wire_size = detail::size_of_struct<T>();
+template <class T>
+  requires(wire::Number<T> || std::is_enum_v<T> || std::is_same_v<T, char>)
+inline constexpr std::size_t wire_size<T> = sizeof(T);
+template <RawValue T>
+inline constexpr std::size_t wire_size<T> = sizeof(typename T::raw_type);
+template <class T>
+inline constexpr std::size_t wire_size<Axes<T>> = 3 * wire_size<T>;
+template <class T>
+inline constexpr std::size_t wire_size<Xyz<T>> = 3 * wire_size<T>;
+template <class T, std::size_t n>
+inline constexpr std::size_t wire_size<std::array<T, n>> = n* wire_size<T>;
+template <std::size_t n>
+inline constexpr std::size_t wire_size<Bytes<n>> = n;
+template <std::size_t n>
+inline constexpr std::size_t wire_size<Text<n>> = n;
+
+namespace detail {
+
+template <class... T>
+constexpr std::size_t size_of_all(TypeList<T...>) noexcept {
+  return (std::size_t{0} + ... + wire_size<T>);
+}
+
+/// Bytes of the members with a fixed place.
+template <class T>
+inline constexpr std::size_t fixed_size = size_of_all(fixed_types<T>);
+
+template <class T>
+constexpr std::size_t size_of_struct() noexcept {
+  if constexpr (TaggedUnion<T>) {
+    return T::wire_size;
+  } else if constexpr (HasVaryingMembers<T>) {
+    return 0;
+  } else {
+    return fixed_size<T>;
+  }
+}
+
+}  // namespace detail
+}  // namespace sbgc

@@ -1,0 +1,136 @@
+/// A client in virtual time: task, conversation and emulated board in one thread, without I/O.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <sbgc/client/task.hpp>
+#include <sbgc/emulator/emulator.hpp>
+#include <sbgc/messages.hpp>
+
+#include "conversation/dialogue.hpp"
+
+namespace sbgc::test {
+
+/// What a browser would do: everything that happens is a function of the time that is handed in.
+class VirtualClient {
+ public:
+  explicit VirtualClient(const board::EmulatorOptions& options = {}, board::Memory memory = {})
+      : emulator_(options, std::move(memory), now_), port_(emulator_.connect(true, now_).value()) {
+    const Result<msg::BoardInfo> info = run(introduction());
+    if (!info) throw std::runtime_error(info.error().message);
+    identity_.info = *info;
+  }
+  VirtualClient(const VirtualClient&) = delete;
+  VirtualClient& operator=(const VirtualClient&) = delete;
+  ~VirtualClient() = default;
+
+  /// Drives a task to its end; `at_each_step(task)` runs before each step.
+  template <class R, class Watch>
+  R run(Task<R> task, const Watch& at_each_step) {
+    TaskMachine& machine = task.begin(identity_);
+    const auto notices = delivery_.on_notice([&](const Notice& one) { machine.notice(one); });
+    for (bool is_done = false; !is_done;) {
+      at_each_step(machine);
+      is_done = step(machine);
+    }
+    tickets_.clear();
+    return std::move(task).result();
+  }
+  template <class R>
+  R run(Task<R> task) {
+    return run(std::move(task), [](TaskMachine&) {});
+  }
+
+  Instant now() const noexcept { return now_; }
+  board::Gimbal& gimbal() { return emulator_.board().gimbal(); }
+  board::Emulator& emulator() { return emulator_; }
+  /// The board hears nothing any more.
+  void cut_the_line() { is_cut_ = true; }
+  std::size_t pending() const { return tickets_.size(); }
+
+ private:
+  static Task<Result<msg::BoardInfo>> introduction() {
+    co_return co_await tasks::call(msg::BoardInfoRequest{});
+  }
+
+  /// Goes on until the task waits, then to the next moment at which something happens.
+  bool step(TaskMachine& task) {
+    TaskStep step = task.step(now_);
+    switch (step.kind) {
+      case TaskStep::Kind::done: return true;
+      case TaskStep::Kind::call: begin(task, std::move(step)); return false;
+      case TaskStep::Kind::cancel: cancel(step.number); return false;
+      case TaskStep::Kind::wait: break;
+    }
+    const Instant next = exchange_bytes();
+    if (next == Instant::never && step.until == Instant::never) {
+      throw std::runtime_error("nothing will ever happen");
+    }
+    if (!has_news_) now_ = later(now_ + microseconds(1), earlier(next, step.until));
+    has_news_ = false;
+    return false;
+  }
+
+  void begin(TaskMachine& task, TaskStep step) {
+    const std::uint32_t number = step.number;
+    if (!step.request) return task.replied(number, std::move(step.request).error());
+    step.options.on_confirmation = [&task, this, number](unsigned) {
+      has_news_ = true;
+      task.confirmed(number);
+    };
+    const detail::CallPointer call =
+        detail::make_call(*std::move(step.request), step.options, ConnectOptions{}, now_,
+                          [&task, this, number](Result<Reply> reply) {
+                            has_news_ = true;
+                            tickets_.erase(number);
+                            task.replied(number, std::move(reply));
+                          });
+    if (auto refusal = calls_.add(call)) return task.replied(number, *std::move(refusal));
+    tickets_[number] = call->ticket;
+  }
+
+  void cancel(std::uint32_t number) {
+    const auto place = tickets_.find(number);
+    if (place == tickets_.end()) return;
+    if (const auto call = calls_.take(place->second)) dialogue_.forget(*call);
+    tickets_.erase(place);
+  }
+
+  /// Carries bytes both ways; returns when to come again.
+  Instant exchange_bytes() {
+    const Output output = dialogue_.advance(now_, true);
+    if (!output.bytes.empty()) {
+      if (!is_cut_) emulator_.from_host(port_, output.bytes, now_);
+      dialogue_.written(now_);
+      has_news_ = true;
+    }
+    emulator_.advance(now_);
+    const auto arrived = emulator_.to_host(port_);
+    const std::vector<std::uint8_t> bytes(arrived.begin(), arrived.end());
+    if (!bytes.empty()) {
+      emulator_.take(port_, bytes.size(), now_);
+      dialogue_.feed(bytes, now_);
+      has_news_ = true;
+    }
+    return earlier(output.deadline, emulator_.next());
+  }
+
+  Instant now_{1'000'000};
+  bool is_cut_ = false;
+  bool has_news_ = false;
+  board::Emulator emulator_;
+  std::size_t port_;
+  BoardIdentity identity_{};
+  detail::PendingCalls calls_{64};
+  detail::Delivery delivery_{};
+  detail::Dialogue dialogue_{ConnectOptions{}, calls_, delivery_};
+  std::map<std::uint32_t, detail::Conversation::Ticket> tickets_{};
+};
+
+}  // namespace sbgc::test

@@ -1,0 +1,96 @@
+"""Mistakes that do not compile, and what the compiler says about each: one error, with a sentence
+that helps.
+"""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+INCLUDES = [*ROOT.glob("runtime/*/include"), ROOT / "generated/include"]
+COMPILERS = [name for name in ("g++", "clang++") if shutil.which(name)]
+
+
+@dataclass(frozen=True)
+class Misuse:
+    """`code`, in which WRONG stands for the mistake; with `right` instead it compiles.
+
+    `says` is part of the only error.
+    """
+
+    name: str
+    code: str
+    wrong: str
+    right: str
+    says: str
+
+
+SEND = """
+#include <sbgc/messages/control.hpp>
+#include <sbgc/messages/system.hpp>
+#include <sbgc/session.hpp>
+"""
+STREAM = """
+#include <sbgc/client/client.hpp>
+#include <sbgc/messages.hpp>
+void use(sbgc::Client& client) {
+  static_cast<void>(client.stream<sbgc::msg::WRONG>(std::chrono::milliseconds(20), [](const auto&) {}));
+}
+"""
+
+MISUSES = [
+    Misuse(
+        "send_without_its_header",
+        SEND + "WRONG\nvoid use(sbgc::Session& session) { session.send(sbgc::msg::MotorsOn{}); }",
+        wrong="",
+        right="#include <sbgc/responses/control.hpp>",
+        says="include <sbgc/responses/all.hpp>",
+    ),
+    Misuse(
+        "send_what_the_board_sends",
+        SEND
+        + "#include <sbgc/responses/all.hpp>\n"
+        + "void use(sbgc::Session& session) { session.send(sbgc::msg::WRONG{}); }",
+        wrong="BoardInfo",
+        right="BoardInfoRequest",
+        says="only the board sends this message",
+    ),
+    Misuse(
+        "stream_of_a_message_without_one",
+        STREAM,
+        wrong="GetAngles",
+        right="RealtimeData4",
+        says="the board has no stream of this message",
+    ),
+    Misuse(
+        "stream_of_a_request",
+        STREAM,
+        wrong="BoardInfoRequest",
+        right="AhrsHelper",
+        says="the board has no stream of this message",
+    ),
+]
+
+
+def errors_of(compiler: str, source: str) -> list[str]:
+    """The lines with errors."""
+    command = [compiler, "-std=c++20", "-fsyntax-only", *(f"-I{folder}" for folder in INCLUDES)]
+    done = subprocess.run(
+        [*command, "-x", "c++", "-"], input=source, capture_output=True, text=True, check=False
+    )
+    errors = [line for line in done.stderr.splitlines() if "error: " in line]
+    assert (done.returncode != 0) == bool(errors), done.stderr
+    return errors
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.parametrize("misuse", MISUSES, ids=lambda misuse: misuse.name)
+def test_the_compiler_says_what_is_wrong(compiler: str, misuse: Misuse) -> None:
+    assert not errors_of(compiler, misuse.code.replace("WRONG", misuse.right))
+    errors = errors_of(compiler, misuse.code.replace("WRONG", misuse.wrong))
+    assert len(errors) == 1 and misuse.says in errors[0], errors

@@ -1,0 +1,224 @@
+// Everything of the protocol as text: by to_string(), with {fmt} and in streams.
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/fmt.hpp>
+#include <sbgc/messages.hpp>
+#include <sbgc/ostream.hpp>
+
+#include "any_message.hpp"
+
+namespace sbgc {
+namespace {
+
+TEST(Text, QuantitiesHaveTheirUnit) {
+  EXPECT_EQ(to_string(msg::Angle14(2048)), "45 deg");
+  EXPECT_EQ(to_string(msg::Angle14(-1)), "-0.0219727 deg");
+  EXPECT_EQ(to_string(msg::Milliseconds(513)), "513 ms");
+  EXPECT_EQ(to_string(msg::ControlSpeed(32767)), "4000 deg/s");
+}
+
+TEST(Text, EnumsAreTheirNamesOrNumbers) {
+  EXPECT_EQ(to_string(msg::ControlModeKind::angle), "MODE_ANGLE");
+  EXPECT_EQ(to_string(static_cast<msg::RcModeKind>(7)), "7");
+}
+
+TEST(Text, FlagsAreTheirNamesAndTheRest) {
+  using Features = decltype(msg::BoardInfo::connection_flags);
+  EXPECT_EQ(to_string(Features(1)), "CONNECTION_USB");
+  EXPECT_EQ(to_string(Features(0x41)), "CONNECTION_USB | 0x40");
+  EXPECT_EQ(to_string(Features(0)), "0");
+}
+
+TEST(Text, PackedValuesAreTheirParts) {
+  EXPECT_EQ(to_string(msg::ControlMode(130)), "MODE_ANGLE, CONTROL_FLAG_HIGH_RES_SPEED");
+  EXPECT_EQ(to_string(msg::RcMode(0)), "RC_MODE_ANGLE, inverted 0");
+  EXPECT_EQ(to_string(msg::RcMode(0x0F)), "mode 7, inverted 1") << "7 has no name";
+}
+
+TEST(Text, VersionsAreWrittenAsPeopleDo) {
+  EXPECT_EQ(to_string(msg::FirmwareVersion(2439)), "2.43b9");
+  EXPECT_EQ(to_string(msg::FirmwareVersion(2590)), "2.59");
+  EXPECT_EQ(to_string(msg::FirmwareVersion(2305)), "2.30b5");
+  EXPECT_EQ(to_string(msg::FirmwareVersion(0)), "0.00");
+  EXPECT_EQ(to_string(msg::BoardVersion(30)), "3.0");
+}
+
+TEST(Text, AMessageNamesItsValues) {
+  msg::GetAngles angles;
+  angles.axes.pitch.imu_angle = msg::Angle14(-1024);
+  EXPECT_EQ(to_string(angles),
+            "GetAngles{axes.roll.imu_angle = 0 deg, axes.roll.rc_target_angle = 0 deg, "
+            "axes.roll.rc_speed = 0 deg/s, axes.pitch.imu_angle = -22.5 deg, "
+            "axes.pitch.rc_target_angle = 0 deg, axes.pitch.rc_speed = 0 deg/s, "
+            "axes.yaw.imu_angle = 0 deg, axes.yaw.rc_target_angle = 0 deg, "
+            "axes.yaw.rc_speed = 0 deg/s}");
+  EXPECT_EQ(to_string(msg::MotorsOn{}), "MotorsOn{}");
+}
+
+TEST(Text, APartOfAMessageHasNoName) {
+  msg::ControlAxis axis;
+  axis.angle = msg::Angle14(2048);
+  EXPECT_EQ(to_string(axis), "{speed = 0 deg/s, angle = 45 deg}");
+  EXPECT_EQ(to_string(Axes<msg::Angle14>{axis.angle}),
+            "{roll = 45 deg, pitch = 0 deg, yaw = 0 deg}");
+}
+
+TEST(Text, AFlagCanChangeAUnit) {
+  msg::ControlExt control;
+  control.control_mode.pitch = msg::ControlMode(0x82);
+  for (auto* axis : {&control.axes.roll, &control.axes.pitch})
+    axis->speed = msg::ControlSpeed(8192);
+  const std::string text = to_string(control);
+  EXPECT_NE(text.find("axes.roll.speed = 1000.03 deg/s"), std::string::npos) << text;
+  EXPECT_NE(text.find("axes.pitch.speed = 8.192 deg/s"), std::string::npos) << text;
+  EXPECT_NE(text.find("control_mode.pitch = (MODE_ANGLE, CONTROL_FLAG_HIGH_RES_SPEED),"),
+            std::string::npos)
+      << text;
+}
+
+TEST(Text, SpecialValuesTellTheirMeaning) {
+  msg::BeepSound beep;
+  beep.mode = msg::BeepMode::custom_melody;
+  beep.note_length = decltype(beep.note_length)(5);
+  beep.decay_factor = 3;
+  using Note = decltype(beep.note_freq_hz)::value_type;
+  for (const std::uint16_t note : {std::uint16_t{987}, std::uint16_t{21000}})
+    beep.note_freq_hz.push_back(Note(note));
+  EXPECT_EQ(to_string(beep),
+            "BeepSound{mode = BEEPER_MODE_CUSTOM_MELODY, note_length = 40 ms, decay_factor = 3, "
+            "note_freq_hz[0] = 987 Hz, "
+            "note_freq_hz[1] = 21000 (pause, then the envelope starts again)}");
+}
+
+TEST(Text, ReservedBytesAreShownIfTheyAreUsed) {
+  msg::BeepSound beep;
+  EXPECT_EQ(to_string(beep).find("reserved"), std::string::npos);
+  beep.reserved[1] = 0xAB;
+  EXPECT_NE(to_string(beep).find("reserved = 00ab"), std::string::npos) << to_string(beep);
+}
+
+TEST(Text, TextsAreQuotedAndHarmless) {
+  EXPECT_EQ(detail::quoted("Fußgänger \"1\""), "\"Fußgänger \\\"1\\\"\"");
+  EXPECT_EQ(detail::quoted("a\x1b[2J\n\x7f\xc2\x9b\\"), "\"a\\u001b[2J\\n\\u007f\\u009b\\\\\"");
+}
+
+TEST(Text, FloatsHaveAllTheirDigits) {
+  EXPECT_EQ(detail::float_text(0.1F), "0.1");
+  EXPECT_EQ(detail::float_text(-1.0F), "-1");
+  EXPECT_EQ(detail::float_text(1e-30F), "1e-30");
+  EXPECT_EQ(detail::float_text(0.1F + 1e-8F), "0.10000001");
+  EXPECT_EQ(detail::float_text(std::numeric_limits<float>::infinity()), "inf");
+  EXPECT_EQ(detail::float_text(std::numeric_limits<float>::quiet_NaN()), "nan");
+}
+
+TEST(Text, TheValueOfAVariableHasItsUnit) {
+  msg::SetAdjVarsVal set;
+  set.params.push_back({msg::VariableId::lpf_freq_roll, 120});
+  set.params.push_back({msg::VariableId::p_roll, 5});
+  EXPECT_EQ(to_string(set),
+            "SetAdjVarsVal{params[0].param_id = LPF_FREQ_ROLL, params[0].param_value = 120 Hz, "
+            "params[1].param_id = P_ROLL, params[1].param_value = 5}");
+}
+
+TEST(Text, StatusesSayWhichField) {
+  EXPECT_EQ(to_string(Status{}), "Everything is in order");
+  EXPECT_EQ(to_string(Status{Code::too_short, 1, "params"}),
+            "params: The body ends before this field does");
+  EXPECT_EQ(to_string(Code::too_short), "too_short");
+}
+
+template <class M>
+std::vector<std::string> violations_in(const M& message, const Availability& versions = newest) {
+  std::vector<std::string> result;
+  validate(message, versions,
+           [&](const Violation& violation) { result.push_back(to_string(violation)); });
+  return result;
+}
+using Sentences = std::vector<std::string>;
+
+TEST(Violations, SpeakInTheUnitOfTheField) {
+  msg::BeepSound beep;
+  beep.note_length = decltype(beep.note_length)(1);
+  using Note = decltype(beep.note_freq_hz)::value_type;
+  beep.note_freq_hz.push_back(Note(1));
+  beep.decay_factor = 16;
+  EXPECT_EQ(violations_in(beep),
+            (Sentences{"decay_factor: 16 is above 15", "note_freq_hz[0]: 1 Hz is below 554 Hz"}));
+}
+
+TEST(Violations, OfAVariableAreInItsUnit) {
+  msg::SetAdjVarsVal set;
+  set.params.push_back({msg::VariableId::lpf_freq_roll, 401});
+  set.params.push_back({msg::VariableId::pid_gain_roll, 256});
+  set.params.push_back({msg::VariableId::p_roll, -1});
+  EXPECT_EQ(violations_in(set), (Sentences{"params[0].param_value: 401 Hz is above 400 Hz",
+                                           "params[1].param_value: 5.22 is above 5.2",
+                                           "params[2].param_value: -1 is below 0"}));
+}
+
+TEST(Violations, OfCountsAndAlignment) {
+  msg::EepromWrite write;
+  write.addr = decltype(write.addr)(130);
+  ASSERT_TRUE(write.data.resize(65));
+  EXPECT_EQ(violations_in(write),
+            (Sentences{"addr: 130 is not a multiple of 64", "data: 65 is not a multiple of 64"}));
+  msg::SetAdjVarsVal none;
+  EXPECT_EQ(violations_in(none), Sentences{"num_vars: 0 is below 1"});
+  msg::BeepSound long_melody;
+  EXPECT_TRUE(long_melody.note_freq_hz.resize(31));
+  for (auto& note : long_melody.note_freq_hz) note = std::remove_cvref_t<decltype(note)>(1000);
+  EXPECT_EQ(violations_in(long_melody), Sentences{"note_freq_hz: 31 elements are more than 30"});
+}
+
+TEST(Violations, OfVersionsNameTheVersion) {
+  msg::Control control;
+  control.control_mode = msg::ControlMode(0x82);
+  EXPECT_EQ(violations_in(control, {2599, 30}), Sentences{});
+  EXPECT_EQ(violations_in(control, {2439, 30}),
+            Sentences{"control_mode: CONTROL_FLAG_HIGH_RES_SPEED needs firmware 2.59"});
+  msg::WriteParams3 params;
+  params.pwm_freq = msg::PwmFrequency::ultra_high;
+  const Sentences found = violations_in(params, {2439, 12});
+  EXPECT_EQ(std::ranges::count(found, "pwm_freq: PWM_FREQ_ULTRA_HIGH needs board 3.0"), 1)
+      << testing::PrintToString(found);
+}
+
+TEST(Violations, NaNIsNoNumber) {
+  msg::AhrsHelper vectors;
+  vectors.z1_vector.x = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(violations_in(vectors).at(0), "z1_vector.x: nan is not a number");
+}
+
+TEST(Printing, FmtAndStreamsPrintTheSame) {
+  const msg::Angle14 angle(2048);
+  const msg::ControlMode mode(2);
+  const Status status{Code::too_long};
+  std::ostringstream stream;
+  stream << angle << '|' << mode << '|' << status << '|' << msg::ControlModeKind::speed << '|'
+         << msg::MotorsOn{};
+  EXPECT_EQ(fmt::format("{}|{}|{}|{}|{}", angle, mode, status, msg::ControlModeKind::speed,
+                        msg::MotorsOn{}),
+            stream.str());
+  EXPECT_EQ(fmt::format("{:>8}|{:-<8}", angle, Code::ok), "  45 deg|ok------");
+  validate(msg::EepromRead{decltype(msg::EepromRead::addr)(7)}, [&](const Violation& violation) {
+    EXPECT_EQ(fmt::format("{}", violation), "addr: 7 is not a multiple of 64");
+  });
+}
+
+TEST(Printing, EveryMessagePrintsItself) {
+  AllMessages::for_each([]<class M>(Type<M>) {
+    const std::string text = fmt::format("{}", M{});
+    EXPECT_EQ(text.substr(0, text.find('{')), Meta<M>::info.name);
+    EXPECT_EQ(text.back(), '}');
+  });
+}
+
+}  // namespace
+}  // namespace sbgc

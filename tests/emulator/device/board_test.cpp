@@ -1,0 +1,233 @@
+// The board as a whole: what it does depends on bytes and their times alone.
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "host.hpp"
+#include "random_requests.hpp"
+
+namespace sbgc::test {
+namespace {
+
+TEST(Board, IntroducesItself) {
+  Host host;
+  const auto info = host.get<msg::BoardInfo>(msg::BoardInfoRequest{});
+  EXPECT_EQ(info.board_ver.raw(), 30);
+  EXPECT_EQ(info.firmware_ver.raw(), 2590);
+  EXPECT_FALSE(info.connection_flags.has(msg::ConnectionFlag::usb));
+}
+
+TEST(Board, KnowsWhichPortsAreUsb) {
+  Host host;
+  host.port = host.board.open_port(true).value();
+  EXPECT_TRUE(host.get<msg::BoardInfo>(msg::BoardInfoRequest{})
+                  .connection_flags.has(msg::ConnectionFlag::usb));
+}
+
+TEST(Board, HasAsManyPortsAsItSays) {
+  emulator::Board board({}, {}, {});
+  for (std::size_t i = 0; i < emulator::Board::max_ports; ++i) EXPECT_TRUE(board.open_port());
+  EXPECT_FALSE(board.open_port());
+  board.close_port(3);
+  EXPECT_EQ(board.open_port(), 3U);
+}
+
+TEST(Board, WorksOnAfterItHasBeenMoved) {
+  emulator::Board first({}, {}, {});
+  int told = 0;
+  first.on_traffic = [&](const emulator::Board::Traffic&) { ++told; };
+  const auto port = first.open_port().value();
+  emulator::Board second = std::move(first);
+  second.advance(Instant{} + seconds(1));
+  second.receive(port, frame_of(86, {}), Instant{} + seconds(1));
+  second.advance(Instant{} + seconds(2));
+  EXPECT_EQ(second.output(port).size(), frame_of(86, Bytes(18)).size());
+  EXPECT_EQ(told, 2);
+}
+
+/// What happens at a time: bytes come, and what waits is taken.
+struct Event {
+  Instant at{};
+  Bytes bytes{};
+};
+
+std::vector<Event> random_events(std::uint32_t seed) {
+  RandomRequests requests(seed);
+  std::vector<Event> events;
+  Instant at = Instant{} + milliseconds(600);
+  Bytes stream;
+  for (int i = 0; i < 300; ++i) {
+    const Bytes next = requests.next();
+    stream.insert(stream.end(), next.begin(), next.end());
+  }
+  while (!stream.empty()) {
+    const auto size = std::min<std::size_t>(stream.size(), 1 + requests.up_to(60));
+    const auto end = stream.begin() + static_cast<std::ptrdiff_t>(size);
+    events.push_back({at, {stream.begin(), end}});
+    stream.erase(stream.begin(), end);
+    at = at + microseconds(requests.up_to(requests.up_to(30) == 0 ? 500'000 : 3'000));
+  }
+  events.push_back({at + seconds(8), {}});
+  return events;
+}
+
+/// How advance() is called between the events.
+enum class Cut { never, as_next_says, at_random };
+
+Bytes run(std::uint32_t seed, Cut cut, emulator::BoardOptions options = {}) {
+  // There are many restarts among the requests.
+  options.start_time = milliseconds(5);
+  options.bootloader_time = milliseconds(20);
+  emulator::Board board(options, {}, {});
+  const auto port = board.open_port().value();
+  RandomRequests cuts(seed + 1);
+  Bytes output;
+  Instant now{};
+  for (const Event& event : random_events(seed)) {
+    while (cut != Cut::never) {
+      now =
+          cut == Cut::at_random ? now + microseconds(cuts.up_to(20'000)) : later(now, board.next());
+      if (now >= event.at) break;
+      board.advance(now);
+    }
+    now = event.at;
+    board.receive(port, event.bytes, now);
+    const auto waiting = board.output(port);
+    output.insert(output.end(), waiting.begin(), waiting.end());
+    board.sent(port, waiting.size(), now);
+  }
+  return output;
+}
+
+TEST(Board, DoesTheSameHoweverTimeIsCut) {
+  for (std::uint32_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(seed);
+    emulator::BoardOptions options;
+    if (seed % 2 == 0) options.output_buffer = options.input_buffer = 300;
+    const Bytes once = run(seed, Cut::never, options);
+    EXPECT_FALSE(once.empty());
+    EXPECT_EQ(run(seed, Cut::never, options), once);
+    EXPECT_EQ(run(seed, Cut::as_next_says, options), once);
+    EXPECT_EQ(run(seed, Cut::at_random, options), once);
+  }
+}
+
+TEST(Board, SendsFramesOnlyWhateverItIsSent) {
+  for (std::uint32_t seed = 100; seed < 110; ++seed) {
+    SCOPED_TRACE(seed);
+    Parser parser;
+    const Bytes output = run(seed, Cut::never);
+    std::size_t frames = 0;
+    parser.feed(output, [&](const Frame& frame) {
+      ++frames;
+      const auto known = select(Direction::from_board, frame.id, frame.body.size(), [](auto) {});
+      EXPECT_EQ(known, Code::ok) << int{frame.id};
+    });
+    EXPECT_GT(frames, 20U);
+    EXPECT_EQ(parser.counters().skipped_bytes, 0U);
+  }
+}
+
+TEST(Board, TellsOfTraffic) {
+  Host host;
+  std::vector<emulator::Board::Traffic> traffic;
+  host.board.on_traffic = [&](const emulator::Board::Traffic& one) { traffic.push_back(one); };
+  host.ask(msg::BoardInfoRequest{});
+  host.send_bytes(frame_of(200, {}));
+  host.send_bytes(frame_of(67, Bytes(3)));
+  host.ask(msg::UseDefaults{.profile_id = 99});
+  ASSERT_EQ(traffic.size(), 8U);
+  EXPECT_FALSE(traffic[0].outcome);
+  EXPECT_EQ(traffic[1].outcome, emulator::Outcome::carried_out);
+  EXPECT_FALSE(traffic[2].outcome);
+  EXPECT_EQ(traffic[3].outcome, emulator::Outcome::unknown);
+  EXPECT_FALSE(traffic[4].outcome);
+  EXPECT_EQ(traffic[5].outcome, emulator::Outcome::malformed);
+  EXPECT_FALSE(traffic[6].outcome);
+  EXPECT_EQ(traffic[7].outcome, emulator::Outcome::refused);
+  EXPECT_EQ(host.board.counters().requests, 4U);
+  EXPECT_EQ(host.board.counters().unknown, 2U);
+  EXPECT_EQ(host.board.counters().refused, 1U);
+  EXPECT_EQ(host.board.counters().sent, 4U);
+}
+
+TEST(Board, SaysWhatItDoesNotKnow) {
+  Host host;
+  const auto bytes = [&](std::uint8_t id, const Bytes& body) {
+    host.send_bytes(frame_of(id, body));
+    Bytes all;
+    for (const Packet& packet : host.listen(milliseconds(50))) {
+      all.push_back(packet.id);
+      all.insert(all.end(), packet.body.begin(), packet.body.end());
+    }
+    return all;
+  };
+  // CMD_ERROR (255): the id that it is about, the code, nothing else.
+  EXPECT_EQ(bytes(200, {}), (Bytes{255, 200, 6, 0, 0, 0, 0})) << "UNKNOWN_COMMAND";
+  EXPECT_EQ(bytes(67, Bytes(3)), (Bytes{255, 67, 1, 0, 0, 0, 0})) << "CMD_SIZE";
+  EXPECT_EQ(bytes(69, Bytes(9)), (Bytes{255, 69, 1, 0, 0, 0, 0})) << "CMD_SIZE";
+  EXPECT_EQ(bytes(255, {200, 6, 0, 0, 0, 0}), Bytes{}) << "an error is not answered";
+}
+
+TEST(Board, IntroducesItselfWhateverTheSizeOfTheRequest) {
+  Host host;
+  const auto introduction = host.get<msg::BoardInfo>(msg::BoardInfoRequest{});
+  for (std::size_t size = 1; size <= 255; ++size) {
+    host.send_bytes(frame_of(86, Bytes(size)));
+    const Packets packets = host.listen(milliseconds(50));
+    ASSERT_EQ(packets.size(), 1U) << size;
+    EXPECT_EQ(message<msg::BoardInfo>(packets[0]), introduction) << size;
+  }
+}
+
+TEST(Board, NamesTheCommandThatItRefuses) {
+  Host host;
+  const auto error = host.get<msg::ErrorExt>(msg::ReadParams3Request{.profile_id = 17});
+  EXPECT_EQ(error.cmd_id, msg::CommandToBoard::read_params_3);
+  EXPECT_EQ(error.error_code, msg::BoardErrorCode::wrong_params);
+}
+
+TEST(Board, ReadsTheActiveProfile) {
+  Host host;
+  host.ask(msg::ExecuteMenu{.cmd_id = msg::MenuCommand::profile4});
+  const auto parameters = host.get<msg::ReadParams3>(
+      msg::ReadParams3Request{.profile_id = msg::ReadParams3Request::active_profile});
+  EXPECT_EQ(parameters.profile_id, 3);
+  EXPECT_EQ(parameters.cur_profile_id, 3);
+  EXPECT_EQ(parameters.cur_imu, msg::SelectedImu::main);
+}
+
+TEST(Board, SaysInItsAnswerThatAFileCannotBeRead) {
+  Host host;
+  const auto error = [&](std::uint16_t file, std::uint16_t size) {
+    return host
+        .get<msg::ReadFileError>(
+            msg::ReadFileRequest{.file_id = file, .max_data_size = msg::ByteCount(size)})
+        .err_code;
+  };
+  EXPECT_EQ(error(1, 64), msg::FileError::file_not_found);
+  EXPECT_EQ(error(1, 252), msg::FileError::wrong_params) << "more than an answer holds";
+}
+
+TEST(Board, RefusesPagesThatAreNone) {
+  Host host;
+  const auto is_refused = [&](std::uint32_t address, std::uint16_t size) {
+    const auto packets = host.ask(msg::EepromReadRequest{address, msg::ByteCount(size)});
+    return packets.size() == 1 && is<msg::ErrorExt>(packets[0]);
+  };
+  EXPECT_FALSE(is_refused(64, 64));
+  EXPECT_TRUE(is_refused(10, 64));
+  EXPECT_TRUE(is_refused(64, 10));
+  EXPECT_TRUE(is_refused(0xFFFFFFC0, 64));
+  EXPECT_TRUE(is_refused(0, 256));
+  const auto error =
+      host.get<msg::ErrorExt>(msg::EepromReadRequest{0xA0B0C040, msg::ByteCount(64)});
+  EXPECT_EQ(error.error_data[0], 0x40) << "the address";
+  EXPECT_EQ(error.error_data[3], 0xA0);
+}
+
+}  // namespace
+}  // namespace sbgc::test

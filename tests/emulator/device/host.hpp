@@ -1,0 +1,114 @@
+/// The host of an emulated board in tests: it sends requests, lets time pass and keeps what comes.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/emulator/board.hpp>
+#include <sbgc/message.hpp>
+#include <sbgc/messages.hpp>
+#include <sbgc/parser.hpp>
+#include <sbgc/time.hpp>
+
+namespace sbgc::test {
+
+/// A message without its frame, and when it came.
+struct Packet {
+  std::uint8_t id{};
+  std::vector<std::uint8_t> body{};
+  Instant at{};
+};
+
+using Packets = std::vector<Packet>;
+
+template <class M>
+bool is(const Packet& packet) {
+  return packet.id == static_cast<std::uint8_t>(M::command) && packet.body.size() >= M::min_size;
+}
+
+/// The message in a packet. Fails the test if it is none.
+template <class M>
+M message(const Packet& packet) {
+  M result{};
+  EXPECT_TRUE(is<M>(packet) && decode(std::span(packet.body), result)) << "it is another message";
+  return result;
+}
+
+/// The messages M among the packets.
+template <class M>
+std::vector<M> all(const Packets& packets) {
+  std::vector<M> result;
+  for (const Packet& one : packets) {
+    if (is<M>(one)) result.push_back(message<M>(one));
+  }
+  return result;
+}
+
+/// A board that has started, and a host on one of its ports.
+class Host {
+ public:
+  explicit Host(const emulator::BoardOptions& options = {}, emulator::Memory memory = {})
+      : board(options, std::move(memory), Instant{}), port(board.open_port().value()) {
+    listen(options.start_time + milliseconds(1));
+  }
+
+  /// Lets time pass; returns what has come meanwhile.
+  Packets listen(Duration duration) {
+    const Instant end = now + duration;
+    Packets result;
+    for (;;) {
+      const Instant next = later(now, earlier(board.next(), end));
+      now = next;
+      board.advance(now);
+      collect(result);
+      if (now == end) return result;
+    }
+  }
+
+  /// Sends bytes as they are.
+  void send_bytes(std::span<const std::uint8_t> bytes) { board.receive(port, bytes, now); }
+  template <Message M>
+  void send(const M& message) {
+    std::array<std::uint8_t, max_frame_size> frame{};
+    const WriteResult written = encode_frame(message, frame);
+    ASSERT_TRUE(written);
+    send_bytes(std::span(frame).first(written.size));
+  }
+
+  /// Sends a request and waits; returns what has come.
+  template <Message M>
+  Packets ask(const M& request, Duration wait = milliseconds(50)) {
+    send(request);
+    return listen(wait);
+  }
+  /// The answer to a request. Fails the test if there is not exactly one packet, of that type.
+  template <class Answer, Message M>
+  Answer get(const M& request, Duration wait = milliseconds(50)) {
+    const Packets packets = ask(request, wait);
+    EXPECT_EQ(packets.size(), 1U);
+    return packets.empty() ? Answer{} : message<Answer>(packets.front());
+  }
+
+  emulator::Board board;
+  std::size_t port;
+  Instant now{};
+
+ private:
+  void collect(Packets& into) {
+    const auto bytes = board.output(port);
+    parser_.feed(bytes, [&](const Frame& frame) {
+      into.push_back({frame.id, {frame.body.begin(), frame.body.end()}, now});
+    });
+    board.sent(port, bytes.size(), now);
+  }
+
+  Parser parser_;
+};
+
+}  // namespace sbgc::test

@@ -1,0 +1,267 @@
+// Parameters of the board: what a host writes is read again, per profile, after a restart as well.
+
+#include "device/parts/parameters.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <random>
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/meta/all.hpp>
+#include <sbgc/validate.hpp>
+
+#include "random_parameters.hpp"
+
+namespace sbgc::test {
+namespace {
+
+using emulator::factory_parameters;
+using emulator::Memory;
+
+constexpr std::uint8_t profiles = SettingsOf<msg::ReadParams3>::copies;
+
+template <class M>
+M with_gain(std::uint8_t gain) {
+  M result = factory_parameters<M>(0);
+  result.axes.roll.p = gain;
+  return result;
+}
+
+TEST(Parameters, EveryBodyComesBackBitForBit) {
+  Memory memory;
+  Parameters parameters(memory);
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    write_random(parameters, seed);
+    expect_random(parameters, seed);
+  }
+}
+
+TEST(Parameters, AreThereAfterAPowerCycle) {
+  Memory memory;
+  {
+    Parameters parameters(memory);
+    write_random(parameters, 1);
+    parameters.select_profile(3);
+  }
+  Memory kept = memory;
+  const Parameters parameters(kept);
+  EXPECT_EQ(parameters.profile(), 3);
+  expect_random(parameters, 1);
+}
+
+TEST(Parameters, SayTheNumberOfTheirProfile) {
+  Memory memory;
+  Parameters parameters(memory);
+  for (std::uint8_t profile = 0; profile < profiles; ++profile) {
+    auto sent = with_gain<msg::ReadParams3>(1);
+    sent.profile_id = 255;  // "the active one"
+    ASSERT_TRUE(parameters.write(profile, sent));
+    EXPECT_EQ(parameters.read<msg::ReadParams3>(profile).profile_id, profile);
+    parameters.select_profile(profile);
+    EXPECT_EQ(parameters.of<msg::ReadParams3>().profile_id, profile);
+  }
+}
+
+TEST(Parameters, OneProfileLeavesTheOthersAlone) {
+  Memory memory;
+  Parameters parameters(memory);
+  for (std::uint8_t profile = 0; profile < profiles; ++profile) {
+    ASSERT_TRUE(parameters.write(profile, with_gain<msg::ReadParams3>(100 + profile)));
+  }
+  ASSERT_TRUE(parameters.write(2, with_gain<msg::ReadParams3>(7)));
+  for (std::uint8_t profile = 0; profile < profiles; ++profile) {
+    const std::uint8_t expected = profile == 2 ? 7 : 100 + profile;
+    EXPECT_EQ(parameters.read<msg::ReadParams3>(profile).axes.roll.p, expected);
+    parameters.select_profile(profile);
+    EXPECT_EQ(parameters.of<msg::ReadParams3>().axes.roll.p, expected);
+  }
+}
+
+void expect_speed(const Parameters& parameters, msg::SerialSpeed speed) {
+  EXPECT_EQ(parameters.of<msg::ReadParams3>().serial_speed, speed);
+  for (std::uint8_t profile = 0; profile < profiles; ++profile) {
+    EXPECT_EQ(parameters.read<msg::ReadParams3>(profile).serial_speed, speed) << int{profile};
+  }
+}
+
+TEST(Parameters, GeneralOnesAreThoseOfAllProfiles) {
+  Memory memory;
+  Parameters parameters(memory);
+  parameters.select_profile(1);
+  const auto gain = parameters.of<msg::ReadParams3>().axes.roll.p;
+  ASSERT_TRUE(parameters.set_variable(msg::VariableId::p_roll, 99));
+  auto sent = with_gain<msg::ReadParams3>(7);
+  sent.serial_speed = msg::SerialSpeed::baud_9600;
+  ASSERT_TRUE(parameters.write(3, sent));
+  expect_speed(parameters, msg::SerialSpeed::baud_9600);
+  EXPECT_EQ(parameters.variable(msg::VariableId::p_roll), 99) << "it is not of the profile written";
+  Parameters restarted(memory);
+  expect_speed(restarted, msg::SerialSpeed::baud_9600);
+  for (std::uint8_t profile = 0; profile < profiles; ++profile) {
+    EXPECT_EQ(restarted.read<msg::ReadParams3>(profile).axes.roll.p, profile == 3 ? 7 : gain);
+    restarted.select_profile(profile);
+    expect_speed(restarted, msg::SerialSpeed::baud_9600);
+  }
+}
+
+TEST(Parameters, GeneralOnesAreChangedInAllProfiles) {
+  Memory memory;
+  Parameters parameters(memory);
+  const auto change = [](msg::SerialSpeed speed) {
+    return [speed](msg::ReadParams3& main) { main.serial_speed = speed; };
+  };
+  for (const std::uint8_t profile : {std::uint8_t{0}, std::uint8_t{2}}) {
+    const auto speed = profile == 0 ? msg::SerialSpeed::baud_9600 : msg::SerialSpeed::baud_19200;
+    ASSERT_TRUE(parameters.change<msg::ReadParams3>(profile, change(speed)));
+    expect_speed(parameters, speed);
+    expect_speed(Parameters(memory), speed);
+  }
+  parameters.select_profile(4);
+  parameters.change_in_use<msg::ReadParams3>(change(msg::SerialSpeed::baud_57600));
+  parameters.save();
+  expect_speed(parameters, msg::SerialSpeed::baud_57600);
+  expect_speed(Parameters(memory), msg::SerialSpeed::baud_57600);
+}
+
+TEST(Parameters, WritingTheActiveProfileTakesEffectAtOnce) {
+  Memory memory;
+  Parameters parameters(memory);
+  ASSERT_TRUE(parameters.write(1, with_gain<msg::ReadParams3>(77)));
+  EXPECT_NE(parameters.of<msg::ReadParams3>().axes.roll.p, 77);
+  ASSERT_TRUE(parameters.write(0, with_gain<msg::ReadParams3>(78)));
+  EXPECT_EQ(parameters.of<msg::ReadParams3>().axes.roll.p, 78);
+}
+
+TEST(Parameters, StateOfTheBoardIsKeptButNotObeyed) {
+  Memory memory;
+  Parameters parameters(memory);
+  msg::ReadParams3 sent = parameters.of<msg::ReadParams3>();
+  sent.cur_imu = msg::SelectedImu::frame;
+  sent.cur_profile_id = 4;
+  ASSERT_TRUE(parameters.write(0, sent));
+  EXPECT_EQ(parameters.profile(), 0);
+  EXPECT_EQ(Parameters(memory).read<msg::ReadParams3>(0), sent);
+}
+
+TEST(Parameters, ADamagedRecordIsTheFactorySettings) {
+  Memory memory;
+  Parameters parameters(memory);
+  write_random(parameters, 3);
+  // The first record is that of the first message and profile.
+  memory.eeprom[emulator::layout::parameters + 50] ^= 0x40;
+  EXPECT_EQ(parameters.read<msg::ReadParams3>(0).profile_id, 0);
+  const Memory damaged = memory;
+  parameters.reload();
+  EXPECT_EQ(parameters.read<msg::ReadParams3>(0), factory_parameters<msg::ReadParams3>(0));
+  EXPECT_EQ(memory, damaged) << "loading has changed something";
+  for_each_random(3, [&]<class M>(std::uint8_t copy, const M& message) {
+    const bool is_damaged = std::is_same_v<M, msg::ReadParams3> && copy == 0;
+    if (is_damaged) return;
+    // The general ones were in that record.
+    const M expected = copy == 0 ? message : with_general_of(parameters.read<M>(0), message);
+    EXPECT_EQ(parameters.read<M>(copy), expected);
+  });
+}
+
+TEST(Parameters, ARawWriteToTheEepromCountsAtTheNextStart) {
+  Memory other;
+  Parameters(other).write(0, with_gain<msg::ReadParams3>(42));
+  Memory memory;
+  Parameters parameters(memory);
+  ASSERT_TRUE(parameters.write(0, with_gain<msg::ReadParams3>(41)));
+  memory.eeprom = other.eeprom;
+  EXPECT_EQ(parameters.of<msg::ReadParams3>().axes.roll.p, 41);
+  EXPECT_EQ(parameters.read<msg::ReadParams3>(0).axes.roll.p, 41);
+  parameters.reload();
+  EXPECT_EQ(parameters.of<msg::ReadParams3>().axes.roll.p, 42);
+}
+
+TEST(Parameters, AnUnknownActiveProfileIsTheFirst) {
+  Memory memory;
+  memory.profile = 200;
+  Parameters parameters(memory);
+  EXPECT_EQ(parameters.profile(), 0);
+  EXPECT_EQ(parameters.of<msg::ReadParams3>().profile_id, 0);
+}
+
+TEST(Parameters, DefaultsAreOfOneProfile) {
+  Memory memory;
+  Parameters parameters(memory);
+  write_random(parameters, 4);
+  parameters.select_profile(2);
+  parameters.use_defaults(2);
+  EXPECT_EQ(parameters.of<msg::ReadParamsExt>(), factory_parameters<msg::ReadParamsExt>(2));
+  EXPECT_EQ(Parameters(memory).of<msg::ReadParams3>(), parameters.of<msg::ReadParams3>());
+  parameters.use_defaults(4);
+  EXPECT_EQ(parameters.profile(), 2);
+  for_each_random(4, [&]<class M>(std::uint8_t copy, const M& message) {
+    const bool is_new = SettingsOf<M>::copies > 1 && (copy == 2 || copy == 4);
+    const M factory = with_general_of(message, factory_parameters<M>(copy));
+    EXPECT_EQ(parameters.read<M>(copy), is_new ? factory : message);
+  });
+}
+
+TEST(Parameters, ErasingLeavesNothing) {
+  Memory memory;
+  Parameters parameters(memory);
+  write_random(parameters, 5);
+  parameters.select_profile(1);
+  memory.eeprom.back() = 3;  // of a file
+  const auto revision = memory.revision;
+  parameters.erase();
+  EXPECT_EQ(memory.eeprom, Memory().eeprom);
+  EXPECT_NE(memory.revision, revision);
+  EXPECT_EQ(parameters.profile(), 0);
+  StoredMessages::for_each([&]<class M>(Type<M>) {
+    for (std::uint8_t copy = 0; copy < SettingsOf<M>::copies; ++copy) {
+      EXPECT_EQ(parameters.read<M>(copy), factory_parameters<M>(copy));
+    }
+  });
+}
+
+TEST(FactorySettings, AreAllowedOnOldBoardsToo) {
+  StoredMessages::for_each([]<class M>(Type<M>) {
+    for (std::uint8_t copy = 0; copy < SettingsOf<M>::copies; ++copy) {
+      const M message = factory_parameters<M>(copy);
+      for (const Availability versions : {newest, Availability{2400, 30}}) {
+        validate(message, versions, [&](const Violation& violation) {
+          std::array<char, 128> path{};
+          violation.path.write(path.data(), path.size());
+          ADD_FAILURE() << Meta<M>::info.name << ' ' << int{copy} << ' ' << path.data() << ": "
+                        << violation.value << " against " << violation.limit;
+        });
+      }
+      if constexpr (SettingsOf<M>::copies > 1) {
+        EXPECT_EQ(SettingsOf<M>::copy(message), copy);
+      }
+    }
+  });
+}
+
+TEST(FactorySettings, NameTheProfiles) {
+  const auto names = factory_parameters<msg::ReadProfileNames>(0).profile_name;
+  EXPECT_EQ(std::string_view(names[0].data(), names[0].size()), "Profile 1");
+  EXPECT_EQ(std::string_view(names[4].data(), names[4].size()), "Profile 5");
+}
+
+TEST(FactorySettings, SlotsAreEmpty) {
+  EXPECT_EQ(factory_parameters<msg::ReadAdjVarsCfg>(0), msg::ReadAdjVarsCfg{});
+}
+
+TEST(FactorySettings, VariablesAreInsideOfTheirRanges) {
+  Memory memory;
+  const Parameters parameters(memory);
+  for (const VariableInfo& variable : variables) {
+    const auto value = parameters.variable(variable.id);
+    ASSERT_TRUE(value) << variable.name;
+    EXPECT_GE(*value, variable.range.lowest) << variable.name;
+    EXPECT_LE(*value, variable.range.highest) << variable.name;
+  }
+}
+
+}  // namespace
+}  // namespace sbgc::test

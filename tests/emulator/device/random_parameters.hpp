@@ -1,0 +1,76 @@
+/// Parameters of any values, for tests.
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/meta/all.hpp>
+
+#include "device/parts/parameters.hpp"
+
+namespace sbgc::test {
+
+using emulator::Parameters;
+using ByteVector = std::vector<std::uint8_t>;
+
+template <class M>
+ByteVector bytes_of(const M& message) {
+  ByteVector bytes(max_body_size);
+  bytes.resize(encode(message, bytes).size);
+  return bytes;
+}
+
+template <class M>
+void set_copy(M& message, std::uint8_t copy) {
+  if constexpr (SettingsOf<M>::copies > 1) SettingsOf<M>::copy(message) = copy;
+}
+
+/// A body of any bytes with a tail: reserved bytes, values without a meaning, all of it.
+template <class M>
+M random_message(std::mt19937& random, std::uint8_t copy) {
+  ByteVector body(M::min_size + random() % (max_body_size - M::min_size + 1));
+  for (auto& byte : body) byte = static_cast<std::uint8_t>(random());
+  M message{};
+  EXPECT_TRUE(decode(std::span(body), message));
+  EXPECT_EQ(bytes_of(message), body);
+  set_copy(message, copy);
+  return message;
+}
+
+/// The message with the general parameters of another.
+template <class M>
+M with_general_of(const M& from, M message) {
+  if constexpr (SettingsOf<M>::copies > 1) SettingsOf<M>::share(from, message);
+  return message;
+}
+
+/// Hands out random bodies for everything, always in the same order.
+template <class Use>
+void for_each_random(unsigned seed, Use&& use) {
+  std::mt19937 random(seed);
+  StoredMessages::for_each([&]<class M>(Type<M>) {
+    const M first = random_message<M>(random, 0);
+    use(std::uint8_t{0}, first);
+    for (std::uint8_t copy = 1; copy < SettingsOf<M>::copies; ++copy) {
+      use(copy, with_general_of(first, random_message<M>(random, copy)));
+    }
+  });
+}
+
+inline void write_random(Parameters& parameters, unsigned seed) {
+  for_each_random(seed, [&](std::uint8_t copy, const auto& message) {
+    EXPECT_TRUE(parameters.write(copy, message));
+  });
+}
+
+inline void expect_random(const Parameters& parameters, unsigned seed) {
+  for_each_random(seed, [&]<class M>(std::uint8_t copy, const M& message) {
+    EXPECT_EQ(bytes_of(parameters.read<M>(copy)), bytes_of(message))
+        << Meta<M>::info.name << ' ' << int{copy};
+  });
+}
+
+}  // namespace sbgc::test

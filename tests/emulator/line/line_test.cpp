@@ -1,0 +1,229 @@
+// The line of an emulated board: pacing, wrong settings, and that cutting changes nothing.
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "line_rig.hpp"
+#include "physics/noise.hpp"
+
+namespace sbgc::emulator::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+TEST(Line, WithoutARateBytesTakeNoTime) {
+  Line line({}, Way::to_host, start, start);
+  EXPECT_EQ(line.next(), Instant::never);
+  const Bytes bytes = noise(1000);
+  EXPECT_GE(line.room(start), bytes.size());
+  line.send(bytes, start + seconds(1));
+  EXPECT_EQ(line.next(), start + seconds(1));
+  EXPECT_EQ(received(line, start + seconds(1)), bytes);
+  EXPECT_EQ(line.next(), Instant::never);
+}
+
+TEST(Line, BytesTakeTheirTime) {
+  Line line({.board = {9600}}, Way::to_board, start, start);
+  line.send(Bytes{1, 2, 3}, start);
+  EXPECT_EQ(line.next(), start + microseconds(1042));  // 10 bits
+  EXPECT_THAT(received(line, start + microseconds(1041)), IsEmpty());
+  EXPECT_THAT(received(line, start + microseconds(1042)), ElementsAre(1));
+  EXPECT_EQ(line.next(), start + microseconds(2084));
+  EXPECT_THAT(received(line, start + microseconds(3125)), ElementsAre(2, 3));
+}
+
+TEST(Line, ParityTakesABitMore) {
+  Line line({.board = {10000, Parity::even}}, Way::to_board, start, start);
+  line.send(Bytes{1, 2}, start);
+  EXPECT_THAT(arrivals(line, later_on), ElementsAre(Arrived{start + microseconds(1100), 1},
+                                                    Arrived{start + microseconds(2200), 2}));
+}
+
+TEST(Line, RoundingNeverAddsUp) {
+  // At 115200 a byte takes 86.8055... us. A sender that refills the UART whenever it can gets
+  // exactly its rate, for an hour.
+  Line line({.board = {115200}}, Way::to_host, start, start);
+  Instant now = start;
+  std::uint64_t sent = 0;
+  Bytes got;
+  constexpr std::uint64_t total = 115200 / 10 * 600;
+  while (sent < total) {
+    const std::size_t room = std::min<std::uint64_t>(line.room(now), total - sent);
+    line.send(Bytes(room, 0x55), now);
+    sent += room;
+    now = later(now + microseconds(1), line.ready());
+    got.clear();
+    line.receive(now, got);
+  }
+  Instant last{};
+  while (line.next() != Instant::never) received(line, last = line.next());
+  EXPECT_EQ(last, start + seconds(600));
+}
+
+TEST(Line, BytesHandedOverInTheLastMomentMakeNoPause) {
+  Line line({.board = {115200}}, Way::to_host, start, start);
+  Instant now = start;
+  for (int i = 0; i < 1000; ++i) {
+    line.send(Bytes{1}, now);
+    now = line.next();
+    received(line, now);
+  }
+  EXPECT_EQ(now, start + microseconds(86'806));
+}
+
+TEST(Line, TheUartTakesFewBytesAtOnce) {
+  Line line({.board = {10000}}, Way::to_host, start, start);
+  EXPECT_EQ(line.room(start), Line::fifo_size);
+  line.send(Bytes(Line::fifo_size, 1), start);
+  EXPECT_EQ(line.room(start), 0U);
+  EXPECT_EQ(line.room(start + microseconds(999)), 0U);
+  EXPECT_EQ(line.room(start + microseconds(1000)), 1U);
+  EXPECT_EQ(line.ready(), start + milliseconds(8));
+  EXPECT_EQ(line.room(line.ready()), 8U);
+  EXPECT_EQ(line.room(start + seconds(5)), Line::fifo_size);
+}
+
+TEST(Line, APauseIsAPause) {
+  Line line({.board = {10000}}, Way::to_board, start, start);
+  line.send(Bytes{1}, start);
+  line.send(Bytes{2}, start + microseconds(500));
+  line.send(Bytes{3}, start + microseconds(7777));
+  EXPECT_THAT(arrivals(line, later_on), ElementsAre(Arrived{start + microseconds(1000), 1},
+                                                    Arrived{start + microseconds(2000), 2},
+                                                    Arrived{start + microseconds(8777), 3}));
+}
+
+TEST(WrongSettings, TheRateOfTheHostCounts) {
+  Line line({.board = {115200}}, Way::to_board, start, start);
+  line.set_host(LineSettings{57600});
+  const Bytes bytes = noise(100);
+  line.send(bytes, start);
+  const auto got = arrivals(line, later_on);
+  EXPECT_NE(bytes_of(got), bytes);
+  ASSERT_FALSE(got.empty());
+  EXPECT_GT(got.back().at, start + microseconds(16'000));
+  EXPECT_LE(got.back().at, start + microseconds(17'500));
+  EXPECT_EQ(line.counters().mismatched, 100U);
+}
+
+TEST(WrongSettings, GarbageOfHalfTheRate) {
+  Line line({.board = {19200}}, Way::to_host, start, start);
+  line.set_host(LineSettings{9600});
+  // 0xE0 is six bits of 0, then ones: for the host a start bit and two bits of 0. Its stop bit is
+  // sampled in the middle of the 20th bit of the board, which has long been silent.
+  line.send(Bytes{0xE0}, start);
+  EXPECT_THAT(received(line, start + microseconds(900)), IsEmpty());
+  EXPECT_LE(line.next(), start + microseconds(1045));
+  EXPECT_THAT(arrivals(line, later_on), ElementsAre(testing::Field(&Arrived::byte, 0xFC)));
+}
+
+TEST(WrongSettings, RightOnesAgain) {
+  Line line({.board = {115200}}, Way::to_host, start, start);
+  const Bytes bytes = frames(3);
+  line.set_host(LineSettings{57600});
+  line.send(bytes, start);
+  EXPECT_NE(bytes_of(arrivals(line, start + seconds(1))), bytes);
+  line.set_host(LineSettings{115200});
+  line.send(bytes, start + seconds(1));
+  EXPECT_EQ(bytes_of(arrivals(line, start + seconds(2))), bytes);
+  line.set_board({256000});
+  line.send(bytes, start + seconds(2));
+  EXPECT_NE(bytes_of(arrivals(line, start + seconds(3))), bytes);
+  line.set_host(std::nullopt);
+  line.send(bytes, start + seconds(3));
+  EXPECT_EQ(bytes_of(arrivals(line, start + seconds(4))), bytes);
+}
+
+TEST(WrongSettings, Parity) {
+  const Bytes bytes = frames(1);
+  for (const bool detects : {false, true}) {
+    for (const Way way : {Way::to_board, Way::to_host}) {
+      Line line({.board = {115200}, .detects_parity = detects}, way, start, start);
+      line.set_host(LineSettings{115200, Parity::even});
+      line.send(bytes, start);
+      EXPECT_EQ(bytes_of(arrivals(line, later_on)) == bytes, detects);
+    }
+  }
+}
+
+TEST(WrongSettings, DoNotMatterWithoutARate) {
+  Line line({}, Way::to_host, start, start);
+  line.set_host(LineSettings{9600, Parity::even});
+  line.send(Bytes{1, 2}, start);
+  EXPECT_THAT(received(line, start), ElementsAre(1, 2));
+}
+
+/// The same bytes at the same times, cut anyhow and received at any times.
+struct Result {
+  std::vector<Arrived> arrived;
+  LineCounters counters;
+  bool operator==(const Result&) const = default;
+};
+
+Result run(const LineOptions& options, Way way, std::optional<LineSettings> host,
+           std::uint64_t cutting) {
+  Line line(options, way, start, start);
+  line.set_host(host);
+  Result result;
+  std::uint64_t counter = 0;
+  const auto random = [&](std::uint64_t below) { return random_bits(cutting, counter++) % below; };
+  const auto receive_until = [&](Instant until) {
+    for (auto& one : arrivals(line, until)) result.arrived.push_back(one);
+  };
+  const Bytes stream = frames(60);
+  Instant now = start;
+  for (std::size_t at = 0; at < stream.size();) {
+    now = now + microseconds(static_cast<std::int64_t>(random_bits(5, at) % 9000));
+    const std::size_t size = std::min<std::size_t>(1 + random_bits(6, at) % 90, stream.size() - at);
+    if (cutting != 0 && random(2) == 0) receive_until(now);
+    for (std::size_t done = 0; done < size;) {
+      const std::size_t piece = cutting == 0 ? size : std::min(1 + random(40), size - done);
+      line.send(std::span(stream).subspan(at + done, piece), now);
+      done += piece;
+      if (cutting != 0 && random(2) == 0) receive_until(now);
+    }
+    at += size;
+  }
+  receive_until(now + seconds(1));
+  result.counters = line.counters();
+  return result;
+}
+
+TEST(Deterministic, HoweverItIsCut) {
+  const Faults faults{.bit_errors = 0.002,
+                      .lost = 0.01,
+                      .duplicated = 0.01,
+                      .delayed = 0.01,
+                      .text_every = milliseconds(40),
+                      .silences = {{milliseconds(100), milliseconds(20)}}};
+  for (const LineSettings board : {LineSettings{}, {115200}, {57600, Parity::even}, {2'000'000}}) {
+    for (const auto& host : std::vector<std::optional<LineSettings>>{
+             std::nullopt, LineSettings{115200}, LineSettings{9600}, LineSettings{256000}}) {
+      for (const Way way : {Way::to_board, Way::to_host}) {
+        const LineOptions options{.board = board, .faults = faults, .seed = 3};
+        const Result whole = run(options, way, host, 0);
+        ASSERT_TRUE(!whole.arrived.empty() || whole.counters.mismatched > 0);
+        for (std::uint64_t cutting = 1; cutting < 10; ++cutting) {
+          const Result cut = run(options, way, host, cutting);
+          ASSERT_EQ(cut.counters, whole.counters);
+          ASSERT_TRUE(cut.arrived == whole.arrived)
+              << board.baud_rate << ' ' << (host ? host->baud_rate : 0) << ' ' << cutting;
+        }
+      }
+    }
+  }
+}
+
+TEST(Deterministic, AnotherSeedIsAnotherLine) {
+  const LineOptions options{.faults = {.lost = 0.1}};
+  LineOptions other = options;
+  other.seed = 2;
+  EXPECT_NE(run(options, Way::to_host, {}, 0), run(other, Way::to_host, {}, 0));
+}
+
+}  // namespace
+}  // namespace sbgc::emulator::test

@@ -1,0 +1,61 @@
+/// A gimbal for tests: time in milliseconds since it was switched on.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <sbgc/emulator/gimbal.hpp>
+
+namespace sbgc::emulator::test {
+
+constexpr std::size_t roll = 0, pitch = 1, yaw = 2;
+
+constexpr Instant ms(std::int64_t n) { return {n * 1000}; }
+
+inline Gimbal::Options quiet() {
+  Gimbal::Options options;
+  options.noise = 0;
+  return options;
+}
+
+inline Gimbal::Options moving(Disturbance::Kind kind, double strength = 1) {
+  Gimbal::Options options = quiet();
+  options.frame.kind = kind;
+  options.frame.strength = strength;
+  return options;
+}
+
+/// Motors on, camera level.
+inline Gimbal ready(const Gimbal::Options& options = quiet(), const Tuning& tuning = {}) {
+  Gimbal gimbal(options, ms(0));
+  gimbal.tune(tuning, ms(0));
+  gimbal.set_motors(true, ms(0));
+  return gimbal;
+}
+
+/// Largest |camera - target| of all axes, looked at every 5 ms.
+inline double worst_error(Gimbal& gimbal, std::int64_t from, std::int64_t until) {
+  double worst = 0;
+  for (std::int64_t t = from; t < until; t += 5) {
+    const Sample sample = gimbal.sample(ms(t));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      worst = std::max(worst, std::abs(sample.angles[axis] - sample.targets[axis]));
+    }
+  }
+  return worst;
+}
+
+/// The first time, looked at every 4 ms, at which the axis has stood still at a target for 40 ms;
+/// -1 if there is none.
+inline std::int64_t arrival(Gimbal& gimbal, std::size_t axis, std::int64_t from,
+                            std::int64_t until) {
+  int still = 0;
+  for (std::int64_t t = from; t < until; t += 4) {
+    still = gimbal.sample(ms(t)).target_speeds[axis] == 0 ? still + 1 : 0;
+    if (still == 10) return t - 36;
+  }
+  return -1;
+}
+
+}  // namespace sbgc::emulator::test

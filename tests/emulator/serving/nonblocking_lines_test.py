@@ -1,0 +1,130 @@
+"""What it prints for people."""
+
+from __future__ import annotations
+
+import fcntl
+import os
+import pty
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+import pytest
+
+from emulator import BOARD_INFO, PATIENCE, Connection, Emulator, Terminal
+from sbgc_command import PROGRAM, frame
+
+
+def test_every_frame_as_a_line() -> None:
+    with Emulator("--tcp", "0", "--verbose") as emulator:
+        host = Connection(emulator.places[0])
+        host.ask(BOARD_INFO)
+        host.send(200)
+        host.ask(BOARD_INFO)
+        host.close()
+        emulator.end()
+        request = emulator.rest.index("> CMD_BOARD_INFO (86), 0 bytes  carried out")
+        assert request < emulator.rest.index("< CMD_BOARD_INFO (86), 18 bytes")
+        assert "> unknown command (200), 0 bytes  unknown here" in emulator.rest
+        assert "is host 0" in emulator.rest
+
+
+def test_a_reader_of_its_output_that_goes_away(tmp_path: Path) -> None:
+    link = tmp_path / "gimbal"
+    with Emulator("--link", str(link), "--verbose") as emulator:
+        assert emulator.process.stdout is not None
+        emulator.process.stdout.close()
+        emulator.process.stdout = None
+        terminal = Terminal(str(link))
+        for _ in range(5):
+            assert terminal.ask(BOARD_INFO)
+        terminal.close()
+        emulator.process.send_signal(signal.SIGTERM)
+        assert emulator.process.wait(PATIENCE) == 0
+        assert emulator.process.stderr is not None
+        emulator.process.stderr.close()
+    assert not link.is_symlink()
+
+
+def ask_often(host: Connection) -> None:
+    """More frames than a reader's pipe or terminal holds as lines, all of them answered."""
+    at_once = 400  # which are read in one piece: a stall in a frame would be the end of that
+    for _ in range(3):
+        host.heard = b""
+        os.write(host.fd, frame(BOARD_INFO) * at_once)
+        while len(host.heard) < 23 * at_once:
+            assert host.receive(PATIENCE)
+
+
+@pytest.mark.parametrize("kind", ["pipe", "terminal"])
+def test_a_reader_of_its_output_that_stalls(kind: str) -> None:
+    reader, out = os.pipe() if kind == "pipe" else pty.openpty()
+    process = subprocess.Popen(
+        [PROGRAM, "emulate", "--tcp", "0", "--verbose"], stdout=out, stderr=subprocess.PIPE
+    )
+    try:
+        line = b""
+        while not line.endswith(b"\n"):
+            line += os.read(reader, 4096)
+        host = Connection(line.decode().strip().partition(": ")[2])
+        ask_often(host)
+        ask_often(host)
+        # Lines that were left out are reported when there is room again.
+        lines = os.read(reader, 65536)
+        end = time.monotonic() + PATIENCE
+        while b"lines were left out" not in lines:
+            assert time.monotonic() < end
+            host.ask(BOARD_INFO)
+            lines += os.read(reader, 65536)
+        for line in lines.splitlines()[:-1]:
+            assert b" CMD_BOARD_INFO (86), " in line or b"left out" in line or b"is host" in line
+        # And nobody has to read for it to end.
+        ask_often(host)
+        process.terminate()
+        assert process.wait(PATIENCE) == 0
+        assert process.stderr is not None and process.stderr.read() == b""
+        host.close()
+    finally:
+        process.kill()
+        process.communicate()
+        os.close(reader)
+        os.close(out)
+
+
+def test_a_reader_of_its_warnings_that_stalls() -> None:
+    with Emulator("--tcp", "0") as emulator:
+        assert emulator.process.stderr is not None
+        fcntl.fcntl(emulator.process.stderr, fcntl.F_SETPIPE_SZ, 4096)
+        hosts = [Connection(emulator.places[0]) for _ in range(8)]
+        for host in hosts:
+            assert host.ask(BOARD_INFO)
+        for _ in range(100):
+            refusal = Connection(emulator.places[0])
+            refusal.socket.settimeout(PATIENCE)
+            assert refusal.socket.recv(1) == b""
+            refusal.close()
+        assert hosts[0].ask(BOARD_INFO)
+        emulator.process.terminate()
+        assert emulator.process.wait(PATIENCE) == 0
+        for host in hosts:
+            host.close()
+
+
+def test_warnings_that_can_not_be_written() -> None:
+    with open("/dev/full", "w", encoding="utf-8") as full:
+        process = subprocess.Popen(
+            [PROGRAM, "emulate", "--tcp", "0"], stdout=subprocess.PIPE, stderr=full
+        )
+    assert process.stdout is not None
+    place = process.stdout.readline().decode().strip().partition(": ")[2]
+    hosts = [Connection(place) for _ in range(9)]
+    for host in hosts[:8]:
+        assert host.ask(BOARD_INFO)
+    assert hosts[8].socket.recv(1) == b""  # refused, which is worth a warning
+    assert hosts[0].ask(BOARD_INFO)
+    for host in hosts:
+        host.close()
+    process.terminate()
+    assert process.wait(PATIENCE) == 0
+    process.stdout.close()

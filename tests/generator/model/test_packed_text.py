@@ -1,0 +1,56 @@
+"""How packed integers are written, at the example of versions."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import pytest
+
+from sbgcgen.build import load_protocol
+from sbgcgen.model import Packed
+from sbgcgen.model.packed_text import raw_of, text_of
+from support import HERE
+
+
+@lru_cache(maxsize=None)
+def packed(name: str) -> Packed:
+    """A packed integer of the minimal spec."""
+    return next(p for p in load_protocol(HERE / "minimal").layout.packed if p.name == name)
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("2.59", 2590),
+        ("2.55b5", 2555),
+        ("2.50", 2500),
+        ("2.5", None),  # 2.05 or 2.50?
+        ("2.43b9", 2439),
+        ("0.00", 0),
+        ("2", None),
+        ("2.590", None),
+        ("2.59b", None),
+        ("2.59b10", None),
+        ("v2.59", None),
+        ("2.59 ", None),
+        ("2,59", None),
+        ("", None),
+    ],
+)
+def test_firmware_version(text: str, value: int | None) -> None:
+    assert raw_of(packed("FirmwareVersion"), text) == value
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [("3.0", 30), ("3.6", 36), ("10.1", 101), ("3", None), ("3.10", None), ("a.b", None)],
+)
+def test_board_version(text: str, value: int | None) -> None:
+    assert raw_of(packed("BoardVersion"), text) == value
+
+
+def test_every_version_is_read_as_it_is_written() -> None:
+    for name in ("FirmwareVersion", "BoardVersion"):
+        type_ = packed(name)
+        for raw in range(1 << 8 * type_.scalar.size):
+            assert raw_of(type_, text_of(type_, raw)) == raw

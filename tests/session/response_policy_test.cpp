@@ -1,0 +1,310 @@
+// What answers what, against a table that was read from the specification by hand.
+
+#include <concepts>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sbgc/dispatch.hpp>
+#include <sbgc/line_facts.hpp>
+#include <sbgc/message.hpp>
+#include <sbgc/responses/all.hpp>
+#include <sbgc/roles.hpp>
+#include <sbgc/session.hpp>
+
+namespace {
+
+using sbgc::Confirmed;
+using sbgc::ResponsePolicy;
+using ::testing::ElementsAre;
+
+/// Calls `use(message)` with an empty message of each type that goes to the board.
+template <class Use>
+void for_each_request(Use&& use) {
+  sbgc::AllMessages::for_each([&]<class M>(sbgc::Type<M>) {
+    if constexpr (M::direction != sbgc::Direction::from_board) use(M{});
+  });
+}
+
+// Requests and the message that answers, by ids (lines 615-660, 753-774, 793-802, 837-905,
+// 946-953).
+const std::map<int, int> answers = {
+    {86, 86}, {20, 20}, {68, 23},   {23, 23}, {25, 25}, {88, 88}, {82, 21}, {21, 21},
+    {33, 33}, {62, 62}, {73, 73},   {61, 61}, {28, 28}, {64, 31}, {40, 40}, {253, 253},
+    {42, 42}, {43, 43}, {254, 254}, {48, 48}, {49, 49}, {53, 53}, {46, 46}, {56, 56},
+};
+
+// Commands that the specification says are confirmed: "A, G, P, W, etc." of line 417, and 640, 668,
+// 726, 730, 791, 835, 875, 882, 916, 932, 972.
+const std::set<int> confirmed = {'A', 'G', 'P', 'W', 'g', 22, 34, 63, 'M',
+                                 'm', 31,  39,  44,  47,  54, 55, 85};
+
+// Hosts send these as often as they have new data, so nobody waits for a confirmation.
+const std::set<int> hardly_confirmed = {72, 45};
+
+// Without anything to wait for, unless they ask for notice.
+const std::set<int> silent = {114, 51};
+
+TEST(ResponsePolicy, AreThoseOfTheSpecification) {
+  std::set<int> seen;
+  for_each_request([&]<class M>(const M& message) {
+    const ResponsePolicy policy = response_policy(message);
+    const int id = static_cast<int>(M::command);
+    seen.insert(id);
+    EXPECT_EQ(policy.responses.command, id);
+    const auto answer = answers.find(id);
+    EXPECT_EQ(policy.response_required, answer != answers.end()) << id;
+    EXPECT_EQ(policy.responses.form_count != 0, answer != answers.end()) << id;
+    for (std::size_t i = 0; i < policy.responses.form_count; ++i) {
+      EXPECT_EQ(policy.responses.forms[i].id, answer->second) << id;
+    }
+    const bool is_certain = policy.responses.confirmed == Confirmed::always;
+    EXPECT_EQ(is_certain, confirmed.contains(id)) << id;
+    if (silent.contains(id) || answer != answers.end()) {
+      EXPECT_EQ(policy.responses.confirmed, Confirmed::never) << id;
+    } else if (!is_certain) {
+      EXPECT_EQ(policy.responses.confirmed == Confirmed::unlikely, hardly_confirmed.contains(id))
+          << id;
+      EXPECT_NE(policy.responses.confirmed, Confirmed::never) << id;
+    }
+    EXPECT_EQ(policy.confirmations == 0, policy.responses.confirmed == Confirmed::never) << id;
+    EXPECT_GT(policy.timeout_ms, 0U);
+  });
+  for (const auto& [id, answer] : answers) EXPECT_TRUE(seen.contains(id)) << id;
+  for (const int id : confirmed) EXPECT_TRUE(seen.contains(id)) << id;
+}
+
+TEST(ResponsePolicy, OnlyReadsAndRequestsThatCanBeRepeatedAreSafe) {
+  // What moves by a step, counts up, starts, restarts or toggles something when it is done again,
+  // and what nobody knows.
+  const std::set<int> unsafe = {69, 72, 65, 103, 59, 71,  80, 79, 66, 26, 27,  35, 75,
+                                57, 89, 39, 40,  70, 114, 51, 30, 52, 74, 250, 251};
+  for_each_request([&]<class M>(const M& message) {
+    const int id = static_cast<int>(M::command);
+    EXPECT_EQ(response_policy(message).retry_is_safe, !unsafe.contains(id)) << id;
+  });
+}
+
+TEST(ResponsePolicy, CalibrationsConfirmTwice) {
+  for_each_request([&]<class M>(const M& message) {
+    const bool twice = M::command == sbgc::msg::CommandToBoard::calib_acc ||
+                       M::command == sbgc::msg::CommandToBoard::calib_gyro;
+    const ResponsePolicy policy = response_policy(message);
+    EXPECT_EQ(policy.confirmations == 2, twice);
+    EXPECT_EQ(policy.finish_ms > policy.timeout_ms, twice);
+  });
+  sbgc::msg::CalibAccExt request;
+  for (const auto action :
+       {sbgc::msg::CalibAction::reset, sbgc::msg::CalibAction::enable_temperature,
+        sbgc::msg::CalibAction::disable_temperature}) {
+    request.action = action;
+    EXPECT_EQ(response_policy(request).confirmations, 1);
+    EXPECT_TRUE(response_policy(request).restarts_board);
+  }
+  request.action = sbgc::msg::CalibAction::temperature;
+  EXPECT_EQ(response_policy(request).confirmations, 2);
+  EXPECT_GT(response_policy(request).finish_ms, 600'000U);
+}
+
+TEST(ResponsePolicy, DependOnTheRequest) {
+  sbgc::msg::ResetRequestExt reset;
+  EXPECT_FALSE(response_policy(reset).response_required);
+  reset.confirm.set(sbgc::msg::ResetOption::notify);
+  EXPECT_TRUE(response_policy(reset).response_required);
+  EXPECT_EQ(response_policy(reset).responses.forms[0].id, 114);
+  sbgc::msg::BootMode3Ext boot;
+  boot.confirm.set(sbgc::msg::ResetOption::notify);
+  EXPECT_EQ(response_policy(boot).responses.forms[0].id, 114) << "CMD_RESET, not CMD_BOOT_MODE_3";
+  sbgc::msg::AhrsHelperRequestExt attitude;
+  EXPECT_TRUE(response_policy(attitude).response_required);
+  attitude.mode.set(sbgc::msg::AhrsHelperModeBit::set);
+  EXPECT_FALSE(response_policy(attitude).response_required);
+  EXPECT_EQ(response_policy(attitude).responses.confirmed, Confirmed::unlikely);
+  for_each_request([&]<class M>(const M& message) {
+    if (M::command == sbgc::msg::CommandToBoard::reset ||
+        M::command == sbgc::msg::CommandToBoard::boot_mode_3) {
+      EXPECT_TRUE(response_policy(message).restarts_board);
+    }
+  });
+}
+
+// Numbers of the request that the answer repeats: their place, size and value.
+struct Repeated {
+  std::uint8_t offset;
+  std::uint8_t size;
+  std::uint32_t value;
+};
+
+void expect_field(const sbgc::CorrelationField& field, const Repeated& repeated) {
+  EXPECT_EQ(field.offset, repeated.offset);
+  EXPECT_EQ(field.size, repeated.size);
+  EXPECT_EQ(field.value, repeated.value);
+}
+
+TEST(ResponsePolicy, AnswersRepeatPartsOfTheRequest) {
+  sbgc::msg::ReadParamsExt2Request params;
+  params.profile_id = 3;
+  expect_field(response_policy(params).responses.forms[0].correlation[0], {0, 1, 3});
+  params.profile_id = 255;
+  EXPECT_EQ(response_policy(params).responses.forms[0].correlation[0].size, 0);
+  sbgc::msg::EepromReadRequest memory;
+  memory.addr = 0x12345640;
+  expect_field(response_policy(memory).responses.forms[0].correlation[0], {0, 4, 0x12345640});
+  sbgc::msg::ReadFileRequest file;
+  file.page_offset = sbgc::msg::Pages(0x0102);
+  expect_field(response_policy(file).responses.forms[0].correlation[0], {2, 2, 0x0102});
+  EXPECT_TRUE(response_policy(file).responses.forms[1].is_error);
+  EXPECT_EQ(response_policy(file).responses.forms[1].max_size, 1);
+  sbgc::msg::CalibInfoRequest calibration;
+  calibration.imu_type = sbgc::msg::SelectedImu::frame;
+  expect_field(response_policy(calibration).responses.forms[0].correlation[0], {1, 1, 2});
+  sbgc::msg::EepromWrite write;
+  write.addr = 64;
+  expect_field(response_policy(write).responses.confirmation, {1, 4, 64});
+  EXPECT_EQ(response_policy(sbgc::msg::WriteFile{}).result.offset, 1);
+  EXPECT_EQ(response_policy(sbgc::msg::WriteFile{}).result.size, 1);
+  EXPECT_EQ(response_policy(sbgc::msg::FsClearAll{}).result.size, 1);
+  EXPECT_EQ(response_policy(write).result.size, 0);
+}
+
+/// An answer whose bytes are what the request wants; `response_policy` must find it fits, and
+/// nothing that differs in a correlation field.
+TEST(ResponsePolicy, CorrelationFieldsDecideWhatFits) {
+  sbgc::msg::EepromReadRequest request;
+  request.addr = 0xA0B0C0;
+  const sbgc::Responses responses = response_policy(request).responses;
+  std::vector<std::uint8_t> body = {0xC0, 0xB0, 0xA0, 0x00, 1, 2, 3};
+  EXPECT_NE(responses.form_of({48, body, 0}), nullptr);
+  EXPECT_EQ(responses.form_of({47, body, 0}), nullptr);
+  for (std::size_t i = 0; i < 4; ++i) {
+    body[i] ^= 0x40;
+    EXPECT_EQ(responses.form_of({48, body, 0}), nullptr) << i;
+    body[i] ^= 0x40;
+  }
+  EXPECT_EQ(responses.form_of({48, std::span(body).first(3), 0}), nullptr);
+}
+
+TEST(ResponsePolicy, ThoseThatOneFrameFitsCanBeConfused) {
+  const auto confused = [](const auto& one, const auto& two) {
+    const sbgc::Responses first = response_policy(one).responses;
+    const sbgc::Responses second = response_policy(two).responses;
+    EXPECT_EQ(first.can_be_confused_with(second), second.can_be_confused_with(first));
+    return first.can_be_confused_with(second);
+  };
+  sbgc::msg::ReadParams3Request one;
+  sbgc::msg::ReadParams3Request two;
+  two.profile_id = 1;
+  EXPECT_TRUE(confused(one, one));
+  EXPECT_FALSE(confused(one, two));
+  two.profile_id = 255;
+  EXPECT_TRUE(confused(one, two));
+  EXPECT_TRUE(confused(one, sbgc::msg::ReadParams{})) << "another command, the same answer";
+  EXPECT_TRUE(confused(sbgc::msg::RealtimeData{}, sbgc::msg::RealtimeData3Request{}));
+  EXPECT_FALSE(confused(sbgc::msg::RealtimeData4Request{}, sbgc::msg::RealtimeData3Request{}));
+  EXPECT_TRUE(confused(sbgc::msg::Control{}, sbgc::msg::ControlExt{}));
+  EXPECT_FALSE(confused(sbgc::msg::MotorsOn{}, sbgc::msg::MotorsOff{}));
+  sbgc::msg::EepromWrite write;
+  sbgc::msg::EepromWrite elsewhere;
+  elsewhere.addr = 64;
+  EXPECT_TRUE(confused(write, elsewhere)) << "the address may be missing";
+}
+
+TEST(ResponsePolicy, SizeOfTheAnswer) {
+  sbgc::msg::RealtimeDataCustomRequest request;
+  EXPECT_EQ(response_policy(request).responses.forms[0].size, 2);
+  request.flags.set(sbgc::msg::RealtimeDataCustomFlag::rc_data);
+  request.flags.set(sbgc::msg::RealtimeDataCustomFlag::z1_h1_vectors);
+  EXPECT_EQ(response_policy(request).responses.forms[0].size, 2 + 12 + 24);
+  EXPECT_EQ(response_policy(sbgc::msg::ReadParams3Request{}).responses.forms[0].size, 134);
+  EXPECT_EQ(response_policy(sbgc::msg::ReadParams3Request{}).responses.forms[0].max_size, 255);
+}
+
+template <class M>
+concept HasResponse = requires {
+  typename M::Response;
+};
+
+using sbgc::Maybe;
+using sbgc::ResponseMessages;
+using sbgc::TypeList;
+static_assert(std::same_as<sbgc::msg::BoardInfoRequest::Response, sbgc::msg::BoardInfo>);
+static_assert(std::same_as<sbgc::msg::ReadParams::Response, sbgc::msg::ReadParams3>);
+static_assert(std::same_as<sbgc::msg::GetAdjVarsVal::Response, sbgc::msg::SetAdjVarsVal>);
+static_assert(std::same_as<sbgc::msg::BootMode3Ext::Response, Maybe<sbgc::msg::Reset>>);
+static_assert(
+    std::same_as<sbgc::msg::AhrsHelperRequestExt::Response, Maybe<sbgc::msg::AhrsHelper>>);
+static_assert(std::same_as<sbgc::msg::ReadFileRequest::Response,
+                           TypeList<sbgc::msg::ReadFile, sbgc::msg::ReadFileError>>);
+static_assert(std::is_void_v<sbgc::msg::MotorsOn::Response>);
+static_assert(std::is_void_v<sbgc::msg::ResetRequest::Response>);
+static_assert(std::is_void_v<sbgc::msg::SetAdjVarsVal::Response>, "a request in both directions");
+static_assert(!HasResponse<sbgc::msg::BoardInfo>);
+static_assert(std::same_as<ResponseMessages<sbgc::msg::BootMode3Ext>, TypeList<sbgc::msg::Reset>>);
+static_assert(std::same_as<ResponseMessages<sbgc::msg::MotorsOn>, TypeList<>>);
+static_assert(response_policy(sbgc::msg::BoardInfoRequest{}).response_required,
+              "known at compile time");
+
+static_assert(std::same_as<sbgc::roles::Confirmation, sbgc::msg::Confirm>);
+static_assert(
+    std::same_as<sbgc::roles::BoardError, sbgc::TypeList<sbgc::msg::Error, sbgc::msg::ErrorExt>>);
+static_assert(std::same_as<sbgc::roles::ErrorReason, sbgc::msg::BoardErrorCode>);
+static_assert(std::same_as<sbgc::roles::Reset, sbgc::msg::Reset>);
+static_assert(std::same_as<sbgc::roles::Introduction, sbgc::msg::BoardInfo>);
+static_assert(std::same_as<sbgc::roles::IntroductionRequest, sbgc::msg::BoardInfoRequest>);
+static_assert(std::same_as<sbgc::roles::StreamRequest, sbgc::msg::DataStreamInterval>);
+
+TEST(Roles, OfFrames) {
+  const std::vector<std::uint8_t> bytes = {77, 1, 2, 3, 4, 5, 6};
+  const auto frame = [&](int id, std::size_t size) {
+    return sbgc::Frame{static_cast<std::uint8_t>(id), std::span(bytes).first(size), 0};
+  };
+  EXPECT_FALSE(sbgc::roles::is_confirmation(frame(67, 0)));
+  EXPECT_TRUE(sbgc::roles::is_confirmation(frame(67, 1)));
+  EXPECT_EQ(sbgc::roles::confirmed_command(frame(67, 6)), 77);
+  EXPECT_FALSE(sbgc::roles::is_error(frame(255, 4)));
+  EXPECT_TRUE(sbgc::roles::is_error(frame(255, 5)));
+  EXPECT_EQ(sbgc::roles::failed_command(frame(255, 5)), 0);
+  EXPECT_EQ(sbgc::roles::failed_command(frame(255, 6)), 77);
+  EXPECT_EQ(sbgc::roles::error_reason(frame(255, 5)), sbgc::roles::ErrorReason{77});
+  EXPECT_EQ(sbgc::roles::error_reason(frame(255, 6)), sbgc::roles::ErrorReason{1});
+  EXPECT_TRUE(sbgc::roles::is_reset(frame(114, 0)));
+  EXPECT_FALSE(sbgc::roles::is_reset(frame(67, 1)));
+}
+
+TEST(Roles, SayWhyARequestFailed) {
+  const auto code = [](std::uint8_t id, std::vector<std::uint8_t> body) {
+    return sbgc::roles::failure_code({id, body, 0});
+  };
+  EXPECT_EQ(code(255, {2, 0, 0, 0, 0}), 2U) << "CMD_ERROR";
+  EXPECT_EQ(code(255, {73, 6, 0, 0, 0, 0}), 6U) << "CMD_ERROR that names the command";
+  EXPECT_EQ(code(53, {3}), 3U) << "CMD_READ_FILE";
+  EXPECT_EQ(code(53, {3, 0, 0, 0}), 0U) << "a part of a file";
+  EXPECT_EQ(code(67, {54, 5}), 5U) << "CMD_WRITE_FILE, confirmed";
+  EXPECT_EQ(code(67, {54}), 0U);
+  EXPECT_EQ(code(67, {47, 5}), 0U) << "the confirmation of CMD_EEPROM_WRITE has no result";
+  EXPECT_EQ(code(86, {7}), 0U);
+}
+
+static_assert(sbgc::default_line == sbgc::LineSettings{115200, sbgc::Parity::none});
+static_assert(sbgc::SessionCapacity{}.streams == 10, "firmware 2.59 has no more");
+
+TEST(LineFacts, AreThoseOfTheSpecification) {
+  const std::span rates(sbgc::baud_rates);
+  EXPECT_THAT(std::vector(rates.begin(), rates.begin() + 5),
+              ElementsAre(115200, 57600, 38400, 19200, 9600));
+  EXPECT_EQ(sbgc::named_baud_rates, 5U);
+  EXPECT_THAT(sbgc::parities, ElementsAre(sbgc::Parity::none, sbgc::Parity::even));
+  EXPECT_EQ(sbgc::shortest_pause_ms, 10U);
+  EXPECT_EQ(sbgc::longest_pause_ms, 20U);
+  EXPECT_EQ(number_of(sbgc::msg::SerialSpeed::baud_19200), 19200U);
+  EXPECT_EQ(number_of(static_cast<sbgc::msg::SerialSpeed>(77)), 0U);
+}
+
+}  // namespace

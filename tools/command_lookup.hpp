@@ -1,0 +1,22 @@
+/// Which commands there are, by id.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include <sbgc/codec.hpp>
+
+namespace sbgc::tools {
+
+/// The name of the command with this id, "" if there is none. Some ids have two names; the
+/// direction decides.
+std::string command_name(std::uint8_t id, Direction direction);
+
+/// Whether there is a command with this id in this direction.
+bool has_command(Direction direction, std::uint8_t id);
+
+/// How well a body of this size fits the command in this direction; 0 means not at all.
+int body_fit(Direction direction, std::uint8_t id, std::size_t size);
+
+}  // namespace sbgc::tools
