@@ -28,17 +28,21 @@ std::optional<AxisMode> mode_of(msg::ControlModeKind kind) {
   return {};
 }
 
+/// In degrees per second. Firmware that does not know the flag of another unit ignores it.
+template <class Request>
+double speed_of(const Availability& versions, const Request& request, std::size_t axis) {
+  return knows(versions, msg::ControlFlag::high_res_speed)
+             ? request.real_speed(axis)
+             : request.axes[axis].speed.degrees_per_second();
+}
+
 /// Empty if there is no such mode.
-std::optional<AxisCommand> command_of(const Availability& versions, msg::ControlMode mode,
-                                      const msg::ControlAxis& target) {
+std::optional<AxisCommand> command_of(msg::ControlMode mode, const msg::ControlAxis& target,
+                                      double speed) {
   const auto axis_mode = mode_of(mode.mode());
   if (!axis_mode) return {};
-  // Firmware that does not know the flag ignores it.
-  const bool is_fine = mode.flags().has(msg::ControlFlag::high_res_speed) &&
-                       knows(versions, msg::ControlFlag::high_res_speed);
   AxisCommand command{*axis_mode};
-  command.speed = is_fine ? msg::FineSpeed(target.speed.raw()).degrees_per_second()
-                          : target.speed.degrees_per_second();
+  command.speed = speed;
   // Where the angle gives the direction, the sign of the speed does not count.
   if (*axis_mode == AxisMode::angle || *axis_mode == AxisMode::relative_angle) {
     command.speed = std::abs(command.speed);
@@ -49,11 +53,13 @@ std::optional<AxisCommand> command_of(const Availability& versions, msg::Control
   return command;
 }
 
-Outcome control(RequestContext& context, const Axes<msg::ControlMode>& modes,
-                const Axes<msg::ControlAxis>& targets) {
+template <class Request>
+Outcome control(RequestContext& context, const Request& request,
+                const Axes<msg::ControlMode>& modes) {
   Axes<AxisCommand> commands;
   for (std::size_t axis = 0; axis < commands.size(); ++axis) {
-    const auto command = command_of(context.versions(), modes[axis], targets[axis]);
+    const auto command =
+        command_of(modes[axis], request.axes[axis], speed_of(context.versions(), request, axis));
     if (!command) return context.refuse(msg::BoardErrorCode::wrong_params, modes[axis].raw());
     commands[axis] = *command;
     if (command->mode == AxisMode::signal) {
@@ -103,11 +109,11 @@ Outcome help(RequestContext& context, const Data& data) {
 
 Outcome handle(RequestContext& context, const msg::Control& request) {
   const msg::ControlMode mode = request.control_mode;
-  return control(context, {mode, mode, mode}, request.axes);
+  return control(context, request, {mode, mode, mode});
 }
 
 Outcome handle(RequestContext& context, const msg::ControlExt& request) {
-  return control(context, request.control_mode, request.axes);
+  return control(context, request, request.control_mode);
 }
 
 Outcome handle(RequestContext& context, const msg::GetAnglesRequest& /*request*/) {

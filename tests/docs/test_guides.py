@@ -52,16 +52,16 @@ def test_all_cpp_compiles() -> None:
 PROMISES = {
     "1-getting-started": "turn_to(45, frame).size() == 18 && turn_to(800, frame).empty()",
     "4-framing": "frames_behind_a_broken_one() == 1",
-    "5-units": "creep(sbgc::msg::FineSpeed(20)).axes.yaw.speed.raw() == 20",
+    "5-units": "creep(sbgc::msg::FineSpeed(20)).control_mode.yaw.raw() == 0x81",
     "6-parameters": "with_deadband({}, 7).rc_deadband == 7",
-    "7-streams": "encode_frame(angles_at_50_hz(), frame).size == 26",
+    "7-streams": "sbgc::encode_frame(angles_at_50_hz(), frame).size == 26",
     "8-microcontrollers": "turn(frame) == 18",
 }
 
 
 @pytest.mark.parametrize("name", PROMISES)
 def test_code_does_what_the_guide_says(name: str, tmp_path: Path) -> None:
-    function = re.match(r"(?:encode_frame\()?(\w+)", PROMISES[name])
+    function = re.match(r"(?:sbgc::encode_frame\()?(\w+)", PROMISES[name])
     assert function
     (source,) = [
         source for source in blocks(ROOT / f"docs/{name}.md", "cpp") if f" {function[1]}(" in source

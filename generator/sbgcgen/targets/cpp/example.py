@@ -275,6 +275,11 @@ def parts_that_make(packed: Packed, raw: int) -> list[tuple[Part, int]] | None:
     return [(part, part_of(part, raw)) for part in packed.parts if part_of(part, raw)]
 
 
+def has_literal(code: str) -> bool:
+    """Whether a literal of a quantity, such as 45_deg, is in it."""
+    return re.search(r"\b[0-9.]+_[A-Za-z]", code) is not None
+
+
 def in_width(line: str) -> str:
     """An assignment, on two lines if it is too long for one."""
     return line if len(line) <= _WIDTH else line.replace(" = ", " =\n    ", 1)
@@ -288,6 +293,7 @@ def quoted(text: str) -> str:
 FILTERS: dict[str, Callable[..., Any]] = {
     "decimal": decimal,
     "flags_of": flags_of,
+    "has_literal": has_literal,
     "hex_list": lambda data: ", ".join(f"0x{byte:02X}" for byte in data),
     "in_width": in_width,
     "parts_that_make": parts_that_make,

@@ -62,7 +62,8 @@ def _flag_unit(message: Message, path: tuple[Field, ...]) -> FlagUnit | None:
     )
     if len(several) > 1 or source is None or source.when is not None:
         return None
-    assert field.alternative is not None and isinstance(field.type, Quantity)
+    if field.alternative is None or not isinstance(field.type, Quantity):
+        return None
     names = [step.name for step in path]
     split = several[0] + 1 if several else 0
     list_ = path[several[0]] if several else None

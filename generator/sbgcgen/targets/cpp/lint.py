@@ -142,8 +142,10 @@ def _check_packed(layout: Layout, found: Diagnostics) -> None:
     """The values that a packed integer converts from are members of it."""
     for packed in layout.packed:
         enum = packed.names or (packed.main.enum if packed.main else None)
+        if enum is None:
+            continue
         parts = {name for part in packed.parts for name in (part.name, f"set_{part.name}")}
-        for value in enum.values if enum else ():
+        for value in enum.values:
             if value.identifier in _PACKED | parts:
                 text = (
                     f"'{value.identifier}' of {enum.name} is the name of a member of {packed.name}"

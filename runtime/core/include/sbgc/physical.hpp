@@ -1,7 +1,7 @@
 /// Literals of physical values, such as 45_deg: the number and the unit are in the type.
 #pragma once
 
-#include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
@@ -13,6 +13,14 @@ template <class Unit, std::int64_t numerator, std::int64_t denominator = 1>
 struct Physical {
   static constexpr double real() noexcept {
     return static_cast<double>(numerator) / static_cast<double>(denominator);
+  }
+  template <class Quantity>
+    requires std::same_as<typename Quantity::unit_type, Unit>
+  constexpr operator Quantity() const noexcept {  // NOLINT(google-explicit-constructor): see above
+    constexpr auto quantity = Quantity::from_real(real());
+    static_assert(static_cast<bool>(quantity),
+                  "this physical value does not fit into the number of the quantity on the wire");
+    return Quantity((*quantity).raw());
   }
   constexpr Physical operator+() const noexcept { return {}; }
   constexpr Physical<Unit, -numerator, denominator> operator-() const noexcept { return {}; }
@@ -39,7 +47,7 @@ struct Decimal {
 
 /// Reads "45", "12.6", "1'000" and "2.5e-3".
 template <std::size_t n>
-constexpr Decimal read_decimal(const std::array<char, n>& text) noexcept {
+constexpr Decimal read_decimal(const char (&text)[n]) noexcept {
   Decimal result{};
   std::size_t at = 0;
   bool is_fraction = false;
@@ -74,7 +82,8 @@ constexpr Decimal read_decimal(const std::array<char, n>& text) noexcept {
 /// What a literal of the unit is.
 template <class Unit, char... text>
 constexpr auto physical() noexcept {
-  constexpr Decimal number = read_decimal(std::array{text...});
+  constexpr char characters[] = {text...};
+  constexpr Decimal number = read_decimal(characters);
   static_assert(number.is_decimal, "write the number of a physical value in decimal");
   static_assert(number.is_short, "the number of this physical value has too many digits");
   return Physical<Unit, number.numerator, number.denominator>{};

@@ -6,8 +6,6 @@
 #include <cstdint>
 #include <limits>
 
-#include <sbgc/physical.hpp>
-
 namespace sbgc {
 namespace detail {
 
@@ -55,6 +53,10 @@ class [[nodiscard]] Conversion {
 
 namespace detail {
 
+constexpr double ratio(std::int64_t numerator, std::int64_t denominator) noexcept {
+  return static_cast<double>(numerator) / static_cast<double>(denominator);
+}
+
 /// What all quantities share: real value = raw * numerator / denominator + offset, in `Unit`.
 template <class Self, class Raw, class Unit, std::int64_t numerator, std::int64_t denominator,
           std::int64_t offset_numerator = 0, std::int64_t offset_denominator = 1>
@@ -62,6 +64,7 @@ template <class Self, class Raw, class Unit, std::int64_t numerator, std::int64_
 class Quantity {
  public:
   using raw_type = Raw;
+  using unit_type = Unit;
   static constexpr const char* unit = Unit::text;
 
   constexpr Quantity() = default;
@@ -75,27 +78,18 @@ class Quantity {
         "this constructor takes the whole number of the wire: write a physical value as a "
         "literal, such as 45_deg, or with a function such as Angle14::from_degrees(x)");
   }
-  /// A literal in the unit of the quantity, such as 45_deg.
-  template <std::int64_t n, std::int64_t d>
-  constexpr Quantity(Physical<Unit, n, d>) noexcept {  // NOLINT(google-explicit-constructor)
-    constexpr auto nearest = from_real(Physical<Unit, n, d>::real());
-    static_assert(static_cast<bool>(nearest),
-                  "this physical value does not fit into the number of the quantity on the wire");
-    raw_ = (*nearest).raw();
-  }
-
   /// The number as it stands on the wire.
   constexpr Raw raw() const noexcept { return raw_; }
   /// The physical value in the quantity's unit.
   constexpr double real() const noexcept {
     return static_cast<double>(raw_) * static_cast<double>(numerator) /
                static_cast<double>(denominator) +
-           offset;
+           ratio(offset_numerator, offset_denominator);
   }
   /// The nearest quantity to a physical value.
   static constexpr Conversion<Self> from_real(double value) noexcept {
-    const double exact =
-        (value - offset) * static_cast<double>(denominator) / static_cast<double>(numerator);
+    const double exact = (value - ratio(offset_numerator, offset_denominator)) *
+                         static_cast<double>(denominator) / static_cast<double>(numerator);
     constexpr auto lowest = static_cast<double>(std::numeric_limits<Raw>::lowest());
     constexpr auto highest = static_cast<double>(std::numeric_limits<Raw>::max());
     // Written so that NaN fails, too.
@@ -117,9 +111,6 @@ class Quantity {
   friend constexpr auto operator<=>(const Quantity&, const Quantity&) = default;
 
  private:
-  static constexpr double offset =
-      static_cast<double>(offset_numerator) / static_cast<double>(offset_denominator);
-
   Raw raw_{};
 };
 
