@@ -32,7 +32,7 @@ class VirtualClient {
 
   /// Drives a task to its end; `at_each_step(task)` runs before each step.
   template <class R, class Watch>
-  R run(Task<R> task, const Watch& at_each_step) {
+  R run(Task<R> task, Watch at_each_step) {
     TaskMachine& machine = task.begin(identity_);
     const auto notices = delivery_.on_notice([&](const Notice& one) { machine.notice(one); });
     for (bool is_done = false; !is_done;) {
