@@ -32,7 +32,7 @@ class VirtualClient {
 
   /// Drives a task to its end; `at_each_step(task)` runs before each step.
   template <class R, class Watch>
-  R run(Task<R> task, const Watch& at_each_step) {
+  R run(Task<R> task, Watch at_each_step) {
     TaskMachine& machine = task.begin(identity_);
     const auto notices = delivery_.on_notice([&](const Notice& one) { machine.notice(one); });
     for (bool is_done = false; !is_done;) {
@@ -69,7 +69,7 @@ class VirtualClient {
       case TaskStep::Kind::wait: break;
     }
     const Instant next = exchange_bytes();
-    if (next == Instant::never && step.until == Instant::never) {
+    if (!has_news_ && next == Instant::never && step.until == Instant::never) {
       throw std::runtime_error("nothing will ever happen");
     }
     if (!has_news_) now_ = later(now_ + microseconds(1), earlier(next, step.until));

@@ -7,7 +7,9 @@
 
 namespace sbgc {
 
-std::string BoardIdentity::firmware_version() const { return detail::firmware_text(versions().firmware); }
+std::string BoardIdentity::firmware_version() const {
+  return detail::firmware_text(versions().firmware);
+}
 
 std::string BoardIdentity::board_version() const { return detail::board_text(versions().board); }
 

@@ -112,7 +112,7 @@ class LeafCollector {
   std::vector<Leaf> leaves_;
 };
 
-/// The values of a message that are settings.
+/// The values of a message that are parameters.
 template <class M>
 std::vector<Leaf> leaves(const M& message) {
   LeafCollector collector;

@@ -61,14 +61,14 @@ void AsioDriver::begin_call(TaskStep step) {
     self->post([number](TaskMachine& task) { task.confirmed(number); });
   };
   calls_[number] = 0;
-  calls_[number] = conversation_.start(
-      std::move(step.request), step.options,
-      [self = shared_from_this(), number](const Result<Reply>& reply) {
-        self->post([self, number, reply](TaskMachine& task) {
-          self->calls_.erase(number);
-          task.replied(number, reply);
-        });
-      });
+  calls_[number] =
+      conversation_.start(std::move(step.request), step.options,
+                          [self = shared_from_this(), number](const Result<Reply>& reply) {
+                            self->post([self, number, reply](TaskMachine& task) {
+                              self->calls_.erase(number);
+                              task.replied(number, reply);
+                            });
+                          });
 }
 
 void AsioDriver::cancel_call(std::uint32_t number) {

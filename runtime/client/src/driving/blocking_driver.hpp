@@ -24,7 +24,9 @@ class BlockingDriver {
   /// Returns when the task is over. Once.
   void run(TaskMachine& task);
   /// See TaskMachine::wake(). From any thread.
-  void wake() { inbox_->put([](TaskMachine& task) { task.wake(); }); }
+  void wake() {
+    inbox_->put([](TaskMachine& task) { task.wake(); });
+  }
 
  private:
   void begin_call(TaskMachine& task, TaskStep step);

@@ -54,7 +54,8 @@ Task<Result<Bytes>> read_pages(detail::PageRun run, const detail::Deadline& dead
 
 }  // namespace
 
-Task<Result<Bytes>> download_eeprom(std::uint32_t address, std::size_t size, TransferOptions options) {
+Task<Result<Bytes>> download_eeprom(std::uint32_t address, std::size_t size,
+                                    TransferOptions options) {
   if (auto fits = check_place((co_await this_task()).identity(), address, size); !fits)
     co_return fits.error();
   const std::string task = fmt::format("reading {} bytes of the EEPROM", size);

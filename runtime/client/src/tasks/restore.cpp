@@ -13,15 +13,16 @@ namespace {
 
 std::string other_model(const BoardIdentity& board, const BoardIdentity& backup) {
   if (board.info.board_ver == backup.info.board_ver) return "";
-  return fmt::format("the board is a {}, the backup is of a {}", board.board_version(), backup.board_version());
+  return fmt::format("the board is a {}, the backup is of a {}", board.board_version(),
+                     backup.board_version());
 }
 
 std::string other_firmware(const BoardIdentity& board, const BoardIdentity& backup) {
   const bool is_other = board.info.firmware_ver != backup.info.firmware_ver;
   const bool is_special = board.info.frw_extra_id != backup.info.frw_extra_id;
   if (is_other) {
-    return fmt::format("the board has the firmware {}, the backup is of {}", board.firmware_version(),
-                       backup.firmware_version());
+    return fmt::format("the board has the firmware {}, the backup is of {}",
+                       board.firmware_version(), backup.firmware_version());
   }
   if (!is_special) return "";
   return fmt::format("the board has the special firmware {:#x}, the backup is of {:#x}",
@@ -40,9 +41,9 @@ namespace tasks {
 
 Task<Result<Backup>> make_backup(std::string created, ReadOptions options) {
   const TaskMachine& task = co_await this_task();
-  Result<ParameterSet> settings = co_await read_parameters(std::move(options));
-  if (!settings) co_return settings.error();
-  co_return Backup{task.identity(), *std::move(settings), std::move(created)};
+  Result<ParameterSet> parameters = co_await read_parameters(std::move(options));
+  if (!parameters) co_return parameters.error();
+  co_return Backup{task.identity(), *std::move(parameters), std::move(created)};
 }
 
 Task<WriteReport> restore(Backup backup, RestoreOptions options) {
@@ -55,9 +56,9 @@ Task<WriteReport> restore(Backup backup, RestoreOptions options) {
   if (!refused.empty()) co_return ClientError{ErrorCode::incompatible, refused};
   if (!options.dry_run) {
     if (!options.save_present) {
-      co_return ClientError{ErrorCode::invalid, "restoring needs to save the present settings"};
+      co_return ClientError{ErrorCode::invalid, "restoring needs to save the present parameters"};
     }
-    const std::string saving = "saving the present settings";
+    const std::string saving = "saving the present parameters";
     ReadOptions reading{deadline.left(), options.progress};
     const Result<Backup> present = co_await make_backup("", std::move(reading));
     if (!present) co_return detail::during(saving, present.error());
@@ -68,7 +69,7 @@ Task<WriteReport> restore(Backup backup, RestoreOptions options) {
                        .dry_run = options.dry_run,
                        .validate = false,
                        .progress = options.progress};
-  co_return co_await write_parameters(std::move(backup.settings), std::move(writing));
+  co_return co_await write_parameters(std::move(backup.parameters), std::move(writing));
 }
 
 }  // namespace tasks

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <functional>
 
-#include <sbgc/client/task.hpp>
+#include <sbgc/client/tasks.hpp>
 #include <sbgc/types.hpp>
 #include <sbgc/units.hpp>
 
@@ -27,9 +27,6 @@ class AxisTarget {
  private:
   Optional<msg::Angle14> angle_{};
 };
-
-/// {.pitch = Angle14::from_degrees(-30.0)} moves one axis only.
-using MoveTarget = Axes<AxisTarget>;
 
 /// What is seen while the camera moves.
 struct MoveProgress {
