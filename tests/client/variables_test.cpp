@@ -33,7 +33,7 @@ TEST_F(VariablesTest, AreReadInTheirUnits) {
   set(msg::VariableId::frame_heading_angle, -1234);
   set(msg::VariableId::pid_gain_pitch, 45);
   const std::vector<std::string> names{"LPF_FREQ_ROLL", "I_YAW", "FRAME_HEADING_ANGLE",
-                                            "PID_GAIN_PITCH"};
+                                       "PID_GAIN_PITCH"};
   const auto values = client().get_variables(names);
   ASSERT_TRUE(values);
   ASSERT_THAT(*values, SizeIs(4));
