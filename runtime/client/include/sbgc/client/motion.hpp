@@ -10,9 +10,6 @@
 
 namespace sbgc {
 
-/// {.pitch = -30_deg} moves one axis; axes without an angle are left alone.
-using MoveTarget = Axes<Optional<msg::Angle14>>;
-
 /// What is seen while the camera moves.
 struct MoveProgress {
   Axes<msg::Angle14> angles{};  ///< measured

@@ -12,6 +12,9 @@
 
 namespace sbgc {
 
+namespace msg {
+class Angle14;
+}
 struct Backup;
 struct CalibrationOptions;
 struct MoveOptions;
@@ -24,12 +27,11 @@ struct TransferOptions;
 struct VariableValue;
 struct WriteOptions;
 struct WriteReport;
-class AxisTarget;
 class ParameterSet;
 enum class Sensor : std::uint8_t;
 
-/// {.pitch = Angle14::from_degrees(-30.0)} moves one axis only.
-using MoveTarget = Axes<AxisTarget>;
+/// {.pitch = -30_deg} moves one axis; axes without an angle are left alone.
+using MoveTarget = Axes<Optional<msg::Angle14>>;
 
 /// The time of this computer as Backup::created has it.
 std::string utc_now();
