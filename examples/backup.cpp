@@ -34,8 +34,9 @@ int save(sbgc::Client& client, const char* file) {
   const auto backup = client.make_backup({.progress = show});
   if (!backup) return fail(backup.error());
   if (auto saved = sbgc::save_backup(*backup, file); !saved) return fail(saved.error());
-  std::printf("saved %zu blocks of a board %s with firmware %s\n", backup->settings.blocks().size(),
-              backup->board.board_version().c_str(), backup->board.firmware_version().c_str());
+  std::printf("saved the parameters of %zu messages of a board %s with firmware %s\n",
+              backup->parameters.all().size(), backup->board.board_version().c_str(),
+              backup->board.firmware_version().c_str());
   return 0;
 }
 
@@ -47,7 +48,7 @@ int diff(sbgc::Client& client, const char* file) {
   }
   const auto present = client.read_parameters({.progress = show});
   if (!present) return fail(present.error());
-  const std::string changes = to_text(sbgc::diff(backup->settings, *present));
+  const std::string changes = to_text(sbgc::diff(backup->parameters, *present));
   std::printf("%s", changes.empty() ? "no differences\n" : changes.c_str());
   return 0;
 }
@@ -55,7 +56,7 @@ int diff(sbgc::Client& client, const char* file) {
 int restore(sbgc::Client& client, const char* file, const char* present, bool is_agreed) {
   const auto backup = sbgc::load_backup(file);
   if (!backup) return fail(backup.error());
-  if (!careful::may_move(is_agreed, "The settings act at once; the gimbal may move.")) return 1;
+  if (!careful::may_move(is_agreed, "The parameters act at once; the gimbal may move.")) return 1;
   const sbgc::WriteReport report =
       client.restore(*backup, {.save_present = sbgc::save_to(present), .progress = show});
   std::printf("%s", to_text(report).c_str());

@@ -12,7 +12,7 @@ using namespace sbgc::literals;
 namespace msg = sbgc::msg;
 
 int main() {
-  // Speed 0 is the speed of the settings, so every axis gets one.
+  // Speed 0 means the speed of the board's parameters, so every axis gets one.
   const msg::Control control{.control_mode = msg::ControlMode::angle,
                              .axes = {.roll = {.speed = 10_deg_per_s},
                                       .pitch = {.speed = 10_deg_per_s},
@@ -21,7 +21,7 @@ int main() {
   const auto written =
       sbgc::encode_frame(control, frame);  // to be sent: written.size bytes of frame
 
-  sbgc::Parser parser;  // fed with whatever the line delivers, in pieces of any size
+  sbgc::Parser parser;  // takes what the line delivers, in pieces of any size
   parser.feed({frame.data(), written.size}, [](const sbgc::Frame& found) {
     sbgc::visit(found, sbgc::Direction::to_board, [](const msg::Control& message) {
       std::printf("yaw: %g degrees\n", message.axes.yaw.angle.degrees());

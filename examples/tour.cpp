@@ -124,7 +124,8 @@ int main(int argc, char** argv) {
   const auto backup = client->make_backup();
   if (!backup) return fail(backup.error());
   if (auto saved = sbgc::save_backup(*backup, argv[3]); !saved) return fail(saved.error());
-  std::printf("%zu blocks of settings saved in %s\n", backup->settings.blocks().size(), argv[3]);
+  std::printf("the parameters of %zu messages saved in %s\n", backup->parameters.all().size(),
+              argv[3]);
 
   if (!careful::may_move(yes, "This turns the motors on, tilts the camera down and back."))
     return 1;

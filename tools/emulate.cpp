@@ -22,8 +22,8 @@
 #include <sbgc/protocol.hpp>
 #include <sbgc/text.hpp>
 
+#include "command_lookup.hpp"
 #include "commands.hpp"
-#include "decoded_frame.hpp"
 #include "serving/arguments.hpp"
 #include "serving/nonblocking_lines.hpp"
 #include "serving/service.hpp"

@@ -27,10 +27,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string written = to_json_text(*backup);
   const sbgc::Result<sbgc::Backup> again = sbgc::parse_backup(written);
   require(static_cast<bool>(again));
-  require(again->settings == backup->settings);
+  require(again->parameters == backup->parameters);
   require(again->board.info == backup->board.info);
   require(again->board.details == backup->board.details);
   require(to_json_text(*again) == written);
-  require(diff(backup->settings, again->settings).empty());
+  require(diff(backup->parameters, again->parameters).empty());
   return 0;
 }

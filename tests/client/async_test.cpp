@@ -20,6 +20,7 @@
 #include <gtest/gtest.h>
 
 #include <sbgc/client/async_client.hpp>
+#include <sbgc/client/motion.hpp>
 #include <sbgc/messages.hpp>
 
 #include "collector.hpp"

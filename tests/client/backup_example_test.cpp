@@ -48,7 +48,8 @@ TEST_F(BackupExample, SavesComparesAndRestores) {
   const auto original = board.all_settings<msg::ReadParams3>();
   Finished run = backup("save " + file("a.json"));
   ASSERT_EQ(run.status, 0) << run.output;
-  EXPECT_THAT(run.output, HasSubstr("saved 18 blocks of a board 3.0 with firmware 2.59"));
+  EXPECT_THAT(run.output,
+              HasSubstr("saved the parameters of 18 messages of a board 3.0 with firmware 2.59"));
   EXPECT_NE(backup("save " + file("a.json")).status, 0) << "it would replace the first one";
 
   board.edit<msg::ReadParams3>(2, [](msg::ReadParams3& params) { params.gyro_trust = 1; });

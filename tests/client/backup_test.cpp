@@ -108,7 +108,7 @@ TEST_F(BackupTest, NothingIsLostOnTheWayThroughAFile) {
   ASSERT_TRUE(save_backup(backup, file("a.json")));
   const Result<Backup> again = load_backup(file("a.json"));
   ASSERT_TRUE(again) << again.error().message;
-  EXPECT_EQ(again->settings, backup.settings);
+  EXPECT_EQ(again->parameters, backup.parameters);
   EXPECT_EQ(again->board.info, client().identity().info);
   EXPECT_EQ(again->board.details, board.read<msg::BoardInfo3>(msg::BoardInfo3Request{}));
   EXPECT_EQ(again->created, backup.created);
@@ -277,7 +277,7 @@ TEST_F(BackupTest, RestoringBringsEverythingBack) {
   EXPECT_EQ(settings(), original);
   const Result<Backup> saved = load_backup(file("present.json"));
   ASSERT_TRUE(saved);
-  EXPECT_EQ(saved->settings, changed->settings);
+  EXPECT_EQ(saved->parameters, changed->parameters);
 }
 
 TEST_F(BackupTest, AnErasedBoardGetsBackEveryBitOfItsSettings) {
@@ -290,7 +290,7 @@ TEST_F(BackupTest, AnErasedBoardGetsBackEveryBitOfItsSettings) {
   WriteReport report = client().restore(backup, {.save_present = save_to(file("present.json"))});
   ASSERT_TRUE(report) << to_text(report);
   EXPECT_EQ(settings(), original);
-  EXPECT_EQ(make().settings, backup.settings);
+  EXPECT_EQ(make().parameters, backup.parameters);
   // They are not only in use: another board with the same EEPROM has them, too.
   connect();
   disconnect();
@@ -331,7 +331,7 @@ TEST_F(BackupTest, ADryRunNeedsNoFileAndWritesNothing) {
   const Settings before = settings();
   const WriteReport report = client().restore(backup, {.dry_run = true});
   EXPECT_TRUE(report);
-  EXPECT_EQ(report.blocks.front().wanted.size(), 1U);
+  EXPECT_EQ(report.parameters.front().wanted.size(), 1U);
   EXPECT_EQ(settings(), before);
   EXPECT_THAT(files(), IsEmpty());
 }

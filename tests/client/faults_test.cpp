@@ -37,11 +37,11 @@ void expect_backup(const emulator::Faults& faults) {
   ASSERT_TRUE(client) << client.error().message;
   const auto backup = client->make_backup();
   ASSERT_TRUE(backup) << backup.error().message;
-  EXPECT_EQ(backup->settings.blocks().size(), 18U);
+  EXPECT_EQ(backup->parameters.all().size(), 18U);
   for (std::uint8_t profile = 0; profile < 5; ++profile) {
-    EXPECT_EQ(*backup->settings.get<msg::ReadParams3>(profile),
+    EXPECT_EQ(*backup->parameters.get<msg::ReadParams3>(profile),
               original.settings<msg::ReadParams3>(profile));
-    EXPECT_EQ(*backup->settings.get<msg::ReadParamsExt2>(profile),
+    EXPECT_EQ(*backup->parameters.get<msg::ReadParamsExt2>(profile),
               original.settings<msg::ReadParamsExt2>(profile));
   }
   EXPECT_GT(client->statistics().session.retries, 0U) << "nothing went wrong";
@@ -66,7 +66,7 @@ TEST(Faults, ABackupGetsThroughText) {
   ASSERT_TRUE(client) << client.error().message;
   const auto backup = client->make_backup();
   ASSERT_TRUE(backup) << backup.error().message;
-  EXPECT_EQ(*backup->settings.get<msg::ReadParams3>(4), board.settings<msg::ReadParams3>(4));
+  EXPECT_EQ(*backup->parameters.get<msg::ReadParams3>(4), board.settings<msg::ReadParams3>(4));
   EXPECT_GT(client->statistics().session.parser.skipped_bytes, 0U) << "there was no text";
 }
 

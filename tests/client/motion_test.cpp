@@ -29,13 +29,13 @@ class MotionTest : public TaskTest {
     return last;
   }
   void place(const Axes<double>& angles) {
-    board.gimbal([&](board::Gimbal& gimbal, Instant now) { gimbal.place(angles, now); });
+    board.gimbal([&](emulator::Gimbal& gimbal, Instant now) { gimbal.place(angles, now); });
   }
-  board::Sample sample() {
-    return board.gimbal([](board::Gimbal& gimbal, Instant now) { return gimbal.sample(now); });
+  emulator::Sample sample() {
+    return board.gimbal([](emulator::Gimbal& gimbal, Instant now) { return gimbal.sample(now); });
   }
-  board::AxisMode mode(std::size_t axis) {
-    return board.gimbal([=](board::Gimbal& gimbal, Instant) { return gimbal.command(axis).mode; });
+  emulator::AxisMode mode(std::size_t axis) {
+    return board.gimbal([=](emulator::Gimbal& gimbal, Instant) { return gimbal.command(axis).mode; });
   }
   /// Lets yaw turn.
   void turn(msg::ControlSpeed speed) {
@@ -71,9 +71,9 @@ TEST_F(MotionTest, MovesAllAxesAndWaitsForTheEnd) {
 TEST_F(MotionTest, LeavesAxesAlone) {
   place({.yaw = 17});
   ASSERT_TRUE(move_to({.pitch = 5_deg}));
-  EXPECT_EQ(mode(0), board::AxisMode::remote);
-  EXPECT_EQ(mode(1), board::AxisMode::angle);
-  EXPECT_EQ(mode(2), board::AxisMode::remote);
+  EXPECT_EQ(mode(0), emulator::AxisMode::remote);
+  EXPECT_EQ(mode(1), emulator::AxisMode::angle);
+  EXPECT_EQ(mode(2), emulator::AxisMode::remote);
   EXPECT_NEAR(sample().angles.pitch, 5, 0.6);
   EXPECT_NEAR(sample().angles.yaw, 17, 0.5);
 }
@@ -99,7 +99,7 @@ TEST_F(MotionTest, HasToStayThere) {
   settings.progress = [&](const MoveProgress& seen) {
     close.push_back(seen.is_close);
     if (close.size() == 4) {  // a push
-      board.gimbal([](board::Gimbal& gimbal, Instant now) { gimbal.push(1, 45, now); });
+      board.gimbal([](emulator::Gimbal& gimbal, Instant now) { gimbal.push(1, 45, now); });
     }
     return true;
   };
@@ -120,7 +120,7 @@ TEST_F(MotionTest, ALostCommandIsSentAgain) {
 }
 
 TEST_F(MotionTest, TellsHowFarItGot) {
-  board.gimbal([](board::Gimbal& gimbal, Instant now) { gimbal.jam(1, true, now); });
+  board.gimbal([](emulator::Gimbal& gimbal, Instant now) { gimbal.jam(1, true, now); });
   const auto moved = move_to({.pitch = 20_deg});
   ASSERT_FALSE(moved);
   EXPECT_EQ(moved.error().code, ErrorCode::timeout);
@@ -182,10 +182,10 @@ TEST_F(MotionTest, ACameraThatDoesNotStopIsAnError) {
 
 TEST_F(MotionTest, Releases) {
   turn(msg::ControlSpeed(500));
-  ASSERT_EQ(mode(2), board::AxisMode::speed);
+  ASSERT_EQ(mode(2), emulator::AxisMode::speed);
   ASSERT_TRUE(client().release());
   ASSERT_TRUE(client().call(msg::GetAnglesRequest{}));
-  for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_EQ(mode(axis), board::AxisMode::remote);
+  for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_EQ(mode(axis), emulator::AxisMode::remote);
 }
 
 /// The board refuses CMD_CONTROL: it says so before it next tells where the camera is.

@@ -24,13 +24,13 @@ class ParametersTest : public TaskTest {
     EXPECT_TRUE(set) << set.error().message;
     return set ? *set : ParameterSet{};
   }
-  static std::vector<BlockState> states(const WriteReport& report) {
-    std::vector<BlockState> result;
-    for (const BlockReport& block : report.blocks) result.push_back(block.state);
+  static std::vector<ParametersState> states(const WriteReport& report) {
+    std::vector<ParametersState> result;
+    for (const ParametersReport& block : report.parameters) result.push_back(block.state);
     return result;
   }
-  static BlockState state(const WriteReport& report, const BlockId& id) {
-    for (const BlockReport& block : report.blocks) {
+  static ParametersState state(const WriteReport& report, const ParametersId& id) {
+    for (const ParametersReport& block : report.parameters) {
       if (block.id == id) return block.state;
     }
     ADD_FAILURE() << to_text(id) << " is not in the report";
@@ -69,7 +69,7 @@ class ParametersTest : public TaskTest {
 TEST_F(ParametersTest, ReadsEveryBlockOfEveryProfileToTheLastByte) {
   fill();
   const ParameterSet set = read();
-  ASSERT_THAT(set.blocks(), SizeIs(3 * 5 + 3));
+  ASSERT_THAT(set.all(), SizeIs(3 * 5 + 3));
   const auto is_whole = [&]<class M>(Type<M>) {
     for (std::uint8_t copy = 0; copy < SettingsOf<M>::copies; ++copy) {
       EXPECT_EQ(set.find({SettingsOf<M>::name, copy})->body, packet(board.settings<M>(copy)).body);
@@ -135,7 +135,7 @@ TEST_F(ParametersTest, WritingWhatIsThereWritesNothing) {
   const WriteReport report = client().write_parameters(set);
   EXPECT_TRUE(report) << to_text(report);
   EXPECT_EQ(writes(), 0U);
-  EXPECT_THAT(states(report), AllOf(SizeIs(18), Each(BlockState::equal)));
+  EXPECT_THAT(states(report), AllOf(SizeIs(18), Each(ParametersState::equal)));
 }
 
 TEST_F(ParametersTest, OnlyBlocksThatDifferAreWrittenAndNothingElseChanges) {
@@ -149,8 +149,8 @@ TEST_F(ParametersTest, OnlyBlocksThatDifferAreWrittenAndNothingElseChanges) {
   const WriteReport report = client().write_parameters(set);
   EXPECT_TRUE(report) << to_text(report);
   EXPECT_EQ(writes(), 1U);
-  EXPECT_EQ(state(report, {"ReadParams3", 2}), BlockState::written);
-  EXPECT_EQ(state(report, {"ReadParams3", 1}), BlockState::equal);
+  EXPECT_EQ(state(report, {"ReadParams3", 2}), ParametersState::written);
+  EXPECT_EQ(state(report, {"ReadParams3", 1}), ParametersState::equal);
   auto expected = before;
   expected[2].axes.pitch.p = 1;
   EXPECT_EQ(board.all_settings<msg::ReadParams3>(), expected);  // reserved bytes and tail included
@@ -182,7 +182,7 @@ TEST_F(ParametersTest, StateOfTheBoardIsNoDifferenceAndIsWrittenAsItIs) {
 TEST_F(ParametersTest, AShorterBodyLeavesWhatTheBoardHasBehindIt) {
   fill();
   ParameterSet set = read();
-  Block shorter = *set.find({"ReadParams3", 1});
+  Parameters shorter = *set.find({"ReadParams3", 1});
   shorter.body.resize(msg::ReadParams3::min_size);
   shorter.body[1] = 77;  // axes.roll.p
   ASSERT_TRUE(set.put(shorter));
@@ -195,7 +195,7 @@ TEST_F(ParametersTest, AShorterBodyLeavesWhatTheBoardHasBehindIt) {
 
 TEST_F(ParametersTest, ALongerBodyIsRefusedBeforeAnythingIsWritten) {
   ParameterSet set = read();
-  Block longer = *set.find({"ReadParamsExt", 4});
+  Parameters longer = *set.find({"ReadParamsExt", 4});
   longer.body.push_back(1);
   ASSERT_TRUE(set.put(longer));
   msg::ReadParams3 other = get(set, 0);
@@ -217,8 +217,8 @@ TEST_F(ParametersTest, ADryRunTellsAndWritesNothing) {
   const WriteReport report = client().write_parameters(set, {.dry_run = true});
   EXPECT_TRUE(report);
   EXPECT_EQ(writes(), 0U);
-  EXPECT_EQ(state(report, {"ReadParams3", 0}), BlockState::unwritten);
-  const auto& fields = report.blocks.front().wanted;
+  EXPECT_EQ(state(report, {"ReadParams3", 0}), ParametersState::unwritten);
+  const auto& fields = report.parameters.front().wanted;
   ASSERT_THAT(fields, SizeIs(2));
   EXPECT_EQ(fields[0].path, "follow_mode");
   EXPECT_EQ(fields[0].after_meaning, "FOLLOW_MODE_PITCH");
@@ -260,9 +260,9 @@ TEST_F(ParametersTest, AWriteThatIsLostIsReportedAsUnwritten) {
   const WriteReport report = client().write_parameters(set);
   ASSERT_FALSE(report);
   EXPECT_EQ(report.outcome.error().code, ErrorCode::timeout);
-  EXPECT_EQ(state(report, {"ReadParams3", 1}), BlockState::written);
-  EXPECT_EQ(state(report, {"ReadParams3", 3}), BlockState::unwritten);
-  EXPECT_EQ(state(report, {"ReadParams3", 2}), BlockState::equal);
+  EXPECT_EQ(state(report, {"ReadParams3", 1}), ParametersState::written);
+  EXPECT_EQ(state(report, {"ReadParams3", 3}), ParametersState::unwritten);
+  EXPECT_EQ(state(report, {"ReadParams3", 2}), ParametersState::equal);
 }
 
 TEST_F(ParametersTest, AWriteWhoseConfirmationIsLostIsReportedAsWrittenAndStillAFailure) {
@@ -274,7 +274,7 @@ TEST_F(ParametersTest, AWriteWhoseConfirmationIsLostIsReportedAsWrittenAndStillA
   board.on_answer_lost([](const Packet& request) { return is<msg::WriteParams3>(request); });
   const WriteReport report = client().write_parameters(set);
   ASSERT_FALSE(report);
-  EXPECT_EQ(state(report, {"ReadParams3", 1}), BlockState::written);
+  EXPECT_EQ(state(report, {"ReadParams3", 1}), ParametersState::written);
 }
 
 TEST_F(ParametersTest, WhatCannotBeReadBackIsUnknown) {
@@ -288,7 +288,7 @@ TEST_F(ParametersTest, WhatCannotBeReadBackIsUnknown) {
   });
   const WriteReport report = client().write_parameters(set);
   ASSERT_FALSE(report);
-  EXPECT_EQ(state(report, {"ReadParams3", 1}), BlockState::unknown);
+  EXPECT_EQ(state(report, {"ReadParams3", 1}), ParametersState::unknown);
 }
 
 TEST_F(ParametersTest, WhatIsReadBackDifferentlyIsAMismatch) {
@@ -303,7 +303,7 @@ TEST_F(ParametersTest, WhatIsReadBackDifferentlyIsAMismatch) {
   const WriteReport report = client().write_parameters(set);
   ASSERT_FALSE(report);
   EXPECT_EQ(report.outcome.error().code, ErrorCode::mismatch);
-  EXPECT_EQ(state(report, {"ReadParams3", 1}), BlockState::different);
+  EXPECT_EQ(state(report, {"ReadParams3", 1}), ParametersState::different);
   EXPECT_THAT(to_text(report), HasSubstr("gyro_trust: 5 -> 6"));
 }
 
@@ -325,8 +325,8 @@ TEST_F(ParametersTest, WritingOneProfileThatChangesAnotherIsNoticed) {
   ASSERT_FALSE(report);
   EXPECT_EQ(report.outcome.error().code, ErrorCode::mismatch);
   EXPECT_THAT(report.outcome.error().message, HasSubstr("ReadParams3 of profile 1"));
-  EXPECT_EQ(state(report, {"ReadParams3", 0}), BlockState::different);
-  EXPECT_EQ(state(report, {"ReadParams3", 4}), BlockState::written);
+  EXPECT_EQ(state(report, {"ReadParams3", 0}), ParametersState::different);
+  EXPECT_EQ(state(report, {"ReadParams3", 4}), ParametersState::written);
 }
 
 TEST_F(ParametersTest, AGeneralSettingIsChangedInAllProfiles) {
@@ -357,9 +357,9 @@ TEST_F(ParametersTest, AFailureTellsWhatWritingHasChangedInOtherProfiles) {
   const WriteReport report = client().write_parameters(set);
   ASSERT_FALSE(report);
   EXPECT_EQ(report.outcome.error().code, ErrorCode::timeout);
-  EXPECT_EQ(state(report, {"ReadParams3", 0}), BlockState::written);
-  EXPECT_EQ(state(report, {"ReadParams3", 4}), BlockState::different);
-  EXPECT_EQ(state(report, {"ReadParamsExt", 4}), BlockState::equal);
+  EXPECT_EQ(state(report, {"ReadParams3", 0}), ParametersState::written);
+  EXPECT_EQ(state(report, {"ReadParams3", 4}), ParametersState::different);
+  EXPECT_EQ(state(report, {"ReadParamsExt", 4}), ParametersState::equal);
 }
 
 TEST_F(ParametersTest, ProfilesThatWantDifferentGeneralSettingsAreRefused) {
@@ -381,8 +381,8 @@ TEST_F(ParametersTest, ProfilesThatWantDifferentGeneralSettingsAreRefused) {
   report = client().write_parameters(set, {.validate = false});
   ASSERT_FALSE(report);
   EXPECT_EQ(report.outcome.error().code, ErrorCode::mismatch);
-  EXPECT_EQ(state(report, {"ReadParams3", 0}), BlockState::different);
-  EXPECT_EQ(state(report, {"ReadParams3", 4}), BlockState::written);
+  EXPECT_EQ(state(report, {"ReadParams3", 0}), ParametersState::different);
+  EXPECT_EQ(state(report, {"ReadParams3", 4}), ParametersState::written);
 }
 
 TEST_F(ParametersTest, OneProfileAloneMayChangeAGeneralSetting) {
@@ -458,8 +458,8 @@ TEST_F(ParametersTest, BlocksOfOneSideOnlyAreDifferences) {
   ASSERT_TRUE(others.set(msg::ReadExternalData{}));
   const auto changes = diff(some, others);
   ASSERT_THAT(changes, SizeIs(2));
-  EXPECT_EQ(changes[0].kind, BlockChange::Kind::only_before);
-  EXPECT_EQ(changes[1].kind, BlockChange::Kind::only_after);
+  EXPECT_EQ(changes[0].kind, ParametersChange::Kind::only_before);
+  EXPECT_EQ(changes[1].kind, ParametersChange::Kind::only_after);
 }
 
 TEST_F(ParametersTest, ASetTakesNothingThatIsNoSettings) {

@@ -32,8 +32,8 @@ TEST_F(VariablesTest, AreReadInTheirUnits) {
   set(msg::VariableId::i_yaw, 5);
   set(msg::VariableId::frame_heading_angle, -1234);
   set(msg::VariableId::pid_gain_pitch, 45);
-  const std::vector<std::string_view> names{"LPF_FREQ_ROLL", "I_YAW", "FRAME_HEADING_ANGLE",
-                                            "PID_GAIN_PITCH"};
+  const std::vector<std::string> names{"LPF_FREQ_ROLL", "I_YAW", "FRAME_HEADING_ANGLE",
+                                       "PID_GAIN_PITCH"};
   const auto values = client().get_variables(names);
   ASSERT_TRUE(values);
   ASSERT_THAT(*values, SizeIs(4));
@@ -86,7 +86,7 @@ TEST_F(VariablesTest, EveryLimitOfEveryVariableCanBeSetAndNothingBeyond) {
 }
 
 TEST_F(VariablesTest, ManyAreMovedInMessagesOfForty) {
-  std::vector<std::string_view> names;
+  std::vector<std::string> names;
   std::vector<VariableValue> values;
   for (const VariableInfo& variable : variables) {
     names.emplace_back(variable.name);

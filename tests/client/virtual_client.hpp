@@ -20,7 +20,7 @@ namespace sbgc::test {
 /// What a browser would do: everything that happens is a function of the time that is handed in.
 class VirtualClient {
  public:
-  explicit VirtualClient(const board::EmulatorOptions& options = {}, board::Memory memory = {})
+  explicit VirtualClient(const emulator::EmulatorOptions& options = {}, emulator::Memory memory = {})
       : emulator_(options, std::move(memory), now_), port_(emulator_.connect(true, now_).value()) {
     const Result<msg::BoardInfo> info = run(introduction());
     if (!info) throw std::runtime_error(info.error().message);
@@ -32,7 +32,7 @@ class VirtualClient {
 
   /// Drives a task to its end; `at_each_step(task)` runs before each step.
   template <class R, class Watch>
-  R run(Task<R> task, const Watch& at_each_step) {
+  R run(Task<R> task, Watch at_each_step) {
     TaskMachine& machine = task.begin(identity_);
     const auto notices = delivery_.on_notice([&](const Notice& one) { machine.notice(one); });
     for (bool is_done = false; !is_done;) {
@@ -48,8 +48,8 @@ class VirtualClient {
   }
 
   Instant now() const noexcept { return now_; }
-  board::Gimbal& gimbal() { return emulator_.board().gimbal(); }
-  board::Emulator& emulator() { return emulator_; }
+  emulator::Gimbal& gimbal() { return emulator_.board().gimbal(); }
+  emulator::Emulator& emulator() { return emulator_; }
   /// The board hears nothing any more.
   void cut_the_line() { is_cut_ = true; }
   std::size_t pending() const { return tickets_.size(); }
@@ -69,7 +69,7 @@ class VirtualClient {
       case TaskStep::Kind::wait: break;
     }
     const Instant next = exchange_bytes();
-    if (next == Instant::never && step.until == Instant::never) {
+    if (!has_news_ && next == Instant::never && step.until == Instant::never) {
       throw std::runtime_error("nothing will ever happen");
     }
     if (!has_news_) now_ = later(now_ + microseconds(1), earlier(next, step.until));
@@ -124,7 +124,7 @@ class VirtualClient {
   Instant now_{1'000'000};
   bool is_cut_ = false;
   bool has_news_ = false;
-  board::Emulator emulator_;
+  emulator::Emulator emulator_;
   std::size_t port_;
   BoardIdentity identity_{};
   detail::PendingCalls calls_{64};

@@ -21,8 +21,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
-board::EmulatorOptions calm_board() {
-  board::EmulatorOptions options;
+emulator::EmulatorOptions calm_board() {
+  emulator::EmulatorOptions options;
   options.board.gimbal.noise = 0;
   return options;
 }
@@ -82,10 +82,10 @@ TEST_F(VirtualTime, ABackupComesBack) {
   ASSERT_TRUE(before) << before.error().message;
   EXPECT_EQ(before->created, "2024-05-01T12:00:00Z");
   auto changed = *before;
-  auto params = changed.settings.get<msg::ReadParams3>(2);
+  auto params = changed.parameters.get<msg::ReadParams3>(2);
   ASSERT_TRUE(params);
   params->gyro_trust = static_cast<std::uint8_t>(params->gyro_trust + 1);
-  ASSERT_TRUE(changed.settings.set(*params));
+  ASSERT_TRUE(changed.parameters.set(*params));
   std::vector<Backup> saved;
   RestoreOptions options;
   options.save_present = [&](const Backup& present) {
@@ -95,11 +95,11 @@ TEST_F(VirtualTime, ABackupComesBack) {
   const WriteReport report = client.run(tasks::restore(changed, options));
   EXPECT_TRUE(report) << to_text(report);
   ASSERT_THAT(saved, SizeIs(1));
-  EXPECT_EQ(saved[0].settings, before->settings);
+  EXPECT_EQ(saved[0].parameters, before->parameters);
   const auto after = client.run(tasks::read_parameters());
   ASSERT_TRUE(after);
-  EXPECT_THAT(diff(before->settings, *after), SizeIs(1));
-  EXPECT_THAT(diff(changed.settings, *after), SizeIs(0));
+  EXPECT_THAT(diff(before->parameters, *after), SizeIs(1));
+  EXPECT_THAT(diff(changed.parameters, *after), SizeIs(0));
 }
 
 TEST_F(VirtualTime, NothingIsWrittenIfThePresentStateCannotBeSaved) {
@@ -112,7 +112,7 @@ TEST_F(VirtualTime, NothingIsWrittenIfThePresentStateCannotBeSaved) {
   const WriteReport report = client.run(tasks::restore(*before, options));
   ASSERT_FALSE(report);
   EXPECT_EQ(report.outcome.error().code, ErrorCode::io);
-  EXPECT_THAT(report.blocks, SizeIs(0));
+  EXPECT_THAT(report.parameters, SizeIs(0));
 }
 
 TEST_F(VirtualTime, ACalibrationEndsWithItsSecondConfirmation) {

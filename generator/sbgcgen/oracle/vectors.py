@@ -60,7 +60,9 @@ def typical_vector(message: Message) -> Vector:
     maker = _Maker(message)
     maker.typical()
     maker.uniform()
-    return next(v for v in maker.vectors if v.body is not None and v.fields is not None)
+    if not maker.readable():
+        maker.rounds()
+    return maker.readable()[0]
 
 
 class _Maker:
@@ -71,6 +73,10 @@ class _Maker:
         self.vectors: list[Vector] = []
         self.seen: set[str] = set()
         self.places = Places()
+
+    def readable(self) -> list[Vector]:
+        """Those that have a body and can be decoded."""
+        return [v for v in self.vectors if v.body is not None and v.fields is not None]
 
     # What is made
 

@@ -10,7 +10,7 @@
 #include <sbgc/meta/system.hpp>
 #include <sbgc/parse_json.hpp>
 
-#include "settings_kind.hpp"
+#include "parameters_kind.hpp"
 #include "tasks/tools.hpp"
 
 namespace sbgc {
@@ -50,7 +50,7 @@ class Reader {
     const Json& settings = member(document, "settings", "");
     if (!settings.is_array()) fail("settings", "a list is needed");
     for (std::size_t i = 0; error_.empty() && i < settings.size(); ++i) {
-      read_block(settings[i], fmt::format("settings[{}]", i), backup.settings);
+      read_one(settings[i], fmt::format("settings[{}]", i), backup.parameters);
     }
     if (!error_.empty()) return ClientError{ErrorCode::bad_file, error_};
     return backup;
@@ -90,8 +90,8 @@ class Reader {
     check_fields(json, path, to_json(out));
   }
 
-  void read_block(const Json& json, const std::string& path, ParameterSet& out) {
-    Block block{{text(json, "message", path), 0}, hex(json, path)};
+  void read_one(const Json& json, const std::string& path, ParameterSet& out) {
+    Parameters block{{text(json, "message", path), 0}, hex(json, path)};
     const Json& copy = member(json, "copy", path);
     if (!error_.empty()) return;
     if (!copy.is_number_unsigned() || copy.get<std::uint64_t>() > 255) {
@@ -101,9 +101,9 @@ class Reader {
     if (out.find(block.id) != nullptr) {
       return fail(path, fmt::format("{} is there twice", to_text(block.id)));
     }
-    const BlockId id = block.id;
+    const ParametersId id = block.id;
     if (auto put = out.put(std::move(block)); !put) return fail(path, put.error().message);
-    const auto& kind = *detail::find_settings_kind(id.message);
+    const auto& kind = *detail::find_parameters_kind(id.message);
     check_fields(json, path, kind.to_json(out.find(id)->body));
   }
 
@@ -181,12 +181,12 @@ std::string to_json_text(const Backup& backup) {
   board["info"] = message_json(backup.board.info);
   if (backup.board.details) board["details"] = message_json(*backup.board.details);
   Json settings = Json::array();
-  for (const Block& block : backup.settings.blocks()) {
+  for (const Parameters& block : backup.parameters.all()) {
     settings.push_back(
         {{"message", block.id.message},
          {"copy", block.id.copy},
          {"body", detail::to_hex(block.body)},
-         {"fields", detail::find_settings_kind(block.id.message)->to_json(block.body)}});
+         {"fields", detail::find_parameters_kind(block.id.message)->to_json(block.body)}});
   }
   const Json document = {{"format", format_name},
                          {"version", format_version},

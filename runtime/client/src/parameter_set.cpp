@@ -4,11 +4,11 @@
 
 #include <sbgc/client/parameters.hpp>
 
-#include "settings_kind.hpp"
+#include "parameters_kind.hpp"
 
 namespace sbgc {
 
-using detail::SettingsKind;
+using detail::ParametersKind;
 
 namespace {
 
@@ -23,29 +23,29 @@ std::string change_text(const FieldChange& change) {
 
 }  // namespace
 
-std::string to_text(const BlockId& id) {
-  const SettingsKind* const kind = detail::find_settings_kind(id.message);
+std::string to_text(const ParametersId& id) {
+  const ParametersKind* const kind = detail::find_parameters_kind(id.message);
   const bool has_copies = kind != nullptr && kind->copies > 1;
   return has_copies || id.copy != 0 ? fmt::format("{} of profile {}", id.message, id.copy + 1)
                                     : id.message;
 }
 
-const Block* ParameterSet::find(const BlockId& id) const noexcept {
-  const auto found = std::ranges::find(blocks_, id, &Block::id);
+const Parameters* ParameterSet::find(const ParametersId& id) const noexcept {
+  const auto found = std::ranges::find(blocks_, id, &Parameters::id);
   return found != blocks_.end() ? &*found : nullptr;
 }
 
-Result<void> ParameterSet::put(Block block) {
-  const SettingsKind* const kind = detail::find_settings_kind(block.id.message);
+Result<void> ParameterSet::put(Parameters block) {
+  const ParametersKind* const kind = detail::find_parameters_kind(block.id.message);
   if (kind == nullptr) {
     return ClientError{ErrorCode::invalid,
-                       fmt::format("no message {} holds settings", block.id.message)};
+                       fmt::format("no message {} holds parameters", block.id.message)};
   }
   const std::string problem = kind->problem(block.body, block.id.copy);
   if (!problem.empty()) {
     return ClientError{ErrorCode::invalid, fmt::format("{}: {}", to_text(block.id), problem)};
   }
-  const auto found = std::ranges::find(blocks_, block.id, &Block::id);
+  const auto found = std::ranges::find(blocks_, block.id, &Parameters::id);
   if (found != blocks_.end()) {
     *found = std::move(block);
   } else {
@@ -54,50 +54,50 @@ Result<void> ParameterSet::put(Block block) {
   return {};
 }
 
-ClientError ParameterSet::missing(const BlockId& id) {
-  return {ErrorCode::not_found, fmt::format("{} is not among these settings", to_text(id))};
+ClientError ParameterSet::missing(const ParametersId& id) {
+  return {ErrorCode::not_found, fmt::format("{} is not among these parameters", to_text(id))};
 }
 
-std::vector<BlockChange> diff(const ParameterSet& before, const ParameterSet& after) {
-  using Kind = BlockChange::Kind;
-  std::vector<BlockChange> changes;
-  for (const Block& block : before.blocks()) {
-    const Block* const other = after.find(block.id);
+std::vector<ParametersChange> diff(const ParameterSet& before, const ParameterSet& after) {
+  using Kind = ParametersChange::Kind;
+  std::vector<ParametersChange> changes;
+  for (const Parameters& block : before.all()) {
+    const Parameters* const other = after.find(block.id);
     if (other == nullptr) {
       changes.push_back({block.id, Kind::only_before, {}});
       continue;
     }
-    const SettingsKind& kind = *detail::find_settings_kind(block.id.message);
+    const ParametersKind& kind = *detail::find_parameters_kind(block.id.message);
     auto fields = detail::field_changes(kind, block.body, other->body);
     if (!fields.empty()) changes.push_back({block.id, Kind::changed, std::move(fields)});
   }
-  for (const Block& block : after.blocks()) {
+  for (const Parameters& block : after.all()) {
     if (before.find(block.id) == nullptr) changes.push_back({block.id, Kind::only_after, {}});
   }
   return changes;
 }
 
-std::string to_text(const std::vector<BlockChange>& changes) {
+std::string to_text(const std::vector<ParametersChange>& changes) {
   std::string result;
-  for (const BlockChange& change : changes) {
+  for (const ParametersChange& change : changes) {
     result += to_text(change.id);
     switch (change.kind) {
-      case BlockChange::Kind::changed: result += ":\n"; break;
-      case BlockChange::Kind::only_before: result += ": not there any more\n"; break;
-      case BlockChange::Kind::only_after: result += ": not there before\n"; break;
+      case ParametersChange::Kind::changed: result += ":\n"; break;
+      case ParametersChange::Kind::only_before: result += ": not there any more\n"; break;
+      case ParametersChange::Kind::only_after: result += ": not there before\n"; break;
     }
     for (const FieldChange& field : change.fields) result += change_text(field);
   }
   return result;
 }
 
-const char* name(BlockState state) noexcept {
+const char* name(ParametersState state) noexcept {
   switch (state) {
-    case BlockState::equal: return "equal";
-    case BlockState::written: return "written";
-    case BlockState::unwritten: return "unwritten";
-    case BlockState::different: return "different";
-    case BlockState::unknown: return "unknown";
+    case ParametersState::equal: return "equal";
+    case ParametersState::written: return "written";
+    case ParametersState::unwritten: return "unwritten";
+    case ParametersState::different: return "different";
+    case ParametersState::unknown: return "unknown";
   }
   return "unknown_state";
 }
@@ -105,10 +105,10 @@ const char* name(BlockState state) noexcept {
 std::string to_text(const WriteReport& report) {
   std::string result =
       report.outcome ? "done\n" : fmt::format("failed: {}\n", report.outcome.error().message);
-  for (const BlockReport& block : report.blocks) {
+  for (const ParametersReport& block : report.parameters) {
     result += fmt::format("{}: {}\n", to_text(block.id), name(block.state));
     const bool is_as_wanted =
-        block.state == BlockState::equal || block.state == BlockState::written;
+        block.state == ParametersState::equal || block.state == ParametersState::written;
     if (is_as_wanted) continue;
     const auto& fields = block.deviation.empty() ? block.wanted : block.deviation;
     for (const FieldChange& field : fields) result += change_text(field);

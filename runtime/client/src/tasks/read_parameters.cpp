@@ -2,12 +2,12 @@
 
 #include <sbgc/client/parameters.hpp>
 
-#include "tasks/parameter_block.hpp"
+#include "tasks/parameters_call.hpp"
 
 namespace sbgc {
 namespace detail {
 
-CallOptions settings_options(const Deadline& deadline) {
+CallOptions parameters_options(const Deadline& deadline) {
   CallOptions options = options_within(deadline);
   options.expect_confirmation = true;
   // The fields that change are checked before. What is on the board already has to be written
@@ -16,17 +16,17 @@ CallOptions settings_options(const Deadline& deadline) {
   return options;
 }
 
-Task<Result<Block>> read_block(const SettingsKind& kind, std::uint8_t copy,
-                               const Deadline& deadline) {
-  const BlockId id{std::string(kind.name), copy};
+Task<Result<Parameters>> read_one(const ParametersKind& kind, std::uint8_t copy,
+                                  const Deadline& deadline) {
+  const ParametersId id{std::string(kind.name), copy};
   const std::string what = fmt::format("reading {}", to_text(id));
   if (deadline.is_over()) co_return late_error(what);
-  Result<std::vector<std::uint8_t>> body = co_await kind.read(copy, settings_options(deadline));
+  Result<std::vector<std::uint8_t>> body = co_await kind.read(copy, parameters_options(deadline));
   if (!body) co_return during(what, body.error());
   if (const std::string problem = kind.problem(*body, copy); !problem.empty()) {
     co_return ClientError{ErrorCode::mismatch, fmt::format("{}: {}", what, problem)};
   }
-  co_return Block{id, *std::move(body)};
+  co_return Parameters{id, *std::move(body)};
 }
 
 }  // namespace detail
@@ -38,24 +38,24 @@ Task<Result<ParameterSet>> read_parameters(ReadOptions options) {
   const detail::Deadline deadline(machine, options.timeout);
   const Availability versions = machine.identity().versions();
   std::size_t total = 0;
-  for (const detail::SettingsKind& kind : detail::settings_kinds()) {
+  for (const detail::ParametersKind& kind : detail::parameters_kinds()) {
     if (kind.is_readable(versions)) total += kind.copies;
   }
-  const std::string task = "reading the settings";
+  const std::string task = "reading the parameters";
   ParameterSet result;
-  for (const detail::SettingsKind& kind : detail::settings_kinds()) {
+  for (const detail::ParametersKind& kind : detail::parameters_kinds()) {
     if (!kind.is_readable(versions)) continue;
     for (std::uint8_t copy = 0; copy < kind.copies; ++copy) {
-      const std::string what = to_text(BlockId{std::string(kind.name), copy});
-      const Progress progress{result.blocks().size(), total, what};
+      const std::string what = to_text(ParametersId{std::string(kind.name), copy});
+      const Progress progress{result.all().size(), total, what};
       const auto going = detail::go_on(task, options.progress, progress, deadline);
       if (!going) co_return going.error();
-      Result<Block> block = co_await detail::read_block(kind, copy, deadline);
+      Result<Parameters> block = co_await detail::read_one(kind, copy, deadline);
       if (!block) co_return block.error();
       if (const auto done = result.put(*std::move(block)); !done) co_return done.error();
     }
   }
-  const Progress end{total, total, "all settings are read"};
+  const Progress end{total, total, "all parameters are read"};
   const auto done = detail::go_on(task, options.progress, end, deadline);
   if (!done) co_return done.error();
   co_return result;

@@ -41,9 +41,9 @@ namespace tasks {
 
 Task<Result<Backup>> make_backup(std::string created, ReadOptions options) {
   const TaskMachine& task = co_await this_task();
-  Result<ParameterSet> settings = co_await read_parameters(std::move(options));
-  if (!settings) co_return settings.error();
-  co_return Backup{task.identity(), *std::move(settings), std::move(created)};
+  Result<ParameterSet> parameters = co_await read_parameters(std::move(options));
+  if (!parameters) co_return parameters.error();
+  co_return Backup{task.identity(), *std::move(parameters), std::move(created)};
 }
 
 Task<WriteReport> restore(Backup backup, RestoreOptions options) {
@@ -56,9 +56,9 @@ Task<WriteReport> restore(Backup backup, RestoreOptions options) {
   if (!refused.empty()) co_return ClientError{ErrorCode::incompatible, refused};
   if (!options.dry_run) {
     if (!options.save_present) {
-      co_return ClientError{ErrorCode::invalid, "restoring needs to save the present settings"};
+      co_return ClientError{ErrorCode::invalid, "restoring needs to save the present parameters"};
     }
-    const std::string saving = "saving the present settings";
+    const std::string saving = "saving the present parameters";
     ReadOptions reading{deadline.left(), options.progress};
     const Result<Backup> present = co_await make_backup("", std::move(reading));
     if (!present) co_return detail::during(saving, present.error());
@@ -69,7 +69,7 @@ Task<WriteReport> restore(Backup backup, RestoreOptions options) {
                        .dry_run = options.dry_run,
                        .validate = false,
                        .progress = options.progress};
-  co_return co_await write_parameters(std::move(backup.settings), std::move(writing));
+  co_return co_await write_parameters(std::move(backup.parameters), std::move(writing));
 }
 
 }  // namespace tasks

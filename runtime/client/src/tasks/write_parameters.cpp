@@ -4,17 +4,17 @@
 
 #include <sbgc/client/parameters.hpp>
 
-#include "tasks/parameter_block.hpp"
+#include "tasks/parameters_call.hpp"
 
 namespace sbgc {
 
-using detail::SettingsKind;
+using detail::ParametersKind;
 
 namespace {
 
 /// One block on its way to the board.
 struct Step {
-  const SettingsKind* kind{};
+  const ParametersKind* kind{};
   std::vector<std::uint8_t> before{};
   std::vector<std::uint8_t> wanted{};  ///< as it has to be written
 };
@@ -35,19 +35,19 @@ class Writing {
   /// Reads what is there and looks for everything that can be found wrong beforehand.
   Task<Result<void>> prepare() {
     const Availability versions = task_.identity().versions();
-    for (const Block& block : wanted_.blocks()) {
-      report_.blocks.push_back({block.id, BlockState::unwritten, {}, {}});
-      steps_.push_back({detail::find_settings_kind(block.id.message), {}, {}});
+    for (const Parameters& block : wanted_.all()) {
+      report_.parameters.push_back({block.id, ParametersState::unwritten, {}, {}});
+      steps_.push_back({detail::find_parameters_kind(block.id.message), {}, {}});
     }
     for (std::size_t i = 0; i < steps_.size(); ++i) {
       Step& step = steps_[i];
-      const Block& block = wanted_.blocks()[i];
+      const Parameters& block = wanted_.all()[i];
       if (!step.kind->is_readable(versions) || !step.kind->is_writable(versions)) {
         co_return ClientError{ErrorCode::unsupported,
                               fmt::format("this board does not have {}", to_text(block.id))};
       }
       if (auto going = tell(i, to_text(block.id)); !going) co_return going;
-      Result<Block> present = co_await detail::read_block(*step.kind, block.id.copy, deadline_);
+      Result<Parameters> present = co_await detail::read_one(*step.kind, block.id.copy, deadline_);
       if (!present) co_return present.error();
       auto body = detail::merged(*step.kind, block.body, present->body);
       if (!body) {
@@ -59,9 +59,9 @@ class Writing {
       step.before = std::move(present->body);
       step.wanted = *std::move(body);
       if (detail::are_equal(*step.kind, step.before, step.wanted)) {
-        report_.blocks[i].state = BlockState::equal;
+        report_.parameters[i].state = ParametersState::equal;
       }
-      report_.blocks[i].wanted = detail::field_changes(*step.kind, step.before, step.wanted);
+      report_.parameters[i].wanted = detail::field_changes(*step.kind, step.before, step.wanted);
     }
     co_return options_.validate ? validate(versions) : Result<void>();
   }
@@ -70,7 +70,7 @@ class Writing {
   Result<void> validate(const Availability& versions) {
     std::string problems;
     for (std::size_t i = 0; i < steps_.size(); ++i) {
-      const BlockReport& block = report_.blocks[i];
+      const ParametersReport& block = report_.parameters[i];
       steps_[i].kind->violations(
           steps_[i].wanted, versions, [&](std::string_view path, const std::string& text) {
             if (std::ranges::find(block.wanted, path, &FieldChange::path) == block.wanted.end()) {
@@ -85,18 +85,19 @@ class Writing {
     return ClientError{ErrorCode::invalid, problems};
   }
 
-  /// What general settings a block wants otherwise than the first block of its kind, each behind
+  /// What general parameters a block wants otherwise than the first block of its kind, each behind
   /// `separator`.
   std::string contradiction(std::size_t index, std::string_view separator) const {
     const Step& step = steps_[index];
     const auto first = std::ranges::find(steps_, step.kind, &Step::kind);
-    const BlockId& other = report_.blocks[static_cast<std::size_t>(first - steps_.begin())].id;
+    const ParametersId& other =
+        report_.parameters[static_cast<std::size_t>(first - steps_.begin())].id;
     std::string result;
     for (const auto& field : detail::general_changes(*step.kind, first->wanted, step.wanted)) {
       if (is_kept_apart(*first, field.path)) continue;
       result += fmt::format("{}{}, {}: {} is wanted, but {} in {}; it is one for the whole board",
-                            separator, to_text(report_.blocks[index].id), field.path, field.after,
-                            field.before, to_text(other));
+                            separator, to_text(report_.parameters[index].id), field.path,
+                            field.after, field.before, to_text(other));
       separator = "\n";
     }
     return result;
@@ -113,16 +114,16 @@ class Writing {
 
   Task<Result<void>> write_all() {
     for (std::size_t i = 0; i < steps_.size(); ++i) {
-      if (report_.blocks[i].state == BlockState::equal) continue;
-      auto going = tell(steps_.size() + i, to_text(report_.blocks[i].id));
+      if (report_.parameters[i].state == ParametersState::equal) continue;
+      auto going = tell(steps_.size() + i, to_text(report_.parameters[i].id));
       if (!going) co_return co_await stop(i, std::move(going));
       if (auto done = co_await write(i); !done) co_return co_await stop(i + 1, std::move(done));
     }
     co_return co_await check_all();
   }
 
-  /// Ends it early, with blocks in front of `end` sent: their general settings are the same in
-  /// other blocks, so what these say now has to be read.
+  /// Ends it early, with those before `end` sent: their general parameters are the same in
+  /// others, so what these say now has to be read.
   Task<Result<void>> stop(std::size_t end, Result<void> why) {
     for (std::size_t i = 0; i < steps_.size(); ++i) {
       const auto changes_it = [&](const Step& sent) {
@@ -133,23 +134,23 @@ class Writing {
                        changes_it)) {
         continue;
       }
-      if (!co_await look(i)) report_.blocks[i].state = BlockState::unknown;
+      if (!co_await look(i)) report_.parameters[i].state = ParametersState::unknown;
     }
     co_return why;
   }
 
   Task<Result<void>> write(std::size_t index) {
     const Step& step = steps_[index];
-    BlockReport& block = report_.blocks[index];
+    ParametersReport& block = report_.parameters[index];
     const Result<void> sent =
-        co_await step.kind->write(step.wanted, detail::settings_options(deadline_));
+        co_await step.kind->write(step.wanted, detail::parameters_options(deadline_));
     // Whatever the answer, or if there was none: only what can be read back is known.
     if (auto seen = co_await look(index); !seen) {
-      block.state = BlockState::unknown;
+      block.state = ParametersState::unknown;
       co_return sent ? seen : detail::during("writing " + to_text(block.id), sent.error());
     }
     if (!sent) co_return detail::during("writing " + to_text(block.id), sent.error());
-    if (block.state == BlockState::written) co_return Result<void>();
+    if (block.state == ParametersState::written) co_return Result<void>();
     co_return ClientError{ErrorCode::mismatch,
                           fmt::format("{} was confirmed, but reading it back gives something else",
                                       to_text(block.id))};
@@ -158,42 +159,43 @@ class Writing {
   /// Reads a block back and notes what is there.
   Task<Result<void>> look(std::size_t index) {
     const Step& step = steps_[index];
-    BlockReport& block = report_.blocks[index];
-    Result<Block> present = co_await detail::read_block(*step.kind, block.id.copy, deadline_);
+    ParametersReport& block = report_.parameters[index];
+    Result<Parameters> present = co_await detail::read_one(*step.kind, block.id.copy, deadline_);
     if (!present) co_return present.error();
     const bool was_equal = detail::are_equal(*step.kind, step.before, step.wanted);
     block.deviation.clear();
     if (detail::are_equal(*step.kind, present->body, step.wanted)) {
-      block.state = was_equal ? BlockState::equal : BlockState::written;
+      block.state = was_equal ? ParametersState::equal : ParametersState::written;
     } else if (detail::are_equal(*step.kind, present->body, step.before)) {
-      block.state = BlockState::unwritten;
+      block.state = ParametersState::unwritten;
     } else {
-      block.state = BlockState::different;
+      block.state = ParametersState::different;
     }
-    if (block.state == BlockState::different || block.state == BlockState::unwritten) {
+    if (block.state == ParametersState::different || block.state == ParametersState::unwritten) {
       block.deviation = detail::field_changes(*step.kind, step.wanted, present->body);
     }
     co_return Result<void>();
   }
 
-  /// Reads all blocks once more: writing one may have changed another.
+  /// Reads all once more: writing one may have changed another.
   Task<Result<void>> check_all() {
-    const bool any = std::ranges::any_of(
-        report_.blocks, [](const BlockReport& b) { return b.state == BlockState::written; });
+    const bool any = std::ranges::any_of(report_.parameters, [](const ParametersReport& b) {
+      return b.state == ParametersState::written;
+    });
     std::string wrong;
     for (std::size_t i = 0; any && i < steps_.size(); ++i) {
-      auto going = tell(2 * steps_.size() + i, to_text(report_.blocks[i].id));
+      auto going = tell(2 * steps_.size() + i, to_text(report_.parameters[i].id));
       if (!going) co_return co_await stop(steps_.size(), std::move(going));
       if (auto seen = co_await look(i); !seen) {
         // What is still to be looked at may have been changed by what was written since.
         for (std::size_t rest = i; rest < steps_.size(); ++rest) {
-          report_.blocks[rest].state = BlockState::unknown;
+          report_.parameters[rest].state = ParametersState::unknown;
         }
         co_return seen;
       }
-      const BlockState state = report_.blocks[i].state;
-      if (state != BlockState::equal && state != BlockState::written) {
-        wrong += fmt::format("{}{}", wrong.empty() ? "" : ", ", to_text(report_.blocks[i].id));
+      const ParametersState state = report_.parameters[i].state;
+      if (state != ParametersState::equal && state != ParametersState::written) {
+        wrong += fmt::format("{}{}", wrong.empty() ? "" : ", ", to_text(report_.parameters[i].id));
       }
     }
     if (!wrong.empty()) {
@@ -201,14 +203,14 @@ class Writing {
                             "in the end, something else than was wanted is read for " + wrong};
     }
     const std::size_t total = 3 * steps_.size();
-    if (options_.progress) options_.progress({total, total, "all settings are written"});
+    if (options_.progress) options_.progress({total, total, "all parameters are written"});
     co_return Result<void>();
   }
 
   Result<void> tell(std::size_t done, const std::string& what) const {
     const std::size_t passes = options_.dry_run ? 1 : 3;
     const Progress progress{done, passes * steps_.size(), what};
-    return detail::go_on("writing the settings", options_.progress, progress, deadline_);
+    return detail::go_on("writing the parameters", options_.progress, progress, deadline_);
   }
 
   const TaskMachine& task_;

@@ -3,10 +3,10 @@
 /// other trailer) is another case in each of these functions.
 #pragma once
 
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <type_traits>
 
@@ -29,6 +29,28 @@ struct Candidate {
   Verdict verdict{};
   std::size_t size{};
 };
+
+namespace detail {
+
+constexpr bool are(std::span<const FramePart> parts, std::initializer_list<FramePart> wanted) {
+  if (parts.size() != wanted.size()) return false;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i] != wanted.begin()[i]) return false;
+  }
+  return true;
+}
+
+static_assert(FrameParts::header_checksum == FrameParts::Checksum::sum8 &&
+                  are(FrameParts::header_checksum_covers, {FramePart::id, FramePart::size}),
+              "another header checksum in spec/simplebgc.yaml needs another is_header(), "
+              "skip_blocks() and finish()");
+static_assert(are(FrameParts::trailer, {FramePart::body_checksum}) &&
+                  FrameParts::body_checksum == FrameParts::Checksum::sum8 &&
+                  are(FrameParts::body_checksum_covers, {FramePart::body}),
+              "another trailer in spec/simplebgc.yaml needs another inspect() and finish(), and "
+              "another sum where byte_sum() and ByteSum are used");
+
+}  // namespace detail
 
 /// The framing of FrameParts: a start byte, a header of id, body size and their sum in any order,
 /// the body, and its sum.
@@ -106,18 +128,6 @@ struct Framing {
     return id != 0 && static_cast<std::uint8_t>(id + bytes[frame_size_offset]) ==
                           bytes[frame_header_checksum_offset];
   }
-
-  using Checksum = FrameParts::Checksum;
-  static_assert(FrameParts::header_checksum == Checksum::sum8 &&
-                    FrameParts::header_checksum_covers ==
-                        std::array{FramePart::id, FramePart::size},
-                "another header checksum in spec/simplebgc.yaml needs another is_header(), "
-                "skip_blocks() and finish()");
-  static_assert(FrameParts::trailer == std::array{FramePart::body_checksum} &&
-                    FrameParts::body_checksum == Checksum::sum8 &&
-                    FrameParts::body_checksum_covers == std::array{FramePart::body},
-                "another trailer in spec/simplebgc.yaml needs another inspect() and finish(), and "
-                "another sum in checksum.hpp and add_in_memory()");
 
 #if defined(__SSE2__)
   /// Goes on to where a header checksum holds, or fewer than 16 headers are left, or 255 blocks of

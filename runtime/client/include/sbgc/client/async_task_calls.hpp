@@ -4,72 +4,80 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
-#include <sbgc/client/backup.hpp>
-#include <sbgc/client/calibration.hpp>
-#include <sbgc/client/memory.hpp>
-#include <sbgc/client/motion.hpp>
-#include <sbgc/client/parameters.hpp>
-#include <sbgc/client/profiles.hpp>
-#include <sbgc/client/variables.hpp>
+#include <sbgc/client/tasks.hpp>
 
 namespace sbgc {
 
 /// `client.async_move_to(target, options, token)` is
 /// `client.async_run(tasks::move_to(target, options), token)`, and so for all tasks; they are
-/// described in the headers named here.
+/// described in the headers named here, which the caller includes.
 template <class Self>
 class AsyncTaskCalls {
+  template <class T>
+  using Late = typename detail::Late<Self, T>::type;
+
  public:
   // Motion: <sbgc/client/motion.hpp>
+
   template <class Token>
-  auto async_move_to(const MoveTarget& target, const MoveOptions& options, Token&& token) {
+  auto async_move_to(const MoveTarget& target, const Late<MoveOptions>& options, Token&& token) {
     return self().async_run(tasks::move_to(target, options), std::forward<Token>(token));
   }
   template <class Token>
-  auto async_stop(const StopOptions& options, Token&& token) {
+  auto async_stop(const Late<StopOptions>& options, Token&& token) {
     return self().async_run(tasks::stop(options), std::forward<Token>(token));
   }
   template <class Token>
   auto async_release(Token&& token) {
     return self().async_run(tasks::release(), std::forward<Token>(token));
   }
+
   // Calibration: <sbgc/client/calibration.hpp>
+
   template <class Token>
-  auto async_calibrate(Sensor sensor, const CalibrationOptions& options, Token&& token) {
+  auto async_calibrate(Sensor sensor, const Late<CalibrationOptions>& options, Token&& token) {
     return self().async_run(tasks::calibrate(sensor, options), std::forward<Token>(token));
   }
+
   // Parameters: <sbgc/client/parameters.hpp>
+
   template <class Token>
-  auto async_read_parameters(const ReadOptions& options, Token&& token) {
+  auto async_read_parameters(const Late<ReadOptions>& options, Token&& token) {
     return self().async_run(tasks::read_parameters(options), std::forward<Token>(token));
   }
   template <class Token>
-  auto async_write_parameters(const ParameterSet& wanted, const WriteOptions& options,
+  auto async_write_parameters(const Late<ParameterSet>& wanted, const Late<WriteOptions>& options,
                               Token&& token) {
     return self().async_run(tasks::write_parameters(wanted, options), std::forward<Token>(token));
   }
+
   // Backups: <sbgc/client/backup.hpp>
+
   template <class Token>
-  auto async_make_backup(const ReadOptions& options, Token&& token) {
+  auto async_make_backup(const Late<ReadOptions>& options, Token&& token) {
     return self().async_run(tasks::make_backup(utc_now(), options), std::forward<Token>(token));
   }
   template <class Token>
-  auto async_restore(const Backup& backup, const RestoreOptions& options, Token&& token) {
+  auto async_restore(const Late<Backup>& backup, const Late<RestoreOptions>& options,
+                     Token&& token) {
     return self().async_run(tasks::restore(backup, options), std::forward<Token>(token));
   }
+
   // Memory: <sbgc/client/memory.hpp>
+
   template <class Token>
   auto async_download_eeprom(std::uint32_t address, std::size_t size,
-                             const TransferOptions& options, Token&& token) {
+                             const Late<TransferOptions>& options, Token&& token) {
     return self().async_run(tasks::download_eeprom(address, size, options),
                             std::forward<Token>(token));
   }
   template <class Token>
   auto async_upload_eeprom(std::uint32_t address, std::vector<std::uint8_t> data,
-                           const TransferOptions& options, Token&& token) {
+                           const Late<TransferOptions>& options, Token&& token) {
     return self().async_run(tasks::upload_eeprom(address, std::move(data), options),
                             std::forward<Token>(token));
   }
@@ -78,12 +86,13 @@ class AsyncTaskCalls {
     return self().async_run(tasks::file_size(file), std::forward<Token>(token));
   }
   template <class Token>
-  auto async_download_file(std::uint16_t file, const TransferOptions& options, Token&& token) {
+  auto async_download_file(std::uint16_t file, const Late<TransferOptions>& options,
+                           Token&& token) {
     return self().async_run(tasks::download_file(file, options), std::forward<Token>(token));
   }
   template <class Token>
   auto async_upload_file(std::uint16_t file, std::vector<std::uint8_t> data,
-                         const TransferOptions& options, Token&& token) {
+                         const Late<TransferOptions>& options, Token&& token) {
     return self().async_run(tasks::upload_file(file, std::move(data), options),
                             std::forward<Token>(token));
   }
@@ -104,7 +113,9 @@ class AsyncTaskCalls {
     return self().async_run(tasks::upload_user_data(offset, std::move(data)),
                             std::forward<Token>(token));
   }
+
   // Profiles: <sbgc/client/profiles.hpp>
+
   template <class Token>
   auto async_profile_names(Token&& token) {
     return self().async_run(tasks::profile_names(), std::forward<Token>(token));
@@ -115,10 +126,12 @@ class AsyncTaskCalls {
                             std::forward<Token>(token));
   }
   template <class Token>
-  auto async_rename_profiles(const ProfileNames& names, Token&& token) {
+  auto async_rename_profiles(const Late<ProfileNames>& names, Token&& token) {
     return self().async_run(tasks::rename_profiles(names), std::forward<Token>(token));
   }
+
   // Adjustable variables: <sbgc/client/variables.hpp>
+
   template <class Token>
   auto async_get_variables(std::vector<std::string> names, Token&& token) {
     return self().async_run(tasks::get_variables(std::move(names)), std::forward<Token>(token));
@@ -128,7 +141,7 @@ class AsyncTaskCalls {
     return self().async_run(tasks::get_variable(std::move(name)), std::forward<Token>(token));
   }
   template <class Token>
-  auto async_set_variables(std::vector<VariableValue> values, Token&& token) {
+  auto async_set_variables(std::vector<Late<VariableValue>> values, Token&& token) {
     return self().async_run(tasks::set_variables(std::move(values)), std::forward<Token>(token));
   }
   template <class Token>

@@ -1,4 +1,4 @@
-/// Backups: all settings of a board in a file, and back.
+/// Backups: all parameters of a board in a file, and back.
 ///
 /// The file is JSON. What counts are the bodies in hex; the fields beside them are for reading, and
 /// a file in which both disagree is refused. The format:
@@ -11,7 +11,7 @@
 ///
 /// `copy` counts profiles from 0. `details` and `serial_number` are missing if the board has none.
 ///
-/// Settings that are brought back act at once, and the camera can move. See docs/2-safety.md.
+/// Parameters that are brought back act at once, and the camera can move. See docs/2-safety.md.
 #pragma once
 
 #include <filesystem>
@@ -23,19 +23,16 @@
 #include <sbgc/client/board_identity.hpp>
 #include <sbgc/client/parameters.hpp>
 #include <sbgc/client/result.hpp>
-#include <sbgc/client/task.hpp>
+#include <sbgc/client/tasks.hpp>
 
 namespace sbgc {
 
-/// The settings of a board, and which board it was.
+/// The parameters of a board, and which board it was.
 struct Backup {
   BoardIdentity board{};
-  ParameterSet settings{};
+  ParameterSet parameters{};
   std::string created{};  ///< when, in UTC: "2024-05-01T12:00:00Z"
 };
-
-/// The time of this computer as Backup::created has it.
-std::string utc_now();
 
 /// The content of a backup file.
 std::string to_json_text(const Backup& backup);
@@ -59,7 +56,7 @@ Result<void> save_backup(const Backup& backup, const std::filesystem::path& file
 /// Reads a backup file; ErrorCode::not_found, io, bad_file or incompatible.
 Result<Backup> load_backup(const std::filesystem::path& file);
 
-/// Why the settings do not belong to this board: "the board is a 3.1, the backup is of a 3.0".
+/// Why the parameters do not belong to this board: "the board is a 3.1, the backup is of a 3.0".
 /// Another board of the same model with the same firmware fits.
 std::vector<std::string> mismatches(const BoardIdentity& board, const BoardIdentity& backup);
 
@@ -71,7 +68,7 @@ BackupHandler save_to(std::filesystem::path file);
 
 /// How a backup is restored.
 struct RestoreOptions {
-  /// Keeps the present settings before anything is written; needed unless dry_run.
+  /// Keeps the present parameters before anything is written; needed unless dry_run.
   BackupHandler save_present{};
   /// Only reports what would change.
   bool dry_run = false;
@@ -85,10 +82,10 @@ struct RestoreOptions {
 
 namespace tasks {
 
-/// Reads all settings of the board. `created` is for the backup; a task has no clock of its own.
+/// Reads all parameters of the board. `created` is for the backup; a task has no clock of its own.
 Task<Result<Backup>> make_backup(std::string created, ReadOptions options = {});
 
-/// Makes the settings of the board those of a backup; what the backup does not have stays. See
+/// Makes the parameters of the board those of a backup; what the backup does not have stays. See
 /// write_parameters() for how; values are not checked, because a board had them.
 Task<WriteReport> restore(Backup backup, RestoreOptions options = {});
 

@@ -38,7 +38,7 @@ Task<Result<Bytes>> download_eeprom(std::uint32_t address, std::size_t size,
 /// Writes `data` to the EEPROM from `address` on. The board writes whole pages only: where the data
 /// begin or end inside one, its other bytes are read first and written back as they are.
 ///
-/// Board settings live there, too: writing at a wrong place can make a board useless. After a
+/// Board parameters live there, too: writing at a wrong place can make a board useless. After a
 /// failure the error says up to which address the data were written.
 Task<Result<void>> upload_eeprom(std::uint32_t address, Bytes data, TransferOptions options = {});
 

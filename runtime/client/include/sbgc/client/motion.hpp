@@ -4,7 +4,7 @@
 #include <chrono>
 #include <functional>
 
-#include <sbgc/client/task.hpp>
+#include <sbgc/client/tasks.hpp>
 #include <sbgc/types.hpp>
 #include <sbgc/units.hpp>
 

@@ -189,7 +189,7 @@ class [[nodiscard]] Task {
   // NOLINTEND(readability-identifier-naming)
 
  private:
-  struct Ending {
+  struct Final {
     bool await_ready() const noexcept { return false; }
     std::coroutine_handle<> await_suspend(std::coroutine_handle<Promise> ended) const noexcept {
       if (ended.promise().awaiting) return ended.promise().awaiting;
@@ -206,7 +206,7 @@ class [[nodiscard]] Task {
 
     Task get_return_object() { return Task(std::coroutine_handle<Promise>::from_promise(*this)); }
     std::suspend_always initial_suspend() const noexcept { return {}; }
-    Ending final_suspend() const noexcept { return {}; }
+    Final final_suspend() const noexcept { return {}; }
     /// What a handler of the task's owner throws goes to whoever drives it.
     void unhandled_exception() { throw; }
     template <class Value>

@@ -4,89 +4,107 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
-#include <sbgc/client/backup.hpp>
-#include <sbgc/client/calibration.hpp>
 #include <sbgc/client/calls.hpp>
-#include <sbgc/client/memory.hpp>
-#include <sbgc/client/motion.hpp>
-#include <sbgc/client/parameters.hpp>
-#include <sbgc/client/profiles.hpp>
-#include <sbgc/client/variables.hpp>
+#include <sbgc/client/tasks.hpp>
 
 namespace sbgc {
 
 /// `client.move_to(target, options)` is `client.run(tasks::move_to(target, options))`, and so for
-/// all tasks; they are described in the headers named here. A command of the protocol with the same
-/// name gives way: call() still sends it.
+/// all tasks; they are described in the headers named here, which the caller includes. A command of
+/// the protocol with the same name gives way: call() still sends it.
 template <class Self>
 class TaskCalls : public Calls<Self> {
+  template <class T>
+  using Late = typename detail::Late<Self, T>::type;
+
  public:
   // Motion: <sbgc/client/motion.hpp>
-  Result<MoveProgress> move_to(const MoveTarget& target, const MoveOptions& options = {}) {
+
+  Result<Late<MoveProgress>> move_to(const MoveTarget& target,
+                                     const Late<MoveOptions>& options = {}) {
     return self().run(tasks::move_to(target, options));
   }
-  Result<void> stop(const StopOptions& options = {}) { return self().run(tasks::stop(options)); }
+  Result<void> stop(const Late<StopOptions>& options = {}) {
+    return self().run(tasks::stop(options));
+  }
   Result<void> release() { return self().run(tasks::release()); }
+
   // Calibration: <sbgc/client/calibration.hpp>
-  Result<void> calibrate(Sensor sensor, const CalibrationOptions& options = {}) {
+
+  Result<void> calibrate(Sensor sensor, const Late<CalibrationOptions>& options = {}) {
     return self().run(tasks::calibrate(sensor, options));
   }
+
   // Parameters: <sbgc/client/parameters.hpp>
-  Result<ParameterSet> read_parameters(const ReadOptions& options = {}) {
+
+  Result<Late<ParameterSet>> read_parameters(const Late<ReadOptions>& options = {}) {
     return self().run(tasks::read_parameters(options));
   }
-  WriteReport write_parameters(const ParameterSet& wanted, const WriteOptions& options = {}) {
+  Late<WriteReport> write_parameters(const Late<ParameterSet>& wanted,
+                                     const Late<WriteOptions>& options = {}) {
     return self().run(tasks::write_parameters(wanted, options));
   }
+
   // Backups: <sbgc/client/backup.hpp>
-  Result<Backup> make_backup(const ReadOptions& options = {}) {
+
+  Result<Late<Backup>> make_backup(const Late<ReadOptions>& options = {}) {
     return self().run(tasks::make_backup(utc_now(), options));
   }
-  WriteReport restore(const Backup& backup, const RestoreOptions& options = {}) {
+  Late<WriteReport> restore(const Late<Backup>& backup, const Late<RestoreOptions>& options = {}) {
     return self().run(tasks::restore(backup, options));
   }
+
   // Memory: <sbgc/client/memory.hpp>
-  Result<tasks::Bytes> download_eeprom(std::uint32_t address, std::size_t size,
-                                       const TransferOptions& options = {}) {
+
+  Result<std::vector<std::uint8_t>> download_eeprom(std::uint32_t address, std::size_t size,
+                                                    const Late<TransferOptions>& options = {}) {
     return self().run(tasks::download_eeprom(address, size, options));
   }
   Result<void> upload_eeprom(std::uint32_t address, std::vector<std::uint8_t> data,
-                             const TransferOptions& options = {}) {
+                             const Late<TransferOptions>& options = {}) {
     return self().run(tasks::upload_eeprom(address, std::move(data), options));
   }
   Result<std::size_t> file_size(std::uint16_t file) { return self().run(tasks::file_size(file)); }
-  Result<tasks::Bytes> download_file(std::uint16_t file, const TransferOptions& options = {}) {
+  Result<std::vector<std::uint8_t>> download_file(std::uint16_t file,
+                                                  const Late<TransferOptions>& options = {}) {
     return self().run(tasks::download_file(file, options));
   }
   Result<void> upload_file(std::uint16_t file, std::vector<std::uint8_t> data,
-                           const TransferOptions& options = {}) {
+                           const Late<TransferOptions>& options = {}) {
     return self().run(tasks::upload_file(file, std::move(data), options));
   }
   Result<void> delete_file(std::uint16_t file) { return self().run(tasks::delete_file(file)); }
   Result<void> delete_all_files() { return self().run(tasks::delete_all_files()); }
-  Result<tasks::Bytes> download_user_data() { return self().run(tasks::download_user_data()); }
+  Result<std::vector<std::uint8_t>> download_user_data() {
+    return self().run(tasks::download_user_data());
+  }
   Result<void> upload_user_data(std::size_t offset, std::vector<std::uint8_t> data) {
     return self().run(tasks::upload_user_data(offset, std::move(data)));
   }
+
   // Profiles: <sbgc/client/profiles.hpp>
-  Result<ProfileNames> profile_names() { return self().run(tasks::profile_names()); }
+
+  Result<Late<ProfileNames>> profile_names() { return self().run(tasks::profile_names()); }
   Result<void> rename_profile(std::size_t profile, std::string name) {
     return self().run(tasks::rename_profile(profile, std::move(name)));
   }
-  Result<void> rename_profiles(const ProfileNames& names) {
+  Result<void> rename_profiles(const Late<ProfileNames>& names) {
     return self().run(tasks::rename_profiles(names));
   }
+
   // Adjustable variables: <sbgc/client/variables.hpp>
+
   Result<std::vector<double>> get_variables(std::vector<std::string> names) {
     return self().run(tasks::get_variables(std::move(names)));
   }
   Result<double> get_variable(std::string name) {
     return self().run(tasks::get_variable(std::move(name)));
   }
-  Result<void> set_variables(std::vector<VariableValue> values) {
+  Result<void> set_variables(std::vector<Late<VariableValue>> values) {
     return self().run(tasks::set_variables(std::move(values)));
   }
   Result<void> set_variable(std::string name, double value) {

@@ -1,6 +1,6 @@
 /// Adjustable variables by name, in their units.
 ///
-/// They change the settings in the board's volatile memory at once; save_variables() makes that
+/// They change the parameters in the board's volatile memory at once; save_variables() makes that
 /// last. What there is, with units and ranges, is in <sbgc/meta/variables.hpp>.
 #pragma once
 
@@ -48,7 +48,7 @@ Task<Result<void>> set_variables(std::vector<VariableValue> values);
 /// Sets one variable.
 Task<Result<void>> set_variable(std::string name, double value);
 
-/// Saves the board's volatile settings, with all changes to variables, to the active profile.
+/// Saves the board's volatile parameters, with all changes to variables, to the active profile.
 Task<Result<void>> save_variables();
 
 }  // namespace tasks

@@ -1,4 +1,4 @@
-/// Messages that hold settings, without their types: what can be done with the body of each.
+/// Messages that hold parameters, without their types: what can be done with the body of each.
 #pragma once
 
 #include <optional>
@@ -19,21 +19,21 @@ namespace sbgc::detail {
 
 using Body = std::span<const std::uint8_t>;
 
-/// One message that holds settings, and the requests that read and store it.
-struct SettingsKind {
+/// One message that holds parameters, and the requests that read and store it.
+struct ParametersKind {
   std::string_view name;
   const char* summary;
   std::uint8_t copies;
   /// 1 bits where a body holds state of the board.
   std::vector<std::uint8_t> state_mask;
-  /// 1 bits where it holds general settings.
+  /// 1 bits where it holds general parameters.
   std::vector<std::uint8_t> general_mask;
 
   bool (*is_readable)(const Availability& versions);
   bool (*is_writable)(const Availability& versions);
   Task<Result<std::vector<std::uint8_t>>> (*read)(std::uint8_t copy, CallOptions options);
   Task<Result<void>> (*write)(std::vector<std::uint8_t> body, CallOptions options);
-  /// Why the body is no settings of this copy; "" if it is.
+  /// Why the body is no parameters of this copy; "" if it is.
   std::string (*problem)(Body body, std::uint8_t copy);
   std::vector<LeafText> (*leaves)(Body body);
   Json (*to_json)(Body body);
@@ -43,19 +43,19 @@ struct SettingsKind {
 };
 
 /// All of them, in the order of the specification's families.
-const std::vector<SettingsKind>& settings_kinds();
-/// Null if no message of this name holds settings.
-const SettingsKind* find_settings_kind(std::string_view name);
+const std::vector<ParametersKind>& parameters_kinds();
+/// Null if no message of this name holds parameters.
+const ParametersKind* find_parameters_kind(std::string_view name);
 
 /// The wanted body as it has to be written over the present one: with the state of the board, and
 /// the bytes behind the end of the wanted body, as they are. Nothing if the wanted one is longer.
-std::optional<std::vector<std::uint8_t>> merged(const SettingsKind& kind, Body wanted,
+std::optional<std::vector<std::uint8_t>> merged(const ParametersKind& kind, Body wanted,
                                                 Body present);
-/// Whether both hold the same settings.
-bool are_equal(const SettingsKind& kind, Body a, Body b);
-/// The settings in which they differ.
-std::vector<FieldChange> field_changes(const SettingsKind& kind, Body before, Body after);
+/// Whether both hold the same parameters.
+bool are_equal(const ParametersKind& kind, Body a, Body b);
+/// The parameters in which they differ.
+std::vector<FieldChange> field_changes(const ParametersKind& kind, Body before, Body after);
 /// The general ones among those.
-std::vector<FieldChange> general_changes(const SettingsKind& kind, Body before, Body after);
+std::vector<FieldChange> general_changes(const ParametersKind& kind, Body before, Body after);
 
 }  // namespace sbgc::detail

@@ -1,4 +1,4 @@
-#include "settings_kind.hpp"
+#include "parameters_kind.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -71,7 +71,7 @@ Task<Result<std::vector<std::uint8_t>>> read_with(std::uint8_t copy, CallOptions
 }
 
 template <class M>
-Task<Result<std::vector<std::uint8_t>>> read_settings(std::uint8_t copy, CallOptions options) {
+Task<Result<std::vector<std::uint8_t>>> read_parameters_of(std::uint8_t copy, CallOptions options) {
   const TaskMachine& task = co_await tasks::this_task();
   std::optional<Task<Result<std::vector<std::uint8_t>>>> reading;
   with_supported(
@@ -88,7 +88,7 @@ Task<Result<void>> write_with(std::vector<std::uint8_t> body, CallOptions option
 }
 
 template <class M>
-Task<Result<void>> write_settings(std::vector<std::uint8_t> body, CallOptions options) {
+Task<Result<void>> write_parameters_of(std::vector<std::uint8_t> body, CallOptions options) {
   const TaskMachine& task = co_await tasks::this_task();
   std::optional<Task<Result<void>>> writing;
   with_supported(typename SettingsOf<M>::Writers{}, task.identity().versions(),
@@ -126,7 +126,7 @@ void violations(Body body, const Availability& versions,
 }
 
 template <class M>
-SettingsKind kind_of() {
+ParametersKind kind_of() {
   return {
       .name = Meta<M>::info.name,
       .summary = Meta<M>::info.summary,
@@ -141,8 +141,8 @@ SettingsKind kind_of() {
           [](const Availability& versions) {
             return with_supported(typename SettingsOf<M>::Writers{}, versions, [](auto) {});
           },
-      .read = read_settings<M>,
-      .write = write_settings<M>,
+      .read = read_parameters_of<M>,
+      .write = write_parameters_of<M>,
       .problem = problem<M>,
       .leaves = [](Body body) { return leaf_texts(message_of<M>(body)); },
       .to_json = [](Body body) { return to_json(message_of<M>(body)); },
@@ -162,22 +162,22 @@ std::uint8_t mixed(std::uint8_t byte, std::uint8_t other, std::uint8_t mask) {
 
 }  // namespace
 
-const std::vector<SettingsKind>& settings_kinds() {
-  static const std::vector<SettingsKind> kinds = [] {
-    std::vector<SettingsKind> result;
+const std::vector<ParametersKind>& parameters_kinds() {
+  static const std::vector<ParametersKind> kinds = [] {
+    std::vector<ParametersKind> result;
     StoredMessages::for_each([&]<class M>(Type<M>) { result.push_back(kind_of<M>()); });
     return result;
   }();
   return kinds;
 }
 
-const SettingsKind* find_settings_kind(std::string_view name) {
-  const auto& kinds = settings_kinds();
-  const auto found = std::ranges::find(kinds, name, &SettingsKind::name);
+const ParametersKind* find_parameters_kind(std::string_view name) {
+  const auto& kinds = parameters_kinds();
+  const auto found = std::ranges::find(kinds, name, &ParametersKind::name);
   return found != kinds.end() ? &*found : nullptr;
 }
 
-std::optional<std::vector<std::uint8_t>> merged(const SettingsKind& kind, Body wanted,
+std::optional<std::vector<std::uint8_t>> merged(const ParametersKind& kind, Body wanted,
                                                 Body present) {
   if (wanted.size() > present.size()) return std::nullopt;
   std::vector<std::uint8_t> result(present.begin(), present.end());
@@ -187,7 +187,7 @@ std::optional<std::vector<std::uint8_t>> merged(const SettingsKind& kind, Body w
   return result;
 }
 
-bool are_equal(const SettingsKind& kind, Body a, Body b) {
+bool are_equal(const ParametersKind& kind, Body a, Body b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (((a[i] ^ b[i]) & ~at(kind.state_mask, i)) != 0) return false;
@@ -195,7 +195,7 @@ bool are_equal(const SettingsKind& kind, Body a, Body b) {
   return true;
 }
 
-std::vector<FieldChange> field_changes(const SettingsKind& kind, Body before, Body after) {
+std::vector<FieldChange> field_changes(const ParametersKind& kind, Body before, Body after) {
   std::vector<FieldChange> changes;
   std::vector<LeafText> now = kind.leaves(after);
   std::unordered_map<std::string_view, const LeafText*> by_path;
@@ -220,7 +220,7 @@ std::vector<FieldChange> field_changes(const SettingsKind& kind, Body before, Bo
   return changes;
 }
 
-std::vector<FieldChange> general_changes(const SettingsKind& kind, Body before, Body after) {
+std::vector<FieldChange> general_changes(const ParametersKind& kind, Body before, Body after) {
   std::vector<std::uint8_t> changed(before.begin(), before.end());
   for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i) {
     changed[i] = mixed(before[i], after[i], at(kind.general_mask, i));

@@ -1,0 +1,69 @@
+"""What the generator makes of a spec in memory, as far as somebody asks."""
+
+from __future__ import annotations
+
+import re
+from functools import cached_property
+from pathlib import Path
+from typing import Any, Optional
+
+from sbgcgen import build
+from sbgcgen.model import Layout
+from sbgcgen.model.export import export
+from sbgcgen.spec.diagnostics import Diagnostics
+from sbgcgen.spec.lint.effects import lint_effects
+from sbgcgen.spec.lint.usage import lint_unused
+from sbgcgen.spec.load import Spec
+from sbgcgen.spec.resolve.protocol import resolve
+from sbgcgen.spec.syntax import check_syntax
+from sbgcgen.targets import target
+
+_COMMENT = re.compile(rb"//[^\n]*|/\*.*?\*/", re.S)
+
+
+class Made:
+    """What a spec makes; each part is made when it is asked for."""
+
+    def __init__(self, spec: Spec, project: Path) -> None:
+        families = {name: spec.families[name] for name in spec.main["families"]}
+        self.spec = Spec(spec.main, families, spec.errata, spec.files)
+        self.project = project
+        self.found = Diagnostics()
+        self.layout: Optional[Layout] = None
+
+    @cached_property
+    def model(self) -> Any:
+        """The exported model; None if it cannot be made."""
+        check_syntax(self.spec, self.found)
+        if not self.found.found:
+            self.layout = resolve(self.spec, self.found)
+        return export(self.layout) if self.layout and not self.found.found else None
+
+    @cached_property
+    def is_refused(self) -> bool:
+        """Whether lint finds something."""
+        if self.model is not None and self.layout is not None:
+            build.check(self.spec, self.layout, self.found)
+            if not self.found.found:
+                lint_unused(self.spec, self.found)
+                lint_effects(self.layout, self.found)
+        return bool(self.found.found)
+
+    @cached_property
+    def code(self) -> dict[str, bytes]:
+        """The C++ without its comments."""
+        return {path: _COMMENT.sub(b"", text) for path, text in self._files("cpp").items()}
+
+    @cached_property
+    def vectors(self) -> dict[str, bytes]:
+        """The test vectors."""
+        return self._files("vectors")
+
+    @cached_property
+    def documentation(self) -> dict[str, bytes]:
+        """C++ with its comments, the reference, and the reference site."""
+        return {**self._files("cpp"), **self._files("docs"), **self._files("site")}
+
+    def _files(self, name: str) -> dict[str, bytes]:
+        assert self.layout is not None
+        return dict(target(name).files(self.layout, self.project))
