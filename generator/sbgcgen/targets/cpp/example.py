@@ -28,6 +28,7 @@ from sbgcgen.model.packed_text import part_of
 from sbgcgen.oracle.codec import Fields, is_bytes, keys_of
 from sbgcgen.oracle.example import Example, Piece, real
 from sbgcgen.oracle.typical import typical_number
+from sbgcgen.targets.cpp.filters import unit_name
 
 # How many values of a long message the example looks at.
 _SHOWN = 8
@@ -300,5 +301,6 @@ FILTERS: dict[str, Callable[..., Any]] = {
     "printf_form": lambda scalar: _FORMS.get(scalar.name, "%d"),
     "quoted": quoted,
     "unhex": bytes.fromhex,
+    "unit_name": unit_name,
     "value_named": value_named,
 }
