@@ -237,7 +237,7 @@ def test_what_only_the_board_knows_is_read_before_it_is_written(pages: Pages) ->
     for message in storing:
         page = pages[f"messages/{slug(message.name)}.html"]
         code = only(page, "example-cpp").text
-        assert f"sbgc::{message.name} message{{read}};" in code
+        assert f"sbgc::msg::{message.name} message{{read}};" in code
         assert len(re.findall(r"^message\.", code, re.MULTILINE)) == 1, code
         read = example_of(message, LAYOUT).read
         assert read is not None and example_of(message, LAYOUT).changed

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from urllib.parse import urljoin
 
-from sbgcgen.model import Availability, Layout
+from sbgcgen.model import Layout
 from sbgcgen.targets.site.uses import page_of_message, page_of_type
 from sbgcgen.views.words import versions
 
@@ -306,7 +307,7 @@ def test_search_knows_versions_and_pages_of_their_own(files: Files, layout: Layo
         assert [e for e in found.values() if {"rev", revision.number} <= set(e.words)]
     for message in layout.messages:
         if message.since.firmware:
-            version = versions(Availability(firmware=message.since.firmware)).split()[-1]
+            version = versions(replace(message.since, board=0)).split()[-1]
             assert f"availability.html#firmware-{version}" in found
 
 

@@ -1,4 +1,4 @@
-"""Code that people copy moves every axis slowly: speed 0 in an angle mode is the speed of the settings."""
+"""Code that people copy moves every axis slowly: speed 0 in an angle mode means that of the parameters."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from sbgcgen.model import Layout
 from conftest import PROJECT
 
 AXES = ("roll", "pitch", "yaw")
-ANGLE_MODE = re.compile(r"ControlModeKind::\w*angle\w*")
+ANGLE_MODE = re.compile(r"ControlMode(Kind)?::\w*angle\w*")
 
 
 def sources() -> dict[str, str]:
@@ -28,10 +28,11 @@ def sources() -> dict[str, str]:
 
 
 def sets_speed_of(axis: str, code: str) -> bool:
-    """Whether the code sets the speed of an axis, by its name or in a loop over pointers."""
+    """Whether the code sets the speed of an axis: by its name, in a loop over pointers, or in braces."""
     loops = re.findall(r"for \(auto\* (\w+) : \{([^}]*)\}\)\s*\{?\s*\1->speed = ", code)
     in_loop = any(f"axes.{axis}" in members for _, members in loops)
-    return in_loop or re.search(rf"axes\.{axis}\.speed = ", code) is not None
+    by_name = rf"axes\.{axis}\.speed = |\.{axis} = \{{\.speed = "
+    return in_loop or re.search(by_name, code) is not None
 
 
 def test_code_with_an_angle_mode_sets_the_speed_of_every_axis() -> None:
