@@ -53,8 +53,8 @@ emulator::EmulatorOptions quick_board();
 class EmulatedBoard {
  public:
   /// `is_tapped`: hooks work; without, bytes are carried as they are.
-  explicit EmulatedBoard(emulator::EmulatorOptions options = quick_board(), emulator::Memory memory = {},
-                         bool is_tapped = true);
+  explicit EmulatedBoard(emulator::EmulatorOptions options = quick_board(),
+                         emulator::Memory memory = {}, bool is_tapped = true);
   EmulatedBoard(const EmulatedBoard&) = delete;
   EmulatedBoard& operator=(const EmulatedBoard&) = delete;
   ~EmulatedBoard();

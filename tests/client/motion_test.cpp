@@ -35,7 +35,8 @@ class MotionTest : public TaskTest {
     return board.gimbal([](emulator::Gimbal& gimbal, Instant now) { return gimbal.sample(now); });
   }
   emulator::AxisMode mode(std::size_t axis) {
-    return board.gimbal([=](emulator::Gimbal& gimbal, Instant) { return gimbal.command(axis).mode; });
+    return board.gimbal(
+        [=](emulator::Gimbal& gimbal, Instant) { return gimbal.command(axis).mode; });
   }
   /// Lets yaw turn.
   void turn(msg::ControlSpeed speed) {

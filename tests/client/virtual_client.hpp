@@ -20,7 +20,8 @@ namespace sbgc::test {
 /// What a browser would do: everything that happens is a function of the time that is handed in.
 class VirtualClient {
  public:
-  explicit VirtualClient(const emulator::EmulatorOptions& options = {}, emulator::Memory memory = {})
+  explicit VirtualClient(const emulator::EmulatorOptions& options = {},
+                         emulator::Memory memory = {})
       : emulator_(options, std::move(memory), now_), port_(emulator_.connect(true, now_).value()) {
     const Result<msg::BoardInfo> info = run(introduction());
     if (!info) throw std::runtime_error(info.error().message);

@@ -1,5 +1,5 @@
-// The vectors of the reference codec (generator/sbgcgen/targets/vectors), which knows the model but none
-// of the templates: every one of them both ways, to the byte.
+// The vectors of the reference codec (generator/sbgcgen/targets/vectors), which knows the model but
+// none of the templates: every one of them both ways, to the byte.
 
 #include <algorithm>
 #include <filesystem>

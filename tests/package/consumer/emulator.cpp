@@ -5,7 +5,8 @@
 #include <sbgc/emulator/board.hpp>
 
 int main() {
-  sbgc::emulator::Board board(sbgc::emulator::BoardOptions{}, sbgc::emulator::Memory{}, sbgc::Instant{});
+  sbgc::emulator::Board board(sbgc::emulator::BoardOptions{}, sbgc::emulator::Memory{},
+                              sbgc::Instant{});
   board.advance(sbgc::Instant{} + sbgc::seconds(1));
   const bool works = board.open_port().has_value() && board.gimbal().motors_on();
   std::printf("%s\n", works ? "the motors are on" : "the board does not work");
