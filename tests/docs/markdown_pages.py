@@ -112,10 +112,9 @@ class MarkdownPages:
         section = self.messages.get(f"{place.name} ({way})")
         if section is None or not place.hook:
             return section.text if section else None
-        same = re.search(r"The body is identical to that of (\w+ *)", section.text)
-        if same:
-            other = next(s for t, s in self.messages.items() if t.split()[0] == same[1].strip())
-            return _cell(other, "Field", place.hook, column)
+        while same := re.search(r"The body is identical to that of (\w+ *)", section.text):
+            name = same[1].strip()
+            section = next(s for t, s in self.messages.items() if t.split()[0] == name)
         return _cell(section, "Field", place.hook, column)
 
 
