@@ -163,7 +163,7 @@ test("what the specification does not allow is pointed out", async () => {
     await expectSummary(page, /1 frame/);
     await page.getByLabel("problems only").check();
     await type(page, frame(82, [99]).toString("hex"));
-    await expectSummary(page, /1 value that the specification does not allow/);
+    await expectSummary(page, /1 value outside the specification/);
     assert.match((await inside(page, 0)).text, /is above 4/);
     await type(page, frame(82, [1]).toString("hex"));
     await expectSummary(page, /1 frame\.$/);
