@@ -322,9 +322,8 @@ TEST_F(Async, StreamWithAnImpossibleIntervalCompletesWithAnError) {
                             .get();
     ASSERT_FALSE(stream) << interval.count();
     EXPECT_EQ(stream.error().code, ErrorCode::invalid);
-    EXPECT_EQ(stream.error().message, "a stream cannot come every " +
-                                          std::to_string(interval.count()) +
-                                          " ms: from 1 to 65535 ms is possible");
+    EXPECT_EQ(stream.error().message, "a stream interval of " + std::to_string(interval.count()) +
+                                          " ms is not possible: the range is 1 to 65535 ms");
   }
   const auto possible =
       client

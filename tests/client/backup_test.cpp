@@ -227,7 +227,7 @@ TEST_F(BackupTest, EverythingInAFileIsChecked) {
   EXPECT_THAT(wrong([](Json& json) { json["board"]["info"]["body"] = "1e"; }).message,
               HasSubstr("board.info.body"));
   EXPECT_THAT(wrong([](Json& json) { json["board"]["details"]["message"] = "BoardInfo"; }).message,
-              HasSubstr("board.details.message: BoardInfo3 is needed"));
+              HasSubstr("board.details.message: expected BoardInfo3"));
   EXPECT_THAT(wrong([](Json& json) { json["settings"] = 5; }).message, HasSubstr("settings"));
   EXPECT_THAT(wrong([](Json& json) { json["settings"][3]["copy"] = 7; }).message,
               HasSubstr("settings[3]"));
@@ -236,7 +236,7 @@ TEST_F(BackupTest, EverythingInAFileIsChecked) {
   EXPECT_THAT(wrong([](Json& json) { json["settings"][2]["body"] = "xy"; }).message,
               HasSubstr("settings[2].body"));
   EXPECT_THAT(wrong([](Json& json) { json["settings"][1] = json["settings"][0]; }).message,
-              HasSubstr("twice"));
+              HasSubstr("duplicate"));
   EXPECT_THAT(wrong([](Json& json) { json["settings"][0]["message"] = "Beep"; }).message,
               HasSubstr("Beep"));
 }

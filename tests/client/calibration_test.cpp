@@ -73,7 +73,7 @@ TEST_F(CalibrationTest, WithoutTheSecondConfirmationItsEndIsNotKnown) {
   const auto done = client().calibrate(Sensor::gyroscope, options);
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().code, ErrorCode::timeout);
-  EXPECT_THAT(done.error().message, HasSubstr("has begun, but its end is not known"));
+  EXPECT_THAT(done.error().message, HasSubstr("has started, but its result is unknown"));
 }
 
 TEST_F(CalibrationTest, WaitingCanBeCancelled) {

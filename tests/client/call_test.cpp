@@ -298,8 +298,9 @@ TEST_F(Call, EndsByItsDeadlineWhenTheBoardIsSilent) {
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::timeout);
   // The second one is what a caller says whose client's thread stands still.
-  EXPECT_THAT(result.error().message, ::testing::AnyOf("no answer to CMD_GET_ANGLES within 150 ms",
-                                                       "a handler keeps the client from working"));
+  EXPECT_THAT(result.error().message,
+              ::testing::AnyOf("no response to CMD_GET_ANGLES within 150 ms",
+                               "a handler blocks the client"));
   EXPECT_GE(took, milliseconds(150));
   EXPECT_LT(took, std::chrono::seconds(60));
 }

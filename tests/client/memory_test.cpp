@@ -131,8 +131,8 @@ TEST_F(MemoryTest, EepromThatDoesNotKeepWhatIsWrittenIsNoticed) {
   const auto written = client().upload_eeprom(0x200, data);
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().code, ErrorCode::mismatch);
-  EXPECT_THAT(written.error().message, HasSubstr("0x11 was written, but the EEPROM has 0xee at "
-                                                 "0x210; nothing has been written"));
+  EXPECT_THAT(written.error().message, HasSubstr("wrote 0x11, but read back 0xee at "
+                                                 "0x210; nothing was verifiably written"));
 }
 
 TEST_F(MemoryTest, AFailureTellsUpToWhereTheDataStand) {
@@ -143,7 +143,7 @@ TEST_F(MemoryTest, AFailureTellsUpToWhereTheDataStand) {
   const auto written = client().upload_eeprom(0, bytes(1000));
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().code, ErrorCode::timeout);
-  EXPECT_THAT(written.error().message, HasSubstr("the data stand there up to 0x180"));
+  EXPECT_THAT(written.error().message, HasSubstr("the data are written up to 0x180"));
 }
 
 TEST_F(MemoryTest, TransfersTellTheirProgressAndCanBeCancelled) {
@@ -238,7 +238,7 @@ TEST_F(MemoryTest, AFileThatIsReadBackDifferentlyIsNoticed) {
   const auto written = client().upload_file(5, bytes(10));
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().code, ErrorCode::mismatch);
-  EXPECT_THAT(written.error().message, HasSubstr("from byte 2 on"));
+  EXPECT_THAT(written.error().message, HasSubstr("from byte 2"));
 }
 
 TEST_F(MemoryTest, DataOfTheUserAreChangedInPart) {

@@ -178,7 +178,7 @@ TEST_F(MotionTest, ACameraThatDoesNotStopIsAnError) {
   const auto stopped = stop();
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().code, ErrorCode::timeout);
-  EXPECT_THAT(stopped.error().message, HasSubstr("yaw with 61.04 deg/s"));
+  EXPECT_THAT(stopped.error().message, HasSubstr("yaw at 61.04 deg/s"));
 }
 
 TEST_F(MotionTest, Releases) {

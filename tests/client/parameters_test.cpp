@@ -374,7 +374,7 @@ TEST_F(ParametersTest, ProfilesThatWantDifferentGeneralSettingsAreRefused) {
   EXPECT_EQ(report.outcome.error().code, ErrorCode::invalid);
   EXPECT_EQ(report.outcome.error().message,
             "ReadParams3 of profile 5, general_flags1: 8 is wanted, but 0 in ReadParams3 of "
-            "profile 1; it is one for the whole board");
+            "profile 1; the board has only one value");
   EXPECT_EQ(writes(), 0U);
 
   // Who does not want that check learns what came of it.

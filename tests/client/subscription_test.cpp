@@ -340,7 +340,8 @@ TEST_F(Subscribed, ToMoreThanTheLineCarriesIsRefused) {
       client->stream<msg::RealtimeData3>(milliseconds(1), [](const msg::RealtimeData3&) {});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::overload);
-  EXPECT_THAT(refused.error().message, HasSubstr("does not fit through the line: 768 bytes/s"));
+  EXPECT_THAT(refused.error().message,
+              HasSubstr("not enough bandwidth for the data stream: 768 bytes/s"));
 }
 
 TEST_F(Subscribed, ToAStreamThatTheBoardRefusesFails) {

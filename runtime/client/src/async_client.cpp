@@ -25,7 +25,7 @@ class AsyncClient::Impl : public std::enable_shared_from_this<AsyncClient::Impl>
 
   const asio::any_io_executor& executor() const noexcept { return executor_; }
 
-  /// Null before the client has begun to connect; it may not be connected yet.
+  /// Null before the first connect; not necessarily connected.
   detail::Conversation conversation() const {
     const std::lock_guard lock(mutex_);
     return conversation_;
@@ -105,9 +105,9 @@ class AsyncClient::Impl : public std::enable_shared_from_this<AsyncClient::Impl>
   asio::any_io_executor executor_;
   mutable std::mutex mutex_;
   detail::Conversation conversation_;
-  std::vector<std::weak_ptr<detail::AsioDriver>> drivers_;  // of the tasks under way
+  std::vector<std::weak_ptr<detail::AsioDriver>> drivers_;  // of the running tasks
   bool is_connected_ = false;
-  bool is_closed_ = false;       // for good: the client is being destroyed
+  bool is_closed_ = false;       // permanently: the client is being destroyed
   asio::thread_pool worker_{1};  // opening a line can block
 };
 

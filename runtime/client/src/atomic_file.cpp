@@ -23,7 +23,7 @@ ClientError io_error(const std::string& what, const std::filesystem::path& file,
   return {code, fmt::format("{} {}: {}", what, file.string(), reason), number};
 }
 
-/// An open file; closed at the end.
+/// Owns a file descriptor.
 class Descriptor {
  public:
   explicit Descriptor(int number) noexcept : number_(number) {}
@@ -42,7 +42,7 @@ class Descriptor {
   int number_;
 };
 
-/// A file that disappears unless it has been moved away.
+/// Unlinks a file on destruction, unless it was renamed.
 class TemporaryFile {
  public:
   explicit TemporaryFile(std::filesystem::path path) noexcept : path_(std::move(path)) {}
@@ -68,7 +68,7 @@ std::filesystem::path name_beside(const std::filesystem::path& file) {
   return result;
 }
 
-/// Whether name_beside() could have made that name.
+/// True if name_beside() can have made the name.
 bool is_beside(std::string_view name, std::string_view file) {
   const auto skip = [&](std::string_view text) {
     const bool is_there = name.starts_with(text);
@@ -83,7 +83,7 @@ bool is_beside(std::string_view name, std::string_view file) {
   return skip(file) && skip(".") && skip_number() && skip("-") && skip_number() && name == ".tmp";
 }
 
-/// Whether the open file is a regular one and still has that name.
+/// True if the open file is regular and still has this path.
 bool is_at(int descriptor, const std::filesystem::path& path) {
   struct stat opened {};
   struct stat named {};
@@ -92,9 +92,9 @@ bool is_at(int descriptor, const std::filesystem::path& path) {
          opened.st_ino == named.st_ino;
 }
 
-/// Makes a new file beside another; its descriptor, or -1. A name may be taken: by a process that
-/// was killed and had the same number. The lock tells others that somebody is at work; one who has
-/// looked just before it has removed the file. Where there are no locks, nobody removes anything.
+/// Creates a file next to `file`. Returns its descriptor, or -1. A name may already exist, left by
+/// a killed process with the same id. The lock marks the file as in use; a cleanup that took the
+/// lock before us has removed the file. Without lock support nobody removes anything.
 int open_beside(const std::filesystem::path& file, std::filesystem::path& path) {
   constexpr mode_t mode = 0644;
   constexpr int most_names = 1000;
@@ -103,7 +103,7 @@ int open_beside(const std::filesystem::path& file, std::filesystem::path& path) 
     const int opened = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     if (opened < 0 && errno != EEXIST) return opened;
     if (opened < 0) continue;
-    // If another process cleans up here just now, it has the lock and removes the file.
+    // Another process that cleans up right now holds the lock and removes the file.
     const bool is_locked = ::flock(opened, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
     if (is_locked && is_at(opened, path)) return opened;
     ::close(opened);
@@ -111,8 +111,8 @@ int open_beside(const std::filesystem::path& file, std::filesystem::path& path) 
   return -1;
 }
 
-/// Gives a new file the mode of the one that it will replace and, if that is allowed, its owner and
-/// group. What can not be kept gives nobody more rights than before.
+/// Gives a new file the mode of the file that it replaces and, if permitted, its owner and group.
+/// Never grants more rights than before.
 void keep_rights(int descriptor, const std::filesystem::path& replaced) {
   struct stat old {};
   if (::stat(replaced.c_str(), &old) != 0 || !S_ISREG(old.st_mode)) return;
@@ -120,7 +120,7 @@ void keep_rights(int descriptor, const std::filesystem::path& replaced) {
   constexpr uid_t same_owner = ~uid_t{0};
   if (::fchown(descriptor, old.st_uid, old.st_gid) != 0 &&
       ::fchown(descriptor, same_owner, old.st_gid) != 0) {
-    // Its group may be anybody, and so has the rights of anybody.
+    // The file keeps an arbitrary group, which gets no more rights than others.
     mode &= ~static_cast<mode_t>(S_IRWXG) | ((mode & S_IRWXO) << 3U);
   }
   ::fchmod(descriptor, mode);
@@ -136,19 +136,19 @@ bool write_all(int descriptor, std::string_view content) {
   return true;
 }
 
-/// Moves a file to where there is none yet; an error number, or 0.
+/// Renames a file unless the destination exists. Returns an error number, or 0.
 int move_without_replacing(const std::filesystem::path& from, const std::filesystem::path& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
   if (errno != EINVAL && errno != ENOSYS) return errno;
-  // This file system cannot do so. A link fails as well if there is a file, in one step, too.
+  // Unsupported by this file system. A link also fails atomically if the destination exists.
   return ::link(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
-/// Brings the entries of a folder to the disk.
+/// Flushes the entries of a folder to disk.
 Result<void> sync_folder(const std::filesystem::path& folder) {
   const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!opened.is_open() || ::fsync(opened.number()) != 0) {
-    return io_error("cannot bring to the disk:", folder, errno);
+    return io_error("cannot flush to disk:", folder, errno);
   }
   return {};
 }
@@ -156,7 +156,7 @@ Result<void> sync_folder(const std::filesystem::path& folder) {
 }  // namespace
 
 std::filesystem::path target_of(std::filesystem::path file) {
-  constexpr int most_links = 40;  // as Linux follows
+  constexpr int most_links = 40;  // the limit of Linux
   for (int i = 0; i < most_links; ++i) {
     std::error_code no_link;
     const std::filesystem::path target = std::filesystem::read_symlink(file, no_link);
@@ -174,7 +174,8 @@ Result<void> write_file_atomically(const std::filesystem::path& name, std::strin
   if (!opened.is_open()) return io_error("cannot write", path, errno);
   const TemporaryFile temporary(path);
   if (existing == Existing::replace) keep_rights(opened.number(), file);
-  // Some file systems tell of errors only when a file is closed; the lock goes with the last one.
+  // Some file systems report errors only on close. The lock lasts until the last descriptor is
+  // closed.
   const bool is_there = write_all(opened.number(), content) && ::fsync(opened.number()) == 0 &&
                         ::close(::dup(opened.number())) == 0;
   if (!is_there) return io_error("cannot write", path, errno);
@@ -183,8 +184,7 @@ Result<void> write_file_atomically(const std::filesystem::path& name, std::strin
                     : ::rename(path.c_str(), file.c_str()) == 0 ? 0
                                                                 : errno;
   if (error == EEXIST) {
-    return ClientError{ErrorCode::invalid,
-                       fmt::format("{} is there already and is not replaced", file.string())};
+    return ClientError{ErrorCode::invalid, fmt::format("{} already exists", file.string())};
   }
   if (error != 0) return io_error("cannot write", file, error);
   return sync_folder(folder_of(file));
@@ -204,13 +204,13 @@ void remove_leftovers(const std::filesystem::path& file) {
 }
 
 Result<std::string> read_whole_file(const std::filesystem::path& file, std::size_t most) {
-  // Not blocking: opening a named pipe would wait for somebody to write.
+  // Nonblocking, because opening a named pipe waits for a writer.
   const Descriptor opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!opened.is_open()) return io_error("cannot read", file, errno);
   struct stat about {};
   if (::fstat(opened.number(), &about) != 0) return io_error("cannot read", file, errno);
   if (!S_ISREG(about.st_mode)) {
-    return ClientError{ErrorCode::bad_file, fmt::format("{} is no file", file.string())};
+    return ClientError{ErrorCode::bad_file, fmt::format("{} is not a regular file", file.string())};
   }
   std::string content;
   std::array<char, 65536> block{};
@@ -221,9 +221,8 @@ Result<std::string> read_whole_file(const std::filesystem::path& file, std::size
     if (size == 0) return content;
     content.append(block.data(), static_cast<std::size_t>(size));
     if (content.size() > most) {
-      return ClientError{
-          ErrorCode::bad_file,
-          fmt::format("{} has more than {} bytes: too many for such a file", file.string(), most)};
+      return ClientError{ErrorCode::bad_file,
+                         fmt::format("{} has more than {} bytes", file.string(), most)};
     }
   }
 }

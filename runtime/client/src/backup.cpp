@@ -36,19 +36,19 @@ Json message_json(const M& message) {
           {"fields", to_json(message)}};
 }
 
-/// Reads a document and remembers the first thing that is wrong with it.
+/// Reads a document and remembers its first error.
 class Reader {
  public:
   Result<Backup> read(const Json& document) {
     if (!document.is_object() || text(document, "format", "") != format_name) {
-      return ClientError{ErrorCode::bad_file, "this is no backup of sbgc"};
+      return ClientError{ErrorCode::bad_file, "this is not an sbgc backup"};
     }
     if (auto right = check_version(document); !right) return right.error();
     Backup backup;
     backup.created = text(document, "created", "");
     read_board(member(document, "board", ""), backup.board);
     const Json& settings = member(document, "settings", "");
-    if (!settings.is_array()) fail("settings", "a list is needed");
+    if (!settings.is_array()) fail("settings", "expected a list");
     for (std::size_t i = 0; error_.empty() && i < settings.size(); ++i) {
       read_one(settings[i], fmt::format("settings[{}]", i), backup.parameters);
     }
@@ -60,12 +60,12 @@ class Reader {
   static Result<void> check_version(const Json& document) {
     const auto version = document.find("version");
     if (version == document.end() || !version->is_number_unsigned()) {
-      return ClientError{ErrorCode::bad_file, "version: a number is needed"};
+      return ClientError{ErrorCode::bad_file, "version: expected a number"};
     }
     const auto number = version->get<std::uint64_t>();
     if (number == format_version) return {};
     return ClientError{ErrorCode::incompatible,
-                       fmt::format("version {} of the backup format is not known here, only {}",
+                       fmt::format("version {} of the backup format is not supported, only {}",
                                    number, format_version)};
   }
 
@@ -82,7 +82,7 @@ class Reader {
     const ByteVector body = hex(json, path);
     if (!error_.empty()) return;
     if (name != Meta<M>::info.name) {
-      return fail(path + ".message", fmt::format("{} is needed", Meta<M>::info.name));
+      return fail(path + ".message", fmt::format("expected {}", Meta<M>::info.name));
     }
     if (const Status status = decode(std::span(body), out); !status) {
       return fail(path + ".body", sbgc::text(status.code));
@@ -95,11 +95,11 @@ class Reader {
     const Json& copy = member(json, "copy", path);
     if (!error_.empty()) return;
     if (!copy.is_number_unsigned() || copy.get<std::uint64_t>() > 255) {
-      return fail(path + ".copy", "a small number is needed");
+      return fail(path + ".copy", "expected a number from 0 to 255");
     }
     block.id.copy = copy.get<std::uint8_t>();
     if (out.find(block.id) != nullptr) {
-      return fail(path, fmt::format("{} is there twice", to_text(block.id)));
+      return fail(path, fmt::format("duplicate {}", to_text(block.id)));
     }
     const ParametersId id = block.id;
     if (auto put = out.put(std::move(block)); !put) return fail(path, put.error().message);
@@ -107,8 +107,8 @@ class Reader {
     check_fields(json, path, kind.to_json(out.find(id)->body));
   }
 
-  /// The fields are for reading. One that was changed would not be restored, so it is an error; one
-  /// that another version of this library calls by another name is none.
+  /// Only the bodies are restored, so a changed field is an error. Fields with names that this
+  /// version of the library does not know are ignored.
   void check_fields(const Json& json, const std::string& path, const Json& decoded) {
     const auto fields = json.find("fields");
     if (fields != json.end()) compare(*fields, decoded, path + ".fields");
@@ -126,7 +126,7 @@ class Reader {
         compare(said[i], decoded[i], fmt::format("{}[{}]", path, i));
       }
     } else if (said != decoded) {
-      fail(path, "it is not what the body says; only the body would be restored");
+      fail(path, "differs from the body; only the body would be restored");
     }
   }
 
@@ -141,14 +141,14 @@ class Reader {
   std::string text(const Json& object, const char* name, const std::string& path) {
     const Json& value = member(object, name, path);
     if (value.is_string()) return value.get<std::string>();
-    fail(join(path, name), "a text is needed");
+    fail(join(path, name), "expected a string");
     return "";
   }
 
   ByteVector hex(const Json& object, const std::string& path) {
     auto bytes = detail::from_hex(text(object, "body", path));
     if (!bytes || bytes->size() > max_body_size) {
-      fail(join(path, "body"), "hex digits, two for each of at most 255 bytes, are needed");
+      fail(join(path, "body"), "expected hex digits for at most 255 bytes");
       return {};
     }
     return *std::move(bytes);

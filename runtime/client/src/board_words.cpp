@@ -24,8 +24,8 @@ std::string command_name(std::uint8_t id, Direction direction) {
 
 namespace {
 
-/// Calls `use(name, number, names)` for each number of a message that is not the id of a command;
-/// `names` are those of its values, or null.
+/// Calls `use(name, number, names)` for each number in a message except command ids; `names`
+/// describes its values, or is null.
 template <class Use>
 void for_each_number(std::uint8_t id, std::span<const std::uint8_t> body, const Use& use) {
   std::ignore = visit(id, body, Direction::from_board, [&]<class M>(const M& message) {
@@ -33,7 +33,7 @@ void for_each_number(std::uint8_t id, std::span<const std::uint8_t> body, const 
       using Member = std::remove_cvref_t<decltype(member)>;
       if constexpr (std::is_same_v<Member, msg::CommandToBoard> ||
                     std::is_same_v<Member, msg::CommandFromBoard>) {
-        // The caller knows which command it is about.
+        // Command ids: the caller already names the command.
       } else if constexpr (std::is_enum_v<Member>) {
         use(field.name, static_cast<int>(member), &EnumMeta<Member>::info);
       } else if constexpr (std::is_integral_v<Member>) {
@@ -50,7 +50,7 @@ void for_each_number(std::uint8_t id, std::span<const std::uint8_t> body, const 
   });
 }
 
-/// The value with that number, or null.
+/// Returns the value with this number, or null.
 const ValueInfo* value_of(const EnumInfo& names, int number) {
   const ValueInfo* known = nullptr;
   for (const ValueInfo& value : names.values) {
@@ -59,7 +59,7 @@ const ValueInfo* value_of(const EnumInfo& names, int number) {
   return known;
 }
 
-/// What an error of the board says was the reason; nothing in any other message.
+/// Returns the reason in an error message of the board; nothing for other messages.
 std::optional<roles::ErrorReason> error_reason_in(std::uint8_t id,
                                                   std::span<const std::uint8_t> body) {
   const Frame frame{id, body};

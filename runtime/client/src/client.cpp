@@ -14,7 +14,7 @@ namespace sbgc {
 
 namespace {
 
-/// The thread of one client, and what it runs.
+/// The I/O thread of a client and its execution context.
 class Loop {
  public:
   Loop()
@@ -23,7 +23,7 @@ class Loop {
         thread_([context = context_] { context->run(); }) {}
   Loop(const Loop&) = delete;
   Loop& operator=(const Loop&) = delete;
-  /// Waits for the end of everything on it; only on the thread itself, which then outlives this.
+  /// Joins the thread. If the destructor runs on the thread itself, detaches it instead.
   ~Loop() {
     conversation_.close();
     work_.reset();

@@ -39,11 +39,11 @@ ClientError to_client_error(const io::Error& error) {
   return {code, without_stop(error.message), is_from_system ? error.code.value() : 0};
 }
 
-/// "115200 8N1: 312 bytes, none of them understood".
+/// For example "115200 8N1: 312 bytes, no valid frames".
 std::string text_of(const Trial& trial) {
   std::string text = io::to_string(trial.line) + ": " + std::to_string(trial.bytes) + " bytes, ";
-  if (trial.good_frames == 0) return text + "none of them understood";
-  return text + std::to_string(trial.good_frames) + " messages, but no answer";
+  if (trial.good_frames == 0) return text + "no valid frames";
+  return text + std::to_string(trial.good_frames) + " messages, but no response";
 }
 
 std::string tried(std::span<const Trial> trials) {
@@ -60,13 +60,13 @@ std::string tried(std::span<const Trial> trials) {
     if (trial.bytes != 0) heard += (heard.empty() ? "" : "; ") + text_of(trial);
     probes += trial.probes;
   }
-  std::string text = "asked " + std::to_string(probes) + " times";
+  std::string text = "sent " + std::to_string(probes) + " probes";
   if (!lines.empty()) text += " at " + lines;
   if (!refused.empty()) text += "; the port refuses " + refused;
-  return text + (heard.empty() ? "; nothing was heard" : "; heard at " + heard);
+  return text + (heard.empty() ? "; received nothing" : "; received at " + heard);
 }
 
-/// Connecting, step by step.
+/// The steps of connecting.
 class Connector {
  public:
   Connector(const asio::any_io_executor& executor, const ConnectOptions& options)
@@ -122,7 +122,7 @@ class Connector {
         board.details = *std::move(details);
       } else if (const auto again = ask(roles::IntroductionRequest{}); !again) {
         return ClientError{again.error().code, "the board on " + state_->description() +
-                                                   " has introduced itself, then fell silent: " +
+                                                   " identified itself, then stopped responding: " +
                                                    details.error().message};
       }
     }
@@ -152,14 +152,15 @@ class Connector {
     if (error.code != ErrorCode::timeout) return error;
     const SessionStatistics seen = state_->statistics().session;
     const std::uint64_t noise = seen.parser.skipped_bytes;
-    std::string heard = "nothing was heard";
+    std::string heard = "nothing";
     if (seen.parser.frames != 0) {
-      heard = std::to_string(seen.parser.frames) + " messages were heard, but no answer";
+      heard = std::to_string(seen.parser.frames) + " messages, but no response";
     } else if (noise != 0) {
-      heard = std::to_string(noise) + " bytes were heard, none of them understood";
+      heard = std::to_string(noise) + " bytes, no valid frames";
     }
-    return {ErrorCode::not_found, "no board found on " + state_->description() + ": asked " +
-                                      std::to_string(seen.sent_frames) + " times; " + heard};
+    return {ErrorCode::not_found, "no board found on " + state_->description() + ": sent " +
+                                      std::to_string(seen.sent_frames) + " requests; received " +
+                                      heard};
   }
 
   const ConnectOptions& options_;
@@ -173,7 +174,7 @@ class Connector {
 }  // namespace
 
 Opener opener_of(const std::string& address, const ConnectOptions& options) {
-  // An address that says the rate is taken at its word.
+  // A baud rate in the address disables the search.
   const bool says_line = address.find("baud=") != std::string::npos;
   return {[address](const asio::any_io_executor& executor, std::chrono::milliseconds timeout) {
             return io::open(executor, address, {.timeout = timeout});

@@ -1,4 +1,4 @@
-/// From an address to a board that has introduced itself.
+/// Connecting: from an address to an identified board.
 #pragma once
 
 #include <chrono>
@@ -14,27 +14,26 @@
 
 namespace sbgc::detail {
 
-/// How a client comes by its transport; it may block no longer than `timeout`.
+/// How a client obtains its transport; `open` may block for at most `timeout`.
 struct Opener {
   std::function<io::OpenResult(const asio::any_io_executor& executor,
                                std::chrono::milliseconds timeout)>
       open;
-  bool find_line = false;  ///< if the transport has one
+  bool find_line = false;  ///< only if the transport has a LineControl
 };
 
 Opener opener_of(const std::string& address, const ConnectOptions& options);
 Opener opener_of(const TransportFactory& make, const ConnectOptions& options);
 
-/// Hands out a conversation as soon as there is one, before anything can block: who has it can
-/// close it, which ends connect().
+/// Receives the conversation before connect() can block. Closing it ends connect().
 using OnBegun = std::function<void(const Conversation&)>;
 
-/// Opens the line and gets to know the board. Blocks, no longer than options.timeout; some other
+/// Opens the line and reads the identity of the board. Blocks for at most options.timeout; another
 /// thread must run the executor meanwhile.
 Result<Conversation> connect(const asio::any_io_executor& executor, const Opener& opener,
                              const ConnectOptions& options, const OnBegun& on_begun = {});
 
-/// Makes clients of conversations, and gets at these again.
+/// Accesses the private members of Client.
 struct ClientMaker {
   static const Conversation& conversation(const Client& client) { return client.conversation_; }
 

@@ -1,4 +1,4 @@
-/// The values of parameters as text, to compare them.
+/// Parameter values as text, for comparison.
 #pragma once
 
 #include <string>
@@ -14,10 +14,10 @@ namespace sbgc::detail {
 struct LeafText {
   std::string path;
   std::string raw;
-  std::string meaning;  ///< "-30 deg", "FOLLOW_MODE_FC", or ""
+  std::string meaning;  ///< for example "-30 deg" or "FOLLOW_MODE_FC"; may be ""
 };
 
-/// Collects the values that are parameters; bytes without a meaning as numbers one by one.
+/// Collects the values that are parameters. Bytes without a meaning become separate numbers.
 class LeafTexts {
  public:
   void operator()(const Leaf& leaf);
@@ -28,7 +28,7 @@ class LeafTexts {
   std::vector<LeafText> texts_;
 };
 
-/// The values of a message that are parameters.
+/// Returns the values of a message that are parameters.
 template <class M>
 std::vector<LeafText> leaf_texts(const M& message) {
   LeafTexts texts;

@@ -55,7 +55,7 @@ Result<void> ParameterSet::put(Parameters block) {
 }
 
 ClientError ParameterSet::missing(const ParametersId& id) {
-  return {ErrorCode::not_found, fmt::format("{} is not among these parameters", to_text(id))};
+  return {ErrorCode::not_found, fmt::format("the set has no {}", to_text(id))};
 }
 
 std::vector<ParametersChange> diff(const ParameterSet& before, const ParameterSet& after) {
@@ -83,8 +83,8 @@ std::string to_text(const std::vector<ParametersChange>& changes) {
     result += to_text(change.id);
     switch (change.kind) {
       case ParametersChange::Kind::changed: result += ":\n"; break;
-      case ParametersChange::Kind::only_before: result += ": not there any more\n"; break;
-      case ParametersChange::Kind::only_after: result += ": not there before\n"; break;
+      case ParametersChange::Kind::only_before: result += ": removed\n"; break;
+      case ParametersChange::Kind::only_after: result += ": added\n"; break;
     }
     for (const FieldChange& field : change.fields) result += change_text(field);
   }

@@ -23,11 +23,11 @@ std::vector<std::uint8_t> bytes_of(const M& message) {
 template <class M>
 M message_of(Body body) {
   M message{};
-  static_cast<void>(decode(body, message));  // problem() has seen that it decodes
+  static_cast<void>(decode(body, message));  // problem() has checked this
   return message;
 }
 
-/// Sets all bits of a number or of what stands for one.
+/// Sets all bits of a number, an enum or a quantity.
 template <class T>
 void set_all_bits(T& value) {
   if constexpr (std::is_enum_v<T>) {
@@ -40,7 +40,7 @@ void set_all_bits(T& value) {
   }
 }
 
-/// 1 bits where a body of M holds fields of that role.
+/// Returns a body of M with 1 bits in the fields of this role.
 template <class M>
 std::vector<std::uint8_t> mask_of(FieldRole role) {
   M marked{};
@@ -55,7 +55,7 @@ std::vector<std::uint8_t> mask_of(FieldRole role) {
   return bytes_of(marked);
 }
 
-/// Calls `use(Type<Request>{})` with the first of these requests that the board has.
+/// Calls `use(Type<Request>{})` for the first request that the board supports.
 template <class... Requests, class Use>
 bool with_supported(TypeList<Requests...>, const Availability& versions, Use&& use) {
   return ((is_supported<Requests>(versions) && (use(Type<Requests>{}), true)) || ...);
@@ -104,7 +104,7 @@ template <class M>
 std::string problem(Body body, std::uint8_t copy) {
   M message{};
   if (const Status status = decode(body, message); !status) {
-    return fmt::format("{} bytes can not be a {}: {}", body.size(), Meta<M>::info.name,
+    return fmt::format("{} bytes cannot be a {}: {}", body.size(), Meta<M>::info.name,
                        text(status.code));
   }
   if (copy >= SettingsOf<M>::copies) {
@@ -112,7 +112,7 @@ std::string problem(Body body, std::uint8_t copy) {
   }
   if constexpr (SettingsOf<M>::copies > 1) {
     const int said = SettingsOf<M>::copy(message);
-    if (said != copy) return fmt::format("the body is about profile {}", said + 1);
+    if (said != copy) return fmt::format("the body is of profile {}", said + 1);
   }
   return "";
 }
@@ -150,12 +150,12 @@ ParametersKind kind_of() {
   };
 }
 
-/// The byte of a mask, 0 behind its end.
+/// Returns a byte of the mask; 0 past its end.
 std::uint8_t at(const std::vector<std::uint8_t>& mask, std::size_t index) {
   return index < mask.size() ? mask[index] : std::uint8_t{0};
 }
 
-/// The bits of `other` where the mask has 1 bits, those of `byte` elsewhere.
+/// Takes the bits of `other` where the mask has 1 bits, and those of `byte` elsewhere.
 std::uint8_t mixed(std::uint8_t byte, std::uint8_t other, std::uint8_t mask) {
   return static_cast<std::uint8_t>((byte & ~mask) | (other & mask));
 }

@@ -48,20 +48,21 @@ Result<std::int64_t> stream_interval_count(std::chrono::milliseconds interval, s
                            wanted * 1000 / unit != roles::stream_end;
   if (is_possible) return wanted * 1000 / unit;
   return ClientError{ErrorCode::invalid,
-                     "a stream cannot come every " + std::to_string(wanted) + " ms: from " +
+                     "a stream interval of " + std::to_string(wanted) +
+                         " ms is not possible: the range is " +
                          std::to_string(std::max<std::int64_t>(unit / 1000, 1)) + " to " +
-                         std::to_string(longest) + " ms is possible"};
+                         std::to_string(longest) + " ms"};
 }
 
 ClientError decode_error(Status status, const Reply& reply) {
-  return {ErrorCode::bad_answer, "the answer " + command_name(reply.id, Direction::from_board) +
-                                     " cannot be read: " + to_string(status)};
+  return {ErrorCode::bad_answer, "the response " + command_name(reply.id, Direction::from_board) +
+                                     " cannot be decoded: " + to_string(status)};
 }
 
 ClientError missing_answer(const Reply& reply) {
   return {ErrorCode::bad_answer, reply.kind == ReplyKind::confirmed
-                                     ? "the board confirmed the request instead of answering it"
-                                     : "the board did not answer the request"};
+                                     ? "the board sent only a confirmation"
+                                     : "the board sent no response"};
 }
 
 }  // namespace sbgc::detail

@@ -30,7 +30,7 @@ std::string text_of(const Violation& violation, const Availability& versions) {
   return text;
 }
 
-/// Whether the board takes some other form of the command.
+/// True if the board takes another form of the command.
 bool has_another_form(std::uint8_t id, const Availability& versions) {
   bool is_known = false;
   AllMessages::for_each([&]<class M>(Type<M>) {
@@ -77,7 +77,7 @@ std::optional<ClientError> refusal(const M& message, const Availability& version
 template <Message M>
 Result<Request> prepare(const M& message, const Availability& versions, bool validate) {
   if constexpr (requires { later_form(message); }) {
-    // Firmware that no longer takes this form is sent the one that says the same.
+    // Firmware that no longer takes this form receives the equivalent later form.
     if (is_available(M::until, versions)) {
       return prepare(later_form(message), versions, validate);
     }

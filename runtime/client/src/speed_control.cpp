@@ -13,7 +13,7 @@ namespace sbgc {
 
 using detail::DeadMansSwitch;
 
-/// The thread that drives the task.
+/// Owns the thread that drives the task.
 class SpeedControl::Keeper {
  public:
   Keeper(Client& client, const SpeedControlOptions& options)

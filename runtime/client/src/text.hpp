@@ -1,11 +1,11 @@
-/// Errors in words.
+/// Text of error messages.
 #pragma once
 
 #include <string>
 
 namespace sbgc::detail {
 
-/// A sentence as this library writes them: without the final stop.
+/// Removes the final period, which messages of this library do not have.
 inline std::string without_stop(std::string sentence) {
   if (sentence.ends_with('.')) sentence.pop_back();
   return sentence;

@@ -1,4 +1,4 @@
-/// Where one thread waits for what another delivers.
+/// Lets one thread wait for a value from another.
 #pragma once
 
 #include <chrono>
@@ -18,7 +18,7 @@ class Waiter {
     ready_.notify_one();
   }
 
-  /// Empty if nothing has come by then.
+  /// Returns nothing if no value arrives in time.
   std::optional<T> wait_until(std::chrono::steady_clock::time_point deadline) {
     std::unique_lock lock(mutex_);
     ready_.wait_until(lock, deadline, [this] { return value_.has_value(); });

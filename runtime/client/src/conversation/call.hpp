@@ -1,4 +1,4 @@
-/// One call of a conversation.
+/// A call of a conversation.
 #pragma once
 
 #include <functional>
@@ -14,15 +14,15 @@ struct Call {
   Request request{};
   SendOptions send{};
   Instant deadline = Instant::never;
-  Duration allowed{};  ///< from its beginning to the deadline
+  Duration allowed{};  ///< from its start to the deadline
   std::function<void(unsigned)> on_confirmation{};
   Conversation::ReplyHandler handler{};
-  Handle handle{};  ///< of the session, once that has the request; only Dialogue uses it
+  Handle handle{};  ///< in the session, once sent; only Dialogue uses it
 };
 
 using CallPointer = std::shared_ptr<Call>;
 
-/// A call that begins at `now`. `options` come before what was said when connecting.
+/// Creates a call that starts at `now`. `options` override `defaults`.
 CallPointer make_call(Request request, const CallOptions& options, const ConnectOptions& defaults,
                       Instant now, Conversation::ReplyHandler handler);
 

@@ -12,7 +12,7 @@ namespace sbgc::detail {
 
 namespace {
 
-/// How long close() waits for the last frames to be written.
+/// How long close() waits until the last frames are written.
 constexpr std::chrono::milliseconds longest_closing{200};
 
 }  // namespace
@@ -43,7 +43,7 @@ void Channel::read() {
         is_reading_ = false;
         if (error) return user->line_failed(error);
         if (is_closing_) return release();
-        // The next read takes the buffer: what has come is used up first.
+        // Process the bytes first: the next read reuses the buffer.
         user->received(std::span(in_).first(size));
         if (is_closing_) return release();
         read();
@@ -78,7 +78,7 @@ void Channel::close(std::vector<Frame> last_frames) {
   if (std::exchange(is_closing_, true)) return;
   if (!transport_) return hang_up();
   last_frames_ = std::move(last_frames);
-  // A line on which nothing can be written is not waited for.
+  // Do not wait forever for a line that blocks.
   timer_->expires_after(longest_closing);
   timer_->async_wait([this, user = user_.lock()](const std::error_code& error) {
     if (!error) hang_up();
@@ -103,13 +103,13 @@ void Channel::hang_up() {
   release();
 }
 
-/// Gives up Asio's objects as soon as nothing is under way.
+/// Releases the objects of Asio once no operation is pending.
 void Channel::release() {
   if (!is_hung_up_ || is_reading_ || is_writing_) return;
   timer_.reset();
   const std::lock_guard lock(mutex_);
   if (!strand_) return;
-  // Not from inside one of its own handlers.
+  // Post, because a transport must not be destroyed inside its own handler.
   asio::post(*strand_, [transport = std::move(transport_)]() mutable { transport.reset(); });
   strand_.reset();
 }

@@ -1,4 +1,4 @@
-/// The line of a conversation, as Asio sees it: strand, transport and timer.
+/// The line of a conversation: strand, transport and timer.
 #pragma once
 
 #include <array>
@@ -23,13 +23,14 @@ namespace sbgc::detail {
 
 using Strand = asio::strand<asio::any_io_executor>;
 
-/// What belongs to Asio is given up on the strand when the channel has been closed, because handles
-/// and subscriptions may outlive the execution context.
+/// After the channel has closed, it releases the objects of Asio on the strand, because handles and
+/// subscriptions may outlive the execution context.
 ///
-/// post() and runs_in_this_thread() may be called from any thread, the rest on the strand.
+/// post() and runs_in_this_thread() may be called from any thread, the other functions only on the
+/// strand.
 class Channel {
  public:
-  /// Whom the channel belongs to. It is kept alive while something is under way.
+  /// The owner of the channel. It is kept alive while an operation is pending.
   class User {
    public:
     User() = default;
@@ -39,31 +40,31 @@ class Channel {
 
     virtual void received(std::span<const std::uint8_t> bytes) = 0;
     virtual void written() = 0;
-    /// The moment of wake_at() has come.
+    /// The time of wake_at() has come.
     virtual void woken() = 0;
     virtual void line_failed(const std::error_code& reason) = 0;
   };
 
   explicit Channel(Strand strand);
 
-  /// Runs a function on the strand; not at all if the channel has been given up.
+  /// Runs a function on the strand; drops it if the strand has been released.
   void post(const std::shared_ptr<User>& user, std::function<void()> function);
   bool runs_in_this_thread() const;
 
-  /// Takes a transport whose executor is the strand, and begins to read.
+  /// Takes a transport whose executor is the strand, and starts reading.
   void open(std::unique_ptr<io::Transport> transport, const std::shared_ptr<User>& user);
-  /// Open, and not closing.
+  /// True if the channel is open and not closing.
   bool is_open() const noexcept { return transport_ && !is_closing_; }
   io::Transport& transport() const noexcept { return *transport_; }
 
   bool can_write() const noexcept { return !is_writing_; }
   /// Writes at most one frame. Precondition: can_write().
   void write(std::span<const std::uint8_t> bytes);
-  /// One moment at a time.
+  /// Calls User::woken() at `at`; replaces an earlier time.
   void wake_at(Instant at);
 
   using Frame = std::vector<std::uint8_t>;
-  /// Writes the last frames, then closes the line; after a short time in any case.
+  /// Writes the last frames, then closes the line; closes it after a short timeout in any case.
   void close(std::vector<Frame> last_frames);
   /// Closes the line at once.
   void hang_up();
@@ -76,7 +77,7 @@ class Channel {
   mutable std::mutex mutex_;
   std::optional<Strand> strand_;
 
-  // On the strand only
+  // Only on the strand.
   std::weak_ptr<User> user_;
   std::unique_ptr<io::Transport> transport_;
   std::optional<asio::steady_timer> timer_;

@@ -12,13 +12,11 @@ ClientError handler_waits_error() {
   return {ErrorCode::invalid, "a handler must not wait for its own client"};
 }
 
-ClientError stuck_error() {
-  return {ErrorCode::timeout, "a handler keeps the client from working"};
-}
+ClientError stuck_error() { return {ErrorCode::timeout, "a handler blocks the client"}; }
 
 namespace {
 
-/// Begins something with `begin(handler)` and waits for its end.
+/// Starts an operation with `begin(handler)` and waits for its result.
 template <class T, class Begin>
 Result<T> wait_for(Conversation::State& state, const Begin& begin) {
   if (state.runs_in_this_thread()) {
@@ -29,7 +27,7 @@ Result<T> wait_for(Conversation::State& state, const Begin& begin) {
       begin([waiter](Result<T> result) { waiter->put(std::move(result)); });
   if (auto result = waiter->wait_until(io::to_chrono(deadline + grace))) return *std::move(result);
   state.end(ticket, stuck_error());
-  // The end, this one or another that came first, is on its way in some thread.
+  // A result is on its way from some thread: this one, or another that came first.
   return waiter->wait();
 }
 

@@ -1,4 +1,4 @@
-/// What the board sends, on its way to the subscribers.
+/// Delivery of the board's messages to subscribers.
 #pragma once
 
 #include <atomic>
@@ -14,20 +14,20 @@
 
 namespace sbgc::detail {
 
-/// Subscribing is thread-safe; the rest belongs to whoever runs the conversation.
+/// Subscribing is thread-safe. Everything else requires the strand of the conversation.
 class Delivery {
  public:
   std::unique_ptr<Subscription::Hold> subscribe(MessageKey key,
                                                 Conversation::MessageHandler handler);
   std::unique_ptr<Subscription::Hold> on_notice(std::function<void(const Notice&)> handler);
 
-  /// Decodes a message once, if anybody wants it: a subscriber, or the contexts.
+  /// Decodes a message once, if a subscriber or a context needs it.
   void deliver(const Frame& frame);
   void notify(const Notice& notice);
 
-  /// What earlier messages say about how to read later ones.
+  /// Facts from earlier messages that decoding later ones needs.
   Contexts& contexts() noexcept { return contexts_; }
-  /// Messages for a subscriber that could not be decoded.
+  /// The number of messages for a subscriber that could not be decoded.
   std::uint64_t unreadable() const noexcept { return unreadable_; }
 
  private:

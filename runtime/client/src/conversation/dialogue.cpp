@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* refused_words = ": the board refused: ";
 
-/// In whole milliseconds, rounded up.
+/// Returns whole milliseconds, rounded up.
 std::string milliseconds_text(Duration duration) {
   return std::to_string((duration.us + 999) / 1000) + " ms";
 }
@@ -31,20 +31,20 @@ SessionOptions session_options(const ConnectOptions& options) {
 ClientError overdue(const Call& call, bool was_sent) {
   const std::string within = " within " + milliseconds_text(call.allowed);
   const std::string command = call.request.command;
-  return {ErrorCode::timeout,
-          was_sent ? "no answer to " + command + within : command + " could not be sent" + within};
+  return {ErrorCode::timeout, was_sent ? "no response to " + command + within
+                                       : command + " could not be sent" + within};
 }
 
 ClientError no_answer(const Call& call) {
   const unsigned attempts = call.send.attempts;
-  std::string text = std::string("no answer to ") + call.request.command;
+  std::string text = std::string("no response to ") + call.request.command;
   if (attempts > 1) text += ", sent " + std::to_string(attempts) + " times,";
   text += " within " + milliseconds_text(call.send.timeout);
   if (attempts > 1) text += " each";
   return {ErrorCode::timeout, text};
 }
 
-/// Whether a message can be read only with what others have said.
+/// True if decoding a message requires context.
 bool needs_context(const Frame& frame) {
   bool needs = false;
   select(Direction::from_board, frame.id, frame.body.size(), [&]<class M>(Type<M>) {
@@ -64,7 +64,7 @@ Output Dialogue::advance(Instant now, bool can_write) {
     has_room_ = false;
     send_waiting();
     end_overdue(now);
-    // While a write is under way no other can begin, so nothing is to be had from the session.
+    // No other write can start while one is pending, so there is nothing to get from the session.
     if (!can_write) break;
     output = session_.poll(now, [this](const Event& event) { handle(event); });
   } while (has_room_ && output.bytes.empty());
@@ -100,12 +100,13 @@ ClientError Dialogue::refusal(const Call& call, const SendResult& refused) const
   switch (refused.status) {
     case SendStatus::over_budget: {
       const StreamUsage usage = session_.stream_usage();
-      return {ErrorCode::overload, command + ": the data stream does not fit through the line: " +
-                                       std::to_string(usage.limit) + " bytes/s are for streams, " +
-                                       std::to_string(usage.used) + " of them are taken"};
+      return {
+          ErrorCode::overload,
+          command + ": not enough bandwidth for the data stream: " + std::to_string(usage.limit) +
+              " bytes/s are available for streams, " + std::to_string(usage.used) + " are in use"};
     }
     case SendStatus::too_many_streams:
-      return {ErrorCode::overload, command + ": the board cannot have another data stream"};
+      return {ErrorCode::overload, command + ": the board supports no further data stream"};
     case SendStatus::not_encodable:
       return {ErrorCode::overload, command + ": " + to_string(refused.encoding)};
     default: return {ErrorCode::overload, command + ": too many requests at once"};
@@ -129,7 +130,7 @@ void Dialogue::handle(const Event& event) {
   const Frame& frame = event.frame;
   switch (event.kind) {
     case EventKind::completed:
-      // Confirmations and resets have an event of their own.
+      // Confirmations and resets are delivered with their own events.
       if (!roles::is_confirmation(frame) && !roles::is_reset(frame)) delivery_.deliver(frame);
       return handle_completion(event);
     case EventKind::confirmation: {
@@ -167,7 +168,7 @@ void Dialogue::handle_completion(const Event& event) {
 
 Reply Dialogue::reply_to(const Call& call, ReplyKind kind, const Frame& frame) const {
   Reply reply{kind, frame.id, {}, nullptr};
-  static_cast<void>(reply.body.resize(frame.body.size()));  // the body of a frame fits
+  static_cast<void>(reply.body.resize(frame.body.size()));  // the body of a frame always fits
   std::ranges::copy(frame.body, reply.body.begin());
   if (needs_context(frame)) {
     const auto contexts = std::make_shared<Contexts>(delivery_.contexts());

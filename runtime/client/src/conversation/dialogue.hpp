@@ -1,4 +1,4 @@
-/// Requests and what comes back for them, without I/O: the calls of a conversation over a session.
+/// Requests and responses without I/O: runs the calls of a conversation over a session.
 #pragma once
 
 #include <cstdint>
@@ -14,25 +14,25 @@
 
 namespace sbgc::detail {
 
-/// Its owner hands in bytes and the time, and writes the bytes that come out. Not thread-safe; only
-/// the pending calls are shared with other threads.
+/// The owner feeds bytes and the time, and writes the output. Not thread-safe; only the pending
+/// calls are shared with other threads.
 class Dialogue {
  public:
   Dialogue(const ConnectOptions& options, PendingCalls& calls, Delivery& delivery);
 
-  /// The settings of the line that the bytes go over.
+  /// Sets the settings of the line that carries the bytes.
   void set_line(const LineSettings& line) { session_.set_line(line); }
 
-  /// Hands waiting calls to the session and ends those that are overdue. Returns what is to be
-  /// written, and when to come again. While a write is under way: `can_write` is false, and nothing
-  /// is to be written.
+  /// Passes waiting calls to the session and ends overdue ones. Returns the bytes to write and the
+  /// time of the next call. While a write is pending, `can_write` is false and there is nothing to
+  /// write.
   Output advance(Instant now, bool can_write);
   void feed(std::span<const std::uint8_t> bytes, Instant now);
-  /// The bytes of the last advance() have left.
+  /// Reports that the bytes of the last advance() have been written.
   void written(Instant now) { session_.written(now); }
-  /// Forgets a call that has been taken out of the pending ones.
+  /// Drops a call that is no longer pending.
   void forget(const Call& call);
-  /// Forgets all calls.
+  /// Drops all calls.
   void forget_all() { in_session_.clear(); }
 
   SessionStatistics statistics() const noexcept { return session_.statistics(); }
@@ -52,7 +52,7 @@ class Dialogue {
   PendingCalls& calls_;
   Delivery& delivery_;
   BasicSession<capacity> session_;
-  std::unordered_map<std::uint64_t, CallPointer> in_session_;  // by the number of their handle
+  std::unordered_map<std::uint64_t, CallPointer> in_session_;  // keyed by the number of the handle
   bool has_room_ = false;                                      // a request has left the session
 };
 

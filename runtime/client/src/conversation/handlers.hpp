@@ -1,4 +1,4 @@
-/// Handlers that their owners may take back at any time.
+/// Thread-safe lists of handlers.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace sbgc::detail {
 
-/// The handlers for something that happens again and again, each with a key. Thread-safe.
+/// Handlers with keys that can be removed at any time. Thread-safe.
 template <class Key, class Signature>
 class Handlers : public std::enable_shared_from_this<Handlers<Key, Signature>> {
  public:
@@ -23,15 +23,14 @@ class Handlers : public std::enable_shared_from_this<Handlers<Key, Signature>> {
     Entry(const Key& wanted, Function called) : key(wanted), function(std::move(called)) {}
 
     const Key key;
-    std::recursive_mutex running;  // held while the function runs, which may cancel itself
+    std::recursive_mutex running;  // held while the function runs, which may remove itself
     bool is_member = true;
     bool is_running = false;
     Function function;
   };
 
-  /// Subscribed as long as the result lives. Once it is gone the function neither runs nor will
-  /// run, and what it holds is released; only a function that takes itself back still runs to its
-  /// end.
+  /// Keeps `function` registered as long as the result lives. After that the function is not
+  /// running, never runs again, and is destroyed; a function that removes itself runs to its end.
   std::unique_ptr<Subscription::Hold> add(const Key& key, Function function) {
     auto entry = std::make_shared<Entry>(key, std::move(function));
     const std::lock_guard lock(mutex_);
@@ -39,7 +38,7 @@ class Handlers : public std::enable_shared_from_this<Handlers<Key, Signature>> {
     return std::make_unique<Membership>(this->shared_from_this(), std::move(entry));
   }
 
-  /// Those with this key at this moment.
+  /// Returns the current handlers with this key.
   std::vector<std::shared_ptr<Entry>> with_key(const Key& key) {
     std::vector<std::shared_ptr<Entry>> result;
     const std::lock_guard lock(mutex_);
@@ -48,7 +47,7 @@ class Handlers : public std::enable_shared_from_this<Handlers<Key, Signature>> {
     return result;
   }
 
-  /// Calls `use(function)` for each of them that has not been taken back meanwhile.
+  /// Calls `use(function)` for each handler that is still registered.
   template <class Use>
   static void call(const std::vector<std::shared_ptr<Entry>>& entries, const Use& use) {
     for (const auto& entry : entries) {

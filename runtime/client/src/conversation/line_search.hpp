@@ -1,4 +1,4 @@
-/// The search for the settings of a line at which a board answers.
+/// The search for the line settings at which a board responds.
 #pragma once
 
 #include <array>
@@ -21,21 +21,21 @@ class LineSearch {
   };
   using Done = std::function<void(const Outcome&)>;
 
-  /// Whom to tell the outcome. Thread-safe, as report().
+  /// Sets the receiver of the outcome. Thread-safe, like report().
   void on_done(Done done);
-  /// Tells it, once.
+  /// Reports the outcome, once.
   void report(const Outcome& outcome);
 
-  // On the strand
+  // Only on the strand.
 
   void begin() { detector_.emplace(); }
   bool is_active() const noexcept { return detector_.has_value(); }
   void feed(std::span<const std::uint8_t> bytes) { detector_->feed(bytes); }
-  /// Goes on with the search as far as possible now; true when it is over.
+  /// Continues the search as far as possible. Returns true when it has ended.
   bool advance(Channel& channel, Instant now);
-  /// What came out of it. Then it is not active any more.
+  /// Returns the outcome and ends the search.
   Outcome take_outcome();
-  /// The settings that were found.
+  /// The settings found.
   const LineSettings& line() const noexcept { return line_; }
 
  private:

@@ -39,7 +39,7 @@ std::optional<ClientError> PendingCalls::add(const CallPointer& call) {
   if (refusal_) return refusal_;
   if (waiting_.size() >= most_waiting_) {
     return ClientError{ErrorCode::overload,
-                       std::to_string(waiting_.size()) + " calls are waiting already"};
+                       std::to_string(waiting_.size()) + " calls are already waiting"};
   }
   call->ticket = ++last_ticket_;
   calls_.emplace(call->ticket, call);

@@ -14,32 +14,32 @@
 
 namespace sbgc::detail {
 
-/// Who ends a call takes it out first, so that each ends once. Thread-safe; handlers run without
-/// the lock.
+/// Whoever ends a call takes it out first, so each call ends exactly once. Thread-safe; handlers
+/// run without the lock.
 class PendingCalls {
  public:
   using Ticket = Conversation::Ticket;
 
-  /// No more than `most_waiting` calls wait for room in the session.
+  /// At most `most_waiting` calls wait for room in the session.
   explicit PendingCalls(std::size_t most_waiting) : most_waiting_(most_waiting) {}
 
-  /// Takes the call in and gives it its ticket, or says why not.
+  /// Adds the call and assigns its ticket, or returns the reason for rejecting it.
   std::optional<ClientError> add(const CallPointer& call);
-  /// Takes a call out; null if it has ended.
+  /// Takes a call out; null if it has already ended.
   CallPointer take(Ticket ticket);
   /// Takes out a call whose deadline has passed; null if there is none.
   CallPointer take_overdue(Instant at);
-  /// Takes all calls out, and refuses later ones with this error.
+  /// Takes all calls out and rejects later ones with this error.
   std::vector<CallPointer> take_all(ClientError refusal);
 
-  /// The next call that waits for the session; null if none does. It stays pending.
+  /// Returns the next call that waits for the session; null if there is none. It stays pending.
   CallPointer next_waiting();
-  /// The first deadline of all calls.
+  /// The earliest deadline of all calls.
   Instant deadline() const;
 
-  /// Hands out the result of a call that has been taken out, or was never taken in.
+  /// Passes its result to the handler of a call that was taken out, or was never added.
   void complete(const Call& call, Result<Reply> result);
-  /// Counts a call that failed before it began.
+  /// Counts a call that failed before it started.
   void count_failure();
   std::uint64_t begun() const noexcept { return begun_; }
   std::uint64_t failed() const noexcept { return failed_; }

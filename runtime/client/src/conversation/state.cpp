@@ -33,7 +33,7 @@ void Conversation::State::attach(std::unique_ptr<io::Transport> transport) {
     const std::lock_guard lock(mutex_);
     description_ = transport->description();
   }
-  // A function that Asio can copy.
+  // Shared, because Asio requires a copyable function.
   post([this, shared = std::make_shared<std::unique_ptr<io::Transport>>(std::move(transport))] {
     if (const io::LineControl* const line = (*shared)->line()) {
       dialogue_.set_line(line->current());
@@ -62,7 +62,7 @@ void Conversation::State::wake() {
   });
 }
 
-// Calls and subscriptions
+// Calls and subscriptions.
 
 auto Conversation::State::start(Result<Request> request, const CallOptions& options,
                                 ReplyHandler handler) -> Begun {
@@ -103,14 +103,14 @@ Subscription Conversation::State::on_notice(std::function<void(const Notice&)> h
   return Subscription(delivery_.on_notice(std::move(handler)));
 }
 
-/// Listens to a data stream as long as it lives.
+/// Keeps a data stream running as long as it lives.
 class Conversation::State::StreamHold : public Subscription::Hold {
  public:
   StreamHold(std::unique_ptr<Hold> membership, std::weak_ptr<State> state, StreamListeners::Key key)
       : membership_(std::move(membership)), state_(std::move(state)), key_(std::move(key)) {}
   StreamHold(const StreamHold&) = delete;
   StreamHold& operator=(const StreamHold&) = delete;
-  // NOLINTNEXTLINE(bugprone-exception-escape): only if there is no memory left
+  // NOLINTNEXTLINE(bugprone-exception-escape): throws only when out of memory
   ~StreamHold() override {
     membership_.reset();
     if (const auto state = state_.lock()) state->leave_stream(key_);
@@ -127,7 +127,8 @@ auto Conversation::State::start_stream(StreamRequests requests, MessageKey key,
                                        StreamHandler done) -> Begun {
   Result<Request>& start = requests.start;
   if (start && start->policy.stream.command == 0) {
-    start = ClientError{ErrorCode::invalid, std::string(start->command) + " starts no data stream"};
+    start = ClientError{ErrorCode::invalid,
+                        std::string(start->command) + " does not start a data stream"};
   }
   if (start && !requests.end) start = requests.end.error();
   if (!start) {
@@ -136,7 +137,7 @@ auto Conversation::State::start_stream(StreamRequests requests, MessageKey key,
   }
   const StreamListeners::Key stream = StreamListeners::key_of(*start);
   streams_.join(stream, *std::move(requests.end));
-  // Subscribed before the first sample can come.
+  // Subscribe before the first sample can arrive.
   auto hold = std::make_unique<StreamHold>(delivery_.subscribe(key, std::move(handler)),
                                            weak_from_this(), stream);
   return begin(*std::move(start), options,
@@ -144,7 +145,7 @@ auto Conversation::State::start_stream(StreamRequests requests, MessageKey key,
                 done = std::move(done)](Result<Reply> reply) {
                  const bool is_unheard = !reply && reply.error().code != ErrorCode::timeout &&
                                          reply.error().code != ErrorCode::cancelled;
-                 // If the board may have heard the request, the end has to be asked for, too.
+                 // The board may have received the request, so the stream must be ended as well.
                  if (!is_unheard) streams_.set_running(stream);
                  if (reply) return done(Subscription(std::move(*hold)));
                  hold->reset();
@@ -156,14 +157,14 @@ void Conversation::State::leave_stream(const StreamListeners::Key& key) {
   std::optional<Request> end = streams_.leave(key);
   if (!end) return;
   begin(*std::move(end), {}, [this, key](const Result<Reply>& reply) {
-    // A conversation that is over ends its streams itself.
+    // A conversation that has ended also ends its streams.
     const bool is_over = !reply && (reply.error().code == ErrorCode::cancelled ||
                                     reply.error().code == ErrorCode::not_connected);
     if (!is_over) streams_.end_sent(key);
   });
 }
 
-// On the strand
+// On the strand.
 
 void Conversation::State::advance() {
   if (!channel_.is_open()) return;
@@ -217,7 +218,7 @@ void Conversation::State::end_search() {
   search_.report(outcome);
 }
 
-// The end
+// The end.
 
 bool Conversation::State::is_open() const {
   const std::lock_guard lock(mutex_);
@@ -252,13 +253,13 @@ void Conversation::State::close() {
     phase_ = Phase::closed;
   }
   const auto ended = calls_.take_all({ErrorCode::not_connected, "the client is closed"});
-  // Here, too: who closes may be the one that runs the strand.
+  // Also report here: the caller may be the thread that runs the strand.
   search_.report({});
   for (const CallPointer& call : ended) calls_.complete(*call, closed_error());
   post([this] { shut(); });
 }
 
-/// Begins to end all that Asio does for this conversation.
+/// Starts to end all operations of Asio for this conversation.
 void Conversation::State::shut() {
   if (search_.is_active()) end_search();
   dialogue_.forget_all();

@@ -1,4 +1,4 @@
-/// The engine behind Conversation: a dialogue on a channel, and who takes part in it.
+/// The implementation of Conversation: a dialogue over a channel, and its participants.
 #pragma once
 
 #include <functional>
@@ -23,31 +23,31 @@
 
 namespace sbgc::detail {
 
-/// How long after its deadline a call is given up if the client's thread does not come round to
-/// ending it, because a handler keeps it.
+/// How long after its deadline a call ends with stuck_error() if a handler blocks the client's
+/// thread, which should end it.
 inline constexpr Duration grace = milliseconds(200);
-/// Why such a call ended.
+/// The error of such a call.
 ClientError stuck_error();
-/// Why a handler cannot wait for a call.
+/// The error of a handler that waits for a call.
 ClientError handler_waits_error();
 
-/// What is public may be called from any thread, if nothing else is said. Dialogue, channel and
-/// delivery belong to the strand. No lock is held while a handler runs.
+/// Public functions may be called from any thread, unless documented otherwise. Dialogue, channel
+/// and delivery require the strand. No lock is held while a handler runs.
 class Conversation::State : public Channel::User,
                             public std::enable_shared_from_this<Conversation::State> {
  public:
   State(Strand strand, const ConnectOptions& options);
 
-  /// Begins to talk over a transport whose executor is the strand. Called once.
+  /// Starts the conversation over a transport whose executor is the strand. Must be called once.
   void attach(std::unique_ptr<io::Transport> transport);
 
-  /// Searches for the settings of the line at which a board answers, and leaves the line there.
-  /// After attach(), before any call; the transport has a line. close() ends the search.
+  /// Searches for the line settings at which a board responds, and keeps them. Requires attach()
+  /// and a transport with a LineControl; must precede all calls. close() ends the search.
   void find_line(LineSearch::Done done);
-  /// Ends a search that is under way, unsuccessfully.
+  /// Ends a running search without success.
   void stop_finding_line();
 
-  /// Says with whom; before the conversation is handed out.
+  /// Sets the identity of the board; must precede the use of the conversation by others.
   void set_identity(const BoardIdentity& board) { board_ = board; }
   const BoardIdentity& identity() const noexcept { return board_; }
 
@@ -56,7 +56,7 @@ class Conversation::State : public Channel::User,
     Instant deadline = Instant::never;  ///< the call ends by then
   };
   Begun start(Result<Request> request, const CallOptions& options, ReplyHandler handler);
-  /// Ends a call with this error, if it has not ended.
+  /// Ends a call with this error, unless it has already ended.
   void end(Ticket ticket, ClientError error);
 
   Subscription subscribe(MessageKey key, MessageHandler handler);
@@ -69,7 +69,7 @@ class Conversation::State : public Channel::User,
   void close();
 
   bool runs_in_this_thread() const { return channel_.runs_in_this_thread(); }
-  /// Why there is no conversation any more; nothing while it goes on.
+  /// Why the conversation ended; nothing while it is running.
   std::optional<ClientError> end_reason() const;
 
  private:
@@ -82,7 +82,7 @@ class Conversation::State : public Channel::User,
   void leave_stream(const StreamListeners::Key& key);
   bool is_open() const;
 
-  // On the strand
+  // On the strand.
   void received(std::span<const std::uint8_t> bytes) override;
   void written() override;
   void woken() override { advance(); }

@@ -1,4 +1,4 @@
-/// Data streams: running as long as somebody is subscribed to them.
+/// Data streams, which run as long as they have subscribers.
 #pragma once
 
 #include <array>
@@ -14,26 +14,26 @@
 
 namespace sbgc::detail {
 
-/// Who listens to which data stream, and which of them the board sends. Thread-safe.
+/// Counts the listeners of each data stream and tracks which streams the board sends. Thread-safe.
 class StreamListeners {
  public:
-  /// What makes two streams the same: the id of their messages, and how they are configured.
+  /// Identifies a stream by the id of its messages and its configuration.
   using Key = std::pair<std::uint8_t, std::array<std::uint8_t, max_stream_config>>;
 
   static Key key_of(const Request& start) {
     return {start.policy.stream.command, start.policy.stream.config};
   }
 
-  /// One more listener; `end` is the request that ends the stream.
+  /// Adds a listener; `end` is the request that ends the stream.
   void join(const Key& key, Request end);
-  /// From now on the board may send it.
+  /// Records that the board may send the stream.
   void set_running(const Key& key);
-  /// One listener less. If it was the last of a running stream, the result is the request to send;
-  /// end_sent() follows when that is over.
+  /// Removes a listener. If it was the last one of a running stream, returns the request to send;
+  /// call end_sent() when that request has ended.
   std::optional<Request> leave(const Key& key);
   void end_sent(const Key& key);
 
-  /// The requests that end all streams that are running. Then nothing is left to leave.
+  /// Returns the requests that end all running streams, and forgets all streams.
   std::vector<Request> take_running();
 
  private:

@@ -1,4 +1,4 @@
-/// Drives a task inside an Asio program, without a thread.
+/// Drives a task in an Asio program, without a thread.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@
 
 namespace sbgc::detail {
 
-/// Lives until the task is over. start() and cancel() may be called from any thread; the task runs
+/// Lives until the task is done. start() and cancel() may be called from any thread; the task runs
 /// on a strand of the executor.
 class AsioDriver : public std::enable_shared_from_this<AsioDriver> {
  public:
@@ -26,7 +26,7 @@ class AsioDriver : public std::enable_shared_from_this<AsioDriver> {
   void cancel();
 
  private:
-  /// Runs `input(task)` on the strand, then goes on.
+  /// Runs `input(task)` on the strand, then advances the task.
   template <class Input>
   void post(Input input);
   void advance();
@@ -38,9 +38,9 @@ class AsioDriver : public std::enable_shared_from_this<AsioDriver> {
   asio::steady_timer timer_;
   Conversation conversation_;
   std::shared_ptr<TaskMachine> task_;
-  std::function<void()> done_;  // empty when it is over
+  std::function<void()> done_;  // empty once the task is done
   Subscription notices_;
-  std::unordered_map<std::uint32_t, Conversation::Ticket> calls_{};  // under way
+  std::unordered_map<std::uint32_t, Conversation::Ticket> calls_{};  // running
 };
 
 }  // namespace sbgc::detail

@@ -44,7 +44,7 @@ void BlockingDriver::begin_call(TaskMachine& task, TaskStep step) {
   calls_[number] = {};
   const auto replied = [this, inbox = inbox_, number](const Result<Reply>& reply) {
     inbox->put([this, number, reply](TaskMachine& machine) {
-      calls_.erase(number);  // the inbox is emptied by the driver
+      calls_.erase(number);  // runs on the driver's thread, which empties the inbox
       machine.replied(number, reply);
     });
   };
@@ -60,7 +60,7 @@ void BlockingDriver::cancel_call(std::uint32_t number) {
 
 void BlockingDriver::wait(const TaskStep& step) {
   if (calls_.empty() && !step.can_be_woken) return clock_.sleep_until(io::to_chrono(step.until));
-  // A call ends by itself, unless a handler keeps the client's thread.
+  // A call ends by itself unless a handler blocks the client's thread.
   Instant last = Instant::never;
   for (const auto& [number, begun] : calls_) last = earlier(last, begun.deadline + grace);
   inbox_->wait([&](auto& lock, auto& changed) {

@@ -1,4 +1,4 @@
-/// Drives a task from a thread that waits.
+/// Drives a task on a waiting thread.
 #pragma once
 
 #include <memory>
@@ -18,12 +18,12 @@ class BlockingDriver {
   BlockingDriver(Conversation conversation, Clock& clock);
   BlockingDriver(const BlockingDriver&) = delete;
   BlockingDriver& operator=(const BlockingDriver&) = delete;
-  /// Cancels what a task that has thrown leaves behind.
+  /// Cancels the remaining calls of a task that threw.
   ~BlockingDriver();
 
-  /// Returns when the task is over. Once.
+  /// Returns when the task is done. Must be called only once.
   void run(TaskMachine& task);
-  /// See TaskMachine::wake(). From any thread.
+  /// See TaskMachine::wake(). Thread-safe.
   void wake() {
     inbox_->put([](TaskMachine& task) { task.wake(); });
   }
@@ -38,7 +38,7 @@ class BlockingDriver {
   Clock& clock_;
   std::shared_ptr<TaskInbox> inbox_ = std::make_shared<TaskInbox>();
   Subscription notices_;
-  std::unordered_map<std::uint32_t, Conversation::State::Begun> calls_{};  // under way
+  std::unordered_map<std::uint32_t, Conversation::State::Begun> calls_{};  // running
 };
 
 }  // namespace sbgc::detail

@@ -1,4 +1,4 @@
-/// What comes for a task from other threads.
+/// Events for a task from other threads.
 #pragma once
 
 #include <condition_variable>
@@ -11,7 +11,7 @@
 
 namespace sbgc::detail {
 
-/// Thread-safe. Shared with handlers, which may run when the task is over.
+/// Thread-safe. Shared with handlers, which may run after the task is done.
 class TaskInbox {
  public:
   using Input = std::function<void(TaskMachine&)>;
@@ -24,7 +24,7 @@ class TaskInbox {
     changed_.notify_all();
   }
 
-  /// Hands everything to the task.
+  /// Passes all events to the task.
   void empty_into(TaskMachine& task) {
     std::vector<Input> inputs;
     {
@@ -34,7 +34,7 @@ class TaskInbox {
     for (const Input& input : inputs) input(task);
   }
 
-  /// Calls `wait(lock, changed)` if nothing has come; what comes meanwhile notifies `changed`.
+  /// Calls `wait(lock, changed)` if the inbox is empty; put() notifies `changed`.
   template <class Wait>
   void wait(const Wait& wait) {
     std::unique_lock lock(mutex_);

@@ -1,4 +1,4 @@
-/// Comparing what was written with what is read back.
+/// Comparison of written data with data read back.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace sbgc::detail {
 
-/// The first byte from which on two blocks differ; nothing if they are equal.
+/// Returns the index of the first different byte; nothing if the blocks are equal.
 inline std::optional<std::size_t> difference(std::span<const std::uint8_t> a,
                                              std::span<const std::uint8_t> b) {
   const auto [at, other] = std::ranges::mismatch(a, b);

@@ -10,12 +10,12 @@
 namespace sbgc {
 namespace {
 
-/// The IMU by the name that the request for the state has for it.
+/// Converts the IMU to the enum of the state request.
 msg::SelectedImu selected(msg::CalibImu imu) noexcept {
   return imu == msg::CalibImu::frame ? msg::SelectedImu::frame : msg::SelectedImu::main;
 }
 
-/// The call of a calibration, which goes on while the board is looked at.
+/// The call of a calibration, which runs while the board is polled.
 class CalibrationCall {
  public:
   template <Message M>
@@ -35,7 +35,7 @@ class CalibrationCall {
 
   ClientError error(ClientError reason) const {
     return detail::during(
-        has_started() ? "the calibration has begun, but its end is not known" : "calibrating",
+        has_started() ? "the calibration has started, but its result is unknown" : "calibrating",
         std::move(reason));
   }
 
@@ -66,7 +66,7 @@ Task<Result<void>> calibrate_with(M request, CalibrationOptions options) {
     if (can_look) {
       msg::CalibInfoRequest look;
       look.imu_type = selected(options.imu);
-      // A board that calibrates may be too busy to answer; that is for its end to tell.
+      // A calibrating board may be too busy to respond; only the result of the call matters.
       const Result<msg::CalibInfo> state = co_await tasks::call(look);
       if (state) seen.state = *state;
       if (!state && state.error().code == ErrorCode::cancelled) break;
@@ -78,7 +78,7 @@ Task<Result<void>> calibrate_with(M request, CalibrationOptions options) {
         options.progress ? now + detail::duration_of(options.interval) : Instant::never;
     waited = co_await call.wait_for_end(earlier(end, next));
   }
-  co_return detail::cancelled_error("the calibration, which the board goes on with,");
+  co_return detail::cancelled_error("the wait for the calibration, which continues on the board,");
 }
 
 template <class Simple, class Extended>

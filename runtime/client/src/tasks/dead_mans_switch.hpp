@@ -1,4 +1,4 @@
-/// When to send a speed, and when to stop because its owner is silent.
+/// The rules of speed control: when to send a speed, and when to stop because the owner is silent.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ class DeadMansSwitch {
   using State = SpeedControl::State;
   using Speed = Axes<msg::ControlSpeed>;
 
-  /// The board takes at most 50 commands a second.
+  /// The board takes at most 50 commands per second.
   static constexpr Duration fastest = milliseconds(20);
 
   enum class Action : std::uint8_t { none, send, stop };
@@ -27,7 +27,7 @@ class DeadMansSwitch {
 
   void set(const Speed& speed, Instant now) noexcept {
     if (state_ == State::failed) return;
-    // A change is sent as soon as commands may follow each other, the same speed in its turn.
+    // Send a new speed as soon as the pacing allows; repeat an unchanged one at its regular time.
     if (state_ != State::turning || !(speed == speed_)) due_ = later(now, sent_at_ + fastest);
     speed_ = speed;
     state_ = State::turning;
@@ -39,18 +39,18 @@ class DeadMansSwitch {
     end(State::idle);
     stop_due_ = long_ago;
   }
-  /// Sending has failed: what is left to do is to stop.
+  /// Sending failed: only a stop remains to be done.
   void fail() noexcept {
     const bool turned = state_ == State::turning;
     state_ = State::failed;
     must_stop_ = must_stop_ || turned;
   }
-  /// The camera has been stopped, or never can be.
+  /// The camera has stopped, or can never be stopped.
   void stopped() noexcept { must_stop_ = false; }
-  /// It may turn on, and has to be stopped a little later.
+  /// The camera may still turn: schedule another stop.
   void not_stopped(Instant now) noexcept { stop_due_ = now + std::max(repeat_, fastest); }
 
-  /// What has to be done now; a send counts as done.
+  /// Returns the next action; a send counts as done.
   Action next(Instant now) noexcept {
     if (state_ == State::turning && now >= silent_at_) end(State::silenced);
     if (must_stop_) return now < stop_due_ ? Action::none : Action::stop;
@@ -59,7 +59,7 @@ class DeadMansSwitch {
     due_ = now + std::max(repeat_, fastest);
     return Action::send;
   }
-  /// When next() has to be asked again at the latest.
+  /// The time of the next call of next(), at the latest.
   [[nodiscard]] Instant deadline(Instant now) const noexcept {
     if (must_stop_) return later(now, stop_due_);
     if (state_ != State::turning) return now + seconds(3600);

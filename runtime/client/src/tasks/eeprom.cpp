@@ -1,4 +1,4 @@
-// EEPROM: whole pages, read and written.
+// EEPROM tasks: transfers of whole pages.
 
 #include <algorithm>
 #include <string>
@@ -20,10 +20,10 @@ constexpr std::size_t eeprom_page = detail::field_info<msg::EepromWrite>("addr")
 constexpr std::size_t eeprom_most_read = detail::highest<msg::EepromReadRequest>("size");
 constexpr std::size_t eeprom_most_written = detail::field_info<msg::EepromWrite>("data").max_count;
 
-/// "0x1F40".
+/// For example "0x1f40".
 std::string hex(std::uint64_t address) { return fmt::format("{:#x}", address); }
 
-/// Whether the bytes lie inside of the EEPROM, as far as its size is known.
+/// Checks that the bytes are inside the EEPROM, if its size is known.
 Result<void> check_place(const BoardIdentity& board, std::uint64_t address, std::size_t size) {
   constexpr std::uint64_t addressable = std::uint64_t{1} << 32U;
   const auto& details = board.details;
@@ -31,8 +31,8 @@ Result<void> check_place(const BoardIdentity& board, std::uint64_t address, std:
   const std::uint64_t limit = told != 0 ? told : addressable;
   if (size <= limit && address <= limit - size) return {};
   return ClientError{ErrorCode::invalid,
-                     fmt::format("{} bytes at {} lie outside of the EEPROM, which has {} bytes",
-                                 size, hex(address), limit)};
+                     fmt::format("{} bytes at {} exceed the EEPROM, which has {} bytes", size,
+                                 hex(address), limit)};
 }
 
 /// Reads whole pages.
@@ -46,8 +46,8 @@ Task<Result<Bytes>> read_pages(detail::PageRun run, const detail::Deadline& dead
   if (answer->addr != request.addr || answer->data.size() != run.size) {
     co_return ClientError{
         ErrorCode::mismatch,
-        fmt::format("{} bytes of the EEPROM at {} were asked for, {} bytes at {} came back",
-                    run.size, hex(run.address), answer->data.size(), hex(answer->addr))};
+        fmt::format("requested {} bytes of the EEPROM at {}, but received {} bytes at {}", run.size,
+                    hex(run.address), answer->data.size(), hex(answer->addr))};
   }
   co_return Bytes(answer->data.begin(), answer->data.end());
 }
@@ -87,8 +87,8 @@ Task<Result<void>> upload_eeprom(std::uint32_t address, Bytes data, TransferOpti
   std::uint64_t written = address;
   const auto fail = [&](ClientError error) {
     const std::string place = written == address
-                                  ? std::string("nothing has been written for certain")
-                                  : fmt::format("the data stand there up to {}", hex(written));
+                                  ? std::string("nothing was verifiably written")
+                                  : fmt::format("the data are written up to {}", hex(written));
     error.message = fmt::format("{}; {}", error.message, place);
     return error;
   };
@@ -101,7 +101,7 @@ Task<Result<void>> upload_eeprom(std::uint32_t address, Bytes data, TransferOpti
     const std::uint64_t first = std::max<std::uint64_t>(run.address, address);
     const std::uint64_t last = std::min(run.address + run.size, end);
     Bytes block(run.size);
-    if (last - first != run.size) {  // pages that belong to others in part
+    if (last - first != run.size) {  // other bytes of these pages must be kept
       Result<Bytes> present = co_await read_pages(run, deadline);
       if (!present) co_return fail(present.error());
       block = *std::move(present);
@@ -110,7 +110,7 @@ Task<Result<void>> upload_eeprom(std::uint32_t address, Bytes data, TransferOpti
                       block.begin() + static_cast<std::ptrdiff_t>(first - run.address));
     msg::EepromWrite request;
     request.addr = static_cast<std::uint32_t>(run.address);
-    static_cast<void>(request.data.resize(block.size()));  // page_runs() has kept to what fits
+    static_cast<void>(request.data.resize(block.size()));  // page_runs() limits the size
     std::ranges::copy(block, request.data.begin());
     const Result<void> sent = co_await call(request, detail::options_within(deadline));
     if (!sent) co_return fail(detail::during("writing at " + hex(run.address), sent.error()));
@@ -118,11 +118,10 @@ Task<Result<void>> upload_eeprom(std::uint32_t address, Bytes data, TransferOpti
       const Result<Bytes> present = co_await read_pages(run, deadline);
       if (!present) co_return fail(present.error());
       if (const auto at = detail::difference(block, *present)) {
-        co_return fail(
-            {ErrorCode::mismatch, fmt::format("{} was written, but the EEPROM has {:#04x} "
-                                              "at {}",
-                                              fmt::format("{:#04x}", block[*at]), (*present)[*at],
-                                              hex(run.address + *at))});
+        co_return fail({ErrorCode::mismatch, fmt::format("wrote {}, but read back {:#04x} "
+                                                         "at {}",
+                                                         fmt::format("{:#04x}", block[*at]),
+                                                         (*present)[*at], hex(run.address + *at))});
       }
     }
     written = last;

@@ -1,4 +1,4 @@
-// Files of the board.
+// File tasks.
 
 #include <algorithm>
 #include <limits>
@@ -24,11 +24,11 @@ constexpr std::size_t file_most_read = detail::highest<msg::ReadFileRequest>("ma
 constexpr std::size_t file_most_written = detail::field_info<msg::WriteFile>("data").max_count;
 constexpr std::size_t file_largest = std::numeric_limits<msg::ByteCount::raw_type>::max();
 
-/// A file error of the board as a sentence.
+/// Converts a file error of the board to a sentence.
 ClientError file_error(std::uint16_t file, ClientError error) {
   if (error.code == ErrorCode::board_error) {
     for (const ValueInfo& known : EnumMeta<msg::FileError>::info.values) {
-      // The same number may be an error of another kind; its name tells.
+      // Other error types use the same numbers, so check the name as well.
       const bool is_it = error.message.find(known.name) != std::string::npos;
       if (known.value != error.detail || !is_it) continue;
       const bool missing =
@@ -40,7 +40,7 @@ ClientError file_error(std::uint16_t file, ClientError error) {
   return detail::during(fmt::format("file {}", file), std::move(error));
 }
 
-/// Part of a file, from a page on.
+/// Reads part of a file, starting at a page.
 Task<Result<msg::ReadFile>> read_part(std::uint16_t file, std::size_t offset, std::size_t size,
                                       CallOptions options) {
   msg::ReadFileRequest request;
@@ -54,7 +54,7 @@ Task<Result<msg::ReadFile>> read_part(std::uint16_t file, std::size_t offset, st
   if (answer->page_offset != request.page_offset || answer->data.size() != expected) {
     co_return ClientError{
         ErrorCode::mismatch,
-        fmt::format("file {}: {} bytes at {} were expected, {} bytes at {} came", file, expected,
+        fmt::format("file {}: expected {} bytes at {}, but received {} bytes at {}", file, expected,
                     offset, answer->data.size(), answer->page_offset.bytes())};
   }
   co_return answer;
@@ -75,7 +75,7 @@ Task<Result<Bytes>> download_file(std::uint16_t file, TransferOptions options) {
   Bytes content;
   std::optional<std::size_t> size;
   while (!size || content.size() < *size) {
-    // The size is known from the first part on; before, there is at least something to do.
+    // The first part reports the size. Until then, 1 stands for unfinished work.
     const Progress progress{content.size(), size.value_or(1), task};
     if (auto going = detail::go_on(task, options.progress, progress, deadline); !going) {
       co_return going.error();
@@ -85,7 +85,7 @@ Task<Result<Bytes>> download_file(std::uint16_t file, TransferOptions options) {
     if (!part) co_return part.error();
     if (size && *size != part->file_size.raw()) {
       co_return ClientError{ErrorCode::mismatch,
-                            fmt::format("file {} has changed its size while it was read", file)};
+                            fmt::format("the size of file {} changed during the transfer", file)};
     }
     size = part->file_size.raw();
     content.insert(content.end(), part->data.begin(), part->data.end());
@@ -97,7 +97,7 @@ Task<Result<Bytes>> download_file(std::uint16_t file, TransferOptions options) {
 
 Task<Result<void>> upload_file(std::uint16_t file, Bytes data, TransferOptions options) {
   if (data.empty()) {
-    co_return ClientError{ErrorCode::invalid, "a file can not be empty; it can be deleted"};
+    co_return ClientError{ErrorCode::invalid, "a file cannot be empty; delete it instead"};
   }
   if (data.size() > file_largest) {
     co_return ClientError{ErrorCode::invalid, fmt::format("a file has at most {} bytes, not {}",
@@ -116,7 +116,7 @@ Task<Result<void>> upload_file(std::uint16_t file, Bytes data, TransferOptions o
     request.file_id = file;
     request.file_size = msg::ByteCount(static_cast<msg::ByteCount::raw_type>(data.size()));
     request.page_offset = msg::Pages(static_cast<msg::Pages::raw_type>(run.address / file_page));
-    static_cast<void>(request.data.resize(part.size()));  // page_runs() has kept to what fits
+    static_cast<void>(request.data.resize(part.size()));  // page_runs() limits the size
     std::ranges::copy(part, request.data.begin());
     const Result<void> sent = co_await call(request, detail::options_within(deadline));
     if (!sent) {
@@ -129,11 +129,10 @@ Task<Result<void>> upload_file(std::uint16_t file, Bytes data, TransferOptions o
     const Result<Bytes> present = co_await download_file(file, reading);
     if (!present) co_return detail::during("reading it back", present.error());
     if (const auto at = detail::difference(data, *present)) {
-      co_return ClientError{
-          ErrorCode::mismatch,
-          fmt::format("file {} read back differs from what was written, from byte "
-                      "{} on",
-                      file, *at)};
+      co_return ClientError{ErrorCode::mismatch,
+                            fmt::format("file {} differs from the written data, from byte "
+                                        "{}",
+                                        file, *at)};
     }
   }
   if (options.progress) options.progress({data.size(), data.size(), task});

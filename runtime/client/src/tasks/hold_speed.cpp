@@ -11,7 +11,7 @@ namespace sbgc::detail {
 
 namespace {
 
-/// Whether nothing can ever be sent again.
+/// True if nothing can ever be sent again.
 bool is_final(ErrorCode code) noexcept {
   return code == ErrorCode::link_lost || code == ErrorCode::not_connected ||
          code == ErrorCode::cancelled;
@@ -23,7 +23,7 @@ Task<Result<void>> send_speed(DeadMansSwitch::Speed speed) {
   for (std::size_t i = 0; i < DeadMansSwitch::Speed::size(); ++i) {
     command.axes[i].speed = speed[i];
   }
-  // A stop must not wait for long after a command that finds no room.
+  // A short timeout: a stop must not wait long behind a queued command.
   CallOptions options;
   options.timeout = std::chrono::seconds(1);
   co_return co_await tasks::call(command, options);
@@ -72,7 +72,7 @@ Task<Result<void>> hold_speed(std::shared_ptr<HeldSpeed> speed) {
     if (order.action == Action::stop) {
       result = co_await tasks::stop();
     } else if (auto refused = refusals.take()) {
-      result = *std::move(refused);  // of the command before
+      result = *std::move(refused);  // of the previous command
     } else {
       result = co_await send_speed(order.speed);
     }

@@ -1,4 +1,4 @@
-/// Holding a speed for an owner in another thread.
+/// A held speed, shared by its owner and the task that sends it.
 #pragma once
 
 #include <condition_variable>
@@ -12,22 +12,21 @@
 
 namespace sbgc::detail {
 
-/// What the owner of a speed wants, and what has become of it. Thread-safe. After a change the task
-/// is to be woken.
+/// The wishes of the owner and their results. Thread-safe. Wake the task after each change.
 class HeldSpeed {
  public:
   explicit HeldSpeed(const DeadMansSwitch& rules) : rules_(rules) {}
 
-  // For the owner
+  // For the owner.
 
-  /// Changes it with `change(rules)`, unless sending has failed.
+  /// Applies `change(rules)`, unless sending has failed.
   template <class Change>
   Result<void> with(const Change& change) {
     const std::scoped_lock lock(mutex_);
     if (error_) return *error_;
     return change(rules_);
   }
-  /// Waits until nothing is to be sent; `now()` is the time of the task.
+  /// Waits until there is nothing to send; `now()` is the time of the task.
   template <class Now>
   Result<void> wait(const Now& now) {
     std::unique_lock lock(mutex_);
@@ -45,13 +44,13 @@ class HeldSpeed {
     is_closing_ = true;
   }
 
-  // For the task
+  // For the task.
 
   struct Order {
     DeadMansSwitch::Action action{};
     DeadMansSwitch::Speed speed{};
-    bool is_last = false;            ///< nothing is to be done any more
-    Instant until = Instant::never;  ///< of Action::none: when to ask again
+    bool is_last = false;            ///< nothing remains to be done
+    Instant until = Instant::never;  ///< for Action::none: when to call next() again
   };
   Order next(Instant now);
   void done(DeadMansSwitch::Action action, Result<void> result, Instant now);
@@ -65,7 +64,7 @@ class HeldSpeed {
   bool is_idle_ = false;
 };
 
-/// Sends what the owner wants until that closes it.
+/// Sends the speeds of the owner until it closes `speed`.
 Task<Result<void>> hold_speed(std::shared_ptr<HeldSpeed> speed);
 
 }  // namespace sbgc::detail

@@ -16,16 +16,17 @@ namespace sbgc {
 namespace {
 
 constexpr std::array<const char*, 3> axis_names{"roll", "pitch", "yaw"};
-/// How long a camera that stands still elsewhere may do so before the command is sent again.
+/// How long a camera may stand still off its target before the command is repeated.
 constexpr Duration patience = milliseconds(500);
 
-/// The way from one angle to another. Both count two turns in each direction and then begin again.
+/// Returns the signed difference of two angles, which wrap around after two turns in each
+/// direction.
 double degrees_between(msg::Angle14 from, msg::Angle14 to) noexcept {
   const auto raw = static_cast<std::uint16_t>(to.raw() - from.raw());
   return msg::Angle14(static_cast<std::int16_t>(raw)).degrees();
 }
 
-/// move_to() as it goes on.
+/// The state of a running move_to().
 class Move {
  public:
   Move(TaskMachine& task, const MoveTarget& target, const MoveOptions& options)
@@ -41,8 +42,8 @@ class Move {
     Instant close_since = Instant::never;
     Instant sent_at{};
     while (true) {
-      // Without an answer there is no use in commands, and old firmware has to be told where axes
-      // are that are left alone.
+      // Read the angles first: commands are useless to a silent board, and old firmware needs the
+      // current targets of axes that are left alone.
       const Result<msg::GetAngles> state =
           co_await tasks::call(msg::GetAnglesRequest{}, detail::options_within(deadline_));
       if (!state) co_return detail::during(where(), state.error());
@@ -73,7 +74,7 @@ class Move {
   }
 
  private:
-  ClientError cancelled() const { return detail::cancelled_error("the move; " + where()); }
+  ClientError cancelled() const { return detail::cancelled_error("the move (" + where() + ")"); }
 
   void see(const msg::GetAngles& state, Instant now) {
     MoveProgress& seen = seen_.emplace();
@@ -87,7 +88,7 @@ class Move {
     }
   }
 
-  /// Whether an axis that is moved has a speed.
+  /// True if a target axis has a speed.
   bool turns(const msg::GetAngles& state) const {
     for (std::size_t i = 0; i < axis_names.size(); ++i) {
       if (target_[i] && state.axes[i].rc_speed.raw() != 0) return true;
@@ -115,9 +116,9 @@ class Move {
     co_return co_await tasks::call(command, options);
   }
 
-  /// "roll is at 1.5 deg, 3 deg before its target; …"
+  /// For example "roll is at 1.50 deg, 3.00 deg from its target, yaw …".
   std::string where() const {
-    if (!seen_) return "asking where the camera is";
+    if (!seen_) return "reading the camera angles";
     std::string result;
     for (std::size_t i = 0; i < axis_names.size(); ++i) {
       if (!target_[i]) continue;
@@ -143,21 +144,21 @@ Result<void> check(const MoveTarget& target, const MoveOptions& options) {
     return ClientError{ErrorCode::invalid, "a move needs a target for at least one axis"};
   }
   if (options.speed.raw() < 0) {
-    return ClientError{ErrorCode::invalid, "the speed of a move has no direction"};
+    return ClientError{ErrorCode::invalid, "the speed of a move must not be negative"};
   }
   if (!(options.tolerance > 0) || options.interval.count() <= 0) {
-    return ClientError{ErrorCode::invalid, "tolerance and interval of a move are more than 0"};
+    return ClientError{ErrorCode::invalid, "the tolerance and interval of a move must be positive"};
   }
   return {};
 }
 
-/// "yaw with 61.04 deg/s", or "" if no axis turns.
+/// For example "yaw at 61.04 deg/s"; "" if no axis turns.
 std::string turning(const msg::GetAngles& state) {
   std::string result;
   for (std::size_t i = 0; i < axis_names.size(); ++i) {
     const msg::ControlSpeed speed = state.axes[i].rc_speed;
     if (speed.raw() == 0) continue;
-    result += fmt::format("{}{} with {:.2f} deg/s", result.empty() ? "" : ", ", axis_names[i],
+    result += fmt::format("{}{} at {:.2f} deg/s", result.empty() ? "" : ", ", axis_names[i],
                           speed.degrees_per_second());
   }
   return result;
@@ -177,7 +178,7 @@ Task<Result<MoveProgress>> move_to(MoveTarget target, MoveOptions options) {
   if (!stopped) {
     error.message += fmt::format("; stopping it failed: {}", stopped.error().message);
   } else {
-    // A board that refuses the target refuses the stop as well.
+    // A board that rejects the target also rejects the stop.
     error.message += error.code == ErrorCode::board_error ? "; the camera stands still"
                                                           : "; it has been stopped";
   }
@@ -191,15 +192,15 @@ Task<Result<void>> stop(StopOptions options) {
   const detail::Deadline deadline(task, options.timeout);
   detail::Refusals refusals(task, msg::CommandToBoard::control);
   while (true) {
-    // The command need not be confirmed, so it may be lost without notice: it is sent until the
-    // board is seen to have obeyed.
+    // The board need not confirm the command, so a loss may go unnoticed: repeat it until the board
+    // reports speed 0.
     const Result<void> sent = co_await call(halt, detail::options_within(deadline));
     if (!sent) co_return sent;
     const Result<msg::GetAngles> state =
         co_await call(msg::GetAnglesRequest{}, detail::options_within(deadline));
     const bool is_silent = !state && state.error().code == ErrorCode::timeout;
     if ((!state && !is_silent) || (is_silent && deadline.is_over())) {
-      co_return detail::during("looking whether the camera has stopped", state.error());
+      co_return detail::during("checking whether the camera has stopped", state.error());
     }
     const std::string still = state ? turning(*state) : "";
     if (state && still.empty()) co_return Result<void>();

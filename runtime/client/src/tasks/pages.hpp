@@ -1,4 +1,4 @@
-/// Cutting a stretch of memory into messages.
+/// Splitting a memory range into messages.
 #pragma once
 
 #include <algorithm>
@@ -8,16 +8,16 @@
 
 namespace sbgc::detail {
 
-/// Whole pages that one message moves.
+/// Whole pages that fit into one message.
 struct PageRun {
   std::uint64_t address{};  ///< a multiple of the page size
-  std::size_t size{};       ///< as well
+  std::size_t size{};       ///< a multiple of the page size
 
   bool operator==(const PageRun&) const = default;
 };
 
-/// The runs of whole pages that cover the bytes from `address` on, of at most `most` bytes each.
-/// Precondition: `page` is not 0, `most` is at least one page.
+/// Returns the runs of whole pages that cover `size` bytes from `address`, at most `most` bytes
+/// each. Precondition: `page` is not 0, and `most` is at least one page.
 inline std::vector<PageRun> page_runs(std::uint64_t address, std::size_t size, std::size_t page,
                                       std::size_t most) {
   std::vector<PageRun> runs;

@@ -11,7 +11,7 @@ namespace sbgc::detail {
 
 CallOptions parameters_options(const Deadline& deadline);
 
-/// `deadline` is that of the task that this belongs to.
+/// `deadline` is the deadline of the enclosing task.
 Task<Result<Parameters>> read_one(const ParametersKind& kind, std::uint8_t copy,
                                   const Deadline& deadline);
 

@@ -15,11 +15,11 @@ Result<void> check_profile_name(std::string_view name) {
     const std::size_t length = detail::utf8_length(rest);
     if (length == 0) {
       return ClientError{ErrorCode::invalid,
-                         fmt::format("the profile name is not UTF-8 at its byte {}",
+                         fmt::format("the profile name is not valid UTF-8 at byte {}",
                                      name.size() - rest.size() + 1)};
     }
     if (rest[0] == '\0') {
-      return ClientError{ErrorCode::invalid, "a profile name can not hold a NUL character"};
+      return ClientError{ErrorCode::invalid, "a profile name cannot contain a NUL character"};
     }
     rest.remove_prefix(length);
   }
@@ -63,7 +63,7 @@ Task<Result<void>> rename_profile(std::size_t profile, std::string name) {
   }
   if (const Result<void> checked = check_profile_name(name); !checked) co_return checked;
   co_return co_await change_names([&](msg::ReadProfileNames& names) {
-    static_cast<void>(names.profile_name[profile].assign(name));  // its size has been checked
+    static_cast<void>(names.profile_name[profile].assign(name));  // the size has been checked
   });
 }
 
@@ -76,7 +76,7 @@ Task<Result<void>> rename_profiles(ProfileNames names) {
   }
   co_return co_await change_names([&](msg::ReadProfileNames& message) {
     for (std::size_t i = 0; i < names.size(); ++i) {
-      static_cast<void>(message.profile_name[i].assign(names[i]));  // its size has been checked
+      static_cast<void>(message.profile_name[i].assign(names[i]));  // the size has been checked
     }
   });
 }

@@ -10,8 +10,8 @@ namespace detail {
 CallOptions parameters_options(const Deadline& deadline) {
   CallOptions options = options_within(deadline);
   options.expect_confirmation = true;
-  // The fields that change are checked before. What is on the board already has to be written
-  // again, whatever the specification says about it.
+  // Changed fields are validated before. Unchanged values of the board must be writable even if the
+  // specification does not allow them.
   options.validate = false;
   return options;
 }

@@ -56,7 +56,7 @@ Task<WriteReport> restore(Backup backup, RestoreOptions options) {
   if (!refused.empty()) co_return ClientError{ErrorCode::incompatible, refused};
   if (!options.dry_run) {
     if (!options.save_present) {
-      co_return ClientError{ErrorCode::invalid, "restoring needs to save the present parameters"};
+      co_return ClientError{ErrorCode::invalid, "restoring requires RestoreOptions::save_present"};
     }
     const std::string saving = "saving the present parameters";
     ReadOptions reading{deadline.left(), options.progress};

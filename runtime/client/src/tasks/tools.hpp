@@ -1,4 +1,4 @@
-/// What tasks have in common.
+/// Helpers shared by the tasks.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ constexpr std::chrono::milliseconds whole_milliseconds(Duration duration) noexce
   return std::chrono::milliseconds(duration.us / 1000);
 }
 
-/// The end of a task.
+/// The deadline of a task.
 class Deadline {
  public:
   Deadline(const TaskMachine& task, std::chrono::milliseconds timeout) noexcept
@@ -33,7 +33,7 @@ class Deadline {
 
   bool is_over() const noexcept { return task_.now() >= end_; }
   Instant end() const noexcept { return end_; }
-  /// What is left, rounded up; 0 when it is over.
+  /// The remaining time, rounded up; 0 after the deadline.
   std::chrono::milliseconds left() const noexcept {
     const std::int64_t left = std::max<std::int64_t>((end_ - task_.now()).us, 0);
     return std::chrono::milliseconds(left / 1000 + (left % 1000 != 0 ? 1 : 0));
@@ -44,9 +44,9 @@ class Deadline {
   Instant end_;
 };
 
-/// The options of a call that may not last longer than the task it belongs to. A call ends by
-/// itself long before most tasks do, so that it can be sent again; only towards the end of a task
-/// there is less time than that. The last one still gets enough for an answer to come.
+/// Returns the options of a call inside a task. By default a call ends long before the task, so it
+/// can be repeated. Only near the end of a task is its timeout limited to the remaining time, but
+/// the last call always gets enough time for a response.
 inline CallOptions options_within(const Deadline& deadline) {
   constexpr std::chrono::seconds enough{10};
   constexpr std::chrono::milliseconds least{250};
@@ -55,7 +55,7 @@ inline CallOptions options_within(const Deadline& deadline) {
   return options;
 }
 
-/// The same error with a beginning that says what was done: "reading the file 5: timeout".
+/// Prefixes an error with the operation: "reading file 5: timeout".
 inline ClientError during(const std::string& what, ClientError error) {
   error.message = fmt::format("{}: {}", what, error.message);
   return error;
@@ -66,10 +66,10 @@ inline ClientError cancelled_error(const std::string& what) {
 }
 
 inline ClientError late_error(const std::string& what) {
-  return {ErrorCode::timeout, fmt::format("{} was not done in time", what)};
+  return {ErrorCode::timeout, fmt::format("{} timed out", what)};
 }
 
-/// Tells how far a task is. Fails when it has to end: cancelled, or its time is over.
+/// Reports the progress of a task. Fails if the task was cancelled or its time is over.
 inline Result<void> go_on(const std::string& task, const ProgressHandler& progress,
                           const Progress& state, const Deadline& deadline) {
   if (progress && !progress(state)) return cancelled_error(task);
@@ -77,8 +77,8 @@ inline Result<void> go_on(const std::string& task, const ProgressHandler& progre
   return {};
 }
 
-/// Collects the errors that the board reports about a command. A call of such a command is over
-/// when it has been sent, so only the next look at take() sees its refusal.
+/// Collects the errors that the board reports about a command. A call of such a command ends once
+/// it is sent, so only a later take() returns the error.
 class Refusals {
  public:
   Refusals(TaskMachine& task, msg::CommandToBoard command)
@@ -91,7 +91,8 @@ class Refusals {
   Refusals& operator=(const Refusals&) = delete;
   ~Refusals() { task_.stop_listening(listener_); }
 
-  /// "CMD_CONTROL: the board refused: WRONG_STATE", once for the refusals since the last call.
+  /// Returns, once, the last error since the previous call: "CMD_CONTROL: the board refused:
+  /// WRONG_STATE".
   std::optional<ClientError> take() { return std::exchange(last_, std::nullopt); }
 
  private:

@@ -1,4 +1,4 @@
-// The area for data of the user.
+// User data tasks.
 
 #include <algorithm>
 
@@ -17,10 +17,9 @@ Task<Result<Bytes>> download_user_data() {
 
 Task<Result<void>> upload_user_data(std::size_t offset, Bytes data) {
   if (data.size() > user_data_size || offset > user_data_size - data.size()) {
-    co_return ClientError{
-        ErrorCode::invalid,
-        fmt::format("{} bytes at {} do not fit into the {} bytes of the user's data", data.size(),
-                    offset, user_data_size)};
+    co_return ClientError{ErrorCode::invalid,
+                          fmt::format("{} bytes at {} do not fit into the {} bytes of user data",
+                                      data.size(), offset, user_data_size)};
   }
   Result<msg::ReadExternalData> present = co_await call(msg::ReadExternalDataRequest{});
   if (!present) co_return present.error();

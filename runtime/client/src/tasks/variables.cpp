@@ -16,7 +16,7 @@
 namespace sbgc {
 namespace {
 
-/// Most variables in one message.
+/// The largest number of variables in one message.
 constexpr std::size_t most_set = detail::highest<msg::SetAdjVarsVal>("num_vars");
 constexpr std::size_t most_asked = detail::highest<msg::GetAdjVarsVal>("num_vars");
 
@@ -28,16 +28,17 @@ std::string upper_case(std::string_view text) {
   return result;
 }
 
-/// Names that share a word with this one, for a hint.
+/// Returns a hint with names that share a word with this one.
 std::string similar_names(std::string_view name) {
   const std::string wanted = upper_case(name);
   const std::string word = wanted.substr(0, wanted.find('_'));
   std::string result;
   for (const VariableInfo& variable : variables) {
     const std::string_view known = variable.name;
-    if (known == wanted) return fmt::format("; it is written {}", known);
+    if (known == wanted) return fmt::format("; the name is {}", known);
     const bool is_similar = !word.empty() && known.find(word) != std::string_view::npos;
-    if (is_similar) result += fmt::format("{}{}", result.empty() ? "; there are " : ", ", known);
+    if (is_similar)
+      result += fmt::format("{}{}", result.empty() ? "; similar names: " : ", ", known);
   }
   return result;
 }
@@ -58,7 +59,7 @@ double variable_value(const VariableInfo& variable, std::int32_t raw) noexcept {
 Result<std::int32_t> variable_raw(const VariableInfo& variable, double value) {
   const double raw = std::round((value - variable.unit.offset) * variable.unit.denominator /
                                 variable.unit.numerator);
-  // Written so that NaN fails, too.
+  // Written so that NaN fails as well.
   if (raw >= variable.range.lowest && raw <= variable.range.highest) {
     return static_cast<std::int32_t>(raw);
   }
@@ -93,15 +94,15 @@ Task<Result<std::vector<double>>> get_variables(std::vector<std::string> names) 
     if (!answer) co_return answer.error();
     if (answer->params.size() != part.size()) {
       co_return ClientError{ErrorCode::mismatch,
-                            fmt::format("{} variables were asked for, {} came back", part.size(),
+                            fmt::format("requested {} variables, but received {}", part.size(),
                                         answer->params.size())};
     }
     for (std::size_t i = 0; i < part.size(); ++i) {
       const msg::AdjVarValue& value = answer->params[i];
       if (value.param_id != part[i]->id) {
         co_return ClientError{ErrorCode::mismatch,
-                              fmt::format("{} was asked for, the variable {} came back",
-                                          part[i]->name, static_cast<unsigned>(value.param_id))};
+                              fmt::format("requested {}, but received variable {}", part[i]->name,
+                                          static_cast<unsigned>(value.param_id))};
       }
       result.push_back(variable_value(*part[i], value.param_value));
     }

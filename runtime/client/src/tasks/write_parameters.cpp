@@ -12,14 +12,14 @@ using detail::ParametersKind;
 
 namespace {
 
-/// One block on its way to the board.
+/// A block to be written.
 struct Step {
   const ParametersKind* kind{};
   std::vector<std::uint8_t> before{};
-  std::vector<std::uint8_t> wanted{};  ///< as it has to be written
+  std::vector<std::uint8_t> wanted{};  ///< with the state of the board merged in
 };
 
-/// write_parameters() as it goes on.
+/// The state of a running write_parameters().
 class Writing {
  public:
   Writing(const TaskMachine& task, const ParameterSet& wanted, const WriteOptions& options)
@@ -32,7 +32,7 @@ class Writing {
   }
 
  private:
-  /// Reads what is there and looks for everything that can be found wrong beforehand.
+  /// Reads the current parameters and checks everything that can be checked in advance.
   Task<Result<void>> prepare() {
     const Availability versions = task_.identity().versions();
     for (const Parameters& block : wanted_.all()) {
@@ -53,8 +53,9 @@ class Writing {
       if (!body) {
         co_return ClientError{
             ErrorCode::incompatible,
-            fmt::format("{} has {} bytes on this board, {} are wanted: it is another firmware's",
-                        to_text(block.id), present->body.size(), block.body.size())};
+            fmt::format(
+                "{} has {} bytes on this board, but {} in the set, which is of another firmware",
+                to_text(block.id), present->body.size(), block.body.size())};
       }
       step.before = std::move(present->body);
       step.wanted = *std::move(body);
@@ -66,7 +67,7 @@ class Writing {
     co_return options_.validate ? validate(versions) : Result<void>();
   }
 
-  /// Looks at the values of the fields that change.
+  /// Validates the fields that change.
   Result<void> validate(const Availability& versions) {
     std::string problems;
     for (std::size_t i = 0; i < steps_.size(); ++i) {
@@ -85,8 +86,8 @@ class Writing {
     return ClientError{ErrorCode::invalid, problems};
   }
 
-  /// What general parameters a block wants otherwise than the first block of its kind, each behind
-  /// `separator`.
+  /// Returns the general parameters in which a block differs from the first block of its kind, each
+  /// after a `separator`.
   std::string contradiction(std::size_t index, std::string_view separator) const {
     const Step& step = steps_[index];
     const auto first = std::ranges::find(steps_, step.kind, &Step::kind);
@@ -95,7 +96,7 @@ class Writing {
     std::string result;
     for (const auto& field : detail::general_changes(*step.kind, first->wanted, step.wanted)) {
       if (is_kept_apart(*first, field.path)) continue;
-      result += fmt::format("{}{}, {}: {} is wanted, but {} in {}; it is one for the whole board",
+      result += fmt::format("{}{}, {}: {} is wanted, but {} in {}; the board has only one value",
                             separator, to_text(report_.parameters[index].id), field.path,
                             field.after, field.before, to_text(other));
       separator = "\n";
@@ -103,7 +104,7 @@ class Writing {
     return result;
   }
 
-  /// Whether the board has several values of a general setting: then it is not general there.
+  /// True if the board holds different values of a general parameter, so it is not general there.
   bool is_kept_apart(const Step& first, std::string_view path) const {
     return std::ranges::any_of(steps_, [&](const Step& step) {
       if (step.kind != first.kind) return false;
@@ -122,8 +123,8 @@ class Writing {
     co_return co_await check_all();
   }
 
-  /// Ends it early, with those before `end` sent: their general parameters are the same in
-  /// others, so what these say now has to be read.
+  /// Ends the operation early. Blocks before `end` were sent, and their general parameters also
+  /// appear in other blocks, so reads those again.
   Task<Result<void>> stop(std::size_t end, Result<void> why) {
     for (std::size_t i = 0; i < steps_.size(); ++i) {
       const auto changes_it = [&](const Step& sent) {
@@ -144,19 +145,19 @@ class Writing {
     ParametersReport& block = report_.parameters[index];
     const Result<void> sent =
         co_await step.kind->write(step.wanted, detail::parameters_options(deadline_));
-    // Whatever the answer, or if there was none: only what can be read back is known.
+    // Whatever the response was: only the values read back are certain.
     if (auto seen = co_await look(index); !seen) {
       block.state = ParametersState::unknown;
       co_return sent ? seen : detail::during("writing " + to_text(block.id), sent.error());
     }
     if (!sent) co_return detail::during("writing " + to_text(block.id), sent.error());
     if (block.state == ParametersState::written) co_return Result<void>();
-    co_return ClientError{ErrorCode::mismatch,
-                          fmt::format("{} was confirmed, but reading it back gives something else",
-                                      to_text(block.id))};
+    co_return ClientError{
+        ErrorCode::mismatch,
+        fmt::format("{} was confirmed, but reads back differently", to_text(block.id))};
   }
 
-  /// Reads a block back and notes what is there.
+  /// Reads a block back and records its state.
   Task<Result<void>> look(std::size_t index) {
     const Step& step = steps_[index];
     ParametersReport& block = report_.parameters[index];
@@ -177,7 +178,7 @@ class Writing {
     co_return Result<void>();
   }
 
-  /// Reads all once more: writing one may have changed another.
+  /// Reads all blocks again, because writing one may have changed another.
   Task<Result<void>> check_all() {
     const bool any = std::ranges::any_of(report_.parameters, [](const ParametersReport& b) {
       return b.state == ParametersState::written;
@@ -187,7 +188,7 @@ class Writing {
       auto going = tell(2 * steps_.size() + i, to_text(report_.parameters[i].id));
       if (!going) co_return co_await stop(steps_.size(), std::move(going));
       if (auto seen = co_await look(i); !seen) {
-        // What is still to be looked at may have been changed by what was written since.
+        // Blocks not read yet may have been changed by later writes.
         for (std::size_t rest = i; rest < steps_.size(); ++rest) {
           report_.parameters[rest].state = ParametersState::unknown;
         }
@@ -200,7 +201,7 @@ class Writing {
     }
     if (!wrong.empty()) {
       co_return ClientError{ErrorCode::mismatch,
-                            "in the end, something else than was wanted is read for " + wrong};
+                            "the final check read unexpected values of " + wrong};
     }
     const std::size_t total = 3 * steps_.size();
     if (options_.progress) options_.progress({total, total, "all parameters are written"});

@@ -1,11 +1,11 @@
-/// Talking to a gimbal inside an Asio program: the client with completion tokens.
+/// The asynchronous client: talks to a gimbal from an Asio program, with completion tokens.
 ///
 ///     sbgc::AsyncClient client(context.get_executor());
 ///     client.async_connect("/dev/ttyUSB0", {}, [&](sbgc::Result<void> connected) {
 ///       client.async_call(sbgc::GetAnglesRequest{}, {}, [](sbgc::Result<sbgc::GetAngles> angles) {
 ///         …
 ///
-/// Include the messages that are used, such as <sbgc/messages/realtime.hpp>.
+/// Include the messages you use, such as <sbgc/messages/realtime.hpp>.
 #pragma once
 
 #include <atomic>
@@ -32,18 +32,18 @@
 
 namespace sbgc {
 
-/// A board, from within an execution context.
+/// A connected board, driven by an execution context.
 ///
-/// Operations end with one call of their completion handler, `void(Result<T>)`, through the
-/// handler's associated executor, which is by default the one given here; never from inside the
-/// call that begins them. All three ways of asio::cancellation_type end an operation with
-/// ErrorCode::cancelled. Errors are those of Client.
+/// Each operation calls its completion handler, `void(Result<T>)`, exactly once, through the
+/// handler's associated executor (by default the one passed to the constructor), and never from
+/// inside the initiating function. Every asio::cancellation_type ends an operation with
+/// ErrorCode::cancelled. The errors are those of Client.
 ///
-/// Functions may be called from any thread, also at the same time. Handlers of subscriptions run
-/// one at a time, on the executor.
+/// Functions may be called from any thread, also concurrently. Subscription handlers run one at a
+/// time, on the executor.
 ///
 /// Destroying the client ends all operations with ErrorCode::cancelled. The execution context must
-/// live longer than the client, and something must run it for anything to happen.
+/// outlive the client, and must run for operations to make progress.
 class AsyncClient : public AsyncTaskCalls<AsyncClient> {
  public:
   explicit AsyncClient(const asio::any_io_executor& executor);
@@ -51,14 +51,13 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
   AsyncClient& operator=(AsyncClient&&) noexcept = default;
   AsyncClient(const AsyncClient&) = delete;
   AsyncClient& operator=(const AsyncClient&) = delete;
-  /// Waits for the opening of a line (the look-up of a host's name, a TCP connection) that is under
-  /// way.
+  /// Waits for a pending open (resolving a host name, connecting over TCP).
   ~AsyncClient() = default;
 
   asio::any_io_executor executor() const;
 
-  /// As Client::connect(). Handler: void(Result<void>). Before it has succeeded, and after it has
-  /// been begun again, other operations fail with ErrorCode::not_connected.
+  /// Like Client::connect(). Handler: void(Result<void>). Other operations fail with
+  /// ErrorCode::not_connected until it succeeds, and again once it is restarted.
   template <class Token>
   auto async_connect(const std::string& address, const ConnectOptions& options, Token&& token) {
     return initiate<Result<void>>(
@@ -66,7 +65,7 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
           return begin_connect(impl, address, options, done);
         });
   }
-  /// As connect_over().
+  /// Like connect_over().
   template <class Token>
   auto async_connect_over(const TransportFactory& make, const ConnectOptions& options,
                           Token&& token) {
@@ -76,7 +75,7 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
         });
   }
 
-  /// As Client::call(). Handler: void(CallResult<M>).
+  /// Like Client::call(). Handler: void(CallResult<M>).
   template <Message M, class Token>
   auto async_call(const M& request, const CallOptions& options, Token&& token) {
     return initiate<CallResult<M>>(
@@ -88,7 +87,7 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
         });
   }
 
-  /// As Client::transact(). Handler: void(Result<Reply>).
+  /// Like Client::transact(). Handler: void(Result<Reply>).
   template <Message M, class Token>
   auto async_transact(const M& request, const CallOptions& options, Token&& token) {
     return initiate<Result<Reply>>(
@@ -97,7 +96,7 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
         });
   }
 
-  /// As Client::stream(). Handler: void(Result<Subscription>).
+  /// Like Client::stream(). Handler: void(Result<Subscription>).
   template <Message M, class Token, class Request = roles::StreamRequest>
   auto async_stream(std::chrono::milliseconds interval, std::function<void(const M&)> handler,
                     const CallOptions& options, Token&& token) {
@@ -111,7 +110,7 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
                               token);
   }
 
-  /// As Client::run(). Handler: void(R). Cancelling it is TaskMachine::cancel().
+  /// Like Client::run(). Handler: void(R). Cancellation calls TaskMachine::cancel().
   template <class R, class Token>
   auto async_run(Task<R> task, Token&& token) {
     return initiate<R>(token,
@@ -126,7 +125,7 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
                        });
   }
 
-  /// As Client::subscribe(); empty before the client is connected.
+  /// Like Client::subscribe(). Returns an empty subscription if the client is not connected.
   template <Message M>
   Subscription subscribe(std::function<void(const M&)> handler) {
     return subscribe_to(detail::key_of<M>, detail::typed_handler<M>(std::move(handler)));
@@ -134,11 +133,11 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
   Subscription on_notice(std::function<void(const Notice&)> handler);
 
   bool is_connected() const;
-  /// Of a connected client; else empty.
+  /// Empty unless connected.
   BoardIdentity identity() const;
   std::string description() const;
   ClientStatistics statistics() const;
-  /// Ends every operation with ErrorCode::cancelled, and closes the line.
+  /// Ends every operation with ErrorCode::cancelled and closes the line.
   void close() noexcept;
 
  private:
@@ -149,7 +148,7 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
   /// Cancels an operation; may be empty.
   using Stop = std::function<void()>;
 
-  /// Registers a stream, or completes with the reason why there is no request for it.
+  /// Registers a stream, or completes with the error of `request`.
   template <Message M, class Request, class Token>
   auto register_stream(Result<Request> request, std::function<void(const M&)> handler,
                        const CallOptions& options, Token& token) {
@@ -177,14 +176,15 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
     return [conversation = *conversation, ticket] { conversation.cancel(ticket); };
   }
 
-  /// Begins an operation with `begin(completion)`, whose completion goes to the token's handler.
+  /// Starts an operation with `begin(completion)`; the completion calls the token's handler.
   template <class R, class Token, class Begin>
   auto initiate(Token& token, Begin&& begin) {
     return asio::async_initiate<Token, void(R)>(
         [executor = executor()](auto handler, std::decay_t<Begin> start) {
           auto on = asio::prefer(asio::get_associated_executor(handler, executor),
                                  asio::execution::outstanding_work_t::tracked);
-          // Filled in below; before that there is nothing to cancel, nor is there when it is over.
+          // `stop` is set below. Before that, and after the operation has ended, there is nothing
+          // to cancel.
           struct Canceller {
             Stop stop{};
             std::atomic<bool> is_over{false};
@@ -195,7 +195,7 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
               if (canceller->stop && !canceller->is_over) canceller->stop();
             });
           }
-          // Handlers can be moved only, std::function copies.
+          // Handlers may be move-only, but std::function requires a copyable target.
           struct Pending {
             decltype(handler) complete;
             decltype(on) executor;

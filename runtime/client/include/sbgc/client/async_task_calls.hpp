@@ -1,4 +1,4 @@
-/// Every task as an asynchronous operation.
+/// All tasks as asynchronous operations.
 #pragma once
 
 #include <cstddef>
@@ -12,9 +12,9 @@
 
 namespace sbgc {
 
-/// `client.async_move_to(target, options, token)` is
-/// `client.async_run(tasks::move_to(target, options), token)`, and so for all tasks; they are
-/// described in the headers named here, which the caller includes.
+/// `client.async_move_to(target, options, token)` is shorthand for
+/// `client.async_run(tasks::move_to(target, options), token)`, and likewise for all other tasks.
+/// The headers named below document them; include those you use.
 template <class Self>
 class AsyncTaskCalls {
   template <class T>

@@ -1,4 +1,4 @@
-/// Files that are there as a whole or not at all.
+/// Atomic file replacement.
 #pragma once
 
 #include <filesystem>
@@ -10,20 +10,21 @@
 
 namespace sbgc::detail {
 
-/// What a symbolic link leads to, also if nothing is there; other names as they are.
+/// Returns the target of a symbolic link, even if the target does not exist. Returns other paths
+/// unchanged.
 std::filesystem::path target_of(std::filesystem::path file);
 
-/// Writes a file beside its place, brings it to the disk and moves it there in one step. What is
-/// replaced is the target of a symbolic link, not the link; the new file has the mode of the old
-/// one and, if that is allowed, its owner and group.
+/// Writes to a temporary file in the same directory, flushes it to disk and renames it. If `name`
+/// is a symbolic link, its target is replaced. The new file keeps the mode of the old one and, if
+/// permitted, its owner and group.
 Result<void> write_file_atomically(const std::filesystem::path& name, std::string_view content,
                                    Existing existing);
 
-/// Removes the files beside `file` that write_file_atomically() has left there when it was killed;
-/// not those of one that is at work, nor anybody else's. What can not be removed stays.
+/// Removes temporary files that killed calls of write_file_atomically() left beside `file`. Keeps
+/// those of running calls and unrelated files. Ignores files that it cannot remove.
 void remove_leftovers(const std::filesystem::path& file);
 
-/// The content of a file of at most `most` bytes.
+/// Reads a file of at most `most` bytes.
 Result<std::string> read_whole_file(const std::filesystem::path& file, std::size_t most);
 
 }  // namespace sbgc::detail

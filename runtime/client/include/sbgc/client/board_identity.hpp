@@ -1,4 +1,4 @@
-/// Which board is connected.
+/// The identity of a connected board.
 #pragma once
 
 #include <optional>
@@ -9,18 +9,18 @@
 
 namespace sbgc {
 
-/// What a board has told about itself when the client connected.
+/// What a board reports about itself when the client connects.
 struct BoardIdentity {
   msg::BoardInfo info{};
-  std::optional<msg::BoardInfo3> details{};  ///< of boards that have serial numbers
+  std::optional<msg::BoardInfo3> details{};  ///< only of boards that have serial numbers
 
   constexpr Availability versions() const noexcept { return versions_of(info); }
   bool has(msg::BoardFeature feature) const noexcept { return info.board_features.has(feature); }
-  /// "2.59", "2.43b9".
+  /// For example "2.59" or "2.43b9".
   std::string firmware_version() const;
-  /// "3.0".
+  /// For example "3.0".
   std::string board_version() const;
-  /// Its serial number in hex digits; "" if the board has not told it.
+  /// The serial number in hex digits; "" if the board does not report one.
   std::string serial_number() const;
 };
 

@@ -1,7 +1,7 @@
-/// Calibrating the sensors.
+/// Calibration of the sensors.
 ///
-/// A calibration replaces the stored one, and can move the camera: hold it still, as the
-/// calibration of its sensor demands, and see docs/2-safety.md.
+/// A calibration replaces the stored one and can move the camera. Hold the camera as the
+/// calibration of the sensor requires, and see docs/2-safety.md.
 #pragma once
 
 #include <chrono>
@@ -13,36 +13,36 @@
 
 namespace sbgc {
 
-/// What is calibrated.
+/// The sensor to calibrate.
 enum class Sensor : std::uint8_t { accelerometer, gyroscope };
 
-/// What is seen of a calibration.
+/// The progress of a calibration.
 struct CalibrationProgress {
-  bool has_started{};                     ///< the board has confirmed the beginning
-  std::optional<msg::CalibInfo> state{};  ///< what the board tells, if it can
+  bool has_started{};                     ///< the board has confirmed the start
+  std::optional<msg::CalibInfo> state{};  ///< reported by the board, if it can
   std::chrono::milliseconds elapsed{};
 };
 
-/// How a sensor is calibrated.
+/// Options of calibrate().
 struct CalibrationOptions {
   msg::CalibImu imu = msg::CalibImu::active;
-  /// Some actions only manage calibrations, and let the board restart: these end with their
-  /// confirmation. All other ones are confirmed at the beginning and in the end.
+  /// Actions that only manage calibrations and restart the board end with their confirmation. All
+  /// others are confirmed at the start and at the end.
   msg::CalibAction action = msg::CalibAction::regular;
-  /// For all of it; without it, what the protocol says.
+  /// For the whole operation; by default, the timeout that the protocol specifies.
   std::optional<std::chrono::milliseconds> timeout{};
-  /// How often the board is asked for its state while it calibrates, if there is a `progress`.
+  /// How often to poll the state of the board during calibration; only if `progress` is set.
   std::chrono::milliseconds interval{500};
-  /// Called when the calibration has begun and after each look at it. False ends the waiting with
-  /// ErrorCode::cancelled; the board goes on, the protocol has no way to stop it.
+  /// Called when the calibration has started and after each poll. Returning false ends the wait
+  /// with ErrorCode::cancelled, but the board continues: the protocol cannot stop a calibration.
   std::function<bool(const CalibrationProgress&)> progress{};
 };
 
 namespace tasks {
 
-/// Calibrates a sensor and waits for the end. The camera must not move for a gyroscope, and must be
-/// level for an accelerometer. A board that restarts meanwhile is an error. An error says whether
-/// the calibration had begun.
+/// Calibrates a sensor and waits until the calibration ends. The camera must be still for a
+/// gyroscope, and level for an accelerometer. Fails if the board restarts meanwhile. The error says
+/// whether the calibration had started.
 Task<Result<void>> calibrate(Sensor sensor, CalibrationOptions options = {});
 
 }  // namespace tasks

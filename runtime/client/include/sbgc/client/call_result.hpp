@@ -1,4 +1,4 @@
-/// What a call returns.
+/// The result type of a call.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace sbgc {
 
 namespace detail {
 
-/// One of the messages that do not say that the request has failed: that makes the call fail.
+/// The messages that may be the result. Error messages are left out: they make the call fail.
 template <class Kept, class... Messages>
 struct OneOf;
 template <class Only>
@@ -42,14 +42,14 @@ struct Delivered<Maybe<Response>> {
   using type = std::optional<typename Delivered<Response>::type>;
 };
 
-/// What a call with the request M delivers.
+/// What a successful call with the request M delivers.
 template <class M>
 using CallAnswer = typename Delivered<typename M::Response>::type;
 
 }  // namespace detail
 
-/// What a call with the request M returns: the answer, or nothing where the protocol has none; an
-/// optional answer where it depends on what the request says.
+/// The result of a call with the request M: the response; void if the protocol has none; an
+/// optional response if it depends on the values of the request.
 template <class M>
 using CallResult = Result<detail::CallAnswer<M>>;
 

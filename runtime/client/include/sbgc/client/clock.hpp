@@ -1,4 +1,4 @@
-/// Time for tasks that wait, so that tests can have a time of their own.
+/// The clock of tasks that wait; tests can replace it.
 #pragma once
 
 #include <chrono>
@@ -7,7 +7,7 @@
 
 namespace sbgc {
 
-/// A steady clock that can be waited for.
+/// A steady clock to wait on.
 class Clock {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
@@ -21,11 +21,11 @@ class Clock {
 
   virtual TimePoint now() = 0;
   virtual void sleep_until(TimePoint until) = 0;
-  /// Returns when `changed` is notified, at `until`, or for no reason at all.
+  /// Returns when `changed` is notified, at `until`, or spuriously.
   virtual void wait_until(std::unique_lock<std::mutex>& lock, std::condition_variable& changed,
                           TimePoint until) = 0;
 
-  /// The clock of the computer.
+  /// The clock of the system.
   static Clock& system() noexcept;
 };
 

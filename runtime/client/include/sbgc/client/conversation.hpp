@@ -21,7 +21,7 @@ struct BoardIdentity;
 
 namespace detail {
 
-/// One message from the board, as a subscriber names it.
+/// Identifies the messages that a subscriber receives.
 struct MessageKey {
   std::uint8_t id{};
   Form form{};
@@ -32,14 +32,14 @@ struct MessageKey {
 template <Message M>
 inline constexpr MessageKey key_of{static_cast<std::uint8_t>(M::command), M::form};
 
-/// A handle of the conversation with one board, which goes on until close(). Thread-safe.
+/// A handle to the conversation with one board, which lasts until close(). Thread-safe.
 ///
-/// Handlers run one at a time on the executor of the transport, those of calls also on the thread
-/// that calls close(). Each is called exactly once.
+/// Handlers run one at a time on the executor of the transport; handlers of calls may also run on
+/// the thread that calls close(). Each call's handler is called exactly once.
 class Conversation {
  public:
   using ReplyHandler = std::function<void(Result<Reply>)>;
-  /// Takes the decoded message of the key that it is subscribed to.
+  /// Takes the decoded message of the subscribed key.
   using MessageHandler = std::function<void(const void* message)>;
   using Ticket = std::uint64_t;
 
@@ -48,25 +48,25 @@ class Conversation {
   Conversation() noexcept = default;
   explicit Conversation(std::shared_ptr<State> state) noexcept : state_(std::move(state)) {}
 
-  /// The request with this message for this board.
+  /// Prepares the request for this board.
   template <Message M>
   Result<Request> prepare(const M& message, const CallOptions& options) const {
     static_assert(M::direction != Direction::from_board, "only the board sends this message");
     return detail::prepare(message, versions(), options.validate);
   }
 
-  /// Begins a call, or fails with the reason why there is no request. The handler may run before
-  /// start() returns.
+  /// Starts a call, or fails with the error of `request`. The handler may run before start()
+  /// returns.
   Ticket start(Result<Request> request, const CallOptions& options, ReplyHandler handler) const;
-  /// Ends a call with ErrorCode::cancelled, if it has not ended yet.
+  /// Ends a call with ErrorCode::cancelled, unless it has already ended.
   void cancel(Ticket ticket) const;
-  /// A call that is waited for. Not from a handler.
+  /// Makes a call and waits for its reply. Must not be called from a handler.
   Result<Reply> call(Result<Request> request, const CallOptions& options) const;
 
   Subscription subscribe(MessageKey key, MessageHandler handler) const;
   Subscription on_notice(std::function<void(const Notice&)> handler) const;
 
-  /// The request that starts a data stream, and the one that ends it.
+  /// The requests that start and end a data stream.
   struct StreamRequests {
     Result<Request> start;
     Result<Request> end;

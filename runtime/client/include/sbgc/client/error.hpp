@@ -1,4 +1,4 @@
-/// Why something could not be done, for programs and for people.
+/// Errors of the client, with a code for programs and a message for people.
 #pragma once
 
 #include <cstdint>
@@ -8,26 +8,26 @@
 
 namespace sbgc {
 
-/// Every way in which an operation of the client can fail.
+/// The reasons why an operation of the client can fail.
 enum class ErrorCode : std::uint8_t {
-  timeout,        ///< no answer, or not in time
-  unsupported,    ///< this board or its firmware does not have it
-  board_error,    ///< the board has refused; ClientError::detail is its error code
-  board_reset,    ///< the board has restarted meanwhile
-  link_lost,      ///< the line broke meanwhile: unplugged, closed by the other side
-  not_connected,  ///< there is no line any more: closed, or lost earlier
+  timeout,        ///< no response, or not in time
+  unsupported,    ///< not supported by this board or its firmware
+  board_error,    ///< the board refused; ClientError::detail is its error code
+  board_reset,    ///< the board restarted during the operation
+  link_lost,      ///< the line broke during the operation: unplugged, or closed by the peer
+  not_connected,  ///< the line is closed, or was lost earlier
   invalid,        ///< a value, an option or an address is not allowed
-  overload,       ///< too much at once: calls in the queue, data streams on a slow line
-  cancelled,      ///< by the caller
-  io,             ///< the system refused; ClientError::detail is its error number
-  not_found,      ///< no board, no such port, file or name
-  mismatch,       ///< what was read differs from what was written, or belongs to something else
-  bad_answer,     ///< the board sent something that cannot be read
-  bad_file,       ///< a file cannot be understood
+  overload,       ///< too many calls in the queue, or too many data streams for the line
+  cancelled,      ///< cancelled by the caller
+  io,             ///< the operating system refused; ClientError::detail is its error number
+  not_found,      ///< no such board, port, file or name
+  mismatch,       ///< the data read differ from the data written, or have another origin
+  bad_answer,     ///< the response of the board cannot be decoded
+  bad_file,       ///< the content of a file is invalid
   incompatible,   ///< made for another board model or firmware
 };
 
-/// The name of a code, e.g. "link_lost".
+/// The name of a code, such as "link_lost".
 constexpr const char* name(ErrorCode code) noexcept {
   switch (code) {
     case ErrorCode::timeout: return "timeout";
@@ -49,17 +49,17 @@ constexpr const char* name(ErrorCode code) noexcept {
   return "unknown_error";
 }
 
-/// What went wrong. (sbgc::Error is a message of the protocol.)
+/// An error of the client. (sbgc::Error is a message of the protocol.)
 struct ClientError {
   ErrorCode code{};
-  std::string message{};  ///< for people: a sentence without a final stop, maybe several lines
-  int detail{};           ///< the number that belongs to some codes, else 0
+  std::string message{};  ///< for people: a sentence without a final period, possibly several lines
+  int detail{};           ///< the number that some codes carry, otherwise 0
 
   bool operator==(const ClientError&) const = default;
 };
 
 inline std::string to_string(ErrorCode code) { return name(code); }
-/// The message.
+/// Returns the message.
 inline std::string to_string(const ClientError& error) { return error.message; }
 
 template <>

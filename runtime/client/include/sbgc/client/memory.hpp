@@ -1,7 +1,8 @@
-/// The board's memory: EEPROM, files, data of the user.
+/// The memory of the board: EEPROM, files and user data.
 ///
-/// Everything is checked before anything is sent, moved in whole pages that fit into a message,
-/// and read back after writing. Errors of the board come as sentences.
+/// Arguments are checked before anything is sent. Transfers use whole pages that fit into a
+/// message, and writes are verified by reading back. Error codes of the board are translated to
+/// sentences.
 #pragma once
 
 #include <chrono>
@@ -15,11 +16,11 @@
 
 namespace sbgc {
 
-/// How memory is moved. Progress counts bytes.
+/// Options of a memory transfer. Progress counts bytes.
 struct TransferOptions {
-  /// For all of it.
+  /// For the whole transfer.
   std::chrono::milliseconds timeout{120'000};
-  /// Read back what has been written.
+  /// Read back the written data.
   bool verify = true;
   ProgressHandler progress{};
 };
@@ -30,38 +31,39 @@ namespace tasks {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Reads `size` bytes of the EEPROM from `address` on; neither need be a multiple of the page size.
-/// ErrorCode::invalid if they lie outside of the EEPROM.
+/// Reads `size` bytes of the EEPROM from `address`; neither needs to be a multiple of the page
+/// size. Fails with ErrorCode::invalid if the range exceeds the EEPROM.
 Task<Result<Bytes>> download_eeprom(std::uint32_t address, std::size_t size,
                                     TransferOptions options = {});
 
-/// Writes `data` to the EEPROM from `address` on. The board writes whole pages only: where the data
-/// begin or end inside one, its other bytes are read first and written back as they are.
+/// Writes `data` to the EEPROM at `address`. The board writes whole pages only: if the data start
+/// or end inside a page, its other bytes are read first and written back unchanged.
 ///
-/// Board parameters live there, too: writing at a wrong place can make a board useless. After a
-/// failure the error says up to which address the data were written.
+/// The EEPROM also holds the board's parameters: writing to a wrong address can make a board
+/// unusable. If the transfer fails, the error reports the address up to which the data were
+/// written.
 Task<Result<void>> upload_eeprom(std::uint32_t address, Bytes data, TransferOptions options = {});
 
-/// The size of a file in bytes; ErrorCode::not_found if there is no such file.
+/// Returns the size of a file in bytes. Fails with ErrorCode::not_found if there is no such file.
 Task<Result<std::size_t>> file_size(std::uint16_t file);
 
-/// Reads a whole file; ErrorCode::not_found if there is no such file.
+/// Reads a whole file. Fails with ErrorCode::not_found if there is no such file.
 Task<Result<Bytes>> download_file(std::uint16_t file, TransferOptions options = {});
 
-/// Writes a whole file; one with the same id is replaced, and damaged if that fails half-way. It
-/// cannot be empty: that is how the protocol deletes files.
+/// Writes a whole file and replaces a file with the same id. If the transfer fails, that file may
+/// be damaged. `data` must not be empty: the protocol deletes a file by writing an empty one.
 Task<Result<void>> upload_file(std::uint16_t file, Bytes data, TransferOptions options = {});
 
-/// Deletes a file; ErrorCode::not_found if there is no such file.
+/// Deletes a file. Fails with ErrorCode::not_found if there is no such file.
 Task<Result<void>> delete_file(std::uint16_t file);
 
 /// Deletes all files.
 Task<Result<void>> delete_all_files();
 
-/// Reads the whole area that the board keeps for data of the user.
+/// Reads the whole area that the board reserves for user data.
 Task<Result<Bytes>> download_user_data();
 
-/// Writes `data` into this area at `offset`; its other bytes stay as they are. Read back.
+/// Writes `data` to this area at `offset` and verifies it; other bytes stay unchanged.
 Task<Result<void>> upload_user_data(std::size_t offset, Bytes data);
 
 }  // namespace tasks

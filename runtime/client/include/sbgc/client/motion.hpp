@@ -1,4 +1,4 @@
-/// Moving the camera to angles, and stopping it. See docs/2-safety.md first.
+/// Moving the camera to angles and stopping it. Read docs/2-safety.md first.
 #pragma once
 
 #include <chrono>
@@ -10,54 +10,54 @@
 
 namespace sbgc {
 
-/// What is seen while the camera moves.
+/// The progress of a move.
 struct MoveProgress {
   Axes<msg::Angle14> angles{};  ///< measured
-  Axes<double> remaining{};     ///< degrees to the target, with a sign; 0 for axes left alone
-  bool is_close{};              ///< all within the tolerance
+  Axes<double> remaining{};     ///< signed, in degrees; 0 for axes that do not move
+  bool is_close{};              ///< all axes are within the tolerance
   std::chrono::milliseconds elapsed{};
 };
 
-/// How a move is made.
+/// Options of move_to().
 struct MoveOptions {
-  /// Without a direction; 0 is the speed from the board's parameters.
+  /// The speed, without a sign; 0 selects the speed in the board's parameters.
   msg::ControlSpeed speed{};
-  /// For all of it.
+  /// For the whole move.
   std::chrono::milliseconds timeout{30'000};
-  /// How far from its target an axis may end, in degrees.
+  /// The largest deviation from the target at which an axis counts as arrived, in degrees.
   double tolerance = 0.5;
-  /// How long all axes have to stay within the tolerance.
+  /// How long all axes must stay within the tolerance.
   std::chrono::milliseconds settle{300};
-  /// How often the angles are asked for.
+  /// How often to poll the angles.
   std::chrono::milliseconds interval{50};
-  /// Stop the camera if it does not arrive: out of time, cancelled, or after an error.
+  /// Stop the camera if it does not arrive: on a timeout, cancellation or error.
   bool stop_on_failure = true;
-  /// Called with all that is seen. False cancels the move.
+  /// Called after each poll. Returning false cancels the move.
   std::function<bool(const MoveProgress&)> progress{};
 };
 
-/// How the camera is stopped.
+/// Options of stop().
 struct StopOptions {
   std::chrono::milliseconds timeout{3'000};
-  /// How often it is looked at and the command sent again.
+  /// How often to poll the speed and repeat the command.
   std::chrono::milliseconds interval{50};
 };
 
 namespace tasks {
 
-/// Moves the camera to `target`, in Euler coordinates, and waits until it is there. Returns what
-/// was seen last; an error says how far it got. Axes left alone stay with, or go back to, RC
-/// control; firmware before 2.55b5 holds them at their present targets. When the measured angle
-/// stays elsewhere the command is sent again.
+/// Moves the camera to `target`, in Euler coordinates, and waits until it arrives. Returns the last
+/// state; the error says how far the move got. Axes without a target stay under, or return to, RC
+/// control; firmware before 2.55b5 holds them at their current targets. The command is repeated if
+/// the measured angle settles off the target.
 ///
-/// Angles cover two full turns in each direction, so 370 degrees is another target than 10.
+/// Angles cover two full turns in each direction: 370 degrees is a different target from 10.
 Task<Result<MoveProgress>> move_to(MoveTarget target, MoveOptions options = {});
 
-/// Stops all axes where they are and waits until the board says that none has a speed any more.
-/// Serial control goes on, with speed 0; see release().
+/// Stops all axes where they are and waits until the board reports speed 0 for each. Serial control
+/// remains active, with speed 0; see release().
 Task<Result<void>> stop(StopOptions options = {});
 
-/// Ends serial control; RC has control again.
+/// Ends serial control and returns control to RC.
 Task<Result<void>> release();
 
 }  // namespace tasks

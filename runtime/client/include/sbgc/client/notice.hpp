@@ -1,4 +1,4 @@
-/// What happens on the line without having been asked for.
+/// Unsolicited events on the line.
 #pragma once
 
 #include <cstdint>
@@ -7,16 +7,16 @@
 namespace sbgc {
 
 enum class NoticeKind : std::uint8_t {
-  board_reset,  ///< the board has restarted: calls under way have failed, data streams have ended
-  board_error,  ///< the board reports an error that belongs to no call; Notice::detail is its code
-  link_lost,    ///< the line broke; every call fails from now on
+  board_reset,  ///< the board restarted: pending calls have failed, data streams have ended
+  board_error,  ///< the board reported an error outside any call; Notice::detail is its code
+  link_lost,    ///< the line broke; all further calls fail
 };
 
 struct Notice {
   NoticeKind kind{};
-  std::string message{};  ///< for people: a sentence without a final stop
+  std::string message{};  ///< for people: a sentence without a final period
   int detail{};
-  std::uint8_t command{};  ///< what a board_error is about; 0 if it does not say
+  std::uint8_t command{};  ///< the command that a board_error concerns; 0 if unknown
 };
 
 }  // namespace sbgc

@@ -1,4 +1,4 @@
-/// What a caller may decide about connecting and about each call.
+/// Options for connecting and for calls.
 #pragma once
 
 #include <chrono>
@@ -9,43 +9,45 @@
 
 namespace sbgc {
 
-/// How a client connects, and how it behaves afterwards.
+/// Options for connecting, and for the client afterwards.
 struct ConnectOptions {
-  /// For all of it: opening, finding the baud rate, reading the board's versions.
+  /// For the whole connection: opening, detecting the baud rate, reading the board's versions.
   std::chrono::milliseconds timeout{20'000};
-  /// Look for the baud rate and parity of a serial line whose address does not say them.
+  /// Detect the baud rate and parity of a serial line if its address does not give them.
   bool find_line = true;
-  /// How often a request is sent again when nothing comes back, if the protocol allows that.
+  /// How often a request is repeated if no response arrives and the protocol allows it.
   unsigned retries = 2;
-  /// Keep the pause of 10 to 20 ms between commands that the protocol asks for.
+  /// Keep the pause of 10 to 20 ms between commands that the protocol requires.
   bool pacing = true;
-  /// How much of a serial line data streams may take, in percent.
+  /// The largest share of a serial line that data streams may use, in percent.
   unsigned stream_share = 80;
-  /// How long a frame of the board may come once more, on a line that repeats packets, as UDP may.
-  /// A request then waits until no frame can be taken for its answer that was one before; 0: never.
+  /// How long a line that duplicates packets, such as UDP, may deliver a frame again. Requests wait
+  /// until no such duplicate can be mistaken for their response. 0 means that frames are never
+  /// duplicated.
   std::chrono::milliseconds duplicates{0};
-  /// How many calls may wait for their turn.
+  /// How many calls may be queued.
   std::size_t queue = 1024;
-  /// How long a call may wait for its turn, unless it has a timeout of its own.
+  /// How long a call may be queued, unless it has a timeout of its own.
   std::chrono::milliseconds patience{10'000};
-  /// Records everything sent and received into this file, unless empty.
+  /// Records all traffic to this file, unless empty.
   std::string capture{};
 };
 
-/// How one call is made.
+/// Options of one call.
 struct CallOptions {
-  /// For the whole call, waiting for its turn included; attempts share it. Without it, what the
-  /// protocol says about this command, for each attempt, and ConnectOptions::patience.
+  /// For the whole call, including its time in the queue and all attempts. By default, each attempt
+  /// has the timeout that the protocol specifies for the command, and the queue has
+  /// ConnectOptions::patience.
   std::optional<std::chrono::milliseconds> timeout{};
-  /// Instead of ConnectOptions::retries. Without effect where sending twice could do harm.
+  /// Overrides ConnectOptions::retries. No effect if repeating the request could do harm.
   std::optional<unsigned> retries{};
-  /// Wait for the confirmation of a command that the board need not confirm. When none comes the
-  /// call succeeds all the same; Client::transact() tells the difference.
+  /// Wait for the confirmation of a command that the board may leave unconfirmed. The call succeeds
+  /// even if none arrives; Client::transact() distinguishes the two.
   bool expect_confirmation = false;
-  /// Refuse a request with a value that the protocol does not allow on this board.
+  /// Reject a request with a value that the protocol does not allow on this board.
   bool validate = true;
-  /// Called on the client's thread for each confirmation of a command that has several, with its
-  /// number from 1.
+  /// Called on the client's thread for each confirmation of a command that has several. `number`
+  /// counts from 1.
   std::function<void(unsigned number)> on_confirmation{};
 };
 

@@ -1,4 +1,4 @@
-/// Connecting over a line of one's own.
+/// Connecting over a custom transport.
 #pragma once
 
 #include <functional>
@@ -13,12 +13,13 @@
 
 namespace sbgc {
 
-/// Makes a transport whose executor is the given one.
+/// Creates a transport whose executor is `executor`.
 using TransportFactory =
     std::function<std::unique_ptr<io::Transport>(const asio::any_io_executor& executor)>;
 
-/// As Client::connect(), over what `make` returns: an own Transport, an end of a pair in memory. If
-/// that has a LineControl, its settings are searched for, unless options.find_line is false.
+/// Like Client::connect(), but over the transport that `make` returns, such as a custom Transport
+/// or one end of an in-memory pair. If the transport has a LineControl, the line settings are
+/// detected unless options.find_line is false.
 Result<Client> connect_over(const TransportFactory& make, const ConnectOptions& options = {});
 
 }  // namespace sbgc

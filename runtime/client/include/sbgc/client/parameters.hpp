@@ -1,22 +1,22 @@
-/// All parameters of a board: reading them, comparing them, writing them back.
+/// All parameters of a board: reading, comparing and writing them.
 ///
-/// Which messages hold parameters, how many copies the board has of each (one for each profile),
-/// and which fields are no parameters but state of the board, is what the specification says; see
+/// The specification defines which messages hold parameters, how many copies the board has of each
+/// (one per profile), and which fields hold state of the board instead of parameters; see
 /// <sbgc/settings.hpp>.
 ///
 /// Volatile and stored parameters: a board works with the parameters of its active profile in
-/// volatile memory. The write messages change them there and save them to the EEPROM as well.
-/// Adjustable variables change the volatile ones only, until CMD_SAVE_PARAMS_3 saves them to the
-/// active profile (see <sbgc/client/variables.hpp>); until then the parameters read for the active
-/// profile may hold values that the next start forgets.
+/// volatile memory. The write messages change them there and also save them to the EEPROM.
+/// Adjustable variables change only the volatile ones, until CMD_SAVE_PARAMS_3 saves them to the
+/// active profile (see <sbgc/client/variables.hpp>). Until then, the parameters read for the active
+/// profile may hold values that the next restart discards.
 ///
-/// General parameters, of the board as a whole, stand in the copy of each profile, among those of
-/// the profile (FieldRole::general). Writing one profile changes what is read of them for the
-/// others: to change one, change it in all profiles. The protocol hardly says which they are, so a
-/// board may know others, or keep some of them in each profile, which is why write_parameters()
-/// looks at all of them again in the end.
+/// General parameters (FieldRole::general) apply to the whole board, but are part of the copy of
+/// each profile. Writing one profile changes the values that are read for the others: to change a
+/// general parameter, change it in all profiles. The protocol documents few of them, so a board may
+/// have more, or keep some per profile. That is why write_parameters() reads all parameters again
+/// at the end.
 ///
-/// Parameters act at once; wrong ones make a gimbal shake or spin. See docs/2-safety.md.
+/// Parameters take effect at once; wrong ones make a gimbal shake or spin. See docs/2-safety.md.
 #pragma once
 
 #include <chrono>
@@ -40,7 +40,7 @@ concept ParameterMessage = requires {
   SettingsOf<M>::copies;
 };
 
-/// Which parameters: the name of the message that holds them, and of which copy, counted from 0.
+/// Identifies parameters: the name of the message that holds them, and the copy, counted from 0.
 struct ParametersId {
   std::string message{};
   std::uint8_t copy{};
@@ -48,10 +48,10 @@ struct ParametersId {
   bool operator==(const ParametersId&) const = default;
 };
 
-/// "ReadParams3 of profile 2", "ReadProfileNames".
+/// For example "ReadParams3 of profile 2" or "ReadProfileNames".
 std::string to_text(const ParametersId& id);
 
-/// Parameters as one message holds them, to the last byte.
+/// The parameters of one message, as its body.
 struct Parameters {
   ParametersId id{};
   std::vector<std::uint8_t> body{};
@@ -59,27 +59,28 @@ struct Parameters {
   bool operator==(const Parameters&) const = default;
 };
 
-/// The parameters of a board, or some of them; each part can be decoded.
+/// All or some parameters of a board. Every block can be decoded.
 class ParameterSet {
  public:
   const std::vector<Parameters>& all() const noexcept { return blocks_; }
   const Parameters* find(const ParametersId& id) const noexcept;
 
-  /// Takes a block in, in place of one with the same id. ErrorCode::invalid if no message holds
-  /// such parameters, the body is none of that message, or it is about another copy.
+  /// Adds a block, or replaces the one with the same id. Fails with ErrorCode::invalid if no
+  /// message holds such parameters, if the message cannot have this body, or if the body is of
+  /// another copy.
   Result<void> put(Parameters block);
 
-  /// The parameters of copy `copy`; ErrorCode::not_found if the set has none.
+  /// Returns the parameters of copy `copy`. Fails with ErrorCode::not_found if the set has none.
   template <ParameterMessage M>
   Result<M> get(std::uint8_t copy = 0) const {
     const Parameters* const block = find({SettingsOf<M>::name, copy});
     if (block == nullptr) return missing({SettingsOf<M>::name, copy});
     M message{};
-    static_cast<void>(decode(std::span(block->body), message));  // put() has seen that it does
+    static_cast<void>(decode(std::span(block->body), message));  // put() has checked this
     return message;
   }
 
-  /// Puts parameters in; the message says of which copy they are.
+  /// Adds parameters; the message determines the copy.
   template <ParameterMessage M>
   Result<void> set(const M& message) {
     std::uint8_t copy = 0;
@@ -97,18 +98,18 @@ class ParameterSet {
   std::vector<Parameters> blocks_{};
 };
 
-/// One field whose value differs. A missing field, of a shorter body, has an empty text.
+/// A field whose value differs. The text of a field that a shorter body lacks is empty.
 struct FieldChange {
-  std::string path{};  ///< "axes.roll.p"
+  std::string path{};  ///< for example "axes.roll.p"
   std::string before{};
   std::string after{};
-  std::string before_meaning{};  ///< "-30 deg", "FOLLOW_MODE_FC", or ""
+  std::string before_meaning{};  ///< for example "-30 deg" or "FOLLOW_MODE_FC"; may be ""
   std::string after_meaning{};
 
   bool operator==(const FieldChange&) const = default;
 };
 
-/// What differs within one block, or that only one side has it.
+/// The changes within one block, or the fact that only one set has it.
 struct ParametersChange {
   enum class Kind : std::uint8_t { changed, only_before, only_after };
 
@@ -119,69 +120,69 @@ struct ParametersChange {
   bool operator==(const ParametersChange&) const = default;
 };
 
-/// The parameters in which two sets differ, field by field, in the order of `before`. State of the
-/// board, such as the active profile, is no difference.
+/// Returns the differences of two sets, field by field, in the order of `before`. Ignores fields
+/// that hold state of the board, such as the active profile.
 std::vector<ParametersChange> diff(const ParameterSet& before, const ParameterSet& after);
 
-/// For people: a heading for each block, a line for each field; "" if there are none.
+/// For people: a heading per block, a line per field; "" if there are no changes.
 std::string to_text(const std::vector<ParametersChange>& changes);
 
-/// How parameters are read.
+/// Options of read_parameters().
 struct ReadOptions {
-  /// For all of it.
+  /// For the whole operation.
   std::chrono::milliseconds timeout{60'000};
   ProgressHandler progress{};
 };
 
-/// How parameters are written.
+/// Options of write_parameters().
 struct WriteOptions {
-  /// For all of it.
+  /// For the whole operation.
   std::chrono::milliseconds timeout{120'000};
-  /// Only tells what would be written.
+  /// Only report what would be written.
   bool dry_run = false;
-  /// Refuse what the protocol does not allow on this board in the fields that change, and general
-  /// parameters that differ between wanted profiles but do not on the board.
+  /// Reject values that the protocol does not allow on this board in the fields that change, and
+  /// general parameters that differ between the wanted profiles but not on the board.
   bool validate = true;
   ProgressHandler progress{};
 };
 
-/// What is known to stand on the board for one block that was to be written.
+/// The known state of one block on the board.
 enum class ParametersState : std::uint8_t {
-  equal,      ///< what was wanted stood there already
-  written,    ///< it has been written and read back
-  unwritten,  ///< what stood there before still does
-  different,  ///< read back since: neither what was wanted nor what stood there before
-  unknown,    ///< it has been sent, and could not be read back since
+  equal,      ///< the board already held the wanted values
+  written,    ///< the block was written and verified
+  unwritten,  ///< the board still holds the previous values
+  different,  ///< read back, but neither the wanted nor the previous values
+  unknown,    ///< sent, but could not be read back
 };
 
-/// The name of a state, e.g. "written".
+/// The name of a state, such as "written".
 const char* name(ParametersState state) noexcept;
 
-/// What became of one block.
+/// The report on one block.
 struct ParametersReport {
   ParametersId id{};
   ParametersState state = ParametersState::unwritten;
-  /// What was wanted to change, from the board's parameters before.
+  /// The wanted changes, relative to the previous parameters of the board.
   std::vector<FieldChange> wanted{};
-  /// How what stands there now differs from what was wanted, if it is ParametersState::different.
+  /// How the values on the board differ from the wanted ones, if the state is `different`.
   std::vector<FieldChange> deviation{};
 };
 
-/// What write_parameters() has done, also if it has failed.
+/// The report of write_parameters(), also after a failure.
 struct WriteReport {
   WriteReport() = default;
-  /// Of what failed before anything was done.
+  /// For a failure before anything was done.
   // NOLINTNEXTLINE(google-explicit-constructor): `return error;`
   WriteReport(ClientError error) : outcome(std::move(error)) {}
 
-  /// Everything that was wanted stands on the board, or would after a dry run.
+  /// Success if the board holds all wanted parameters, or would after a dry run.
   Result<void> outcome{};
   std::vector<ParametersReport> parameters{};
 
   explicit operator bool() const noexcept { return static_cast<bool>(outcome); }
 };
 
-/// For people: the outcome, and what is known about each block.
+/// For people: the outcome, and the state of each block.
 std::string to_text(const WriteReport& report);
 
 namespace tasks {
@@ -189,13 +190,13 @@ namespace tasks {
 /// Reads all parameters that this board and firmware have.
 Task<Result<ParameterSet>> read_parameters(ReadOptions options = {});
 
-/// Makes the parameters of the board those in `wanted`. What `wanted` does not have stays.
+/// Sets the parameters of the board to those in `wanted`; others keep their values.
 ///
-/// All are read first; what can be found wrong is found before anything is written. Only
-/// those that differ are written, each is confirmed and read back, and in the end all are read
-/// once more. State of the board, and bytes that the board has behind the end of a wanted body,
-/// are written back as they were read. Nothing is undone after a failure: the report says what
-/// stands on the board.
+/// Reads all parameters first and detects errors before writing anything, as far as possible.
+/// Writes only the blocks that differ, confirms each one and reads it back. Reads all parameters
+/// again at the end. Fields that hold state of the board, and bytes of the board past the end of a
+/// wanted body, are written back unchanged. A failure does not undo earlier writes: the report says
+/// what the board holds.
 Task<WriteReport> write_parameters(ParameterSet wanted, WriteOptions options = {});
 
 }  // namespace tasks

@@ -12,26 +12,27 @@
 namespace sbgc {
 
 inline constexpr std::size_t profile_count = decltype(msg::ReadProfileNames::profile_name){}.size();
-/// Most bytes of a name, in UTF-8.
+/// The largest size of a name, in bytes of UTF-8.
 inline constexpr std::size_t profile_name_size =
     decltype(msg::ReadProfileNames::profile_name)::value_type::capacity();
 
 /// One name for each profile.
 struct ProfileNames : std::array<std::string, profile_count> {};
 
-/// Why a profile cannot have this name: more bytes than fit, not UTF-8, or a NUL inside. Names are
-/// never cut.
+/// Fails if a profile cannot have this name: too many bytes, invalid UTF-8, or a NUL. Names are
+/// never truncated.
 Result<void> check_profile_name(std::string_view name);
 
 namespace tasks {
 
-/// The names as the board has them, without the padding. Bytes that are not UTF-8 come as they are.
+/// Returns the names on the board, without padding. Bytes that are not UTF-8 are kept.
 Task<Result<ProfileNames>> profile_names();
 
-/// Names one profile, counted from 0; the others keep their names to the last byte. Read back.
+/// Renames one profile, counted from 0, and verifies it. The other names stay unchanged, byte for
+/// byte.
 Task<Result<void>> rename_profile(std::size_t profile, std::string name);
 
-/// Names all profiles. Read back.
+/// Renames all profiles and verifies the names.
 Task<Result<void>> rename_profiles(ProfileNames names);
 
 }  // namespace tasks

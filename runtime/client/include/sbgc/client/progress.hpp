@@ -1,4 +1,4 @@
-/// How tasks of many messages tell how far they are.
+/// Progress of tasks that exchange many messages.
 #pragma once
 
 #include <cstddef>
@@ -7,14 +7,14 @@
 
 namespace sbgc {
 
-/// How far a task is; `what` is the step that is done next, valid during the call only.
+/// The progress of a task. `what` is the next step; valid only during the call.
 struct Progress {
   std::size_t done{};
   std::size_t total{};
   std::string_view what{};
 };
 
-/// Called before each step and once at the end, on the thread of the task. False cancels the task.
+/// Called before each step and at the end, on the thread of the task. Returning false cancels it.
 using ProgressHandler = std::function<bool(const Progress&)>;
 
 }  // namespace sbgc

@@ -1,4 +1,4 @@
-/// What comes back for a request, before its type is known.
+/// The untyped reply to a request.
 #pragma once
 
 #include <cstdint>
@@ -13,26 +13,26 @@ namespace sbgc {
 
 struct Contexts;
 
-/// How a request ended well.
+/// How a successful request ended.
 enum class ReplyKind : std::uint8_t {
-  answered,     ///< with the message that answers it
+  answered,     ///< with a response message
   confirmed,    ///< with all its confirmations
-  unconfirmed,  ///< a confirmation was possible, but none came
-  sent,         ///< nothing comes back for it
+  unconfirmed,  ///< without a confirmation, although one was possible
+  sent,         ///< without a reply, because the protocol has none
 };
 
-/// What came back for a request.
+/// The reply to a request.
 struct Reply {
   ReplyKind kind{};
-  std::uint8_t id{};                   ///< of the answer, or of the last confirmation; else 0
-  BoundedBytes<max_body_size> body{};  ///< its body
-  /// What earlier messages say about how to read it, if it matters.
+  std::uint8_t id{};  ///< of the response, or of the last confirmation; otherwise 0
+  BoundedBytes<max_body_size> body{};  ///< the body of that message
+  /// The context from earlier messages that decoding needs, if any.
   std::shared_ptr<const Contexts> contexts{};
 };
 
 namespace detail {
 
-/// Decodes a message that cannot be read without its context. The library has it for each of them.
+/// Decodes a message that requires context. The library defines it for each such message.
 template <class M>
 Status decode_in_context(const Reply& reply, M& out) noexcept;
 

@@ -1,4 +1,4 @@
-/// A request on its way to the board.
+/// A request to the board.
 #pragma once
 
 #include <cstdint>
@@ -16,19 +16,19 @@ struct Contexts;
 
 namespace detail {
 
-/// A request, encoded once, and what the library knows about it.
+/// An encoded request and its metadata.
 struct Request {
   std::uint8_t id{};
   BoundedBytes<max_body_size> body{};
   ResponsePolicy policy{};
-  const char* command = "";  ///< "CMD_CONTROL"
-  /// Takes from the request what later messages need to be read; empty for most.
+  const char* command = "";  ///< for example "CMD_CONTROL"
+  /// Stores the facts of the request that decoding later messages needs; empty for most.
   std::function<void(Contexts&)> teach{};
 };
 
-/// Makes the request for a board with these versions: fails if the board does not have the command
-/// or, when `validate`, does not allow a value. If the board takes another form instead, that is
-/// the result. The library has this function for every message to the board.
+/// Encodes a request for a board with these versions. Fails if the board does not have the command
+/// or, if `validate`, does not allow a value. If the board takes another form of the message,
+/// encodes that one. The library defines this function for every message to the board.
 template <Message M>
 Result<Request> prepare(const M& message, const Availability& versions, bool validate);
 

@@ -1,4 +1,4 @@
-/// A value, or why there is none.
+/// A value or an error.
 #pragma once
 
 #include <cassert>
@@ -9,12 +9,12 @@
 
 namespace sbgc {
 
-/// What an operation returns that can fail. True in a condition when there is a value:
+/// The result of an operation that can fail. True in a condition if it holds a value:
 ///     if (auto angles = client.get_angles()) use(*angles); else report(angles.error().message);
-/// Reading the value of a failure, or the error of a success, is a mistake in the program.
+/// Reading the value of a failure, or the error of a success, is undefined behavior.
 template <class T>
 class [[nodiscard]] Result {
-  // NOLINTNEXTLINE(bugprone-sizeof-expression): whether T is complete, be it a pointer or not
+  // NOLINTNEXTLINE(bugprone-sizeof-expression): checks that T is complete, also if it is a pointer
   static_assert(sizeof(T) != 0,
                 "include the message's header, such as <sbgc/messages/control.hpp>");
 
@@ -53,7 +53,7 @@ class [[nodiscard]] Result {
   std::variant<T, ClientError> content_;
 };
 
-/// Of an operation that has nothing to tell but that it went well: `return {};`.
+/// The result of an operation without a value: `return {};` on success.
 template <>
 class [[nodiscard]] Result<void> {
  public:

@@ -1,4 +1,4 @@
-/// Turning the camera with a speed, with a dead-man's switch. See docs/2-safety.md first.
+/// Speed control of the camera with a dead man's switch. Read docs/2-safety.md first.
 #pragma once
 
 #include <chrono>
@@ -14,53 +14,54 @@ namespace sbgc {
 
 class Client;
 
-/// How a speed is held.
+/// Options of SpeedControl.
 struct SpeedControlOptions {
-  /// So long the owner may be silent before the camera is stopped.
+  /// How long the owner may be silent before the camera is stopped.
   std::chrono::milliseconds silence{500};
-  /// How often the speed is sent again; a command may be lost. At least 20 ms, as the board asks.
+  /// How often the speed is repeated, as a command may be lost. At least 20 ms, which the board
+  /// requires.
   std::chrono::milliseconds repeat{100};
   Clock& clock = Clock::system();
 };
 
-/// Holds a speed as long as its owner refreshes it. A board by itself would go on turning when its
-/// host has died, or the line is lost.
+/// Holds a speed as long as its owner refreshes it. Without it, a board keeps turning if its host
+/// dies or the line is lost.
 ///
 ///     SpeedControl control(client);
 ///     while (joystick.is_held()) {
 ///       if (auto set = control.set({.yaw = joystick.speed()}); !set) return fail(set.error());
 ///     }
 ///
-/// The camera is stopped when the owner is silent for too long, when sending fails, by stop() and
-/// when this is destroyed. A stop that the board does not carry out is repeated until it does, the
-/// line is gone, or this is destroyed, which tries once more. Every function may be called from any
-/// thread, and returns at once: a thread of its own does the sending. What that runs into, the next
-/// call returns.
+/// The camera stops if the owner is silent for too long, if sending fails, on stop() and on
+/// destruction. A stop that the board does not execute is repeated until it does, the line is lost,
+/// or this object is destroyed, which tries once more. Every function may be called from any thread
+/// and returns at once: a separate thread does the sending. Its errors are returned by the next
+/// call.
 class SpeedControl {
  public:
   enum class State : std::uint8_t {
-    idle,      ///< it has no speed: not yet, or not any more
+    idle,      ///< it holds no speed, initially or after a stop
     turning,   ///< it holds a speed
-    silenced,  ///< it has stopped the camera because the owner was silent
-    failed,    ///< sending has failed; final
+    silenced,  ///< it stopped the camera because the owner was silent
+    failed,    ///< sending failed; final
   };
 
-  /// `client` must live longer.
+  /// `client` must outlive this object.
   explicit SpeedControl(Client& client, const SpeedControlOptions& options = {});
   SpeedControl(const SpeedControl&) = delete;
   SpeedControl& operator=(const SpeedControl&) = delete;
   SpeedControl(SpeedControl&&) = delete;
   SpeedControl& operator=(SpeedControl&&) = delete;
-  /// Stops the camera if it turns, and waits for that.
+  /// Stops the camera if it turns, and waits until it has stopped.
   ~SpeedControl();
 
-  /// Turns with these speeds from now on; also after the owner was silent. Axes with speed 0 stand.
+  /// Turns with these speeds from now on, also after silence. Axes with speed 0 hold still.
   Result<void> set(const Axes<msg::ControlSpeed>& speed);
-  /// Goes on with the same speeds. ErrorCode::cancelled if there are none any more.
+  /// Keeps the current speeds. Fails with ErrorCode::cancelled if there are none.
   Result<void> refresh();
-  /// Stops the camera; wait() tells when that is done.
+  /// Stops the camera. Use wait() to wait until it has stopped.
   Result<void> stop();
-  /// Waits until nothing is left to be sent at once.
+  /// Waits until nothing remains to be sent immediately.
   Result<void> wait();
 
   [[nodiscard]] State state() const;

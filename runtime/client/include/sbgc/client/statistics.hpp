@@ -1,4 +1,4 @@
-/// What a client has seen and done so far.
+/// Counters of a client.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,11 @@
 namespace sbgc {
 
 struct ClientStatistics {
-  std::uint64_t calls{};        ///< begun
-  std::uint64_t failures{};     ///< calls that ended with an error
+  std::uint64_t calls{};        ///< started
+  std::uint64_t failures{};     ///< ended with an error
   std::uint64_t unreadable{};   ///< messages for a subscriber that could not be decoded
-  SessionStatistics session{};  ///< frames and noise on the line, retries, late answers
-  StreamUsage streams{};        ///< what data streams take of the line
+  SessionStatistics session{};  ///< frames and noise on the line, retries, late replies
+  StreamUsage streams{};        ///< the share of the line that data streams use
 };
 
 }  // namespace sbgc

@@ -1,4 +1,4 @@
-/// The owner of a handler.
+/// RAII handle of a subscription.
 #pragma once
 
 #include <functional>
@@ -7,13 +7,13 @@
 
 namespace sbgc {
 
-/// Keeps a handler subscribed, and a data stream running, as long as it lives.
+/// Keeps a handler subscribed, and its data stream active, as long as it lives.
 ///
-/// When it has been destroyed or cancelled, the handler is not running and will not run again;
-/// cancelling waits for that, except from inside the handler itself. It may outlive the client.
+/// After destruction or cancellation the handler is not running and never runs again; both wait for
+/// a running handler, except from inside that handler. A subscription may outlive the client.
 class [[nodiscard]] Subscription {
  public:
-  /// Something that ends when its owner lets go of it.
+  /// A resource that its destructor releases.
   class Hold {
    public:
     Hold() = default;

@@ -1,7 +1,7 @@
-/// Work of several calls as a state machine without I/O.
+/// Tasks: operations of several calls, as state machines without I/O.
 ///
-/// A task is written as a coroutine and driven from outside: step() says what to do next, the
-/// driver does it and tells the task what came of it. Whoever has a clock and a line can be that
+/// A task is a coroutine that is driven from outside: step() returns the next action, and the
+/// driver executes it and hands the result to the task. Anything with a clock and a line can be the
 /// driver: Client::run(), AsyncClient::async_run(), a test in virtual time, a browser.
 ///
 ///     sbgc::Task<sbgc::Result<double>> yaw_after(std::chrono::seconds pause) {
@@ -13,8 +13,7 @@
 ///       co_return angles->axes.yaw.imu_angle.degrees();
 ///     }
 ///
-/// Parameters of such a coroutine are values: what a reference refers to may be gone when the task
-/// goes on.
+/// Such a coroutine takes its parameters by value: a reference may dangle when the task resumes.
 #pragma once
 
 #include <coroutine>
@@ -39,25 +38,25 @@
 
 namespace sbgc {
 
-/// What the driver of a task does next.
+/// The next action for the driver of a task.
 struct TaskStep {
   enum class Kind : std::uint8_t {
-    call,    ///< begin `request`; hand its end to TaskMachine::replied()
-    cancel,  ///< cancel the call `number`; its end does not matter any more
-    wait,    ///< call step() again when something has come, at `until` at the latest
+    call,    ///< start `request`; pass its result to TaskMachine::replied()
+    cancel,  ///< cancel the call `number`; its result no longer matters
+    wait,    ///< call step() again on the next event, at the latest at `until`
     done,    ///< the task is over
   };
 
   Kind kind{};
-  std::uint32_t number{};  ///< of the call, from 1
+  std::uint32_t number{};  ///< the number of the call, from 1
   Result<detail::Request> request = ClientError{};
   CallOptions options{};
   Instant until = Instant::never;
-  /// Of `wait`: whether TaskMachine::wake() ends it.
+  /// For `wait`: true if TaskMachine::wake() ends it.
   bool can_be_woken = false;
 };
 
-/// A task under way. Not thread-safe.
+/// The state of a running task. Not thread-safe.
 class TaskMachine {
  public:
   explicit TaskMachine(BoardIdentity board) : board_(std::move(board)) {}
@@ -65,36 +64,36 @@ class TaskMachine {
   TaskMachine& operator=(const TaskMachine&) = delete;
   ~TaskMachine() = default;
 
-  // For the driver
+  // For the driver.
 
-  /// Goes on as far as possible. The time never goes back.
+  /// Runs the task as far as possible. `now` must not decrease.
   TaskStep step(Instant now);
-  /// A call has ended.
+  /// Reports that a call has ended.
   void replied(std::uint32_t number, Result<Reply> reply);
-  /// A confirmation of a call has come; its end follows.
+  /// Reports a confirmation of a call that has not ended yet.
   void confirmed(std::uint32_t number);
   void notice(const Notice& notice);
-  /// What the task waits for ends with ErrorCode::cancelled, once. It may still have to clean up.
+  /// Ends the current or next wait with ErrorCode::cancelled, once. The task may still clean up.
   void cancel() noexcept { is_cancelled_ = true; }
   /// Ends a wait of tasks::wait_for_wake().
   void wake() noexcept { is_woken_ = true; }
 
-  // For the task
+  // For the task.
 
   Instant now() const noexcept { return now_; }
   const BoardIdentity& identity() const noexcept { return board_; }
 
-  /// Begins a call that goes on while the task does; returns its number.
+  /// Starts a call that runs concurrently with the task; returns its number.
   template <Message M>
   std::uint32_t begin(const M& request, const CallOptions& options) {
     static_assert(M::direction != Direction::from_board, "only the board sends this message");
     return begin_call(detail::prepare(request, board_.versions(), options.validate), options);
   }
-  /// Whether it was confirmed at least once.
+  /// True if the call was confirmed at least once.
   bool has_started(std::uint32_t number) const;
-  /// How it ended; nothing while it goes on.
+  /// Returns the result of a call; null while it is running.
   const Result<Reply>* reply(std::uint32_t number) const;
-  /// Forgets a call, and cancels it if it goes on.
+  /// Drops a call; cancels it if it is running.
   void end(std::uint32_t number);
 
   using NoticeHandler = std::function<void(const Notice&)>;
@@ -102,18 +101,18 @@ class TaskMachine {
   Listener listen(NoticeHandler handler);
   void stop_listening(Listener listener) { listeners_.erase(listener); }
 
-  /// What a coroutine waits for: the first of these.
+  /// The events that a coroutine waits for. The first one resumes it.
   struct Wait {
-    std::uint32_t call{};          ///< its end
-    bool start_is_enough = false;  ///< or its first confirmation
+    std::uint32_t call{};          ///< the end of this call
+    bool start_is_enough = false;  ///< also its first confirmation
     Instant until = Instant::never;
-    bool for_wake = false;  ///< or wake()
+    bool for_wake = false;  ///< also wake()
   };
   void wait(std::coroutine_handle<> coroutine, const Wait& wait) noexcept {
     coroutine_ = coroutine;
     wait_ = wait;
   }
-  /// Whether the last wait was cancelled.
+  /// True if the last wait was cancelled.
   bool was_cancelled() const noexcept { return was_cancelled_; }
 
  private:
@@ -127,7 +126,7 @@ class TaskMachine {
 
   BoardIdentity board_;
   Instant now_{};
-  std::coroutine_handle<> coroutine_{};  // that goes on next
+  std::coroutine_handle<> coroutine_{};  // the coroutine to resume next
   Wait wait_{.until = Instant{std::numeric_limits<std::int64_t>::min()}};
   std::deque<TaskStep> steps_{};
   std::uint32_t last_call_{};
@@ -141,8 +140,8 @@ class TaskMachine {
   friend class Task;
 };
 
-/// A task that ends with an R, such as Result<void>. It does nothing until it is driven, or awaited
-/// by another task.
+/// A task that returns an R, such as Result<void>. It does nothing until it is driven or awaited by
+/// another task.
 template <class R>
 class [[nodiscard]] Task {
   struct Promise;
@@ -164,7 +163,7 @@ class [[nodiscard]] Task {
     if (coroutine_) coroutine_.destroy();
   }
 
-  /// Begins the task for this board. Once.
+  /// Starts the task for this board. Must be called only once.
   TaskMachine& begin(const BoardIdentity& board) {
     machine_ = std::make_unique<TaskMachine>(board);
     coroutine_.promise().machine = machine_.get();
@@ -174,8 +173,8 @@ class [[nodiscard]] Task {
   /// Precondition: the last step was TaskStep::Kind::done.
   R result() && { return *std::move(coroutine_.promise().result); }
 
-  // As part of another task
-  // NOLINTBEGIN(readability-identifier-naming): the language's names
+  // For use inside another task.
+  // NOLINTBEGIN(readability-identifier-naming): names that the language requires
 
   bool await_ready() const noexcept { return false; }
   template <class Other>
@@ -207,7 +206,7 @@ class [[nodiscard]] Task {
     Task get_return_object() { return Task(std::coroutine_handle<Promise>::from_promise(*this)); }
     std::suspend_always initial_suspend() const noexcept { return {}; }
     Final final_suspend() const noexcept { return {}; }
-    /// What a handler of the task's owner throws goes to whoever drives it.
+    /// Exceptions of user-provided handlers propagate to the driver.
     void unhandled_exception() { throw; }
     template <class Value>
     void return_value(Value&& value) {
@@ -280,26 +279,26 @@ struct Calling {
 
 namespace tasks {
 
-/// The task that a coroutine is part of.
+/// Awaiting it returns the TaskMachine of the running coroutine.
 inline detail::ThisTask this_task() noexcept { return {}; }
 
-/// As Client::call(). CallOptions::on_confirmation is not called.
+/// Like Client::call(), but never calls CallOptions::on_confirmation.
 template <Message M>
 detail::Calling<M> call(const M& request, const CallOptions& options = {}) {
   return {request, options};
 }
 
-/// Waits, or fails with ErrorCode::cancelled.
+/// Waits until `until`; fails with ErrorCode::cancelled.
 inline detail::Waiting wait_until(Instant until) noexcept { return {{.until = until}}; }
-/// Waits for TaskMachine::wake(), until then at the latest.
+/// Waits for TaskMachine::wake(), at the latest until `until`.
 inline detail::Waiting wait_for_wake(Instant until) noexcept {
   return {{.until = until, .for_wake = true}};
 }
-/// Waits for the end of a call that TaskMachine::begin() has begun, until then at the latest.
+/// Waits for the end of a call started with TaskMachine::begin(), at the latest until `until`.
 inline detail::Waiting wait_for_call(std::uint32_t number, Instant until) noexcept {
   return {{.call = number, .until = until}};
 }
-/// Waits for its first confirmation, or its end.
+/// Waits for the first confirmation or the end of a call, at the latest until `until`.
 inline detail::Waiting wait_for_start(std::uint32_t number, Instant until) noexcept {
   return {{.call = number, .start_is_enough = true, .until = until}};
 }

@@ -1,4 +1,4 @@
-/// Every task as a function of a client that waits for its end.
+/// All tasks as blocking member functions.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +13,10 @@
 
 namespace sbgc {
 
-/// `client.move_to(target, options)` is `client.run(tasks::move_to(target, options))`, and so for
-/// all tasks; they are described in the headers named here, which the caller includes. A command of
-/// the protocol with the same name gives way: call() still sends it.
+/// `client.move_to(target, options)` is shorthand for `client.run(tasks::move_to(target,
+/// options))`, and likewise for all other tasks. The headers named below document them; include
+/// those you use. A task hides a command of the protocol with the same name; call() can still send
+/// the command.
 template <class Self>
 class TaskCalls : public Calls<Self> {
   template <class T>

@@ -1,4 +1,5 @@
-/// All tasks, declared only: who starts one includes its header, such as <sbgc/client/motion.hpp>.
+/// Forward declarations of all tasks. To use one, include its header, such as
+/// <sbgc/client/motion.hpp>.
 #pragma once
 
 #include <cstddef>
@@ -30,10 +31,10 @@ struct WriteReport;
 class ParameterSet;
 enum class Sensor : std::uint8_t;
 
-/// {.pitch = -30_deg} moves one axis; axes without an angle are left alone.
+/// The targets of a move: {.pitch = -30_deg} moves one axis and leaves the others alone.
 using MoveTarget = Axes<Optional<msg::Angle14>>;
 
-/// The time of this computer as Backup::created has it.
+/// Returns the current time of the host in the format of Backup::created.
 std::string utc_now();
 
 namespace tasks {
@@ -71,7 +72,8 @@ Task<Result<void>> save_variables();
 
 namespace detail {
 
-/// A T that need be complete only where the member of a Self that names it is used.
+/// T, as a dependent type: it needs to be complete only if the member of Self that names it is
+/// used.
 template <class Self, class T>
 struct Late {
   using type = T;

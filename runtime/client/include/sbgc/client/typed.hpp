@@ -1,4 +1,4 @@
-/// From messages to bytes and back, for the calls of Client and AsyncClient.
+/// Typed wrappers of requests and replies, for Client and AsyncClient.
 #pragma once
 
 #include <chrono>
@@ -23,7 +23,7 @@ namespace detail {
 
 ClientError decode_error(Status status, const Reply& reply);
 ClientError missing_answer(const Reply& reply);
-/// The interval of a data stream in the counts of the protocol, of which the largest is `most`.
+/// Converts the interval of a data stream to the counts of the protocol, at most `most`.
 Result<std::int64_t> stream_interval_count(std::chrono::milliseconds interval, std::int64_t most);
 
 template <class T>
@@ -31,7 +31,7 @@ struct IsOptional : std::false_type {};
 template <class T>
 struct IsOptional<std::optional<T>> : std::true_type {};
 
-/// One of several messages that may answer: the first that the body is.
+/// Decodes the reply as the first of several messages that fits.
 template <class... Ms>
 Status read(const Reply& reply, std::variant<Ms...>& out) noexcept {
   Status status{Code::unknown_form};
@@ -45,7 +45,7 @@ Status read(const Reply& reply, std::variant<Ms...>& out) noexcept {
   return status;
 }
 
-/// The answer to an M in what came back for it.
+/// Decodes the response to an M from its reply.
 template <class M>
 Result<CallAnswer<M>> read_answer(const Result<Reply>& reply) {
   using Answer = CallAnswer<M>;
@@ -68,7 +68,7 @@ Result<CallAnswer<M>> read_answer(const Result<Reply>& reply) {
   }
 }
 
-/// The registration of a data stream with an interval, or why there is no such interval.
+/// Returns the request for a data stream with this interval, or an error if it cannot be expressed.
 template <class Request>
 Result<Request> stream_request(std::chrono::milliseconds interval) {
   Request request{};
@@ -81,20 +81,19 @@ Result<Request> stream_request(std::chrono::milliseconds interval) {
   return request;
 }
 
-/// Makes `request` be about the stream of M.
+/// Makes `request` select the stream of M.
 template <class M, class Request>
 void choose_stream(Request& request) noexcept {
   constexpr bool is_streamed = roles::StreamMessages::contains<M>;
-  static_assert(
-      is_streamed,
-      "the board has no stream of this message: sbgc::roles::StreamMessages are possible");
+  static_assert(is_streamed,
+                "the board has no data stream of this message; see sbgc::roles::StreamMessages");
   if constexpr (is_streamed) {
     auto& command = roles::stream_command(request);
     command = static_cast<std::remove_reference_t<decltype(command)>>(M::command);
   }
 }
 
-/// The requests that start and end the data stream of `message`, which is asked for as `request`.
+/// Returns the requests that start and end the data stream of M; `request` starts it.
 template <Message M, Message Request>
 Conversation::StreamRequests stream_requests(const Conversation& conversation, Request request,
                                              const CallOptions& options) {
@@ -105,7 +104,7 @@ Conversation::StreamRequests stream_requests(const Conversation& conversation, R
   return {conversation.prepare(request, options), conversation.prepare(end, options)};
 }
 
-/// The handler of a message as the conversation calls it.
+/// Wraps a typed handler for Conversation.
 template <class M>
 Conversation::MessageHandler typed_handler(std::function<void(const M&)> handler) {
   return [handler = std::move(handler)](const void* message) {

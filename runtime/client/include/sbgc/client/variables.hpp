@@ -1,7 +1,8 @@
 /// Adjustable variables by name, in their units.
 ///
-/// They change the parameters in the board's volatile memory at once; save_variables() makes that
-/// last. What there is, with units and ranges, is in <sbgc/meta/variables.hpp>.
+/// Setting a variable changes the parameters in the board's volatile memory at once;
+/// save_variables() makes the change permanent. <sbgc/meta/variables.hpp> lists all variables with
+/// their units and ranges.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,7 @@
 
 namespace sbgc {
 
-/// A variable and its value in the variable's unit: {"LPF_FREQ_ROLL", 120} is 120 Hz.
+/// A variable and its value in the unit of the variable: {"LPF_FREQ_ROLL", 120} means 120 Hz.
 struct VariableValue {
   std::string name{};
   double value{};
@@ -23,32 +24,32 @@ struct VariableValue {
   bool operator==(const VariableValue&) const = default;
 };
 
-/// The variable with this name, as the specification writes it. ErrorCode::not_found with similar
-/// names if there is none.
+/// Finds a variable by its name in the specification. Fails with ErrorCode::not_found and suggests
+/// similar names if there is none.
 Result<const VariableInfo*> find_variable(std::string_view name);
 
-/// The value in the unit of the variable for what stands on the wire.
+/// Converts a raw value to the unit of the variable.
 double variable_value(const VariableInfo& variable, std::int32_t raw) noexcept;
 
-/// What stands on the wire for a value, rounded to the nearest; ErrorCode::invalid with the range
-/// if the variable can not have it.
+/// Converts a value to the nearest raw value. Fails with ErrorCode::invalid, and reports the range,
+/// if the variable cannot hold it.
 Result<std::int32_t> variable_raw(const VariableInfo& variable, double value);
 
 namespace tasks {
 
-/// The values of these variables, in their order. Many are asked for with few messages.
+/// Returns the values of these variables, in the given order. Uses as few messages as possible.
 Task<Result<std::vector<double>>> get_variables(std::vector<std::string> names);
-/// The value of one variable.
+/// Returns the value of one variable.
 Task<Result<double>> get_variable(std::string name);
 
-/// Sets variables until the next start, or until they are saved. All are checked before the first
-/// one is sent. As many as fit into a message change at the same moment; after a failure the error
-/// says how many have been set, in the order given.
+/// Sets variables until the board restarts, or until they are saved. Validates all values before
+/// sending any. Variables that fit into one message change at the same moment. If the operation
+/// fails, the error reports how many were set, in the given order.
 Task<Result<void>> set_variables(std::vector<VariableValue> values);
 /// Sets one variable.
 Task<Result<void>> set_variable(std::string name, double value);
 
-/// Saves the board's volatile parameters, with all changes to variables, to the active profile.
+/// Saves the board's volatile parameters, including all changed variables, to the active profile.
 Task<Result<void>> save_variables();
 
 }  // namespace tasks
