@@ -1,5 +1,5 @@
-// spec/adjustable_variables.yaml: their values and the state of their slots. parameter_access.hpp
-// answers CMD_READ_ADJ_VARS_CFG and CMD_WRITE_ADJ_VARS_CFG.
+// spec/adjustable_variables.yaml: variable values and slot states. parameter_access.hpp handles
+// CMD_READ_ADJ_VARS_CFG and CMD_WRITE_ADJ_VARS_CFG.
 
 #include <cstdint>
 #include <span>
@@ -34,7 +34,7 @@ Outcome handle(RequestContext& context, const msg::GetAdjVarsVal& request) {
   return context.answer(answer);
 }
 
-/// Sets all of them or none.
+/// Sets all variables or none.
 Outcome handle(RequestContext& context, const msg::SetAdjVarsVal& request) {
   Device& device = context.device;
   if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
@@ -49,7 +49,7 @@ Outcome handle(RequestContext& context, const msg::SetAdjVarsVal& request) {
 Outcome handle(RequestContext& context, const msg::AdjVarsStateRequest& request) {
   return report(context, request.trigger_slot, request.analog_slot);
 }
-/// Assumption, because these parameters are not documented: the first two are those of the simple
+/// Assumption, because these parameters are undocumented: the first two are those of the simple
 /// form.
 Outcome handle(RequestContext& context, const msg::AdjVarsStateRequestExt& request) {
   return report(context, request.params[0], request.params[1]);

@@ -28,7 +28,7 @@ Outcome carry_out(RequestContext& context, const M& request) {
 
 }  // namespace
 
-/// The device, and the order in which things happen in it.
+/// The device and the order of its events.
 class Board::Core {
  public:
   Core(const BoardOptions& options, Memory memory, Instant now)
@@ -37,7 +37,7 @@ class Board::Core {
     idle_times_.fill(Instant::never);
   }
 
-  /// Does everything that is due up to that time, in order.
+  /// Executes everything that is due until this time, in order.
   void run_until(Instant until) {
     until = later(until, clock_);
     for (;;) {
@@ -116,11 +116,11 @@ class Board::Core {
   Device device;
 
  private:
-  /// A pause after which a partial frame is given up. An assumption.
+  /// The pause after which a partial frame is dropped. Assumption.
   static constexpr Duration idle_time = milliseconds(100);
 
-  /// Runs one step of the board. Everything it sends in this step may report a change of the memory
-  /// that the step made.
+  /// Runs one step of the board. Any frame sent in this step may report a change that the step made
+  /// to the memory.
   template <class Do>
   void step(Do&& something) {
     const std::uint32_t before = device.memory.revision;
@@ -150,7 +150,7 @@ class Board::Core {
     }
   }
 
-  /// The controller carries out one request of each port per cycle.
+  /// Schedules the next request: the controller executes one per port and cycle.
   void plan_request(std::size_t port) {
     if (request_times_[port] != Instant::never || !device.ports.can_take(port)) return;
     const std::int64_t cycle = Device::cycle().us;
@@ -167,7 +167,7 @@ class Board::Core {
     device.ports.report(port, {request.id, request.body}, outcome);
   }
 
-  /// Whether this board has any request with this id.
+  /// True if this board supports any request with this id.
   bool knows(std::uint8_t id) const {
     bool is_known = false;
     AllMessages::for_each([&]<class M>(Type<M>) {
@@ -179,8 +179,8 @@ class Board::Core {
     return is_known;
   }
 
-  /// Answers an unknown request with CMD_ERROR, if the board has that. Does not answer errors: two
-  /// boards on one line would answer each other endlessly.
+  /// Answers an unknown request with CMD_ERROR if the board supports it. Does not answer errors,
+  /// because two boards on one line would answer each other endlessly.
   Outcome carry_out_frame(std::size_t port, const QueuedRequest& request, Instant now) {
     const Outcome outcome = try_frame(port, request, now);
     const bool is_strange = outcome == Outcome::unknown || outcome == Outcome::malformed;
@@ -214,8 +214,8 @@ class Board::Core {
   Instant start_;
   Instant clock_;
   std::array<Instant, max_ports>
-      request_times_{};  ///< when the next request of each port is carried out
-  std::array<Instant, max_ports> idle_times_{};  ///< when a partial frame is given up
+      request_times_{};                          ///< when the next request of each port is executed
+  std::array<Instant, max_ports> idle_times_{};  ///< when a partial frame is dropped
 };
 
 Board::Board(const BoardOptions& options, Memory memory, Instant now)

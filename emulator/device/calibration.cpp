@@ -1,4 +1,4 @@
-// spec/calibration.yaml: calibrating and tuning.
+// spec/calibration.yaml: calibration and tuning.
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@ namespace {
 
 using Kind = Calibrations::Kind;
 
-/// Index of an IMU in Memory::imus; empty if the board does not have it.
+/// Returns the index of an IMU in Memory::imus; nothing if the board does not have it.
 std::optional<std::size_t> index_of(const Device& device, msg::CalibImu imu) {
   switch (imu) {
     case msg::CalibImu::active: return device.cur_imu == msg::SelectedImu::frame ? 1 : 0;
@@ -27,8 +27,7 @@ std::optional<std::size_t> index_of(const Device& device, msg::CalibImu imu) {
   return device.has_frame_imu() ? std::optional<std::size_t>(1) : std::nullopt;
 }
 
-/// Starts a calibration that is confirmed on reception and, if `confirms_end`, once more at its
-/// end.
+/// Starts a calibration that is confirmed on reception and, if `confirms_end`, again at its end.
 Outcome begin(RequestContext& context, Kind kind, std::size_t imu, bool confirms_end) {
   std::optional<Calibrations::Requester> requester;
   if (confirms_end) requester = Calibrations::Requester{context.port, context.command};
@@ -38,7 +37,7 @@ Outcome begin(RequestContext& context, Kind kind, std::size_t imu, bool confirms
   return context.confirm();
 }
 
-/// Starts a calibration that is confirmed once, at its end.
+/// Starts a calibration that is confirmed only at its end.
 Outcome begin_silently(RequestContext& context, Kind kind) {
   const Calibrations::Requester requester{context.port, context.command};
   if (!context.device.calibrations.start(context.device, kind, 0, requester, context.now)) {
@@ -54,11 +53,11 @@ Outcome restart(RequestContext& context) {
   return outcome;
 }
 
-/// What CMD_CALIB_ACC and CMD_CALIB_GYRO do with a sensor of an IMU.
+/// The actions of CMD_CALIB_ACC and CMD_CALIB_GYRO on one sensor of an IMU.
 struct Sensor {
   Kind regular, temperature, from_sensor, to_sensor;
   void (*forget)(ImuCalibration& imu);
-  /// Enables or disables the calibration over temperature, if there is one.
+  /// Enables or disables the temperature calibration, if there is one.
   void (*use_temperature)(ImuCalibration& imu, bool used);
 };
 
@@ -159,7 +158,7 @@ Outcome handle(RequestContext& context, const msg::CalibBat& request) {
   if (!context.device.has_battery_meter())
     return context.refuse(msg::BoardErrorCode::not_supported);
   const double measured = context.device.gimbal.sample(context.now).battery;
-  // Assumption: a voltage divider is never off by more than this, so the request is a mistake.
+  // Assumption: no voltage divider is off by more than this, so such a request is a mistake.
   constexpr double lowest = 0.5;
   constexpr double highest = 2;
   const double factor = measured > 0 ? request.actual_voltage.volts() / measured : 0;

@@ -1,4 +1,4 @@
-// spec/control.yaml: moving the camera, motors, the menu, help from outside.
+// spec/control.yaml: camera motion, motors, menu, external motion data.
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ std::optional<AxisMode> mode_of(msg::ControlModeKind kind) {
   return {};
 }
 
-/// In degrees per second. Firmware that does not know the flag of another unit ignores it.
+/// The speed in degrees per second. Firmware that does not know the unit flag ignores it.
 template <class Request>
 double speed_of(const Availability& versions, const Request& request, std::size_t axis) {
   return knows(versions, msg::ControlFlag::high_res_speed)
@@ -36,19 +36,19 @@ double speed_of(const Availability& versions, const Request& request, std::size_
              : request.axes[axis].speed.degrees_per_second();
 }
 
-/// Empty if there is no such mode.
+/// Returns nothing if there is no such mode.
 std::optional<AxisCommand> command_of(msg::ControlMode mode, const msg::ControlAxis& target,
                                       double speed) {
   const auto axis_mode = mode_of(mode.mode());
   if (!axis_mode) return {};
   AxisCommand command{*axis_mode};
   command.speed = speed;
-  // Where the angle gives the direction, the sign of the speed does not count.
+  // The angle determines the direction, so the sign of the speed is ignored.
   if (*axis_mode == AxisMode::angle || *axis_mode == AxisMode::relative_angle) {
     command.speed = std::abs(command.speed);
   }
   command.angle = target.angle.degrees();
-  // "Should be in range -500...500": the signal saturates, like that of a receiver.
+  // "Should be in range -500...500": like the signal of a receiver, it saturates.
   command.signal = std::clamp(msg::CentredRcSignal(target.angle.raw()).fraction(), -1.0, 1.0);
   return command;
 }
@@ -86,8 +86,8 @@ Outcome execute(RequestContext& context, msg::MenuCommand action) {
   return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint32_t>(action));
 }
 
-/// Zeros are not used, so a message of zeros is no help. Other values do not matter: the simulation
-/// knows the frame.
+/// True if any value is nonzero, as zeros mean unused. The values themselves do not matter, because
+/// the simulation knows the frame.
 template <class Data>
 bool is_help(const Data& data) {
   bool tells = data.frame_acc != Xyz<msg::Acceleration>{} ||
@@ -98,7 +98,7 @@ bool is_help(const Data& data) {
   return tells;
 }
 
-/// Assumption: an unknown COORD_SYS counts as the usual one.
+/// Assumption: an unknown COORD_SYS counts as the default one.
 template <class Data>
 Outcome help(RequestContext& context, const Data& data) {
   if (is_help(data)) context.device.gimbal.help(context.now);
@@ -136,7 +136,7 @@ Outcome handle(RequestContext& context, const msg::MotorsOff& /*request*/) {
   return turn_motors(context, false);
 }
 
-// Assumption: braking and a safe stop end like turning off, without current in the motors.
+// Assumption: braking and a safe stop end like a normal stop, without motor current.
 Outcome handle(RequestContext& context, const msg::MotorsOffExt& request) {
   switch (request.mode) {
     case msg::MotorsOffMode::normal:

@@ -1,5 +1,5 @@
-/// The response to requests without a handler, from the model alone: a command that is new in the
-/// specification needs no code here.
+/// The response to requests without a handler, derived from the model alone: new commands of the
+/// specification need no code here.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ struct FirstOf<TypeList<First, Others...>> {
 
 using Body = std::array<std::uint8_t, max_body_size>;
 
-/// Writes a correlation field; returns the size that the body needs for it.
+/// Writes a correlation field. Returns the body size that it requires.
 inline std::size_t put_field(const CorrelationField& field, Body& body) {
   for (std::size_t i = 0; i < field.size; ++i) {
     body[field.offset + i] = static_cast<std::uint8_t>(field.value >> (8 * i));
@@ -39,16 +39,16 @@ inline std::size_t put_field(const CorrelationField& field, Body& body) {
 
 }  // namespace detail
 
-/// Whether the model documents the request: not if its body may be anything.
+/// True if the model documents the request: undocumented bodies have any size.
 template <class Request>
 inline constexpr bool is_documented = Request::min_size != 0 || Request::max_size != max_body_size;
 
-/// Sends an empty response with the correlation fields of the request, or confirms the request
-/// where that is possible, or sends nothing.
+/// Sends an empty response with the correlation fields of the request, a confirmation if the policy
+/// allows one, or nothing.
 template <class Request>
 Outcome default_response(RequestContext& context, const Request& request) {
   if constexpr (!is_documented<Request>) {
-    // Assumption: a real board does something undocumented here; this one does nothing.
+    // Assumption: a real board does something undocumented here; the emulator does nothing.
     return Outcome::carried_out;
   } else {
     const ResponsePolicy policy = response_policy(request);

@@ -78,7 +78,7 @@ void Device::calibrate_at_start(Instant now) {
   const msg::SkipGyroCalibration skip = parameters.of<msg::ReadParams3>().skip_gyro_calib;
   if (skip == msg::SkipGyroCalibration::skip_always) return;
   const Sample sample = gimbal.sample(now);
-  // Assumption: faster than this, in deg/s, it counts as moving.
+  // Assumption: a sensor that turns faster than this, in deg/s, is moving.
   constexpr double still = 1;
   for (const bool of_frame : {false, true}) {
     const Vector& gyro = of_frame ? sample.frame_gyro : sample.gyro;
@@ -100,7 +100,7 @@ Flags<msg::SystemError> Device::errors(Instant now) {
     if (volts < thresholds.bat_threshold_alarm.volts()) errors.set(msg::SystemError::low_bat1);
     if (volts < thresholds.bat_threshold_motors.volts()) errors.set(msg::SystemError::low_bat2);
   }
-  // Without the motors' current the voltage may have risen again.
+  // Without motor current the voltage may have risen again.
   if (gimbal.stopped_by_battery()) errors.set(msg::SystemError::low_bat2);
   return errors;
 }

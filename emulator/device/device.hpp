@@ -24,11 +24,11 @@
 
 namespace sbgc::emulator {
 
-/// What a part of the board does by itself:
+/// The interface of a part of the board that acts on its own:
 ///     Instant next() const;                        // Instant::never if nothing is due
-///     void advance(Device& device, Instant now);   // does what is due at `now`
+///     void advance(Device& device, Instant now);   // executes what is due at `now`
 ///     void restart(Device& device, Instant now);   // the board has restarted
-/// Parts keep ports by number; Ports::send() to one that has closed does nothing.
+/// Parts store ports by number; Ports::send() to a closed port does nothing.
 struct Device {
   Device(BoardOptions of, Memory kept, Instant now);
 
@@ -38,10 +38,10 @@ struct Device {
   Parameters parameters;
   FileSystem files;
   Gimbal gimbal;
-  Ports ports;                ///< of hosts: buffers, sending
+  Ports ports;                ///< serial ports: buffers and sending
   Streams streams;            ///< CMD_DATA_STREAM_INTERVAL
   RemoteControl remote;       ///< RC inputs and virtual channels
-  Slots slots;                ///< RC signals that start actions and change variables
+  Slots slots;                ///< RC signals that trigger actions and change variables
   Calibrations calibrations;  ///< calibrations that take time
   AutoTuning auto_tuning;     ///< CMD_AUTO_PID
   Scripts scripts;
@@ -50,46 +50,46 @@ struct Device {
 
   /// Switches to another profile. Precondition: it exists.
   void select_profile(std::uint8_t profile, Instant now);
-  /// Passes the parameters in use to gimbal and inputs; call it after each change.
+  /// Passes the active parameters to the gimbal and the inputs. Call it after each change.
   void apply_parameters(Instant now);
-  /// Forgets the calibrations in the main EEPROM, which was erased. Call apply_parameters()
+  /// Resets the calibrations in the main EEPROM after it was erased. Call apply_parameters()
   /// afterwards.
   void forget_calibrations();
-  /// Passes the corrections of the gyroscopes to the gimbal; call it after each change.
+  /// Passes the gyroscope corrections to the gimbal. Call it after each change.
   void correct_gyros(Instant now);
   void set_motors(bool on, Instant now);
-  /// Errors as live data report them.
+  /// The errors that live data report.
   Flags<msg::SystemError> errors(Instant now);
 
-  /// Versions of the board and its firmware.
+  /// The versions of the board and its firmware.
   Availability versions() const;
-  /// Whether there is an IMU on the frame and the parameters use it.
+  /// True if there is an IMU on the frame and the parameters use it.
   bool has_frame_imu() const;
-  /// Cycle time of the controller.
+  /// The cycle time of the controller.
   static Duration cycle();
-  /// Unit of gyroscope offsets, in deg/s. Assumption: that of its readings.
+  /// The unit of gyroscope offsets, in deg/s. Assumption: the unit of its readings.
   static double gyro_unit();
-  /// Whether there are encoders, which measure the angles of the joints.
+  /// True if there are encoders, which measure the joint angles.
   bool has_encoders() const;
-  /// Whether there is a sensor for the battery's voltage.
+  /// True if there is a sensor for the battery voltage.
   bool has_battery_meter() const;
-  /// What that sensor reads for one volt; 0 without it.
+  /// The reading of that sensor per volt; 0 without a sensor.
   double battery_factor() const;
-  /// Volts, as the calibrated sensor reads them; 0 without it.
+  /// The reading of the calibrated sensor in volts; 0 without a sensor.
   double measured_battery(const Sample& sample) const;
-  /// Calibrates the gyroscopes at the start of the board, if the parameters say so.
+  /// Calibrates the gyroscopes at the start of the board if the parameters require it.
   void calibrate_at_start(Instant now);
 
   std::uint32_t baud_rate{};  ///< set by SERIAL_SPEED at the last start
 
   msg::SelectedImu cur_imu = msg::SelectedImu::main;  ///< chosen by hosts
-  /// Heading corrections of main and frame IMU, deg/s, besides GYRO_HEADING_CORRECTION. Assumption:
-  /// until the board restarts.
+  /// Heading corrections of the main and frame IMU, deg/s, in addition to GYRO_HEADING_CORRECTION.
+  /// Assumption: valid until the board restarts.
   std::array<double, 2> gyro_headings{};
-  Restarts restarts;  ///< reset, boot mode, start; last, because it starts all the others
+  Restarts restarts;  ///< reset, boot mode, start; declared last, because it starts all other parts
 };
 
-/// Calls `use(part)` for each part that acts by itself, in a fixed order.
+/// Calls `use(part)` for each part that acts on its own, in a fixed order.
 template <class Use>
 void for_each_part(Device& device, Use&& use) {
   use(device.remote);

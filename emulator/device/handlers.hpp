@@ -1,6 +1,6 @@
-/// The requests that the board answers with code of its own, by the family of spec/ that they
-/// belong to: device/<family>.cpp has them. All others are answered from the model alone:
-/// parameter_access.hpp reads and writes parameters, default_response.hpp does the rest.
+/// Handlers of the requests that need code of their own, grouped by the family in spec/:
+/// device/<family>.cpp implements them. All other requests are answered from the model alone:
+/// parameter_access.hpp reads and writes parameters, default_response.hpp handles the rest.
 #pragma once
 
 #include <sbgc/messages.hpp>

@@ -1,4 +1,4 @@
-// spec/imu.yaml: choosing and correcting IMUs; attitudes as vectors.
+// spec/imu.yaml: selection and correction of IMUs; attitudes as vectors.
 
 #include <cmath>
 #include <optional>
@@ -25,11 +25,11 @@ double degrees_per_second(msg::GyroOffset offset) {
   return offset.gyro_units() * Device::gyro_unit();
 }
 
-/// Empty if its length is not near 1.
+/// Returns nothing if the length is not close to 1.
 std::optional<Vector> direction(const Xyz<float>& from) {
   const Vector vector{static_cast<double>(from.x), static_cast<double>(from.y),
                       static_cast<double>(from.z)};
-  // Assumption: a unit vector may be off by rounding and by the noise of a sensor.
+  // Assumption: a unit vector may be off by rounding and sensor noise.
   constexpr double tolerance = 0.1;
   if (!(std::abs(std::sqrt(dot(vector, vector)) - 1) <= tolerance)) return {};
   return unit(vector);
@@ -55,7 +55,7 @@ Outcome report_attitude_only(RequestContext& context, const Request& request) {
   return report_attitude(context, request.mode);
 }
 
-/// The bits of a mode that the simulation understands: those of the earlier form.
+/// The mode bits that the simulation supports: those of the earlier form.
 constexpr unsigned known_bits = [] {
   unsigned bits = 0;
   for (const ValueInfo& value : EnumMeta<msg::AhrsHelperModeBit>::info.values) {
@@ -96,7 +96,7 @@ Outcome report_or_set_attitude(RequestContext& context, const Request& request) 
 Outcome handle(RequestContext& context, const msg::SelectImu3& request) {
   return select_imu(context, request.imu_type);
 }
-/// Further parameters are not documented.
+/// Ignores the other parameters, which are undocumented.
 Outcome handle(RequestContext& context, const msg::SelectImu3Ext& request) {
   return select_imu(context, request.imu_type);
 }

@@ -1,4 +1,4 @@
-/// Which values of enums and flag sets a board knows.
+/// The values of enums and flag sets that a board supports.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace sbgc::emulator {
 
-/// Whether boards with these versions know a value.
+/// True if boards with these versions support a value.
 template <class E>
 constexpr bool knows(const Availability& versions, E value) {
   for (const ValueInfo& info : EnumMeta<E>::values) {

@@ -1,4 +1,4 @@
-/// Answers every request that reads or writes parameters.
+/// Handles every request that reads or writes parameters.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ template <class Request, class... Parameters>
 inline constexpr bool accesses_one<Request, TypeList<Parameters...>> =
     ((reads<Request, Parameters> || writes<Request, Parameters>) || ...);
 
-/// The copy that a request names; empty if there is no such copy.
+/// Returns the copy that a request selects; nothing if there is no such copy.
 template <class S, class Request>
 std::optional<std::uint8_t> copy_of(const Device& device, const Request& request) {
   if constexpr (SettingsOf<S>::copies == 1) {
@@ -43,7 +43,7 @@ std::optional<std::uint8_t> copy_of(const Device& device, const Request& request
   }
 }
 
-/// Sets the fields that show the state of the board.
+/// Sets the fields that hold state of the board.
 template <class S>
 void fill_state(const Device& device, S& parameters) {
   if constexpr (requires { parameters.cur_imu; }) parameters.cur_imu = device.cur_imu;
@@ -54,12 +54,12 @@ void fill_state(const Device& device, S& parameters) {
 
 }  // namespace detail
 
-/// Whether a request reads or writes parameters.
+/// True if a request reads or writes parameters.
 template <class Request>
 inline constexpr bool accesses_parameters = detail::accesses_one<Request, StoredMessages>;
 
-/// Carries out such a request. Any values are stored: the specification does not say that the board
-/// checks them, and it must keep what it does not understand.
+/// Handles such a request. Stores any values: the specification does not say that the board checks
+/// them, and it must keep values that it does not understand.
 template <class Request>
 Outcome access_parameters(RequestContext& context, const Request& request) {
   Outcome outcome = Outcome::refused;

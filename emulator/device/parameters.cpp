@@ -1,5 +1,5 @@
-// spec/parameters.yaml: saving parameters and going back to the defaults. parameter_access.hpp
-// answers the requests that read and write them.
+// spec/parameters.yaml: saving parameters and restoring defaults. parameter_access.hpp handles the
+// requests that read and write them.
 
 #include "device/device.hpp"
 #include "device/handlers.hpp"

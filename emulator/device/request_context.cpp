@@ -7,7 +7,7 @@
 namespace sbgc::emulator {
 namespace {
 
-/// CMD_ERROR as real boards send it: with the command that failed (E086).
+/// CMD_ERROR as sent by real boards: with the command that failed (E086).
 msg::ErrorExt error_about(std::uint8_t command, msg::BoardErrorCode reason, std::uint32_t detail) {
   msg::ErrorExt error;
   error.cmd_id = static_cast<msg::CommandToBoard>(command);

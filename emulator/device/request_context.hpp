@@ -1,4 +1,4 @@
-/// What a handler of requests works with.
+/// The interface between a request handler and the board.
 #pragma once
 
 #include <array>
@@ -19,16 +19,17 @@ namespace sbgc::emulator {
 
 struct Device;
 
-/// The frame to send instead of one that reports a change of the memory, after saving failed:
-/// CMD_ERROR replaces a confirmation, other frames stay. Empty if this board and firmware have no
-/// such error.
+/// Returns the frame to send in place of one that reports a change of the memory if saving failed:
+/// CMD_ERROR replaces a confirmation, other frames stay unchanged. Returns nothing if this board
+/// and firmware do not support that error.
 std::vector<std::uint8_t> refusal_instead(Availability versions,
                                           std::span<const std::uint8_t> frame);
 
-/// One request while it is carried out. A handler is
+/// One request during its execution. A handler is
 ///     Outcome handle(RequestContext& context, const M& request);
-/// found by overload (handlers.hpp). It answers through the context and returns the outcome. A
-/// message without a handler is answered as the model says (default_response.hpp).
+/// found by overload resolution (handlers.hpp). It responds through the context and returns the
+/// outcome. Messages without a handler get the response that the model defines
+/// (default_response.hpp).
 class RequestContext {
  public:
   RequestContext(Device& of, std::size_t from, std::uint8_t id, Confirmed confirmed, Instant at)
@@ -36,35 +37,35 @@ class RequestContext {
 
   Device& device;
   const std::size_t port;
-  const std::uint8_t command;  ///< id of the request
+  const std::uint8_t command;  ///< the id of the request
   const Instant now;
 
-  /// Sends a response, if this board and firmware have it.
+  /// Sends a response if this board and firmware support it.
   template <Message M>
   Outcome answer(const M& message) {
     if (is_supported<M>(versions())) send(message);
     return Outcome::carried_out;
   }
-  /// The same, even if this board does not have the message otherwise: old requests have the
+  /// The same, even if this board does not support the message otherwise: old requests have the
   /// responses of newer ones (E020, E120).
   template <Message M>
   Outcome answer_anyway(const M& message) {
     send(message);
     return Outcome::carried_out;
   }
-  /// Sends CMD_CONFIRM for the request, with these data. Assumption: not if the model calls it
-  /// unlikely.
+  /// Sends CMD_CONFIRM for the request with these data. Assumption: sends nothing if the model
+  /// considers a confirmation unlikely.
   Outcome confirm(std::span<const std::uint8_t> data = {});
   /// The same with the given fields.
   Outcome confirm(roles::Confirmation confirmation);
   /// Sends CMD_ERROR for the request.
   Outcome refuse(msg::BoardErrorCode reason, std::uint32_t detail = 0);
-  /// Sends nothing, where the specification demands that.
+  /// Sends nothing, as the specification requires.
   static Outcome ignore() { return Outcome::refused; }
 
   /// Sends a message whose type is not known at compile time.
   void answer_body(std::uint8_t id, std::span<const std::uint8_t> body);
-  /// Versions of the board and its firmware.
+  /// The versions of the board and its firmware.
   Availability versions() const;
 
  private:

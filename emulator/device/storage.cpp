@@ -1,5 +1,5 @@
-// spec/storage.yaml: pages of the EEPROM, and files. parameter_access.hpp answers
-// CMD_READ_EXTERNAL_DATA and CMD_WRITE_EXTERNAL_DATA.
+// spec/storage.yaml: EEPROM pages and files. parameter_access.hpp handles CMD_READ_EXTERNAL_DATA
+// and CMD_WRITE_EXTERNAL_DATA.
 
 #include "device/device.hpp"
 #include "device/handlers.hpp"

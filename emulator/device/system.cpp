@@ -1,4 +1,4 @@
-// spec/system.yaml: what the board is, and its restarts.
+// spec/system.yaml: identity and restarts of the board.
 
 #include <sbgc/roles.hpp>
 
@@ -19,7 +19,7 @@ Outcome introduce(RequestContext& context) {
   return context.answer(info);
 }
 
-/// Without a notice there is no response: the board restarts.
+/// Without a notice there is no response, because the board restarts.
 Outcome restart(RequestContext& context, bool notify, msg::Milliseconds delay, bool to_bootloader) {
   if (notify) static_cast<void>(context.answer(roles::Reset{}));
   context.device.restarts.schedule(context.now + milliseconds(delay.raw()), to_bootloader);
@@ -47,7 +47,7 @@ Outcome handle(RequestContext& context, const msg::BoardInfo3Request& /*request*
   info.device_id = device.options.device_id;
   info.mcu_id = device.options.mcu_id;
   info.eeprom_size = msg::LongByteCount(static_cast<std::uint32_t>(device.eeprom.size()));
-  // Assumption: the script of a slot is the file with the slot's number.
+  // Assumption: the script of a slot is the file with the number of the slot.
   std::uint16_t file = 0;
   for (msg::ByteCount& size : info.script_slot_size)
     size = msg::ByteCount(device.files.size(file++));

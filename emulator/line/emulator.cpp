@@ -82,7 +82,7 @@ void Emulator::from_host(std::size_t port, std::span<const std::uint8_t> bytes, 
 
 void Emulator::advance(Instant now) {
   for (Instant at = next(); at <= now; at = next()) step(at);
-  board_.advance(now);  // brings its counters up to date
+  board_.advance(now);  // updates its counters
 }
 
 Instant Emulator::next() const {
@@ -143,7 +143,7 @@ void Emulator::follow_rate() {
 }
 
 void Emulator::follow_restarts() {
-  // The board may have lost the rest of a frame that the line was carrying.
+  // The board may have dropped the rest of a frame that was being sent.
   const std::uint64_t lost = board_.counters().outputs_lost;
   if (std::exchange(outputs_lost_, lost) == lost) return;
   for (std::optional<Port>& port : ports_) {

@@ -15,11 +15,11 @@ namespace {
 
 constexpr std::uint64_t us_per_second = 1'000'000;
 
-/// Assumption: text that firmware might print for debugging. One line contains a start byte.
+/// Assumption: debug output that firmware might print. One line contains a start byte.
 constexpr std::array<std::string_view, 4> text_lines{"I2C errors: 2\r\n", "loop: 812us\r\n",
                                                      "IMU temp > 40C\r\n", "RC lost\r\n"};
 
-/// Settings of a line's two ends that decide what is heard.
+/// The settings of the two ends of a line, which determine what the receiver gets.
 struct Ends {
   LineSettings sender{};
   LineSettings receiver{};
@@ -58,7 +58,7 @@ void Line::set_board(const LineSettings& settings) {
 }
 
 void Line::settings_changed() {
-  run_ = time_of(run_bits_);  // sent bytes still take their time
+  run_ = time_of(run_bits_);  // bytes already sent keep their duration
   run_bits_ = 0;
   const auto [sender, receiver] = ends(options_, host_, way_);
   sender_ = sender;
@@ -93,11 +93,11 @@ void Line::begin_byte(Instant now) {
     run_bits_ = 0;
     return;
   }
-  // Times are whole microseconds: bytes sent in the one in which the last byte ends follow it
-  // without a pause.
+  // Times are whole microseconds: bytes sent in the microsecond in which the last byte ends follow
+  // it without a pause.
   if (now <= time_of(run_bits_)) return;
   hear_idle(now);
-  if (uart_ && !uart_->is_idle()) {  // it still samples: the next byte begins with the next bit
+  if (uart_ && !uart_->is_idle()) {  // still sampling: the next byte starts with the next bit
     hear(true, byte_delay_);
   } else {
     run_ = now;
@@ -172,7 +172,7 @@ void Line::put_levels(std::uint8_t byte, std::uint8_t flips, bool is_carried, Du
 
 void Line::hear(bool level, Duration delay) {
   ++run_bits_;
-  // The microsecond in which the bit ends has to pass: see receive().
+  // The microsecond in which the bit ends must have passed; see receive().
   if (const auto byte = uart_->hear(level)) {
     arrive(*byte, time_of(run_bits_) + microseconds(1) + delay);
   }
@@ -232,7 +232,7 @@ Instant Line::next() const {
   Instant result = Instant::never;
   if (!arrivals_.empty()) result = arrivals_.front().at;
   if (text_due_ && frame_bytes_ == 0) result = earlier(result, *text_due_);
-  if (uart_ && !uart_->is_idle()) {  // what arrives if the line stays idle
+  if (uart_ && !uart_->is_idle()) {  // the bytes that arrive if the line stays idle
     UartReceiver uart = *uart_;
     std::uint64_t bits = run_bits_;
     while (!uart.is_idle() && time_of(bits) < result) {

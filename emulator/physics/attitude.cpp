@@ -10,7 +10,7 @@ namespace {
 
 constexpr double radian = std::numbers::pi / 180;
 
-/// Of roll, pitch and yaw, the axis of space about which they turn.
+/// The spatial axis about which roll, pitch and yaw turn.
 constexpr std::array<std::uint8_t, 3> direction_of{1, 0, 2};
 
 struct PlaneTurn {
@@ -24,7 +24,7 @@ PlaneTurn turn_of(double degrees) {
 
 using Three = std::array<double, 3>;
 
-/// Makes of v what a body sees that has turned about `axis`: the inverse rotation.
+/// Applies the inverse rotation about `axis`: converts v to coordinates of the turned body.
 void see(Three& v, std::size_t axis, const PlaneTurn& turn) {
   const std::size_t j = axis == 2 ? 0 : axis + 1;
   const std::size_t k = axis == 0 ? 2 : axis - 1;
@@ -44,7 +44,7 @@ Vector cross(const Vector& a, const Vector& b) {
 }
 
 std::optional<Vector> unit(const Vector& v) {
-  // Scaled first: squares of large numbers are not finite.
+  // Scale first, because squares of large numbers are not finite.
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) return {};
   if (largest < 1e-3) return {};
@@ -80,7 +80,7 @@ Pose::Pose(const Axes<double>& angles, const RotationOrder& order) : axis_(order
   for (std::size_t i = 0; i < 3; ++i) turns[i] = turn_of(angles[order[i]]);
   const std::array<std::size_t, 3> about{direction_of[order[0]], direction_of[order[1]],
                                          direction_of[order[2]]};
-  // World to body: undo the outermost turn first.
+  // World to body: undo the outermost rotation first.
   for (std::size_t row = 0; row < 3; ++row) {
     Three v{};
     v[row] = 1;

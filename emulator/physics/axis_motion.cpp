@@ -9,9 +9,9 @@ namespace sbgc::emulator {
 
 namespace {
 
-/// Friction of a joint without motor power, deg/s^2.
+/// The friction of a joint without motor power, deg/s^2.
 constexpr double friction = 1000;
-/// Of a motor at power 100, deg/s^2.
+/// The strength of a motor at power 100, deg/s^2.
 constexpr double motor_strength = 3000;
 
 }  // namespace
@@ -23,10 +23,11 @@ AxisGains gains_of(const AxisTuning& tuning) {
   // Default parameters (10, 0.1, 10, power 100) result in 4 Hz with a damping ratio of 0.8.
   gains.stiffness = 60 * within(tuning.p, 0, 1e4) * power;
   gains.damping = 4 * within(tuning.d, 0, 1e4) * power;
-  // Assumption: bad tuning makes an axis weak, or swing for a while; it never becomes unstable.
+  // Assumption: bad tuning makes an axis weak or lets it oscillate for a while, but never makes it
+  // unstable.
   gains.integral =
       std::min(6000 * within(tuning.i, 0, 1e4) * power, 0.3 * gains.stiffness * gains.damping);
-  // Half of the motor's strength is for the target's acceleration, the rest for disturbances.
+  // Half of the motor strength is for the acceleration of the target, the rest for disturbances.
   gains.acceleration = std::clamp(gains.strength / 2, 1.0, motor_strength / 3);
   const double limit = within(tuning.acceleration, 0, 1e9);
   if (limit > 0) gains.acceleration = std::min(gains.acceleration, limit);
@@ -35,7 +36,7 @@ AxisGains gains_of(const AxisTuning& tuning) {
 
 void AxisMotion::hold(const AxisGains& gains, const Path& path, double acceleration,
                       const AxisSurroundings& around, double seconds) {
-  // Implicit in the new speed, so that no parameters make the numbers diverge.
+  // Implicit in the new speed, so that the integration is stable for all parameters.
   const double drag = around.coupling;
   const double outside = drag * (around.frame_speed + around.error_speed) + around.imbalance;
   const double halfway = path.position - angle - speed * seconds / 2;
@@ -57,12 +58,12 @@ void AxisMotion::hold(const AxisGains& gains, const Path& path, double accelerat
     return;
   }
   const double before = speed;
-  const double fastest = 2 * top_speed;  // what the motor can do at all
+  const double fastest = 2 * top_speed;  // the physical limit of the motor
   speed = std::clamp(next, -fastest, fastest);
   angle += (before + speed) / 2 * seconds;
   if (std::abs(load) < 1) {
     integral += (path.position - angle) * seconds;
-    // No more than the motor can do.
+    // Limit it to the strength of the motor.
     const double most = gains.integral > 0 ? gains.strength / gains.integral : 0;
     integral = std::clamp(integral, -most, most);
   }

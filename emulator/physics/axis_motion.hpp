@@ -1,4 +1,4 @@
-/// One axis of the gimbal: its motor, its joint and the loop that holds the camera.
+/// One axis of the gimbal: motor, joint and control loop.
 #pragma once
 
 #include <sbgc/emulator/gimbal.hpp>
@@ -7,41 +7,42 @@
 
 namespace sbgc::emulator {
 
-/// The control gains of an axis. Accelerations represent torques: the camera's inertia is 1.
+/// The control gains of an axis. Torques are given as accelerations: the inertia of the camera is
+/// 1.
 struct AxisGains {
   double stiffness{};         ///< 1/s^2
   double damping{};           ///< 1/s
   double integral{};          ///< 1/s^3
-  double strength{};          ///< of the motor, deg/s^2; 0: it holds nothing
+  double strength{};          ///< of the motor, deg/s^2; 0 means no holding torque
   double acceleration{1000};  ///< limit of the target, deg/s^2
 };
 
 AxisGains gains_of(const AxisTuning& tuning);
 
-/// The frame at the end of a step, and what the IMU makes of it.
+/// The frame at the end of a step, and the error of the IMU's estimate.
 struct AxisSurroundings {
   double frame{}, frame_speed{};  ///< degrees, deg/s
-  double error{}, error_speed{};  ///< of the estimated angle
-  double coupling{};              ///< how much of the frame's rotation the joint passes on, 1/s
-  double imbalance{};             ///< acceleration that the motor has to hold against, deg/s^2
+  double error{}, error_speed{};  ///< error of the estimated angle
+  double coupling{};              ///< how strongly the joint transmits frame rotation, 1/s
+  double imbalance{};             ///< acceleration that the motor must compensate, deg/s^2
 };
 
-/// The camera about one axis. `angle` is what the IMU estimates:
-/// angle = frame + joint + error of the estimate.
+/// The camera about one axis. `angle` is the estimate of the IMU: angle = frame + joint + error of
+/// the estimate.
 struct AxisMotion {
   double angle{}, speed{};
   double joint{}, joint_speed{};
-  double integral{};  ///< of the angle's error, deg s
-  double load{};      ///< of the motor, -1..1
-  double balance{};   ///< the load of the last second
+  double integral{};  ///< integral of the angle error, deg s
+  double load{};      ///< motor load, -1..1
+  double balance{};   ///< motor load, averaged over the last second
   bool is_jammed = false;
 
-  /// The loop holds the target `path`, which has been moved with `acceleration` in this step.
+  /// Makes the loop hold the target `path`, which moved with `acceleration` in this step.
   void hold(const AxisGains& gains, const Path& path, double acceleration,
             const AxisSurroundings& around, double seconds);
-  /// Nothing holds it but friction.
+  /// Moves the axis without motor power: only friction acts on it.
   void coast(const AxisSurroundings& around, double seconds);
-  /// The joint does not move: angle and speed are those of the frame.
+  /// Blocks the joint: angle and speed follow the frame.
   void stick(const AxisSurroundings& around);
 };
 

@@ -11,12 +11,12 @@ namespace sbgc::emulator {
 
 namespace {
 
-/// Assumption: how long the speed of a command leads in `speed_angle`, until the next one.
+/// Assumption: how long the speed of a command dominates in `speed_angle`.
 constexpr double lead_time = 0.5;
 
 bool is_remote(AxisMode mode) { return mode == AxisMode::remote || mode == AxisMode::signal; }
 
-/// The signal that controls the axis, if one does.
+/// Returns the signal that controls the axis, if any.
 std::optional<double> signal_of(const AxisOrders& orders) {
   if (orders.command.mode == AxisMode::signal) return orders.command.signal;
   return orders.remote;
@@ -30,12 +30,12 @@ Followed followed_by(const AxisOrders& orders) {
   return orders.tuning.follows ? Followed::frame : Followed::nothing;
 }
 
-/// Of the angles that are equal in the protocol, the nearest one.
+/// Returns the nearest of the angles that are equal in the protocol.
 double nearest(double angle, double to) { return to + std::remainder(angle - to, angle_period); }
 
 double estimated_frame(const AxisSurroundings& around) { return around.frame + around.error; }
 
-/// The angle of what is followed; 0 if nothing is.
+/// Returns the angle of the followed object; 0 if there is none.
 double angle_of(Followed followed, const AxisOrders& orders, const AxisSurroundings& around) {
   switch (followed) {
     case Followed::nothing: break;
@@ -95,7 +95,7 @@ void AxisState::obey(const AxisOrders& orders, bool has_power, bool is_new,
   }
   is_starting = false;
   if (mode == AxisMode::relative_angle) {
-    // The neutral point is determined once, when the command arrives.
+    // The neutral point is determined once, on arrival of the command.
     if (is_new) goal = motion.angle - motion.joint + orders.command.angle;
   } else {
     goal = nearest(orders.command.angle, own.position);
@@ -170,7 +170,7 @@ void AxisState::move(const AxisOrders& orders, const AxisSurroundings& around, d
     move_follow(orders, angle_of(follows, orders, around), acceleration, seconds);
   }
   if (const auto room = this->room(orders.tuning, around)) {
-    // No farther than a move to the limits that can still stop there.
+    // Limit the path so that it can stop at the joint limits.
     Path lowest = before;
     Path highest = before;
     go(lowest, room->lowest, top_speed, acceleration, seconds);

@@ -8,7 +8,7 @@ namespace sbgc::emulator {
 
 namespace {
 
-constexpr double resistance = 0.05;  // ohms, with the wires
+constexpr double resistance = 0.05;  // ohms, including the wires
 
 }  // namespace
 
@@ -22,7 +22,7 @@ void Battery::draw(double current, double seconds) {
 double Battery::voltage(double current) const {
   if (set_) return *set_;
   const double charge = capacity_ > 0 ? 1 - drawn_ / capacity_ : 1;
-  // Like lithium cells: a slow fall, and a steep one at the end.
+  // Like lithium cells: a slow decrease, and a steep one at the end.
   double open = full_ * (0.84 + 0.16 * charge);
   if (charge < 0.1) open -= full_ * 0.14 * (1 - charge / 0.1);
   return std::max(0.0, open - resistance * current);

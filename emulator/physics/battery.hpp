@@ -5,17 +5,17 @@
 
 namespace sbgc::emulator {
 
-/// The voltage falls with the charge that has been taken and with the current.
+/// The voltage decreases with the charge drawn and with the current.
 class Battery {
  public:
-  /// Volts when full; ampere hours, 0: it never gets empty.
+  /// `full` is the full voltage; `capacity` is in ampere hours, 0 means that it never runs empty.
   Battery(double full, double capacity);
 
   /// Draws a current for some time.
   void draw(double current, double seconds);
-  /// The voltage while that current flows.
+  /// Returns the voltage at this current.
   double voltage(double current) const;
-  /// Fixes the voltage, whatever is drawn.
+  /// Fixes the voltage, regardless of load.
   void set(double volts);
 
  private:

@@ -15,27 +15,27 @@ struct Sine {
   double degrees, hertz;
 };
 
-/// What moves one axis of a frame.
+/// The motion of one axis of a frame.
 using Spectrum = std::array<Sine, 4>;
 
-/// Believable, not measured: slow sway, the rhythm of steps, tremor.
+/// Plausible, not measured: slow sway, footsteps, tremor.
 constexpr std::array<Spectrum, 3> handheld{
     Spectrum{Sine{1.2, 0.23}, Sine{0.8, 0.9}, Sine{0.4, 1.8}, Sine{0.05, 7.5}},
     Spectrum{Sine{1.5, 0.27}, Sine{1.0, 1.0}, Sine{0.5, 2.0}, Sine{0.06, 8.0}},
     Spectrum{Sine{2.5, 0.15}, Sine{1.2, 0.5}, Sine{0.4, 1.9}, Sine{0.04, 7.0}}};
-/// Tilts to hold its place, the correction of its own control, propellers.
+/// Position-hold tilts, corrections of the flight controller, propellers.
 constexpr std::array<Spectrum, 3> drone{
     Spectrum{Sine{3.0, 0.16}, Sine{1.5, 0.6}, Sine{0.4, 3.1}, Sine{0.02, 31}},
     Spectrum{Sine{4.0, 0.13}, Sine{1.5, 0.55}, Sine{0.4, 2.9}, Sine{0.02, 33}},
     Spectrum{Sine{2.0, 0.07}, Sine{0.6, 0.4}, Sine{0.2, 2.1}, Sine{0.01, 30}}};
-/// Bends of the road, the springs of the body, the wheels, the engine.
+/// Road bends, suspension, wheels, engine.
 constexpr std::array<Spectrum, 3> vehicle{
     Spectrum{Sine{1.5, 0.06}, Sine{1.2, 1.1}, Sine{0.4, 3.5}, Sine{0.04, 14}},
     Spectrum{Sine{1.0, 0.05}, Sine{1.4, 1.3}, Sine{0.5, 4.0}, Sine{0.05, 15}},
     Spectrum{Sine{25, 0.021}, Sine{6, 0.05}, Sine{0.3, 1.2}, Sine{0.02, 13}}};
 
 constexpr double seconds_per_us = 1e-6;
-/// 30 years.
+/// About 30 years.
 constexpr std::int64_t longest_recording_us = 1'000'000'000'000'000;
 
 double square(double x) { return x * x; }
@@ -59,7 +59,7 @@ void FrameMotion::plan_sines(const Disturbance& disturbance, std::uint32_t seed)
   has_sines_ = true;
   for (std::size_t i = 0; i < sines; ++i) {
     const Sine& sine = spectra[i / sines_per_axis][i % sines_per_axis];
-    // Frequencies differ by up to a tenth, so that the sum does not repeat.
+    // Frequencies vary by up to 10 %, so that the sum does not repeat.
     const double hertz = sine.hertz * (0.9 + 0.2 * random_share(seed, 1000 + 2 * i));
     omega_[i] = 2 * std::numbers::pi * hertz;
     phase_[i] = 2 * std::numbers::pi * random_share(seed, 1001 + 2 * i);
@@ -79,7 +79,7 @@ void FrameMotion::plan_recording(const std::vector<FrameAngles>& recording) {
     }
     if (!is_good) continue;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      // The shorter way from one to the next.
+      // Take the shorter way between two samples.
       double& angle = point.angles[axis];
       const double before = points_.empty() ? 0 : points_.back().angles[axis];
       angle = before + std::remainder(angle - before, 360);
@@ -90,7 +90,7 @@ void FrameMotion::plan_recording(const std::vector<FrameAngles>& recording) {
   const std::int64_t first = points_.front().us;
   for (Point& point : points_) point.us -= first;
 
-  // Back to the beginning.
+  // Return to the first sample.
   Point last = points_.front();
   bool is_closed = points_.size() > 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -107,7 +107,7 @@ void FrameMotion::plan_recording(const std::vector<FrameAngles>& recording) {
     points_.push_back(last);
   }
 
-  // Slopes that never overshoot: the harmonic mean of those on both sides if they agree.
+  // Slopes that never overshoot: the harmonic mean of both neighbors if their signs agree.
   const std::size_t n = points_.size() - 1;
   const auto slope = [&](std::size_t i, std::size_t axis) {
     const Point& a = points_[i];
@@ -199,7 +199,7 @@ void FrameMotion::step() {
 
 void FrameMotion::jump(std::int64_t steps) {
   if (has_sines_) {
-    // As step() would have it: from the last anchor on.
+    // Start from the last anchor, to get the same result as step().
     step_ = steps - steps % steps_between_anchors;
     anchor();
     sum_sines();
@@ -216,7 +216,7 @@ FrameMotion::State FrameMotion::ahead(std::int64_t us) const {
   State state;
   const double seconds = static_cast<double>(us) * seconds_per_us;
   for (std::size_t i = 0; i < sines; ++i) {
-    // The rotation is less than 1 rad: some terms of the series are exact enough.
+    // The rotation is less than 1 rad, so a few terms of the series suffice.
     const double x = omega_[i] * seconds;
     const double xx = square(x);
     const double cosine = 1 - xx / 2 * (1 - xx / 12 * (1 - xx / 30 * (1 - xx / 56)));

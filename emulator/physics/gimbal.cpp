@@ -7,12 +7,12 @@ namespace sbgc::emulator {
 
 namespace {
 
-// What a host reports about the outside is valid for this long.
+// External reports are valid for this long.
 constexpr std::int64_t help_steps = steps_per_second;
 constexpr std::int64_t replace_steps = steps_per_second;
 constexpr std::int64_t refer_steps = 2 * steps_per_second;
 
-/// The attitude that an outside source reports; what it does not report stays as before.
+/// Returns the externally reported attitude; unreported parts keep their value.
 std::optional<Rotation> reported_attitude(const Gimbal::Attitude& attitude,
                                           const Rotation& before) {
   if (!attitude.up) return rotation_of(before.up(), attitude.north.value_or(before.north()));
@@ -124,7 +124,7 @@ void Gimbal::correct(const Attitude& attitude, Instant now) {
     to.refer(error, attitude.up.has_value(), attitude.north.has_value(),
              mechanics.step + refer_steps);
   };
-  // The joints are known exactly: the error is the same for both IMUs.
+  // The joints are known exactly, so the error is the same for both IMUs.
   if (attitude.translates) refer(other);
   if (attitude.reference_only) {
     refer(imu);

@@ -9,17 +9,17 @@ namespace sbgc::emulator {
 
 namespace {
 
-/// What changes slowly is updated this often: a little more than once a second.
+/// The update interval of slow quantities: slightly more than a second.
 constexpr std::int64_t slow_steps = 256;
 constexpr double slow_seconds = slow_steps * step_seconds;
-/// A longer gap is not simulated in full, so that a call takes a few milliseconds at most.
+/// Longer gaps are not simulated completely, so that a call takes a few milliseconds at most.
 constexpr std::int64_t longest_gap = 60 * steps_per_second;
-/// What is simulated before and after the part that is left out.
+/// The simulated time before and after the skipped part.
 constexpr std::int64_t settling_steps = 10 * steps_per_second;
 
 constexpr double board_current = 0.15;  // amperes
 constexpr double motor_current = 0.8;   // at full power
-/// Torque of the options' imbalance: a share of what a motor does at power 100.
+/// The torque of the imbalance option, which is a share of the motor torque at power 100.
 constexpr double imbalance_strength = 3000;
 
 double motor_share(const AxisOrders& orders, const AxisState& axis) {
@@ -58,7 +58,7 @@ AxisSurroundings Mechanics::around(std::size_t axis) const {
 
 AxisSurroundings Mechanics::around(std::size_t axis, const FrameMotion::State& at,
                                    const Axes<double>& error) const {
-  // Help from an outer system makes half of what the joints pass on predictable.
+  // Help from an external system makes half of the transmitted rotation predictable.
   return {at.angles[axis],
           at.speeds[axis],
           error[axis],
@@ -150,7 +150,7 @@ Sample Mechanics::measure(Instant now) const {
   const FrameMotion::State frame_now = frame.ahead(since_step);
   const Axes<double> error = plus(main.error(), main.error_speed(), seconds);
   const Axes<double> frame_error = plus(second.error(), second.error_speed(), seconds);
-  // A shorter step of a copy: the part of the next step up to now.
+  // A partial step of a copy: the part of the next step until now.
   AxisStates moved = axes;
   if (since_step > 0) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -173,7 +173,7 @@ Sample Mechanics::measure(Instant now) const {
 
   const Pose camera_estimate(sample.angles, order);
   const Pose frame_estimate(sample.frame, order);
-  // Without errors the estimates are true.
+  // Without errors the estimates are exact.
   const Pose camera =
       error == Axes<double>{} ? camera_estimate : Pose(minus(sample.angles, error), order);
   const Pose true_frame =

@@ -1,4 +1,4 @@
-/// The simulation behind Gimbal: frame, IMUs, axes and battery, moved in equal steps.
+/// The implementation of Gimbal: frame, IMUs, axes and battery, advanced in fixed steps.
 #pragma once
 
 #include <array>
@@ -19,19 +19,19 @@ struct Mechanics {
 
   Mechanics(const Gimbal::Options& options, Instant at);
 
-  /// Takes all steps up to that time.
+  /// Executes all steps until `now`.
   void advance(Instant now);
-  /// Has an axis carry out its orders from now on. `is_new`: there is a new command.
+  /// Applies the orders of an axis from now on. `is_new`: there is a new command.
   void obey(std::size_t axis, bool is_new);
-  /// Updates what changes slowly; `seconds` have passed since the last time.
+  /// Updates the slow quantities; `seconds` is the time since the last update.
   void update_slow(double seconds);
-  /// Turns the motors off if the battery is too low for them.
+  /// Turns the motors off if the battery voltage is too low.
   void check_battery();
-  /// Everything that can be measured. Precondition: advanced to `now`.
+  /// Returns all measurable quantities. Precondition: advanced to `now`.
   Sample measure(Instant now) const;
 
   AxisSurroundings around(std::size_t axis) const;
-  /// The angles of the camera as the main IMU estimates them.
+  /// The camera angles as estimated by the main IMU.
   Axes<double> estimate() const;
 
   Instant start;
@@ -46,7 +46,7 @@ struct Mechanics {
   bool is_on = false;
   bool is_stopped = false;
   std::int64_t helped_until = 0;
-  double load_sum = 0;  ///< of motors and steps, for the charge
+  double load_sum = 0;  ///< over motors and steps, for the battery charge
   std::array<AxisOrders, 3> orders{};
   AxisStates axes{};
 
@@ -55,13 +55,13 @@ struct Mechanics {
   void skip_to(std::int64_t until);
   AxisSurroundings around(std::size_t axis, const FrameMotion::State& at,
                           const Axes<double>& error) const;
-  /// What the current of a motor is proportional to.
+  /// A value proportional to the current of a motor.
   double motor_load(std::size_t i, const AxisState& axis) const;
   double current(const AxisStates& at) const;
   Pose true_pose() const;
 };
 
-/// a - b, and a + b * factor.
+/// Returns a - b and a + b * factor.
 Axes<double> minus(const Axes<double>& a, const Axes<double>& b);
 Axes<double> plus(const Axes<double>& a, const Axes<double>& b, double factor = 1);
 

@@ -1,11 +1,11 @@
-/// Random numbers that depend on a seed and a counter alone.
+/// Random numbers that depend only on a seed and a counter.
 #pragma once
 
 #include <cstdint>
 
 namespace sbgc::emulator {
 
-/// 64 random bits for each pair of numbers (SplitMix64's finalizer).
+/// Returns 64 random bits for each pair of numbers (the finalizer of SplitMix64).
 constexpr std::uint64_t random_bits(std::uint64_t seed, std::uint64_t counter) noexcept {
   std::uint64_t z = seed * 0x9E3779B97F4A7C15ULL + (counter + 1) * 0xBF58476D1CE4E5B9ULL;
   z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
@@ -13,13 +13,13 @@ constexpr std::uint64_t random_bits(std::uint64_t seed, std::uint64_t counter) n
   return z ^ (z >> 31U);
 }
 
-/// 0 <= x < 1.
+/// Returns a number with 0 <= x < 1.
 constexpr double random_share(std::uint64_t seed, std::uint64_t counter) noexcept {
   return static_cast<double>(random_bits(seed, counter) >> 11U) * 0x1.0p-53;
 }
 
-/// Mean 0, standard deviation 1, never beyond 3.5: the sum of four even distributions, which is
-/// close to a normal one.
+/// Returns a number with mean 0, standard deviation 1 and magnitude at most 3.5: the sum of four
+/// uniform distributions, which approximates a normal one.
 constexpr double random_normal(std::uint64_t seed, std::uint64_t counter) noexcept {
   const std::uint64_t bits = random_bits(seed, counter);
   const std::uint64_t sum =

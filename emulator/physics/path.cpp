@@ -7,10 +7,10 @@ namespace sbgc::emulator {
 
 namespace {
 
-/// Anything nearer has arrived, degrees.
+/// A smaller distance counts as arrived, degrees.
 constexpr double arrived = 1e-9;
 
-/// From one speed to another, with constant acceleration.
+/// Changes the speed with constant acceleration.
 void move(Path& path, double speed, double seconds) {
   path.position += (path.speed + speed) / 2 * seconds;
   path.speed = speed;
@@ -35,7 +35,7 @@ void go(Path& path, double goal, double fastest, double acceleration, double sec
     path = {goal, 0};
     return;
   }
-  // The speed after this step from which braking ends at the goal:
+  // The speed after this step at which braking ends exactly at the goal:
   // distance - (speed + next) / 2 * seconds = next^2 / (2 * acceleration).
   double next = 0;
   if (distance > way_to_stop) {
@@ -57,7 +57,7 @@ void pull(Path& path, double angle, double speed, double top_pull, double accele
   const double end = angle + speed / strength;
   const double distance = std::abs(end - path.position);
   const double sign = end < path.position ? -1 : 1;
-  // Half of the acceleration for braking, so that enough is left to follow an end that moves.
+  // Brake with half of the acceleration; the rest is for following a moving end.
   double wanted = std::min(
       {strength * distance, std::sqrt(acceleration * distance), top_pull + std::abs(speed)});
   if (distance < 1e-4 && std::abs(path.speed) <= acceleration * seconds) {

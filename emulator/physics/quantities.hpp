@@ -1,4 +1,4 @@
-/// Conversion of simulated numbers to quantities on the wire.
+/// Conversion of simulated values to quantities on the wire.
 #pragma once
 
 #include <cmath>
@@ -11,8 +11,8 @@
 
 namespace sbgc::emulator {
 
-/// A value that may exceed the range of its type on the wire, such as the speed of a camera that is
-/// pushed, saturates like a sensor. NaN becomes 0.
+/// Converts a value that may exceed the range of its type, such as the speed of a pushed camera.
+/// Saturates like a sensor; NaN becomes 0.
 template <class Q>
 Q saturated(double value) {
   if (const auto quantity = Q::from_real(value)) return *quantity;
@@ -21,7 +21,7 @@ Q saturated(double value) {
   return Q(value < 0 ? std::numeric_limits<Raw>::lowest() : std::numeric_limits<Raw>::max());
 }
 
-/// The same for plain numbers.
+/// The same for plain integers.
 template <std::integral Raw>
 Raw saturated_raw(double value) {
   constexpr auto lowest = static_cast<double>(std::numeric_limits<Raw>::lowest());
@@ -32,14 +32,14 @@ Raw saturated_raw(double value) {
   return static_cast<Raw>(std::lround(value));
 }
 
-/// Angles this many degrees apart are equal on the wire: four turns.
+/// The angle difference at which angles are equal on the wire, in degrees: four turns.
 inline constexpr double angle_period = [] {
   using Counts = std::numeric_limits<msg::Angle14::raw_type>;
   return msg::Angle14(Counts::max()).degrees() - msg::Angle14(Counts::lowest()).degrees() +
          msg::Angle14(1).degrees();
 }();
 
-/// An angle that wraps when its counts overflow, after two turns in each direction.
+/// Converts an angle, which wraps on overflow of the raw value, after two turns in each direction.
 inline msg::Angle14 wire_angle(double degrees) {
   const auto angle = msg::LongAngle14::from_degrees(std::remainder(degrees, angle_period));
   const msg::Angle14 result(static_cast<std::int16_t>(angle.value_or(msg::LongAngle14{}).raw()));

@@ -9,7 +9,7 @@ namespace sbgc::emulator {
 
 namespace {
 
-// Values from data sheets of common sensors, after the board's filters.
+// Typical data sheet values of common sensors, after the filters of the board.
 constexpr double gyro_noise = 0.05;           // deg/s
 constexpr double acceleration_noise = 0.002;  // g
 constexpr double magnetic_noise = 0.003;
@@ -17,7 +17,7 @@ constexpr double largest_bias = 0.004;    // deg/s
 constexpr double bias_per_degree = 2e-5;  // deg/s per Celsius
 constexpr double warming_seconds = 400;
 
-// A magnetic field that points north and down, as in the middle of Europe.
+// A magnetic field that points north and down, as in central Europe.
 constexpr double field_north = 0.4;
 constexpr double field_down = 0.916515138991168;
 

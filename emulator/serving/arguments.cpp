@@ -20,14 +20,14 @@ namespace sbgc::serving {
 
 namespace {
 
-/// Eleven days: longer times in seconds and parts of them are a mistake.
+/// About 11 days: longer times are considered a mistake.
 constexpr double most_seconds = 1e6;
 
 [[noreturn]] void refuse(const std::string& text, const char* wanted) {
   throw std::invalid_argument(fmt::format("'{}' is not {}", text, wanted));
 }
 
-/// Reads a number without a sign that fills the text and is at most `most`.
+/// Parses an unsigned number that fills the text and is at most `most`.
 template <class Number>
 bool read(std::string_view text, Number most, Number& number) {
   const char* const end = text.data() + text.size();
@@ -51,7 +51,7 @@ bool read_duration(std::string_view text, double us_per_unit, Duration& duration
   return true;
 }
 
-/// The texts before and after the colon.
+/// The texts before and after the separator.
 struct Halves {
   std::string_view first;
   std::string_view second;
@@ -150,8 +150,8 @@ msg::FirmwareVersion parse_firmware(const std::string& text) {
 std::string problem_of(msg::FirmwareVersion version) {
   if (version.raw() <= newest_firmware) return {};
   return fmt::format(
-      "firmware {} is not emulated, only up to {}: later firmware takes commands and forms that "
-      "the emulated board does not know",
+      "firmware {} is not emulated, only up to {}: later firmware has commands and forms that "
+      "the emulated board does not support",
       to_string(version), to_string(msg::FirmwareVersion(newest_firmware)));
 }
 

@@ -1,4 +1,4 @@
-/// The hosts that send datagrams, and which of them makes room for others.
+/// The hosts that send datagrams, and their eviction.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +12,12 @@
 
 namespace sbgc::serving {
 
-/// Nothing shows that the sender of datagrams has left, and anyone can send from any number of
-/// addresses. So the number of places is limited, and a new host takes the place of a silent one:
-/// of the longest silent among those that have sent only once, or else of the longest silent of
-/// all.
+/// UDP does not report that a sender has left, and anyone can send from any number of addresses.
+/// Therefore the number of places is limited, and a new host replaces the one that has been silent
+/// longest: among those that sent only one datagram, or else among all.
 class DatagramHosts {
  public:
-  /// How long a place is safe after the first datagram, and after each later one.
+  /// How long a place is reserved after the first datagram and after each later one.
   static constexpr Duration safe_once = milliseconds(500);
   static constexpr Duration safe_again = seconds(5);
   /// A host that has been silent for this long is removed, even if its place is not needed.
@@ -28,7 +27,7 @@ class DatagramHosts {
     asio::ip::udp::endpoint endpoint{};
     std::size_t port{};
     Instant heard{};
-    bool is_known{};  ///< it has sent more than one datagram
+    bool is_known{};  ///< true if it has sent more than one datagram
   };
 
   explicit DatagramHosts(std::size_t places) : places_(places) {}
@@ -48,7 +47,7 @@ class DatagramHosts {
     return hosts_.emplace_back(Host{endpoint, port, now, false});
   }
 
-  /// Another datagram has arrived from a known host.
+  /// Records another datagram from a known host.
   void hear(const asio::ip::udp::endpoint& endpoint, Instant now) {
     for (Host& host : hosts_) {
       if (host.endpoint != endpoint) continue;
@@ -57,8 +56,8 @@ class DatagramHosts {
     }
   }
 
-  /// Removes the host that makes room for another; empty if all are safe. A known host may be
-  /// listening to a stream: it stays as long as there is one that is not known.
+  /// Removes the host to be replaced; returns nothing if all places are reserved. A known host may
+  /// be listening to a stream, so it stays while there is an unknown one.
   std::optional<Host> make_room(Instant now) {
     const bool all_known = std::ranges::all_of(hosts_, &Host::is_known);
     return remove_first([&](const Host& host) {
@@ -67,7 +66,7 @@ class DatagramHosts {
     });
   }
 
-  /// Removes a host that has been silent for too long, if there is one.
+  /// Removes a host that has been silent for too long, if any.
   std::optional<Host> forget(Instant now) {
     return remove_first([&](const Host& host) { return now - host.heard >= idle_time; });
   }

@@ -12,10 +12,10 @@ namespace {
 
 constexpr std::size_t most_per_write = 4096;
 
-/// A host that has sent its last byte may still wait for responses: how often to check whether it
-/// has them all.
+/// After its last byte, a host may still wait for responses: the interval of the checks whether it
+/// has received them all.
 constexpr auto linger_for = std::chrono::milliseconds(100);
-/// A host that reads nothing for this long is given up.
+/// A host that reads nothing for this long is disconnected.
 constexpr auto patience = std::chrono::seconds(5);
 
 }  // namespace

@@ -17,17 +17,18 @@
 
 namespace sbgc::serving {
 
-/// Carries bytes between a transport and a port. Reads no faster than the board's line and buffers
-/// a few KiB for a slow host. After the end of its input a host still gets its responses, unless it
-/// does not read them for some seconds.
+/// Transfers bytes between a transport and a port. Reads no faster than the board's line and
+/// buffers a few KiB for a slow host. After the end of its input, a host still receives its
+/// responses, unless it does not read them for some seconds.
 class Host : public std::enable_shared_from_this<Host> {
  public:
-  /// Connects a host to the board; null if all its ports are taken.
+  /// Connects a host to the board; returns null if all ports are in use.
   static std::shared_ptr<Host> connect(LiveBoard& board, std::unique_ptr<io::Transport> transport);
 
-  /// Called once at the end, unless close() caused it; no error: the host has left.
+  /// Called once at the end, except after close(). No error means that the host has left.
   std::function<void(std::error_code)> on_end{};
-  /// Called before bytes go either way, so that the settings of the host's line can be checked.
+  /// Called before bytes are transferred in either direction, to check the line settings of the
+  /// host.
   std::function<void(std::size_t port)> before_bytes{};
 
   void start();
@@ -48,7 +49,7 @@ class Host : public std::enable_shared_from_this<Host> {
   LiveBoard& board_;
   std::unique_ptr<io::Transport> transport_;
   asio::steady_timer linger_;
-  io::Clock::time_point written_at_{};  // when a write last began or ended, or the input ended
+  io::Clock::time_point written_at_{};  // the last start or end of a write, or the end of the input
   std::size_t port_ = 0;
   std::array<std::uint8_t, 2048> input_{};
   std::vector<std::uint8_t> output_{};  // being written

@@ -12,7 +12,7 @@
 
 namespace sbgc::serving {
 
-/// A numeric address or "localhost"; other names are not resolved.
+/// Returns the address of a numeric host or "localhost"; other names are not resolved.
 inline asio::ip::address address_of(const ListenAddress& listen) {
   if (listen.host == "localhost") return asio::ip::address_v4::loopback();
   std::error_code error;
@@ -24,7 +24,7 @@ inline asio::ip::address address_of(const ListenAddress& listen) {
   return result;
 }
 
-/// "127.0.0.1:5000", "[::1]:5000".
+/// For example "127.0.0.1:5000" or "[::1]:5000".
 template <class AsioEndpoint>
 std::string place_of(const AsioEndpoint& endpoint) {
   const std::string host = endpoint.address().to_string();
@@ -47,7 +47,7 @@ void bind_to(Socket& socket, const AsioEndpoint& endpoint, const char* protocol,
         fmt::format("cannot listen on {}:{}: {}", protocol, place_of(endpoint), error.message()));
   }
   if (!endpoint.address().is_loopback()) {
-    logs.warning(fmt::format("{}:{} can be reached from other machines, by anybody", protocol,
+    logs.warning(fmt::format("{}:{} is open to any other machine", protocol,
                              place_of(socket.local_endpoint())));
   }
 }

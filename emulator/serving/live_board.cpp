@@ -6,8 +6,8 @@ namespace sbgc::serving {
 
 namespace {
 
-/// Minimum interval of the timer: events within it are handled together, each at its own time. As
-/// fine as the latency of an ordinary USB serial adapter.
+/// The minimum interval of the timer: events within it are handled together, each at its own time.
+/// Comparable to the latency of a typical USB serial adapter.
 constexpr Duration granularity = milliseconds(1);
 
 /// The line begins at 0; silences and text lines count from there.
@@ -81,9 +81,9 @@ void LiveBoard::memory_not_saved(std::uint32_t revision) {
 
 void LiveBoard::settle() {
   is_unsettled_ = true;
-  if (is_settling_) return;  // the loop below takes care
+  if (is_settling_) return;  // the loop below handles it
   is_settling_ = true;
-  // Each call takes time, and there may be new output for those called before.
+  // Each call takes time, and may create new output for hosts notified before.
   while (std::exchange(is_unsettled_, false)) {
     for (const auto& poke : pokes_) {
       if (poke) poke();

@@ -18,16 +18,15 @@
 
 namespace sbgc::serving {
 
-/// The emulator driven by the system clock, through a timer of the executor. All calls must come
-/// from the executor's thread.
+/// Drives the emulator by the system clock, through a timer of the executor. All calls must come
+/// from the thread of the executor.
 class LiveBoard {
  public:
-  /// Its own time begins at 0, when the board has finished starting: times in `options` count from
-  /// there.
+  /// The board's own time is 0 when it has finished starting; times in `options` count from there.
   LiveBoard(const asio::any_io_executor& executor, const emulator::EmulatorOptions& options,
             emulator::Memory memory);
 
-  /// Calls `poke`, never from inside connect(), when there may be output or room.
+  /// Calls `poke`, but never from inside connect(), when there may be output or room.
   std::optional<std::size_t> connect(bool is_usb, std::function<void()> poke);
   void disconnect(std::size_t port);
   void end_input(std::size_t port);
@@ -40,28 +39,28 @@ class LiveBoard {
   std::span<const std::uint8_t> output(std::size_t port) const { return emulator_.to_host(port); }
   void take(std::size_t port, std::size_t size);
 
-  /// Changes of the memory up to that revision are saved, or could not be saved.
+  /// Reports that changes of the memory up to this revision are saved, or could not be saved.
   void memory_saved(std::uint32_t revision);
   void memory_not_saved(std::uint32_t revision);
 
   const emulator::Memory& memory() const { return emulator_.board().memory(); }
   emulator::Emulator& emulator() { return emulator_; }
-  /// Time since the beginning.
+  /// The time since the beginning.
   Instant now() const;
-  /// Advances the time of this board at once. For tests.
+  /// Advances the time of this board immediately. For tests.
   void skip(Duration time);
 
-  /// Called when the board's memory has changed.
+  /// Called when the memory of the board has changed.
   std::function<void()> on_memory_changed{};
-  /// Called when the board has finished its work for now.
+  /// Called when the board has no more work for now.
   std::function<void()> after_traffic{};
   /// Wraps the transports of hosts that connect from now on. For tests.
   std::function<std::unique_ptr<io::Transport>(std::unique_ptr<io::Transport>)> between{};
 
  private:
-  /// After every event: notifies the hosts and sets the timer.
+  /// Called after every event: notifies the hosts and sets the timer.
   void settle();
-  /// The same from the timer, for callers that must not be called back.
+  /// Does the same from the timer, for callers that must not be called back.
   void settle_soon();
   void set_timer();
 

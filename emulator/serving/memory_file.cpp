@@ -27,11 +27,11 @@ using emulator::Memory;
 
 constexpr const char* format_name = "sbgc-board-memory";
 constexpr std::uint64_t format_version = 1;
-/// Larger than any such file.
+/// Larger than any valid file.
 constexpr std::size_t largest_file = std::size_t{1} << 20U;
 /// Bytes per line of text.
 constexpr std::size_t line_size = 64;
-/// No value of a board is larger, and no arithmetic with it overflows.
+/// Exceeds all values of a board and is small enough that arithmetic does not overflow.
 constexpr double largest_number = 1e6;
 
 static_assert(Memory::eeprom_size % line_size == 0);
@@ -109,24 +109,24 @@ Json document_of(const SavedMemory& saved) {
           {"eeprom", ToJson::eeprom(memory.eeprom)}};
 }
 
-/// Checksum of a document as written.
+/// Returns the checksum of a document as written.
 std::string checksum_of(const Json& document) {
   const std::string text = document.dump();
   const std::vector<std::uint8_t> bytes(text.begin(), text.end());
   return fmt::format("{:08x}", sbgc::detail::crc32(bytes));
 }
 
-/// Reads a document and keeps its first error.
+/// Reads a document and remembers its first error.
 class Reader {
  public:
   Result<SavedMemory> read(const Json& document) {
     if (!document.is_object() || document.value("format", Json()) != format_name) {
-      return ClientError{ErrorCode::bad_file, "this is no memory of an emulated board"};
+      return ClientError{ErrorCode::bad_file, "this is not the memory of an emulated board"};
     }
     const Json version = document.value("version", Json());
     if (version.is_number_unsigned() && version > format_version) {
       return ClientError{ErrorCode::incompatible,
-                         fmt::format("version {} of the format is not known here, only {}",
+                         fmt::format("version {} of the format is not supported, only {}",
                                      version.get<std::uint64_t>(), format_version)};
     }
     SavedMemory saved;
@@ -136,7 +136,7 @@ class Reader {
       std::uint8_t number{};
       use("format", format);
       use("version", number);
-      if (number != format_version) fail("version", fmt::format("{} is needed", format_version));
+      if (number != format_version) fail("version", fmt::format("expected {}", format_version));
       use("board", saved.owner);
       use("profile", saved.memory.profile);
       use("battery_factor", saved.memory.battery_factor);
@@ -147,21 +147,21 @@ class Reader {
     });
     constexpr unsigned profiles = SettingsOf<msg::ReadParams3>::copies;
     if (saved.memory.profile >= profiles) {
-      fail("profile", fmt::format("a number below {} is needed", profiles));
+      fail("profile", fmt::format("expected a number below {}", profiles));
     }
-    if (saved.memory.battery_factor < 0) fail("battery_factor", "it is below 0");
+    if (saved.memory.battery_factor < 0) fail("battery_factor", "must not be negative");
     if (error_.empty() && checksum != checksum_of(document_of(saved))) {
-      fail("crc32", "the checksum does not hold: something has been changed or damaged");
+      fail("crc32", "wrong checksum: the file was modified or damaged");
     }
     if (!error_.empty()) return ClientError{ErrorCode::bad_file, error_};
     return saved;
   }
 
  private:
-  /// `list(use)` calls `use(name, member)` for each required member of the object.
+  /// Calls `list(use)`, which calls `use(name, member)` for each required member of the object.
   template <class List>
   void members(const Json& object, const std::string& path, List&& list) {
-    if (!object.is_object()) return fail(path, "an object is needed");
+    if (!object.is_object()) return fail(path, "expected an object");
     std::vector<std::string> known;
     auto use = [&](const char* name, auto& member) {
       known.emplace_back(name);
@@ -173,7 +173,7 @@ class Reader {
     list(use);
     for (const auto& item : object.items()) {
       if (std::ranges::find(known, item.key()) != known.end()) continue;
-      fail(path.empty() ? item.key() : path + "." + item.key(), "this is not known here");
+      fail(path.empty() ? item.key() : path + "." + item.key(), "unknown key");
     }
   }
 
@@ -185,20 +185,20 @@ class Reader {
     const bool fits = json.is_number_unsigned()
                           ? json.get<std::uint64_t>() <= static_cast<std::uint64_t>(highest)
                           : json.is_number_integer() && json.get<std::int64_t>() >= lowest;
-    if (!fits) return fail(path, fmt::format("a number from {} to {} is needed", lowest, highest));
+    if (!fits) return fail(path, fmt::format("expected a number from {} to {}", lowest, highest));
     out = static_cast<T>(json.get<std::int64_t>());
   }
   void value(const Json& json, const std::string& path, bool& out) {
-    if (!json.is_boolean()) return fail(path, "true or false is needed");
+    if (!json.is_boolean()) return fail(path, "expected true or false");
     out = json.get<bool>();
   }
   void value(const Json& json, const std::string& path, double& out) {
     const double number = json.is_number() ? json.get<double>() : largest_number + 1;
-    if (!(std::abs(number) <= largest_number)) return fail(path, "a number is needed");
+    if (!(std::abs(number) <= largest_number)) return fail(path, "expected a number");
     out = number;
   }
   void value(const Json& json, const std::string& path, std::string& out) {
-    if (!json.is_string()) return fail(path, "a text is needed");
+    if (!json.is_string()) return fail(path, "expected a string");
     out = json.get<std::string>();
   }
   void value(const Json& json, const std::string& path, msg::BoardVersion& out) {
@@ -217,14 +217,14 @@ class Reader {
   }
   void value(const Json& json, const std::string& path, Xyz<double>& out) {
     constexpr std::size_t size = Xyz<double>::size();
-    if (!json.is_array() || json.size() != size) return fail(path, "3 numbers are needed");
+    if (!json.is_array() || json.size() != size) return fail(path, "expected 3 numbers");
     for (std::size_t i = 0; i < size; ++i) value(json[i], at(path, i), out[i]);
   }
   void value(const Json& json, const std::string& path, ImuCalibration& out) {
     members(json, path, [&](auto& use) { for_each_member(out, use); });
   }
   void value(const Json& json, const std::string& path, std::array<ImuCalibration, 2>& out) {
-    if (!json.is_array() || json.size() != out.size()) return fail(path, "a list of 2 is needed");
+    if (!json.is_array() || json.size() != out.size()) return fail(path, "expected a list of 2");
     for (std::size_t i = 0; i < out.size(); ++i) value(json[i], at(path, i), out[i]);
   }
   void value(const Json& json, const std::string& path, MemoryOwner& out) {
@@ -234,7 +234,7 @@ class Reader {
   void value(const Json& json, const std::string& path, std::vector<std::uint8_t>& out) {
     constexpr std::size_t lines = Memory::eeprom_size / line_size;
     if (!json.is_array() || json.size() != lines) {
-      return fail(path, fmt::format("a list of {} texts is needed", lines));
+      return fail(path, fmt::format("expected a list of {} strings", lines));
     }
     out.assign(Memory::eeprom_size, 0);
     for (std::size_t i = 0; i < lines; ++i) {
@@ -246,7 +246,7 @@ class Reader {
     const auto found =
         json.is_string() ? detail::from_hex(json.get_ref<const std::string&>()) : std::nullopt;
     if (!found || found->size() != out.size()) {
-      return fail(path, fmt::format("hex digits of {} bytes are needed", out.size()));
+      return fail(path, fmt::format("expected hex digits of {} bytes", out.size()));
     }
     std::ranges::copy(*found, out.begin());
   }
@@ -284,7 +284,7 @@ Result<void> save_memory(const std::string& file, const SavedMemory& saved) {
   const std::string text = to_json_text(saved);
   if (const auto right = parse_memory(text); !right) {
     return ClientError{ErrorCode::invalid,
-                       fmt::format("{} is not written: {}", file, right.error().message)};
+                       fmt::format("not writing {}: {}", file, right.error().message)};
   }
   return detail::write_file_atomically(file, text, Existing::replace);
 }

@@ -10,7 +10,7 @@
 
 namespace sbgc::serving {
 
-/// Which board the memory belongs to.
+/// Identifies the board that owns a memory.
 struct MemoryOwner {
   msg::BoardVersion board{};
   msg::FirmwareVersion firmware{};
@@ -20,24 +20,25 @@ struct MemoryOwner {
   bool operator==(const MemoryOwner&) const = default;
 };
 
-/// The owner that is a board with these options.
+/// Returns the identity of a board with these options.
 MemoryOwner owner_of(const emulator::BoardOptions& options);
 
 struct SavedMemory {
   MemoryOwner owner{};
-  emulator::Memory memory{};  ///< its revision is not saved
+  emulator::Memory memory{};  ///< the revision is not saved
 };
 
-/// The content of a file, with a checksum over all values.
+/// Returns the content of a file, with a checksum of all values.
 std::string to_json_text(const SavedMemory& saved);
-/// Memory from the content of a file. ErrorCode::bad_file with the place if anything is missing,
-/// unknown, duplicated, out of range or damaged; ErrorCode::incompatible if the format is newer.
+/// Parses the content of a file. Fails with ErrorCode::bad_file, and names the place, if anything
+/// is missing, unknown, duplicated, out of range or damaged; with ErrorCode::incompatible if the
+/// format is newer.
 Result<SavedMemory> parse_memory(std::string_view text);
 
-/// Replaces a file atomically; it is on the disk when this returns. ErrorCode::invalid if
-/// load_memory() would not accept it, io.
+/// Replaces a file atomically and flushes it to disk. Fails with ErrorCode::invalid if
+/// load_memory() would reject it, or with io.
 Result<void> save_memory(const std::string& file, const SavedMemory& saved);
-/// ErrorCode::not_found, io, bad_file or incompatible; the message names the file.
+/// Fails with ErrorCode::not_found, io, bad_file or incompatible; the message names the file.
 Result<SavedMemory> load_memory(const std::string& file);
 
 }  // namespace sbgc::serving

@@ -53,7 +53,7 @@ std::vector<emulator::FrameAngles> read_motion(std::istream& text, const std::st
     for (std::size_t i = 0; i < values.size(); ++i) {
       const std::size_t comma = rest.find(',');
       if ((comma == std::string_view::npos) != (i + 1 == values.size())) {
-        fail("there must be four numbers: time,roll,pitch,yaw");
+        fail("expected four numbers: time,roll,pitch,yaw");
       }
       const std::string_view word = rest.substr(0, comma);
       const std::optional<double> value = number(word);
@@ -67,11 +67,12 @@ std::vector<emulator::FrameAngles> read_motion(std::istream& text, const std::st
     const auto us = static_cast<std::int64_t>(std::llround(values[0] * 1e6));
     if (result.empty()) begin_us = us;
     const Instant at{us - begin_us};
-    if (!result.empty() && at <= result.back().at) fail("the time must be later than before");
+    if (!result.empty() && at <= result.back().at)
+      fail("the time must be later than in the previous line");
     result.push_back({at, {values[1], values[2], values[3]}});
   }
   if (text.bad()) throw std::runtime_error(name + " cannot be read");
-  if (result.size() < 2) throw std::runtime_error(name + ": there must be two lines at least");
+  if (result.size() < 2) throw std::runtime_error(name + ": expected at least two lines");
   return result;
 }
 

@@ -10,12 +10,12 @@
 
 namespace sbgc::serving {
 
-/// Reads lines "time,roll,pitch,yaw": ascending seconds, and degrees. Empty lines, lines that begin
-/// with '#' and a heading in the first line are skipped. Times count from the first. Throws
-/// std::runtime_error; its text begins with `name` and the number of the line.
+/// Reads lines "time,roll,pitch,yaw", in ascending seconds and degrees. Skips empty lines, lines
+/// that start with '#', and a heading in the first line. Times count from the first one. Throws
+/// std::runtime_error with `name` and the line number at the beginning of its text.
 std::vector<emulator::FrameAngles> read_motion(std::istream& text, const std::string& name);
 
-/// The same from a file. Also throws std::runtime_error if it cannot be read.
+/// Reads the same from a file. Also throws std::runtime_error if the file cannot be read.
 std::vector<emulator::FrameAngles> load_motion(const std::filesystem::path& file);
 
 }  // namespace sbgc::serving

@@ -13,8 +13,8 @@ namespace sbgc::serving {
 
 namespace {
 
-/// A non-blocking descriptor would be non-blocking for every process that shares it, so the file is
-/// opened again. Regular files share their end as well, and never wait for a reader.
+/// Opens the file again, because O_NONBLOCK would affect every process that shares the descriptor.
+/// Regular files would get a separate offset, and never block anyway.
 int open_again(int descriptor) {
   struct stat about {};
   if (::fstat(descriptor, &about) != 0 || S_ISREG(about.st_mode)) return -1;
@@ -37,7 +37,7 @@ void NonblockingLines::write_line(const std::string& line) {
     ++left_out_;
     return;
   }
-  // A pipe takes this much as a whole or not at all.
+  // A pipe accepts this many bytes atomically.
   std::string text = line.substr(0, PIPE_BUF - 1);
   text += '\n';
   if (!write(text)) ++left_out_;
@@ -46,8 +46,7 @@ void NonblockingLines::write_line(const std::string& line) {
 bool NonblockingLines::catch_up() {
   if (!rest_.empty() && (!write(std::string(rest_)) || !rest_.empty())) return false;
   if (left_out_ == 0) return true;
-  if (!write(fmt::format("... {} lines were left out: nobody read them\n", left_out_)))
-    return false;
+  if (!write(fmt::format("... {} lines dropped: no reader\n", left_out_))) return false;
   left_out_ = 0;
   return rest_.empty();
 }

@@ -1,4 +1,4 @@
-/// Lines of output for a reader that may be slow or gone.
+/// Output lines for a reader that may be slow or gone.
 #pragma once
 
 #include <cstddef>
@@ -7,28 +7,28 @@
 
 namespace sbgc::serving {
 
-/// Writes lines to a file descriptor and never blocks: a line for which there is no room is left
-/// out, and once there is room again, a line says how many were. Errors are ignored.
+/// Writes lines to a file descriptor without blocking. Drops lines for which there is no room, and
+/// reports their number once there is room again. Ignores errors.
 class NonblockingLines {
  public:
-  /// The descriptor stays open.
+  /// Does not close the descriptor.
   explicit NonblockingLines(int descriptor);
   NonblockingLines(const NonblockingLines&) = delete;
   NonblockingLines& operator=(const NonblockingLines&) = delete;
-  /// Writes how many lines were left out, if there is room.
+  /// Reports the number of dropped lines, if there is room.
   ~NonblockingLines();
 
   void write_line(const std::string& line);
 
  private:
-  /// Finishes a line that was written in part and reports lines that were left out. False if there
-  /// is no room for all of that.
+  /// Completes a partially written line and reports dropped lines. Returns false if there is no
+  /// room for all of that.
   bool catch_up();
-  /// True if at least a part of the text has been written; `rest_` is the remainder.
+  /// Returns true if at least part of the text was written; `rest_` is the remainder.
   bool write(std::string_view text);
 
   int descriptor_;
-  int own_;           // the same file, opened non-blocking; -1 if that is not possible
+  int own_;           // the same file, opened nonblocking; -1 if that is impossible
   std::string rest_;  // of a line
   std::size_t left_out_ = 0;
 };

@@ -17,38 +17,39 @@
 namespace sbgc::serving {
 
 struct ServiceOptions {
-  emulator::EmulatorOptions emulator{};  ///< of the first board; others have other seeds and ids
-  // Those of `emulator` that are given: a state of others is refused.
+  emulator::EmulatorOptions
+      emulator{};  ///< of the first board; the others have different seeds and ids
+  // True if set explicitly in `emulator`: a saved state of a different board is then rejected.
   bool board_is_given = false;
   bool firmware_is_given = false;
-  unsigned count = 1;  ///< boards
+  unsigned count = 1;  ///< number of boards
   bool terminal = false;
-  std::string link{};                  ///< to the terminal, "" for none; with a count: link-1 ...
-  std::optional<ListenAddress> tcp{};  ///< with a count: this port and the following ones
+  std::string link{};  ///< link to the terminal, "" for none; with several boards: link-1 ...
+  std::optional<ListenAddress> tcp{};  ///< with several boards: this port and the following ones
   std::optional<ListenAddress> udp{};
   bool stdio = false;   ///< precondition: count is 1
-  std::string state{};  ///< file, "" for none; with a count: state-1 ...
+  std::string state{};  ///< file, "" for none; with several boards: state-1 ...
 };
 
 struct ServiceLogs {
-  Log endpoint{};  ///< "emulated gimbal 1: /dev/pts/7"
-  Log event{};     ///< hosts come and go; and each frame, if there is `describe_frame`
+  Log endpoint{};  ///< for example "emulated gimbal 1: /dev/pts/7"
+  Log event{};     ///< hosts connect and leave; also each frame, if `describe_frame` is set
   Log warning{};
   DescribeFrame describe_frame{};
 };
 
-/// Opens everything; throws std::runtime_error if something cannot be opened. Runs while the
-/// context does, and must not be destroyed then.
+/// Opens all boards and endpoints; throws std::runtime_error if one cannot be opened. Serves while
+/// the context runs, and must not be destroyed meanwhile.
 class Service {
  public:
-  /// `on_end`: the standard input has ended.
+  /// `on_end` is called when the standard input has ended.
   Service(asio::io_context& context, const ServiceOptions& options, ServiceLogs logs,
           std::function<void(std::error_code)> on_end = {});
   Service(const Service&) = delete;
   Service& operator=(const Service&) = delete;
   ~Service() = default;
 
-  /// Saves the states. False if one cannot be saved.
+  /// Saves the states. Returns false if one cannot be saved.
   bool finish();
 
   LiveBoard& board(std::size_t number) { return *boards_[number].board; }
@@ -65,7 +66,7 @@ class Service {
 
   void add(unsigned number);
   void open_endpoints(Served& served, unsigned number);
-  /// With a count, puts the board's number in front of each line.
+  /// Prefixes each line with the number of the board if there are several boards.
   Log numbered(const Log& log, unsigned number) const;
   std::string numbered_name(const std::string& name, unsigned number) const;
 
@@ -76,7 +77,7 @@ class Service {
   ServiceOptions options_;
   ServiceLogs logs_;
   std::function<void(std::error_code)> on_end_;
-  std::optional<asio::thread_pool> savers_{};  // ends after the boards
+  std::optional<asio::thread_pool> savers_{};  // joined after the boards are destroyed
   std::vector<Served> boards_{};
 };
 

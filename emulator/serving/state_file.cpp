@@ -22,13 +22,13 @@ namespace {
       fmt::format("{} {}: {}", problem, path.string(), std::generic_category().message(number)));
 }
 
-/// Whether the file may be a lock: those are empty.
+/// True if the file may be a lock: locks are empty.
 bool is_empty_file(int descriptor) {
   struct stat about {};
   return ::fstat(descriptor, &about) == 0 && S_ISREG(about.st_mode) && about.st_size == 0;
 }
 
-/// Whether the open file still has the name.
+/// True if the open file still has this path.
 bool is_at(int descriptor, const std::filesystem::path& path) {
   struct stat opened {};
   struct stat named {};

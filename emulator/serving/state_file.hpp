@@ -1,4 +1,4 @@
-/// The file that keeps the memory of one emulated board.
+/// The file that stores the memory of one emulated board.
 #pragma once
 
 #include <filesystem>
@@ -9,20 +9,19 @@
 
 namespace sbgc::serving {
 
-/// A file that one emulator uses at a time: it holds the lock FILE.sbgc-lock and removes it at the
-/// end. Symbolic links are followed. Temporary files of a killed emulator are removed at the
-/// beginning.
+/// A file that only one emulator uses at a time: it holds the lock FILE.sbgc-lock and removes it at
+/// the end. Follows symbolic links. The constructor removes temporary files of killed emulators.
 class StateFile {
  public:
   /// Throws std::runtime_error if another emulator uses the file or the lock cannot be created, for
-  /// example because a file that is not a lock has its name.
+  /// example because a file with its name is not a lock.
   explicit StateFile(const std::string& name);
   StateFile(const StateFile&) = delete;
   StateFile& operator=(const StateFile&) = delete;
   ~StateFile();
 
-  /// The content of the file; empty if there is none. Throws std::runtime_error if it cannot be
-  /// used.
+  /// Returns the content of the file; nothing if there is no file. Throws std::runtime_error if the
+  /// file cannot be used.
   std::optional<SavedMemory> load() const;
   /// Replaces the file atomically.
   Result<void> save(const SavedMemory& saved) const;

@@ -34,7 +34,7 @@ void StateKeeper::begin_saving() {
   auto task = std::make_shared<std::packaged_task<Result<void>()>>(
       [save = save_, memory = snapshot()] { return save(memory); });
   result_ = task->get_future();
-  // The executor has work until there is a result.
+  // Keeps the executor busy until there is a result.
   asio::post(pool_, [this, task, work = asio::make_work_guard(executor_),
                      alive = std::weak_ptr(is_alive_)]() mutable {
     (*task)();
@@ -46,7 +46,7 @@ void StateKeeper::begin_saving() {
 
 void StateKeeper::end_saving() {
   take(result_.get());
-  // A revision that could not be saved is tried again after the next change, and at the end.
+  // A revision that could not be saved is retried after the next change and at the end.
   if (!result_.valid() && board_.memory().revision != saving_) begin_saving();
 }
 

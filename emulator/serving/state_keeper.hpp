@@ -1,4 +1,4 @@
-/// Keeps the memory of a board in its file.
+/// Saving the memory of a board to its file.
 #pragma once
 
 #include <cstdint>
@@ -15,31 +15,32 @@
 
 namespace sbgc::serving {
 
-/// Saves changes and then lets the board report them. Threads of the pool do the saving, one at a
-/// time for each board, so that no other board waits; further changes are saved next.
+/// Saves changes, then lets the board report them. Threads of the pool do the saving, one at a time
+/// per board, so that other boards do not wait. Changes that arrive meanwhile are saved next.
 class StateKeeper {
  public:
-  /// Writes a memory to the disk. Called in a thread of the pool.
+  /// Writes a memory to disk. Called on a thread of the pool.
   using Save = std::function<Result<void>(const SavedMemory&)>;
 
-  /// Saves once, to be sure that it works: throws std::runtime_error if it does not. Calls `warn`
-  /// when it fails later. The pool must end before what `save` uses, and before the executor.
+  /// Saves once to detect problems early: throws std::runtime_error if that fails. Calls `warn` on
+  /// later failures. The pool must be destroyed before the executor and before anything that `save`
+  /// uses.
   StateKeeper(asio::any_io_executor executor, asio::thread_pool& pool, LiveBoard& board, Save save,
               Log warn);
   StateKeeper(const StateKeeper&) = delete;
   StateKeeper& operator=(const StateKeeper&) = delete;
   ~StateKeeper() = default;
 
-  /// The memory has changed.
+  /// Call when the memory has changed.
   void changed();
-  /// Saves remaining changes, after the executor has stopped. False if that fails.
+  /// Saves the remaining changes after the executor has stopped. Returns false if that fails.
   bool finish();
 
  private:
   SavedMemory snapshot() const;
   void begin_saving();
   void end_saving();
-  /// Takes the result of saving the revision `saving_`.
+  /// Handles the result of saving the revision `saving_`.
   bool take(const Result<void>& result);
 
   asio::any_io_executor executor_;
@@ -47,9 +48,9 @@ class StateKeeper {
   LiveBoard& board_;
   Save save_;
   Log warn_;
-  std::uint32_t saving_{};              ///< revision that is being saved
+  std::uint32_t saving_{};              ///< revision being saved
   std::uint32_t saved_{};               ///< last saved revision
-  std::future<Result<void>> result_{};  ///< valid while something is being saved
+  std::future<Result<void>> result_{};  ///< valid while a save is running
   std::shared_ptr<bool> is_alive_ = std::make_shared<bool>(true);
 };
 

@@ -21,7 +21,7 @@ namespace {
 
 using Stream = asio::posix::stream_descriptor;
 
-/// Standard input or output. Asio cannot wait for regular files, which never block anyway.
+/// Standard input or output. Asio does not support regular files, which never block anyway.
 class Descriptor {
  public:
   Descriptor(const asio::any_io_executor& executor, int fd)
@@ -39,7 +39,7 @@ class Descriptor {
 
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
-  /// Restores the flags: other processes may share the open file.
+  /// Restores the flags, because other processes may share the open file.
   ~Descriptor() {
     close();
     fcntl(fd_, F_SETFL, flags_);
@@ -119,7 +119,7 @@ class StdioEndpoint final : public Endpoint {
   explicit StdioEndpoint(std::shared_ptr<Host> host) : host_(std::move(host)) {}
   StdioEndpoint(const StdioEndpoint&) = delete;
   StdioEndpoint& operator=(const StdioEndpoint&) = delete;
-  // NOLINTNEXTLINE(bugprone-exception-escape): only if there is no memory left
+  // NOLINTNEXTLINE(bugprone-exception-escape): throws only when out of memory
   ~StdioEndpoint() override { host_->close(); }
 
   std::string address() const override { return "standard input and output"; }
@@ -133,7 +133,7 @@ class StdioEndpoint final : public Endpoint {
 std::unique_ptr<Endpoint> use_stdio(const asio::any_io_executor& executor, LiveBoard& board,
                                     std::function<void(std::error_code)> on_end) {
   const auto host = Host::connect(board, std::make_unique<Stdio>(executor));
-  if (host == nullptr) throw std::runtime_error("the board has no port left");
+  if (host == nullptr) throw std::runtime_error("the board has no free port");
   host->on_end = std::move(on_end);
   host->start();
   return std::make_unique<StdioEndpoint>(host);

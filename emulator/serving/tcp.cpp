@@ -21,12 +21,12 @@ namespace {
 
 using asio::ip::tcp;
 
-/// Pause after an accept that failed, for example because there are too many open files.
+/// The pause after a failed accept, for example because of too many open files.
 constexpr auto wait_after_failure = std::chrono::milliseconds(200);
 
-/// Enables keep-alive, so that a silent host whose computer or network has gone away does not keep
-/// its port. With data in transit, the system gives up later, after its retransmissions. Failing to
-/// set this is not a reason to refuse a host.
+/// Enables keep-alive, so that a silent host whose computer or network has failed does not keep its
+/// port. With data in transit, the system gives up later, after its retransmissions. Errors are
+/// ignored: a host is accepted without keep-alive, too.
 void ask_for_life(tcp::socket& socket) {
   constexpr int quiet_seconds = 10;
   constexpr int seconds_between = 5;
@@ -66,7 +66,7 @@ class TcpEndpoint final : public Endpoint {
 
   TcpEndpoint(const TcpEndpoint&) = delete;
   TcpEndpoint& operator=(const TcpEndpoint&) = delete;
-  // NOLINTNEXTLINE(bugprone-exception-escape): only if there is no memory left
+  // NOLINTNEXTLINE(bugprone-exception-escape): throws only when out of memory
   ~TcpEndpoint() override {
     for (const auto& host : hosts_) host->close();
   }
@@ -92,7 +92,7 @@ class TcpEndpoint final : public Endpoint {
   void welcome(tcp::socket socket) {
     std::error_code error;
     const tcp::endpoint peer = socket.remote_endpoint(error);
-    if (error) return;  // gone already
+    if (error) return;  // already closed
     socket.set_option(tcp::no_delay(true), error);
     ask_for_life(socket);
     const std::string name = "tcp:" + place_of(peer);
@@ -102,7 +102,7 @@ class TcpEndpoint final : public Endpoint {
     }
     if (host == nullptr) {
       return logs_.warning(
-          fmt::format("{} refused: there are {} places for TCP, and all are taken", name, places_));
+          fmt::format("{} refused: all {} places for TCP are in use", name, places_));
     }
     host->on_end = [this, name, leaving = host.get()](std::error_code) {
       std::erase_if(hosts_, [&](const auto& one) { return one.get() == leaving; });

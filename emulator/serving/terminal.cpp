@@ -18,8 +18,8 @@ namespace sbgc::serving {
 
 namespace {
 
-/// Nothing reports that a program changes the settings: they are checked before bytes go either
-/// way, and at this interval.
+/// There is no notification of changed settings: they are checked before each transfer and at this
+/// interval.
 constexpr auto look_every = std::chrono::milliseconds(50);
 
 class Terminal final : public Endpoint {
@@ -33,12 +33,12 @@ class Terminal final : public Endpoint {
     path_ = terminal_->path();
     if (!link.empty()) link_.emplace(link, path_);
     host_ = Host::connect(board, std::move(opened.transport));
-    if (host_ == nullptr) throw std::runtime_error("the board has no port left");
+    if (host_ == nullptr) throw std::runtime_error("the board has no free port");
     if (has_rate) {
       host_->before_bytes = [this](std::size_t) { look(); };
       keep_looking();
     }
-    // Programs come and go; the terminal stays.
+    // Programs open and close the terminal; the terminal stays.
     host_->on_end = [this](std::error_code error) {
       has_ended_ = true;
       timer_.cancel();
@@ -49,7 +49,7 @@ class Terminal final : public Endpoint {
 
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
-  // NOLINTNEXTLINE(bugprone-exception-escape): only if there is no memory left
+  // NOLINTNEXTLINE(bugprone-exception-escape): throws only when out of memory
   ~Terminal() override {
     host_->before_bytes = nullptr;
     host_->close();
@@ -62,7 +62,7 @@ class Terminal final : public Endpoint {
  private:
   void look() {
     const std::optional<LineSettings> now = terminal_->other_line();
-    // A pseudo-terminal has no parity: it counts as right.
+    // A pseudo-terminal has no parity, so it always matches.
     const std::uint32_t rate = now ? now->baud_rate : 0;
     if (rate == rate_) return;
     rate_ = rate;

@@ -17,10 +17,10 @@ namespace fs = std::filesystem;
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
-/// Why a link must not be replaced; "" if it may.
+/// Returns why the link must not be replaced; "" if it may.
 std::string objection(const std::string& path, const std::string& terminal) {
   std::error_code error;
-  if (!fs::is_symlink(fs::symlink_status(path, error))) return "it exists, and is no link";
+  if (!fs::is_symlink(fs::symlink_status(path, error))) return "it exists and is not a link";
   const std::string target = fs::read_symlink(path, error).string();
   if (error) return reason(error.value());
   if (target == terminal) return "";
@@ -38,11 +38,11 @@ TerminalLink::TerminalLink(std::string path, std::string terminal)
   const auto fail = [&](const std::string& why) {
     throw std::runtime_error(fmt::format("the link {} cannot be created: {}", path_, why));
   };
-  // This fails if anything has the name.
+  // Fails if the name exists.
   if (symlink(terminal_.c_str(), path_.c_str()) == 0) return;
   if (errno != EEXIST) fail(reason(errno));
   if (const std::string why = objection(path_, terminal_); !why.empty()) fail(why);
-  // Atomically, so that the name always leads somewhere.
+  // Atomic, so that the name always exists.
   const std::string fresh = fmt::format("{}.{}", path_, getpid());
   if (symlink(terminal_.c_str(), fresh.c_str()) != 0) fail(reason(errno));
   std::error_code error;

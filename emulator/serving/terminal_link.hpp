@@ -5,16 +5,15 @@
 
 namespace sbgc::serving {
 
-/// A symbolic link to a pseudo-terminal, for as long as this object exists. It only replaces a link
-/// that an emulator has left behind: one to a pseudo-terminal that is gone, or that is now the one
-/// to link to.
+/// A symbolic link to a pseudo-terminal that exists as long as this object. Replaces only links
+/// that an emulator left behind: those to a pseudo-terminal that is gone, or to this one.
 class TerminalLink {
  public:
-  /// Throws std::runtime_error if the link cannot be created or something else has the name.
+  /// Throws std::runtime_error if the link cannot be created or the name is in use.
   TerminalLink(std::string path, std::string terminal);
   TerminalLink(const TerminalLink&) = delete;
   TerminalLink& operator=(const TerminalLink&) = delete;
-  /// Removes the link, unless it has been replaced.
+  /// Removes the link unless it was replaced.
   ~TerminalLink();
 
   const std::string& path() const { return path_; }

@@ -18,9 +18,9 @@ namespace {
 
 using asio::ip::udp;
 
-/// Most networks carry this much unfragmented.
+/// Most networks transport this size without fragmentation.
 constexpr std::size_t datagram_size = 1400;
-/// Interval of lines about lost and refused datagrams.
+/// The interval of log lines about lost and refused datagrams.
 constexpr Duration log_interval = seconds(5);
 
 class UdpEndpoint final : public Endpoint {
@@ -36,7 +36,7 @@ class UdpEndpoint final : public Endpoint {
 
   UdpEndpoint(const UdpEndpoint&) = delete;
   UdpEndpoint& operator=(const UdpEndpoint&) = delete;
-  // NOLINTNEXTLINE(bugprone-exception-escape): only if there is no memory left
+  // NOLINTNEXTLINE(bugprone-exception-escape): throws only when out of memory
   ~UdpEndpoint() override {
     for (const auto& host : hosts_.all()) board_.disconnect(host.port);
   }
@@ -57,24 +57,25 @@ class UdpEndpoint final : public Endpoint {
     const auto* const host = host_of(from_);
     if (host == nullptr) return refuse();
     const std::size_t port = host->port;
-    // Datagrams that arrive faster than the board's line carries them are lost; a single one always
-    // fits.
+    // Datagrams that arrive faster than the board's line transfers them are lost; a single one
+    // always fits.
     if (bytes.size() <= board_.room(port) || board_.queued_bytes(port) == 0) {
       return board_.receive(port, bytes);
     }
     if (is_time_to_log(lost_)) {
-      logs_.event(fmt::format("{}: a datagram of {} bytes is lost, as earlier ones still wait",
-                              name_of(from_), bytes.size()));
+      logs_.event(
+          fmt::format("{}: lost a datagram of {} bytes, because earlier ones are still waiting",
+                      name_of(from_), bytes.size()));
     }
   }
 
   void refuse() {
     if (!is_time_to_log(refused_)) return;
-    logs_.warning(fmt::format("{} refused: there are {} places for UDP, and all are taken",
-                              name_of(from_), hosts_.places()));
+    logs_.warning(fmt::format("{} refused: all {} places for UDP are in use", name_of(from_),
+                              hosts_.places()));
   }
 
-  /// Whether another line may be written. `logged`: the time of the last one.
+  /// True if another line may be written. `logged` is the time of the last one.
   bool is_time_to_log(std::optional<Instant>& logged) const {
     const Instant now = board_.now();
     if (logged && now - *logged < log_interval) return false;
@@ -119,7 +120,7 @@ class UdpEndpoint final : public Endpoint {
     const std::size_t port = host->port;
     for (auto waiting = board_.output(port); !waiting.empty(); waiting = board_.output(port)) {
       const std::size_t size = std::min(waiting.size(), datagram_size);
-      std::error_code lost;  // as datagrams are
+      std::error_code lost;  // ignored, like a lost datagram
       socket_.send_to(asio::buffer(waiting.data(), size), endpoint, 0, lost);
       board_.take(port, size);
     }
@@ -134,8 +135,8 @@ class UdpEndpoint final : public Endpoint {
   DatagramHosts hosts_;
   std::array<std::uint8_t, 65536> input_{};
   udp::endpoint from_{};
-  std::optional<Instant> refused_{};  ///< when a refused host was last logged
-  std::optional<Instant> lost_{};     ///< when a lost datagram was last logged
+  std::optional<Instant> refused_{};  ///< last log of a refused host
+  std::optional<Instant> lost_{};     ///< last log of a lost datagram
 };
 
 }  // namespace

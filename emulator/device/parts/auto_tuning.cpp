@@ -15,7 +15,7 @@ namespace {
 constexpr std::array axis_flags{msg::AutoPidFlag::roll, msg::AutoPidFlag::pitch,
                                 msg::AutoPidFlag::yaw};
 
-/// Assumption: the interval of rounds and reports, and the number of rounds per axis.
+/// Assumption: the interval of rounds and reports, and the rounds per axis.
 constexpr Duration round_time = milliseconds(500);
 constexpr unsigned rounds_per_axis = 20;
 constexpr unsigned rounds_for_filter = 5;
@@ -24,7 +24,7 @@ constexpr double shake = 0.3;
 
 constexpr std::uint64_t seed_of(const Device& device) { return device.options.gimbal.seed + 0xA1D; }
 
-/// The remaining share of the way to the goal: 1 at the beginning, 0 after the last round.
+/// The remaining fraction of the way to the goal: 1 at the start, 0 after the last round.
 double rest_of_way(unsigned round, unsigned rounds) {
   if (round >= rounds) return 0;
   return std::exp(-4.0 * round / rounds);
@@ -56,7 +56,7 @@ bool AutoTuning::start(Device& device, std::uint8_t profile, msg::AutoPidFlags c
     const auto random = [&](std::uint64_t counter) {
       return 0.8 + 0.4 * random_share(seed_of(device), 4 * axis + counter);
     };
-    // Assumption: gains that suit this gimbal, higher for less stability.
+    // Assumption: gains that suit this gimbal; less stability means higher gains.
     const double courage = 0.6 + 0.8 * gain / 255;
     Gains& goal = run.goal[axis];
     goal = {15 * courage * random(0), 10 * courage * random(1), 20 * courage * random(2),
@@ -91,7 +91,7 @@ Instant AutoTuning::next() const { return run_ ? run_->due : Instant::never; }
 
 void AutoTuning::advance(Device& device, Instant now) {
   while (run_ && run_->due <= now) {
-    // Tuning needs the motors.
+    // Tuning requires running motors.
     if (!device.gimbal.motors_on()) return run_.reset();
     ++run_->round;
     run_->due = run_->due + run_->interval;
@@ -139,7 +139,7 @@ void AutoTuning::report(Device& device, const Run& run) const {
   device.ports.send(*run.port, progress);
 }
 
-/// Stores what was tuned, in that profile or in all.
+/// Stores the tuned values in the profile of the run or in all profiles.
 void AutoTuning::store(Device& device, const Run& run, Instant now) const {
   const auto set_gains = [&](msg::ReadParams3& parameters) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -160,7 +160,7 @@ void AutoTuning::store(Device& device, const Run& run, Instant now) const {
   };
   for (std::uint8_t profile = 0; profile < SettingsOf<msg::ReadParams3>::copies; ++profile) {
     if (profile != run.profile && !run.config.has(msg::AutoPidFlag::all_profiles)) continue;
-    // As long as before, so they fit.
+    // The length does not change, so the bodies fit.
     static_cast<void>(device.parameters.change<msg::ReadParams3>(profile, set_gains));
     if (run.config.has(msg::AutoPidFlag::tune_lpf_freq)) {
       static_cast<void>(device.parameters.change<msg::ReadParamsExt>(profile, set_filters));

@@ -14,22 +14,22 @@ namespace sbgc::emulator {
 
 struct Device;
 
-/// CMD_AUTO_PID: searches for gains in rounds, shakes the camera meanwhile, and stores the result.
+/// CMD_AUTO_PID: searches for gains in rounds while it shakes the camera, then stores the result.
 class AutoTuning {
  public:
-  /// Precondition: the profile exists, `config` names an axis. `port` gets the progress, if the
-  /// flags say so. False, without effect, if a calibration or tuning is in progress or the motors
-  /// are off.
+  /// Precondition: the profile exists, and `config` selects an axis. `port` receives progress
+  /// reports if the flags request them. Returns false, without effect, if a calibration or tuning
+  /// is in progress or the motors are off.
   bool start(Device& device, std::uint8_t profile, msg::AutoPidFlags config, std::uint8_t gain,
              std::optional<std::size_t> port, Instant now);
-  /// The same with the configuration in the parameters (MENU_CMD_AUTO_PID). Also false if they name
-  /// no axis.
+  /// Uses the configuration in the parameters (MENU_CMD_AUTO_PID). Also returns false if they
+  /// select no axis.
   bool start(Device& device, Instant now);
   /// Discards the result.
   void stop();
   bool is_running() const { return run_.has_value(); }
 
-  /// The port closes: send nothing more there.
+  /// The port closes: sends nothing more to it.
   void forget_port(std::size_t port);
 
   Instant next() const;
@@ -37,7 +37,7 @@ class AutoTuning {
   void restart(Device& device, Instant now);
 
  private:
-  /// The values of one axis that it searches for.
+  /// The tuned values of one axis.
   struct Gains {
     double p{}, i{}, d{}, lpf{};
   };

@@ -18,14 +18,14 @@ namespace {
 
 using Kind = Calibrations::Kind;
 
-constexpr unsigned steps = 40;  ///< readings of the sensors in one calibration
+constexpr unsigned steps = 40;  ///< sensor readings per calibration
 /// Assumption: a sensor that turns faster than this, in deg/s, is not at rest.
 constexpr double rest_speed = 5;
-/// Assumption: a calibration gives up after this many times its length without a rest of that
-/// length.
+/// Assumption: a calibration fails if the gimbal does not rest for its full duration within this
+/// multiple of it.
 constexpr unsigned patience = 3;
 
-/// Duration on a real board. An assumption: the specification gives none.
+/// The duration on a real board. Assumption: the specification gives none.
 constexpr Duration length_of(Kind kind) {
   switch (kind) {
     case Kind::gyro: return seconds(4);
@@ -64,7 +64,7 @@ double heading_error_of(const Sample& sample, std::size_t imu) {
 }
 double length(const Vector& v) { return std::hypot(v.x, v.y, v.z); }
 
-/// Whole degrees Celsius within the range of the sensor.
+/// Returns whole degrees Celsius in the range of the sensor.
 int whole_celsius(double value) {
   constexpr double lowest = sbgc::detail::field_info<msg::CalibInfo>("imu_temp_cels").range->lowest;
   return saturated_raw<std::int8_t>(std::max(value, lowest));
@@ -81,7 +81,7 @@ struct Direction {
         {plus_x, minus_x}, {plus_y, minus_y}, {plus_z, minus_z}};
     return limits[axis][negative ? 1 : 0];
   }
-  /// Index of TEMP_CALIB_ACC_SLOT_NUM: +X, +Y, +Z, -X, -Y, -Z.
+  /// The index into TEMP_CALIB_ACC_SLOT_NUM: +X, +Y, +Z, -X, -Y, -Z.
   std::size_t slot() const { return axis + (negative ? 3 : 0); }
 };
 
@@ -111,7 +111,7 @@ void copy_acc(const ImuCalibration& from, ImuCalibration& to) {
   to.acc_slots = from.acc_slots;
 }
 
-/// A calibration replaces the manual correction of the gyroscope.
+/// Ends a gyroscope calibration, which replaces the manual correction.
 void gyro_calibrated(Device& device, std::size_t imu, Instant now) {
   device.gimbal.gyro_calibrated(imu == 1, now);
   device.memory.imus[imu].gyro_offset = {};
@@ -187,7 +187,7 @@ void Calibrations::restart(Device&, Instant) {
   errors_ = {};
 }
 
-/// Stores the result. False if that is not possible.
+/// Stores the result. Returns false if that is not possible.
 bool Calibrations::store(Device& device, const Run& run, Instant now) {
   const Sample sample = device.gimbal.sample(now);
   ImuCalibration& imu = device.memory.imus[run.imu];
@@ -221,7 +221,7 @@ bool Calibrations::store(Device& device, const Run& run, Instant now) {
       imu.acc_temperature_min = is_first ? minimum : std::min(imu.acc_temperature_min, minimum);
       imu.acc_temperature_max = is_first ? maximum : std::max(imu.acc_temperature_max, maximum);
       imu.acc_limits = msg::CalibratedLimits(imu.acc_limits).set(direction.limit()).raw();
-      // Assumption: when all slots are taken, the new temperature replaces one.
+      // Assumption: if all slots are in use, the new temperature replaces one.
       std::uint8_t& slots = imu.acc_slots[direction.slot()];
       if (slots < max_temperature_slots) ++slots;
       imu.acc_temperature_enabled = true;
@@ -236,13 +236,13 @@ bool Calibrations::store(Device& device, const Run& run, Instant now) {
     case Kind::acc_to_sensor: copy_acc(imu, sensor); break;
     case Kind::mag: break;  // the emulated magnetometer needs no correction
     case Kind::ext_gain:
-      // Assumption: gains of a flight controller that differs a little from board to board.
+      // Assumption: gains of a flight controller that differs slightly from board to board.
       return change_parameters<msg::ReadParams3>(device, run.profile, now, [&](auto& parameters) {
         parameters.ext_fc_gain_roll = static_cast<std::int8_t>(40 + std::lround(20 * random(0)));
         parameters.ext_fc_gain_pitch = static_cast<std::int8_t>(40 + std::lround(20 * random(1)));
       });
     case Kind::poles:
-      // Assumption: motors of 14 poles that turn the right way round, common in gimbals.
+      // Assumption: motors with 14 poles, common in gimbals, and the correct direction.
       return change_parameters<msg::ReadParams3>(device, run.profile, now, [](auto& parameters) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
           parameters.axes[axis].poles = 14;
@@ -251,7 +251,7 @@ bool Calibrations::store(Device& device, const Run& run, Instant now) {
       });
     case Kind::encoder_offset:
       return change_parameters<msg::ReadParamsExt>(device, run.profile, now, [&](auto& parameters) {
-        // The present position becomes the zero.
+        // The current position becomes zero.
         for (std::size_t axis = 0; axis < 3; ++axis) {
           parameters.encoder_offset[axis] = wire_angle(std::remainder(sample.joints[axis], 360.0));
         }
@@ -283,7 +283,7 @@ void Calibrations::finish(Device& device, bool is_success, Instant now) {
   if (is_success) {
     context.confirm();
   } else {
-    // Assumption: the specification has no other response to a failed calibration.
+    // Assumption: the specification defines no other response to a failed calibration.
     context.refuse(msg::BoardErrorCode::operation_failed);
   }
 }
@@ -293,7 +293,7 @@ msg::CalibInfo Calibrations::info(Device& device, std::size_t imu, Instant now) 
   const ImuCalibration& memory = device.memory.imus[imu];
   const Vector& acceleration = acceleration_of(sample, imu);
   msg::CalibInfo info;
-  // Assumption: the last calibration counts until the next one begins.
+  // Assumption: reports the last calibration until the next one starts.
   info.progress = msg::Percent(last_progress_);
   if (run_) {
     info.progress =
@@ -303,7 +303,7 @@ msg::CalibInfo Calibrations::info(Device& device, std::size_t imu, Instant now) 
   for (std::size_t i = 0; i < 3; ++i) {
     info.acc_data[i] = saturated<msg::Acceleration>(acceleration[i]);
   }
-  // Assumption: in the gyroscope's own unit, as GYRO_DATA of CMD_REALTIME_DATA_3.
+  // Assumption: in the unit of the gyroscope, like GYRO_DATA of CMD_REALTIME_DATA_3.
   info.gyro_abs_val = saturated_raw<std::uint16_t>(length(gyro_of(sample, imu)) /
                                                    msg::GyroRate(1).degrees_per_second());
   info.acc_cur_axis = static_cast<std::uint8_t>(up(acceleration).axis);
@@ -316,7 +316,7 @@ msg::CalibInfo Calibrations::info(Device& device, std::size_t imu, Instant now) 
   info.temp_calib_acc_slot_num = memory.acc_slots;
   info.temp_calib_acc_t_min_cels = msg::Temperature(memory.acc_temperature_min);
   info.temp_calib_acc_t_max_cels = msg::Temperature(memory.acc_temperature_max);
-  // Two unit vectors with this angle between them.
+  // The distance of two unit vectors with this angle between them.
   constexpr double half_degree = 3.14159265358979323846 / 360;
   info.h1_err_length = saturated<msg::Hundredths>(
       2 * std::abs(std::sin(heading_error_of(sample, imu) * half_degree)));
@@ -327,7 +327,7 @@ bool Calibrations::store_follow_offsets(Device& device, Instant now) {
   const Sample sample = device.gimbal.sample(now);
   Axes<std::int8_t> offsets;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    // Assumption: FOLLOW_OFFSET counts degrees; its unit is not published.
+    // Assumption: FOLLOW_OFFSET is in degrees; its unit is undocumented.
     const auto degrees =
         msg::SignedDegrees::from_degrees(std::remainder(sample.joints[axis], 360.0));
     constexpr Range range = *sbgc::detail::field_info<msg::ReadParams3>("follow_offset").range;

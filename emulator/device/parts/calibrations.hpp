@@ -14,7 +14,7 @@ namespace sbgc::emulator {
 
 struct Device;
 
-/// One calibration at a time: it measures, starts over when the gimbal moves, and stores the
+/// Runs one calibration at a time: it measures, starts over if the gimbal moves, and stores the
 /// result. CMD_CALIB_INFO reports the progress.
 class Calibrations {
  public:
@@ -25,7 +25,7 @@ class Calibrations {
     acc_temperature,
     gyro_from_sensor,  ///< copies the factory calibration
     acc_from_sensor,
-    gyro_to_sensor,  ///< makes the present calibration the factory calibration
+    gyro_to_sensor,  ///< stores the current calibration as the factory calibration
     acc_to_sensor,
     mag,
     ext_gain,
@@ -34,32 +34,32 @@ class Calibrations {
     encoder_field,
   };
 
-  /// Who is notified at the end, by a confirmation of that command or CMD_ERROR.
+  /// The sender of a request, notified at the end by a confirmation of its command or CMD_ERROR.
   struct Requester {
     std::size_t port{};
     std::uint8_t command{};
   };
 
-  /// `imu` is 0 for the main IMU, 1 for that of the frame; kinds without an IMU ignore it. False,
-  /// without effect, if a calibration or tuning is in progress. Precondition: the board has that
-  /// IMU, and encoders if the kind needs them.
+  /// `imu` is 0 for the main and 1 for the frame IMU; kinds without an IMU ignore it. Returns
+  /// false, without effect, if a calibration or tuning is in progress. Precondition: the board has
+  /// this IMU, and encoders if the kind needs them.
   bool start(Device& device, Kind kind, std::size_t imu, std::optional<Requester> requester,
              Instant now);
   /// The calibration in progress.
   std::optional<Kind> under_way() const;
-  /// CMD_CALIB_INFO of that IMU. Precondition: the board has it.
+  /// Returns CMD_CALIB_INFO of this IMU. Precondition: the board has it.
   msg::CalibInfo info(Device& device, std::size_t imu, Instant now) const;
-  /// ERR_CALIB_ACC and ERR_CALIB_POLES, set by a calibration that fails and cleared by one that
-  /// succeeds.
+  /// ERR_CALIB_ACC and ERR_CALIB_POLES. A failed calibration sets its flag, a successful one clears
+  /// it.
   Flags<msg::SystemError> errors() const { return errors_; }
 
-  /// CMD_CALIB_OFFSET: follow mode holds the present angles of the joints. False if one of them is
-  /// out of range.
+  /// CMD_CALIB_OFFSET: makes follow mode hold the current joint angles. Returns false if one of
+  /// them is out of range.
   static bool store_follow_offsets(Device& device, Instant now);
-  /// A duration of a real board, scaled for these options; at least one cycle.
+  /// Scales a duration of a real board by these options; at least one cycle.
   static Duration scaled(const BoardOptions& options, Duration length);
 
-  /// The port closes: send nothing more there.
+  /// The port closes: sends nothing more to it.
   void forget_port(std::size_t port);
 
   Instant next() const;
@@ -70,13 +70,13 @@ class Calibrations {
   struct Run {
     Kind kind{};
     std::size_t imu{};
-    std::uint8_t profile{};  ///< whose parameters it changes
+    std::uint8_t profile{};  ///< the profile whose parameters it changes
     std::optional<Requester> requester{};
     Duration step{};          ///< between two readings of the sensors
-    unsigned steps_needed{};  ///< consecutive, at rest
+    unsigned steps_needed{};  ///< consecutive steps at rest
     unsigned steps_at_rest{};
-    unsigned steps_left{};  ///< until it gives up
-    Instant due{};          ///< of the next step
+    unsigned steps_left{};  ///< until it fails
+    Instant due{};          ///< time of the next step
     int temperature_min{}, temperature_max{};
   };
 
@@ -84,7 +84,7 @@ class Calibrations {
   void finish(Device& device, bool is_success, Instant now);
 
   std::optional<Run> run_{};
-  std::uint8_t last_progress_{};  ///< percent, while no calibration is in progress
+  std::uint8_t last_progress_{};  ///< percent; used while no calibration is in progress
   Flags<msg::SystemError> errors_{};
 };
 

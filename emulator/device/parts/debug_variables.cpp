@@ -12,7 +12,7 @@
 namespace sbgc::emulator {
 namespace {
 
-/// Where the values come from.
+/// The source of the values.
 struct View {
   Device& device;
   Sample sample;
@@ -27,13 +27,13 @@ struct Variable {
   bool is_angle = false;  ///< 16384 counts per turn
 };
 
-/// Counts on the wire.
+/// Returns the raw value.
 double counts(double degrees) { return wire_angle(degrees).raw(); }
 double counts(msg::GyroRate rate) { return rate.raw(); }
 
 using Axis = msg::DebugVarAxis;
 
-// Scalars only: no reader of real boards looks for arrays.
+// Scalars only: readers of real boards do not support arrays.
 constexpr std::array<Variable, 18> variables{{
     {"UPTIME_MS", msg::DebugVarKind::uint32,
      [](const View& v) {
@@ -78,7 +78,7 @@ constexpr std::array<Variable, 18> variables{{
      [](const View& v) -> double { return v.device.outputs.high_pins(); }},
 }};
 
-/// The nearest number of that type; integers out of range wrap.
+/// Returns the nearest number of this type; integers out of range wrap.
 Number number(NumberType type, double value) {
   if (type == NumberType::f32) {
     return {type, std::bit_cast<std::uint32_t>(static_cast<float>(value))};

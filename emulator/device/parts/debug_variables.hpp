@@ -8,9 +8,9 @@ namespace sbgc::emulator {
 
 struct Device;
 
-/// Names and types, always the same.
+/// The names and types, which never change.
 msg::DebugVarsInfo3 debug_variables_info();
-/// Values, in the same order.
+/// The values, in the same order.
 msg::DebugVars3 debug_variable_values(Device& device, Instant now);
 
 }  // namespace sbgc::emulator

@@ -7,8 +7,7 @@
 namespace sbgc::emulator {
 namespace {
 
-// Assumption: id of the message, number of the copy, length of the body, body, CRC-32 of all of
-// that.
+// Assumption: message id, copy, body length, body, CRC-32 of all preceding bytes.
 constexpr std::size_t header_size = 3;
 constexpr std::size_t checksum_size = sizeof(std::uint32_t);
 constexpr std::size_t largest_record = header_size + max_body_size + checksum_size;

@@ -1,4 +1,4 @@
-/// Records in the EEPROM: bodies of messages with a checksum.
+/// Records in the EEPROM: message bodies with a checksum.
 #pragma once
 
 #include <cstddef>
@@ -13,22 +13,22 @@
 
 namespace sbgc::emulator {
 
-/// What a record holds. The record contains it as well, so a record in a wrong place does not
-/// count.
+/// Identifies the content of a record. It is part of the record, so a record in the wrong place is
+/// invalid.
 struct RecordId {
   msg::CommandFromBoard command{};
   std::uint8_t copy{};
 };
 
-/// Size of a record, for a body of any length. Whole pages, so writing one with CMD_EEPROM_WRITE
-/// does not touch the others.
+/// The size of a record for a body of any length, in whole pages, so that writing a record with
+/// CMD_EEPROM_WRITE does not affect others.
 std::size_t record_size();
 
-/// The body; empty if the record is not there or damaged. Precondition: record_size() bytes from
-/// `address` on are inside the EEPROM.
+/// Returns the body; nothing if the record is missing or damaged. Precondition: record_size() bytes
+/// from `address` are inside the EEPROM.
 std::optional<std::vector<std::uint8_t>> read_record(const Eeprom& eeprom, std::size_t address,
                                                      RecordId id);
-/// False, without effect, if the body is longer than any message.
+/// Returns false, without effect, if the body is longer than any message.
 bool write_record(Eeprom& eeprom, std::size_t address, RecordId id,
                   std::span<const std::uint8_t> body);
 

@@ -135,7 +135,7 @@ msg::ReadAdjVarsCfg factory_parameters(std::uint8_t) {
 template <>
 msg::ReadExternalData factory_parameters(std::uint8_t) {
   msg::ReadExternalData out;
-  out.data.fill(0xFF);  // as erased memory
+  out.data.fill(0xFF);  // like erased memory
   return out;
 }
 

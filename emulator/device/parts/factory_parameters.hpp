@@ -9,8 +9,8 @@
 namespace sbgc::emulator {
 
 /// The StoredMessages of a new board. All values are assumptions: the specification gives none.
-/// They suit an ordinary gimbal with three axes and a battery of four lithium cells, are within all
-/// ranges, and use only what boards of version 3.0 know. Reserved bytes are 0.
+/// They suit a typical gimbal with three axes and a battery of four lithium cells, are within all
+/// ranges, and use only features of board version 3.0. Reserved bytes are 0.
 template <class M>
 M factory_parameters(std::uint8_t copy);
 

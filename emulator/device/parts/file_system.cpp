@@ -11,8 +11,8 @@ namespace {
 
 constexpr auto page_size = static_cast<std::size_t>(msg::Pages(1).bytes());
 
-// The table: for each file its number, size and CRC-32; after all entries the CRC-32 of the table.
-// An entry without a file is erased, and so is its size.
+// The table: id, size and CRC-32 of each file, followed by the CRC-32 of the table. An entry
+// without a file is erased, including its size.
 constexpr std::size_t entry_size = 8;
 constexpr std::size_t entries_size = FileSystem::most_files * entry_size;
 constexpr std::size_t table_size = entries_size + sizeof(std::uint32_t);
@@ -23,7 +23,7 @@ constexpr std::size_t pages(std::size_t bytes) { return (bytes + page_size - 1) 
 constexpr std::size_t data_begin = layout::files + pages(table_size) * page_size;
 constexpr std::size_t data_size = (Memory::eeprom_size - data_begin) / page_size * page_size;
 
-static_assert(data_size < no_file, "no file is as long as the mark of an empty place says");
+static_assert(data_size < no_file, "a file size never equals the marker of an empty entry");
 
 std::uint32_t checksum(std::span<const std::uint8_t> bytes) { return sbgc::detail::crc32(bytes); }
 
@@ -43,7 +43,7 @@ std::optional<std::vector<FileSystem::File>> FileSystem::load() const {
     const auto size = wire::load<std::uint16_t>(entry + 2);
     if (size == no_file) continue;
     File file{wire::load<std::uint16_t>(entry), wire::load<std::uint32_t>(entry + 4), {}};
-    // The checksum may be right for a table that no board has written.
+    // A valid checksum does not mean that a board wrote the table.
     const bool is_there_twice = std::ranges::find(files, file.id, &File::id) != files.end();
     if (size == 0 || is_there_twice || size > data_size - at) return std::nullopt;
     const auto content = eeprom_.bytes(data_begin + at, size);
@@ -105,7 +105,7 @@ msg::FileError FileSystem::write(std::uint16_t file, std::uint16_t size, std::ui
     if (files->size() == most_files) return msg::FileError::fat_is_full;
     found = files->insert(files->end(), File{.id = file, .checksum = checksum({})});
   }
-  // With a new checksum the remaining damaged bytes would look intact.
+  // A new checksum would hide the remaining damaged bytes.
   if (checksum(found->content) != found->checksum) return msg::FileError::crc;
   found->content.resize(size);
   std::ranges::copy(data, found->content.begin() + static_cast<std::ptrdiff_t>(begin));

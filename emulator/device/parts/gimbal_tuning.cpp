@@ -5,8 +5,8 @@
 namespace sbgc::emulator {
 namespace {
 
-/// First rotation first, as the name of the order says. In the orders for two axes yaw is the
-/// outermost one; unknown orders count as the first.
+/// The first rotation comes first, as in the name of the order. In the orders for two axes, yaw is
+/// the outermost one; unknown orders count as the first.
 std::array<std::uint8_t, 3> rotation_order(msg::EulerOrder order) {
   constexpr std::uint8_t roll = 0, pitch = 1, yaw = 2;
   switch (order) {
@@ -34,8 +34,8 @@ msg::AngularAcceleration acceleration_limit(const Parameters& parameters,
                                        : parameters.of<msg::ReadParams3>().acc_limiter_all;
 }
 
-/// Assumption: the specification gives no unit for these speeds, for the dead band and for
-/// FOLLOW_OFFSET; deg/s, tenths of a degree and degrees make sense over their ranges.
+/// Assumption: the specification gives no unit for these speeds, the dead band and FOLLOW_OFFSET;
+/// deg/s, tenths of a degree and degrees fit their ranges.
 double speed_of(std::uint8_t setting) { return setting; }
 double deadband_of(std::uint8_t setting) {
   return msg::TenthDegrees(static_cast<std::int16_t>(setting)).degrees();
@@ -77,7 +77,7 @@ Tuning tuning_of(const Parameters& parameters, const Availability& versions, boo
     out.remote_max = rc.rc_max_angle.degrees();
     out.start_angle = start[axis];
     if (has_encoders) {
-      // Assumption: where both limits are equal, as in factory parameters, there are none.
+      // Assumption: if both limits are equal, as in factory parameters, there are none.
       out.joint_min = joints.encoder_limit_min[axis].degrees();
       out.joint_max = joints.encoder_limit_max[axis].degrees();
     }

@@ -1,4 +1,4 @@
-/// How the parameters tune the mechanics.
+/// Conversion of parameters to the tuning of the mechanics.
 #pragma once
 
 #include <sbgc/availability.hpp>
@@ -9,8 +9,8 @@
 
 namespace sbgc::emulator {
 
-/// Without encoders the limits of the joints do not apply. `battery_factor`: the reading of the
-/// sensor for one volt; 0: there is no sensor.
+/// Without encoders the joint limits do not apply. `battery_factor` is the reading of the sensor
+/// per volt; 0 means no sensor.
 Tuning tuning_of(const Parameters& parameters, const Availability& versions, bool has_encoders,
                  double battery_factor);
 

@@ -12,7 +12,7 @@ namespace {
 
 using Bus = I2cBus;
 
-/// High and low byte of a 16-bit register; `value` stops at its ends, as it does in a sensor.
+/// The high and low byte of a 16-bit register. `value` saturates, as in a sensor.
 struct Word {
   std::uint8_t high{}, low{};
 };
@@ -29,7 +29,7 @@ void put(std::span<std::uint8_t> registers, std::size_t address, double value) {
   registers[address + 1] = bytes.low;
 }
 
-/// An IMU like MPU-6050, with the ranges of the board: 16 g and 2000 deg/s.
+/// An IMU like the MPU-6050, with the ranges of the board: 16 g and 2000 deg/s.
 namespace mpu {
 constexpr std::size_t size = 128;
 constexpr std::size_t gyro_config = 0x1B, acc_config = 0x1C, full_range = 0x18;
@@ -39,7 +39,7 @@ constexpr std::size_t identity = 0x75;
 constexpr double per_g = 2048, per_degree_per_second = 16.4;
 }  // namespace mpu
 
-/// A magnetometer like HMC5883L, in a field of 0.5 gauss.
+/// A magnetometer like the HMC5883L, in a field of 0.5 gauss.
 namespace hmc {
 constexpr std::size_t size = 13;
 constexpr std::size_t measured = 3, status = 9, identity = 10;
@@ -53,14 +53,14 @@ std::size_t registers_of(std::uint8_t address) { return is_imu(address) ? mpu::s
 bool can_be_written(std::uint8_t address, std::size_t reg) {
   if (is_imu(address)) {
     const bool is_measured = reg >= mpu::first_measured && reg <= mpu::last_measured;
-    // Hosts cannot change the ranges: the board measures with them.
+    // Hosts cannot change the ranges, because the board measures with them.
     return !is_measured && reg != mpu::gyro_config && reg != mpu::acc_config &&
            reg != mpu::identity;
   }
   return reg < hmc::measured;
 }
 
-/// All registers, without what hosts have written.
+/// Returns all registers, without values written by hosts.
 std::vector<std::uint8_t> measured(Device& device, std::uint8_t address, Instant now) {
   const Sample sample = device.gimbal.sample(now);
   std::vector<std::uint8_t> registers(registers_of(address));
@@ -75,7 +75,7 @@ std::vector<std::uint8_t> measured(Device& device, std::uint8_t address, Instant
     }
     const double celsius = is_main ? sample.temperature : sample.frame_temperature;
     put(registers, mpu::temperature, (celsius - 36.53) * 340);
-    registers[mpu::identity] = Bus::main_imu;  // both have this identity
+    registers[mpu::identity] = Bus::main_imu;  // both IMUs have this identity
   } else {
     // In the order X, Z, Y.
     put(registers, hmc::measured, sample.magnetic.x * hmc::per_field);
@@ -95,8 +95,8 @@ std::uint16_t key(std::uint8_t address, std::size_t reg) {
   return static_cast<std::uint16_t>(std::size_t{address} * 256 + reg);
 }
 
-/// Where a register of the EEPROM begins. Assumption: REG_ADDR is the upper byte of the address, so
-/// blocks of 256 bytes can be reached.
+/// Returns the EEPROM address of a register. Assumption: REG_ADDR is the high byte of the address,
+/// so hosts can address blocks of 256 bytes.
 std::size_t eeprom_address(const Device& device, std::uint8_t reg) {
   return reg * std::size_t{256} % device.eeprom.size();
 }

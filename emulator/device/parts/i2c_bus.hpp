@@ -14,7 +14,7 @@ namespace sbgc::emulator {
 
 struct Device;
 
-/// Register spaces of the chips: two IMUs and a magnetometer on the sensor bus, the EEPROM on the
+/// The registers of the chips: two IMUs and a magnetometer on the sensor bus, the EEPROM on the
 /// other one (assumption: real boards differ).
 class I2cBus {
  public:
@@ -23,25 +23,25 @@ class I2cBus {
   static constexpr std::uint8_t magnetometer = 0x1E;
   static constexpr std::uint8_t eeprom = 0x50;  ///< on the second bus
 
-  /// Whether a chip acknowledges this address.
+  /// True if a chip acknowledges this address.
   static bool answers(const Device& device, msg::I2cDevice chip);
-  /// Register addresses count up and wrap after the last one. Precondition for both: the chip
+  /// Register addresses increment and wrap after the last one. Precondition for both: the chip
   /// answers.
   std::vector<std::uint8_t> read(Device& device, msg::I2cDevice chip, std::uint8_t address,
                                  std::size_t size, Instant now) const;
-  /// Read-only registers stay as they are.
+  /// Read-only registers keep their values.
   void write(Device& device, msg::I2cDevice chip, std::uint8_t address,
              std::span<const std::uint8_t> data);
 
   static Instant next() { return Instant::never; }
   static void advance(Device&, Instant) {}
-  /// The chips keep their power, and so their registers.
+  /// The chips keep their power and therefore their registers.
   static void restart(Device&, Instant) {}
-  /// The chips lose what hosts have written.
+  /// The chips lose the values written by hosts.
   void power_off() { written_.clear(); }
 
  private:
-  /// What hosts have written into registers, by address of device and register.
+  /// Register values written by hosts, keyed by device address and register.
   std::map<std::uint16_t, std::uint8_t> written_{};
 };
 

@@ -13,24 +13,23 @@
 namespace sbgc::emulator {
 namespace {
 
-/// An axis turns about one direction of its sensor: roll about y, which points forward, pitch about
-/// x, which points right, yaw about z, which points up. (Assumption: the specification names axes
-/// only.)
+/// Each axis turns about one direction of its sensor: roll about y (forward), pitch about x
+/// (right), yaw about z (up). Assumption: the specification names only axes.
 constexpr std::size_t sensor_axis(std::size_t axis) {
   constexpr std::array<std::size_t, 3> directions{1, 0, 2};
   return directions[axis];
 }
 
-/// An RC signal as a pulse of the range that the specification gives.
+/// Converts an RC signal to a pulse in the specified range.
 msg::RcSignal pulse(std::optional<double> signal) {
   constexpr Range range = *sbgc::detail::field_info<msg::RealtimeData3>("rc").range;
   constexpr double middle = (range.lowest + range.highest) / 2;
   constexpr double half = (range.highest - range.lowest) / 2;
-  // An input without a signal reads as its middle: an assumption.
+  // Assumption: an input without a signal reads as its center.
   return saturated<msg::RcSignal>(middle + half * signal.value_or(0));
 }
 
-/// A flight controller's signal; 0 if no input is assigned to it.
+/// Returns the signal for a flight controller; 0 if no input is assigned to it.
 msg::RcSignal controller_pulse(const Device& device, msg::RcMap source) {
   const auto signal = device.remote.signal(source);
   return signal ? pulse(signal) : msg::RcSignal(msg::RealtimeData3::ext_fc_unused);
@@ -58,7 +57,7 @@ Axes<msg::Angle14> angles(const Axes<double>& from) {
   return {wire_angle(from.roll), wire_angle(from.pitch), wire_angle(from.yaw)};
 }
 
-/// Sets the fields that both long messages begin with.
+/// Sets the initial fields that both long messages share.
 template <class M>
 void measure_common(Device& device, std::size_t port, Instant now, const Sample& sample, M& data) {
   const auto& parameters = device.parameters.of<msg::ReadParams3>();
@@ -69,7 +68,7 @@ void measure_common(Device& device, std::size_t port, Instant now, const Sample&
     data.motor_power[axis] =
         saturated_raw<std::uint8_t>(sample.power[axis] * std::numeric_limits<std::uint8_t>::max());
   }
-  // Counters wrap.
+  // The counter wraps.
   data.serial_error_cnt = static_cast<std::uint16_t>(device.ports.errors(port));
   data.system_error = device.errors(now);
   data.error_code = static_cast<std::uint8_t>(data.system_error.raw());
@@ -138,7 +137,7 @@ void measure(Device& device, msg::RealtimeDataCustomFlags blocks, Instant now,
   using Flag = msg::RealtimeDataCustomFlag;
   const Sample sample = device.gimbal.sample(now);
   const auto& parameters = device.parameters.of<msg::ReadParams3>();
-  // The clock has 16 bits and wraps every 65.5 s.
+  // The 16-bit clock wraps every 65.5 s.
   data.timestamp_ms = msg::MillisecondClock(
       static_cast<std::uint16_t>((now - device.restarts.started()).us / 1000));
   if (blocks.has(Flag::imu_angles)) data.imu_angles = angles(sample.angles);
@@ -210,7 +209,7 @@ bool can_stream(Device& device, const msg::DataStreamInterval& request, Instant 
 
 bool offer_sample(Device& device, std::size_t port, const msg::DataStreamInterval& request,
                   Instant now) {
-  // Measuring costs more than checking first.
+  // Checking the room first saves a measurement.
   const std::size_t size = Framing::frame_size(stream_change(request).size);
   if (device.ports.room(port) < size) return false;
   const auto offer = [&]<class M>(M data, auto&&... what) {

@@ -29,7 +29,7 @@ std::optional<std::uint8_t> script_of(msg::MenuCommand action) {
                                    static_cast<unsigned>(msg::MenuCommand::run_script1));
 }
 
-/// The present angles of the camera, as start angles.
+/// Returns the current camera angles as start angles.
 Axes<msg::Angle14> present_angles(Device& device, Instant now) {
   const Sample sample = device.gimbal.sample(now);
   return {wire_angle(sample.angles.roll), wire_angle(sample.angles.pitch),
@@ -41,7 +41,7 @@ void set_angle(Device& device, bool is_saved, Instant now) {
   const Axes<msg::Angle14> angles = present_angles(device, now);
   const auto edit = [&](msg::ReadParams3& changed) { changed.rc_memory = angles; };
   if (is_saved) {
-    // As long as before, so it fits.
+    // The length does not change, so the body fits.
     static_cast<void>(parameters.change<msg::ReadParams3>(parameters.profile(), edit));
   } else {
     parameters.change_in_use<msg::ReadParams3>(edit);
@@ -58,7 +58,7 @@ void go_home(Device& device, Instant now) {
   for (std::size_t axis = 0; axis < angles.size(); ++axis) go_to(device, axis, angles[axis], now);
 }
 
-/// Turns to the frame's heading, without undoing full turns.
+/// Turns to the heading of the frame without undoing full turns.
 void center_yaw(Device& device, Instant now) {
   const double joint = device.gimbal.sample(now).joints[yaw];
   constexpr double turn = 360;
@@ -122,7 +122,7 @@ bool execute_menu(Device& device, msg::MenuCommand action, Instant now) {
     case msg::MenuCommand::frame_upside_down:
     case msg::MenuCommand::rc_bind: break;
     case msg::MenuCommand::button_press: {
-      // One press of the button. An action that presses the button again does nothing.
+      // A single press. An action that presses the button again does nothing.
       const msg::MenuCommand pressed = device.parameters.of<msg::ReadParams3>().menu_cmd[0];
       return pressed == msg::MenuCommand::button_press || execute_menu(device, pressed, now);
     }

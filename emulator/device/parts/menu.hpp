@@ -1,4 +1,4 @@
-/// The actions of the menu: a button, an RC signal or a request starts them.
+/// The menu actions, started by a button, an RC signal or a request.
 #pragma once
 
 #include <sbgc/enums.hpp>
@@ -8,7 +8,7 @@ namespace sbgc::emulator {
 
 struct Device;
 
-/// Carries out an action. False if there is no such action.
+/// Executes an action. Returns false if there is no such action.
 bool execute_menu(Device& device, msg::MenuCommand action, Instant now);
 
 }  // namespace sbgc::emulator

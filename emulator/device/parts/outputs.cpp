@@ -13,11 +13,11 @@
 namespace sbgc::emulator {
 namespace {
 
-/// Assumption: duration of the standard sounds.
+/// Assumption: the duration of the standard sounds.
 constexpr Duration standard_sound = milliseconds(300);
 constexpr Duration click_sound = milliseconds(20);
 
-/// The index of a value in its enum.
+/// Returns the index of a value in its enum.
 template <class E>
 std::optional<std::size_t> index_of(E value) {
   const auto values = EnumMeta<E>::info.values;
@@ -27,9 +27,9 @@ std::optional<std::size_t> index_of(E value) {
   return {};
 }
 
-/// Whether a source of RC signals is this pin: RC_MAP_* name pins with the numbers of OutputPin.
+/// True if an RC source is this pin: RC_MAP_* values use the numbers of OutputPin.
 bool is_at(const Device& device, msg::RcMap source, msg::OutputPin pin) {
-  // Boards without analog inputs of their own read analog signals at the pins for PWM.
+  // Boards without separate analog inputs read analog signals at the PWM pins.
   const bool reads_pin =
       source.source() == msg::RcSource::pwm ||
       (source.source() == msg::RcSource::analog && !knows(device.versions(), msg::RcInput::adc1));
@@ -56,14 +56,15 @@ bool is_input(const Device& device, msg::OutputPin pin) {
          std::any_of(slots.analog_slots.begin(), slots.analog_slots.end(), reads_pin);
 }
 
-/// Pins of the servo outputs, as CMD_SERVO_OUT describes them.
+/// The pins of the servo outputs, as documented for CMD_SERVO_OUT.
 constexpr std::array<msg::OutputPin, Outputs::servo_pins> servo_pin{
     msg::OutputPin::ext_fc_input_roll, msg::OutputPin::ext_fc_input_pitch,
     msg::OutputPin::rc_input_pitch, msg::OutputPin::pin_aux1};
 
 constexpr msg::ServoPulse floating{msg::ServoOut::floating};
 
-/// The sound of an event of the parameters, which are a different set (E111).
+/// Returns the sound of an event in the parameters, whose values differ from those of sounds
+/// (E111).
 std::optional<msg::BeepMode> sound_of(msg::BeeperMode event) {
   switch (event) {
     case msg::BeeperMode::calibrate: return msg::BeepMode::calibrate;
@@ -110,7 +111,7 @@ std::uint16_t Outputs::high_pins() const {
 
 bool Outputs::set_servos(const Device& device, const msg::ServoOut& request) {
   msg::ServoOut wanted = request;
-  // Every negative value means floating.
+  // All negative values mean floating.
   for (msg::ServoPulse& pulse : wanted.servo_time) {
     if (pulse < msg::ServoPulse(msg::ServoOut::low)) pulse = floating;
   }
@@ -128,7 +129,7 @@ bool Outputs::set_servos(const Device& device, const msg::ServoOut& request) {
 }
 
 bool Outputs::play(const msg::BeepSound& sound, Instant now) {
-  // Assumption: one sound at a time, although the mode is a set.
+  // Assumption: one sound at a time, although the mode is a flag set.
   const auto mode = static_cast<msg::BeepMode>(sound.mode.raw());
   if (!std::has_single_bit(sound.mode.raw()) || !index_of(mode) || !is_valid(sound)) return false;
   Duration length = mode == msg::BeepMode::click ? click_sound : standard_sound;

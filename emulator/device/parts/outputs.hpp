@@ -1,4 +1,4 @@
-/// Outputs besides the motors: pins, servo pulses, sounds.
+/// Outputs other than the motors: pins, servo pulses, sounds.
 #pragma once
 
 #include <array>
@@ -15,36 +15,36 @@ namespace sbgc::emulator {
 
 struct Device;
 
-/// Nothing is connected; hosts can ask for the state of the outputs.
+/// Nothing is connected to them; hosts can query their state.
 class Outputs {
  public:
   static constexpr std::size_t servos = std::tuple_size_v<decltype(msg::ServoOut::servo_time)>;
-  /// Servo outputs that have a pin; the others are reserved.
+  /// The number of servo outputs with a pin; the others are reserved.
   static constexpr std::size_t servo_pins = 4;
 
-  /// The sound that is playing.
+  /// The current sound.
   struct Sound {
     msg::BeepModes mode{};
     Instant end{};
   };
 
-  /// False, without effect, if there is no such pin or it has another purpose now.
+  /// Returns false, without effect, if there is no such pin or it is in use for another purpose.
   bool set_pin(const Device& device, msg::OutputPin pin, msg::PinState state);
-  /// The state that a host has set; empty if none has.
+  /// The state set by a host; empty if none was set.
   std::optional<msg::PinState> pin(msg::OutputPin pin) const;
-  /// The pins that are high, one bit per pin in the order of OutputPin.
+  /// Returns the high pins, one bit per pin in the order of OutputPin.
   std::uint16_t high_pins() const;
 
-  /// False, without effect, if a pulse does not fit into the period of SERVO_RATE. Assumption: it
-  /// takes the pin from any other purpose.
+  /// Returns false, without effect, if a pulse does not fit into the period of SERVO_RATE.
+  /// Assumption: a servo takes its pin from any other use.
   bool set_servos(const Device& device, const msg::ServoOut& request);
-  /// As in CMD_SERVO_OUT. Precondition: index < servos.
+  /// The pulse as in CMD_SERVO_OUT. Precondition: index < servos.
   msg::ServoPulse servo(std::size_t index) const { return servos_[index]; }
 
-  /// Plays a melody or a standard sound, instead of the current one. False, without effect, if the
-  /// message does not describe one.
+  /// Plays a melody or a standard sound in place of the current one. Returns false, without effect,
+  /// if the message describes neither.
   bool play(const msg::BeepSound& sound, Instant now);
-  /// Plays the standard sound of an event, if it has one and the parameters enable it.
+  /// Plays the standard sound of an event if it has one and the parameters enable it.
   void signal(const Device& device, msg::BeeperMode event, Instant now);
   std::optional<Sound> sound() const { return sound_; }
 

@@ -28,7 +28,7 @@ void Parameters::select_profile(std::uint8_t profile) {
 std::optional<std::int32_t> Parameters::variable(msg::VariableId id) const {
   if (find_variable(id) == nullptr) return std::nullopt;
   const Optional<std::int32_t> now = variable_value(in_use_, id);
-  // Another variable may have changed the same setting since.
+  // Another variable may have changed the same parameter meanwhile.
   const auto set = variables_.find(id);
   if (set != variables_.end() && set->second.made == now) return set->second.given;
   return now ? *now : 0;
@@ -49,7 +49,7 @@ std::optional<msg::VariableId> Parameters::set_variables(std::span<const msg::Ad
   const auto variables = variables_;
   for (const msg::AdjVarValue& one : values) {
     if (set_variable(one.param_id, one.param_value)) continue;
-    // Not by setting the old values: they may lie where no variable can be set to.
+    // Do not set the old values again: they may be out of the variable's range.
     in_use_ = in_use;
     variables_ = variables;
     return one.param_id;
@@ -63,7 +63,7 @@ void Parameters::forget_variables() {
 
 void Parameters::save() {
   StoredMessages::for_each([this]<class M>(Type<M>) {
-    // What is in use has been stored or loaded before, so it is not too long.
+    // Active parameters were stored or loaded before, so they are not too long.
     if constexpr (is_of_profile<M>) static_cast<void>(store(profile(), of<M>()));
   });
   forget_variables();

@@ -1,4 +1,4 @@
-/// The parameters of the board: those in use and those in the EEPROM.
+/// The parameters of the board, active and in the EEPROM.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@
 
 namespace sbgc::emulator {
 
-/// One message of each type of a TypeList.
+/// Holds one message of each type of a TypeList.
 template <class List>
 struct OneOfEach;
 template <class... Messages>
@@ -44,42 +44,44 @@ struct OneOfEach<TypeList<Messages...>> {
   }
 };
 
-/// Parameters are bodies of StoredMessages. Those of the active profile are in use: changes in use
-/// only, such as those by adjustable variables, differ from the EEPROM until save() or a restart.
+/// Parameters are bodies of StoredMessages. The board uses those of the active profile. Changes of
+/// the active parameters alone, such as by adjustable variables, differ from the EEPROM until
+/// save() or a restart.
 ///
-/// Fields that are the state of the board (FieldRole::state) are kept as they were sent; the
-/// handler of a request fills them in. PROFILE_ID is always the number of the copy.
+/// Fields that hold state of the board (FieldRole::state) are stored as received; the handler of a
+/// read request fills them in. PROFILE_ID is always the number of the copy.
 ///
-/// General ones (FieldRole::general) are those in the record of the first copy: whichever copy is
-/// written, they are stored there and in use at once.
+/// General parameters (FieldRole::general) are those in the record of the first copy: writing any
+/// copy stores them there and activates them at once.
 class Parameters {
  public:
-  /// Loads the EEPROM; factory parameters replace what is missing or damaged, in use but not in the
-  /// EEPROM.
+  /// Loads the EEPROM. Factory parameters replace missing or damaged ones, but only as active
+  /// parameters, not in the EEPROM.
   explicit Parameters(Memory& memory);
 
-  /// As after a restart.
+  /// Reloads all parameters, as at a restart.
   void reload();
 
   /// The active profile. An invalid number in the memory counts as 0.
   std::uint8_t profile() const;
-  /// Switches to the parameters of another profile. Precondition: it exists.
+  /// Activates the parameters of another profile. Precondition: it exists.
   void select_profile(std::uint8_t profile);
 
-  /// In use.
+  /// The active parameters.
   template <class M>
   const M& of() const {
     return in_use_.template of<M>();
   }
 
-  /// What a request reads: parameters in use for the active profile, those in the EEPROM for
-  /// others. Precondition: copy < SettingsOf<M>::copies.
+  /// Returns the parameters that a request reads: the active ones for the active profile, else
+  /// those in the EEPROM. Precondition: copy < SettingsOf<M>::copies.
   template <class M>
   M read(std::uint8_t copy) const {
     return copy == copy_in_use<M>() ? of<M>() : stored<M>(copy);
   }
-  /// Stores a message in the EEPROM, including reserved bytes and tail, and uses it if it belongs
-  /// to the active profile. False if the body is too long for the EEPROM. Same precondition.
+  /// Stores a message in the EEPROM, including reserved bytes and tail, and activates it if it
+  /// belongs to the active profile. Returns false if the body is too long for the EEPROM. Same
+  /// precondition.
   template <class M>
   bool write(std::uint8_t copy, const M& parameters) {
     M numbered = parameters;
@@ -92,8 +94,8 @@ class Parameters {
     }
     return true;
   }
-  /// Changes some parameters, in the EEPROM and in use: `edit(M&)` is called for both. Other
-  /// unsaved changes stay as they are. Otherwise as write().
+  /// Changes some parameters in the EEPROM and the active ones by calling `edit(M&)` for both.
+  /// Keeps other unsaved changes. Otherwise like write().
   template <class M, class Edit>
   bool change(std::uint8_t copy, const Edit& edit) {
     auto parameters = stored<M>(copy);
@@ -108,37 +110,38 @@ class Parameters {
     return true;
   }
 
-  /// Changes some parameters in use, until a restart, another profile or save().
+  /// Changes active parameters until a restart, a profile change or save().
   template <class M, class Edit>
   void change_in_use(const Edit& edit) {
     edit(in_use_.template of<M>());
   }
 
-  /// The variable's value; empty if this board does not have it.
+  /// Returns the value of the variable; nothing if this board does not have it.
   std::optional<std::int32_t> variable(msg::VariableId id) const;
-  /// Until a restart or save(). False if there is no such variable or the value is out of range.
-  /// Afterwards variable() is this value, even where the parameters can only approximate it.
+  /// Sets a variable until a restart or save(). Returns false if there is no such variable or the
+  /// value is out of range. Afterwards variable() returns exactly this value, even if the
+  /// parameters can only approximate it.
   bool set_variable(msg::VariableId id, std::int32_t value);
-  /// Sets all of them, or none if one cannot be set; returns that one.
+  /// Sets all variables or, if one cannot be set, none; returns that one.
   std::optional<msg::VariableId> set_variables(std::span<const msg::AdjVarValue> values);
-  /// Stores what is in use in the active profile.
+  /// Stores the active parameters in the active profile.
   void save();
 
-  /// Restores the factory parameters of one profile, in the EEPROM and in use; general ones stay as
-  /// they are. Precondition: the profile exists.
+  /// Restores the factory parameters of one profile, in the EEPROM and the active ones; keeps
+  /// general parameters. Precondition: the profile exists.
   void use_defaults(std::uint8_t profile);
-  /// Erases the whole EEPROM, including files and user data; factory parameters are in use, the
-  /// first profile is active.
+  /// Erases the whole EEPROM, including files and user data. Activates factory parameters and the
+  /// first profile.
   void erase();
 
  private:
-  /// A variable that a host has set.
+  /// A variable set by a host.
   struct Variable {
     std::int32_t given{};
     Optional<std::int32_t> made{};  ///< the resulting parameter; empty if the variable has none
   };
 
-  /// Whether each profile has a copy of the message; of all others there is one.
+  /// True if each profile has a copy of the message; otherwise there is one copy.
   template <class M>
   static constexpr bool is_of_profile = (SettingsOf<M>::copies > 1);
 
@@ -154,7 +157,7 @@ class Parameters {
   static void share([[maybe_unused]] const M& from, [[maybe_unused]] M& to) {
     if constexpr (is_of_profile<M>) SettingsOf<M>::share(from, to);
   }
-  /// Address of the record of a copy.
+  /// Returns the address of the record of a copy.
   template <class M>
   static std::size_t place(std::uint8_t copy) {
     std::size_t before = 0;
@@ -171,7 +174,7 @@ class Parameters {
     if (copy != 0) share(record<M>(0), message);
     return message;
   }
-  /// The copy in the EEPROM, or the factory parameters.
+  /// Returns the copy in the EEPROM, or factory parameters.
   template <class M>
   M record(std::uint8_t copy) const {
     M message{};
@@ -187,7 +190,7 @@ class Parameters {
     const M before = record<M>(0);
     M first = before;
     share(message, first);
-    return first == before || store_record(0, first);  // as long as before, so there is room
+    return first == before || store_record(0, first);  // same length as before, so it fits
   }
   template <class M>
   bool store_record(std::uint8_t copy, const M& message) {
@@ -201,13 +204,13 @@ class Parameters {
     if (is_of_profile<M>) forget_variables();
     in_use_.template of<M>() = message;
   }
-  /// Variables that set parameters have the parameters' values again.
+  /// Makes variables that set parameters read those parameters again.
   void forget_variables();
 
   Memory& memory_;
   Eeprom eeprom_;
   OneOfEach<StoredMessages> in_use_{};
-  std::map<msg::VariableId, Variable> variables_{};  ///< that have been set
+  std::map<msg::VariableId, Variable> variables_{};  ///< variables that were set
 };
 
 }  // namespace sbgc::emulator

@@ -1,4 +1,4 @@
-/// The serial interfaces of the board: queued requests and pending output.
+/// The serial interfaces of the board: request queues and pending output.
 #pragma once
 
 #include <array>
@@ -16,27 +16,27 @@
 
 namespace sbgc::emulator {
 
-/// A request that waits to be carried out.
+/// A request that waits for execution.
 struct QueuedRequest {
   std::uint8_t id{};
   std::vector<std::uint8_t> body{};
 };
 
-/// Buffers, which do not know what frames mean.
+/// Buffers of frames; they do not interpret them.
 class Ports {
  public:
-  /// The number of no port; sending to it does nothing.
+  /// An invalid port number; sending to it does nothing.
   static constexpr std::size_t none = Board::max_ports;
 
   explicit Ports(const BoardOptions& options);
 
-  /// Ends a step of the board's work, with the revision if the step changed the memory. Frames that
-  /// report the change, and all after them, then wait for release() or fail().
+  /// Ends a step of the board, with the revision if the step changed the memory. Frames that report
+  /// the change, and all later ones, then wait for release() or fail().
   void end_step(std::optional<std::uint32_t> changed);
-  /// Changes up to that revision may be reported.
+  /// Releases frames that report changes up to this revision.
   void release(std::uint32_t revision);
-  /// They could not be saved: `refusal(frame)` is the frame to send instead of each that reports
-  /// one.
+  /// Changes up to this revision could not be saved: replaces each frame that reports one by
+  /// `refusal(frame)`.
   using Refusal = std::function<std::vector<std::uint8_t>(std::span<const std::uint8_t>)>;
   void fail(std::uint32_t revision, const Refusal& refusal);
 
@@ -44,19 +44,19 @@ class Ports {
   void close(std::size_t port);
   bool is_open(std::size_t port) const;
   bool is_usb(std::size_t port) const;
-  /// The host sends nothing more: from now on there is no room for samples of streams.
+  /// The host sends no more requests: from now on there is no room for stream samples.
   void end_input(std::size_t port);
-  /// Errors of the line since the board started.
+  /// The number of line errors since the board started.
   std::uint64_t errors(std::size_t port) const;
 
-  /// Sends a message, even if it has to wait for room; no effect if the port is closed.
+  /// Sends a message, even if it must wait for room. No effect if the port is closed.
   template <Message M>
   void send(std::size_t port, const M& message) {
     std::array<std::uint8_t, max_frame_size> frame{};
     const WriteResult written = encode_frame(message, frame);
     if (written) send_frame(port, std::span(frame).first(written.size));
   }
-  /// The same for a sample of a stream: false, and nothing is sent, if there is no room for it now.
+  /// The same for a stream sample, but sends nothing and returns false if there is no room now.
   template <Message M>
   bool offer(std::size_t port, const M& message) {
     std::array<std::uint8_t, max_frame_size> frame{};
@@ -66,29 +66,29 @@ class Ports {
     return true;
   }
   void send_frame(std::size_t port, std::span<const std::uint8_t> frame);
-  /// Bytes of samples that fit into the output buffer now; 0 for a closed port.
+  /// The number of bytes of samples that fit into the output buffer now; 0 for a closed port.
   std::size_t room(std::size_t port) const;
 
-  /// Size of the queued requests.
+  /// The size of the queued requests in bytes.
   std::size_t queued_bytes(std::size_t port) const { return ports_[port].requests_size; }
 
-  /// Parses what came from a host and queues the requests, or only counts them while the board does
-  /// not listen.
+  /// Parses bytes from a host and queues the requests; only counts them if the board does not
+  /// listen.
   void receive(std::size_t port, std::span<const std::uint8_t> bytes, bool is_listening);
-  /// Whether a frame has begun and is not complete.
+  /// True if a frame has started but is not complete.
   bool is_in_frame(std::size_t port) const;
-  /// Gives up the partial frame: the line has been idle.
+  /// Drops the partial frame, because the line was idle.
   void give_up_frame(std::size_t port, bool is_listening);
-  /// Whether a request is queued and pending output does not hold it up.
+  /// True if a request is queued and pending output does not block it.
   bool can_take(std::size_t port) const;
   /// Precondition: can_take(port).
   QueuedRequest take(std::size_t port);
-  /// Drops the input, because the board restarted. `output_too`: pending output as well.
+  /// Drops all input, because the board restarted; with `output_too`, also pending output.
   void restart(bool output_too);
 
-  /// What may be sent now.
+  /// The bytes that may be sent now.
   std::span<const std::uint8_t> output(std::size_t port) const;
-  /// Whether anything is to be sent, now or later.
+  /// True if any bytes are pending, sendable now or later.
   bool has_output(std::size_t port) const;
   void sent(std::size_t port, std::size_t size);
 
@@ -102,17 +102,17 @@ class Ports {
   void report(std::size_t port, const Frame& frame, std::optional<Outcome> outcome) const;
 
  private:
-  /// More than a host that waits for responses ever queues; limits the cost of one that floods. An
-  /// assumption.
+  /// More than a host that waits for responses ever queues; limits the cost of a flooding host.
+  /// Assumption.
   static constexpr std::size_t max_input = 1U << 20U;
-  /// Limit of unrequested output, such as the progress of a calibration, beyond the output buffer
-  /// when a host does not read. An assumption.
+  /// The limit of unrequested output, such as calibration progress, beyond the output buffer if a
+  /// host does not read. Assumption.
   static constexpr std::size_t max_overflow = 4096;
 
-  /// A frame of the output that waits for its change to be saved.
+  /// A frame in the output that waits until its change is saved.
   struct Held {
-    std::size_t begin{}, size{};              ///< in Port::output
-    std::optional<std::uint32_t> revision{};  ///< empty: that of the current step
+    std::size_t begin{}, size{};              ///< position in Port::output
+    std::optional<std::uint32_t> revision{};  ///< empty in the current step
   };
 
   struct Port {
@@ -120,12 +120,12 @@ class Ports {
     Parser parser{};
     std::deque<QueuedRequest> requests{};
     std::size_t requests_size{};
-    std::vector<std::uint8_t> output{};  ///< from `output_begin` on
+    std::vector<std::uint8_t> output{};  ///< starts at `output_begin`
     std::size_t output_begin{};
     std::deque<Held> held{};
 
     std::size_t output_size() const { return output.size() - output_begin; }
-    /// Removes the bytes sent from `output`.
+    /// Removes sent bytes from `output`.
     void forget_sent();
   };
 

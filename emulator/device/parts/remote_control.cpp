@@ -15,19 +15,19 @@
 namespace sbgc::emulator {
 namespace {
 
-/// Parameters that shape a signal have its resolution: 500 counts from the middle to the end.
+/// Parameters that shape a signal have its resolution: 500 counts from the center to the end.
 /// Assumption: the specification gives no units.
 double share_of_signal(int counts) {
   return msg::CentredRcSignal(static_cast<std::int16_t>(counts)).fraction();
 }
 
-/// A flight controller's signal with EXT_FC_GAIN. Assumption: 127 is the whole signal.
+/// Scales a signal of a flight controller by EXT_FC_GAIN. Assumption: 127 means the full signal.
 double amplified(double signal, int gain) {
   return signal * gain / std::numeric_limits<std::int8_t>::max();
 }
 
-/// Adds the flight controller's share, if it is mixed into this axis. Assumption: an axis without a
-/// signal of its own has that share alone, as if its own signal were in the middle.
+/// Adds the flight controller's share if it is mixed into this axis. Assumption: without a signal
+/// of its own, an axis uses the share alone, as if its own signal were centered.
 void mix_in(std::optional<double>& signal, msg::RcMix mix, std::size_t axis,
             std::optional<double> controller, int gain) {
   constexpr std::array targets{msg::MixTarget::roll, msg::MixTarget::pitch, msg::MixTarget::yaw};
@@ -48,7 +48,7 @@ double RemoteControl::shaped(const msg::ReadParams3& parameters, std::size_t axi
   constexpr double whole =
       sbgc::detail::field_info<msg::ReadParams3>("rc_expo_rate").range->highest;
   const double curve = parameters.rc_expo_rate / whole;
-  // Assumption: the rest of the way covers the whole range, so that the ends can be reached.
+  // Assumption: the remaining range is stretched, so that the ends can be reached.
   const double size = std::min(beyond / (1 - deadband), 1.0);
   return std::copysign((1 - curve) * size + curve * size * size * size, signal);
 }
@@ -80,8 +80,8 @@ std::optional<double> RemoteControl::followed(const Device& device, std::size_t 
   if (parameters.follow_mode != msg::FollowMode::fc || (axis != roll && axis != pitch)) return {};
   const msg::RcMap source = axis == roll ? parameters.rc_map_fc_roll : parameters.rc_map_fc_pitch;
   const int gain = axis == roll ? parameters.ext_fc_gain_roll : parameters.ext_fc_gain_pitch;
-  // Assumption: the full signal means that the frame tilts by 90 degrees, RC_FOLLOW is in percent,
-  // and a missing signal means level.
+  // Assumption: the full signal means a frame tilt of 90 degrees, RC_FOLLOW is in percent, and a
+  // missing signal means level.
   return 90 * amplified(signal(source).value_or(0), gain) * parameters.rc[axis].rc_follow / 100;
 }
 
@@ -111,9 +111,9 @@ void RemoteControl::set_channels(Device& device, const msg::ApiVirtChControl& si
   follow_command_channel(device, now);
 }
 
-/// The command channel is a switch of three positions; each change of it starts an action. Only new
-/// signals count: an action that changes the channel's source could otherwise start itself
-/// endlessly.
+/// The command channel is a switch with three positions; each change of position starts an action.
+/// Only new signals count, because an action that changes the source of the channel could otherwise
+/// trigger itself endlessly.
 void RemoteControl::follow_command_channel(Device& device, Instant now) {
   const auto& parameters = device.parameters.of<msg::ReadParams3>();
   const auto level = signal(parameters.rc_map_cmd);

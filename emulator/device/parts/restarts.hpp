@@ -1,4 +1,4 @@
-/// Restarts of the board, and the time after them.
+/// Restarts of the board and the phases after them.
 #pragma once
 
 #include <cstdint>
@@ -10,25 +10,24 @@ namespace sbgc::emulator {
 
 struct Device;
 
-/// A restart loses what is not in the memory, and the board does not listen for a while.
+/// A restart loses everything outside the memory, and the board does not listen for a while.
 class Restarts {
  public:
   enum class State : std::uint8_t { starting, running, in_bootloader };
 
-  /// The board is switched on.
+  /// Powers the board on.
   Restarts(Device& device, Instant now);
 
   /// Schedules a restart, unless an earlier one is scheduled.
   void schedule(Instant at, bool to_bootloader);
-  /// The board restarts by itself: it notifies all hosts and gives them time.
+  /// Schedules a restart on the board's own initiative, after notifying all hosts.
   void announce(Device& device, Instant now);
-  /// Restarts now. `power_off`: also loses pending output and the registers of the devices on the
-  /// bus.
+  /// Restarts now. `power_off` also loses pending output and the registers of bus devices.
   void restart_now(Device& device, Instant now, bool to_bootloader, bool power_off);
 
   State state() const { return state_; }
   bool is_listening() const { return state_ == State::running; }
-  /// When the board last started.
+  /// The time of the last start.
   Instant started() const { return started_; }
 
   Instant next() const;
@@ -44,7 +43,7 @@ class Restarts {
   void begin_running(Device& device, Instant now);
 
   State state_ = State::starting;
-  Instant changes_ = Instant::never;  ///< when the state changes
+  Instant changes_ = Instant::never;  ///< time of the next state change
   Instant started_{};
   std::optional<Scheduled> scheduled_{};
 };

@@ -9,10 +9,11 @@
 namespace sbgc::emulator {
 namespace {
 
-/// Assumption: duration of a command.
+/// Assumption: the duration of a command.
 constexpr Duration command_time = milliseconds(100);
 
-/// Lines with a command: not empty, and no comment (assumption: one that begins with '#' or "//").
+/// Counts lines with a command: neither empty nor a comment (assumption: comments start with '#' or
+/// "//").
 std::uint16_t count_commands(std::string_view text) {
   unsigned count = 0;
   while (!text.empty()) {
@@ -60,7 +61,7 @@ Instant Scripts::next() const { return run_ ? run_->due : Instant::never; }
 
 void Scripts::advance(Device& device, Instant now) {
   while (run_ && run_->due <= now) {
-    // The board reads the script while it runs, so the file can vanish.
+    // The board reads the script while it runs, so the file can disappear.
     const bool is_gone = device.files.size(run_->slot) == 0;
     if (is_gone || run_->command >= run_->commands) {
       report(device, is_gone ? msg::FileError::file_not_found : msg::FileError::no_error);

@@ -14,28 +14,28 @@
 
 namespace sbgc::emulator {
 
-/// Runs one script at a time. The script language is not published. Assumptions: a script is a text
-/// whose lines are commands that take time and do nothing else; the script of a slot is the file
-/// with the slot's number.
+/// Runs one script at a time. The script language is undocumented. Assumptions: a script is text
+/// whose lines are commands that only take time; the script of a slot is the file with the number
+/// of the slot.
 class Scripts {
  public:
-  /// Slots count from 0 (an assumption).
+  /// Slots count from 0. Assumption.
   static constexpr std::uint8_t slots =
       std::tuple_size_v<decltype(msg::BoardInfo3::script_slot_size)>;
 
-  /// Whether this board runs scripts at all.
+  /// True if this board supports scripts.
   static bool are_known(const Device& device);
-  /// Starts a script and ends the one that runs. With a port, that gets CMD_SCRIPT_DEBUG with each
-  /// command and once more at the end. Returns why it could not start.
+  /// Starts a script and ends the running one. `port` receives CMD_SCRIPT_DEBUG for each command
+  /// and at the end. Returns the reason if it cannot start.
   std::optional<msg::BoardErrorCode> start(Device& device, std::uint8_t slot,
                                            std::optional<std::size_t> port, Instant now);
   void stop() { run_.reset(); }
-  /// Slot of the script that runs.
+  /// The slot of the running script.
   std::optional<std::uint8_t> running() const;
-  /// Number of its current command, from 1; 0 if no script runs.
+  /// The number of its current command, from 1; 0 if no script is running.
   std::uint16_t command() const { return run_ ? run_->command : 0; }
 
-  /// The port closes: send nothing more there.
+  /// The port closes: sends nothing more to it.
   void forget_port(std::size_t port);
 
   Instant next() const;

@@ -13,12 +13,12 @@
 namespace sbgc::emulator {
 namespace {
 
-/// Assumption: how often the board reads the signals.
+/// Assumption: the interval at which the board reads the signals.
 constexpr Duration period = milliseconds(20);
 
 constexpr unsigned levels = std::tuple_size_v<decltype(msg::TriggerSlot::action)>;
 
-/// One of the five levels of a signal, equally wide.
+/// Returns which of five equally wide levels a signal has.
 unsigned level_of(double signal) {
   const double share = (signal + 1) / 2;
   return static_cast<unsigned>(std::clamp(std::floor(share * levels), 0.0, levels - 1.0));
@@ -31,9 +31,9 @@ bool is_used(const msg::AnalogSlot& slot) {
   return slot.src_ch != msg::RcMap(msg::RcInput::input_no);
 }
 
-/// Assumption, because the formula is not published (E073): MIN_VAL and MAX_VAL divide the
-/// variable's range into 255 parts, and the signal goes evenly from one to the other. A MIN_VAL
-/// above MAX_VAL turns the direction round.
+/// Assumption, because the formula is undocumented (E073): MIN_VAL and MAX_VAL divide the range of
+/// the variable into 255 parts, and the signal maps linearly between them. MIN_VAL above MAX_VAL
+/// reverses the direction.
 std::int32_t value_of(const msg::AnalogSlot& slot, const VariableInfo& variable, double signal) {
   constexpr double whole = std::numeric_limits<decltype(slot.max_val)>::max();
   const double share = (std::clamp(signal, -1.0, 1.0) + 1) / 2;
@@ -44,7 +44,7 @@ std::int32_t value_of(const msg::AnalogSlot& slot, const VariableInfo& variable,
 }
 
 msg::CentredRcSignal rc_data(std::optional<double> signal) {
-  // Assumption: no signal is reported as its middle.
+  // Assumption: a missing signal is reported as centered.
   return msg::CentredRcSignal::from_fraction(std::clamp(signal.value_or(0), -1.0, 1.0))
       .value_or({});
 }
@@ -77,8 +77,8 @@ void Slots::apply_parameters(const Device& device, Instant now) {
 void Slots::advance(Device& device, Instant now) {
   if (now < next_) return;
   next_ = next_ + period;
-  if (next_ <= now) next_ = now + period;  // past values of a signal are not known
-  // Actions first: they may switch to another profile.
+  if (next_ <= now) next_ = now + period;  // past values of a signal are unknown
+  // Actions first, because they may switch the profile.
   for (Trigger& slot : triggers_) {
     const auto signal =
         is_used(slot.config) ? device.remote.signal(slot.config.src_ch) : std::nullopt;
@@ -96,7 +96,7 @@ void Slots::advance(Device& device, Instant now) {
     const VariableInfo* variable = find_variable(slot.config.param_id);
     if (!is_used(slot.config) || !signal || variable == nullptr) continue;
     const std::int32_t value = value_of(slot.config, *variable, *signal);
-    // A host may set the variable too: the signal wins when it or the profile changes.
+    // A host may also set the variable: the signal wins when it or the profile changes.
     if (slot.value == value) continue;
     slot.value = value;
     is_changed = device.parameters.set_variable(slot.config.param_id, value) || is_changed;
@@ -118,7 +118,7 @@ msg::AdjVarsState Slots::state(const Device& device, std::size_t trigger,
   return state;
 }
 
-/// apply_parameters() follows when the board has started.
+/// apply_parameters() is called when the board has started.
 void Slots::restart(Device& /*device*/, Instant /*now*/) { *this = {}; }
 
 }  // namespace sbgc::emulator

@@ -1,4 +1,4 @@
-/// RC signals that start actions and change adjustable variables.
+/// RC signals that trigger actions and change adjustable variables.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace sbgc::emulator {
 
 struct Device;
 
-/// Carries out the configuration of CMD_WRITE_ADJ_VARS_CFG.
+/// Implements the configuration of CMD_WRITE_ADJ_VARS_CFG.
 class Slots {
  public:
   static constexpr std::size_t triggers =
@@ -22,9 +22,9 @@ class Slots {
   static constexpr std::size_t analogs =
       std::tuple_size_v<decltype(msg::ReadAdjVarsCfg::analog_slots)>;
 
-  /// Takes the configuration from the parameters; for Device::apply_parameters().
+  /// Takes the configuration from the parameters; called by Device::apply_parameters().
   void apply_parameters(const Device& device, Instant now);
-  /// What the slots do now. Precondition: trigger < triggers, analog < analogs.
+  /// The current state of two slots. Precondition: trigger < triggers, analog < analogs.
   msg::AdjVarsState state(const Device& device, std::size_t trigger, std::size_t analog) const;
 
   Instant next() const { return next_; }
@@ -34,17 +34,17 @@ class Slots {
  private:
   struct Trigger {
     msg::TriggerSlot config{};
-    std::optional<unsigned> level{};  ///< of the signal, when there is one
-    msg::MenuCommand action{};        ///< started last
+    std::optional<unsigned> level{};  ///< of the signal, if any
+    msg::MenuCommand action{};        ///< last started
   };
   struct Analog {
     msg::AnalogSlot config{};
-    std::optional<std::int32_t> value{};  ///< set last
+    std::optional<std::int32_t> value{};  ///< last set
   };
 
   std::array<Trigger, triggers> triggers_{};
   std::array<Analog, analogs> analogs_{};
-  std::uint8_t profile_{};  ///< in which the values were set
+  std::uint8_t profile_{};  ///< the profile in which the values were set
   Instant next_ = Instant::never;
 };
 

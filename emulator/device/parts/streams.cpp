@@ -77,7 +77,7 @@ void Streams::advance(Device& device, Instant now) {
     if (offer_sample(device, stream.port, stream.request, now)) {
       ++stream.samples;
     } else {
-      // There is no room until bytes have been sent: no need to check for each sample.
+      // There is no room until bytes are sent, so do not check for each sample.
       stream.is_held_up = true;
       skip(device, stream, now);
     }

@@ -24,10 +24,10 @@ class Streams {
   void forget(Device& device, std::size_t port, Instant now);
   /// The output buffer of a port may have room again.
   void has_room(Device& device, std::size_t port, Instant now);
-  /// Counts the samples skipped until now.
+  /// Counts the samples skipped until `now`.
   void count_skipped(Device& device, Instant now);
 
-  /// When the next sample is due that has room.
+  /// The time of the next sample that is not held up.
   Instant next() const;
   void advance(Device& device, Instant now);
   void restart(Device& device, Instant now);
@@ -39,7 +39,7 @@ class Streams {
     msg::DataStreamInterval request{};
     std::int64_t interval_us{};
     Instant start{};
-    std::int64_t samples{};  ///< that were due until now
+    std::int64_t samples{};  ///< number of samples due until now
     bool is_held_up{};       ///< no room until bytes are sent
 
     Instant due() const;

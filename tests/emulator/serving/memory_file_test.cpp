@@ -150,41 +150,45 @@ TEST(MemoryText, SaysWhatIsWrongAndWhere) {
                "nested deeper than 64 levels (line 1, column 65)");
   expect_error(changed(text, "\"profile\": 0", "\"profile\": 0, \"profile\": 0"), bad,
                "the key 'profile' is there twice (line ");
-  expect_error("[]", bad, "no memory of an emulated board");
-  expect_error("{}", bad, "no memory of an emulated board");
-  expect_error(R"({"format":"sbgc-backup"})", bad, "no memory of an emulated board");
+  expect_error("[]", bad, "not the memory of an emulated board");
+  expect_error("{}", bad, "not the memory of an emulated board");
+  expect_error(R"({"format":"sbgc-backup"})", bad, "not the memory of an emulated board");
   expect_error(R"({"format":"sbgc-board-memory"})", bad, "version: it is missing");
-  expect_error(R"({"format":"sbgc-board-memory","version":0})", bad, "version: 1 is needed");
-  expect_error(R"({"format":"sbgc-board-memory","version":-1})", bad, "version: a number");
-  expect_error(R"({"format":"sbgc-board-memory","version":"1"})", bad, "version: a number");
+  expect_error(R"({"format":"sbgc-board-memory","version":0})", bad, "version: expected 1");
+  expect_error(R"({"format":"sbgc-board-memory","version":-1})", bad, "version: expected a number");
+  expect_error(R"({"format":"sbgc-board-memory","version":"1"})", bad,
+               "version: expected a number");
   expect_error(R"({"format":"sbgc-board-memory","version":2})", ErrorCode::incompatible,
                "version 2 of the format");
   expect_error(changed(text, "\"version\": 1,", "\"version\": 18446744073709551615,"),
                ErrorCode::incompatible, "version 18446744073709551615");
-  expect_error(changed(text, "\"profile\": 0", "\"profile\": 5"), bad, "profile: a number below 5");
-  expect_error(changed(text, "\"profile\": 0", "\"profile\": -1"), bad, "profile: a number");
-  expect_error(changed(text, "\"profile\": 0", "\"profile\": 0.5"), bad, "profile: a number");
-  expect_error(changed(text, "\"profile\": 0", "\"profile\": 1"), bad, "crc32: the checksum");
+  expect_error(changed(text, "\"profile\": 0", "\"profile\": 5"), bad,
+               "profile: expected a number below 5");
+  expect_error(changed(text, "\"profile\": 0", "\"profile\": -1"), bad,
+               "profile: expected a number");
+  expect_error(changed(text, "\"profile\": 0", "\"profile\": 0.5"), bad,
+               "profile: expected a number");
+  expect_error(changed(text, "\"profile\": 0", "\"profile\": 1"), bad, "crc32: wrong checksum");
   expect_error(changed(text, "\"profile\"", R"("colour": 1, "profile")"), bad,
-               "colour: this is not known");
+               "colour: unknown key");
   expect_error(changed(text, "\"acc_limits\"", R"("x": 1, "acc_limits")"), bad,
-               "imus[0].x: this is not known");
+               "imus[0].x: unknown key");
   expect_error(changed(text, "\"acc_limits\"", "\"acc_limit\""), bad,
                "imus[0].acc_limits: it is missing");
   expect_error(changed(text, "\"battery_factor\": 1.0", "\"battery_factor\": 1e300"), bad,
-               "battery_factor: a number");
+               "battery_factor: expected a number");
   expect_error(changed(text, "\"battery_factor\": 1.0", "\"battery_factor\": null"), bad,
-               "battery_factor: a number");
+               "battery_factor: expected a number");
   expect_error(changed(text, "\"battery_factor\": 1.0", "\"battery_factor\": -1"), bad,
-               "battery_factor: it is below 0");
+               "battery_factor: must not be negative");
   expect_error(changed(text, "\"gyro_is_calibrated\": true", "\"gyro_is_calibrated\": 1"), bad,
-               "imus[0].gyro_is_calibrated: true or false");
+               "imus[0].gyro_is_calibrated: expected true or false");
   expect_error(changed(text, R"("device_id": ")", R"("device_id": "00)"), bad,
-               "board.device_id: hex digits of 9 bytes");
+               "board.device_id: expected hex digits of 9 bytes");
   const std::string line = "\"" + std::string(128, 'f') + "\"";
-  expect_error(changed(text, line, line + "," + line), bad, "eeprom: a list of 512");
-  expect_error(changed(text, line, "\"ff\""), bad, "eeprom[0]: hex digits of 64 bytes");
-  expect_error(changed(text, line, "7"), bad, "eeprom[0]: hex digits of 64 bytes");
+  expect_error(changed(text, line, line + "," + line), bad, "eeprom: expected a list of 512");
+  expect_error(changed(text, line, "\"ff\""), bad, "eeprom[0]: expected hex digits of 64 bytes");
+  expect_error(changed(text, line, "7"), bad, "eeprom[0]: expected hex digits of 64 bytes");
 }
 
 TEST_F(MemoryFile, IsLoadedAsItWasSaved) {
@@ -227,7 +231,7 @@ TEST_F(MemoryFile, ErrorsNameTheFile) {
   std::ofstream(path("other.json")) << "{}";
   const auto other = load_memory(path("other.json"));
   ASSERT_FALSE(other);
-  EXPECT_THAT(other.error().message, HasSubstr("other.json: this is no memory"));
+  EXPECT_THAT(other.error().message, HasSubstr("other.json: this is not the memory"));
   std::ofstream(path("large.json")) << std::string(2'000'000, ' ');
   const auto large = load_memory(path("large.json"));
   ASSERT_FALSE(large);

@@ -60,7 +60,7 @@ def test_tcp_has_several_hosts() -> None:
         for host in hosts[:3] + hosts[4:]:
             host.close()
         emulator.end()
-        assert "refused: there are 8 places for TCP, and all are taken" in emulator.error
+        assert "refused: all 8 places for TCP are in use" in emulator.error
 
 
 def timer_of(place: str) -> list[str]:
@@ -149,8 +149,8 @@ def test_udp_leaves_places_for_tcp() -> None:
         for line in [*senders, *hosts, fifth, newcomer]:
             line.close()
         emulator.end()
-        assert "refused: there are 4 places for UDP" in emulator.error
-        assert "refused: there are 4 places for TCP" in emulator.error
+        assert "refused: all 4 places for UDP" in emulator.error
+        assert "refused: all 4 places for TCP" in emulator.error
 
 
 def test_udp_tells_once_of_a_host_that_is_refused() -> None:
@@ -200,7 +200,7 @@ def test_udp_loses_a_datagram_when_an_earlier_one_waits() -> None:
         host.socket.send(frame(BOARD_INFO) * 900)  # which takes minutes
         host.socket.send(frame(BOARD_INFO_3) * 800)
         assert emulator.process.stdout is not None
-        while b"a datagram of 4000 bytes is lost" not in emulator.process.stdout.readline():
+        while b"lost a datagram of 4000 bytes" not in emulator.process.stdout.readline():
             assert emulator.process.poll() is None
         host.close()
 

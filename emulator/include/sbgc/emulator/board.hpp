@@ -15,23 +15,23 @@
 
 namespace sbgc::emulator {
 
-/// What became of a frame from a host.
+/// How the board handled a frame from a host.
 enum class Outcome : std::uint8_t {
   carried_out,
-  refused,       ///< answered with CMD_ERROR, or not confirmed where that means it
+  refused,       ///< answered with CMD_ERROR, or unconfirmed where that signals a refusal
   unknown,       ///< not a command that this board and firmware know
-  malformed,     ///< a body of a size that the command does not have
-  lost,          ///< the input buffer had no room
-  not_listening  ///< the board was starting, or in its bootloader
+  malformed,     ///< a body of a size that the command does not allow
+  lost,          ///< dropped, because the input buffer was full
+  not_listening  ///< dropped, because the board was starting or in its bootloader
 };
 
 struct BoardCounters {
   std::uint64_t requests{};  ///< frames from hosts
   std::uint64_t refused{};
-  std::uint64_t unknown{};  ///< and malformed ones
-  std::uint64_t lost{};     ///< because the input buffer was full
+  std::uint64_t unknown{};  ///< includes malformed ones
+  std::uint64_t lost{};     ///< the input buffer was full
   std::uint64_t sent{};     ///< frames to hosts
-  std::uint64_t skipped{};  ///< samples of streams for which there was no room
+  std::uint64_t skipped{};  ///< stream samples skipped because the output buffer was full
   std::uint64_t restarts{};
   std::uint64_t outputs_lost{};  ///< restarts that dropped pending output
 };
@@ -39,14 +39,14 @@ struct BoardCounters {
 /// The board. It answers every command of the protocol and drives a simulated gimbal.
 ///
 /// It has no clock, line or thread: pass received bytes to receive(), call advance() no later than
-/// next(), and send what output() returns. Everything happens at its own time, however often
-/// advance() is called. Times must not decrease. One thread at a time.
+/// next(), and send the bytes of output(). Events happen at their exact times, however often
+/// advance() is called. Times must not decrease. Not thread-safe.
 class Board {
  public:
-  /// Serial interfaces that one board has.
+  /// The number of serial interfaces of a board.
   static constexpr std::size_t max_ports = 8;
 
-  /// Switches the board on.
+  /// Powers the board on.
   Board(const BoardOptions& options, Memory memory, Instant now);
   Board(const Board&) = delete;
   Board(Board&& other) noexcept;
@@ -54,51 +54,52 @@ class Board {
   Board& operator=(Board&& other) noexcept;
   ~Board();
 
-  /// Connects a host to a free interface; empty if all are taken.
+  /// Connects a host to a free interface. Returns nothing if all are in use.
   std::optional<std::size_t> open_port(bool is_usb = false);
-  /// Disconnects the host and drops its data streams and pending output. Precondition for all
-  /// functions that take a port: it is open.
+  /// Disconnects the host and drops its data streams and pending output. The port must be open, as
+  /// for all functions that take a port.
   void close_port(std::size_t port);
-  /// The host sends nothing more but still receives its responses: only its data streams end.
+  /// The host sends no more requests but still receives responses: only its data streams end.
   void end_input(std::size_t port);
 
   void receive(std::size_t port, std::span<const std::uint8_t> bytes, Instant now);
   void advance(Instant now);
-  /// When advance() next has something to do; Instant::never if only receive() can change that.
+  /// The next time at which advance() has something to do; Instant::never if that depends on
+  /// receive().
   Instant next() const;
 
-  /// Bytes to send to that host, up to the first that must wait for memory_saved().
+  /// The bytes to send to this host, up to the first that must wait for memory_saved().
   std::span<const std::uint8_t> output(std::size_t port) const;
-  /// The first `size` bytes of the output have been sent. Precondition: size <=
+  /// Reports that the first `size` bytes of the output have been sent. Precondition: size <=
   /// output(port).size().
   void sent(std::size_t port, std::size_t size, Instant now);
 
-  /// Size of the queued requests of that host, in bytes.
+  /// The size of this host's queued requests in bytes.
   std::size_t queued_bytes(std::size_t port) const;
-  /// No request of the host is queued, not even a partial frame, and no output is pending.
+  /// True if no request of the host is queued, not even a partial frame, and no output is pending.
   bool is_quiet(std::size_t port) const;
 
-  /// Power off and on.
+  /// Turns the power off and on.
   void restart(Instant now);
-  /// A silent board neither receives nor sends.
+  /// While silent, the board neither receives nor sends.
   void set_silent(bool is_silent);
 
-  /// What survives a power cycle. Its `revision` grows with each change.
+  /// The data that survive a power cycle. Its `revision` grows with each change.
   const Memory& memory() const;
-  /// With BoardOptions::waits_for_saving: the memory as of that revision is saved, and hosts may
-  /// learn of the changes up to it.
+  /// Reports that the memory is saved up to this revision, so hosts may learn of its changes. For
+  /// use with BoardOptions::waits_for_saving.
   void memory_saved(std::uint32_t revision, Instant now);
-  /// Saving that revision failed: confirmations of the changes up to it become CMD_ERROR. The
-  /// changes stay in the memory, still to be saved.
+  /// Reports that saving this revision failed: confirmations of changes up to it become CMD_ERROR.
+  /// The changes stay in memory and still need saving.
   void memory_not_saved(std::uint32_t revision, Instant now);
   Gimbal& gimbal();
   const BoardCounters& counters() const;
   const BoardOptions& options() const;
-  /// The rate that SERIAL_SPEED set at the last start.
+  /// The baud rate that SERIAL_SPEED selected at the last start.
   std::uint32_t baud_rate() const;
 
-  /// Called for each frame from a host once it has been dealt with, and for each frame to a host
-  /// (then `outcome` is empty).
+  /// Called for each frame from a host after it was handled, and for each frame to a host, without
+  /// `outcome`.
   struct Traffic {
     Instant at{};
     std::size_t port{};
@@ -109,7 +110,7 @@ class Board {
 
  private:
   class Core;
-  /// For calls that may report traffic.
+  /// Use for calls that may report traffic.
   Core& entered();
 
   std::unique_ptr<Core> core_;

@@ -1,4 +1,4 @@
-/// What an emulated board is.
+/// The configuration of an emulated board.
 #pragma once
 
 #include <cstddef>
@@ -20,19 +20,19 @@ struct BoardOptions {
   Bytes<12> mcu_id{{'e', 'm', 'u', 'l', 'a', 't', 'e', 'd', 0, 0, 0, 1}};
   bool has_frame_imu = true;
   Gimbal::Options gimbal{};
-  /// Size of the request queue; a request that does not fit is lost whole. 0: one megabyte, more
-  /// than a host that waits for responses ever fills.
+  /// The size of the request queue in bytes; a request that does not fit is lost as a whole. 0
+  /// selects one megabyte, more than a host that waits for responses ever fills.
   std::size_t input_buffer = 0;
-  /// Size of the output buffer: responses wait until they fit, samples of streams are skipped. 0:
-  /// unlimited.
+  /// The size of the output buffer in bytes. Responses wait until they fit; stream samples are
+  /// skipped. 0 means unlimited.
   std::size_t output_buffer = 1024;
-  /// From a restart until the board listens again.
+  /// The time from a restart until the board listens again.
   Duration start_time = milliseconds(500);
-  /// How long the bootloader waits for firmware before it starts the board again.
+  /// How long the bootloader waits for firmware before it restarts the board.
   Duration bootloader_time = seconds(5);
-  /// Duration of calibrations, in percent of a real board's.
+  /// The duration of calibrations, in percent of a real board's.
   unsigned calibration_time = 100;
-  /// Frames that report a change of the memory wait until Board::memory_saved() is called.
+  /// Delays frames that report a change of the memory until Board::memory_saved() is called.
   bool waits_for_saving = false;
 };
 

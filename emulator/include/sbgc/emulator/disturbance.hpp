@@ -1,4 +1,4 @@
-/// How the frame that carries a gimbal moves.
+/// The motion of the frame that carries a gimbal.
 #pragma once
 
 #include <cstdint>
@@ -9,23 +9,23 @@
 
 namespace sbgc::emulator {
 
-/// The frame's attitude at one moment, Euler angles in degrees.
+/// The attitude of the frame at one time, as Euler angles in degrees.
 struct FrameAngles {
   Instant at{};
   Axes<double> angles{};
 };
 
-/// At rest, a synthetic motion, or a recorded one that is repeated.
+/// No motion, a synthetic motion, or a recorded one that repeats.
 ///
-/// A recording is interpolated smoothly, the shorter way from one angle to the next. If it does not
-/// end where it began (whole turns do not count, they add up), it goes back there within a second.
-/// Samples whose angles are not finite or whose times do not ascend are left out; without any the
-/// frame is at rest.
+/// A recording is interpolated smoothly, along the shorter way between two angles. If it does not
+/// end at its initial angles (ignoring whole turns, which add up), it returns to them within a
+/// second. Samples with non-finite angles or non-ascending times are dropped. A recording without
+/// samples means no motion.
 struct Disturbance {
   enum class Kind : std::uint8_t { rest, handheld, drone, vehicle, recorded };
 
   Kind kind = Kind::rest;
-  double strength = 1;                   ///< factor on synthetic motion, 0..100
+  double strength = 1;                   ///< factor of synthetic motion, 0..100
   std::vector<FrameAngles> recording{};  ///< times ascend from 0; for `recorded`
 };
 

@@ -1,4 +1,4 @@
-/// A board behind its lines: an emulated gimbal as a host sees it.
+/// A board with its lines: an emulated gimbal as a host sees it.
 #pragma once
 
 #include <array>
@@ -17,58 +17,58 @@ namespace sbgc::emulator {
 struct EmulatorOptions {
   BoardOptions board{};
   LineOptions line{};  ///< of each port; each connection derives its own seed
-  /// The line's rate follows the parameter SERIAL_SPEED, from each start on.
+  /// From each start on, the rate of the line follows the parameter SERIAL_SPEED.
   bool rate_from_parameters = false;
-  std::optional<Duration> restart_at{};  ///< an unrequested reset, this long after the beginning
+  std::optional<Duration> restart_at{};  ///< an unrequested reset, this long after `beginning`
 };
 
-/// The board behind its lines. Like Board it has no clock, socket or thread: pass what the host
-/// sends to from_host(), call advance() at next() or later, and take what to_host() offers.
-/// Everything happens at its own time, whenever advance() is called. Times must not decrease. One
-/// thread at a time.
+/// A board with its lines. Like Board, it has no clock, socket or thread: pass the host's bytes to
+/// from_host(), call advance() at next() or later, and take the bytes of to_host(). Events happen
+/// at their exact times, whenever advance() is called. Times must not decrease. Not thread-safe.
 class Emulator {
  public:
-  /// Limit of the bytes that have arrived at the host and are not taken, give or take what the line
-  /// holds. At the limit the board's output waits, samples of its streams are skipped and text
-  /// lines are left out.
+  /// The largest number of bytes that wait for the host to take them; the line may add a few. At
+  /// the limit, the board's output waits, and stream samples and text lines are skipped.
   static constexpr std::size_t output_limit = 65536;
-  /// Limit of the bytes from the host that are on their way to the board or queued there, beyond
-  /// its input buffer: see room().
+  /// The largest number of bytes from the host that are on the line or queued at the board, in
+  /// addition to the board's input buffer; see room().
   static constexpr std::size_t input_limit = 4096;
 
-  /// Switches the board on. Times in `options` count from `beginning`, usually the same moment.
+  /// Powers the board on. Times in `options` count from `beginning`, usually equal to `now`.
   Emulator(const EmulatorOptions& options, Memory memory, Instant now, Instant beginning);
   Emulator(const EmulatorOptions& options, Memory memory, Instant now)
       : Emulator(options, std::move(memory), now, now) {}
 
-  /// Connects a host to a free port; empty if all are taken. A USB port has no rate.
+  /// Connects a host to a free port. Returns nothing if all are in use. A USB port has no baud
+  /// rate.
   std::optional<std::size_t> connect(bool is_usb, Instant now);
-  /// Disconnects the host. Precondition for all functions that take a port: it is connected.
+  /// Disconnects the host. The port must be connected, as for all functions that take a port.
   void disconnect(std::size_t port, Instant now);
-  /// The settings of the host's serial port; empty: always the right ones.
+  /// The settings of the host's serial port. Without a value they always match those of the board.
   void set_host_line(std::size_t port, const std::optional<LineSettings>& settings, Instant now);
 
-  /// The host sends nothing more: its streams and text lines end, and once is_quiet() it has
-  /// everything it asked for.
+  /// The host sends no more bytes: its streams and text lines end. Once is_quiet() is true, it has
+  /// received everything it requested.
   void end_input(std::size_t port, Instant now);
 
-  /// Bytes from the host that are on their way or queued.
+  /// The number of bytes from the host that are on the line or queued.
   std::size_t queued_bytes(std::size_t port) const;
-  /// How many bytes the host should send at most for now; from_host() accepts more.
+  /// How many bytes the host should send at most for now. from_host() accepts more.
   std::size_t room(std::size_t port) const;
   void from_host(std::size_t port, std::span<const std::uint8_t> bytes, Instant now);
-  /// No request of the host is pending, and all output for it has been taken.
+  /// True if no request of the host is pending and all output for it has been taken.
   bool is_quiet(std::size_t port) const;
   void advance(Instant now);
   Instant next() const;
-  /// What has arrived at the host; take() removes it. Precondition: size <= to_host(port).size().
+  /// The bytes that have arrived at the host. take() removes them; precondition: size <=
+  /// to_host(port).size().
   std::span<const std::uint8_t> to_host(std::size_t port) const;
   void take(std::size_t port, std::size_t size, Instant now);
 
-  /// Power off and on.
+  /// Turns the power off and on.
   void restart(Instant now);
 
-  /// As in Board.
+  /// Like Board::memory_saved() and Board::memory_not_saved().
   void memory_saved(std::uint32_t revision, Instant now);
   void memory_not_saved(std::uint32_t revision, Instant now);
 
@@ -90,7 +90,7 @@ class Emulator {
 
   Port& at(std::size_t port);
   const Port& at(std::size_t port) const;
-  /// Everything that happens at this moment.
+  /// Executes everything that is due at this time.
   void step(Instant now);
   /// Puts the board's output on the line, as far as there is room.
   void pump(std::size_t number, Port& port, Instant now);

@@ -1,4 +1,4 @@
-/// The line between a host and an emulated board, with the faults of real ones.
+/// An emulated line between host and board, with the faults of real lines.
 #pragma once
 
 #include <cstddef>
@@ -14,27 +14,27 @@
 
 namespace sbgc::emulator {
 
-/// A period in which the line carries nothing.
+/// A period in which the line carries no data.
 struct Silence {
   Duration from{};  ///< since the beginning of the line
   Duration length{};
 };
 
-/// What goes wrong on a line. Shares are 0..1, of bytes unless said otherwise; in both directions.
+/// Faults of a line, in both directions. Shares are 0..1, of bytes unless noted otherwise.
 struct Faults {
   double bit_errors = 0;  ///< of data bits
   double lost = 0;
   double duplicated = 0;
-  double delayed = 0;  ///< the byte arrives `delay` later, and those after it no earlier
+  double delayed = 0;  ///< the byte arrives `delay` later, and later bytes no earlier than it
   Duration delay = milliseconds(20);
-  /// Interval of text lines between frames of the board; 0: none.
+  /// The interval of text lines between frames of the board; 0 means none.
   Duration text_every{};
   std::vector<Silence> silences{};
 };
 
 struct LineOptions {
-  /// The board's rate and parity. Rate 0: bytes take no time, and the host's settings do not
-  /// matter, as over USB.
+  /// The rate and parity of the board. With rate 0, bytes take no time and the host's settings have
+  /// no effect, as over USB.
   LineSettings board{};
   /// The board adopts the parity of the host, as boards do since firmware 2.41.
   bool detects_parity = true;
@@ -42,89 +42,90 @@ struct LineOptions {
   std::uint32_t seed = 1;
 };
 
-/// What a line did to the bytes on it.
+/// Counters of a line's traffic and faults.
 struct LineCounters {
-  std::uint64_t bytes{};          ///< put on the line by the sender
+  std::uint64_t bytes{};          ///< sent by the sender
   std::uint64_t bit_errors{};     ///< flipped bits
-  std::uint64_t parity_errors{};  ///< bytes dropped because bit errors made their parity wrong
+  std::uint64_t parity_errors{};  ///< bytes dropped for a wrong parity after bit errors
   std::uint64_t lost{};
   std::uint64_t duplicated{};
   std::uint64_t delayed{};
   std::uint64_t silenced{};    ///< bytes lost in silences
-  std::uint64_t mismatched{};  ///< bytes sent while the settings of the ends differed
+  std::uint64_t mismatched{};  ///< bytes sent while the settings of both ends differed
   std::uint64_t text_lines{};
 
   bool operator==(const LineCounters&) const = default;
 };
 
-/// One direction of a line: bytes enter at one end and leave at the other, later.
+/// One direction of a line. Bytes enter at one end and leave at the other, later.
 ///
-/// Deterministic: the same bytes sent at the same times meet the same faults and arrive at the same
-/// times, however they are split and however often receive() is called. Times must not decrease.
+/// Deterministic: the same bytes, sent at the same times, have the same faults and arrival times,
+/// however they are split and however often receive() is called. Times must not decrease.
 class Line {
  public:
   enum class Way : std::uint8_t { to_board, to_host };
 
-  /// Size of the sender's UART buffer at a limited rate; further bytes wait with the sender. An
-  /// assumption.
+  /// The size of the sender's UART buffer at a limited rate; further bytes wait with the sender.
+  /// Assumption.
   static constexpr std::size_t fifo_size = 16;
 
   /// Silences and text lines count from `beginning`; the host connects at `now`. Precondition:
-  /// shares are 0..1, no time is negative.
+  /// shares are 0..1, and times are not negative.
   Line(const LineOptions& options, Way way, Instant beginning, Instant now);
 
-  /// The settings of the host's serial port; empty or a rate of 0: those of the board. While they
-  /// differ, bytes become the garbage that a UART makes of them. Applies to what is sent from now
-  /// on.
+  /// The settings of the host's serial port; without a value or with rate 0, those of the board.
+  /// While the settings differ, the receiver gets the garbage that a UART would produce. Applies to
+  /// bytes sent from now on.
   void set_host(const std::optional<LineSettings>& settings);
-  /// The board has other settings from now on.
+  /// Changes the settings of the board from now on.
   void set_board(const LineSettings& settings);
 
   void send(std::span<const std::uint8_t> bytes, Instant now);
   /// Free space in the sender's UART buffer. send() accepts more and queues it.
   std::size_t room(Instant now) const;
-  /// When half of the UART's buffer is free.
+  /// The time at which half of the UART buffer is free.
   Instant ready() const;
 
-  /// Appends the bytes that have arrived up to now to `into`.
+  /// Appends the bytes that have arrived until `now` to `into`.
   void receive(Instant now, std::vector<std::uint8_t>& into);
-  /// Skips the text lines that are due by now: there is no room for them.
+  /// Skips the text lines that are due until `now`, because there is no room for them.
   void leave_out_text(Instant now);
-  /// No more text lines.
+  /// Ends the text lines.
   void end_text() { text_due_.reset(); }
-  /// The sender lost the rest of the frame that it was sending.
+  /// Reports that the sender dropped the rest of the current frame.
   void break_off_frame() { frame_bytes_ = 0; }
-  /// When receive() next has something to do; Instant::never if only send() can change that.
+  /// The next time at which receive() has something to do; Instant::never if that depends on
+  /// send().
   Instant next() const;
-  /// Bytes that have been sent and not received; at a limited rate also lost ones, for as long as
-  /// they take.
+  /// The number of bytes sent but not received; at a limited rate this includes lost bytes for the
+  /// time they take.
   std::size_t under_way() const { return arrivals_.size(); }
 
   const LineCounters& counters() const { return counters_; }
 
  private:
-  /// Each kind has its own random numbers.
+  /// Each fault has its own random numbers.
   enum class Fault : std::uint8_t { bit_error, loss, duplicate, delay, text };
 
   struct Arrival {
     Instant at{};
-    std::optional<std::uint8_t> byte{};  // empty: the time of a lost byte
+    std::optional<std::uint8_t> byte{};  // empty for the time of a lost byte
   };
 
   void settings_changed();
-  /// When the first `bits` bits of the run have been sent, rounded up.
+  /// The time at which the first `bits` bits of the run have been sent, rounded up.
   Instant time_of(std::uint64_t bits) const;
-  /// Begins the next byte, now or after the last one.
+  /// Starts the next byte, now or after the previous one.
   void begin_byte(Instant now);
   void put(std::uint8_t byte, Instant now);
   void put_with_faults(std::uint8_t byte, Instant now);
-  /// The levels of a byte or, if it is lost, of an idle line.
+  /// Sends the levels of a byte, or of an idle line if the byte is lost.
   void put_levels(std::uint8_t byte, std::uint8_t flips, bool is_carried, Duration delay);
   void hear(bool level, Duration delay);
   void hear_idle(Instant until);
   void arrive(std::optional<std::uint8_t> byte, Instant at);
   bool is_text_due(Instant now) const;
-  /// Schedules the next text line after that time; earlier ones are skipped.
+  /// Schedules the next text line after this time and skips earlier ones.
   void plan_text(Instant after);
   /// Sends the text lines that are due.
   void put_text(Instant until);
@@ -139,16 +140,16 @@ class Line {
   std::optional<LineSettings> host_{};
   LineSettings sender_{};
   std::optional<UartReceiver> uart_{};  // while the settings differ
-  Duration byte_delay_{};               // of what the UART receives
+  Duration byte_delay_{};               // of bytes that the UART receives
 
-  // Bytes without a pause between them are a run: times are counted from its beginning, so that
-  // rounding never adds up. Of a line without a rate: each byte is a run.
+  // A run is a sequence of bytes without a pause. Times count from its beginning so that rounding
+  // errors do not add up. On a line without a rate, each byte is a run.
   Instant run_{};
   std::uint64_t run_bits_ = 0;
 
-  Instant handed_over_;  // last send()
+  Instant handed_over_;  // time of the last send()
   std::optional<Instant> text_due_{};
-  std::size_t frame_bytes_ = 0;  // of the frame that is being sent; 0: between frames
+  std::size_t frame_bytes_ = 0;  // bytes of the current frame; 0 between frames
   std::size_t frame_size_ = 0;
   std::deque<Arrival> arrivals_{};
   Instant last_arrival_;

@@ -1,4 +1,4 @@
-/// What a UART receives on a line whose sender may have other settings.
+/// The reception of a UART on a line whose sender may have different settings.
 #pragma once
 
 #include <bit>
@@ -11,9 +11,9 @@
 
 namespace sbgc::emulator {
 
-/// The receiving half of a UART. It gets the levels on the line, one per bit of the sender, and
-/// samples them at its own rate: 16 ticks per bit, each bit in its middle. It drops bytes without a
-/// stop bit or with a wrong parity.
+/// The receiver of a UART. It gets the levels on the line, one per bit of the sender, and samples
+/// them at its own rate: 16 ticks per bit, each bit at its center. It drops bytes without a stop
+/// bit or with a wrong parity.
 class UartReceiver {
  public:
   /// Precondition: neither rate is 0.
@@ -22,14 +22,14 @@ class UartReceiver {
         tick_(sender.baud_rate),
         has_parity_(receiver.parity == Parity::even) {}
 
-  /// Sets the level of the line for one bit of the sender. Returns the byte received by then, if
-  /// any; start and stop bit make sure that there is at most one.
+  /// Sets the level of the line for one bit of the sender. Returns the byte received during it, if
+  /// any; start and stop bits guarantee that there is at most one.
   constexpr Optional<std::uint8_t> hear(bool level) noexcept {
     Optional<std::uint8_t> result;
     while (due_ < bit_) {
       const bool waits_for_level =
           (step_ == Step::search && level) || (step_ == Step::wait && !level);
-      if (waits_for_level) {  // nothing happens in the rest of this bit
+      if (waits_for_level) {  // nothing happens during the rest of this bit
         due_ += (bit_ - due_ + tick_ - 1) / tick_ * tick_;
       } else if (const auto byte = sample(level)) {
         result = byte;
@@ -39,7 +39,7 @@ class UartReceiver {
     return result;
   }
 
-  /// Whether no byte has begun.
+  /// True if no byte has started.
   constexpr bool is_idle() const noexcept { return step_ == Step::search; }
 
  private:
@@ -47,7 +47,7 @@ class UartReceiver {
 
   constexpr Optional<std::uint8_t> sample(bool level) noexcept {
     switch (step_) {
-      case Step::search:  // a level of 0: half a bit later it should still be there
+      case Step::search:  // low level: it must still be low half a bit later
         go_on(Step::start, 8);
         break;
       case Step::start:
@@ -79,10 +79,10 @@ class UartReceiver {
     due_ += ticks * tick_;
   }
 
-  // Times are in such a unit that both a bit of the sender and a tick are whole numbers.
+  // The unit of time makes both a sender bit and a tick whole numbers.
   std::uint64_t bit_;
   std::uint64_t tick_;
-  std::uint64_t due_ = 0;  // next sample, since the beginning of the next bit
+  std::uint64_t due_ = 0;  // the next sample, relative to the beginning of the next bit
   Step step_ = Step::search;
   unsigned data_ = 0;
   unsigned bits_ = 0;
@@ -91,7 +91,7 @@ class UartReceiver {
 };
 
 /// Calls `level(bool)` for each bit that a UART sends for one byte: a start bit (0), 8 data bits,
-/// `parity` if there is one, and a stop bit (1).
+/// the optional `parity` bit, and a stop bit (1).
 template <class Level>
 constexpr void send_levels(std::uint8_t byte, Optional<bool> parity, Level level) {
   level(false);
@@ -100,14 +100,15 @@ constexpr void send_levels(std::uint8_t byte, Optional<bool> parity, Level level
   level(true);
 }
 
-/// The parity bit that goes with a byte.
+/// Returns the parity bit of a byte, if any.
 constexpr Optional<bool> parity_bit(std::uint8_t byte, Parity parity) noexcept {
   if (parity == Parity::none) return {};
   return std::popcount(byte) % 2 != 0;
 }
 
-/// What a UART with the settings `receiver` makes of bytes that another sends, back to back on an
-/// idle line, with the settings `sender`. It drops bytes without a stop bit or with a wrong parity.
+/// Returns what a UART with the settings `receiver` receives if another sends `bytes` back to back
+/// on an idle line with the settings `sender`. Bytes without a stop bit or with a wrong parity are
+/// dropped.
 std::vector<std::uint8_t> received_as(std::span<const std::uint8_t> bytes,
                                       const LineSettings& sender, const LineSettings& receiver);
 
