@@ -1,5 +1,4 @@
-// Prints the angles of a gimbal from within an Asio program, until fifty have come or it is
-// interrupted:
+// Prints fifty samples of the gimbal's yaw angle from an Asio program, unless it is interrupted:
 //
 //     async_stream /dev/ttyUSB0
 
@@ -17,7 +16,7 @@
 
 namespace {
 
-/// Connects, then streams; every function runs on the one thread of the context.
+/// Connects, then streams. All functions run on the single thread of the context.
 class Printer {
  public:
   explicit Printer(asio::io_context& context)
@@ -84,7 +83,7 @@ int main(int argc, char** argv) {
     printer.run(argv[1]);
     context.run();
     return printer.status();
-  } catch (const std::exception& error) {  // of Asio; sbgc throws nothing
+  } catch (const std::exception& error) {  // from Asio; sbgc does not throw
     std::fprintf(stderr, "%s\n", error.what());
     return 1;
   }

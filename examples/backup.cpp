@@ -1,12 +1,12 @@
-// Saves the settings of a board, compares them with a backup, and brings a backup back:
+// Saves the parameters of a board, compares them with a backup, and restores a backup:
 //
 //     backup ADDRESS save FILE
 //     backup ADDRESS diff FILE
 //     backup ADDRESS restore FILE SAVE-PRESENT-STATE-TO [--yes]
 //
-// ADDRESS is a serial port such as /dev/ttyUSB0, or tcp:host:port. Settings that are brought back
-// act at once, and a gimbal may move when they do: see docs/2-safety.md. So `restore` asks first,
-// unless the last argument is --yes.
+// ADDRESS is a serial port such as /dev/ttyUSB0, or tcp:host:port. Restored parameters take effect
+// at once, and the gimbal may move: see docs/2-safety.md. Therefore `restore` asks first, unless
+// the last argument is --yes.
 
 #include <cstdio>
 #include <cstring>
@@ -27,7 +27,7 @@ int fail(const sbgc::ClientError& error) {
 bool show(const sbgc::Progress& progress) {
   const std::string what(progress.what);
   std::fprintf(stderr, "%zu/%zu %s\n", progress.done, progress.total, what.c_str());
-  return true;  // go on
+  return true;  // continue
 }
 
 int save(sbgc::Client& client, const char* file) {
@@ -56,7 +56,8 @@ int diff(sbgc::Client& client, const char* file) {
 int restore(sbgc::Client& client, const char* file, const char* present, bool is_agreed) {
   const auto backup = sbgc::load_backup(file);
   if (!backup) return fail(backup.error());
-  if (!careful::may_move(is_agreed, "The parameters act at once; the gimbal may move.")) return 1;
+  if (!careful::may_move(is_agreed, "The parameters take effect at once; the gimbal may move."))
+    return 1;
   const sbgc::WriteReport report =
       client.restore(*backup, {.save_present = sbgc::save_to(present), .progress = show});
   std::printf("%s", to_text(report).c_str());

@@ -1,5 +1,5 @@
-// What the examples do before and while they move a gimbal: they ask, they notice Ctrl-C, and they
-// leave the motors as they have found them.
+// Precautions of the examples that move a gimbal: they ask first, stop on Ctrl-C, and leave the
+// motors as they found them.
 
 #pragma once
 
@@ -15,10 +15,11 @@
 
 namespace careful {
 
-/// Whether the gimbal may move: that is agreed already, or somebody types "yes".
+/// Returns true if moving is already confirmed, or the user types "yes".
 inline bool may_move(bool is_agreed, const char* what) {
   if (is_agreed) return true;
-  std::printf("%s\nIs it fastened, balanced, and nobody in its way? Type yes to go on: ", what);
+  std::printf("%s\nIs the gimbal fastened and balanced, and its range free? Type yes to continue: ",
+              what);
   std::fflush(stdout);
   std::array<char, 8> answer{};
   const bool is_read = std::fgets(answer.data(), static_cast<int>(answer.size()), stdin) != nullptr;
@@ -27,7 +28,7 @@ inline bool may_move(bool is_agreed, const char* what) {
   return false;
 }
 
-/// Whether the last argument is --yes, which is then taken off.
+/// Removes a last argument --yes. Returns true if it was present.
 inline bool take_yes(int& argc, char** argv) {
   const bool is_there = argc > 1 && std::strcmp(argv[argc - 1], "--yes") == 0;
   if (is_there) --argc;
@@ -36,18 +37,17 @@ inline bool take_yes(int& argc, char** argv) {
 
 inline volatile std::sig_atomic_t signalled = 0;
 
-/// From now on Ctrl-C, or a terminal that is closed, does not end the program at once: it has a
-/// camera to stop.
+/// Makes Ctrl-C, and closing the terminal, set a flag instead of ending the program, so that it can
+/// stop the camera first.
 inline void notice_signals() {
   for (const int signal : {SIGHUP, SIGINT, SIGTERM})
     std::signal(signal, [](int) { signalled = 1; });
 }
 
-/// For move_to(): goes on until a signal has come; the camera is stopped then.
+/// For move_to(): returns false after a signal, which stops the camera.
 inline bool go_on(const sbgc::MoveProgress&) { return signalled == 0; }
 
-/// Motors that are turned off again at the end, whatever the reason for it, if they were off
-/// before.
+/// Turns the motors off in its destructor if it turned them on, whatever the reason for leaving.
 class Motors {
  public:
   explicit Motors(sbgc::Client& client) : client_(client) {}
@@ -57,7 +57,7 @@ class Motors {
   Motors& operator=(Motors&&) = delete;
   ~Motors() {
     if (!turned_on_) return;
-    std::printf("the motors are turned off again, as they were\n");
+    std::printf("turning the motors off again\n");
     if (auto off = client_.motors_off(); !off) {
       std::fprintf(stderr, "turning the motors off: %s\n", off.error().message.c_str());
     }
@@ -67,7 +67,7 @@ class Motors {
     const auto state = client_.realtime_data_4();
     if (!state) return state.error();
     if (state->other_flags.has(sbgc::msg::OtherFlag::motors_on)) return {};
-    turned_on_ = true;  // also if no confirmation comes: they may be on
+    turned_on_ = true;  // even without a confirmation, as they may be on
     const auto on = client_.motors_on();
     if (!on) return on.error();
     return {};

@@ -1,10 +1,9 @@
-// Finds the gimbal at an address, tilts the camera 30 degrees down, then prints its angles for two
-// seconds:
+// Connects to a gimbal, tilts the camera 30 degrees down, then prints its angles for two seconds:
 //
 //     quickstart /dev/ttyUSB0
 //
-// It asks before it moves anything; --yes as the last argument answers. What to know before a
-// gimbal moves is in docs/2-safety.md.
+// It asks before it moves anything, unless the last argument is --yes. Read docs/2-safety.md before
+// you move a gimbal.
 
 #include <chrono>
 #include <cstdio>

@@ -1,11 +1,10 @@
-// A tour of a gimbal: finds it, saves its settings, turns the camera 30 degrees down and back, and
-// measures what stabilization does. All that is said is kept in a capture:
+// A tour of a gimbal: connects, saves the parameters, turns the camera 30 degrees down and back,
+// and measures the effect of stabilization. All traffic is recorded to a capture:
 //
 //     tour ADDRESS CAPTURE BACKUP
 //
 // ADDRESS is a serial port such as /dev/ttyUSB0, or tcp:host:port. It asks before it moves
-// anything; --yes as the last argument answers. What to know before a gimbal moves is in
-// docs/2-safety.md.
+// anything, unless the last argument is --yes. Read docs/2-safety.md before you move a gimbal.
 
 #include <algorithm>
 #include <array>
@@ -38,7 +37,7 @@ sbgc::Result<sbgc::MoveProgress> tilt(sbgc::Client& client, sbgc::msg::Angle14 p
   return client.move_to({.pitch = pitch}, {.speed = 15_deg_per_s, .progress = careful::go_on});
 }
 
-/// How far something has swung: from the lowest to the highest angle that was seen of each axis.
+/// The swing of a body: the range of angles seen on each axis.
 class Swing {
  public:
   void see(const sbgc::Axes<sbgc::msg::Angle14>& angles) {
@@ -58,7 +57,7 @@ class Swing {
   bool is_empty_ = true;
 };
 
-/// What frame and camera do meanwhile.
+/// The motion of frame and camera during a measurement.
 struct Stabilization {
   Swing frame;
   Swing camera;
@@ -66,7 +65,7 @@ struct Stabilization {
 };
 
 void show(const Stabilization& seen) {
-  std::printf("%d samples; from one end of the swing to the other, in degrees:\n", seen.samples);
+  std::printf("%d samples; peak-to-peak swing in degrees:\n", seen.samples);
   for (const auto& [name, swing] : {std::pair{"frame", &seen.frame}, {"camera", &seen.camera}}) {
     std::printf("  %-8s roll %6.2f   pitch %6.2f   yaw %6.2f\n", name, swing->of(0), swing->of(1),
                 swing->of(2));
@@ -74,7 +73,7 @@ void show(const Stabilization& seen) {
   const double frame = seen.frame.widest();
   const double camera = seen.camera.widest();
   if (frame < 0.5) {
-    std::printf("the frame stood still, or has no IMU: there was nothing to stabilize\n");
+    std::printf("the frame stood still, or has no IMU: nothing to stabilize\n");
   } else if (camera > 0) {
     std::printf("the frame swings by %.1f degrees, the camera by %.2f: %.0f times less\n", frame,
                 camera, frame / camera);
@@ -84,7 +83,7 @@ void show(const Stabilization& seen) {
 }
 
 sbgc::Result<void> measure(sbgc::Client& client, std::chrono::milliseconds time) {
-  std::printf("what frame and camera do for %.0f seconds\n",
+  std::printf("measuring frame and camera for %.0f seconds\n",
               std::chrono::duration<double>(time).count());
   Stabilization seen;
   {
@@ -97,10 +96,10 @@ sbgc::Result<void> measure(sbgc::Client& client, std::chrono::milliseconds time)
                                                      });
     };
     auto stream = start(40ms);
-    if (!stream) stream = start(250ms);  // a slow line has no room for more
+    if (!stream) stream = start(250ms);  // a slow line has no bandwidth for more
     if (!stream) return stream.error();
     std::this_thread::sleep_for(time);
-  }  // the stream has ended, so no sample comes any more
+  }  // the stream has ended, so no more samples arrive
   show(seen);
   return {};
 }
@@ -114,8 +113,8 @@ int main(int argc, char** argv) {
     return 2;
   }
 
-  // The baud rate and the parity are found by trying; what is said from here on is recorded. A
-  // machine that stands still for a second or two is no reason to end.
+  // Detects baud rate and parity; traffic is recorded from here on. Many retries tolerate a host
+  // that stalls for a second or two.
   auto client = sbgc::Client::connect(argv[1], {.retries = 9, .capture = argv[2]});
   if (!client) return fail(client.error());
   std::printf("board %s, firmware %s, on %s\n", client->identity().board_version().c_str(),

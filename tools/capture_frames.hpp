@@ -15,7 +15,7 @@
 
 namespace sbgc::tools {
 
-/// Is reported what is in a capture, in the order in which it was recorded.
+/// Receives the content of a capture in recorded order.
 class CaptureListener {
  public:
   CaptureListener() = default;
@@ -24,32 +24,32 @@ class CaptureListener {
   virtual ~CaptureListener() = default;
 
   virtual void on_session(const io::CaptureSession& session) = 0;
-  /// A frame that went in this direction; its last byte came at `time`. Its offset counts the bytes
-  /// of that direction since the session began.
+  /// A frame in this direction; its last byte arrived at `time`. Its offset counts the bytes of
+  /// this direction since the start of the session.
   virtual void on_frame(Direction direction, io::CaptureTime time, const Frame& frame) = 0;
-  /// In front of a frame, or at the end of the session: bytes that are in no frame. The offsets in
-  /// `rejected` count as those of frames do.
+  /// Bytes outside of frames; called before the next frame, or at the end of the session. The
+  /// offsets in `rejected` count like those of frames.
   virtual void on_skipped(Direction direction, io::CaptureTime time, std::uint64_t size,
                           std::span<const RejectedCandidate> rejected) = 0;
   virtual void on_note(io::CaptureTime time, std::string_view text) = 0;
   virtual void on_damage(const io::CaptureDamage& damage) = 0;
 };
 
-/// Finds the frames of a capture, those of each direction and session for themselves.
+/// Finds the frames of a capture, separately for each direction and session.
 class CaptureFrames {
  public:
   explicit CaptureFrames(CaptureListener& listener) : listener_(listener) {}
 
-  /// Takes the next bytes of the file.
+  /// Parses the next bytes of the file.
   void feed(std::span<const std::uint8_t> bytes);
-  /// To be called at the end.
+  /// Must be called at the end.
   void finish();
 
-  /// What the parser of one direction has seen, in all sessions that are over.
+  /// The parser counters of one direction, summed over all finished sessions.
   const ParserCounters& counters(Direction direction) const { return side(direction).total; }
 
  private:
-  /// When the bytes up to `end` were there.
+  /// The arrival time of the bytes up to `end`.
   struct Mark {
     std::uint64_t end;
     io::CaptureTime time;
@@ -59,7 +59,7 @@ class CaptureFrames {
     Direction direction{};
     Parser parser{};
     std::uint64_t size = 0;      // bytes fed
-    std::uint64_t reported = 0;  // of them, that the listener knows of
+    std::uint64_t reported = 0;  // bytes reported to the listener
     GapExplainer explainer{direction};
     std::deque<Mark> marks{};  // of the bytes that wait in the parser
     ParserCounters total{};

@@ -20,13 +20,13 @@ int body_fit(Direction direction, std::uint8_t id, std::size_t size) {
   select(direction, id, size, [&]<class M>(Type<M>) {
     const bool documented = size >= M::min_size && size <= M::max_size;
     if (documented && M::min_size == M::max_size) {
-      result = 4;  // the only size there is
+      result = 4;  // the only valid size
     } else if (documented && M::max_size < max_body_size) {
       result = 3;
     } else if (size > M::max_size && requires(const M& message) { message.tail; }) {
       result = 2;  // grown by later firmware
     } else if (documented) {
-      result = 1;  // almost any size would do
+      result = 1;  // accepts almost any size
     }
   });
   return result;
@@ -42,7 +42,7 @@ std::string command_name(std::uint8_t id, Direction direction) {
     const MessageInfo& info = Meta<M>::info;
     if (info.id == id && travels(info, direction)) result = info.command;
   });
-  // Else what has the id in the other direction.
+  // Otherwise, the name of the id in the other direction.
   const auto look_in = [&](std::span<const ValueInfo> commands) {
     for (const ValueInfo& command : commands) {
       if (result.empty() && command.value == id) result = command.name;

@@ -1,4 +1,4 @@
-/// Which commands there are, by id.
+/// Lookup of commands by id.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,14 @@
 
 namespace sbgc::tools {
 
-/// The name of the command with this id, "" if there is none. Some ids have two names; the
-/// direction decides.
+/// Returns the name of the command with this id; "" if there is none. Some ids have two names,
+/// distinguished by direction.
 std::string command_name(std::uint8_t id, Direction direction);
 
-/// Whether there is a command with this id in this direction.
+/// True if there is a command with this id in this direction.
 bool has_command(Direction direction, std::uint8_t id);
 
-/// How well a body of this size fits the command in this direction; 0 means not at all.
+/// Rates how well a body of this size fits the command in this direction; 0 means not at all.
 int body_fit(Direction direction, std::uint8_t id, std::size_t size);
 
 }  // namespace sbgc::tools

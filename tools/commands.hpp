@@ -8,8 +8,8 @@ namespace sbgc::tools {
 /// Exit statuses of every subcommand.
 enum ExitStatus : int {
   success = 0,
-  failure = 1,      ///< the input could not be read, or does not describe what it should
-  wrong_usage = 2,  ///< the command line is wrong
+  failure = 1,      ///< the input cannot be read, or its content is invalid
+  wrong_usage = 2,  ///< the command line is invalid
 };
 
 void add_decode(CLI::App& app, int& status);

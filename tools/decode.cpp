@@ -1,4 +1,4 @@
-// sbgc decode: a capture as JSON lines or as text for people.
+// sbgc decode: prints a capture as JSON lines or as text.
 
 #include <algorithm>
 #include <chrono>
@@ -43,7 +43,7 @@ std::optional<Direction> direction(const std::string& from) {
   return std::nullopt;
 }
 
-/// Writes out what has been printed: a reader may be waiting for it.
+/// Flushes the output, because a reader may be waiting for it.
 void flush_output() {
   if (std::fflush(stdout) != 0) throw std::runtime_error("cannot write to the standard output");
 }
@@ -57,10 +57,10 @@ void print_rejected(std::FILE* out, std::span<const RejectedCandidate> rejected)
     fmt::print(out, "    @{}: {}\n", candidate.offset, candidate.text);
 }
 
-/// Guesses what input is that has bytes but no frame.
+/// Reports input without a frame, and guesses what it is.
 [[nodiscard]] int no_frame(std::uint64_t size, const std::string& guess,
                            std::span<const RejectedCandidate> rejected) {
-  fmt::print(stderr, "sbgc: there is no frame in {}{}{}\n", counted(size, "byte"),
+  fmt::print(stderr, "sbgc: found no frame in {}{}{}\n", counted(size, "byte"),
              guess.empty() ? "" : "; ", guess);
   for (const RejectedCandidate& candidate : rejected) {
     if (candidate.has_header) print_rejected(stderr, {&candidate, 1});
@@ -69,7 +69,7 @@ void print_rejected(std::FILE* out, std::span<const RejectedCandidate> rejected)
 }
 
 constexpr const char* line_may_be_wrong =
-    "if they come from a line, its baud rate or parity was perhaps another";
+    "if they come from a serial line, its baud rate or parity may be wrong";
 
 void print_counters(const char* whose, const ParserCounters& counters) {
   fmt::print("{}{}, {} skipped (bad headers: {}, bad bodies: {})\n", whose,
@@ -77,8 +77,8 @@ void print_counters(const char* whose, const ParserCounters& counters) {
              counters.header_errors, counters.body_errors);
 }
 
-/// Whether bytes without a frame were probably meant to be some: in noise, most start bytes have no
-/// good header after them.
+/// True if bytes without a frame were probably intended as frames: in noise, most start bytes are
+/// not followed by a valid header.
 bool seems_meant(const ParserCounters& counters) {
   const std::uint64_t with_header = counters.body_errors + counters.incomplete;
   return with_header != 0 && with_header >= counters.header_errors;
@@ -88,7 +88,7 @@ std::uint64_t end_of(const Frame& frame) {
   return frame.offset + Framing::frame_size(frame.body.size());
 }
 
-/// A raw stream of bytes.
+/// Decodes a raw byte stream.
 class RawDecoder {
  public:
   explicit RawDecoder(const DecodeOptions& options)
@@ -108,7 +108,7 @@ class RawDecoder {
     if (explains) explainer_.advance(size_ - parser_.waiting_bytes());
   }
 
-  /// Prints what is left. Returns the rejected candidates after the last frame.
+  /// Prints the remaining bytes. Returns the rejected candidates after the last frame.
   std::vector<RejectedCandidate> stop() {
     parser_.flush([this](const Frame& frame) { print(frame); });
     std::vector<RejectedCandidate> rejected;
@@ -121,7 +121,7 @@ class RawDecoder {
     return rejected;
   }
 
-  /// As stop(), and complains if there was no frame. Returns the exit status.
+  /// Like stop(), but also reports input without a frame. Returns the exit status.
   int finish() {
     const std::vector<RejectedCandidate> rejected = stop();
     if (parser_.counters().frames != 0 || size_ == 0) return success;
@@ -136,7 +136,7 @@ class RawDecoder {
  private:
   static std::string place(std::uint64_t offset) { return fmt::format("@{}", offset); }
 
-  /// JSON lines hold frames only; with them, gaps matter until the first frame is found.
+  /// JSON lines contain only frames, so gaps matter only until the first frame.
   bool explains_gaps() const { return !jsonl_ || parser_.counters().frames == 0; }
 
   void print(const Frame& frame) {
@@ -148,7 +148,7 @@ class RawDecoder {
     end_ = end;
   }
 
-  /// "no frame: 5 bytes", and why, if there are bytes since the last frame.
+  /// Prints "no frame: 5 bytes" and the reasons, if there are bytes since the last frame.
   void print_gap(std::uint64_t end, std::span<const RejectedCandidate> rejected) const {
     if (end == end_) return;
     fmt::print("{}  no frame: {}\n", place(end_), counted(end - end_, "byte"));
@@ -163,10 +163,10 @@ class RawDecoder {
   GapExplainer explainer_;
   std::vector<std::uint8_t> begin_;
   std::uint64_t size_ = 0;
-  std::uint64_t end_ = 0;  // of what has been printed
+  std::uint64_t end_ = 0;  // end of the printed bytes
 };
 
-/// A capture file, which knows who sent what and when.
+/// Decodes a capture file, which records direction and time.
 class CaptureDecoder final : private CaptureListener {
  public:
   explicit CaptureDecoder(const DecodeOptions& options)
@@ -174,7 +174,7 @@ class CaptureDecoder final : private CaptureListener {
 
   void feed(std::span<const std::uint8_t> bytes) { frames_.feed(bytes); }
 
-  /// Returns the exit status. Throws InputError if parts of the capture could not be read.
+  /// Returns the exit status. Throws InputError if parts of the capture are damaged.
   int finish() {
     frames_.finish();
     if (!jsonl_) {
@@ -207,9 +207,9 @@ class CaptureDecoder final : private CaptureListener {
     decoder_ = FrameDecoder();
     ++session_;
     if (jsonl_) return;
-    // As seconds: a time point would be converted to nanoseconds, which overflow in a far future.
+    // Use seconds, because a conversion to nanoseconds overflows for dates far in the future.
     const auto start = std::chrono::floor<std::chrono::seconds>(session.start).time_since_epoch();
-    fmt::print("session {}, begun {:%Y-%m-%d %H:%M:%S} UTC\n", session_,
+    fmt::print("session {}, started {:%Y-%m-%d %H:%M:%S} UTC\n", session_,
                fmt::gmtime(static_cast<std::time_t>(start.count())));
   }
 
@@ -251,13 +251,13 @@ class CaptureDecoder final : private CaptureListener {
   CaptureFrames frames_;
   FrameDecoder decoder_;
   int session_ = -1;
-  std::uint64_t found_ = 0;  // frames
+  std::uint64_t found_ = 0;  // number of frames
   std::uint64_t skipped_ = 0;
   std::vector<RejectedCandidate> rejected_;  // of the first gap that has any
   std::string problems_;
 };
 
-/// As many bytes from the start of the input as decide whether it is a capture file.
+/// Reads enough bytes to decide whether the input is a capture file.
 std::vector<std::uint8_t> read_begin(Input& input) {
   std::vector<std::uint8_t> begin;
   do {
@@ -268,10 +268,10 @@ std::vector<std::uint8_t> read_begin(Input& input) {
   return begin;
 }
 
-/// Frames before a mistake in hex text are good; the mistake is reported after them.
+/// Prints the frames before an error in hex text, then reports the error.
 [[noreturn]] void fail_at(const HexError& error, RawDecoder& decoder, bool is_text) {
   decoder.stop();
-  throw InputError(to_text(error) + (is_text ? "" : "; raw bytes are read without --hex"));
+  throw InputError(to_text(error) + (is_text ? "" : "; omit --hex for raw bytes"));
 }
 
 template <class Decoder>
@@ -314,31 +314,31 @@ int decode_file(const DecodeOptions& options) {
 void add_decode(CLI::App& app, int& status) {
   auto* const command = app.add_subcommand("decode", "Show the frames of a capture");
   auto options = std::make_shared<DecodeOptions>();
-  command->add_option("file", options->file, "Capture to read; - is the standard input")
+  command->add_option("file", options->file, "Capture to read; - means standard input")
       ->capture_default_str();
   command
       ->add_option("--from", options->from,
-                   "Who sent the bytes; auto takes each frame for what its size fits, the board's "
-                   "meaning first. Of a capture file, which knows: whose frames to show")
+                   "Sender of the bytes. auto decides by the size of each frame, and prefers the "
+                   "board. For a capture file, which records the sender: frames to show")
       ->check(CLI::IsMember({"auto", "board", "host"}))
       ->capture_default_str();
-  command->add_option("--format", options->format, "How to print")
+  command->add_option("--format", options->format, "Output format")
       ->check(CLI::IsMember({"text", "jsonl"}))
       ->capture_default_str();
-  command->add_flag("--hex", options->hex, "The input is hex text, not raw bytes");
+  command->add_flag("--hex", options->hex, "Read hex text instead of raw bytes");
   command->footer(
-      "In JSON, integers are raw wire values, bytes hex strings, and infinite or not-a-number "
-      "floats "
-      "the strings \"inf\", \"-inf\" and \"nan:<bits>\". A field 'tail' has what later firmware "
-      "appends, or what cannot be read because the request that says how was not seen.\n"
-      "The input may be raw bytes or a capture file as `sbgc record` writes it. Of the latter, "
+      "In JSON, integers are raw values, bytes are hex strings, and infinite or NaN "
+      "floats are "
+      "the strings \"inf\", \"-inf\" and \"nan:<bits>\". A field 'tail' holds bytes that later "
+      "firmware appends, or that cannot be decoded because the request was not captured.\n"
+      "The input is raw bytes or a capture file written by `sbgc record`. For the latter, "
       "JSON "
-      "lines have more keys: 'time' in seconds since the session began, and 'session', a number "
-      "from 0; offsets count the bytes of one direction and session.\n"
-      "In text, the gaps between frames are explained, where something looks like a frame.\n"
-      "The exit status is 0 when all input was read and held a frame, or was empty; 1 when it "
+      "lines have two more keys: 'time' in seconds since the start of the session, and 'session', "
+      "counted from 0. Offsets count the bytes of one direction and session.\n"
+      "Text output explains gaps between frames that look like damaged frames.\n"
+      "The exit status is 0 if all input was read and contained a frame, or was empty; 1 if it "
       "could "
-      "not be read or held none; 2 for wrong usage.");
+      "not be read or contained none; 2 for wrong usage.");
   command->callback([options, &status] { status = decode_file(*options); });
 }
 

@@ -13,13 +13,13 @@ Direction guess(const Frame& frame) {
   const int host = body_fit(Direction::to_board, frame.id, frame.body.size());
   const int board = body_fit(Direction::from_board, frame.id, frame.body.size());
   if (host != board) return host > board ? Direction::to_board : Direction::from_board;
-  // Neither fits: whoever has such a command at all, and the board if both or none has.
+  // Neither fits better: use the only direction that has such a command, or else the board.
   const bool host_only =
       has_command(Direction::to_board, frame.id) && !has_command(Direction::from_board, frame.id);
   return host_only ? Direction::to_board : Direction::from_board;
 }
 
-/// Looks for the fixed-size member that a byte of the body belongs to.
+/// Finds the fixed-size member that contains a byte of the body.
 struct FieldFinder {
   std::size_t wanted{};
   std::size_t& at;
@@ -35,7 +35,7 @@ struct FieldFinder {
   }
 };
 
-/// The path of the fixed-size member that byte `offset` of the body belongs to.
+/// Returns the path of the fixed-size member that contains the byte at `offset` of the body.
 template <class M>
 std::string field_at(std::size_t offset) {
   std::size_t at = 0;
@@ -45,7 +45,7 @@ std::string field_at(std::size_t offset) {
   return result;
 }
 
-/// Makes a row of each value, and notes at the rows what the specification does not allow.
+/// Creates a row for each value, and adds violations of the specification to the rows.
 struct RowCollector {
   std::vector<Row>& rows;
 
@@ -79,8 +79,8 @@ DecodedFrame FrameDecoder::decode(const Frame& frame, std::optional<Direction> d
     validate(message, RowCollector{result.rows});
   };
   result.status = visit(frame, result.direction, take, contexts_);
-  // What an earlier message has reported may be about another stream: then better nothing than
-  // that.
+  // The context may belong to another stream, so retry without context: no data is better than
+  // wrong data.
   if (!result.status) {
     const Status plain = visit(frame, result.direction, take);
     if (plain) result.status = plain;

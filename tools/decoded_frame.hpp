@@ -1,4 +1,4 @@
-/// A frame and everything that can be said about it.
+/// A decoded frame and its description.
 #pragma once
 
 #include <optional>
@@ -11,35 +11,35 @@
 
 namespace sbgc::tools {
 
-/// One value of a message, as people read it.
+/// One value of a message in readable form.
 struct Row {
   std::string path;
   std::string raw;
   std::string meaning;    ///< the value in its unit, or its name
-  std::string objection;  ///< why the specification does not allow it, such as "is below 1 Hz"
-  std::size_t offset{};   ///< of its bytes in the body
-  std::size_t size{};     ///< how many bytes it takes
+  std::string objection;  ///< violation of the specification, such as "is below 1 Hz"
+  std::size_t offset{};   ///< offset of the value in the body
+  std::size_t size{};     ///< size of the value in bytes
 };
 
-/// What became of one frame.
+/// The result of decoding one frame.
 struct DecodedFrame {
   Frame frame{};
   Direction direction{};
   std::string command{};                 ///< "" if the id is unknown
   const MessageInfo* message = nullptr;  ///< null if no message fits
   Status status{};
-  std::string error_field{};  ///< the field that `status` is about, as far as it is known
+  std::string error_field{};  ///< the field of the error, if known
   Json fields{};
   std::vector<Row> rows{};
 
-  /// The object that `sbgc decode --format jsonl` prints.
+  /// Returns the object that `sbgc decode --format jsonl` prints.
   Json to_json() const;
 };
 
-/// Decodes frame after frame and remembers what later ones need.
+/// Decodes frames in sequence and stores the context for later ones.
 class FrameDecoder {
  public:
-  /// `direction` says who sent the frame; without it, it is taken for what its size fits.
+  /// `direction` is the direction of the frame; if it is missing, the frame size decides.
   DecodedFrame decode(const Frame& frame, std::optional<Direction> direction);
 
  private:

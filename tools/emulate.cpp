@@ -1,4 +1,4 @@
-// sbgc emulate: gimbals that are not there.
+// sbgc emulate: emulated gimbals.
 
 #include <chrono>
 #include <csignal>
@@ -47,16 +47,16 @@ const char* to_text(emulator::Outcome outcome) {
   switch (outcome) {
     case emulator::Outcome::carried_out: return "carried out";
     case emulator::Outcome::refused: return "refused";
-    case emulator::Outcome::unknown: return "unknown here";
+    case emulator::Outcome::unknown: return "not supported";
     case emulator::Outcome::malformed: return "malformed";
-    case emulator::Outcome::lost: return "lost: no room";
+    case emulator::Outcome::lost: return "lost: input buffer full";
     case emulator::Outcome::not_listening: return "not listening";
   }
   return "?";
 }
 
-/// "    1.2340  host 0 > CMD_BOARD_INFO (86), 0 bytes  carried out", with `>` for frames to the
-/// board and `<` for frames from it.
+/// For example "    1.2340  host 0 > CMD_BOARD_INFO (86), 0 bytes  carried out", with `>` for
+/// frames to the board and `<` for frames from it.
 std::string describe_frame(const emulator::Board::Traffic& traffic) {
   const Direction direction = traffic.outcome ? Direction::to_board : Direction::from_board;
   const Frame& frame = traffic.frame;
@@ -69,30 +69,30 @@ std::string describe_frame(const emulator::Board::Traffic& traffic) {
   return result;
 }
 
-/// Whether the terminal that is closed ends it: not with nohup.
+/// True if closing the terminal ends the program; false under nohup.
 bool heeds_hangup() {
   struct sigaction action {};
   return sigaction(SIGHUP, nullptr, &action) == 0 && action.sa_handler != SIG_IGN;
 }
 
-/// Each pseudo-terminal takes two files, and hosts take one each.
+/// Raises the file limit: each pseudo-terminal needs two files, each host one.
 void allow_many_files() {
   rlimit limit{};
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
   limit.rlim_cur = limit.rlim_max;
-  setrlimit(RLIMIT_NOFILE, &limit);  // if not: what then cannot be opened says so
+  setrlimit(RLIMIT_NOFILE, &limit);  // on failure, opening a file reports the error
 }
 
 int serve(const EmulateOptions& options) {
-  // Standard output belongs to the host then.
+  // Standard output then carries the bytes of the host.
   const bool tells_on_stderr = options.service.stdio;
-  // Hosts do not wait for readers of what is told, nor is one that has gone away, or a full disk, a
-  // reason to leave them alone.
+  // Serving hosts must not depend on readers of the log: slow or closed readers and full disks are
+  // tolerated.
   serving::NonblockingLines problems(STDERR_FILENO);
   std::optional<serving::NonblockingLines> events;
   if (!tells_on_stderr) events.emplace(STDOUT_FILENO);
   serving::ServiceLogs logs;
-  // A reader needs each of these. That it has failed shows in the exit status.
+  // These lines are required by readers; a failure to write them shows in the exit status.
   logs.endpoint = [out = tells_on_stderr ? stderr : stdout](const std::string& text) {
     std::fputs((text + "\n").c_str(), out);
     std::fflush(out);
@@ -104,7 +104,7 @@ int serve(const EmulateOptions& options) {
   }
 
   allow_many_files();
-  std::signal(SIGPIPE, SIG_IGN);  // a reader of ours that goes away is no reason to end untidily
+  std::signal(SIGPIPE, SIG_IGN);  // a closed reader must not kill the process
   asio::io_context context(1);
   asio::signal_set signals(context, SIGINT, SIGTERM);
   if (heeds_hangup()) signals.add(SIGHUP);
@@ -130,7 +130,7 @@ int serve(const EmulateOptions& options) {
   return is_saved && !problem ? success : failure;
 }
 
-/// An option whose text is read by `parse`.
+/// Adds an option whose value is parsed by `parse`.
 template <class Parse, class Use>
 CLI::Option* add_parsed(CLI::App& command, const std::string& name, Parse parse, Use use,
                         const std::string& help, const char* type) {
@@ -147,13 +147,14 @@ CLI::Option* add_parsed(CLI::App& command, const std::string& name, Parse parse,
 constexpr std::uint32_t slowest_rate = 300;
 constexpr std::uint32_t fastest_rate = 4'000'000;
 
-/// 0 stands for the rate of the settings.
+/// Returns 0 for "settings".
 std::uint32_t parse_rate(const std::string& text) {
   if (text == "settings") return 0;
   std::uint32_t rate = 0;
   if (!CLI::detail::lexical_cast(text, rate) || rate < slowest_rate || rate > fastest_rate) {
-    throw std::invalid_argument(fmt::format("'{}' is not a baud rate from {} to {}, nor 'settings'",
-                                            text, slowest_rate, fastest_rate));
+    throw std::invalid_argument(
+        fmt::format("'{}' is neither a baud rate from {} to {} nor 'settings'", text, slowest_rate,
+                    fastest_rate));
   }
   return rate;
 }
@@ -185,7 +186,7 @@ void add_board_options(CLI::App& command, EmulateOptions& options) {
       ->group("The board");
   command
       .add_option("--input-buffer", board.input_buffer,
-                  "Room for requests that wait, in bytes; one that does not fit is lost whole; 0: "
+                  "Size of the request queue in bytes; requests that do not fit are lost; 0: "
                   "no limit")
       ->check(CLI::Range(0, 1 << 20))
       ->type_name("BYTES")
@@ -194,20 +195,20 @@ void add_board_options(CLI::App& command, EmulateOptions& options) {
   add_parsed(
       command, "--motion", serving::parse_motion,
       [&](const emulator::Disturbance& motion) { board.gimbal.frame = motion; },
-      "How the frame moves: rest, handheld, drone, vehicle, or a CSV file of lines "
-      "time,roll,pitch,yaw in seconds and degrees, which is repeated [rest]",
+      "Motion of the frame: rest, handheld, drone, vehicle, or a CSV file with lines "
+      "time,roll,pitch,yaw in seconds and degrees, which repeats [rest]",
       "KIND|FILE")
       ->group("The board");
   add_parsed(
       command, "--reset-at", serving::parse_seconds,
-      [&](Duration at) { service.emulator.restart_at = at; }, "The board restarts by itself then",
+      [&](Duration at) { service.emulator.restart_at = at; }, "Restart the board after this time",
       "SECONDS")
       ->group("The board");
   command
       .add_option(
           "--state", service.state,
-          "What the board remembers without power: loaded if the file is there; each change "
-          "is confirmed when the file has it; with --count FILE-1, FILE-2 ...")
+          "File for the nonvolatile memory of the board: loaded if it exists; the board confirms a "
+          "change once it is saved; with --count: FILE-1, FILE-2 ...")
       ->type_name("FILE")
       ->check(problem_of_path)
       ->group("The board");
@@ -216,7 +217,9 @@ void add_board_options(CLI::App& command, EmulateOptions& options) {
       ->type_name("N")
       ->capture_default_str()
       ->group("The board");
-  command.add_option("--seed", options.seed, "Of all that is random: same seed, same noise")
+  command
+      .add_option("--seed", options.seed,
+                  "Seed of all random numbers: the same seed gives the same noise")
       ->type_name("N")
       ->capture_default_str()
       ->group("The board");
@@ -224,12 +227,11 @@ void add_board_options(CLI::App& command, EmulateOptions& options) {
 
 void add_endpoint_options(CLI::App& command, EmulateOptions& options) {
   ServiceOptions& service = options.service;
-  command
-      .add_flag("--pty", service.terminal, "A pseudo-terminal; that is what there is without any")
+  command.add_flag("--pty", service.terminal, "A pseudo-terminal; the default")
       ->group("Where hosts connect");
   command
       .add_option("--link", service.link,
-                  "A symbolic link to the pseudo-terminal while it exists; with --count PATH-1, "
+                  "A symbolic link to the pseudo-terminal; with --count: PATH-1, "
                   "PATH-2 ...")
       ->type_name("PATH")
       ->check(problem_of_path)
@@ -242,12 +244,14 @@ void add_endpoint_options(CLI::App& command, EmulateOptions& options) {
         ->group("Where hosts connect");
   };
   add_listen("--tcp", service.tcp,
-             "Listen on this TCP port, 0 for any; of this machine alone unless HOST is another of "
-             "its addresses; with --count on the ports behind it, too");
+             "Listen on this TCP port, 0 for any free one; on localhost unless HOST is another "
+             "address of this machine; with --count: on this port and the following ones");
   add_listen("--udp", service.udp,
-             "The same for UDP; each sender is a host, and when all places are taken, a new one "
-             "takes that of the longest silent. A board has 8 places; TCP and UDP have half each");
-  command.add_flag("--stdio", service.stdio, "Standard input and output; messages go to stderr")
+             "Listen on this UDP port. Each sender is a host; if all places are in use, a new host "
+             "replaces the one silent longest. A board has 8 places; TCP and UDP get half each");
+  command
+      .add_flag("--stdio", service.stdio,
+                "Standard input and output; messages go to standard error")
       ->group("Where hosts connect");
 }
 
@@ -264,8 +268,8 @@ void add_line_options(CLI::App& command, EmulateOptions& options) {
         emulator.rate_from_parameters = rate == 0;
         line.board.baud_rate = rate;
       },
-      "Bytes take their time, and a host with another rate on the pseudo-terminal hears and says "
-      "garbage; 'settings': the rate in the board's settings [no limit]",
+      "Limit the rate; a host with another rate on the pseudo-terminal sends and receives "
+      "garbage; 'settings' selects the rate in the board's parameters [no limit]",
       "RATE");
   command
       .add_option_function<std::string>(
@@ -273,7 +277,7 @@ void add_line_options(CLI::App& command, EmulateOptions& options) {
           [&](const std::string& parity) {
             line.board.parity = parity == "even" ? Parity::even : Parity::none;
           },
-          "A byte with parity takes 11 bits [none]")
+          "Parity of the line; a byte with parity takes 11 bits [none]")
       ->check(CLI::IsMember({"none", "even"}))
       ->type_name("PARITY")
       ->group("The line");
@@ -281,40 +285,39 @@ void add_line_options(CLI::App& command, EmulateOptions& options) {
     add(
         name, serving::parse_share, [&share](double parsed) { share = parsed; }, help, "SHARE");
   };
-  add_share("--bit-errors", faults.bit_errors, "Share of bits that are turned over");
-  add_share("--lose", faults.lost, "Share of bytes that are lost");
-  add_share("--duplicate", faults.duplicated, "Share of bytes that come twice");
+  add_share("--bit-errors", faults.bit_errors, "Share of flipped bits");
+  add_share("--lose", faults.lost, "Share of lost bytes");
+  add_share("--duplicate", faults.duplicated, "Share of duplicated bytes");
   add(
       "--delay", serving::parse_delay,
       [&](const serving::DelayFault& delay) {
         faults.delayed = delay.share;
         faults.delay = delay.delay;
       },
-      "Share of bytes that come later, by 20 ms or this time; those behind wait", "SHARE[:MS]");
+      "Share of bytes that are delayed, by 20 ms or this time; later bytes wait", "SHARE[:MS]");
   add(
       "--text", serving::parse_interval, [&](Duration every) { faults.text_every = every; },
-      "A line of text between two frames of the board, so often", "SECONDS");
+      "Interval of text lines between frames of the board", "SECONDS");
   add(
       "--silence", serving::parse_silence,
       [&](const emulator::Silence& silence) { faults.silences.push_back(silence); },
-      "The line carries nothing, from then on for so long, in seconds; may be repeated",
-      "FROM:LENGTH")
+      "A period in seconds in which the line carries nothing; may be repeated", "FROM:LENGTH")
       ->take_all()
       ->trigger_on_parse();
 }
 
-/// What goes together, and what does not.
+/// Checks and completes combinations of options.
 void check(EmulateOptions& options) {
   ServiceOptions& service = options.service;
   if (!service.tcp && !service.udp && !service.stdio) service.terminal = true;
   if (!service.link.empty()) service.terminal = true;
   if (service.stdio && service.count > 1) {
-    throw CLI::ValidationError("--stdio", "there is only one, so that --count must be 1");
+    throw CLI::ValidationError("--stdio", "requires --count 1");
   }
   for (const auto* const address : {&service.tcp, &service.udp}) {
     if (*address && (*address)->port != 0 &&
         (*address)->port + service.count - 1 > std::numeric_limits<std::uint16_t>::max()) {
-      throw CLI::ValidationError("--count", fmt::format("there are no {} ports from {} on",
+      throw CLI::ValidationError("--count", fmt::format("there are fewer than {} ports from {}",
                                                         service.count, (*address)->port));
     }
   }
@@ -326,19 +329,19 @@ void check(EmulateOptions& options) {
 
 void add_emulate(CLI::App& app, int& status) {
   auto* const command =
-      app.add_subcommand("emulate", "Play gimbals, for programs that talk to them");
+      app.add_subcommand("emulate", "Emulate gimbals for programs that talk to them");
   auto options = std::make_shared<EmulateOptions>();
   add_endpoint_options(*command, *options);
   add_board_options(*command, *options);
   add_line_options(*command, *options);
   command->add_flag("-v,--verbose", options->verbose,
-                    "Print each frame, and hosts that come and go");
+                    "Print each frame, and hosts that connect and leave");
   add_parsed(
       *command, "--seconds", serving::parse_seconds,
       [options](Duration time) { options->seconds = time; },
-      "Stop after this time; else with Ctrl-C", "SECONDS");
+      "Stop after this time; otherwise with Ctrl-C", "SECONDS");
   command->footer(
-      "A SHARE is 0.01 or 1%. A line for each place to connect to is printed first:\n"
+      "A SHARE is 0.01 or 1%. First, a line for each endpoint is printed:\n"
       "  emulated gimbal 1: /dev/pts/7 (also /tmp/gimbal)\n"
       "\n"
       "Examples:\n"
@@ -347,10 +350,10 @@ void add_emulate(CLI::App& app, int& status) {
       "  sbgc emulate --baud 115200 --bit-errors 1e-5 --text 2 --silence 30:5\n"
       "  sbgc emulate --firmware 2.43b9 --board 3.0 --motion handheld\n"
       "\n"
-      "The exit status is 0 when it was reported to end, by Ctrl-C, a signal, --seconds or the end "
+      "The exit status is 0 after Ctrl-C, a termination signal, --seconds or the end "
       "of "
-      "the standard input, 1 when something cannot be opened or saved, 2 for wrong usage, which "
-      "includes a file of motion that cannot be read.");
+      "standard input; 1 if something cannot be opened or saved; 2 for wrong usage, including "
+      "a motion file that cannot be read.");
   command->callback([options, &status] {
     check(*options);
     status = serve(*options);

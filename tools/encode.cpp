@@ -1,4 +1,4 @@
-// sbgc encode: JSON lines, as sbgc decode prints them, to frames.
+// sbgc encode: encodes JSON lines, as printed by sbgc decode, to frames.
 
 #include <cstdio>
 #include <string>
@@ -26,8 +26,8 @@ struct EncodeOptions {
   bool no_validate = false;
 };
 
-/// Collects what is wrong. Not a lambda, which would be another type, with a validator of its own,
-/// for each message.
+/// Collects violations. A lambda would have a different type for each message and instantiate the
+/// validator again each time.
 struct Problems {
   std::string& text;
 
@@ -36,7 +36,7 @@ struct Problems {
   }
 };
 
-/// The frame of a message that is described by `fields`. Throws InputError or JsonError.
+/// Returns the frame of the message with these `fields`. Throws InputError or JsonError.
 template <class M>
 std::vector<std::uint8_t> encode_fields(const Json& fields, bool check) {
   M message{};
@@ -55,7 +55,7 @@ std::vector<std::uint8_t> encode_fields(const Json& fields, bool check) {
   return frame;
 }
 
-/// A value of the line that must be text.
+/// Returns a value of the line that must be a string.
 std::string text_of(const Json& line, const char* key) {
   const auto found = line.find(key);
   if (found == line.end()) throw InputError(fmt::format("'{}' is missing", key));
@@ -63,12 +63,12 @@ std::string text_of(const Json& line, const char* key) {
   return found->get<std::string>();
 }
 
-/// A line may say more than is needed, but nothing that contradicts its message.
+/// Checks the optional keys of a line, which must agree with its message.
 void check_rest(const Json& line, const MessageInfo& info) {
   const auto check = [&](const char* key, bool agrees) {
     if (agrees) return;
     throw InputError(
-        fmt::format("'{}' is {}, which is not that of {}", key, line[key].dump(), info.name));
+        fmt::format("'{}' is {}, which does not match {}", key, line[key].dump(), info.name));
   };
   if (line.contains("command")) check("command", line["command"] == info.command);
   if (line.contains("id")) check("id", line["id"] == info.id);
@@ -100,7 +100,7 @@ std::vector<std::uint8_t> encode_line(const std::string& text, const EncodeOptio
     check_rest(line, Meta<M>::info);
     frame = encode_fields<M>(*fields, !options.no_validate);
   });
-  if (!known) throw InputError(fmt::format("there is no message '{}'", name));
+  if (!known) throw InputError(fmt::format("unknown message '{}'", name));
   return frame;
 }
 
@@ -132,19 +132,20 @@ int encode_file(const EncodeOptions& options) {
 }  // namespace
 
 void add_encode(CLI::App& app, int& status) {
-  auto* const command = app.add_subcommand("encode", "Turn JSON lines into frames");
+  auto* const command = app.add_subcommand("encode", "Encode JSON lines to frames");
   auto options = std::make_shared<EncodeOptions>();
   command
       ->add_option("file", options->file,
-                   "JSON lines as `sbgc decode --format jsonl` prints them; - is the standard "
-                   "input. Needed are 'message' and 'fields'")
+                   "JSON lines as printed by `sbgc decode --format jsonl`; - means standard "
+                   "input. 'message' and 'fields' are required")
       ->capture_default_str();
-  command->add_flag("--hex", options->hex, "Print each frame as a line of hex, not as raw bytes");
+  command->add_flag("--hex", options->hex,
+                    "Print each frame as a line of hex instead of raw bytes");
   command->add_flag("--no-validate", options->no_validate,
-                    "Encode values that the specification does not allow, too");
+                    "Also encode values that the specification does not allow");
   command->footer(
-      "A line may have 16 MiB, nest 64 levels deep, and have no key twice in an object. One that "
-      "does not encode or validate is reported and left out; the exit status is then 1. It is 2 "
+      "A line may have up to 16 MiB and 64 nested levels, and no duplicate keys. A line that "
+      "cannot be encoded or is invalid is reported and skipped; the exit status is then 1. It is 2 "
       "for "
       "wrong usage.");
   command->callback([options, &status] { status = encode_file(*options); });

@@ -27,7 +27,7 @@ std::string error_lines(const DecodedFrame& decoded) {
                      decoded.error_field, status.offset, detail::to_hex(decoded.frame.body));
 }
 
-/// The meaning and the objection read as one: "1 Hz is below 554 Hz".
+/// Joins meaning and objection: "1 Hz is below 554 Hz".
 std::string remark(const Row& row) {
   const bool has_both = !row.meaning.empty() && !row.objection.empty();
   return row.meaning + (has_both ? " " : "") + row.objection;

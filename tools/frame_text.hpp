@@ -1,4 +1,4 @@
-/// The text form of `sbgc decode`.
+/// The text format of `sbgc decode`.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace sbgc::tools {
 
-/// A heading line that begins with `place`, then a line for each value: path, raw value, meaning.
+/// Returns a heading that begins with `place`, then a line per value: path, raw value, meaning.
 std::string to_text(const DecodedFrame& decoded, const std::string& place);
 
 }  // namespace sbgc::tools

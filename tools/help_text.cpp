@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t usual_width = 80;
 constexpr std::size_t least_width = 40;
-constexpr std::size_t widest_names = 30;  // with the space in front of and behind them
+constexpr std::size_t widest_names = 30;  // with the spaces around them
 
 std::size_t width_from_environment() {
   const char* const text = std::getenv("COLUMNS");
@@ -30,7 +30,7 @@ std::size_t width_of_terminal() {
   return ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
 }
 
-/// Takes the text up to `separator` off the front of `text`.
+/// Removes the text up to `separator` from the front of `text` and returns it.
 std::string_view take(std::string_view& text, char separator) {
   const std::size_t size = std::min(text.find(separator), text.size());
   const std::string_view result = text.substr(0, size);
@@ -86,7 +86,7 @@ HelpFormatter::HelpFormatter(std::size_t width) : width_(width) {
 
 std::string HelpFormatter::make_help(const CLI::App* app, std::string name,
                                      CLI::AppFormatMode mode) const {
-  // One empty line between groups of options, not two.
+  // One empty line between option groups instead of two.
   return CLI::detail::find_and_replace(Formatter::make_help(app, std::move(name), mode), "\n\n\n",
                                        "\n\n");
 }
@@ -110,7 +110,7 @@ std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
 }
 
 std::string HelpFormatter::make_expanded(const CLI::App* command) const {
-  constexpr std::size_t indent = 2;  // which Formatter adds afterwards
+  constexpr std::size_t indent = 2;  // added by Formatter afterwards
   HelpFormatter narrower(*this);
   narrower.width_ -= indent;
   return narrower.Formatter::make_expanded(command);

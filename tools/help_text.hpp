@@ -1,4 +1,4 @@
-/// How the help of the command looks.
+/// The layout of the help.
 #pragma once
 
 #include <cstddef>
@@ -9,17 +9,17 @@
 
 namespace sbgc::tools {
 
-/// Characters in a line of the standard output: the environment variable COLUMNS, else what the
-/// terminal says, else 80; never less than 40.
+/// Returns the width of a line of standard output in characters: the environment variable COLUMNS,
+/// else the width of the terminal, else 80; at least 40.
 std::size_t line_width();
 
-/// `text` in lines of at most `width` characters, broken between words. The first line begins at
-/// column `column`; the others get `indent` spaces in front. Lines of `text` that begin with a
-/// space stay as they are.
+/// Wraps `text` between words to lines of at most `width` characters. The first line begins at
+/// column `column`; the others are indented by `indent` spaces. Lines of `text` that begin with a
+/// space stay unchanged.
 std::string wrapped(std::string_view text, std::size_t width, std::size_t column = 0,
                     std::size_t indent = 0);
 
-/// The formatter of CLI11, with lines that are broken between words.
+/// The formatter of CLI11, with lines wrapped between words.
 class HelpFormatter : public CLI::Formatter {
  public:
   explicit HelpFormatter(std::size_t width);
@@ -34,7 +34,7 @@ class HelpFormatter : public CLI::Formatter {
   std::string make_footer(const CLI::App* app) const override;
 
  private:
-  /// A name and, in the column beside it or below, what it is for.
+  /// Returns a name, with its description in the next column or below.
   std::string entry(const std::string& name, const std::string& description) const;
 
   std::size_t width_;

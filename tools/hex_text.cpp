@@ -15,8 +15,8 @@ int digit_value(char c) {
 
 std::string no_digit(char c) {
   const bool printable = c > 0x20 && c < 0x7F;
-  return printable ? fmt::format("'{}' is no hex digit", c)
-                   : fmt::format("byte 0x{:02x} is no hex digit", static_cast<std::uint8_t>(c));
+  return printable ? fmt::format("'{}' is not a hex digit", c)
+                   : fmt::format("byte 0x{:02x} is not a hex digit", static_cast<std::uint8_t>(c));
 }
 
 }  // namespace

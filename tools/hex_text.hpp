@@ -10,28 +10,30 @@
 
 namespace sbgc::tools {
 
-/// Where hex text is none, and why.
+/// The place and the reason of an error in hex text.
 struct HexError {
   std::size_t line{};    ///< from 1
   std::size_t column{};  ///< in bytes, from 1
   std::string reason{};
 };
 
-/// "hex text, line 3 column 7: 'g' is no hex digit".
+/// For example "hex text, line 3 column 7: 'g' is not a hex digit".
 std::string to_text(const HexError& error);
 
-/// Reads hex text block by block: two digits a byte; white space, ',' and ':' may stand between
-/// bytes, "0x" in front of one, and '#' starts a comment that ends with the line.
+/// Decodes hex text in blocks: two digits per byte. White space, ',' and ':' may separate bytes,
+/// "0x" may precede a byte, and '#' starts a comment that ends with the line.
 class HexDecoder {
  public:
-  /// Appends the bytes of `text` to `out`, up to whatever is no hex; nothing can follow that.
+  /// Appends the bytes of `text` to `out`, up to the first error. Must not be called after an
+  /// error.
   [[nodiscard]] std::optional<HexError> feed(std::span<const std::uint8_t> text,
                                              std::vector<std::uint8_t>& out);
-  /// To be called at the end: an error if half a byte is left.
+  /// Must be called at the end. Returns an error if half a byte is left.
   [[nodiscard]] std::optional<HexError> finish() const;
 
  private:
-  /// What is wrong with a character that is neither a digit nor the end of a line; "" if nothing.
+  /// Returns the error of a character that is neither a digit nor the end of a line; "" if it is
+  /// valid.
   std::string other(char c);
   HexError error(std::string reason) const { return {line_, column_, std::move(reason)}; }
 

@@ -26,7 +26,7 @@ std::unique_ptr<std::FILE, int (*)(std::FILE*)> open(const std::string& name) {
 Input::Input(const std::string& name) : name_(name), file_(open(name)), block_(65536) {}
 
 std::span<const std::uint8_t> Input::read() {
-  // read(2) hands over what is there; fread would wait until the block is full.
+  // read(2) returns the available bytes; fread would wait until the block is full.
   ssize_t size = 0;
   do {
     size = ::read(fileno(file_.get()), block_.data(), block_.size());

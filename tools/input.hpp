@@ -1,4 +1,4 @@
-/// Where the bytes of a capture come from.
+/// Input files of the command.
 #pragma once
 
 #include <cstdint>
@@ -11,23 +11,24 @@
 
 namespace sbgc::tools {
 
-/// Input that cannot be read; what() says which and why.
+/// Input cannot be read; what() names the input and the reason.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A file or the standard input ("-"), read block by block as it comes in.
+/// A file or the standard input ("-"), read in blocks as they arrive.
 class Input {
  public:
   /// Throws InputError if `name` cannot be opened.
   explicit Input(const std::string& name);
 
-  /// The next bytes, empty at the end. The view is valid until the next call. Throws InputError.
+  /// Returns the next bytes; empty at the end. The view is valid until the next call. Throws
+  /// InputError.
   std::span<const std::uint8_t> read();
 
-  /// The next line without its end, false at the end. Of a line longer than `limit` bytes it keeps
-  /// the first `limit + 1`. Throws InputError.
+  /// Reads the next line without its end; returns false at the end. Keeps only the first `limit +
+  /// 1` bytes of a line longer than `limit`. Throws InputError.
   bool read_line(std::string& line, std::size_t limit);
 
   const std::string& name() const noexcept { return name_; }

@@ -19,7 +19,7 @@ namespace {
 
 using ByteSpan = std::span<const std::uint8_t>;
 
-/// The checksum of the second framing, which later firmware adds: see the errata of the
+/// The checksum of the second framing, which later firmware adds; see the errata of the
 /// specification.
 std::uint16_t crc16(ByteSpan bytes) {
   constexpr std::uint32_t polynomial = 0x8005;
@@ -33,7 +33,7 @@ std::uint16_t crc16(ByteSpan bytes) {
   return static_cast<std::uint16_t>(sum);
 }
 
-/// Frames with the start byte '$', the same header, and 16 bits of checksum after the body.
+/// Counts frames with the start byte '$', the same header, and a 16-bit checksum after the body.
 std::size_t later_frames_in(ByteSpan bytes) {
   std::size_t count = 0;
   for (std::size_t at = 0; at + frame_header_size < bytes.size(); ++at) {
@@ -56,7 +56,7 @@ bool begins_with(ByteSpan bytes, std::string_view magic) {
                     [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
 }
 
-/// The kind of a file that begins with a known signature, or "".
+/// Returns the kind of a file with a known signature; "" if there is none.
 std::string known_kind(ByteSpan bytes) {
   using namespace std::string_view_literals;
   constexpr std::array compressed{"\x1f\x8b"sv,
@@ -68,7 +68,7 @@ std::string known_kind(ByteSpan bytes) {
   const auto has = [&](std::string_view magic) { return begins_with(bytes, magic); };
   if (std::ranges::any_of(compressed, has)) return "this is compressed: unpack it first";
   if (std::ranges::any_of(packets, has)) {
-    return "this is a capture of network packets: save what they carry as raw bytes";
+    return "this is a capture of network packets: extract their payload as raw bytes";
   }
   return "";
 }
@@ -81,8 +81,8 @@ std::string kind_of_text(ByteSpan bytes) {
   }
   const auto first = std::ranges::find_if(bytes, [](std::uint8_t byte) { return byte > ' '; });
   if (first == bytes.end()) return "this is white space";
-  if (*first == '{') return "this looks like JSON: sbgc encode makes frames of it";
-  return "this is text, and not in hex";
+  if (*first == '{') return "this looks like JSON: use sbgc encode";
+  return "this is text, but not hex";
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ bool is_binary(std::span<const std::uint8_t> bytes) {
 std::string guess_input(std::span<const std::uint8_t> begin, bool is_hex) {
   if (const std::size_t count = later_frames_in(begin); count != 0) {
     return fmt::format(
-        "it has {} with the start byte '$', the framing of later firmware, which is not read here",
+        "it has {} with the start byte '$', the framing of later firmware, which is not supported",
         counted(count, "frame"));
   }
   if (is_hex) return "";

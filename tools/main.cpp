@@ -21,8 +21,8 @@ namespace sbgc::tools {
 
 namespace {
 
-/// What is opened later must not take the place of standard files that are closed. To read the
-/// input, or to write the others, goes on to fail.
+/// Opens closed standard files, so that files opened later do not take their place. Reading the
+/// input, or writing the others, still fails.
 void hold_standard_files() {
   for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     const bool is_open = fcntl(fd, F_GETFD) != -1;
@@ -51,8 +51,8 @@ std::string did_you_mean(const std::vector<std::string>& words) {
   return words.empty() ? "" : "; did you mean " + alternatives(words, true) + "?";
 }
 
-/// What is wrong with a word that nothing on the command line takes. `command` is the subcommand
-/// that it was given to, or `app`.
+/// Returns the error message for an unexpected word. `command` is the subcommand that it was passed
+/// to, or `app`.
 std::string unknown_word(const CLI::App& app, const CLI::App& command, const std::string& word) {
   const std::string shown = clipped(word);
   if (word.starts_with('-')) {
@@ -60,7 +60,7 @@ std::string unknown_word(const CLI::App& app, const CLI::App& command, const std
     return fmt::format("unknown option '{}'{}", shown,
                        did_you_mean(nearest(name, option_names(command))));
   }
-  if (&command != &app) return fmt::format("'{}' is one argument too many", shown);
+  if (&command != &app) return fmt::format("unexpected argument '{}'", shown);
   std::vector<std::string> known = command_names(app);
   for (const std::string& option : option_names(app)) known.push_back(option);
   const std::vector<std::string> near = nearest(word, known);
@@ -77,7 +77,7 @@ int complain(const CLI::App& app, const CLI::ParseError& error) {
   if (!unknown.empty()) {
     problem = unknown_word(app, command, unknown.front());
   } else if (chosen.empty()) {
-    problem = "a command is needed: " + alternatives(command_names(app), false);
+    problem = "expected a command: " + alternatives(command_names(app), false);
   } else {
     problem = clipped(error.what());
   }
@@ -119,7 +119,7 @@ int main(int argc, char** argv) {
   tools::hold_standard_files();
   try {
     const int status = tools::run(argc, argv);
-    // An earlier write that failed has left its mark, though nothing is left to be flushed.
+    // An earlier failed write sets the error flag even if there is nothing left to flush.
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
     std::fputs("sbgc: cannot write to the standard output\n", stderr);
     return status == tools::success ? tools::failure : status;

@@ -1,4 +1,4 @@
-// sbgc ports: the serial ports of this machine.
+// sbgc ports: lists the serial ports of this machine.
 
 #include <algorithm>
 #include <cstdio>
@@ -35,7 +35,7 @@ Json to_json(const io::PortInfo& port) {
 }
 
 void print_text(const io::PortInfo& port) {
-  // What a device says about itself goes into quotes: it could say anything.
+  // Quote text from the device: it may contain anything.
   fmt::print("{}", port.name);
   if (!port.description.empty()) fmt::print("  {}", detail::quoted(port.description));
   fmt::print("\n");
@@ -61,7 +61,7 @@ int print_ports(const PortsOptions& options) {
     return success;
   }
   for (const io::PortInfo& port : list.ports) print_text(port);
-  if (list.ports.empty()) fmt::print("There is no serial port.\n");
+  if (list.ports.empty()) fmt::print("No serial ports found.\n");
   return success;
 }
 
@@ -70,7 +70,7 @@ int print_ports(const PortsOptions& options) {
 void add_ports(CLI::App& app, int& status) {
   auto* const command = app.add_subcommand("ports", "List the serial ports of this machine");
   auto options = std::make_shared<PortsOptions>();
-  command->add_option("--format", options->format, "How to print")
+  command->add_option("--format", options->format, "Output format")
       ->check(CLI::IsMember({"text", "json"}))
       ->capture_default_str();
   command->callback([options, &status] { status = print_ports(*options); });

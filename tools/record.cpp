@@ -1,4 +1,4 @@
-// sbgc record: listens to a line and writes what it hears into a capture.
+// sbgc record: records a line to a capture.
 
 #include <array>
 #include <csignal>
@@ -31,7 +31,7 @@ struct RecordOptions {
   std::optional<double> seconds;
 };
 
-/// Reads until the end of the stream or until it is stopped; what is read is dropped.
+/// Reads until the end of the stream or until it is stopped, and discards the bytes.
 class Listener {
  public:
   Listener(io::Transport& transport, std::function<void()> at_end)
@@ -68,7 +68,7 @@ int record_line(const RecordOptions& options) {
   io::CaptureWriter writer;
   io::OpenResult opened = io::open(context.get_executor(), options.address);
   if (!opened) throw std::runtime_error(opened.error.message);
-  // Then nothing but the capture goes there.
+  // Standard output then carries only the capture.
   const bool to_stdout = options.file == "-";
   const io::Error error =
       to_stdout ? writer.open(STDOUT_FILENO, "on standard output") : writer.open(options.file);
@@ -78,7 +78,7 @@ int record_line(const RecordOptions& options) {
   std::function<void()> stop;
   const auto on_error = [&](const io::Error& reason) {
     file_problem = reason.message;
-    if (stop) stop();  // else it failed before there was anything to stop
+    if (stop) stop();  // otherwise it failed before the listener existed
   };
   const std::unique_ptr<io::Transport> transport =
       io::record(std::move(opened.transport), std::move(writer), {.on_error = on_error});
@@ -114,8 +114,7 @@ int record_line(const RecordOptions& options) {
 }  // namespace
 
 void add_record(CLI::App& app, int& status) {
-  auto* const command =
-      app.add_subcommand("record", "Listen to a line and write what the board says into a capture");
+  auto* const command = app.add_subcommand("record", "Record the output of a board to a capture");
   auto options = std::make_shared<RecordOptions>();
   command
       ->add_option("address", options->address,
@@ -124,14 +123,14 @@ void add_record(CLI::App& app, int& status) {
       ->required();
   command
       ->add_option("file", options->file,
-                   "The capture; one that exists gets another session. - is the standard output")
+                   "The capture; an existing file gets a new session. - means standard output")
       ->required();
-  command->add_option("--seconds", options->seconds, "Stop after this time; else with Ctrl-C")
+  command->add_option("--seconds", options->seconds, "Stop after this time; otherwise with Ctrl-C")
       ->check(CLI::Range(0.0, 1e9));
   command->footer(
-      "Nothing is sent. `sbgc decode` shows the capture, and capture:FILE plays it; `sbgc record "
-      "ADDRESS - | sbgc decode` shows what comes, as it comes. The exit status is 0 when "
-      "everything was recorded, 1 when it was not, 2 for wrong usage.");
+      "Nothing is sent. `sbgc decode` shows a capture, and capture:FILE replays it; `sbgc record "
+      "ADDRESS - | sbgc decode` shows the frames live. The exit status is 0 if "
+      "everything was recorded, 1 if not, 2 for wrong usage.");
   command->callback([options, &status] { status = record_line(*options); });
 }
 

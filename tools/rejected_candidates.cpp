@@ -16,8 +16,8 @@ const char* sender(Direction direction) {
   return direction == Direction::from_board ? "the board" : "the host";
 }
 
-/// "CMD_CONTROL (67) from the host with a body of 15 bytes": the command whose body may have this
-/// size. If both directions have one, both are named.
+/// For example "CMD_CONTROL (67) from the host with a body of 15 bytes": the command that fits this
+/// body size. If both directions have one, names both.
 std::string claimed(std::uint8_t id, std::size_t size, std::optional<Direction> sent) {
   std::vector<Direction> best;
   int best_fit = 0;
@@ -49,11 +49,11 @@ std::string claimed(std::uint8_t id, std::size_t size, std::optional<Direction> 
   }
   result += bytes;
   if (best_fit != 0) return result;
-  result += best.size() > 1 ? ", which neither has" : ", which it does not have";
+  result += best.size() > 1 ? ", an invalid size for both" : ", an invalid size";
   const Direction other =
       best.front() == Direction::to_board ? Direction::from_board : Direction::to_board;
   if (best.size() == 1 && body_fit(other, id, size) != 0) {
-    result += fmt::format(" ({} from {} has)", command_name(id, other), sender(other));
+    result += fmt::format(" (valid for {} from {})", command_name(id, other), sender(other));
   }
   return result;
 }
@@ -62,19 +62,19 @@ std::string checksum(const char* of, std::uint8_t found, std::uint8_t right) {
   return fmt::format("the checksum of its {} is 0x{:02x}, not 0x{:02x}", of, found, right);
 }
 
-/// Whether a frame seems to begin here.
+/// True if a frame seems to begin here.
 bool is_next_frame(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < frame_header_size || bytes[0] != frame_start) return false;
   return Framing::inspect(bytes.data(), bytes.size()).verdict != Verdict::bad_header;
 }
 
-/// Says why what begins with the start byte `bytes[0]` is no frame.
+/// Returns why the candidate that begins with the start byte `bytes[0]` is not a frame.
 std::string reason(Candidate candidate, std::span<const std::uint8_t> bytes,
                    std::optional<Direction> sent) {
   if (bytes.size() < frame_header_size) return "a start byte, but the bytes end within the header";
   const std::uint8_t id = bytes[frame_id_offset];
   const std::uint8_t size = bytes[frame_size_offset];
-  // The frame as it should be; bytes that are not there are 0.
+  // The correct frame; missing bytes are 0.
   std::array<std::uint8_t, max_frame_size> right{};
   std::copy_n(bytes.begin(), std::min(bytes.size(), right.size()), right.begin());
   Framing::finish(right.data(), id, size, right.data() + frame_header_size);
@@ -108,7 +108,7 @@ std::vector<RejectedCandidate> rejected_candidates(std::span<const std::uint8_t>
     if (bytes[at] != frame_start) continue;
     const auto from = bytes.subspan(at);
     const Candidate candidate = Framing::inspect(from.data(), from.size());
-    if (candidate.verdict == Verdict::frame) continue;  // some other candidate has claimed it
+    if (candidate.verdict == Verdict::frame) continue;  // belongs to another candidate
     const bool has_header =
         candidate.verdict != Verdict::bad_header && from.size() >= frame_header_size;
     result.push_back({at, candidate.verdict, has_header, reason(candidate, from, direction)});
@@ -139,8 +139,8 @@ void GapExplainer::scan(std::uint64_t end) {
   const auto gap = static_cast<std::size_t>(end - scanned_);
   auto bytes = std::span<const std::uint8_t>(bytes_).subspan(used_);
   bytes = bytes.first(std::min(bytes.size(), gap + rejection_reach));
-  // A start byte alone stands in any noise: of those without a good header, the first is reported
-  // if there is nothing better.
+  // Noise contains many start bytes: of those without a valid header, report only the first, and
+  // only if there is nothing better.
   constexpr std::size_t most = 3;
   for (RejectedCandidate& candidate : rejected_candidates(bytes, gap, gap, direction_)) {
     candidate.offset += scanned_;

@@ -8,7 +8,7 @@ namespace sbgc::tools {
 
 namespace {
 
-/// How many letters have to be inserted, removed, replaced or, with the next one, exchanged.
+/// The number of letters to insert, remove, replace or swap with the next one.
 std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last(b.size() + 1);
   std::vector<std::size_t> last(b.size() + 1);

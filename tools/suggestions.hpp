@@ -1,4 +1,4 @@
-/// What somebody may have meant who has mistyped a word.
+/// Suggestions for mistyped words.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace sbgc::tools {
 
-/// Those of `known` that are nearest to `word`, if any is near: it begins with the word, or few
-/// letters have to be changed. Dashes in front do not count.
+/// Returns the words of `known` that are nearest to `word`, if any is near: it begins with the
+/// word, or few letters differ. Ignores leading dashes.
 std::vector<std::string> nearest(std::string_view word, const std::vector<std::string>& known);
 
-/// "a", "a or b", "a, b or c", in quotes if wanted.
+/// Joins words to "a", "a or b", "a, b or c", optionally quoted.
 std::string alternatives(const std::vector<std::string>& words, bool quoted);
 
 }  // namespace sbgc::tools

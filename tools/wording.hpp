@@ -1,4 +1,4 @@
-/// Small parts of messages for people.
+/// Wording of messages.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +7,11 @@
 
 namespace sbgc::tools {
 
-/// "1 byte", "2 bytes".
+/// For example "1 byte" or "2 bytes".
 std::string counted(std::uint64_t number, const char* thing);
 
-/// A message that quotes its input: in one line, without characters that control a terminal, and
-/// cut off where it gets long.
+/// Returns a message that quotes its input on one line, without control characters, and truncated
+/// if it is long.
 std::string clipped(std::string_view message);
 
 }  // namespace sbgc::tools

@@ -1,4 +1,4 @@
-"""Makes noisy_stream.bin: frames of real boards with noise, text and cut frames between them."""
+"""Generates noisy_stream.bin: frames of real boards between noise, text and truncated frames."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ HERE = Path(__file__).resolve().parent
 
 
 def frames(name: str) -> list[bytes]:
-    """The frames of a capture in hex, one for each block behind a comment line."""
+    """Returns the frames of a hex capture, one per block after a comment line."""
     text = (HERE / name).read_text(encoding="utf-8")
     blocks = re.split(r"^#.*\n", text, flags=re.MULTILINE)
     hexes = (re.sub(r"#.*|\s", "", block) for block in blocks)
@@ -17,7 +17,7 @@ def frames(name: str) -> list[bytes]:
 
 
 def noise(seed: int, size: int) -> bytes:
-    """Bytes without meaning, the same for the same seed."""
+    """Returns pseudorandom bytes that depend only on the seed."""
     result = bytearray()
     for _ in range(size):
         seed = (seed * 1103515245 + 12345) & 0x7FFFFFFF
@@ -26,7 +26,7 @@ def noise(seed: int, size: int) -> bytes:
 
 
 def stream() -> bytes:
-    """The stream: in each round every frame once, with something else in front of it."""
+    """Returns the stream: each round contains every frame once, with other bytes before it."""
     request, info = frames("board_info.hex")
     (angles,) = frames("angles.hex")
     broken = frames("broken.hex")
@@ -34,7 +34,7 @@ def stream() -> bytes:
     for i in range(12):
         result += noise(i, 5 * i) + request
         result += b"gimbal: temperature 41\r\n" + info
-        result += angles[: 7 + 4 * i] + angles  # a frame that was cut off, then a whole one
+        result += angles[: 7 + 4 * i] + angles  # a truncated frame, then a complete one
         result += broken[i % len(broken)] + b">>>" + angles
     return bytes(result)
 

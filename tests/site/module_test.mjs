@@ -181,10 +181,10 @@ test("bad hex has a place and a reason, and what stands before it is decoded", (
   const good = "3e 56 00 56 00\n";
   const cases = {
     "3e 5g": [2, 5, "half a byte: a second digit is missing before 'g'"],
-    "# fine\n  zz": [3, 3, "'z' is no hex digit"],
+    "# fine\n  zz": [3, 3, "'z' is not a hex digit"],
     "3e\t5\n": [2, 5, "half a byte at the end of the line"],
     "3e 5": [2, 4, "half a byte at the end: the number of hex digits is odd"],
-    "é": [2, 1, "byte 0xc3 is no hex digit"],
+    "é": [2, 1, "byte 0xc3 is not a hex digit"],
   };
   for (const [text, [line, column, reason]] of Object.entries(cases)) {
     const lines = module.decode(Buffer.from(good + text), { hex: true }).map((l) => JSON.parse(l));

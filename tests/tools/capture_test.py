@@ -92,7 +92,7 @@ def test_text_shows_direction_time_and_notes() -> None:
     assert result.status == 0
     headings = [line for line in result.text.splitlines() if not line.startswith("    ")]
     assert headings == [
-        "session 0, begun 2023-11-14 22:13:20 UTC",
+        "session 0, started 2023-11-14 22:13:20 UTC",
         '0.000000 s  note: "serial port /dev/ttyUSB0, 115200 8N1"',
         "0.250000 s  CMD_GET_ANGLES (73)  host to board, 0 bytes  GetAnglesRequest",
         "0.625000 s  CMD_GET_ANGLES (73)  host to board, 0 bytes  GetAnglesRequest",
@@ -121,7 +121,9 @@ def test_a_capture_without_a_frame() -> None:
     assert run("decode", "--from", "board", stdin=session() + record(TO_BOARD, 0, ANGLES_REQUEST))
     noise = run("decode", "--format", "jsonl", stdin=session() + record(FROM_BOARD, 1, b"?" * 9))
     assert noise.status == 1 and noise.out == b""
-    assert "there is no frame in 9 bytes; if they come from a line, its baud rate" in noise.error
+    assert (
+        "found no frame in 9 bytes; if they come from a serial line, its baud rate" in noise.error
+    )
     cut = run("decode", "--format", "jsonl", stdin=session() + record(FROM_BOARD, 1, ANGLES[:-1]))
     assert cut.status == 1 and cut.out == b""
     assert "the checksum of its body, 0x24, is missing at the end" in cut.error

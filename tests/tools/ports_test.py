@@ -12,7 +12,7 @@ from sbgc_command import PROGRAM, run
 
 # A namespace of its own, in which file systems can be mounted over others.
 UNSHARE = ["unshare", "--mount"] + (["--map-root-user"] if os.geteuid() != 0 else [])
-NO_PORTS = "There is no serial port.\n"
+NO_PORTS = "No serial ports found.\n"
 
 
 def test_ports_are_listed() -> None:

@@ -1,15 +1,15 @@
-// The decoder of the reference site: what `sbgc decode` does, for a page that feeds it.
+// The decoder of the reference site: provides `sbgc decode` to a page.
 //
-// Text goes in and out through memory: the page asks input() for a place, fills it, calls feed()
-// or rejected_candidates(), and reads output(), which is JSON, one object a line:
+// Text is exchanged through memory: the page calls input() for a buffer, fills it, calls feed() or
+// rejected_candidates(), and reads output(), which is JSON, one object per line:
 //
-//   {"frame": what `sbgc decode --format jsonl` prints, "size": bytes of the frame, "body": where
-//   its body starts,
+//   {"frame": object printed by `sbgc decode --format jsonl`, "size": size of the frame in bytes,
+//    "body": offset of the body in the frame,
 //    "rows": [[path, raw, meaning, objection, offset, size], ...], "reason": of an error}
 //   {"hex_error": {"line": 1, "column": 2, "reason": "..."}}
 //   {"end": {"bytes": 7, "frames": 1, "skipped_bytes": 0, "header_errors": 0, ...}}
 //
-// Offsets of rows count from the start of the frame, that of a frame from the start of the input.
+// Offsets of rows count from the start of the frame, offsets of frames from the start of the input.
 
 #include <cstddef>
 #include <cstdint>
@@ -43,7 +43,7 @@ Json rows_of(const DecodedFrame& decoded) {
   return result;
 }
 
-/// One input, from its first byte to its end.
+/// Decodes one input, from its first byte to its end.
 class Decoding {
  public:
   Decoding(std::optional<Direction> direction, bool hex) : direction_(direction), is_hex_(hex) {}
@@ -119,7 +119,7 @@ class Decoding {
   bool failed_ = false;
 };
 
-/// What the functions below work on: a page calls one at a time.
+/// The state of the functions below, which a page calls one at a time.
 struct State {
   std::vector<std::uint8_t> input;
   std::string output;
@@ -136,19 +136,19 @@ State& state() {
 
 #if defined(__wasm__)
 #define SBGC_EXPORT(name) extern "C" __attribute__((export_name(#name)))
-#else  // for tools that only read it
+#else  // for tools that only parse this file
 #define SBGC_EXPORT(name) extern "C"
 #endif
 
 using sbgc::tools::state;
 
-/// Where to put the next `size` bytes.
+/// Returns a buffer for the next `size` bytes of input.
 SBGC_EXPORT(input) std::uint8_t* sbgc_input(std::size_t size) {
   state().input.resize(size);
   return state().input.data();
 }
 
-/// Begins anew. `from`: 0 says nothing about who sent the bytes, 1 it was the host, 2 the board.
+/// Starts a new input. `from` is the sender: 0 unknown, 1 host, 2 board.
 SBGC_EXPORT(start) void sbgc_start(int from, bool is_hex) {
   std::optional<sbgc::Direction> direction;
   if (from == 1) direction = sbgc::Direction::to_board;
@@ -156,20 +156,20 @@ SBGC_EXPORT(start) void sbgc_start(int from, bool is_hex) {
   state().decoding = {direction, is_hex};
 }
 
-/// Takes the input as the next piece of the capture; the output is the frames that it completes.
+/// Decodes the input as the next part of the capture. Outputs the frames that it completes.
 SBGC_EXPORT(feed) void sbgc_feed() {
   state().output.clear();
   state().decoding.feed(state().input, state().output);
 }
 
-/// The end of the capture; the output is what comes after it.
+/// Ends the capture. Outputs the remaining lines.
 SBGC_EXPORT(finish) void sbgc_finish() {
   state().output.clear();
   state().decoding.finish(state().output);
 }
 
-/// The output is a JSON list of [offset, reason] for the start bytes among the first `gap` bytes of
-/// the input, at most `limit`, where the input is bytes outside of frames and what follows them.
+/// Treats the input as bytes outside of frames and the bytes after them. Outputs a JSON list of
+/// [offset, reason] for at most `limit` start bytes among the first `gap` bytes.
 SBGC_EXPORT(rejected_candidates) void sbgc_rejected_candidates(std::size_t gap, std::size_t limit) {
   const std::span<const std::uint8_t> input(state().input);
   sbgc::Json list = sbgc::Json::array();
@@ -180,12 +180,12 @@ SBGC_EXPORT(rejected_candidates) void sbgc_rejected_candidates(std::size_t gap, 
   state().output = list.dump();
 }
 
-/// Bytes of the longest frame there can be.
+/// The largest size of a frame in bytes.
 SBGC_EXPORT(frame_limit) std::size_t sbgc_frame_limit() { return sbgc::max_frame_size; }
 
 SBGC_EXPORT(output) const char* sbgc_output() { return state().output.data(); }
 SBGC_EXPORT(output_size) std::size_t sbgc_output_size() { return state().output.size(); }
 
-/// The bytes that the last feed() was about: its hex text as bytes.
+/// The bytes of the last feed(); those decoded from hex text, if it was hex text.
 SBGC_EXPORT(bytes) const std::uint8_t* sbgc_bytes() { return state().decoding.bytes().data(); }
 SBGC_EXPORT(bytes_size) std::size_t sbgc_bytes_size() { return state().decoding.bytes().size(); }

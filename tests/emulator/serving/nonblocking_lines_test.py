@@ -26,7 +26,7 @@ def test_every_frame_as_a_line() -> None:
         emulator.end()
         request = emulator.rest.index("> CMD_BOARD_INFO (86), 0 bytes  carried out")
         assert request < emulator.rest.index("< CMD_BOARD_INFO (86), 18 bytes")
-        assert "> unknown command (200), 0 bytes  unknown here" in emulator.rest
+        assert "> unknown command (200), 0 bytes  not supported" in emulator.rest
         assert "is host 0" in emulator.rest
 
 
