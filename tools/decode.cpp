@@ -319,7 +319,7 @@ void add_decode(CLI::App& app, int& status) {
   command
       ->add_option("--from", options->from,
                    "Sender of the bytes. auto decides by the size of each frame, and prefers the "
-                   "board. For a capture file, which records the sender: frames to show")
+                   "board. A capture file records the sender; then this selects the frames to show")
       ->check(CLI::IsMember({"auto", "board", "host"}))
       ->capture_default_str();
   command->add_option("--format", options->format, "Output format")
@@ -327,18 +327,15 @@ void add_decode(CLI::App& app, int& status) {
       ->capture_default_str();
   command->add_flag("--hex", options->hex, "Read hex text instead of raw bytes");
   command->footer(
-      "In JSON, integers are raw values, bytes are hex strings, and infinite or NaN "
-      "floats are "
+      "In JSON, integers are raw values, bytes are hex strings, and infinite or NaN floats are "
       "the strings \"inf\", \"-inf\" and \"nan:<bits>\". A field 'tail' holds bytes that later "
       "firmware appends, or that cannot be decoded because the request was not captured.\n"
-      "The input is raw bytes or a capture file written by `sbgc record`. For the latter, "
-      "JSON "
-      "lines have two more keys: 'time' in seconds since the start of the session, and 'session', "
-      "counted from 0. Offsets count the bytes of one direction and session.\n"
+      "The input is raw bytes or a capture file written by `sbgc record`. For the latter, JSON "
+      "lines have two more keys: 'time' in seconds since the start of the session, and "
+      "'session', counted from 0. Offsets count the bytes of one direction and session.\n"
       "Text output explains gaps between frames that look like damaged frames.\n"
       "The exit status is 0 if all input was read and contained a frame, or was empty; 1 if it "
-      "could "
-      "not be read or contained none; 2 for wrong usage.");
+      "could not be read or contained none; 2 for wrong usage.");
   command->callback([options, &status] { status = decode_file(*options); });
 }
 

@@ -350,10 +350,9 @@ void add_emulate(CLI::App& app, int& status) {
       "  sbgc emulate --baud 115200 --bit-errors 1e-5 --text 2 --silence 30:5\n"
       "  sbgc emulate --firmware 2.43b9 --board 3.0 --motion handheld\n"
       "\n"
-      "The exit status is 0 after Ctrl-C, a termination signal, --seconds or the end "
-      "of "
-      "standard input; 1 if something cannot be opened or saved; 2 for wrong usage, including "
-      "a motion file that cannot be read.");
+      "The exit status is 0 after Ctrl-C, a termination signal, --seconds or the end of standard "
+      "input; 1 if something cannot be opened or saved; 2 for wrong usage, including a motion "
+      "file that cannot be read.");
   command->callback([options, &status] {
     check(*options);
     status = serve(*options);

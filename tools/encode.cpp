@@ -145,9 +145,8 @@ void add_encode(CLI::App& app, int& status) {
                     "Also encode values that the specification does not allow");
   command->footer(
       "A line may have up to 16 MiB and 64 nested levels, and no duplicate keys. A line that "
-      "cannot be encoded or is invalid is reported and skipped; the exit status is then 1. It is 2 "
-      "for "
-      "wrong usage.");
+      "cannot be encoded or is invalid is reported and skipped; the exit status is then 1. It is "
+      "2 for wrong usage.");
   command->callback([options, &status] { status = encode_file(*options); });
 }
 

@@ -129,8 +129,8 @@ void add_record(CLI::App& app, int& status) {
       ->check(CLI::Range(0.0, 1e9));
   command->footer(
       "Nothing is sent. `sbgc decode` shows a capture, and capture:FILE replays it; `sbgc record "
-      "ADDRESS - | sbgc decode` shows the frames live. The exit status is 0 if "
-      "everything was recorded, 1 if not, 2 for wrong usage.");
+      "ADDRESS - | sbgc decode` shows the frames live. The exit status is 0 if everything was "
+      "recorded, 1 if not, 2 for wrong usage.");
   command->callback([options, &status] { status = record_line(*options); });
 }
 

@@ -43,7 +43,7 @@ struct AxisCommand {
 /// The tuning of one axis by the parameters.
 struct AxisTuning {
   double p = 10, i = 0.1, d = 10;  ///< as in the settings, multiplied by the gain factor
-  double power = 100;              ///< 0..255; 0 turns the motor off
+  double power = 100;              ///< 0..255; 0 means no holding torque
   double acceleration = 0;         ///< limit in deg/s^2; 0 means only the limit of the motor
   double speed = 50;  ///< default speed of moves, deg/s; with 0, a move without a speed of its own
                       ///< does not start

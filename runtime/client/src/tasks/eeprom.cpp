@@ -118,8 +118,7 @@ Task<Result<void>> upload_eeprom(std::uint32_t address, Bytes data, TransferOpti
       const Result<Bytes> present = co_await read_pages(run, deadline);
       if (!present) co_return fail(present.error());
       if (const auto at = detail::difference(block, *present)) {
-        co_return fail({ErrorCode::mismatch, fmt::format("wrote {}, but read back {:#04x} "
-                                                         "at {}",
+        co_return fail({ErrorCode::mismatch, fmt::format("wrote {}, but read back {:#04x} at {}",
                                                          fmt::format("{:#04x}", block[*at]),
                                                          (*present)[*at], hex(run.address + *at))});
       }

@@ -129,10 +129,9 @@ Task<Result<void>> upload_file(std::uint16_t file, Bytes data, TransferOptions o
     const Result<Bytes> present = co_await download_file(file, reading);
     if (!present) co_return detail::during("reading it back", present.error());
     if (const auto at = detail::difference(data, *present)) {
-      co_return ClientError{ErrorCode::mismatch,
-                            fmt::format("file {} differs from the written data, from byte "
-                                        "{}",
-                                        file, *at)};
+      co_return ClientError{
+          ErrorCode::mismatch,
+          fmt::format("file {} differs from the written data, from byte {}", file, *at)};
     }
   }
   if (options.progress) options.progress({data.size(), data.size(), task});

@@ -57,7 +57,7 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
   asio::any_io_executor executor() const;
 
   /// Like Client::connect(). Handler: void(Result<void>). Other operations fail with
-  /// ErrorCode::not_connected until it succeeds, and again once it is restarted.
+  /// ErrorCode::not_connected until it has succeeded, and again after another attempt has started.
   template <class Token>
   auto async_connect(const std::string& address, const ConnectOptions& options, Token&& token) {
     return initiate<Result<void>>(

@@ -22,7 +22,7 @@ enum class ErrorCode : std::uint8_t {
   io,             ///< the operating system refused; ClientError::detail is its error number
   not_found,      ///< no such board, port, file or name
   mismatch,       ///< the data read differ from the data written, or have another origin
-  bad_answer,     ///< the response of the board cannot be decoded
+  bad_answer,     ///< the response of the board is unexpected or cannot be decoded
   bad_file,       ///< the content of a file is invalid
   incompatible,   ///< made for another board model or firmware
 };
