@@ -1,4 +1,5 @@
-"""What must not compile does not, and each compiler says in a sentence what to write instead."""
+"""Invalid uses of literals do not compile, and each compiler's message explains what to write
+instead."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-// The adjustable variables and the settings they stand for.
+// Tests of the adjustable variables and the settings they represent.
 
 #include <algorithm>
 #include <cstdint>
@@ -18,7 +18,7 @@
 namespace sbgc::test {
 namespace {
 
-/// Settings of each kind that a variable can stand for.
+/// One setting of each kind that a variable can represent.
 struct Settings {
   template <class M>
   constexpr M& of() {
@@ -62,7 +62,7 @@ bool stands_for_none(msg::VariableId id) {
          id == msg::VariableId::gyro_heading_correction;
 }
 
-/// How much of the variable one step of the setting is.
+/// Returns the change of the variable for one step of the setting.
 std::int32_t step_of(msg::VariableId id) {
   switch (id) {
     case msg::VariableId::acc_limiter:
