@@ -1,4 +1,4 @@
-// examples/backup.cpp, as a user runs it: over a serial port, which here is a pseudo-terminal.
+// Tests examples/backup.cpp as a user runs it: over a serial port, here a pseudo-terminal.
 
 #include <array>
 #include <cstdio>
