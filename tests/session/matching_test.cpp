@@ -1,4 +1,4 @@
-// What belongs to which request: answers, confirmations, errors and resets.
+// Tests of matching responses, confirmations, errors and resets with requests.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ sbgc::msg::ReadParams3Request read_profile(std::uint8_t profile) {
 
 TEST(Session, RequestsThatAnswersTellApartAreInFlightTogether) {
   Simulation line;
-  line.board = [&](const Written& frame) {  // answers in reverse order
+  line.board = [&](const Written& frame) {  // responses in reverse order
     const int delay = 300 - 50 * frame.body[0];
     line.say(read_params_3, body_of(134, {frame.body[0]}), milliseconds(delay));
   };
@@ -74,7 +74,7 @@ TEST(Session, AWrongAnswerIsNone) {
     line.say(read_params_3, body_of(134, {4}), milliseconds(3));    // another profile
     line.say(read_params_3, body_of(133, {1}), milliseconds(5));    // too short
     line.say(realtime_data_4, body_of(124, {1}), milliseconds(7));  // another message
-    line.say(read_params_3, body_of(140, {1}), milliseconds(9));    // right, from later firmware
+    line.say(read_params_3, body_of(140, {1}), milliseconds(9));    // valid, from later firmware
   };
   const Handle handle = line.send(read_profile(1));
   line.run();
@@ -125,7 +125,7 @@ TEST(Session, AConfirmationWithTheAddressOfAnotherBlockIsNotMeant) {
   EXPECT_EQ(line.outcome(handle), Outcome::none);
   line.run();
   EXPECT_EQ(line.outcome(handle), Outcome::confirmed);
-  // Boards may leave the address out.
+  // Boards may omit the address.
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
   const Handle bare = line.send(request);
   line.run();
@@ -270,7 +270,7 @@ TEST(Session, AnAbandonedLinkEndsEverything) {
   line.session.abandon(line.sink());
   EXPECT_EQ(line.outcome(sent), Outcome::link_lost);
   EXPECT_EQ(line.outcome(waiting), Outcome::link_lost);
-  // On the next link nothing of the old one is left.
+  // No state of the old link remains.
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
   const Handle next = line.send(sbgc::msg::MotorsOn{});
   line.run_for(milliseconds(4));
