@@ -1,5 +1,5 @@
-// For every request of the model: what the emulated board sends is what the model says, and the
-// board's state has followed. A request without an entry in the table fails the test.
+// For every request of the model, the emulated board's response matches the model and the board's
+// state changes accordingly. A request without an entry in the table fails the test.
 
 #include <algorithm>
 #include <iterator>

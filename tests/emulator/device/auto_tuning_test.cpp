@@ -1,4 +1,4 @@
-// Automatic tuning: progress, what it finds, and where that is stored.
+// Tests of automatic tuning: progress, results, and where they are stored.
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Calibrations: when they are confirmed, what they find and store, and what disturbs them.
+// Tests of calibrations: confirmations, results and storage, and disturbances.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -172,7 +172,7 @@ TEST(Calibrations, OverTemperatureTakesMinutes) {
   EXPECT_EQ(confirmations<msg::CalibGyro>(host.listen(seconds(100))), 1);
   const msg::CalibInfo one = info(host);
   EXPECT_EQ(one.temp_calib_gyro_enabled, 1);
-  // The board warms up all the time.
+  // The board warms up continuously.
   EXPECT_LT(one.temp_calib_gyro_t_min_cels, one.temp_calib_gyro_t_max_cels);
   EXPECT_NEAR(one.temp_calib_gyro_t_max_cels.raw(), one.imu_temp_cels.raw(), 3);
   EXPECT_EQ(one.temp_calib_acc_enabled, 0);

@@ -1,4 +1,4 @@
-// Debug variables: announced, and alive.
+// Tests of debug variables: their announcement, and that their values change.
 
 #include "device/parts/debug_variables.hpp"
 

@@ -1,4 +1,4 @@
-// What the parameters mean for the mechanics.
+// Tests of the effect of parameters on the mechanics.
 
 #include "device/parts/gimbal_tuning.hpp"
 

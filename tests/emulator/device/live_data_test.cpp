@@ -1,4 +1,4 @@
-// Live data: units, limits and what is behind them.
+// Tests of live data: units, limits and sources.
 
 #include <cmath>
 #include <cstdint>
@@ -21,7 +21,7 @@ emulator::BoardOptions still() {
   return options;
 }
 
-/// A board whose motors are off, so that the camera stays where it is placed.
+/// Returns a board with motors off, so that the camera remains where it is placed.
 Host placed(const Axes<double>& angles, emulator::BoardOptions options = still()) {
   Host host(options);
   host.ask(msg::MotorsOff{});
@@ -81,7 +81,7 @@ TEST(LiveData, BothFormsAgree) {
       << "the older request";
 }
 
-/// An attitude of the frame, told by a host: so many degrees about z and x.
+/// Returns a request that sets the attitude of the frame, in degrees about z and x.
 msg::AhrsHelperRequestExt frame_attitude(double yaw, double pitch) {
   const double z = yaw * M_PI / 180, x = pitch * M_PI / 180;
   msg::AhrsHelperRequestExt set;
@@ -305,7 +305,7 @@ TEST(LiveData, AFrameTellsTheCamerasAttitudeAndTheOtherWayRound) {
     set.z1_vector = {0, -0.5F, 0.8660254F};
     set.h1_vector = {0, 0.8660254F, 0.5F};
     host.ask(set, milliseconds(3));
-    // It is only a reference for the other one, which goes there slowly.
+    // It is only a reference for the other IMU, which converges slowly.
     const auto before = host.board.gimbal().sample(host.now);
     EXPECT_NEAR(by_frame ? before.angles.pitch : before.frame.pitch, 0, 0.5);
     for (int i = 0; i < 2000; ++i) host.ask(set, milliseconds(20));
@@ -317,7 +317,7 @@ TEST(LiveData, AFrameTellsTheCamerasAttitudeAndTheOtherWayRound) {
 }
 
 TEST(LiveData, LaterFirmwareHasAModeOfTwoBytesInFrontOfTheVectors) {
-  // The camera is told to lean by 30 degrees; each firmware takes its own form only.
+  // The requested attitude is a tilt of 30 degrees; each firmware accepts only its own form.
   const std::vector<std::uint8_t> vectors{0,    0,    0,    0,    0, 0, 0, 0xBF,
                                           0xD7, 0xB3, 0x5D, 0x3F, 0, 0, 0, 0,
                                           0xD7, 0xB3, 0x5D, 0x3F, 0, 0, 0, 0x3F};

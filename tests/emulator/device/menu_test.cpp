@@ -1,4 +1,4 @@
-// Every action of the menu.
+// Tests of every menu action.
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Buffers of the serial interfaces, and the order of requests.
+// Tests of the buffers of the serial interfaces, and of the order of requests.
 
 #include <vector>
 
@@ -85,7 +85,7 @@ TEST(Ports, AnswersWaitForRoomAndRequestsBehindThem) {
 
 TEST(Ports, AFrameThatIsNeverCompleteIsGivenUp) {
   Host host;
-  // By its header it has 200 bytes, of which the request would be the first.
+  // The header announces 200 bytes, so the request would be the start of its body.
   host.send_bytes(Bytes{'>', 41, 200, 241});
   host.send_bytes(who);
   EXPECT_THAT(host.listen(milliseconds(90)), IsEmpty());

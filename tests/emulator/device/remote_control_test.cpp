@@ -1,4 +1,4 @@
-// What RC signals, virtual channels and a flight controller make of the axes.
+// Tests of RC signals, virtual channels and a flight controller, and their effect on the axes.
 
 #include <algorithm>
 #include <optional>
@@ -19,7 +19,7 @@ namespace {
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-/// Parameters by which an API channel controls pitch.
+/// Sets the parameters so that an API channel controls pitch.
 void map_pitch(Host& host, int channel, msg::RcModeKind mode = msg::RcModeKind::angle) {
   auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
   parameters.rc_map.pitch.set_source(msg::RcSource::api);
@@ -80,7 +80,8 @@ TEST(RemoteControl, NoChannelsAndTooManyAreRefused) {
   }
 }
 
-/// What the signals make of pitch, as a share of RC_SPEED. Precondition: they are speeds.
+/// Returns the pitch speed that results from the signals, relative to RC_SPEED. Precondition: the
+/// signals control speeds.
 double control(Host& host, const msg::ApiVirtChControl& signals) {
   host.ask(signals, seconds(1));
   const double full = host.get<msg::ReadParams3>(msg::ReadParams3Request{}).rc.pitch.rc_speed;
@@ -132,14 +133,14 @@ TEST(RemoteControl, SignalsAreBentAsTheSettingsSay) {
   EXPECT_NEAR(bent(mix(0)), 0.5, 1e-9);
   EXPECT_NEAR(bent(mix(32)), 0.65, 0.01) << "half and half";
   EXPECT_NEAR(bent(mix(63)), 0.8, 1e-9);
-  // A flight controller controls an axis that has no signal of its own.
+  // A flight controller controls an axis without a signal of its own.
   signals.val_ch[4] = msg::CentredRcSignal(msg::ApiVirtChControl::undefined);
   EXPECT_NEAR(bent(mix(63)), 0.8, 1e-9);
   EXPECT_NEAR(bent(mix(32)), 0.4, 0.01) << "as if that were in the middle";
   EXPECT_EQ(bent(mix(0)), 0);
 }
 
-/// Parameters by which the flight controller's signals are those of API channels 6 and 7, and roll
+/// Sets the parameters so that the flight controller's signals are API channels 6 and 7, and roll
 /// and pitch follow it.
 void follow_controller(Host& host, int roll_percent, int pitch_percent) {
   auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
@@ -181,13 +182,13 @@ TEST(RemoteControl, AFlightControllerTiltsTheCameraThatFollowsIt) {
   EXPECT_NEAR(tilted.roll, 22.5, 0.1) << "half of what its signal says";
   EXPECT_NEAR(tilted.pitch, -18, 0.1) << "its gain turns it round";
   EXPECT_NEAR(tilted.yaw, 0, 0.1) << "yaw follows the frame";
-  // Speeds of RC control come on top of it.
+  // Speeds of RC control are added.
   auto turn = one_axis(msg::ControlModeKind::speed, 0, 0);
   turn.axes.pitch.speed = 10_deg_per_s;
   host.ask(turn, seconds(1));
   host.ask(one_axis(msg::ControlModeKind::no_control, 0, 0));
   EXPECT_NEAR(targets_after(host, seconds(1)).pitch, -8, 1);
-  // Who is no longer heard is level.
+  // Without a signal, the axis levels.
   host.ask(channels(1, 0));
   EXPECT_NEAR(targets_after(host, seconds(5)).roll, 0, 0.1);
   EXPECT_NEAR(targets_after(host, seconds(1)).pitch, 10, 1);
@@ -230,7 +231,7 @@ TEST(RemoteControl, SignalsShowInLiveData) {
   map_pitch(host, 31);
   host.ask(channels(31, 250));
   EXPECT_EQ(host.get<msg::RealtimeData3>(msg::RealtimeData3Request{}).rc.pitch.raw(), 1750);
-  // Parameters that bend it do not change it.
+  // Parameters of the signal curve do not affect it.
   auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
   parameters.rc_trim.pitch = 100;
   parameters.rc.pitch.rc_mode.set_inverted(true);

@@ -1,4 +1,4 @@
-// What a board tells of its memory before that is safe: nothing.
+// Before its memory is saved, a board confirms no change to it.
 
 #include <cstdint>
 #include <vector>
@@ -24,7 +24,7 @@ msg::WriteExternalData data(std::uint8_t first) {
   return request;
 }
 
-/// Of a board whose memory is safe by now.
+/// A board whose memory has been saved.
 struct Rig {
   Host host{options()};
 
@@ -33,7 +33,7 @@ struct Rig {
   std::uint32_t revision() const { return host.board.memory().revision; }
   void save() { host.board.memory_saved(revision(), host.now); }
   void fail() { host.board.memory_not_saved(revision(), host.now); }
-  /// What comes now.
+  /// Returns the packets that arrive now.
   Packets heard() { return host.listen(milliseconds(50)); }
 };
 
@@ -113,7 +113,7 @@ TEST(Saving, AChangeThatCanNotBeSavedIsRefused) {
   EXPECT_EQ(refusal<msg::WriteExternalData>({heard[0]}), msg::BoardErrorCode::operation_failed);
   EXPECT_TRUE(is<msg::BoardInfo>(heard[1]));
   EXPECT_EQ(refusal<msg::WriteExternalData>({heard[2]}), msg::BoardErrorCode::operation_failed);
-  // And whoever tries again does not hear that it is there.
+  // Repeating the request does not confirm it either.
   EXPECT_TRUE(rig.host.ask(data(2)).empty());
   rig.fail();
   EXPECT_EQ(refusal<msg::WriteExternalData>(rig.heard()), msg::BoardErrorCode::operation_failed);
@@ -165,7 +165,7 @@ TEST(Saving, PowerOffLosesWhatWaits) {
   EXPECT_EQ(rig.host.get<msg::ReadExternalData>(msg::ReadExternalDataRequest{}).data[0], 1);
 }
 
-/// Whenever the memory is saved, a host hears the same in the same order.
+/// A host receives the same responses in the same order, whenever the memory is saved.
 TEST(Saving, ChangesNothingButWhen) {
   int waited = 0;
   for (std::uint32_t seed = 0; seed < 30; ++seed) {

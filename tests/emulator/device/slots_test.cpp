@@ -1,4 +1,4 @@
-// Slots: RC signals that start actions and change variables.
+// Tests of slots: RC signals that start actions and change variables.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ msg::RcMap channel(std::uint8_t number) {
   return result;
 }
 
-/// One trigger slot at channel 1, one analog slot at channel 2.
+/// Returns one trigger slot on channel 1 and one analog slot on channel 2.
 msg::WriteAdjVarsCfg config() {
   msg::WriteAdjVarsCfg result;
   result.trigger_slots[0] = {
@@ -27,7 +27,7 @@ msg::WriteAdjVarsCfg config() {
   return result;
 }
 
-/// Sets both channels, in counts of -500..500, and lets the board see it.
+/// Sets both channels, in counts of -500..500, and lets the board process them.
 void move(Host& host, std::int16_t first, std::int16_t second) {
   msg::ApiVirtChControl request;
   while (request.val_ch.push_back(msg::CentredRcSignal(msg::ApiVirtChControl::undefined))) {

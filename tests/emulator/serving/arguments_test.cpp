@@ -1,4 +1,4 @@
-// What stands in the arguments of `sbgc emulate`, and files of motion.
+// Tests of the arguments of `sbgc emulate`, and of motion files.
 
 #include "serving/arguments.hpp"
 

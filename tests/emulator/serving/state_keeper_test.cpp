@@ -1,4 +1,4 @@
-// Boards of one process whose memory is being saved.
+// Tests of saving the memory of several boards in one process.
 
 #include "serving/state_keeper.hpp"
 
@@ -32,7 +32,7 @@ emulator::EmulatorOptions options() {
   return result;
 }
 
-/// A disk that writes when it is told to.
+/// A simulated disk that completes writes on request.
 class Disk {
  public:
   StateKeeper::Save save() {
