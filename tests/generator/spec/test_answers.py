@@ -1,4 +1,4 @@
-"""What answers a request in which case, correlation fields, roles and the line."""
+"""Tests of response policies by case, correlation fields, roles and the line."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""Fields: repetition, offsets, sizes and the leaves with their paths and protocol names."""
+"""Tests of fields: repetition, offsets, sizes and the leaves with their paths and protocol names.
+"""
 
 from __future__ import annotations
 
@@ -24,7 +25,7 @@ commands:
 
 
 def message(folder: Path, *fields: str) -> Message:
-    """A message with these fields, each a line of YAML."""
+    """Returns a message with these fields, each a line of YAML."""
     lines = "".join(f"        - {field}\n" for field in fields)
     return message_of(layout_of(folder, COMMAND + lines), "Probe")
 
@@ -204,7 +205,7 @@ def test_list_counted_by_an_earlier_field(tmp_path: Path) -> None:
             ("after", "AFTER", "u8", 1, None),
         ]
         or leaves(made)[1][4] == 1
-    )  # the first element of a list may have its place
+    )  # the first element of a list may have a fixed offset
     assert made.leaves[-1].offset is None
     assert [f.is_counter for f in made.fields] == [True, False, False]
     assert made.fields[1].counter == "n"
