@@ -182,7 +182,7 @@ TEST_F(BackupTest, WhatAKilledProcessLeftBehindIsNoHindrance) {
   }
   ASSERT_TRUE(save_backup(make(), file("a.json")));
   EXPECT_TRUE(load_backup(file("a.json")));
-  EXPECT_THAT(files(), SizeIs(101)) << "the files of others are left alone";
+  EXPECT_THAT(files(), SizeIs(101)) << "files of other processes remain";
 }
 
 TEST_F(BackupTest, WhatIsNoFileIsNotWaitedFor) {

@@ -44,7 +44,7 @@ void expect_backup(const emulator::Faults& faults) {
     EXPECT_EQ(*backup->parameters.get<msg::ReadParamsExt2>(profile),
               original.settings<msg::ReadParamsExt2>(profile));
   }
-  EXPECT_GT(client->statistics().session.retries, 0U) << "nothing went wrong";
+  EXPECT_GT(client->statistics().session.retries, 0U) << "no fault occurred";
 }
 
 TEST(Faults, ABackupGetsThroughBitErrors) { expect_backup({.bit_errors = 1e-4}); }

@@ -356,7 +356,8 @@ TEST_F(Subscribed, ToAStreamThatTheBoardRefusesFails) {
   ASSERT_FALSE(stream);
   EXPECT_EQ(stream.error().code, ErrorCode::board_error);
   settle(client);
-  EXPECT_EQ(board.count<msg::DataStreamInterval>(), 1U) << "what never ran need not be ended";
+  EXPECT_EQ(board.count<msg::DataStreamInterval>(), 1U)
+      << "a stream that never ran need not be ended";
 }
 
 TEST_F(Subscribed, ToAStreamEndsItWhenItIsCancelledBehindTheClient) {

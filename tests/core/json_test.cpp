@@ -81,7 +81,7 @@ std::string refusal(const Json& json) {
   try {
     from_json(json, message);
   } catch (const JsonError& error) {
-    EXPECT_EQ(message, before) << "half of it has been taken over";
+    EXPECT_EQ(message, before) << "the message was modified";
     EXPECT_EQ(std::string(error.what()).find(error.field()), 0U);
     return error.field() + "|" + error.what();
   }

@@ -137,7 +137,7 @@ TEST(ParseJson, CopiesNoMemberWhenItsParentGrows) {
   const std::size_t cost = allocated - before;
   ASSERT_TRUE(parsed);
   EXPECT_GE(cost, core.size());
-  EXPECT_LE(cost, 6 * core.size()) << "of it, the parser's buffer takes up to 4";
+  EXPECT_LE(cost, 6 * core.size()) << "up to 4 times the size is the parser's buffer";
 }
 
 TEST(ParseJson, ManyKeysTakeNoMoreThanTheirShare) {

@@ -50,14 +50,14 @@ void check_buffers(const ByteVector& expected, const Encode& encode) {
   ASSERT_TRUE(exact) << name(exact.status.code);
   ASSERT_EQ(exact.size, expected.size());
   EXPECT_TRUE(std::equal(expected.begin(), expected.end(), out.begin()));
-  EXPECT_TRUE(all_untouched(std::span(out).last(margin))) << "written behind the buffer";
+  EXPECT_TRUE(all_untouched(std::span(out).last(margin))) << "written past the buffer";
 
   for (std::size_t size = 0; size < expected.size(); ++size) {
     std::ranges::fill(out, untouched);
     const WriteResult small = encode(std::span(out).first(size));
     EXPECT_EQ(small.status.code, Code::buffer_too_small) << "buffer of " << size;
     EXPECT_EQ(small.size, 0U);
-    EXPECT_TRUE(all_untouched(std::span(out).subspan(size))) << "behind a buffer of " << size;
+    EXPECT_TRUE(all_untouched(std::span(out).subspan(size))) << "past a buffer of " << size;
   }
 }
 
@@ -89,7 +89,7 @@ class RoundTrip : public testing::TestWithParam<MessageType> {
       EXPECT_EQ(status.code, Code::too_short);
     }
     if (GetParam().fixed_size()) {
-      EXPECT_NE(size, info().min_size) << "the right size is refused";
+      EXPECT_NE(size, info().min_size) << "the right size is rejected";
     }
   }
 };
@@ -117,7 +117,7 @@ TEST_P(RoundTrip, EveryBodyThatDecodesEncodesToTheSameBytes) {
       if (HasFailure()) return;
     }
   }
-  EXPECT_GE(decoded, bodies_per_size) << "hardly anything decodes";
+  EXPECT_GE(decoded, bodies_per_size) << "too few bodies decode";
 }
 
 TEST_P(RoundTrip, EqualMessagesAreThoseWithEqualBytes) {

@@ -60,7 +60,7 @@ TEST(BoundedArray, ComparesWhatIsInUse) {
   b.clear();
   EXPECT_EQ(a, b);
   a.push_back(1);
-  EXPECT_NE(a, b) << "what lies behind the end is the same, the size is not";
+  EXPECT_NE(a, b) << "the bytes past the end are equal, the sizes are not";
   EXPECT_NE(b, a);
 }
 

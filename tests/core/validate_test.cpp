@@ -42,7 +42,7 @@ TEST(Validate, MaximumAndSpecialValues) {
   msg::BeepSound message = good_beep();
   message.note_freq_hz[0] = msg::NoteFrequency(msg::BeepSound::pause);
   message.note_length = msg::NoteLength(0);
-  EXPECT_EQ(violations_of(message), Violations{}) << "these mean something else";
+  EXPECT_EQ(violations_of(message), Violations{}) << "these have another meaning";
   message.note_freq_hz[0] = msg::NoteFrequency(21001);
   message.decay_factor = 16;
   EXPECT_EQ(violations_of(message), (Violations{{"decay_factor", 16, 15, Rule::maximum},
@@ -184,7 +184,7 @@ TEST(FieldPath, IsCutOffSafely) {
     }
     EXPECT_EQ(length, std::min(space - 1, full.size()));
     EXPECT_EQ(std::string(out), full.substr(0, space - 1));
-    EXPECT_EQ(out[space], '#') << "written behind the space";
+    EXPECT_EQ(out[space], '#') << "written past the end";
   }
 }
 

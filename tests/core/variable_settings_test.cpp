@@ -113,7 +113,7 @@ TEST(VariableSettings, NothingBesideTheSettingChanges) {
     }
   }
   std::sort(seen.begin(), seen.end());
-  EXPECT_EQ(std::unique(seen.begin(), seen.end()), seen.end()) << "each has a place of its own";
+  EXPECT_EQ(std::unique(seen.begin(), seen.end()), seen.end()) << "each has its own location";
 }
 
 TEST(VariableSettings, PlacesOfSome) {
@@ -137,7 +137,7 @@ TEST(VariableSettings, LimitOfTheAccelerationCountsInOtherSteps) {
   EXPECT_EQ(settings.of<msg::ReadParamsExt2>().acc_limiter3.yaw.raw(), 101);
   EXPECT_EQ(settings.of<msg::ReadParamsExt2>().acc_limiter3.roll.raw(), 100);
   EXPECT_EQ(*variable_value(settings, msg::VariableId::acc_limiter), 500)
-      << "the first one is told";
+      << "the first one is reported";
   EXPECT_EQ(*variable_value(settings, msg::VariableId::acc_limiter_yaw), 505);
 }
 

@@ -59,7 +59,7 @@ def test_fresh_wants_root() -> None:
     # The script is piped, because the other user may be unable to read the folder.
     user = ["setpriv", "--reuid=65534", "--clear-groups"] if os.geteuid() == 0 else []
     if user and subprocess.run([*user, "true"], capture_output=True, check=False).returncode != 0:
-        pytest.skip("this user cannot become another one")
+        pytest.skip("cannot switch to another user")
     script = (HERE / "fresh").read_text(encoding="utf-8")
     done = subprocess.run(
         [*user, "bash", "-s"], input=script, capture_output=True, text=True, check=False, cwd="/"

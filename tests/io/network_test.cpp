@@ -93,7 +93,7 @@ TEST_F(Tcp, OtherSideResetsDuringReadAndWrite) {
   port->async_read(into, reading.handler());
   port->async_write(much, writing.handler());
   context.poll();
-  EXPECT_FALSE(writing.outcome) << "nobody reads: it has to wait";
+  EXPECT_FALSE(writing.outcome) << "nothing is read: the write has to wait";
   board.set_option(asio::socket_base::linger(true, 0));
   board.close();
   EXPECT_EQ(finish(context, reading).error, Errc::end_of_stream);

@@ -197,7 +197,7 @@ TEST_F(Serial, OtherSideGoesAwayDuringWrite) {
   const Bytes much(1 << 20);
   port->async_write(much, writing.handler());
   context.poll();
-  EXPECT_FALSE(writing.outcome) << "nobody reads: it has to wait";
+  EXPECT_FALSE(writing.outcome) << "nothing is read: the write has to wait";
   board->close();
   const Outcome outcome = finish(context, writing);
   EXPECT_EQ(outcome.error, Errc::device_lost);
@@ -339,12 +339,12 @@ TEST(SerialErrors, PermissionSaysWhatToDo) {
 }
 
 TEST(SerialErrors, PermissionDeniedIsRecognised) {
-  if (geteuid() != 0) GTEST_SKIP() << "needs root, to become somebody else";
+  if (geteuid() != 0) GTEST_SKIP() << "needs root to become another user";
   asio::io_context context;
   const PseudoTerminalResult board = open_pseudo_terminal(context.get_executor());
   ASSERT_TRUE(board);
   ASSERT_EQ(chmod(board.transport->path().c_str(), 0600), 0);
-  if (seteuid(65534) != 0) GTEST_SKIP() << "nobody is not known here";
+  if (seteuid(65534) != 0) GTEST_SKIP() << "the user nobody does not exist";
   const OpenResult result = open_serial(context.get_executor(), board.transport->path());
   ASSERT_EQ(seteuid(0), 0);
   EXPECT_EQ(result.error.code, Errc::permission_denied);

@@ -101,7 +101,7 @@ TEST(Session, ALateAnswerIsNotTheAnswerOfTheNextRequest) {
   line.run();
   EXPECT_EQ(line.outcome(first), Outcome::timeout);
   ASSERT_EQ(line.outcome(second), Outcome::answered);
-  EXPECT_EQ(line.completion(second)->body[0], 2) << "the answer of the first request";
+  EXPECT_EQ(line.completion(second)->body[0], 2) << "the response to the first request";
   EXPECT_EQ(line.session.statistics().late_replies, 1U);
   ASSERT_THAT(line.of(EventKind::unsolicited), SizeIs(1));
   EXPECT_TRUE(line.of(EventKind::unsolicited)[0].event.is_late);
@@ -162,7 +162,8 @@ TEST(Session, AnAnswerIsLateEvenIfItsRequestWasStuckInTheLine) {
 
   const Handle second = session.send(sbgc::msg::BoardInfoRequest{}).handle;
   now = now + milliseconds(50);
-  EXPECT_TRUE(session.poll(now, sink).bytes.empty()) << "the answer to the first may still come";
+  EXPECT_TRUE(session.poll(now, sink).bytes.empty())
+      << "the response to the first request may still arrive";
   say(1, now);
   ASSERT_THAT(events, SizeIs(2));
   EXPECT_TRUE(events[1].event.is_late);

@@ -117,7 +117,7 @@ TEST(Detector, TriesTheLikelyFirst) {
   const auto first_even =
       std::find_if(port.visited.begin(), port.visited.end(),
                    [](const auto& line) { return line.parity == Parity::even; });
-  EXPECT_EQ(first_even - port.visited.begin(), 5) << "behind the five rates of the protocol";
+  EXPECT_EQ(first_even - port.visited.begin(), 5) << "after the five rates of the protocol";
   EXPECT_EQ(port.visited[10].baud_rate, 256000U) << "others come last";
 }
 
@@ -158,7 +158,8 @@ TEST(Detector, ReportsWhatItTried) {
     lines.emplace(trial.line.baud_rate, trial.line.parity);
     const bool is_noisy = trial.line == LineSettings{9600, Parity::none};
     const bool is_heard = trial.line == LineSettings{9600, Parity::even};
-    EXPECT_EQ(trial.probes, is_heard ? 15 : 6) << "more where other messages were heard";
+    EXPECT_EQ(trial.probes, is_heard ? 15 : 6)
+        << "more requests where other messages were received";
     EXPECT_EQ(trial.bytes, is_noisy ? 36U : is_heard ? 15U * 68 : 0U);
     EXPECT_EQ(trial.bad_frames, is_noisy ? 6U : 0U);
     EXPECT_EQ(trial.good_frames, is_heard ? 15U : 0U);

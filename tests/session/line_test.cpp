@@ -47,7 +47,7 @@ TEST(Pacing, LiesBetweenTenAndTwentyMilliseconds) {
   const Duration large = gap_behind(sbgc::msg::ReadParams3Request{});
   EXPECT_GE(small, milliseconds(10));
   EXPECT_LT(small, milliseconds(11));
-  EXPECT_GT(large, small + milliseconds(2)) << "134 bytes come back";
+  EXPECT_GT(large, small + milliseconds(2)) << "the response has a body of 134 bytes";
   EXPECT_LE(large, milliseconds(20));
 }
 

@@ -52,7 +52,7 @@ TEST(Session, RequestsThatAnswersTellApartAreInFlightTogether) {
     handles.push_back(line.send(read_profile(profile)));
   }
   line.run_for(milliseconds(90));
-  EXPECT_THAT(line.written, SizeIs(5)) << "before the first answer";
+  EXPECT_THAT(line.written, SizeIs(5)) << "before the first response";
   line.run();
   for (std::uint8_t profile = 0; profile < 5; ++profile) {
     ASSERT_EQ(line.outcome(handles[profile]), Outcome::answered);
@@ -108,7 +108,7 @@ TEST(Session, ReadsOfFilesFollowEachOtherBecauseOfTheirErrors) {
   const Handle bad = line.send(request);
   line.run();
   EXPECT_EQ(line.outcome(good), Outcome::answered);
-  EXPECT_EQ(line.outcome(bad), Outcome::failed) << "the answer has the form of an error";
+  EXPECT_EQ(line.outcome(bad), Outcome::failed) << "the response has the form of an error";
   EXPECT_EQ(line.completion(bad)->body, body_of(1, {2}));
 }
 
@@ -192,7 +192,7 @@ TEST(Session, AnErrorWithoutCommandBelongsToTheOnlyRequest) {
   const Handle first = line.send(sbgc::msg::MotorsOn{}, {.attempts = 1});
   const Handle second = line.send(sbgc::msg::BoardInfoRequest{}, {.attempts = 1});
   line.run();
-  EXPECT_EQ(line.outcome(first), Outcome::timeout) << "either could be meant";
+  EXPECT_EQ(line.outcome(first), Outcome::timeout) << "it may refer to either";
   EXPECT_EQ(line.outcome(second), Outcome::timeout);
   EXPECT_THAT(line.of(EventKind::board_error), SizeIs(1));
 }

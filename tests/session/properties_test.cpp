@@ -199,13 +199,13 @@ class Chaos {
     const std::size_t transmission = transmission_of(record);
     ASSERT_TRUE(sent_at_.contains(transmission));
     EXPECT_LE(asked_[event.handle].at, sent_at_[transmission])
-        << "a request was given the answer of an earlier one";
+        << "a request got the response to an earlier one";
     if (event.command == 21) {
       EXPECT_EQ(record.body[0], asked_[event.handle].tag);
     }
     if (event.outcome == Outcome::none) return;
     const auto [place, is_new] = given_.emplace(transmission, event.handle);
-    EXPECT_TRUE(is_new || place->second == event.handle) << "one answer for two requests";
+    EXPECT_TRUE(is_new || place->second == event.handle) << "one response for two requests";
   }
 
   std::mt19937 random_;

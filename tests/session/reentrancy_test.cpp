@@ -123,7 +123,7 @@ TEST(Reentrancy, AStreamAskedForWhenTheLinkIsLostRunsOnTheNextOne) {
   };
   line.session.abandon(line.sink());
   EXPECT_EQ(line.session.open_requests(), 1U);
-  EXPECT_EQ(line.session.stream_usage().used, load_of_4) << "it is being asked for";
+  EXPECT_EQ(line.session.stream_usage().used, load_of_4) << "it is being requested";
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
   line.run();
   expect_stream_runs(line, again);

@@ -79,7 +79,7 @@ void expect_to_wait_only_if_told(const Request& request) {
     line.run();
     EXPECT_EQ(line.outcome(first), Outcome::sent);
     EXPECT_EQ(line.outcome(second), comes ? Outcome::confirmed : Outcome::unconfirmed);
-    EXPECT_THAT(line.written, SizeIs(2)) << "that a confirmation is missing is no reason to repeat";
+    EXPECT_THAT(line.written, SizeIs(2)) << "a missing confirmation does not trigger a retry";
   }
 }
 

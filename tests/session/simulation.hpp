@@ -92,7 +92,7 @@ class Basic {
   template <class M>
   sbgc::Handle send(const M& request, const sbgc::SendOptions& options = {}) {
     const sbgc::SendResult result = session.send(request, options);
-    EXPECT_TRUE(result) << "the session refused a request";
+    EXPECT_TRUE(result) << "the session rejected a request";
     return result.handle;
   }
 
@@ -171,7 +171,7 @@ class Basic {
     parser.feed(bytes, [&](const sbgc::Frame& found) {
       frame = Written{found.id, {found.body.begin(), found.body.end()}, now};
     });
-    ASSERT_TRUE(frame) << "not one whole frame";
+    ASSERT_TRUE(frame) << "not exactly one complete frame";
     written.push_back(*frame);
     board(*frame);
   }

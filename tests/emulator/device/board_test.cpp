@@ -169,7 +169,7 @@ TEST(Board, SaysWhatItDoesNotKnow) {
   EXPECT_EQ(bytes(200, {}), (Bytes{255, 200, 6, 0, 0, 0, 0})) << "UNKNOWN_COMMAND";
   EXPECT_EQ(bytes(67, Bytes(3)), (Bytes{255, 67, 1, 0, 0, 0, 0})) << "CMD_SIZE";
   EXPECT_EQ(bytes(69, Bytes(9)), (Bytes{255, 69, 1, 0, 0, 0, 0})) << "CMD_SIZE";
-  EXPECT_EQ(bytes(255, {200, 6, 0, 0, 0, 0}), Bytes{}) << "an error is not answered";
+  EXPECT_EQ(bytes(255, {200, 6, 0, 0, 0, 0}), Bytes{}) << "an error gets no response";
 }
 
 TEST(Board, IntroducesItselfWhateverTheSizeOfTheRequest) {
@@ -209,7 +209,7 @@ TEST(Board, SaysInItsAnswerThatAFileCannotBeRead) {
         .err_code;
   };
   EXPECT_EQ(error(1, 64), msg::FileError::file_not_found);
-  EXPECT_EQ(error(1, 252), msg::FileError::wrong_params) << "more than an answer holds";
+  EXPECT_EQ(error(1, 252), msg::FileError::wrong_params) << "more than fits into a response";
 }
 
 TEST(Board, RefusesPagesThatAreNone) {

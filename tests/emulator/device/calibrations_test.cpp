@@ -365,7 +365,7 @@ TEST(Calibrations, AHostThatHasLeftGetsNothing) {
   host.board.close_port(host.port);
   ASSERT_EQ(host.board.open_port(), host.port) << "the next host has the same port";
   EXPECT_THAT(host.listen(seconds(10)), IsEmpty());
-  EXPECT_EQ(info(host).progress, msg::Percent(100)) << "it went on nevertheless";
+  EXPECT_EQ(info(host).progress, msg::Percent(100)) << "it continued nevertheless";
 }
 
 TEST(Calibrations, ARestartEndsThem) {
@@ -381,7 +381,7 @@ TEST(Calibrations, TheMenuStartsThem) {
   Host host;
   host.ask(msg::ExecuteMenu{.cmd_id = msg::MenuCommand::calib_acc});
   EXPECT_EQ(refusal(host, msg::CalibGyro{}), msg::BoardErrorCode::wrong_state);
-  EXPECT_THAT(host.listen(seconds(5)), IsEmpty()) << "no request is left to be confirmed";
+  EXPECT_THAT(host.listen(seconds(5)), IsEmpty()) << "no request is awaiting a confirmation";
   EXPECT_EQ(info(host).acc_limits_info, msg::CalibratedLimit::plus_z);
 }
 

@@ -26,7 +26,7 @@ TEST(Control, ModesAndUnits) {
   EXPECT_NEAR(command().speed, 1000 * 4000.0 / 32767, 1e-9);
   host.ask(one_axis(msg::ControlModeKind::angle, -1000, 8192));
   EXPECT_EQ(command().mode, AxisMode::angle);
-  EXPECT_NEAR(command().speed, 1000 * 4000.0 / 32767, 1e-9) << "the angle says the direction";
+  EXPECT_NEAR(command().speed, 1000 * 4000.0 / 32767, 1e-9) << "the angle determines the direction";
   EXPECT_EQ(command().angle, 180);
   host.ask(one_axis(msg::ControlModeKind::speed_angle, -1000, 100));
   EXPECT_EQ(command().mode, AxisMode::speed_angle);
@@ -41,7 +41,7 @@ TEST(Control, ModesAndUnits) {
   parameters.rc_trim.pitch = 50;
   host.ask(msg::WriteParams3{parameters});
   host.ask(one_axis(msg::ControlModeKind::rc, 0, -250));
-  EXPECT_NEAR(command().signal, 0.6, 1e-9) << "it stands for the RC signal, parameters and all";
+  EXPECT_NEAR(command().signal, 0.6, 1e-9) << "it replaces the RC signal, including its parameters";
   parameters.rc.pitch.rc_mode.set_inverted(false);
   host.ask(msg::WriteParams3{parameters});
   host.ask(one_axis(msg::ControlModeKind::rc, 0, 9999));
@@ -162,7 +162,8 @@ emulator::Sample helped(const std::optional<Data>& data) {
     if (data) {
       host.send(*data);
     }
-    EXPECT_THAT(host.listen(milliseconds(20)), IsEmpty()) << "it comes often";
+    EXPECT_THAT(host.listen(milliseconds(20)), IsEmpty())
+        << "it is sent often, so it is not confirmed";
   }
   return host.board.gimbal().sample(host.now);
 }

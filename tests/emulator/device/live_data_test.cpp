@@ -52,7 +52,7 @@ TEST(LiveData, AnglesBeginAgainAfterTwoTurns) {
   EXPECT_NEAR(
       host.get<msg::GetAnglesExt>(msg::GetAnglesExtRequest{}).axes.yaw.stator_rotor_angle.degrees(),
       730, 1)
-      << "joints count on";
+      << "joint angles do not wrap";
 }
 
 TEST(LiveData, EachAxisShowsItsOwnTurning) {
@@ -113,7 +113,8 @@ TEST(LiveData, ErrorsAreThoseOfTheActiveImu) {
       return host.get<msg::CalibInfo>(msg::CalibInfoRequest{.imu_type = imu}).h1_err_length.value();
     };
     EXPECT_NEAR(length(msg::SelectedImu::frame), of_heading ? 0.17 : 0, 0.02);
-    EXPECT_NEAR(length(msg::SelectedImu::main), 0, 0.02) << "it is the one that is asked for";
+    EXPECT_NEAR(length(msg::SelectedImu::main), 0, 0.02)
+        << "the error is that of the requested IMU";
   }
 }
 
@@ -162,7 +163,7 @@ TEST(LiveData, AFramesAttitudeThatIsToldIsKnownWithoutItsImu) {
   EXPECT_NEAR(static_cast<double>(known.z1_vector.z), 0.866, 0.01);
   host.listen(seconds(2));
   EXPECT_EQ(host.get<msg::ErrorExt>(get).cmd_id, msg::CommandToBoard::ahrs_helper)
-      << "that is long ago";
+      << "the reference has expired";
 }
 
 TEST(LiveData, TheBatteryIsWatched) {
@@ -183,7 +184,7 @@ TEST(LiveData, TheBatteryIsWatched) {
   parameters.bat_threshold_motors = -12_V;
   host.ask(msg::WriteParams3{parameters});
   host.ask(msg::MotorsOn{});
-  EXPECT_EQ(errors(11).raw(), 0) << "negative thresholds are none";
+  EXPECT_EQ(errors(11).raw(), 0) << "negative thresholds are ignored";
 }
 
 TEST(LiveData, AnEmptyBatteryShowsWithoutMotorsToo) {
@@ -291,7 +292,8 @@ TEST(LiveData, AnAttitudeCanBeSet) {
   set.mode = msg::AhrsHelperModeBit::set;
   set.z1_vector = {0, -0.70710678F, 0.70710678F};
   set.h1_vector = {0, 0.70710678F, 0.70710678F};
-  EXPECT_THAT(host.ask(set, milliseconds(3)), SizeIs(0)) << "it comes often";
+  EXPECT_THAT(host.ask(set, milliseconds(3)), SizeIs(0))
+      << "it is sent often, so it is not confirmed";
   const auto angles = host.get<msg::GetAngles>(msg::GetAnglesRequest{}, milliseconds(3));
   EXPECT_NEAR(std::abs(angles.axes.pitch.imu_angle.degrees()), 45, 2);
 }

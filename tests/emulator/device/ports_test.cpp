@@ -51,7 +51,7 @@ TEST(Ports, ARequestThatDoesNotFitIsLostWhole) {
   host.send_bytes(frame_of(41, Bytes(128)));
   EXPECT_EQ(host.board.counters().lost, 3U) << "longer than the buffer";
   host.send_bytes(who);
-  EXPECT_THAT(host.listen(seconds(1)), SizeIs(1)) << "there is room again";
+  EXPECT_THAT(host.listen(seconds(1)), SizeIs(1)) << "there is space again";
 }
 
 TEST(Ports, AFloodOfRequestsHasAnEnd) {

@@ -42,7 +42,7 @@ msg::ApiVirtChControl channels(std::size_t channel, std::int16_t signal) {
 TEST(RemoteControl, VirtualChannelsControlTheCamera) {
   Host host;
   map_pitch(host, 5);
-  EXPECT_THAT(host.ask(channels(5, 500)), IsEmpty()) << "it comes often, so it is not confirmed";
+  EXPECT_THAT(host.ask(channels(5, 500)), IsEmpty()) << "it is sent often, so it is not confirmed";
   host.listen(seconds(8));
   const auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
   const auto angles = host.get<msg::GetAngles>(msg::GetAnglesRequest{});
@@ -113,7 +113,7 @@ TEST(RemoteControl, SignalsAreBentAsTheSettingsSay) {
     const double result = control(host, signals);
     const auto shown = host.get<msg::RealtimeData3>(msg::RealtimeData3Request{}).rc.pitch;
     EXPECT_EQ(shown, signals.val_ch[4].raw() == 250 ? msg::RcSignal(1750) : msg::RcSignal(1500))
-        << "live data have it as it comes";
+        << "live data contain the raw signal";
     return result;
   };
   EXPECT_NEAR(bent([](msg::ReadParams3&) {}), 0.5, 1e-9);
@@ -136,7 +136,7 @@ TEST(RemoteControl, SignalsAreBentAsTheSettingsSay) {
   // A flight controller controls an axis without a signal of its own.
   signals.val_ch[4] = msg::CentredRcSignal(msg::ApiVirtChControl::undefined);
   EXPECT_NEAR(bent(mix(63)), 0.8, 1e-9);
-  EXPECT_NEAR(bent(mix(32)), 0.4, 0.01) << "as if that were in the middle";
+  EXPECT_NEAR(bent(mix(32)), 0.4, 0.01) << "as if the missing signal were centered";
   EXPECT_EQ(bent(mix(0)), 0);
 }
 
@@ -179,8 +179,8 @@ TEST(RemoteControl, AFlightControllerTiltsTheCameraThatFollowsIt) {
   follow_controller(host, 50, 100);
   host.ask(controller_signals(250, 100));
   const Axes<double> tilted = targets_after(host, seconds(5));
-  EXPECT_NEAR(tilted.roll, 22.5, 0.1) << "half of what its signal says";
-  EXPECT_NEAR(tilted.pitch, -18, 0.1) << "its gain turns it round";
+  EXPECT_NEAR(tilted.roll, 22.5, 0.1) << "half of its signal";
+  EXPECT_NEAR(tilted.pitch, -18, 0.1) << "its gain is negative";
   EXPECT_NEAR(tilted.yaw, 0, 0.1) << "yaw follows the frame";
   // Speeds of RC control are added.
   auto turn = one_axis(msg::ControlModeKind::speed, 0, 0);
@@ -202,7 +202,7 @@ TEST(RemoteControl, AFlightControllerIsFollowedInItsModeOnly) {
   EXPECT_NEAR(followed.roll, 0, 0.1) << "RC_FOLLOW 0";
   EXPECT_NEAR(followed.pitch, -90, 0.1);
   host.ask(one_axis(msg::ControlModeKind::angle, 0, 0));
-  EXPECT_NEAR(targets_after(host, seconds(5)).pitch, 0, 0.1) << "angles are those of the world";
+  EXPECT_NEAR(targets_after(host, seconds(5)).pitch, 0, 0.1) << "angles are relative to the world";
   for (const msg::FollowMode mode : {msg::FollowMode::disabled, msg::FollowMode::pitch}) {
     auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
     parameters.follow_mode = mode;

@@ -76,7 +76,7 @@ TEST(Restart, OfTwoTheEarlierComes) {
   host.ask(with_notice<msg::ResetRequestExt>(2000), milliseconds(200));
   EXPECT_EQ(host.board.counters().restarts, 1U);
   host.listen(seconds(3));
-  EXPECT_EQ(host.board.counters().restarts, 1U) << "the other one is forgotten";
+  EXPECT_EQ(host.board.counters().restarts, 1U) << "the second restart is discarded";
 }
 
 TEST(Restart, TheBootloaderGivesUp) {

@@ -40,7 +40,7 @@ struct Rig {
 TEST(Saving, AChangeIsConfirmedWhenItIsSafe) {
   Rig rig;
   EXPECT_TRUE(rig.host.ask(data(1), seconds(10)).empty());
-  EXPECT_FALSE(rig.host.board.is_quiet(rig.host.port)) << "something is still to come";
+  EXPECT_FALSE(rig.host.board.is_quiet(rig.host.port)) << "a confirmation is pending";
   rig.save();
   EXPECT_EQ(confirmations<msg::WriteExternalData>(rig.heard()), 1);
   EXPECT_TRUE(rig.host.board.is_quiet(rig.host.port));
@@ -60,7 +60,7 @@ TEST(Saving, WhatChangesNothingDoesNotWait) {
   rig.heard();
   rig.save();
   rig.heard();
-  EXPECT_TRUE(is_confirmed(rig.host, data(1))) << "it is there already, and safe";
+  EXPECT_TRUE(is_confirmed(rig.host, data(1))) << "it is already written and saved";
 }
 
 TEST(Saving, AnswersKeepTheirOrder) {
@@ -81,7 +81,7 @@ TEST(Saving, OtherHostsOfTheBoardAreAnswered) {
   const std::size_t first = rig.host.port;
   rig.host.port = rig.host.board.open_port().value();
   rig.host.get<msg::BoardInfo>(msg::BoardInfoRequest{});
-  EXPECT_TRUE(rig.host.ask(data(1)).empty()) << "it is there already, but not safe";
+  EXPECT_TRUE(rig.host.ask(data(1)).empty()) << "it is already written but not saved";
   rig.save();
   EXPECT_EQ(confirmations<msg::WriteExternalData>(rig.heard()), 1);
   rig.host.port = first;
@@ -136,7 +136,7 @@ TEST(Saving, AProfileThatIsSelectedWaits) {
   msg::ExecuteMenu request;
   request.cmd_id = msg::MenuCommand::profile2;
   EXPECT_TRUE(rig.host.ask(request).empty());
-  EXPECT_TRUE(rig.host.ask(request).empty()) << "selected already, but not safe";
+  EXPECT_TRUE(rig.host.ask(request).empty()) << "already selected but not saved";
   rig.save();
   EXPECT_EQ(confirmations<msg::ExecuteMenu>(rig.heard()), 2);
 }

@@ -73,9 +73,9 @@ TEST(TriggerSlots, OnlyAChangeOfTheLevelActs) {
   host.listen(seconds(5));
   EXPECT_EQ(host.board.memory().profile, 2);
   move(host, none, none);
-  EXPECT_EQ(host.board.memory().profile, 2) << "a signal that is lost starts nothing";
+  EXPECT_EQ(host.board.memory().profile, 2) << "a lost signal starts nothing";
   move(host, 500, none);
-  EXPECT_EQ(host.board.memory().profile, 4) << "one that is found does";
+  EXPECT_EQ(host.board.memory().profile, 4) << "a regained signal does";
 }
 
 TEST(AnalogSlots, TheSignalIsTheVariable) {
@@ -171,7 +171,7 @@ TEST(Slots, ARestartForgetsWhatTheySaw) {
   host.listen(seconds(1));
   EXPECT_EQ(state(host).trigger_action, msg::MenuCommand::none);
   move(host, -500, none);
-  EXPECT_EQ(host.board.memory().profile, 0) << "the configuration is still there";
+  EXPECT_EQ(host.board.memory().profile, 0) << "the configuration is preserved";
   EXPECT_EQ(state(host).trigger_action, msg::MenuCommand::profile1);
 }
 

@@ -86,7 +86,7 @@ TEST(Emulator, AHostThatDoesNotListenMissesTextLines) {
     bench.emulator.advance(bench.now);
     EXPECT_LE(bench.emulator.to_host(bench.port).size(), Emulator::output_limit + 1000);
     EXPECT_GT(bench.listen(milliseconds(10)).size(), Emulator::output_limit - 1000);
-    EXPECT_GT(bench.listen(seconds(1)).size(), 10'000U) << "they come again";
+    EXPECT_GT(bench.listen(seconds(1)).size(), 10'000U) << "samples arrive again";
   }
 }
 

@@ -139,7 +139,7 @@ def test_a_change_shows(path: str, facts: Facts) -> None:
     if path in TABLE["documentation"]:
         assert shown == "documentation", f"{path} drives more than documentation: {shown}"
     else:
-        assert shown, f"a change of {path} shows nowhere"
+        assert shown, f"a change of {path} has no effect"
         assert (
             shown != "unused"
         ), f"the spec does not use {path}: show a use in table.yaml, or delete it"

@@ -105,8 +105,8 @@ def test_every_line_is_understood_or_accounted_for(facts: Json, accepted: Json) 
     explained = [line for entry in accepted["not_parsed"] for line in entry["lines"]]
     assert all(entry["reason"] for entry in accepted["not_parsed"])
     assert [line for line, times in Counter(explained).items() if times > 1] == []
-    assert left_over - set(explained) == set(), "lines with facts that nobody looked at"
-    assert set(explained) - left_over == set(), "entries that are not needed any more"
+    assert left_over - set(explained) == set(), "lines with facts that were not compared"
+    assert set(explained) - left_over == set(), "entries that are no longer needed"
 
 
 def test_no_fact_is_lost(
@@ -128,7 +128,7 @@ def test_no_fact_is_lost(
 def test_the_facts_are_what_the_script_makes(facts: Json, tmp_path: Path) -> None:
     text = os.environ.get("SBGC_SPECIFICATION")
     if not text:
-        pytest.skip("SBGC_SPECIFICATION does not say where the text is")
+        pytest.skip("SBGC_SPECIFICATION is not set")
     script = DATA / "extract_facts.py"
     target = tmp_path / "facts.json"
     subprocess.run([sys.executable, str(script), text, str(target)], check=True)

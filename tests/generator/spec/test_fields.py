@@ -222,7 +222,7 @@ def test_rest_of_the_body(tmp_path: Path) -> None:
     assert (made.min_size, made.max_size) == (4, 64)
     assert made.fields[1].dim == "rest"
     assert made.fields[1].capacity == 125
-    assert not made.keeps_tail, "there can be nothing behind the rest"
+    assert not made.keeps_tail, "nothing can follow the rest"
 
 
 def test_rest_of_the_body_without_limit_fills_a_frame(tmp_path: Path) -> None:

@@ -50,7 +50,7 @@ def read(path: Path) -> Fixture:
         (f"spec/{m['file'] or file}:{m['line']}:{m['column']}", m["code"], m["message"], m["hint"])
         for m in _EXPECT.finditer(text)
     ]
-    assert len(expected) == text.count("# expect"), f"{path.name}: a comment is not written well"
+    assert len(expected) == text.count("# expect"), f"{path.name}: a malformed comment"
     return Fixture(file, text, expected)
 
 

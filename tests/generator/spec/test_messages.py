@@ -125,7 +125,7 @@ def test_forms(tmp_path: Path) -> None:
     assert extended.since.firmware == 2610
     assert extended.errata == ("E001",)
     assert extended.source == "L1"
-    assert extended.answer is not None, "what the direction says holds for each form"
+    assert extended.answer is not None, "keys of the direction apply to each form"
 
 
 def test_only_the_longest_form_keeps_a_tail(tmp_path: Path) -> None:

@@ -216,7 +216,7 @@ def test_value_of_a_variable_is_no_special_one_by_rounding(tmp_path: Path) -> No
     (setting,) = variable.settings
     values = [-150, -60, -50, -10, -1, 0, 1, 10, 49, 50, 60, 150]
     assert [setting.count(v) for v in values] == [-2, -1, -1, -1, -1, 0, 1, 1, 1, 1, 1, 2]
-    assert setting.count(9951) == setting.count(9999) == 99, "as near as it may"
+    assert setting.count(9951) == setting.count(9999) == 99, "as near as allowed"
     assert setting.count(10000) == 100, "exactly the special one"
 
 

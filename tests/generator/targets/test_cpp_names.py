@@ -17,4 +17,4 @@ def test_words_of_cpp20_are_complete() -> None:
         assert word in WORDS
     for word in ("and_eq", "not_eq", "or_eq", "xor_eq", "const_cast"):
         assert word in WORDS
-    assert "final" not in WORDS, "it has a meaning only in some places"
+    assert "final" not in WORDS, "it is a keyword only in some contexts"

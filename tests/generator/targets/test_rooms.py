@@ -169,7 +169,7 @@ def test_no_module_outside_names_a_target(name: str) -> None:
                 words = node.value.replace("/", " ").replace(".", " ").split()
                 # The project's docs/ holds the guides, independently of the names of targets.
                 is_other = len(words) > 2 or name == "docs"
-                assert is_other or name not in words, f"{path.name}:{node.lineno} says {name}"
+                assert is_other or name not in words, f"{path.name}:{node.lineno} mentions {name}"
 
 
 def test_templates_of_a_target_use_no_other_one() -> None:
