@@ -1,5 +1,5 @@
-// Tests of boards with older and newer firmware: they reject unknown requests, or ignore them if
-// the firmware has no error message for it.
+// Tests of older and newer boards and firmware: they reject unknown requests, or ignore them if
+// they cannot report errors.
 
 #include <type_traits>
 

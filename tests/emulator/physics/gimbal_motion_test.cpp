@@ -328,7 +328,7 @@ TEST(Follow, TheNeutralPositionCanBeBesideTheFrame) {
   EXPECT_NEAR(gimbal.sample(ms(35000)).joints.yaw, -10, 0.1);
   tuning.axes.yaw.follows = false;
   gimbal.tune(tuning, ms(35000));
-  EXPECT_NEAR(gimbal.sample(ms(45000)).targets.yaw, 0, 0.1) << "world angles have no such lag";
+  EXPECT_NEAR(gimbal.sample(ms(45000)).targets.yaw, 0, 0.1) << "world angles have no follow offset";
 }
 
 TEST(Follow, AnglesOfTheWorldDoNot) {
