@@ -157,8 +157,7 @@ unsigned use(const std::uint8_t* bytes, std::size_t size, std::span<std::uint8_t
 
 @pytest.mark.parametrize("compiler", COMPILERS)
 def test_code_needs_nothing(compiler: str, tmp_path: Path) -> None:
-    """No allocation, no exceptions, no library: only functions that every freestanding compiler
-    expects."""
+    """No allocation, exceptions or library: only functions that freestanding compilers expect."""
     program = tmp_path / "use.o"
     compile_text(compiler, USE_EVERYTHING, "-Os", "-c", "-o", str(program))
     listing = subprocess.run(

@@ -1,5 +1,4 @@
-"""Invalid uses of literals do not compile, and each compiler's message explains what to write
-instead."""
+"""Invalid uses of literals do not compile, and the compiler's message explains the alternative."""
 
 from __future__ import annotations
 

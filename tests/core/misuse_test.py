@@ -1,5 +1,4 @@
-"""Mistakes that do not compile. The compiler reports exactly one error for each, with a helpful
-message."""
+"""Mistakes that do not compile: the compiler reports exactly one error, with a helpful message."""
 
 from __future__ import annotations
 

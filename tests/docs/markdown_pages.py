@@ -51,8 +51,7 @@ class Section:
 
 @lru_cache(maxsize=None)
 def sections_of(page: str) -> dict[str, Section]:
-    """Returns the sections of a page by heading; text before the second-level headings is under the
-    title."""
+    """Returns the sections of a page by heading; text before them is under the title."""
     page = re.sub(r"<details>.*?</details>", "", page, flags=re.DOTALL)
     found: dict[str, Section] = {}
     for part in re.split(r"^#+ ", page, flags=re.MULTILINE)[1:]:

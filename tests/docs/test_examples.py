@@ -1,5 +1,4 @@
-"""Every example on the site is correct: its C++ compiles and behaves as the page describes, and so
-does every command line."""
+"""Every example on the site is correct: the C++ and the commands do what the pages describe."""
 
 from __future__ import annotations
 

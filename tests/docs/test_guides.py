@@ -1,5 +1,4 @@
-"""The guides in docs/ are correct: C++ compiles, commands print the shown output, links are valid.
-"""
+"""The guides in docs/ are correct: C++ compiles, commands print their output, links are valid."""
 
 from __future__ import annotations
 

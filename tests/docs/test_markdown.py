@@ -1,5 +1,4 @@
-"""generated/docs/ documents every fact of the model where a reader looks for it, and its links are
-valid."""
+"""generated/docs/ documents every fact of the model in the right place, and its links are valid."""
 
 from __future__ import annotations
 

@@ -1,5 +1,4 @@
-"""Code to copy moves every axis slowly: in an angle mode, speed 0 means the speed in the
-parameters."""
+"""Code to copy moves every axis slowly: in an angle mode, speed 0 means the parameters' speed."""
 
 from __future__ import annotations
 
@@ -29,8 +28,7 @@ def sources() -> dict[str, str]:
 
 
 def sets_speed_of(axis: str, code: str) -> bool:
-    """Returns True if the code sets the speed of an axis: by name, in a loop over pointers, or in
-    braces."""
+    """Returns True if the code sets the speed of an axis by name, pointer loop or braces."""
     loops = re.findall(r"for \(auto\* (\w+) : \{([^}]*)\}\)\s*\{?\s*\1->speed = ", code)
     in_loop = any(f"axes.{axis}" in members for _, members in loops)
     by_name = rf"axes\.{axis}\.speed = |\.{axis} = \{{\.speed = "

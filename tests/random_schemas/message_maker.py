@@ -32,8 +32,7 @@ class MessageMaker(FieldMaker):
         return Scope(family, budget, in_message=True)
 
     def random_scope(self, family: str, rest: bool = True, budget: int = 150) -> Scope:
-        """Returns a list of fields for a message, perhaps with a field that takes the remaining
-        body."""
+        """Returns a list of fields for a message; the last one may take the remaining body."""
         scope = self.scope(family, budget)
         self.make_fields(scope, self.random.choice((0, 1, 2, 4, 8, 12)))
         if self.chance(0.3):
@@ -62,8 +61,7 @@ class MessageMaker(FieldMaker):
         return name, family, node
 
     def side(self, direction: str, name: str, content: Node, scope: Optional[Scope] = None) -> Node:
-        """Returns one direction of a command, with a message called `name` with the fields of
-        `scope`."""
+        """Returns one direction of a command: a message called `name` with the fields of `scope`."""
         node = self.sourced({**content, "as": name})
         if self.chance(0.2):
             node["description"] = self.random.choice(TEXTS)

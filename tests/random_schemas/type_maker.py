@@ -169,8 +169,7 @@ class TypeMaker:
         return tuple((key, entry["value"]) for key, entry in content.items())
 
     def make_packed(self, number: str) -> Kind:
-        """Makes a packed integer of several values: shifted bits, masks in place, enums and flags
-        in them."""
+        """Makes a packed integer with shifted bits, masks in place, enums and flags."""
         bits, parts, bit = 8 * SIZES[number], [], 0
         while bit < bits:
             width = min(self.random.choice((1, 1, 2, 3, 7, 16)), bits - bit)

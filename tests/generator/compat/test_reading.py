@@ -1,5 +1,4 @@
-"""A revision is read by its own generator, even if the spec language or the model has changed
-since."""
+"""A revision is read by its own generator, even if the spec language or model has changed since."""
 
 from __future__ import annotations
 

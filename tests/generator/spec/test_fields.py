@@ -1,5 +1,4 @@
-"""Tests of fields: repetition, offsets, sizes and the leaves with their paths and protocol names.
-"""
+"""Tests of fields: repetition, offsets, sizes, and the leaves with their paths and names."""
 
 from __future__ import annotations
 

@@ -101,8 +101,7 @@ def test_minimal_spec_itself_is_fine(tmp_path: Path) -> None:
 
 
 def test_guides_of_the_project_exist(tmp_path: Path) -> None:
-    """Checked only if the project's docs/ is next to the spec: a copy of the spec may name any
-    guide."""
+    """Checked only if the project's docs/ is next to the spec: other specs may name any guide."""
     text = (HERE / "minimal/simplebgc.yaml").read_text(encoding="utf-8")
     text += "guides:\n  safety: docs/2-savety.md\n"
     assert findings(tmp_path, text, "simplebgc.yaml") == []

@@ -1,5 +1,4 @@
-"""A spec with any typing error is either generated from or reported; the generator never crashes.
-"""
+"""A spec with any typing error is generated from or reported; the generator never crashes."""
 
 from __future__ import annotations
 

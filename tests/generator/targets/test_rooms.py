@@ -1,5 +1,4 @@
-"""A target is self-contained: it is added and removed with its folder, and no other code names it.
-"""
+"""A target is self-contained: it is added and removed with its folder, and no code names it."""
 
 from __future__ import annotations
 
