@@ -1,5 +1,4 @@
-"""Tests of the output of sbgc decode. The keys and their meaning are a contract (design, section
-8)."""
+"""Tests of sbgc decode. The keys and their meaning are a contract (design, section 8)."""
 
 from __future__ import annotations
 

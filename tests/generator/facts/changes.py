@@ -15,7 +15,7 @@ ABSENT = object()
 
 
 def changes(place: Place, pool: list[Any]) -> Iterator[Any]:
-    """Yields valid values for the place; `pool` has the values of other places with the same path."""
+    """Yields valid values for the place; `pool` has those of other places with the same path."""
     seen = [place.value]
     for value in _candidates(place, pool):
         if value in seen:
