@@ -3,7 +3,7 @@
 usage: ratios.py FILE...    (written with --benchmark_format=json; - is standard input)
 
 A benchmark is named group/case. The case "memcpy" is the baseline of its group: the last column is the
-speed relative to it, followed by a benchmark's own counters. Repetitions count by their median.
+speed relative to it, followed by the benchmark's own counters. Repetitions count by their median.
 Benchmarks that report no bytes are compared by time.
 """
 
@@ -35,11 +35,11 @@ class Figure:
 
 NANOSECONDS = {"ns": 1.0, "us": 1e3, "ms": 1e6, "s": 1e9}
 
-# What Google Benchmark adds to a name to tell how the benchmark ran.
+# Suffixes that Google Benchmark appends to a name.
 RUN_SUFFIXES = ("repeats:", "min_time:", "min_warmup_time:", "iterations:", "real_time")
 
 
-# What Google Benchmark says of every run; other numbers are counters.
+# Numbers that Google Benchmark reports for every run; all others are counters.
 FACTS = """family_index per_family_instance_index repetitions repetition_index threads iterations
 real_time cpu_time bytes_per_second items_per_second""".split()
 

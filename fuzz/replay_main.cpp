@@ -1,6 +1,6 @@
-// Stands in for libFuzzer's main where there is no libFuzzer: runs the fuzz target once on nothing,
-// then once on every file named on the command line or found in a folder named there. There has to
-// be one, or nothing has been tested.
+// Replaces libFuzzer's main in builds without libFuzzer. Runs the fuzz target once on an empty
+// input, then once on every file named on the command line or contained in a directory named there.
+// Fails if there is no input file, because then nothing has been tested.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Decoding, encoding and validating beside memcpy of the same bytes. stream/: framing and decoding
-// of 16 MB; one iteration is one pass. The other groups: one message an iteration.
+// Benchmarks of decoding, encoding and validation. stream/: one iteration frames and decodes 16 MB.
+// The other groups: one iteration handles one message.
 
 #include <algorithm>
 #include <array>
@@ -35,7 +35,7 @@ void fill_randomly(std::span<std::uint8_t> bytes, std::mt19937& random) {
 
 // ---- streams ----
 
-/// CMD_REALTIME_DATA_4 with random bodies, one frame behind the other.
+/// CMD_REALTIME_DATA_4 frames with random bodies, back to back.
 const ByteVector& clean_stream() {
   static const ByteVector stream = [] {
     std::mt19937 random(1);
@@ -55,7 +55,7 @@ const ByteVector& clean_stream() {
   return stream;
 }
 
-/// The clean stream with every hundredth byte, on average, replaced by another.
+/// The clean stream with 1 % of its bytes, on average, replaced by a different value.
 const ByteVector& corrupt_stream() {
   static const ByteVector stream = [] {
     std::mt19937 random(2);
@@ -92,7 +92,7 @@ void copy_stream(benchmark::State& state) {
   count_bytes(state, bytes.size());
 }
 
-/// Parses and decodes `stream` in chunks of `chunk_size`. Every message is really stored.
+/// Parses and decodes `stream` in chunks of `chunk_size`. Every message is stored to memory.
 template <const ByteVector& (*stream)(), std::size_t chunk_size = stream_size * 2>
 void decode_stream(benchmark::State& state) {
   const ByteVector& bytes = stream();
@@ -132,7 +132,7 @@ BENCHMARK(decode_stream<noise>)->Name("stream/noise");
 
 constexpr std::size_t overhead = sbgc::frame_header_size + sbgc::frame_trailer_size;
 
-/// A valid body of M with every value that random bytes may have.
+/// A body of `M` with random bytes.
 template <class M>
 std::array<std::uint8_t, M::min_size> some_body() {
   std::array<std::uint8_t, M::min_size> body{};
@@ -148,7 +148,7 @@ M some_message() {
   return message;
 }
 
-/// Copies as many bytes as `M` has; the length is known, as it is to the codec.
+/// Copies `size` bytes. The size is a compile-time constant, as in the codec.
 template <std::size_t size>
 void copy_bytes(benchmark::State& state) {
   std::array<std::uint8_t, size> from{};
@@ -156,13 +156,14 @@ void copy_bytes(benchmark::State& state) {
   benchmark::DoNotOptimize(from.data());
   benchmark::DoNotOptimize(to.data());
   for (auto _ : state) {
-    benchmark::ClobberMemory();  // `from` may be another now
+    benchmark::ClobberMemory();  // `from` may have changed
     std::memcpy(to.data(), from.data(), size);
-    benchmark::ClobberMemory();  // `to` has been looked at
+    benchmark::ClobberMemory();  // `to` is read
   }
 }
 
-/// Copies the bytes of a frame, then sums the body of the copy: what writing a frame comes to.
+/// Copies a frame, then computes the checksum of the copied body: the minimum work of writing a
+/// frame.
 template <std::size_t size>
 void copy_and_sum(benchmark::State& state) {
   std::array<std::uint8_t, size> from{};
@@ -191,7 +192,7 @@ void decode_one(benchmark::State& state) {
   }
 }
 
-/// Into a frame; the message has been in memory for long.
+/// Encodes a message that is already in memory into a frame.
 template <class M>
 void encode_one(benchmark::State& state) {
   M message = some_message<M>();
@@ -218,7 +219,7 @@ void validate_one(benchmark::State& state) {
   }
 }
 
-/// Copies and sums 20 bytes that have just been put together from values that were not known.
+/// Copies and sums 20 bytes that were just assembled from values unknown to the compiler.
 void copy_and_sum_fresh_control(benchmark::State& state) {
   std::array<std::int16_t, 6> values{1, 2, 3, 4, 5, 6};
   std::array<std::uint8_t, 3> modes{2, 2, 2};
@@ -237,7 +238,7 @@ void copy_and_sum_fresh_control(benchmark::State& state) {
   }
 }
 
-/// As a control loop does: the fields are set, then the frame is written.
+/// Sets the fields and then writes the frame, as a control loop does.
 void encode_fresh_control(benchmark::State& state) {
   std::array<std::int16_t, 6> values{1, 2, 3, 4, 5, 6};
   std::array<std::uint8_t, 3> modes{2, 2, 2};
@@ -267,7 +268,7 @@ BENCHMARK(encode_one<sbgc::msg::RealtimeData4>)->Name("realtime/encode_frame");
 BENCHMARK(validate_one<sbgc::msg::RealtimeData4>)->Name("realtime/validate");
 
 BENCHMARK(copy_bytes<20>)->Name("control/copy_frame");
-// With the sum: that is what the bar of encoding is measured by.
+// The baseline includes the checksum, because encoding has to compute it too.
 BENCHMARK(copy_and_sum<20>)->Name("control/memcpy");
 BENCHMARK(encode_one<sbgc::msg::ControlExt>)->Name("control/encode_frame");
 BENCHMARK(copy_and_sum_fresh_control)->Name("control/copy_and_sum_fresh");

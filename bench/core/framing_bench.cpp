@@ -1,5 +1,5 @@
-// Framing beside memcpy and a byte sum of the same bytes. One iteration is one pass over a stream
-// of 16 MB, so bytes per second compare directly.
+// Benchmarks of framing. One iteration is one pass over 16 MB, so bytes per second compare
+// directly.
 
 #include <algorithm>
 #include <array>
@@ -24,7 +24,7 @@ constexpr std::size_t stream_size = std::size_t{16} << 20;
 constexpr std::uint8_t realtime_data_id = 25;
 constexpr std::size_t realtime_body_size = 124;
 
-/// Frames of the size of CMD_REALTIME_DATA_4 with random bodies, one behind the other.
+/// Frames of the size of CMD_REALTIME_DATA_4 with random bodies, back to back.
 const Bytes& clean_stream() {
   static const Bytes stream = [] {
     std::mt19937 random(1);
@@ -44,7 +44,7 @@ const Bytes& clean_stream() {
   return stream;
 }
 
-/// The clean stream with every hundredth byte, on average, replaced by another.
+/// The clean stream with 1 % of its bytes, on average, replaced by a different value.
 const Bytes& corrupt_stream() {
   static const Bytes stream = [] {
     std::mt19937 random(2);
@@ -87,7 +87,7 @@ void byte_sum(benchmark::State& state) {
   count_bytes(state, bytes);
 }
 
-/// Feeds `bytes` in chunks of `chunk_size`, which the compiler knows as an owner's does.
+/// Feeds `bytes` in chunks of `chunk_size`, a compile-time constant as in most applications.
 template <const Bytes& (*stream)(), std::size_t chunk_size = stream_size * 2>
 void parse(benchmark::State& state) {
   const Bytes& bytes = stream();

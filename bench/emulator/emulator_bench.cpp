@@ -1,5 +1,5 @@
-// What emulated boards cost: one board for each second of its own time, and 200 boards that stream
-// at 50 Hz over sockets in real time. `cpu_share` is that of one processor, hosts included.
+// Cost of emulated boards: one board per second of simulated time, and 200 boards that stream at 50
+// Hz over sockets in real time. `cpu_share` is relative to one processor and includes the hosts.
 
 #include <array>
 #include <chrono>
@@ -41,7 +41,7 @@ Bytes stream_request() {
   return {frame.begin(), frame.begin() + static_cast<std::ptrdiff_t>(size)};
 }
 
-/// Seconds of processor time that this program has taken.
+/// Returns the processor time used by this program, in seconds.
 double cpu_seconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -51,7 +51,7 @@ double cpu_seconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-/// What one board says in a second.
+/// Copies the bytes that one board sends in a second.
 void copying(benchmark::State& state) {
   const Bytes from(sample_size * rate, 0x5A);
   Bytes to(from.size());
@@ -89,7 +89,7 @@ void second_of_one_board(benchmark::State& state) {
   state.SetBytesProcessed(bytes);
 }
 
-/// Asks for the stream and counts what comes.
+/// Requests a stream and counts the frames and bytes received.
 class Listener {
  public:
   Listener(asio::io_context& context, const std::string& address) : socket_(context) {
@@ -128,7 +128,7 @@ void many_boards(benchmark::State& state) {
     const std::string address = service.endpoints(i).front()->address();
     listeners.push_back(std::make_unique<Listener>(context, address));
   }
-  context.run_for(std::chrono::milliseconds(500));  // all streams have begun
+  context.run_for(std::chrono::milliseconds(500));  // until all streams have started
   const auto sum = [&](auto of) {
     std::int64_t result = 0;
     for (const auto& one : listeners) result += static_cast<std::int64_t>(of(*one));
@@ -148,8 +148,8 @@ void many_boards(benchmark::State& state) {
   state.counters["cpu_share"] = cpu / wall;
   state.counters["frames_per_second"] = static_cast<double>(frames() - frames_before) / wall;
   state.SetBytesProcessed(bytes() - bytes_before);
-  context.run_for(std::chrono::milliseconds(500));  // what a busy machine still owes
-  // Of a machine that is too slow or too busy for all of them the counters tell.
+  context.run_for(std::chrono::milliseconds(500));  // let a busy machine catch up
+  // The counters show if a machine is too slow or too busy for all samples.
   if (frames() == frames_before) state.SkipWithError("there are no samples");
 }
 

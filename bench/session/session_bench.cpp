@@ -1,5 +1,5 @@
-// What a session costs beside the bare parser: a stream of samples, and requests with their
-// answers.
+// Cost of a session compared with the bare parser: a stream of samples, and requests with their
+// responses.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace {
 
-/// A megabyte of samples that nobody has asked for.
+/// A megabyte of unsolicited samples.
 const std::vector<std::uint8_t>& samples() {
   static const std::vector<std::uint8_t> bytes = [] {
     std::vector<std::uint8_t> result;
@@ -62,7 +62,7 @@ void feeding_a_session(benchmark::State& state) {
   count_bytes(state, samples().size());
 }
 
-/// One request, its frame, its answer and its end; the bytes are those of the answer.
+/// One request with its frame, response and outcome; the bytes counted are those of the response.
 void asking(benchmark::State& state) {
   sbgc::SessionOptions options;
   options.pacing = {{}, {}};

@@ -1,5 +1,5 @@
-// Backup files from outside. Whatever stands in one, it is a backup or an error with a sentence; a
-// backup is written as a file that is the same backup again.
+// Fuzzes the reader of backup files. Every text is a backup or an error with a message; a backup
+// survives being written and read again.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,10 +1,10 @@
-// The streaming parser against the reference semantics. The input says how it is cut: it is read as
-// steps, each an opcode byte and then the bytes to feed, so that a mutation moves cuts and flushes
-// as easily as bytes.
-//   0..239:  feed as many bytes as the opcode says
-//   240..249: feed a good frame, made by write_frame from as many of the bytes
+// Fuzzes the streaming parser against the reference parser. The input is a sequence of steps, each
+// an opcode byte and its operands, so a mutation moves chunk boundaries and flushes as easily as
+// bytes:
+//   0..239:   feed as many bytes as the opcode specifies
+//   240..249: feed a frame from write_frame; operands: id, body size, space for the frame, body
 //   250..254: flush
-//   255:      feed all that is left
+//   255:      feed the remaining bytes
 
 #include <algorithm>
 #include <array>
@@ -33,7 +33,7 @@ void require(bool condition) {
 class Checker {
  public:
   void feed(std::span<const std::uint8_t> bytes) {
-    // On the heap and of exactly this size, so that a sanitizer sees a read outside.
+    // On the heap and of exactly this size, so that a sanitizer detects a read out of bounds.
     const Bytes chunk(bytes.begin(), bytes.end());
     const std::uint64_t chunk_offset = segment_offset_ + segment_.size();
     segment_.insert(segment_.end(), chunk.begin(), chunk.end());
@@ -74,12 +74,12 @@ class Checker {
 
   sbgc::Parser parser_;
   sbgc::ParserCounters settled_;  // at the last flush
-  Bytes segment_;                 // fed since then
+  Bytes segment_;                 // fed since the last flush
   std::uint64_t segment_offset_{};
   std::vector<ReferenceFrame> frames_;
 };
 
-/// Frames `body` under `id`; checks what must hold for every result.
+/// Returns the frame of `body` under `id`, and checks the result of write_frame.
 Bytes framed(std::uint8_t id, std::span<const std::uint8_t> body, std::size_t space) {
   Bytes out(space);
   const sbgc::WriteResult result = sbgc::write_frame(id, body, out);
@@ -97,7 +97,7 @@ Bytes framed(std::uint8_t id, std::span<const std::uint8_t> body, std::size_t sp
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  // The reference is asked after every step; longer inputs would only be slow.
+  // The reference parser runs after every step, so longer inputs are slow and find nothing new.
   if (size > 4096) return 0;
   std::span<const std::uint8_t> input(data, size);
   const auto take = [&input](std::size_t count) {

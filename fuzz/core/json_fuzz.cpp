@@ -1,6 +1,6 @@
-// JSON from outside. The input is a line as `sbgc encode` reads it. Whatever it says, it is a
-// problem with its place, or what nlohmann_json reads, too; then it is a message or a JsonError,
-// and a message becomes the same JSON and the same bytes again.
+// Fuzzes the JSON reader. The input is a line as `sbgc encode` reads it. Each is either a problem
+// with its position, or the same value that nlohmann_json reads. That value is a message or a
+// JsonError, and a message survives the round trip through JSON and bytes.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
-// Bodies of messages. The input: a byte for the direction (its lowest bit; 1: from the board), a
-// byte for the id, then the body. What decodes is validated and must encode to the same bytes, and
-// those must decode again. The other bits of the first byte are a number of bytes at the end that
-// are a request instead, which may say how to read the body.
+// Fuzzes the bodies of messages. The input is a direction byte (lowest bit; 1: from the board), a
+// command id and the body. A decoded body is validated and must encode to the same bytes, which
+// must decode again. The other bits of the first byte count the bytes at the end that are a request
+// instead, which may provide the context for decoding.
 
 #include <algorithm>
 #include <array>
@@ -25,7 +25,7 @@ void require(bool condition) {
 
 template <class M>
 void check(const M& message, Body body, const sbgc::Contexts& contexts) {
-  // Every path is written out, as a program that reports violations does.
+  // Every path is formatted, as a program that reports violations does.
   sbgc::validate(message, [](const sbgc::Violation& violation) {
     std::array<char, 32> path{};
     require(violation.path.write(path.data(), path.size()) < path.size());
@@ -57,7 +57,7 @@ void check_body(std::uint8_t id, Body body, sbgc::Direction direction,
   require(status.offset <= body.size());
 }
 
-/// What `request`, read as each message there is, teaches.
+/// Returns the contexts learned from `request`, decoded as every message type in turn.
 sbgc::Contexts learn_from(Body request) {
   sbgc::Contexts contexts;
   sbgc::AllMessages::for_each([&]<class M>(sbgc::Type<M>) {

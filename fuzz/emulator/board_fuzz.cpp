@@ -1,8 +1,8 @@
-// An emulated board under any bytes at any times. The input is read as steps, each an opcode byte
-// and what it needs; see Player::step(). The first bytes are the options.
+// Fuzzes an emulated board with any bytes at any times. The input starts with the options, followed
+// by steps, each an opcode byte and its operands; see Player::step().
 //
-// Whatever happens: what the board sends are frames, it says when it has something to do, and it
-// does it.
+// Invariants: the board sends only frames of the protocol, and next() is in the future after
+// advance().
 
 #include <algorithm>
 #include <array>
@@ -45,7 +45,7 @@ class Player {
  private:
   struct Port {
     bool is_open{};
-    bool is_torn{};  ///< the power went off while a frame was being sent
+    bool is_torn{};  ///< the board restarted while a frame was being sent
     sbgc::Parser parser{};
   };
 
@@ -97,7 +97,7 @@ class Player {
         send_frame(id, bytes(byte()));
         break;
       }
-      case 6: {  // a request of the model, with any body
+      case 6: {  // a request of the model with any body
         const std::uint8_t index = byte();
         send_form(index, byte());
         break;

@@ -1,8 +1,9 @@
-// A board whose EEPROM holds anything: parameters and files load and work. The input is read as
-// steps: bytes to any place of the EEPROM, with or without checksums that hold, and operations.
+// Fuzzes a board whose EEPROM has any contents: parameters and files load and work. The input is a
+// sequence of steps: bytes written to any address of the EEPROM, with or without valid checksums,
+// and operations.
 //
-// Whatever stands in the EEPROM: parameters that were written are read again, also after a restart;
-// a failing operation on files changes nothing, and one that succeeds has its effect.
+// Invariants: parameters that were written are read back, also after a restart; a failing operation
+// on files changes nothing, and a successful one has its effect.
 
 #include <algorithm>
 #include <array>
@@ -95,14 +96,14 @@ class Player {
       require(eeprom_.read_pages(address, page.size()) == page);
     }
   }
-  /// One that holds, at any place, of any message.
+  /// Writes a valid record of any message at any address.
   void write_record() {
     const std::size_t size = sbgc::emulator::record_size();
     const std::size_t at = byte() % 24U * size;
     const sbgc::emulator::RecordId id{static_cast<sbgc::msg::CommandFromBoard>(byte()), byte()};
     require(sbgc::emulator::write_record(eeprom_, at, id, bytes(byte())));
   }
-  /// A table of files with a checksum that holds.
+  /// Writes a file table with a valid checksum.
   void write_table() {
     std::array<std::uint8_t, FileSystem::most_files * 8 + 4> table{};
     table.fill(0xFF);

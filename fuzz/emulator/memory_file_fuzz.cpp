@@ -1,8 +1,9 @@
-// Files with the memory of a board. Whatever stands in one, it is a memory or an error with a
-// sentence; a memory is written as a file that is the same memory again, and a board can use it.
+// Fuzzes files that hold the memory of a board. Every text is a memory or an error with a message;
+// a memory survives being written and read again, and a board can use it.
 //
-// The input is the text; after the byte 0, it is instead a file as it is written, in which the
-// rest, pairs of place and byte, is changed. So the checksum is met by more than one file.
+// The input is the text. If it starts with the byte 0, the text is instead a valid file changed by
+// the remaining bytes, each three of which are an offset (2 bytes) and a new byte. This way,
+// mutations reach the verification of the checksum.
 
 #include <cstddef>
 #include <cstdint>

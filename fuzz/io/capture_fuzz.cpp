@@ -1,13 +1,14 @@
-// The reader of capture files: never reads outside, keeps no more than a record, accounts for every
-// byte of the file, and says the same for every way of cutting it. The first byte of the input says
-// how the file is cut. The rest says how it is made, in steps of an opcode and bytes, since no
-// mutation finds a checksum:
-//   0..199:   as many bytes as the opcode says
-//   200..209: a sound session header, of the version in the next byte
-//   210..249: a sound record of the kind and time in the next two bytes, with as many bytes as the
-//             opcode is over 210
-//   250..254: without the last bytes so far, as many as the opcode is over 249
-//   255:      all that is left
+// Fuzzes the reader of capture files. It never reads out of bounds, buffers at most one record,
+// accounts for every byte of the file, and reports the same items for every chunk size. The first
+// byte of the input is the chunk size. The remaining bytes build the file in steps of an opcode and
+// its operands, because no mutation finds a valid checksum:
+//   0..199:   append as many bytes as the opcode specifies
+//   200..209: append a valid session header of the version in the next byte
+//   210..249: append a valid record with the kind and time in the next two bytes; the opcode minus
+//   210
+//             is the size of its data
+//   250..254: remove the last bytes; the opcode minus 249 is their number
+//   255:      append the remaining bytes
 
 #include <algorithm>
 #include <cstddef>
@@ -30,7 +31,7 @@ void require(bool condition) {
   if (!condition) std::abort();
 }
 
-/// An item, comparable.
+/// A comparable copy of an item.
 struct Item {
   std::size_t type;
   std::uint64_t offset;
@@ -67,7 +68,7 @@ std::vector<Item> read(std::span<const std::uint8_t> file, std::size_t piece) {
     while (const auto item = parser.next()) result.push_back(item_of(*item));
   };
   while (!file.empty()) {
-    // On the heap and of exactly this size, so that a sanitizer sees a read outside.
+    // On the heap and of exactly this size, so that a sanitizer detects a read out of bounds.
     const auto next = file.first(std::min(piece, file.size()));
     parser.feed(Bytes(next.begin(), next.end()));
     file = file.subspan(next.size());
@@ -83,7 +84,7 @@ void append_number(Bytes& out, std::uint64_t value, std::size_t size) {
   for (std::size_t i = 0; i < size; ++i) out.push_back(static_cast<std::uint8_t>(value >> 8 * i));
 }
 
-/// Appends `bytes` with their checksum.
+/// Appends `bytes` and their checksum.
 void append_sound(Bytes& out, const Bytes& bytes) {
   out.insert(out.end(), bytes.begin(), bytes.end());
   append_number(out, sbgc::detail::crc32(bytes), 4);
@@ -127,7 +128,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Bytes file = make_file(std::span(data, size).subspan(1));
   const std::vector<Item> items = read(file, std::size_t{data[0]} + 1);
   require(items == read(file, std::max<std::size_t>(file.size(), 1)));
-  // Items follow each other without a gap, from the first byte to the last.
+  // The items cover the file without a gap.
   std::uint64_t end = 0;
   for (const Item& item : items) {
     require(item.offset == end && item.size > 0);

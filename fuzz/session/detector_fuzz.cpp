@@ -1,5 +1,6 @@
-// The search for a board's line under any answers. The input is read as steps: a byte that says how
-// many bytes are heard before the next question, and those bytes; then what the port can do.
+// Fuzzes the search for a board's line settings. For each request the input has a step: the number
+// of bytes received before the next request, and these bytes. 0xFE is a valid response instead;
+// 0xFF also makes the port refuse the next settings.
 
 #include <array>
 #include <cstddef>
@@ -32,7 +33,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (input.empty()) break;
         const std::uint8_t code = input.front();
         input = input.subspan(1);
-        if (code == 0xFE) {  // the right answer
+        if (code == 0xFE) {  // a valid response
           std::array<std::uint8_t, sbgc::max_frame_size> frame{};
           const std::array<std::uint8_t, sbgc::roles::introduction_size> body{};
           const auto written = sbgc::write_frame(sbgc::roles::introduction_request_id, body, frame);
@@ -54,5 +55,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       case sbgc::DetectorStep::Kind::failed: require(detector.introduction().id == 0); return 0;
     }
   }
-  std::abort();  // it must end
+  std::abort();  // the search must terminate
 }

@@ -1,8 +1,8 @@
-// A session under any schedule of requests, bytes and time. The input is read as steps, each an
-// opcode byte and what it needs; see Player::step(). The first bytes are the options.
+// Fuzzes a session with any schedule of requests, bytes and time. The input starts with the
+// options, followed by steps, each an opcode byte and its operands; see Player::step().
 //
-// Whatever happens: each request ends exactly once, events are about requests that are open, one
-// call of poll() writes at most one whole frame, and poll() always gets on.
+// Invariants: each request ends exactly once, events refer to open requests, one call of poll()
+// writes at most one complete frame, and poll() always makes progress.
 
 #include <array>
 #include <cstddef>
@@ -28,7 +28,7 @@ void require(bool condition) {
   if (!condition) std::abort();
 }
 
-// Small, so that every limit is met.
+// Small capacities, so that every limit is reached.
 using Session =
     sbgc::BasicSession<sbgc::SessionCapacity{.requests = 4, .late_replies = 5, .streams = 2}>;
 
@@ -38,7 +38,7 @@ class Player {
 
   void play() {
     while (!input_.empty()) step();
-    // Without any answer, all ends in time.
+    // Without responses, every request times out.
     for (int polls = 0; session_.open_requests() != 0; ++polls) {
       require(polls < 10'000);
       now_ = sbgc::later(now_, poll());
@@ -123,7 +123,7 @@ class Player {
     }
   }
 
-  /// A request as any of the protocol's, with a body from the input.
+  /// Sends any request of the protocol with a body from the input.
   void send(std::uint8_t id) {
     const std::uint8_t flags = byte();
     sbgc::SendOptions options;
@@ -152,7 +152,7 @@ class Player {
     session_.feed(std::span(frame).first(size), now_, sink());
   }
 
-  /// What the newest request may wait for.
+  /// Feeds a response that matches the newest request.
   void answer(bool last_form) {
     if (newest_.form_count == 0) {
       feed_frame(67, std::array{newest_.command});
@@ -203,7 +203,7 @@ class Player {
   }
 
   std::span<const std::uint8_t> input_;
-  bool is_lively_{};  // the sink sends and cancels
+  bool is_lively_{};  // the sink sends and cancels requests
   int lively_left_ = 50;
   Session session_;
   Instant now_{};

@@ -1,4 +1,4 @@
-// The client with completion tokens.
+// Tests of the client with completion tokens.
 
 #include <chrono>
 #include <future>
@@ -172,7 +172,7 @@ TEST_F(Async, DestroyingTheClientOnItsExecutorEndsTheSearchForTheLine) {
   auto connected = client->async_connect_over(over_memory(board, {.with_line = true}), options,
                                               asio::use_future);
   ASSERT_TRUE(board.wait_for<msg::BoardInfoRequest>(1));
-  // Nobody else runs the context while it waits.
+  // No other thread runs the context while it waits.
   std::promise<void> destroyed;
   asio::post(running.executor(), [&] {
     client.reset();
@@ -180,12 +180,13 @@ TEST_F(Async, DestroyingTheClientOnItsExecutorEndsTheSearchForTheLine) {
   });
   const auto is_destroyed = destroyed.get_future();
   EXPECT_EQ(is_destroyed.wait_for(std::chrono::seconds(10)), std::future_status::ready);
-  is_destroyed.wait();  // what is posted refers to this function
+  is_destroyed.wait();  // the posted lambda refers to this function's locals
   EXPECT_EQ(connected.get().error().code, ErrorCode::cancelled);
 }
 
 TEST_F(Async, CancellingWhatIsOverDoesNothing) {
-  // As the operators && and || of awaitables do, and parallel groups.
+  // As the operators && and
+  // of awaitables and parallel groups do.
   AsyncClient client(running.executor());
   asio::cancellation_signal signal;
   std::promise<bool> connected;

@@ -1,4 +1,4 @@
-// examples/backup.cpp, as a user runs it: over a serial port, which here is a pseudo-terminal.
+// Tests examples/backup.cpp as a user runs it: over a serial port, here a pseudo-terminal.
 
 #include <array>
 #include <cstdio>
@@ -50,7 +50,7 @@ TEST_F(BackupExample, SavesComparesAndRestores) {
   ASSERT_EQ(run.status, 0) << run.output;
   EXPECT_THAT(run.output,
               HasSubstr("saved the parameters of 18 messages of a board 3.0 with firmware 2.59"));
-  EXPECT_NE(backup("save " + file("a.json")).status, 0) << "it would replace the first one";
+  EXPECT_NE(backup("save " + file("a.json")).status, 0) << "it would overwrite the first one";
 
   board.edit<msg::ReadParams3>(2, [](msg::ReadParams3& params) { params.gyro_trust = 1; });
   run = backup("diff " + file("a.json"));

@@ -44,7 +44,7 @@ class BackupTest : public TaskTest {
     text << std::ifstream(file).rdbuf();
     return text.str();
   }
-  /// What is found wrong with a backup after `change(json)`.
+  /// Returns the error of parse_backup() after `change(json)` has modified a valid backup.
   template <class Change>
   ClientError wrong(Change&& change) {
     Json document = Json::parse(to_json_text(make()));
@@ -72,7 +72,7 @@ class BackupTest : public TaskTest {
     add(Type<msg::ReadExternalData>{});
     return result;
   }
-  /// Makes all settings different from each other and from those of the factory.
+  /// Makes all settings different from each other and from the factory settings.
   void mark() {
     for (std::uint8_t profile = 0; profile < 5; ++profile) {
       board.edit<msg::ReadParams3>(profile, [&](msg::ReadParams3& params) {
@@ -94,7 +94,7 @@ class BackupTest : public TaskTest {
       }
     });
   }
-  /// Makes one setting different.
+  /// Changes one setting.
   void change() {
     board.edit<msg::ReadParams3>(0, [](msg::ReadParams3& params) { params.gyro_trust = 1; });
   }
@@ -182,7 +182,7 @@ TEST_F(BackupTest, WhatAKilledProcessLeftBehindIsNoHindrance) {
   }
   ASSERT_TRUE(save_backup(make(), file("a.json")));
   EXPECT_TRUE(load_backup(file("a.json")));
-  EXPECT_THAT(files(), SizeIs(101)) << "the files of others are left alone";
+  EXPECT_THAT(files(), SizeIs(101)) << "files of other processes remain";
 }
 
 TEST_F(BackupTest, WhatIsNoFileIsNotWaitedFor) {
@@ -257,7 +257,7 @@ TEST_F(BackupTest, FieldsThatAnotherVersionCallsByAnotherNameAreTaken) {
 
 TEST_F(BackupTest, RestoringBringsEverythingBack) {
   mark();
-  // As later firmware, which sends more than is documented.
+  // Later firmware sends more than is documented.
   board.edit<msg::ReadParams3>(3, [](auto& params) { params.tail.push_back(42); });
   const Settings original = settings();
   const Backup backup = make();
@@ -291,7 +291,8 @@ TEST_F(BackupTest, AnErasedBoardGetsBackEveryBitOfItsSettings) {
   ASSERT_TRUE(report) << to_text(report);
   EXPECT_EQ(settings(), original);
   EXPECT_EQ(make().parameters, backup.parameters);
-  // They are not only in use: another board with the same EEPROM has them, too.
+  // The restored settings are not only in use but stored: another board with the same EEPROM has
+  // them.
   connect();
   disconnect();
   board.become(board.options());

@@ -23,7 +23,7 @@ class CalibrationTest : public TaskTest {
     return options;
   }
 
-  /// Each look at it takes the board so long.
+  /// Advances the board's time by `time` with each progress request.
   void let_pass(milliseconds time) {
     board.after([this, time](const Packet& request) {
       if (is<msg::CalibInfoRequest>(request)) board.skip(time);
@@ -37,7 +37,7 @@ class CalibrationTest : public TaskTest {
 TEST_F(CalibrationTest, EndsWithTheSecondConfirmationAndTellsItsProgress) {
   let_pass(milliseconds(700));
   EXPECT_TRUE(client().calibrate(Sensor::gyroscope, watched()));
-  // It needs 4 s. Behind the last look it ends, and may be looked at once more.
+  // The calibration takes 4 s. It may end after the last progress request, so one more is possible.
   ASSERT_GE(progress.size(), 3U);
   EXPECT_LT(progress[0], 75);
   EXPECT_GT(progress[1], progress[0]);
@@ -69,7 +69,7 @@ TEST_F(CalibrationTest, WithoutTheFirstConfirmationItHasNotBegun) {
 
 TEST_F(CalibrationTest, WithoutTheSecondConfirmationItsEndIsNotKnown) {
   CalibrationOptions options;
-  options.timeout = milliseconds(1500);  // it needs 4 s
+  options.timeout = milliseconds(1500);  // the calibration takes 4 s
   const auto done = client().calibrate(Sensor::gyroscope, options);
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().code, ErrorCode::timeout);

@@ -1,4 +1,4 @@
-// Calls, and all the ways in which they end.
+// Tests of calls and of all the ways in which they end.
 
 #include <array>
 #include <chrono>
@@ -111,7 +111,7 @@ TEST_F(Call, WaitsForAPossibleConfirmationIfAskedTo) {
   EXPECT_EQ(unconfirmed->kind, ReplyKind::unconfirmed);
 }
 
-// What this board does not have
+// Unsupported commands
 
 TEST_F(Call, NeedsTheFirmwareThatHasTheCommand) {
   Client client = connect_to_firmware(2439);
@@ -144,7 +144,7 @@ TEST_F(Call, RefusesValuesThatAreNotAllowed) {
 
 TEST_F(Call, RefusesWhatCannotBeEncoded) {
   Client client = connect();
-  // A stream of this message must say which parts of it.
+  // A stream of this message has to select its parts.
   const auto result =
       client.data_stream_interval({.cmd_id = msg::CommandFromBoard::realtime_data_custom});
   ASSERT_FALSE(result);
@@ -164,7 +164,7 @@ TEST_F(Call, SendsDoubtfulValuesIfToldTo) {
   EXPECT_EQ(result->addr, 7U);
 }
 
-// What the firmware takes
+// Forms by firmware version
 
 TEST_F(Call, TurnsMotorsOffAsTheFirmwareWantsIt) {
   board.on<msg::MotorsOff>([&](const msg::MotorsOff& request) { board.confirm(request); });
@@ -220,7 +220,7 @@ TEST_F(Call, AnAttitudeHasTheFormThatTheFirmwareReads) {
   EXPECT_EQ(board.count<msg::AhrsHelperRequestExt>(), 1U);
 }
 
-// What the board refuses
+// Errors of the board
 
 TEST_F(Call, TellsTheErrorOfTheBoard) {
   board.on<msg::MotorsOn>([&](const msg::MotorsOn&) {
@@ -278,7 +278,7 @@ TEST_F(Call, FailsWhenTheConfirmationTellsOfAFailure) {
   EXPECT_EQ(result.error().detail, static_cast<int>(msg::FileError::file_not_found));
 }
 
-// What gets lost
+// Lost messages
 
 TEST_F(Call, IsSentAgainUntilTheAnswerComes) {
   board.on<msg::GetAnglesRequest>([&](const msg::GetAnglesRequest&) {
@@ -297,7 +297,7 @@ TEST_F(Call, EndsByItsDeadlineWhenTheBoardIsSilent) {
   const auto took = steady_clock::now() - begin;
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::timeout);
-  // The second one is what a caller says whose client's thread stands still.
+  // The second message is reported if the client's thread stalls.
   EXPECT_THAT(result.error().message,
               ::testing::AnyOf("no response to CMD_GET_ANGLES within 150 ms",
                                "a handler blocks the client"));
@@ -315,7 +315,7 @@ TEST_F(Call, IsSentOnceIfTwiceCouldDoHarm) {
 }
 
 TEST_F(Call, GetsNoLateAnswerOfAnEarlierOne) {
-  // The same answer fits both, so only its time tells to which it belongs.
+  // The same response matches both requests, so only its time identifies the request.
   msg::ReadParams3 late;
   late.profile_id = 1;
   msg::ReadParams3 own = late;
@@ -335,7 +335,7 @@ TEST_F(Call, GetsNoLateAnswerOfAnEarlierOne) {
 }
 
 TEST_F(Call, DoesNotTakeARepeatedAnswerForItsOwn) {
-  // It comes once more when the next request, sent at once, would be waiting for its own.
+  // The repeated response arrives while the next request, sent immediately, waits for its own.
   board.on<msg::GetAnglesRequest>([&](const msg::GetAnglesRequest&) {
     msg::GetAngles answer;
     const auto before = static_cast<std::int16_t>(board.count<msg::GetAnglesRequest>());
@@ -374,7 +374,7 @@ TEST_F(Call, SaysThatAnAnswerCannotBeRead) {
   msg::GetAdjVarsVal request;
   request.param_id.push_back({});
   board.on<msg::GetAdjVarsVal>([&](const msg::GetAdjVarsVal&) {
-    const std::vector<std::uint8_t> body{5, 1};  // five values are announced
+    const std::vector<std::uint8_t> body{5, 1};  // announces five values
     std::array<std::uint8_t, max_frame_size> frame{};
     const auto written =
         write_frame(static_cast<std::uint8_t>(msg::CommandToBoard::set_adj_vars_val), body, frame);
@@ -387,7 +387,7 @@ TEST_F(Call, SaysThatAnAnswerCannotBeRead) {
   EXPECT_EQ(result.error().code, ErrorCode::bad_answer) << result.error().message;
 }
 
-// What goes away
+// Broken and closed connections
 
 TEST_F(Call, FailsAtOnceWhenTheLineBreaks) {
   board.on<msg::GetAnglesRequest>([&](const msg::GetAnglesRequest&) { board.unplug(); });
@@ -438,14 +438,14 @@ TEST_F(Call, EndsWhenTheClientIsClosed) {
   EXPECT_TRUE(board.wait_for<msg::CalibInfoRequest>(1));
   client.close();
   for (std::thread& thread : threads) thread.join();
-  // Some may have begun behind close().
+  // Some calls may have started after close().
   EXPECT_THAT(codes,
               ::testing::Each(::testing::AnyOf(ErrorCode::cancelled, ErrorCode::not_connected)));
   EXPECT_EQ(client.get_angles().error().code, ErrorCode::not_connected);
   client.close();
 }
 
-// Many at once
+// Concurrent calls
 
 TEST_F(Call, AThousandFromEightThreadsGetTheirOwnAnswers) {
   board.on<msg::EepromReadRequest>([&](const msg::EepromReadRequest& request) {
@@ -461,7 +461,7 @@ TEST_F(Call, AThousandFromEightThreadsGetTheirOwnAnswers) {
   constexpr unsigned thread_count = 8;
   constexpr unsigned calls = 125;
   const CallOptions once{.timeout = std::chrono::seconds(60), .retries = 0};
-  ASSERT_TRUE(client.get_angles({}, once));  // behind what connecting has asked more than once
+  ASSERT_TRUE(client.get_angles({}, once));  // ends requests that connecting may have repeated
   const ClientStatistics before = client.statistics();
   std::array<unsigned, thread_count> good{};
   std::vector<std::thread> threads;
@@ -489,8 +489,8 @@ TEST_F(Call, AThousandFromEightThreadsGetTheirOwnAnswers) {
 }
 
 TEST_F(Call, IsRefusedWhenTooManyWait) {
-  // One that waits for its answer holds up all others of its kind. None of them ends by itself, so
-  // that sooner or later more of them wait than may, however slowly the threads begin.
+  // A call that waits for its response delays all others of its kind. None of them ends by itself,
+  // so the limit is reached eventually, however slowly the threads start.
   ConnectOptions options = quick();
   options.queue = 3;
   Client client = connect(options);

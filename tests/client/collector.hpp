@@ -1,4 +1,4 @@
-/// Collects what another thread delivers.
+/// A thread-safe collector of items.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@
 
 namespace sbgc::test {
 
-/// Collects what handlers are called with.
+/// Collects the arguments of handler calls.
 template <class T>
 class Collector {
  public:
@@ -21,7 +21,7 @@ class Collector {
     added_.notify_all();
   }
 
-  /// What has come once there are `count`; less only after a failure.
+  /// Waits until there are `count` items and returns them; returns fewer only after a failure.
   std::vector<T> wait_for(std::size_t count) {
     std::unique_lock lock(mutex_);
     EXPECT_TRUE(
@@ -29,7 +29,7 @@ class Collector {
     return items_;
   }
 
-  /// Waits until `done(items)`.
+  /// Waits until `done(items)` is true.
   template <class Done>
   bool wait_until(Done done) {
     std::unique_lock lock(mutex_);

@@ -1,4 +1,4 @@
-// Connecting: over every kind of line, and when there is nothing to connect to.
+// Tests of connecting: over every kind of line, and without a board.
 
 #include <chrono>
 #include <filesystem>
@@ -33,7 +33,7 @@ class Connect : public ::testing::Test {
  protected:
   void SetUp() override { introduce(board); }
 
-  /// The path of a new pseudo-terminal that the board plays.
+  /// Returns the path of a new pseudo-terminal that the board serves.
   std::string serve_pty() {
     auto opened = io::open_pseudo_terminal(board.executor(), {.stays_open = true});
     if (!opened) return {};
@@ -45,7 +45,7 @@ class Connect : public ::testing::Test {
   ScriptedBoard board;
 };
 
-/// Whether angles come through.
+/// Returns true if the client receives angles.
 bool works(Client& client, ScriptedBoard& board) {
   msg::GetAngles angles;
   angles.axes.yaw.imu_angle = 45_deg;
@@ -67,7 +67,8 @@ TEST_F(Connect, OverAPseudoTerminal) {
   const std::string path = serve_pty();
   auto client = Client::connect(path, quick());
   ASSERT_TRUE(client) << client.error().message;
-  // After a stall it may be found with other settings: this line carries bytes with any.
+  // After a stall the line may be found with other settings: this line carries bytes with any
+  // settings.
   EXPECT_THAT(client->description(), AllOf(HasSubstr(path), HasSubstr(" 8N1")));
   EXPECT_TRUE(works(*client, board));
 }
@@ -116,7 +117,7 @@ TEST_F(Connect, RecordsWhatItIsToldTo) {
   }
   std::ostringstream content;
   content << std::ifstream(file, std::ios::binary).rdbuf();
-  // CMD_BOARD_INFO and its answer, each with its header.
+  // CMD_BOARD_INFO and its response, each with its header.
   EXPECT_THAT(content.str(), AllOf(HasSubstr(std::string{'>', 86, 0, 86}),
                                    HasSubstr(std::string{'>', 86, 18, 86 + 18})));
   std::filesystem::remove(file);
@@ -126,12 +127,12 @@ TEST_F(Connect, RecordsWhatItIsToldTo) {
   EXPECT_EQ(refused.error().code, ErrorCode::io);
 }
 
-// Which line
+// Line settings
 
 class ConnectOnLine : public Connect, public ::testing::WithParamInterface<io::LineSettings> {};
 
 TEST_P(ConnectOnLine, FindsTheBoard) {
-  // Wrong settings turn the bytes into garbage, both ways.
+  // Wrong settings corrupt the bytes in both directions.
   const TransportFactory make = [&](const asio::any_io_executor& executor) {
     auto pair = io::make_memory_pair(executor, board.executor(),
                                      {.with_line = true, .mismatch = emulator::received_as});

@@ -8,7 +8,7 @@ namespace sbgc::test {
 
 namespace {
 
-/// The board deals with a request in its next cycle, which is shorter than this.
+/// The board executes a request in its next cycle, which is shorter than this.
 constexpr Duration one_cycle = sbgc::milliseconds(1);
 
 serving::EndpointLogs silent() {
@@ -34,7 +34,7 @@ EmulatedBoard::~EmulatedBoard() { stop(); }
 
 void EmulatedBoard::stop() {
   if (!running_) return;
-  // First of all: the thread looks at running_.
+  // Before anything else, because the board's thread reads running_.
   running_->context.stop();
   if (running_->thread.joinable()) running_->thread.join();
   running_.reset();
@@ -57,7 +57,7 @@ void EmulatedBoard::start(emulator::Memory memory) {
     running.board->between = [this](std::unique_ptr<io::Transport> transport) {
       return std::make_unique<Tap>(std::move(transport), hooks_);
     };
-    // Inside the call the board must be left alone.
+    // Posted, because the board must not be called from within the hook.
     running.board->emulator().board().on_traffic =
         [this, executor, back_door = running.back_door](const emulator::Board::Traffic& traffic) {
           if (!traffic.outcome || traffic.port == back_door) return;
@@ -154,7 +154,7 @@ Packets EmulatedBoard::ask(const Packet& request) {
     const std::size_t port = running_->back_door;
     Packets result;
     Parser parser;
-    live().take(port, live().output(port).size());  // what nobody has asked for
+    live().take(port, live().output(port).size());  // unsolicited frames
     live().receive(port, to_frame(request));
     live().skip(one_cycle);
     parser.feed(live().output(port), [&](const Frame& frame) {

@@ -1,4 +1,4 @@
-/// The emulated board for tests of clients: on a line of the chosen kind, with a look behind.
+/// The emulated board for tests of clients: on a line of the chosen kind, with direct access.
 #pragma once
 
 #include <array>
@@ -46,33 +46,33 @@ using First = typename FirstOf<List>::Type;
 /// A board without noise, on a line without a rate.
 emulator::EmulatorOptions quick_board();
 
-/// The emulated board as `sbgc emulate` serves it, on a thread of its own. There is one host.
+/// The emulated board as `sbgc emulate` serves it, on its own thread, with one host.
 ///
-/// All functions may be called from any thread; what they do is done on the board's thread when
-/// they return. Hooks run there, too, and may call them.
+/// All functions may be called from any thread; their effect on the board's thread is complete when
+/// they return. Hooks run on the board's thread and may call them.
 class EmulatedBoard {
  public:
-  /// `is_tapped`: hooks work; without, bytes are carried as they are.
+  /// With `is_tapped`, hooks work; without, bytes pass unchanged.
   explicit EmulatedBoard(emulator::EmulatorOptions options = quick_board(),
                          emulator::Memory memory = {}, bool is_tapped = true);
   EmulatedBoard(const EmulatedBoard&) = delete;
   EmulatedBoard& operator=(const EmulatedBoard&) = delete;
   ~EmulatedBoard();
 
-  /// How a client reaches it.
+  /// Returns the factory of transports to the board.
   TransportFactory line();
-  /// Over a line in memory that has these settings at the board's end.
+  /// Returns the factory of a line in memory with these settings at the board's end.
   TransportFactory line_with(const LineSettings& settings);
-  /// Where it serves a serial port from now on, "" if there can be none.
+  /// Serves a serial port from now on and returns its path, or "" if there can be none.
   std::string serve_terminal();
 
-  /// Makes it another board, with this memory. Hooks stay, hosts are gone.
+  /// Replaces the board by another one with this memory. Hooks remain; hosts are disconnected.
   void become(const emulator::BoardOptions& options, emulator::Memory memory);
   void become(const emulator::BoardOptions& options) { become(options, memory()); }
   emulator::BoardOptions options();
   emulator::Memory memory();
 
-  // Hooks, see TapHooks; they must not refer to what the board outlives
+  // Hooks, see TapHooks; they must not refer to objects that the board outlives.
 
   void on_lost(std::function<bool(const Packet&)> is_lost);
   void on_answer_lost(std::function<bool(const Packet&)> is_answer_lost);
@@ -92,9 +92,9 @@ class EmulatedBoard {
 
   // The back door: another host, over USB
 
-  /// Sends a request; returns what comes within a millisecond, which passes for the board at once.
+  /// Sends a request; returns the messages sent within a millisecond of the board's time.
   Packets ask(const Packet& request);
-  /// The board's answer. Throws std::runtime_error if there is none.
+  /// Returns the board's response. Throws std::runtime_error if there is none.
   template <Message Answer, Message Request>
   Answer read(const Request& request) {
     std::string others;
@@ -105,13 +105,13 @@ class EmulatedBoard {
     throw std::runtime_error("command " + std::to_string(packet(request).id) +
                              " at the back door has no such answer, but these:" + others);
   }
-  /// Expects a confirmation, and throws std::runtime_error if there is none.
+  /// Sends a request. Throws std::runtime_error if the board does not confirm it.
   template <Message Request>
   void write(const Request& request) {
     const msg::Confirm done = read<msg::Confirm>(request);
     if (done.cmd != Request::command) throw std::runtime_error("another command is confirmed");
   }
-  /// The settings that it has, of one profile or of all.
+  /// Returns the board's settings, of one profile or of all.
   template <class M>
   M settings(std::uint8_t copy = 0) {
     First<typename SettingsOf<M>::Readers> request{};
@@ -132,7 +132,7 @@ class EmulatedBoard {
     static_cast<M&>(request) = settings;
     write(request);
   }
-  /// Changes some of the settings by `change(settings)`.
+  /// Modifies settings with `change(settings)`.
   template <class M, class Change>
   void edit(std::uint8_t copy, Change&& change) {
     M changed = settings<M>(copy);
@@ -140,26 +140,26 @@ class EmulatedBoard {
     store(changed);
   }
 
-  /// The simulated gimbal, and the board's time, for `use(gimbal, now)`.
+  /// Calls `use(gimbal, now)` with the simulated gimbal and the board's time.
   template <class Use>
   auto gimbal(Use use) {
     return on_thread([&] { return use(live().emulator().board().gimbal(), live().now()); });
   }
-  /// The board's time.
+  /// Returns the board's time.
   Instant now() {
     return on_thread([this] { return live().now(); });
   }
   emulator::BoardCounters counters() {
     return on_thread([this] { return live().emulator().board().counters(); });
   }
-  /// Power off and on.
+  /// Restarts the board, as by a power cycle.
   void restart() {
     on_thread([this] { live().emulator().restart(live().now()); });
   }
-  /// Lets time pass for the board.
+  /// Advances the board's time.
   void skip(std::chrono::milliseconds time);
 
-  /// Runs `action()` on the board's thread and returns what it does.
+  /// Runs `action()` on the board's thread and returns its result.
   template <class Action>
   std::invoke_result_t<Action&> on_thread(Action action) {
     if (running_->thread.get_id() == std::this_thread::get_id()) return action();
@@ -170,7 +170,7 @@ class EmulatedBoard {
   }
 
  private:
-  /// All that ends with the thread.
+  /// Everything that ends with the thread.
   struct Running {
     asio::io_context context{1};
     asio::executor_work_guard<asio::io_context::executor_type> work{context.get_executor()};
@@ -188,7 +188,7 @@ class EmulatedBoard {
 
   void start(emulator::Memory memory);
   void stop();
-  /// Puts the transport in place of the one before.
+  /// Replaces the previous transport.
   void serve(std::unique_ptr<io::Transport> transport);
   serving::LiveBoard& live() { return *running_->board; }
 

@@ -1,4 +1,4 @@
-// Errors print themselves.
+// Tests of printing errors.
 
 #include <sstream>
 

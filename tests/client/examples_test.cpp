@@ -1,4 +1,4 @@
-// The examples as a user runs them: over a serial port, which here is a pseudo-terminal.
+// Tests the examples as a user runs them: over a serial port, here a pseudo-terminal.
 
 #include <array>
 #include <cstdio>
@@ -39,7 +39,7 @@ Finished run(const std::string& command) {
   return result;
 }
 
-/// A gimbal that is at once where it shall be.
+/// A gimbal that moves to its target immediately.
 class Examples : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -83,7 +83,7 @@ class Examples : public ::testing::Test {
  protected:
   Collector<msg::DataStreamInterval> registrations;
   Collector<std::string> motors;
-  ScriptedBoard board;  // behind what its hooks use
+  ScriptedBoard board;  // declared after the objects that its hooks use
   std::string port;
 };
 

@@ -1,4 +1,4 @@
-// The client and the emulated board over lines that are not as they should be.
+// Tests of the client and the emulated board over faulty lines.
 
 #include <chrono>
 #include <cstdint>
@@ -26,7 +26,7 @@ ConnectOptions patient() {
   return options;
 }
 
-/// A backup is complete and right, although frames have got lost.
+/// Expects that a backup is complete and correct although frames are lost.
 void expect_backup(const emulator::Faults& faults) {
   EmulatedBoard original;
   original.edit<msg::ReadParams3>(3, [](auto& params) { params.gyro_trust = 99; });
@@ -44,7 +44,7 @@ void expect_backup(const emulator::Faults& faults) {
     EXPECT_EQ(*backup->parameters.get<msg::ReadParamsExt2>(profile),
               original.settings<msg::ReadParamsExt2>(profile));
   }
-  EXPECT_GT(client->statistics().session.retries, 0U) << "nothing went wrong";
+  EXPECT_GT(client->statistics().session.retries, 0U) << "no fault occurred";
 }
 
 TEST(Faults, ABackupGetsThroughBitErrors) { expect_backup({.bit_errors = 1e-4}); }
@@ -54,7 +54,7 @@ TEST(Faults, ABackupGetsThroughLostBytes) { expect_backup({.lost = 1e-3}); }
 TEST(Faults, ABackupGetsThroughDuplicatedBytes) { expect_backup({.duplicated = 1e-3}); }
 
 TEST(Faults, ABackupGetsThroughSilence) {
-  // From the beginning, when the client asks who is there.
+  // From the beginning, while the client searches for the board.
   expect_backup({.silences = {{.from = {}, .length = milliseconds(2000)}}});
 }
 
@@ -72,11 +72,11 @@ TEST(Faults, ABackupGetsThroughText) {
 
 TEST(Faults, ABoardThatIsSwitchedOffAndOnAnswersAgain) {
   emulator::EmulatorOptions options = quick_board();
-  options.board.start_time = seconds(60);  // longer than this machine may be busy
+  options.board.start_time = seconds(60);  // longer than this machine may stall
   EmulatedBoard board(options);
   auto client = connect_over(board.line(), patient());
   ASSERT_TRUE(client) << client.error().message;
-  // Nothing may be under way then, as after a stall what was sent once more.
+  // No request may be pending then, such as one repeated after a stall.
   ASSERT_TRUE(client->get_angles({}, {.timeout = std::chrono::seconds(60), .retries = 0}));
   board.restart();
   EXPECT_FALSE(client->get_angles({}, {.timeout = std::chrono::milliseconds(20), .retries = 0}));
@@ -85,7 +85,7 @@ TEST(Faults, ABoardThatIsSwitchedOffAndOnAnswersAgain) {
 }
 
 TEST(Faults, ABoardIsFoundAtEveryBaudRateAndParity) {
-  // Finding it is mostly waiting.
+  // In parallel, because a search mostly waits.
   std::vector<std::future<void>> searches;
   for (const std::uint32_t rate : baud_rates) {
     for (const Parity parity : {Parity::none, Parity::even}) {

@@ -1,4 +1,4 @@
-/// The kind of line between client and board, which is the same in all tests of a program.
+/// The kind of line between client and board; it is the same in all tests of a program.
 #pragma once
 
 #include <functional>
@@ -14,15 +14,15 @@ namespace sbgc::test {
 
 enum class LineKind : std::uint8_t { memory, terminal, tcp };
 
-/// What the environment variable SBGC_TEST_LINE says: "memory", which is the default, "pty" or
-/// "tcp". Throws std::runtime_error if it says anything else.
+/// Returns the kind given by the environment variable SBGC_TEST_LINE: "memory" (the default), "pty"
+/// or "tcp". Throws std::runtime_error for any other value.
 LineKind line_kind();
 
-/// Opens an address. Throws std::runtime_error if that fails.
+/// Opens an address. Throws std::runtime_error on failure.
 TransportFactory over(std::string address);
 
-/// Listens on a port of this machine that is free, on the executor, and hands over who connects
-/// first. Returns the address.
+/// Listens on a free port of this machine, on `executor`, and calls `serve` with the first
+/// connection. Returns the address.
 std::string accept_once(const asio::any_io_executor& executor,
                         std::function<void(std::unique_ptr<io::Transport>)> serve);
 

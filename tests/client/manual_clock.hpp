@@ -1,4 +1,4 @@
-/// A clock that stands still until it is told otherwise.
+/// A clock that advances only on request.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace sbgc::test {
 
-/// Who sleeps moves the time on; who waits for a change is woken when somebody else does.
+/// A sleeping thread advances the time; a waiting thread wakes up when another one advances it.
 class ManualClock final : public Clock {
  public:
   TimePoint now() override {
@@ -29,13 +29,14 @@ class ManualClock final : public Clock {
       if (now_ >= until) return;
       waiters_.insert(waiter);
     }
-    // advance() locks the mutex of a waiter before it notifies, so nothing is missed.
+    // advance() locks the mutex of a waiter before it notifies, so no notification is missed.
     changed.wait(lock);
     const std::scoped_lock own(mutex_);
     waiters_.erase(waiters_.find(waiter));
   }
 
-  /// Calls `follow` with how far the time moves, before anybody sees it. Before there are threads.
+  /// Calls `follow` with each advance before the new time is visible. Must be called before threads
+  /// start.
   void on_move(std::function<void(std::chrono::milliseconds)> follow) {
     follow_ = std::move(follow);
   }

@@ -52,7 +52,7 @@ TEST(PageRuns, ReachTheEndOfTheAddressSpace) {
 
 class MemoryTest : public TaskTest {
  protected:
-  /// Bytes that are no settings and no files.
+  /// Fills the EEPROM with bytes that are neither settings nor files.
   void fill_eeprom() {
     emulator::Memory memory;
     for (std::size_t i = 0; i < memory.eeprom.size(); ++i) {
@@ -182,7 +182,7 @@ TEST_F(MemoryTest, FilesComeBackAsTheyWereWritten) {
 }
 
 TEST_F(MemoryTest, AnEmptyFileCanBeRead) {
-  // An emulated board has no such file.
+  // An emulated board has no empty file.
   put_file(3, bytes(10));
   board.tamper([](Packets& answers) {
     for (Packet& one : answers) {

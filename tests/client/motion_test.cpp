@@ -38,7 +38,7 @@ class MotionTest : public TaskTest {
     return board.gimbal(
         [=](emulator::Gimbal& gimbal, Instant) { return gimbal.command(axis).mode; });
   }
-  /// Lets yaw turn.
+  /// Turns the yaw axis at `speed`.
   void turn(msg::ControlSpeed speed) {
     msg::Control command;
     command.control_mode.set_mode(msg::ControlModeKind::speed);
@@ -56,8 +56,8 @@ TEST_F(MotionTest, MovesAllAxesAndWaitsForTheEnd) {
   EXPECT_NEAR(moved->angles.pitch.degrees(), -30, 0.5);
   EXPECT_TRUE(moved->is_close);
   EXPECT_NEAR(sample().angles.yaw, 90, 0.6);
-  // 90 degrees with 50 deg/s, then it has to stay. The board's time goes on when this machine is
-  // busy, too, so that less of it may pass here.
+  // 90 degrees at 50 deg/s, followed by the settling time. The board's time advances even if this
+  // machine stalls, so less time may pass here.
   EXPECT_GE((board.now() - before).us, 2'000'000);
   EXPECT_GE(moved->elapsed, milliseconds(300));
   EXPECT_LE(moved->elapsed, milliseconds(4000));
@@ -99,7 +99,7 @@ TEST_F(MotionTest, HasToStayThere) {
   MoveOptions settings;
   settings.progress = [&](const MoveProgress& seen) {
     close.push_back(seen.is_close);
-    if (close.size() == 4) {  // a push
+    if (close.size() == 4) {  // push the camera
       board.gimbal([](emulator::Gimbal& gimbal, Instant now) { gimbal.push(1, 45, now); });
     }
     return true;
@@ -144,7 +144,7 @@ TEST_F(MotionTest, ASilentBoardIsAnErrorAndIsToldToStop) {
   connect(few_retries);
   board.on_lost([this](const Packet&) {
     if (board.count<msg::GetAnglesRequest>() <= 5) return false;
-    clock.advance(milliseconds(500));  // as long as the client waits for an answer
+    clock.advance(milliseconds(500));  // as long as the client waits for a response
     return true;
   });
   MoveOptions settings;
@@ -168,7 +168,7 @@ TEST_F(MotionTest, StopsAndLooksWhetherItHas) {
     return is<msg::Control>(request) && std::exchange(first, false);
   });
   ASSERT_TRUE(stop());
-  EXPECT_GE(count<msg::Control>(), 2U);  // the first is lost, and it takes time to stop
+  EXPECT_GE(count<msg::Control>(), 2U);  // the first one is lost, and stopping takes time
   EXPECT_NEAR(sample().speeds.yaw, 0, 5);
 }
 
@@ -189,7 +189,7 @@ TEST_F(MotionTest, Releases) {
   for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_EQ(mode(axis), emulator::AxisMode::remote);
 }
 
-/// The board refuses CMD_CONTROL: it says so before it next tells where the camera is.
+/// Makes the board reject CMD_CONTROL: the error precedes the next CMD_GET_ANGLES.
 void refuse_control(Packets& answers) {
   const auto is_angles = [](const Packet& one) { return is<msg::GetAngles>(one); };
   if (!std::ranges::any_of(answers, is_angles)) return;

@@ -28,7 +28,7 @@ Packet packet(const M& message) {
   return result;
 }
 
-/// The message in a packet. Precondition: it is one.
+/// Returns the message in a packet. Precondition: the packet holds an M.
 template <class M>
 M message(const Packet& packet) {
   M result{};
@@ -41,7 +41,7 @@ bool is(const Packet& packet) {
   return packet.id == static_cast<std::uint8_t>(M::command);
 }
 
-/// The bytes of its frame.
+/// Returns the frame of a packet.
 inline std::vector<std::uint8_t> to_frame(const Packet& packet) {
   std::vector<std::uint8_t> result(max_frame_size);
   std::ranges::copy(packet.body, frame_body(result.data()));

@@ -41,7 +41,7 @@ class ParametersTest : public TaskTest {
     EXPECT_TRUE(result);
     return result ? *result : msg::ReadParams3{};
   }
-  /// Marks every block of every profile as different from all others.
+  /// Makes every block of every profile different from all others.
   void fill() {
     for (std::uint8_t profile = 0; profile < 5; ++profile) {
       board.edit<msg::ReadParams3>(profile, [&](msg::ReadParams3& params) {
@@ -153,7 +153,7 @@ TEST_F(ParametersTest, OnlyBlocksThatDifferAreWrittenAndNothingElseChanges) {
   EXPECT_EQ(state(report, {"ReadParams3", 1}), ParametersState::equal);
   auto expected = before;
   expected[2].axes.pitch.p = 1;
-  EXPECT_EQ(board.all_settings<msg::ReadParams3>(), expected);  // reserved bytes and tail included
+  EXPECT_EQ(board.all_settings<msg::ReadParams3>(), expected);  // including reserved bytes and tail
 }
 
 TEST_F(ParametersTest, StateOfTheBoardIsNoDifferenceAndIsWrittenAsItIs) {
@@ -309,7 +309,7 @@ TEST_F(ParametersTest, WhatIsReadBackDifferentlyIsAMismatch) {
 
 TEST_F(ParametersTest, WritingOneProfileThatChangesAnotherIsNoticed) {
   fill();
-  // A board that knows more general settings than the specification tells.
+  // A board with more general settings than the specification documents.
   board.after([&](const Packet& request) {
     if (!is<msg::WriteParams3>(request)) return;
     for (std::uint8_t profile = 0; profile < 5; ++profile) {
@@ -377,7 +377,7 @@ TEST_F(ParametersTest, ProfilesThatWantDifferentGeneralSettingsAreRefused) {
             "profile 1; the board has only one value");
   EXPECT_EQ(writes(), 0U);
 
-  // Who does not want that check learns what came of it.
+  // Without validation, the result is reported afterwards.
   report = client().write_parameters(set, {.validate = false});
   ASSERT_FALSE(report);
   EXPECT_EQ(report.outcome.error().code, ErrorCode::mismatch);

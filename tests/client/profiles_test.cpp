@@ -31,7 +31,7 @@ TEST_F(ProfilesTest, NamesAreReadWithoutTheirPadding) {
 }
 
 TEST_F(ProfilesTest, ANameIsWrittenAndTheOthersStayToTheLastByte) {
-  board.edit<msg::ReadProfileNames>(0, [](auto& names) {  // no UTF-8, and a NUL inside
+  board.edit<msg::ReadProfileNames>(0, [](auto& names) {  // invalid UTF-8 and a NUL
     names.profile_name[1].bytes = {'a', '\0', '\xFF', 'b'};
   });
   const auto before = names();

@@ -1,4 +1,4 @@
-/// A board that does what a test tells it to, also what no board should do.
+/// A board that behaves as a test specifies, including behavior that no real board has.
 #pragma once
 
 #include <algorithm>
@@ -35,9 +35,9 @@
 
 namespace sbgc::test {
 
-/// A board with a thread of its own. It knows nothing but what on() has taught it; other requests
-/// it counts and leaves unanswered. All functions may be called from any thread; actions run on the
-/// board's.
+/// A board on its own thread. It handles only requests for which on() registered an action; it
+/// counts other requests without responding. All functions may be called from any thread; actions
+/// run on the board's thread.
 class ScriptedBoard {
  public:
   ScriptedBoard() : work_(context_.get_executor()), thread_([this] { context_.run(); }) {}
@@ -56,7 +56,7 @@ class ScriptedBoard {
 
   asio::any_io_executor executor() { return context_.get_executor(); }
 
-  /// Talks over this transport, on executor(), instead of the one before.
+  /// Uses this transport, on executor(), instead of the previous one.
   void serve(std::unique_ptr<io::Transport> transport) {
     asio::post(
         context_,
@@ -70,7 +70,8 @@ class ScriptedBoard {
         });
   }
 
-  /// Calls `action(const M&)` for each M from now on; it must not refer to what the board outlives.
+  /// Calls `action(const M&)` for each M from now on; it must not refer to objects that the board
+  /// outlives.
   template <Message M, class Action>
   void on(Action action) {
     const std::lock_guard lock(mutex_);
@@ -80,12 +81,12 @@ class ScriptedBoard {
           if (decode(body, message)) action(message);
         };
   }
-  /// Answers each M with the same message.
+  /// Sends the same response to each M.
   template <Message M, Message Answer>
   void answer(const Answer& answer) {
     on<M>([this, answer](const M&) { send(answer); });
   }
-  /// Leaves each M unanswered.
+  /// Leaves each M without a response.
   template <Message M>
   void ignore() {
     on<M>([](const M&) {});
@@ -115,7 +116,7 @@ class ScriptedBoard {
     asio::post(context_, [this] { transport_->close(); });
   }
 
-  /// Calls `action` after a while.
+  /// Calls `action` after `delay`.
   void later(std::chrono::milliseconds delay, std::function<void()> action) {
     asio::post(context_, [this, delay, action = std::move(action)]() mutable {
       auto& timer = timers_.emplace_back(std::make_unique<asio::steady_timer>(context_, delay));
@@ -125,13 +126,13 @@ class ScriptedBoard {
     });
   }
 
-  /// How many requests M have come.
+  /// Returns the number of requests M received.
   template <Message M>
   std::size_t count() {
     const std::lock_guard lock(mutex_);
     return counts_[key<M>()];
   }
-  /// Waits until `n` requests M have come; false if they have not within a minute.
+  /// Waits until `n` requests M have arrived; returns false after a minute.
   template <Message M>
   bool wait_for(std::size_t n) {
     std::unique_lock lock(mutex_);
@@ -206,7 +207,7 @@ class ScriptedBoard {
   std::thread thread_;
 };
 
-/// Lets it introduce itself as a board 3.0 with this firmware.
+/// Makes the board introduce itself as a board 3.0 with this firmware.
 inline void introduce(ScriptedBoard& board, std::uint16_t firmware = 2590,
                       std::uint8_t version = 30) {
   msg::BoardInfo info;
@@ -218,7 +219,7 @@ inline void introduce(ScriptedBoard& board, std::uint16_t firmware = 2590,
   board.answer<msg::BoardInfo3Request>(details);
 }
 
-/// The board at the other end of a pair in memory.
+/// Returns the factory of a pair in memory with the board at the other end.
 inline TransportFactory over_memory(ScriptedBoard& board, io::MemoryOptions options = {}) {
   return [&board, options](const asio::any_io_executor& executor) {
     auto pair = io::make_memory_pair(executor, board.executor(), options);
@@ -227,7 +228,7 @@ inline TransportFactory over_memory(ScriptedBoard& board, io::MemoryOptions opti
   };
 }
 
-/// The board at the other end of a line of the chosen kind.
+/// Returns the factory of a line of the chosen kind with the board at the other end.
 inline TransportFactory over_line(ScriptedBoard& board) {
   const auto serve = [&board](std::unique_ptr<io::Transport> transport) {
     board.serve(std::move(transport));
@@ -241,9 +242,9 @@ inline TransportFactory over_line(ScriptedBoard& board) {
   return over(path);
 }
 
-/// Options for tests: no pause between commands, and so many attempts that a stall of some seconds
-/// is no failure. The line's settings are searched for in memory only, where a test may want that:
-/// a pseudo-terminal has none.
+/// Options for tests: no pause between commands, and enough attempts that a stall of some seconds
+/// is no failure. The line settings are searched for only in memory, where a test may need it: a
+/// pseudo-terminal has none.
 inline ConnectOptions quick() {
   return {.timeout = std::chrono::seconds(60),
           .find_line = line_kind() == LineKind::memory,

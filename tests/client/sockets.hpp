@@ -55,7 +55,7 @@ class SocketTransport : public io::Transport {
   typename Socket::protocol_type::endpoint peer_;
 };
 
-/// Serves a port of this machine; returns the address.
+/// Serves a port of this machine and returns its address.
 inline std::string serve_udp(ScriptedBoard& board) {
   asio::ip::udp::socket socket(board.executor(), {asio::ip::address_v4::loopback(), 0});
   const std::uint16_t port = socket.local_endpoint().port();

@@ -140,19 +140,19 @@ class SpeedControlTest : public TaskTest {
   }
   SpeedControlOptions options() { return {milliseconds(500), milliseconds(100), clock}; }
 
-  /// Waits until `n` commands have come; returns their speeds of yaw.
+  /// Waits until `n` commands have arrived; returns the yaw speeds of all commands.
   std::vector<int> commands(std::size_t n) {
     std::unique_lock lock(mutex_);
     came_.wait_for(lock, std::chrono::seconds(60), [&] { return sent_.size() >= n; });
     return sent_;
   }
-  /// Waits until the last command has had that speed.
+  /// Waits until the last command has this speed.
   bool turns_with(int speed) {
     std::unique_lock lock(mutex_);
     return came_.wait_for(lock, std::chrono::seconds(60),
                           [&] { return !sent_.empty() && sent_.back() == speed; });
   }
-  /// The camera needs its time to stop; until then it is told to again and again.
+  /// Removes repeated stop commands: stopping takes time, and the command is repeated until then.
   static std::vector<int> without_repeated_stops(std::vector<int> speeds) {
     while (speeds.size() > 1 && speeds.back() == 0 && speeds[speeds.size() - 2] == 0) {
       speeds.pop_back();
@@ -185,7 +185,7 @@ TEST_F(SpeedControlTest, TurnsStopsWhenSilentAndTurnsAgain) {
   EXPECT_EQ(control.refresh().error().code, ErrorCode::cancelled);
 
   ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(-50)}));
-  clock.advance(milliseconds(20));  // commands do not follow each other faster
+  clock.advance(milliseconds(20));  // the minimum interval of commands
   EXPECT_TRUE(turns_with(-50));
 }
 
@@ -243,7 +243,7 @@ TEST_F(SpeedControlTest, ARefusalIsAnErrorOfTheNextCall) {
   ASSERT_TRUE(control.set({.yaw = msg::ControlSpeed(100)}));
   ASSERT_TRUE(control.wait());
   EXPECT_EQ(commands(1), std::vector<int>({100}));
-  ASSERT_TRUE(client().call(msg::GetAnglesRequest{}));  // what came before it is known now
+  ASSERT_TRUE(client().call(msg::GetAnglesRequest{}));  // all earlier frames are handled now
   clock.advance(milliseconds(100));
   EXPECT_EQ(control.wait().error().message, "CMD_CONTROL: the board refused: NOT_SUPPORTED");
   EXPECT_EQ(control.state(), State::failed);
@@ -255,7 +255,7 @@ TEST_F(SpeedControlTest, StopsAsSoonAsTheLineCarriesItAgain) {
   ASSERT_TRUE(control.wait());
   EXPECT_EQ(commands(1), std::vector<int>({100}));
   board.on_lost([](const Packet& request) { return is<msg::Control>(request); });
-  clock.advance(milliseconds(500));  // the owner is silent
+  clock.advance(milliseconds(500));  // no command from the owner
   EXPECT_EQ(control.wait().error().code, ErrorCode::timeout);
   board.on_lost({});
   clock.advance(milliseconds(100));

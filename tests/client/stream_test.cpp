@@ -1,4 +1,4 @@
-// Data streams of an emulated board, over every kind of line.
+// Tests of data streams from an emulated board, over every kind of line.
 
 #include <algorithm>
 #include <atomic>
@@ -28,12 +28,12 @@ class Streams : public ::testing::Test {
     if (!client) throw std::runtime_error(client.error().message);
     return *std::move(client);
   }
-  /// Lets time pass for the board, in steps; `client` has all samples then.
+  /// Advances the board's time in steps; afterwards `client` has received all samples.
   void let_pass(Client& client, milliseconds time) {
-    // A pseudo-terminal loses what is not read in time, so the client has to keep up.
+    // A pseudo-terminal loses data that is not read in time, so the client has to keep up.
     for (milliseconds passed{}; passed < time; passed += milliseconds(100)) {
       for (int step = 0; step < 10; ++step) board.skip(milliseconds(10));
-      EXPECT_TRUE(client.get_angles());  // behind all samples
+      EXPECT_TRUE(client.get_angles());  // arrives after all samples
     }
   }
 
@@ -54,11 +54,11 @@ TEST_F(Streams, KeepTheirRate) {
   const Instant latest = board.now();
   let_pass(client, std::chrono::seconds(10));
   const Instant end = board.now();
-  ASSERT_TRUE(client.get_angles());  // behind all samples until then
+  ASSERT_TRUE(client.get_angles());  // arrives after all samples until then
   const int fast_count = fast;
   const int slow_count = slow;
   const Instant last = board.now();
-  // This machine's time counts, too, and nobody knows when in it the streams began.
+  // This machine's time counts, too, and the exact start of the streams is unknown.
   const auto least = static_cast<double>((end - latest).us) / 1000;
   const auto most = static_cast<double>((last - earliest).us) / 1000;
   EXPECT_GE(fast_count, least / 20 - 3);
@@ -86,7 +86,7 @@ TEST_F(Streams, EndWhenTheyAreCancelled) {
 
 TEST_F(Streams, ShowWhatTheCameraDoes) {
   Client client = connect();
-  std::vector<double> yaw;  // on the client's thread, and read behind all samples
+  std::vector<double> yaw;  // written on the client's thread, read after all samples
   auto stream = client.stream<msg::RealtimeData4>(
       milliseconds(20),
       [&](const msg::RealtimeData4& sample) { yaw.push_back(sample.angle.yaw.degrees()); });
@@ -95,7 +95,7 @@ TEST_F(Streams, ShowWhatTheCameraDoes) {
   turn.control_mode.set_mode(msg::ControlModeKind::speed);
   turn.axes.yaw.speed = 20_deg_per_s;
   ASSERT_TRUE(client.call(turn));
-  ASSERT_TRUE(client.get_angles());  // the command has got there
+  ASSERT_TRUE(client.get_angles());  // the command has arrived
   let_pass(client, std::chrono::seconds(2));
   stream->cancel();
   ASSERT_TRUE(client.get_angles());

@@ -1,4 +1,4 @@
-// Messages that come unasked: subscriptions, data streams, notices.
+// Tests of unsolicited messages: subscriptions, data streams, notices.
 
 #include <algorithm>
 #include <array>
@@ -44,7 +44,7 @@ class Subscribed : public ::testing::Test {
     return *std::move(client);
   }
 
-  /// Confirms every registration, and counts how the streams stand.
+  /// Confirms and records every registration.
   void serve_streams() {
     board.on<msg::DataStreamInterval>([this](const msg::DataStreamInterval& request) {
       registrations.add(request);
@@ -52,7 +52,7 @@ class Subscribed : public ::testing::Test {
     });
   }
 
-  /// Whatever the board has sent before has been handled behind this.
+  /// Returns when all frames sent so far have been handled.
   void settle(Client& client) {
     board.on<msg::CalibInfoRequest>(
         [this](const msg::CalibInfoRequest&) { board.send(msg::CalibInfo{}); });
@@ -145,7 +145,7 @@ TEST_F(Subscribed, EndingWaitsForTheHandler) {
   board.send(angles(1));
   entered.get_future().wait();
   std::thread release([&] {
-    std::this_thread::sleep_for(milliseconds(50));  // the other thread waits by then
+    std::this_thread::sleep_for(milliseconds(50));  // the other thread is waiting by then
     leave.set_value();
   });
   subscription.reset();
@@ -251,9 +251,9 @@ TEST_F(Subscribed, ToAStreamEndsItWithTheClient) {
         client.stream<msg::RealtimeData3>(milliseconds(50), [](const msg::RealtimeData3&) {});
     ASSERT_TRUE(first && second);
     survivor = *std::move(second);
-    // The other one ends right before the client does.
+    // The other one ends just before the client does.
   }
-  // One may be ended twice: when its end was not confirmed yet.
+  // One may be ended twice, if its end was not confirmed yet.
   const auto is_ended = [](const std::vector<msg::DataStreamInterval>& requests,
                            msg::CommandFromBoard command) {
     return std::any_of(
@@ -357,17 +357,18 @@ TEST_F(Subscribed, ToAStreamThatTheBoardRefusesFails) {
   ASSERT_FALSE(stream);
   EXPECT_EQ(stream.error().code, ErrorCode::board_error);
   settle(client);
-  EXPECT_EQ(board.count<msg::DataStreamInterval>(), 1U) << "what never ran need not be ended";
+  EXPECT_EQ(board.count<msg::DataStreamInterval>(), 1U)
+      << "a stream that never ran need not be ended";
 }
 
 TEST_F(Subscribed, ToAStreamEndsItWhenItIsCancelledBehindTheClient) {
-  // The line must be closed behind the end of the stream, whoever comes first.
+  // The line must be closed after the end of the stream, whichever is requested first.
   serve_streams();
   Client client = connect();
   auto stream =
       client.stream<msg::RealtimeData4>(milliseconds(20), [](const msg::RealtimeData4&) {});
   ASSERT_TRUE(stream) << stream.error().message;
-  // The client's thread is kept busy, so that closing is still to be done.
+  // The client's thread is kept busy, so that closing is still pending.
   std::promise<void> is_busy;
   std::promise<void> may_go_on;
   const auto busy = client.subscribe<msg::RealtimeData3>([&](const msg::RealtimeData3&) {
@@ -399,7 +400,7 @@ TEST_F(Subscribed, ToAStreamThatMayHaveBegunUnheardEndsIt) {
   ASSERT_GE(asked.size(), 2U);
   EXPECT_EQ(asked[0].interval_ms.raw(), 20U);
   EXPECT_EQ(asked[1].interval_ms.raw(), 0U);
-  client.close();  // nothing of it may be left to come
+  client.close();  // nothing of it may arrive later
 }
 
 // Notices

@@ -1,4 +1,4 @@
-/// What a board gets and what it answers, for tests that look at it or change it.
+/// Hooks into the traffic of a board, for tests that inspect or modify it.
 #pragma once
 
 #include <array>
@@ -18,24 +18,24 @@ namespace sbgc::test {
 
 class Tap;
 
-/// What happens to packets between a host and the board. Used on the board's thread only.
+/// Hooks for the packets between a host and the board. Used on the board's thread only.
 struct TapHooks {
   /// All requests, in order.
   Packets log{};
-  /// Whether a request is lost on its way.
+  /// Returns true if a request is to be lost on the line.
   std::function<bool(const Packet&)> is_lost{};
-  /// Whether what the board sends between this request and the next one is lost on its way.
+  /// Returns true if everything the board sends between this request and the next is to be lost.
   std::function<bool(const Packet&)> is_answer_lost{};
-  /// Changes what the board sends, before it is sent.
+  /// Modifies the board's messages before they are sent.
   std::function<void(Packets&)> tamper{};
-  /// Called when the board has dealt with a request, before its answers are sent.
+  /// Called when the board has executed a request, before its responses are sent.
   std::function<void(const Packet&)> after{};
 
-  Tap* tap = nullptr;  ///< of the present host
+  Tap* tap = nullptr;  ///< of the current host
 };
 
-/// A transport with hooks at packet level: requests are read from it one by one, and bytes that are
-/// no frames are left out. Who owns it tells when the board has dealt with a request.
+/// A transport with hooks at packet level: it delivers requests one by one and discards bytes
+/// outside of frames. Its owner reports when the board has executed a request.
 class Tap final : public io::Transport {
  public:
   Tap(std::unique_ptr<io::Transport> inner, TapHooks& hooks);
@@ -50,7 +50,7 @@ class Tap final : public io::Transport {
   std::string description() const override { return inner_->description(); }
   io::LineControl* line() override { return inner_->line(); }
 
-  /// The board has dealt with what it has got. What it has sent meanwhile leaves now.
+  /// Reports that the board has executed the delivered requests. Its responses are sent now.
   void dealt_with();
   /// Breaks the line.
   void unplug() { inner_->close(); }
@@ -65,7 +65,7 @@ class Tap final : public io::Transport {
     Handler handler{};
   };
 
-  /// Makes the next request that is not lost ready to be read; false if there is none.
+  /// Prepares the next request that is not lost for reading; returns false if there is none.
   bool prepare();
   void deliver(std::span<std::uint8_t> into, Handler& handler);
   void send(Writing writing);
@@ -79,14 +79,14 @@ class Tap final : public io::Transport {
   Parser requests_;
   std::deque<Packet> arrived_{};
   std::optional<Packet> request_{};  // the last one
-  std::vector<std::uint8_t> ready_;  // what is left of its frame
+  std::vector<std::uint8_t> ready_;  // the remaining bytes of its frame
 
   // From the board
   Parser answers_;
   Packets leaving_{};
   std::vector<std::uint8_t> out_;
 
-  // While the board deals with a request
+  // While the board executes a request
   bool is_busy_ = false;
   std::optional<Reading> reading_{};
   std::optional<Writing> writing_{};

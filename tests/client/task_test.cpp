@@ -20,7 +20,7 @@ void TaskTest::connect(unsigned retries) {
   Result<Client> connected = connect_over(board.line(), options);
   if (!connected) throw std::runtime_error(connected.error().message);
   client_.emplace(*std::move(connected));
-  // Behind all that connecting has sent, which after a stall may come more than once.
+  // Returns after everything that connecting has sent, which may be repeated after a stall.
   const auto settled =
       client_->call(msg::BoardInfoRequest{}, {.timeout = options.timeout, .retries = 0});
   if (!settled) throw std::runtime_error(settled.error().message);

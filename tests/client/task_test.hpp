@@ -1,4 +1,4 @@
-/// Tests of tasks: a client that is connected to an emulated board.
+/// Tests of tasks with a client that is connected to an emulated board.
 #pragma once
 
 #include <optional>
@@ -25,29 +25,29 @@ class TaskTest : public ::testing::Test {
   TaskTest();
   ~TaskTest() override;
 
-  /// The client; connected when it is first asked for.
+  /// Returns the client; connects on first use.
   Client& client() {
     if (!client_) connect();
     return *client_;
   }
-  /// Connects once more, to what the board is now. The log begins then.
+  /// Connects again, to the current board. The log starts then.
   void connect(unsigned retries = 9);
-  /// For tests in which much gets lost: it is known sooner, and still not before a stall is over.
+  /// For tests with many losses: fails sooner, but not before a stall is over.
   static constexpr unsigned few_retries = 3;
   void disconnect() { client_.reset(); }
-  /// Makes it a board of this version with this firmware.
+  /// Replaces the board by one of this version with this firmware.
   void become(msg::BoardVersion version, msg::FirmwareVersion firmware);
   void become(msg::BoardVersion version) { become(version, board.options().firmware); }
   void become(msg::FirmwareVersion firmware) { become(board.options().board, firmware); }
-  /// How many requests M have come.
+  /// Returns the number of requests M received.
   template <class M>
   std::size_t count() {
     return board.count<M>();
   }
 
-  /// While it moves on, so does the board's time, which otherwise is that of this machine.
+  /// When this clock is advanced, so is the board's time, which otherwise follows this machine.
   ManualClock clock;
-  EmulatedBoard board;  // behind the clock, which its hooks may use
+  EmulatedBoard board;  // declared after the clock, which its hooks may use
 
  private:
   std::optional<Client> client_;

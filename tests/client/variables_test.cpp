@@ -126,7 +126,7 @@ TEST_F(VariablesTest, AreSaved) {
   ASSERT_TRUE(client().save_variables());
   EXPECT_EQ(count<msg::SaveParams3>(), 1U);
   disconnect();
-  board.become(board.options());  // off and on
+  board.become(board.options());  // power cycle
   EXPECT_EQ(get(msg::VariableId::i_roll), 33);
 }
 

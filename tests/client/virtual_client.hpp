@@ -17,7 +17,7 @@
 
 namespace sbgc::test {
 
-/// What a browser would do: everything that happens is a function of the time that is handed in.
+/// A client as in a browser: everything is a function of the time passed in.
 class VirtualClient {
  public:
   explicit VirtualClient(const emulator::EmulatorOptions& options = {},
@@ -31,7 +31,7 @@ class VirtualClient {
   VirtualClient& operator=(const VirtualClient&) = delete;
   ~VirtualClient() = default;
 
-  /// Drives a task to its end; `at_each_step(task)` runs before each step.
+  /// Runs a task to its end; calls `at_each_step(task)` before each step.
   template <class R, class Watch>
   R run(Task<R> task, Watch at_each_step) {
     TaskMachine& machine = task.begin(identity_);
@@ -51,7 +51,7 @@ class VirtualClient {
   Instant now() const noexcept { return now_; }
   emulator::Gimbal& gimbal() { return emulator_.board().gimbal(); }
   emulator::Emulator& emulator() { return emulator_; }
-  /// The board hears nothing any more.
+  /// Cuts the line from the host to the board.
   void cut_the_line() { is_cut_ = true; }
   std::size_t pending() const { return tickets_.size(); }
 
@@ -60,7 +60,7 @@ class VirtualClient {
     co_return co_await tasks::call(msg::BoardInfoRequest{});
   }
 
-  /// Goes on until the task waits, then to the next moment at which something happens.
+  /// Runs until the task waits, then advances to the next event.
   bool step(TaskMachine& task) {
     TaskStep step = task.step(now_);
     switch (step.kind) {
@@ -103,7 +103,7 @@ class VirtualClient {
     tickets_.erase(place);
   }
 
-  /// Carries bytes both ways; returns when to come again.
+  /// Transfers bytes in both directions; returns when to call it again.
   Instant exchange_bytes() {
     const Output output = dialogue_.advance(now_, true);
     if (!output.bytes.empty()) {

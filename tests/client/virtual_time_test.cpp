@@ -1,4 +1,4 @@
-// Tasks in virtual time: no thread, no clock, no line.
+// Tests of tasks in virtual time: without threads, clocks and lines.
 
 #include <string>
 #include <vector>

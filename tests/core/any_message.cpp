@@ -9,7 +9,7 @@ namespace sbgc::test {
 
 namespace {
 
-/// Collects the raw numbers of a message under the specification's names.
+/// Collects the raw values of a message by the specification's field names.
 class FieldCollector {
  public:
   template <class T>

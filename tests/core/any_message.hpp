@@ -1,5 +1,5 @@
-/// Every message behind one interface, so that a test can go through all of them without a template
-/// being instantiated for each.
+/// One interface to every message, so that a test can iterate over all of them without
+/// instantiating a template for each.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@
 
 namespace sbgc::test {
 
-/// A violation with its path as text, to be kept.
+/// A violation with its path as text, independent of the message.
 struct ViolationCopy {
   std::string path;
   double value{};
@@ -29,8 +29,8 @@ struct ViolationCopy {
   bool operator==(const ViolationCopy&) const = default;
 };
 
-/// Collects violations. Not a lambda, which would be another type, with a validator of its own, for
-/// each message.
+/// Collects violations. Not a lambda, because each message would then instantiate its own
+/// validator.
 struct ViolationCopies {
   std::vector<ViolationCopy>& copies;
 
@@ -41,7 +41,7 @@ struct ViolationCopies {
   }
 };
 
-/// The violations of a message.
+/// Returns the violations of a message.
 template <class M>
 std::vector<ViolationCopy> violations_of(const M& message) {
   std::vector<ViolationCopy> result;
@@ -49,10 +49,10 @@ std::vector<ViolationCopy> violations_of(const M& message) {
   return result;
 }
 
-/// Raw numbers under the specification's names: one, or one for each axis or element.
+/// Raw values by the specification's field name: one, or one for each axis or element.
 using FieldValues = std::map<std::string, std::vector<double>>;
 
-/// Some message.
+/// A message of any type.
 class AnyMessage {
  public:
   AnyMessage() = default;
@@ -65,7 +65,7 @@ class AnyMessage {
   virtual Status decode(std::span<const std::uint8_t> body, const Contexts& contexts) = 0;
   virtual WriteResult encode(std::span<std::uint8_t> out) const = 0;
   virtual WriteResult encode_frame(std::span<std::uint8_t> out) const = 0;
-  /// As operator==; the other must be of the same type.
+  /// Like operator==; `other` must have the same type.
   virtual bool equals(const AnyMessage& other) const = 0;
   virtual void teach(Contexts& contexts) const = 0;
   virtual std::size_t tail_size() const = 0;
@@ -75,7 +75,7 @@ class AnyMessage {
   virtual void from_json(const Json& json) = 0;
 
   Status decode(std::span<const std::uint8_t> body) { return decode(body, Contexts{}); }
-  /// The body; empty if it does not encode.
+  /// Returns the body, or an empty vector if the message does not encode.
   ByteVector body() const;
 };
 
@@ -88,28 +88,28 @@ struct MessageType {
   bool fixed_size() const { return info->min_size == info->max_size; }
 };
 
-/// All message types, in the order of AllMessages.
+/// Returns all message types, in the order of AllMessages.
 const std::vector<MessageType>& message_types();
 
-/// The type with this name; fails loudly if there is none.
+/// Returns the type with this name; fails the test if there is none.
 const MessageType& message_type(const std::string& name);
 
-/// What select() says and chooses.
+/// The result of select().
 struct Selected {
   Code code{};
-  const MessageInfo* info{};  ///< null if it has not called back
+  const MessageInfo* info{};  ///< null if there was no callback
 };
 Selected selected(Direction direction, std::uint8_t id, std::size_t size);
 
-/// The type that select() chooses; null if none.
+/// Returns the type that select() chooses, or null if there is none.
 const MessageType* find_message_type(Direction direction, std::uint8_t id, std::size_t size);
 
-/// What visit() says and hands to its visitor.
+/// The result of visit().
 // NOLINTNEXTLINE(bugprone-exception-escape): nlohmann's move does not throw
 struct Visited {
   Status status{};
   int calls{};
-  const MessageInfo* info{};  ///< null if it has not called back
+  const MessageInfo* info{};  ///< null if there was no callback
   Json fields{};
 };
 Visited visited(std::uint8_t id, std::span<const std::uint8_t> body, Direction direction,
@@ -118,7 +118,7 @@ Visited visited(std::uint8_t id, std::span<const std::uint8_t> body, Direction d
 // NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for
 inline void PrintTo(const MessageType& type, std::ostream* out) { *out << type.info->name; }
 
-/// Contexts that random messages have taught.
+/// Returns the contexts learned from random messages.
 Contexts random_contexts(RandomBodies& bodies);
 
 }  // namespace sbgc::test

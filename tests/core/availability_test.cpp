@@ -1,4 +1,4 @@
-// What a board understands, by the versions it has told.
+// Tests of availability by the board's versions.
 
 #include <set>
 #include <string>
@@ -20,7 +20,7 @@ msg::BoardInfo board(std::uint8_t board_ver, std::uint16_t firmware_ver) {
   return info;
 }
 
-/// "rule path" of everything that a board with these versions does not know.
+/// Returns "rule path" of everything in `message` that is unknown to a board with these versions.
 template <class M>
 std::set<std::string> unknown(const M& message, const msg::BoardInfo& info) {
   std::set<std::string> result;
@@ -32,8 +32,8 @@ std::set<std::string> unknown(const M& message, const msg::BoardInfo& info) {
   return result;
 }
 
-// The specification says "ver. 2.59+" of these, and "firmware ver. 2.55b5" of the longer
-// CMD_CONTROL.
+// The specification documents these as "ver. 2.59+", and the longer CMD_CONTROL as "firmware ver.
+// 2.55b5".
 TEST(Availability, OfMessages) {
   EXPECT_TRUE(is_supported<msg::BeepSound>(board(31, 2590)));
   EXPECT_FALSE(is_supported<msg::BeepSound>(board(31, 2589)));
@@ -48,7 +48,7 @@ TEST(Availability, OfMessages) {
 static_assert(is_supported<msg::BeepSound>(Availability{2590, 30}));
 static_assert(!is_supported<msg::BeepSound>(Availability{2580, 30}));
 
-// One form ends with the version with which another takes its place.
+// The version that introduces the new form is the end of the old one.
 TEST(Availability, OfFormsThatTakeEachOthersPlace) {
   EXPECT_TRUE(is_supported<msg::MotorsOff>(board(31, 2686)));
   EXPECT_FALSE(is_supported<msg::MotorsOff>(board(31, 2687)));
@@ -67,7 +67,7 @@ TEST(Availability, OfFormsThatTakeEachOthersPlace) {
 
 TEST(Availability, ALaterFormSaysTheSame) {
   msg::AhrsHelperRequestExt request;
-  request.mode = msg::AhrsHelperMode(0xA7);  // with bits that have no name
+  request.mode = msg::AhrsHelperMode(0xA7);  // with unnamed bits set
   request.z1_vector = {0, 0, 1};
   request.h1_vector = {1, 0, 0};
   const msg::AhrsHelperRequestExtWide later = later_form(request);

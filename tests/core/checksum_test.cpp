@@ -27,7 +27,7 @@ TEST(ByteSum, IsThePlainSumForEverySizeAndAlignment) {
     for (std::uint8_t& b : bytes) b = round == 0 ? 0xFF : static_cast<std::uint8_t>(random());
     for (std::size_t begin = 0; begin < 17; ++begin) {
       for (std::size_t size = 0; size <= 320; ++size) {
-        // A copy of just these bytes, so that a sanitizer sees a read outside.
+        // A copy of exactly these bytes, so that a sanitizer detects a read out of bounds.
         const auto from = bytes.begin() + static_cast<std::ptrdiff_t>(begin);
         const std::vector<std::uint8_t> part(from, from + static_cast<std::ptrdiff_t>(size));
         const auto expected =

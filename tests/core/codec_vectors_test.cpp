@@ -1,5 +1,5 @@
-// The vectors of the reference codec (generator/sbgcgen/targets/vectors), which knows the model but
-// none of the templates: every one of them both ways, to the byte.
+// Decodes and encodes every vector of the reference codec (generator/sbgcgen/targets/vectors),
+// which shares the model with the generated codec but none of its templates.
 
 #include <algorithm>
 #include <filesystem>
@@ -60,7 +60,7 @@ class Vector {
   }
 
  private:
-  /// Takes in what the messages before this one would have told.
+  /// Learns the contexts from the messages before this one.
   void learn() {
     if (!has("after")) return;
     for (const Json& earlier : json_["after"]) {
@@ -80,7 +80,7 @@ class Vector {
     EXPECT_EQ(error_of(status), json_["error"]);
   }
 
-  /// The type that dispatch must find.
+  /// Returns the type that dispatch must select.
   const MessageType* chosen(const MessageType& type) const {
     if (!has("chosen")) return &type;
     return json_["chosen"].is_null() ? nullptr : &message_type(text("chosen"));

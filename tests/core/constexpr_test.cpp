@@ -1,4 +1,4 @@
-// The codec at compile time: a wrong byte here does not compile.
+// Tests of the codec at compile time: a wrong byte is a compile error.
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,8 @@
 namespace sbgc::test {
 namespace {
 
-/// Whether `message` encodes to exactly these bytes, and these bytes decode to an equal message.
+/// Returns true if `message` encodes to exactly these bytes, and these bytes decode to an equal
+/// message.
 template <class M, std::size_t n, class... Context>
 constexpr bool round_trips(const M& message, const std::array<std::uint8_t, n>& body,
                            const Context&... context) {
@@ -52,7 +53,7 @@ constexpr msg::SetAdjVarsVal variables = [] {
 static_assert(round_trips(variables, std::to_array<std::uint8_t>({2, 19, 100, 0, 0, 0, 20, 0xFE,
                                                                   0xFF, 0xFF, 0xFF})));
 
-// A list that takes the rest of the body, flags, reserved bytes.
+// A list that fills the remaining body, flags, reserved bytes.
 constexpr msg::BeepSound melody = [] {
   msg::BeepSound message;
   message.mode = msg::BeepMode::custom_melody;
@@ -65,7 +66,7 @@ constexpr msg::BeepSound melody = [] {
 static_assert(round_trips(melody, std::to_array<std::uint8_t>({0, 0x80, 5, 0, 0, 0, 0, 0, 0, 0, 0,
                                                                9, 0xDB, 0x03, 0x08, 0x52})));
 
-// Fields that another field of the body decides about.
+// Fields whose presence depends on another field of the body.
 constexpr msg::Confirm eeprom_written = [] {
   msg::Confirm message;
   message.cmd = msg::CommandToBoard::eeprom_write;
@@ -86,7 +87,7 @@ constexpr Status contradiction_status = [] {
 }();
 static_assert(contradiction_status.code == Code::presence_mismatch);
 
-// Fields that the request decides about; floats.
+// Fields whose presence depends on the request; floats.
 constexpr msg::RealtimeDataCustom custom = [] {
   msg::RealtimeDataCustom message;
   message.timestamp_ms = msg::MillisecondClock(0x0102);
@@ -103,7 +104,7 @@ static_assert(round_trips(custom,
                                                        0, 0, 0, 0, 0, 0, 0,    0,    0, 0, 0, 0}),
                           custom_context));
 
-// What later firmware appends is kept.
+// Bytes appended by later firmware are preserved.
 static_assert([] {
   std::array<std::uint8_t, 20> body{};
   body[18] = 7;
@@ -114,7 +115,7 @@ static_assert([] {
          encode(message, out).size == 20 && out == body;
 }());
 
-// Texts.
+// Text.
 static_assert([] {
   std::array<std::uint8_t, 12> body{2, 2, 'o', 'k', 1, 4, 0, 1, 'x', 2, 0, 0};
   msg::DebugVarsInfo3 message;
@@ -124,7 +125,7 @@ static_assert([] {
          encode(message, out).size == 12 && out == body;
 }());
 
-// A whole frame, found by its id again.
+// A complete frame, dispatched by its id.
 constexpr auto control_frame = [] {
   std::array<std::uint8_t, 18> frame{};
   const WriteResult written = encode_frame(control, frame);

@@ -1,4 +1,4 @@
-// From a frame to a message: which one it is, by id, direction and size.
+// Tests of dispatch: the message of a frame by id, direction and size.
 
 #include <algorithm>
 #include <array>
@@ -34,7 +34,7 @@ std::string name_of(const Visited& visited) {
   return visited.info == nullptr ? name(visited.status.code) : visited.info->name;
 }
 
-/// The forms of a command in one direction, as the exported model has them.
+/// Returns the forms of a command in one direction from the exported model.
 std::vector<Json> forms(Direction direction, int id) {
   std::vector<Json> result;
   for (const Json& message : model()["messages"]) {
@@ -46,14 +46,14 @@ std::vector<Json> forms(Direction direction, int id) {
   return result;
 }
 
-/// What select() has to say, worked out from the exported model.
+/// Returns the expected result of select(), computed from the exported model.
 std::string expected(const std::vector<Json>& forms, std::size_t size) {
   if (forms.empty()) return name(Code::unknown_command);
   if (forms.size() == 1) return forms[0]["name"];
   for (const Json& form : forms) {
     if (size >= form["min_size"] && size <= form["max_size"]) return form["name"];
   }
-  // Decoding knows no limit of a list but the body's; it is validation that does.
+  // Decoding limits a list only by the size of the body; other limits are up to validation.
   for (const Json& form : forms) {
     const Json& layout = form["layout"];
     const bool open =
@@ -82,7 +82,7 @@ TEST_P(EveryDirection, VisitHandsOverEveryMessage) {
     SCOPED_TRACE(type.info->name);
     if (type.info->direction != GetParam() && type.info->direction != Direction::both) continue;
     ByteVector body = type.make()->body();
-    body.resize(std::max(body.size(), type.info->min_size));  // a list may have a least length
+    body.resize(std::max(body.size(), type.info->min_size));  // a list may have a minimum length
     const Visited result = visited(type.info->id, body, GetParam());
     ASSERT_TRUE(result.status) << name(result.status.code);
     EXPECT_EQ(result.calls, 1);
@@ -124,7 +124,7 @@ TEST(Dispatch, Id67IsControlOrConfirmByDirection) {
   EXPECT_EQ(visited(67, ByteVector(14), Direction::to_board).status.code, Code::unknown_form);
 }
 
-/// Otherwise a switch over all commands of a direction does not compile.
+/// A switch over all commands of a direction compiles only with unique ids.
 template <class Command>
 constexpr bool ids_are_unique() {
   std::array<bool, 256> seen{};
@@ -153,7 +153,7 @@ TEST(Dispatch, UnknownCommand) {
   }
 }
 
-// Only the request says which blocks the answer has.
+// Only the request determines which blocks the response contains.
 TEST(Dispatch, LiveDataAreReadAsTheyWereAskedFor) {
   msg::RealtimeDataCustomRequest request;
   request.flags =
@@ -176,7 +176,7 @@ TEST(Dispatch, LiveDataAreReadAsTheyWereAskedFor) {
   EXPECT_STREQ(result.status.field, "gyro_data");
 }
 
-// A request for a stream says the same, if it is about this message.
+// A stream request provides the same context if it requests this message.
 TEST(Dispatch, StreamsTeachToo) {
   msg::DataStreamInterval request;
   request.cmd_id = msg::CommandFromBoard::realtime_data_custom;

@@ -1,4 +1,4 @@
-// What the tables say about the effects of requests.
+// Tests of the effects of requests.
 
 #include <gtest/gtest.h>
 

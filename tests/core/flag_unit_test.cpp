@@ -1,4 +1,5 @@
-// Fields whose unit a flag of the message chooses: set and read together with the flag.
+// Tests of fields whose unit depends on a flag of the message; value and flag are read and set
+// together.
 
 #include <gtest/gtest.h>
 

@@ -52,7 +52,7 @@ TEST(WriteFrame, FramesEverySizeOfBody) {
     ASSERT_TRUE(result);
     ASSERT_EQ(result.size, size + 5);
     Bytes expected = make_frame(0xFE, body);
-    expected.resize(out.size(), 0xAA);  // nothing behind the frame is touched
+    expected.resize(out.size(), 0xAA);  // bytes after the frame remain unchanged
     ASSERT_EQ(out, expected);
   }
 }
@@ -102,7 +102,7 @@ TEST(WriteFrame, WritesWhatTheParserReads) {
   }
 }
 
-// Searching looks at 16 positions at a time; every remainder and every place must count the same.
+// The search examines 16 positions at a time; every remainder and every position must count alike.
 TEST(Framing, FindsWhatAPlainSearchFinds) {
   for (std::uint32_t seed = 0; seed < 3000; ++seed) {
     Random random(seed);
@@ -131,7 +131,7 @@ TEST(Framing, CountsManyStartsInOneSearch) {
   std::uint64_t bad_headers = 0;
   const std::uint8_t* const found =
       Framing::find(starts.data(), starts.data() + starts.size(), bad_headers);
-  EXPECT_EQ(found, starts.data() + starts.size() - 3);  // too few bytes left for a header
+  EXPECT_EQ(found, starts.data() + starts.size() - 3);  // too few remaining bytes for a header
   EXPECT_EQ(bad_headers, starts.size() - 3);
 }
 

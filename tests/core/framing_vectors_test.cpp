@@ -1,5 +1,5 @@
-// Byte sequences from outside the project (captures of real boards, worked examples, constants in
-// other people's code) and those of the reference codec.
+// Tests of framing with byte sequences from other sources (captures of real boards, worked
+// examples, constants in other people's code) and from the reference codec.
 
 #include <cstddef>
 #include <cstdint>
@@ -26,7 +26,7 @@ Bytes from_hex(const std::string& hex) {
   return bytes;
 }
 
-/// The sizes of the frames found when `bytes` are all there is.
+/// Returns the sizes of the frames in `bytes`, which are the complete input.
 std::vector<std::size_t> frames_in(const Bytes& bytes) {
   std::vector<std::size_t> sizes;
   const auto sink = [&](const Frame& frame) { sizes.push_back(frame.body.size() + 5); };
@@ -50,7 +50,7 @@ TEST(FramingVectors, YieldTheFramesTheyShould) {
       EXPECT_EQ(frames_in(frame), std::vector{frame.size()});
     } else if (vector.at("expect") == "valid") {
       EXPECT_EQ(frames_in(bytes), std::vector{bytes.size()});
-      // Writing what was read gives the same bytes.
+      // Writing the decoded frame yields the same bytes.
       Bytes again(bytes.size());
       EXPECT_TRUE(write_frame(bytes[1], Bytes(bytes.begin() + 4, bytes.end() - 1), again));
       EXPECT_EQ(again, bytes);
@@ -74,7 +74,7 @@ TEST(FramingVectors, SurviveOnOneLine) {
   EXPECT_EQ(frames_in(line), sizes);
 }
 
-/// generated/frames.jsonl, which generator/sbgcgen/oracle/streams.py describes.
+/// generated/frames.jsonl; generator/sbgcgen/oracle/streams.py describes it.
 TEST(FramingVectors, AgreeWithTheReferenceCodec) {
   std::ifstream file(SBGC_GENERATED "/frames.jsonl");
   std::size_t count = 0;

@@ -1,5 +1,5 @@
-// Compiled, not run: the core as a microcontroller sees it, without exceptions, RTTI or a hosted
-// library. (The flags stand in CMakeLists.txt.)
+// Compiled, not run: the core as built for a microcontroller, without exceptions, RTTI or a hosted
+// library. CMakeLists.txt sets the flags.
 
 #include <cstddef>
 #include <cstdint>

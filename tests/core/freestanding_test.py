@@ -1,7 +1,7 @@
-"""The headers for microcontrollers: each compiles alone, freestanding, without exceptions and RTTI,
-includes nothing that needs an operating system, and its code needs nothing but memcpy and the like.
+"""The headers for microcontrollers: each compiles alone, freestanding, without exceptions and RTTI, and
+includes nothing that needs an operating system; the code calls only functions such as memcpy.
 
-JSON and texts are the parts of the library that are not for microcontrollers.
+JSON and text output are not for microcontrollers.
 """
 
 from __future__ import annotations
@@ -28,7 +28,8 @@ FLAGS = [
 ]
 FLAGS += [f"-I{folder}" for folder in INCLUDES]
 
-# What the headers may include. Whatever these include in turn is the standard library's own business.
+# The headers that may be included. Headers that these include in turn are up to the standard
+# library.
 ALLOWED = {
     "array",
     "bit",
@@ -42,7 +43,7 @@ ALLOWED = {
     "type_traits",
     "utility",
 }
-# What a compiler may call by itself in freestanding code; the last from its own library.
+# Functions that a compiler may call in freestanding code; the last one is in its own library.
 RUNTIME_CALLS = {"memcpy", "memmove", "memset", "memcmp", "bcmp", "__popcountdi2"}
 
 COMPILERS = [name for name in ("g++", "clang++") if shutil.which(name)]
@@ -56,7 +57,7 @@ def headers() -> list[str]:
 
 
 def compile_text(compiler: str, source: str, *options: str) -> str:
-    """Compiles and returns the standard output; fails with the compiler's messages."""
+    """Compiles `source` and returns the standard output; fails with the compiler's messages."""
     command = [compiler, *FLAGS, "-x", "c++", *options, "-"]
     done = subprocess.run(command, input=source, capture_output=True, text=True, check=False)
     assert done.returncode == 0, f"{' '.join(command)}\n{source}\n{done.stderr}"
@@ -64,7 +65,7 @@ def compile_text(compiler: str, source: str, *options: str) -> str:
 
 
 def read_files(compiler: str, source: str) -> set[str]:
-    """The files that compiling `source` reads."""
+    """Returns the files that compiling `source` reads."""
     rule = compile_text(compiler, source, "-M").replace("\\\n", " ")
     names = [name.replace("\\ ", " ") for name in re.findall(r"(?:\\.|\S)+", rule)]
     return {str(Path(name).resolve()) for name in names[1:] if name != "-"}
@@ -103,7 +104,7 @@ def test_each_header_alone(compiler: str) -> None:
 
 @pytest.mark.parametrize("compiler", COMPILERS)
 def test_nothing_else_is_read(compiler: str) -> None:
-    """Beside sbgc's own headers nothing is read that the allowed headers do not read themselves."""
+    """Apart from sbgc's own headers, only files that the allowed headers include are read."""
     allowed = read_files(compiler, "".join(f"#include <{name}>\n" for name in sorted(ALLOWED)))
     everything = read_files(compiler, "".join(f"#include <{name}>\n" for name in headers()))
     assert any(is_own(path) for path in everything)
@@ -156,7 +157,7 @@ unsigned use(const std::uint8_t* bytes, std::size_t size, std::span<std::uint8_t
 
 @pytest.mark.parametrize("compiler", COMPILERS)
 def test_code_needs_nothing(compiler: str, tmp_path: Path) -> None:
-    """No allocation, no exceptions, no library: only what every freestanding compiler expects."""
+    """No allocation, exceptions or library: only functions that freestanding compilers expect."""
     program = tmp_path / "use.o"
     compile_text(compiler, USE_EVERYTHING, "-Os", "-c", "-o", str(program))
     listing = subprocess.run(

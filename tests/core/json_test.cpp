@@ -1,4 +1,4 @@
-// Messages as JSON and back: nothing is lost, nothing wrong gets in.
+// Tests of messages as JSON: the round trip is lossless, and invalid JSON is rejected.
 
 #include <bit>
 #include <cmath>
@@ -56,7 +56,7 @@ TEST_P(JsonOfMessage, HasEveryMemberOrIsRefused) {
     EXPECT_THROW(message->from_json(wrong), JsonError) << item.key();
     try {
       message->from_json(missing);
-      // Only a counter follows from something else.
+      // Only a counter can be derived from another field.
       EXPECT_TRUE(item.value().is_number_unsigned()) << item.key();
     } catch (const JsonError& error) {
       EXPECT_EQ(error.field(), item.key());
@@ -73,7 +73,7 @@ Json control_json() {
       "yaw": {"speed": 5, "angle": -6}}})");
 }
 
-/// The message and the field of the error that `json` is refused with.
+/// Returns the message and the field of the error for which `json` is rejected.
 template <class M>
 std::string refusal(const Json& json) {
   M message{};
@@ -81,7 +81,7 @@ std::string refusal(const Json& json) {
   try {
     from_json(json, message);
   } catch (const JsonError& error) {
-    EXPECT_EQ(message, before) << "half of it has been taken over";
+    EXPECT_EQ(message, before) << "the message was modified";
     EXPECT_EQ(std::string(error.what()).find(error.field()), 0U);
     return error.field() + "|" + error.what();
   }
@@ -214,7 +214,7 @@ TEST(Json, FloatsThatAreNone) {
 std::string text_after_round_trip(const std::string& bytes) {
   msg::ReadProfileNames message;
   EXPECT_TRUE(message.profile_name[0].assign(bytes));
-  const std::string printed = to_json(message).dump();  // throws for what is not UTF-8
+  const std::string printed = to_json(message).dump();  // throws if it is not UTF-8
   msg::ReadProfileNames copy;
   from_json(Json::parse(printed), copy);
   return {copy.profile_name[0].data(), copy.profile_name[0].size()};

@@ -1,4 +1,4 @@
-"""What must not compile does not, and each compiler says in a sentence what to write instead."""
+"""Invalid uses of literals do not compile, and the compiler's message explains the alternative."""
 
 from __future__ import annotations
 

@@ -1,6 +1,4 @@
-"""Mistakes that do not compile, and what the compiler says about each: one error, with a sentence
-that helps.
-"""
+"""Mistakes that do not compile: the compiler reports exactly one error, with a helpful message."""
 
 from __future__ import annotations
 
@@ -18,7 +16,7 @@ COMPILERS = [name for name in ("g++", "clang++") if shutil.which(name)]
 
 @dataclass(frozen=True)
 class Misuse:
-    """`code`, in which WRONG stands for the mistake; with `right` instead it compiles.
+    """`code` with the placeholder WRONG: with `wrong` it fails to compile, with `right` it compiles.
 
     `says` is part of the only error.
     """
@@ -78,7 +76,7 @@ MISUSES = [
 
 
 def errors_of(compiler: str, source: str) -> list[str]:
-    """The lines with errors."""
+    """Compiles `source` and returns the lines with errors."""
     command = [compiler, "-std=c++20", "-fsyntax-only", *(f"-I{folder}" for folder in INCLUDES)]
     done = subprocess.run(
         [*command, "-x", "c++", "-"], input=source, capture_output=True, text=True, check=False

@@ -1,5 +1,5 @@
-// Byte sequences found in public places: captures of real boards, constants in other people's code,
-// worked examples. They stand in tests/data/vectors.json, unchanged.
+// Tests with byte sequences from public sources: captures of real boards, constants in other
+// people's code and worked examples. tests/data/vectors.json holds them unchanged.
 
 #include <fstream>
 #include <set>
@@ -25,7 +25,7 @@ const Json& vectors() {
   return json;
 }
 
-/// The ids that the exported model has messages for, in one direction.
+/// Returns the ids of the exported model's messages in one direction.
 std::set<int> ids_of_model(const std::string& direction) {
   static const Json model = read_json(SBGC_GENERATED "/simplebgc.json");
   std::set<int> result;
@@ -45,11 +45,11 @@ class OutsideVectors : public testing::TestWithParam<std::size_t> {
     return text("direction") == "to_board" ? Direction::to_board : Direction::from_board;
   }
 
-  /// Decodes a body, encodes it again, and compares the fields that the entry names.
+  /// Decodes a body, encodes it again, and compares the fields named by the entry.
   void check(std::uint8_t id, const ByteVector& body) const {
     const MessageType* const type = find_message_type(direction(), id, body.size());
     if (!ids_of_model(text("direction")).contains(id)) {
-      // The specification of the project does not have it yet; as soon as it does, this fails.
+      // The project's specification lacks this command. As soon as it has it, this fails.
       EXPECT_EQ(type, nullptr) << "missing in the exported model";
       return;
     }
@@ -68,7 +68,7 @@ class OutsideVectors : public testing::TestWithParam<std::size_t> {
     }
   }
 
-  /// The meaning mostly begins with the command's name.
+  /// Most meanings start with the command's name.
   void check_command_name(const std::string& command) const {
     const std::string meaning = text("meaning");
     if (!meaning.starts_with("CMD_")) return;
@@ -105,8 +105,8 @@ INSTANTIATE_TEST_SUITE_P(Entries, OutsideVectors, testing::Range<std::size_t>(0,
 
 TEST(OutsideVectorsFile, HasNotShrunk) { EXPECT_GE(vectors().size(), 31U); }
 
-// Exactly the commands that the exported model lacks are unknown: a command that is added to spec/
-// is checked from then on, without a change here.
+// Exactly the commands that the exported model lacks are unknown: a command added to spec/ is
+// tested from then on, without a change here.
 TEST(OutsideVectorsFile, UnknownCommandsAreThoseTheModelLacks) {
   std::multiset<int> unknown;
   std::multiset<int> lacking;

@@ -1,5 +1,5 @@
-// JSON text from outside: what is read is what nlohmann_json reads, the rest is refused with its
-// place, and reading costs no more than the text is long.
+// Tests of the JSON reader: it reads the same values as nlohmann_json, rejects everything else with
+// its position, and has a cost proportional to the length of the text.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,12 +16,12 @@
 
 namespace {
 
-/// Bytes that have been allocated since the program began.
+/// Bytes allocated since the program started.
 std::size_t allocated = 0;
 
 }  // namespace
 
-// Not inlined: g++ would take the memory of one for that of another kind of allocation.
+// Not inlined, because g++ would warn about mismatched allocation functions.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   allocated += size;
   if (void* const memory = std::malloc(size != 0 ? size : 1)) return memory;
@@ -40,7 +40,7 @@ std::string repeated(std::string_view text, std::size_t count) {
   return result;
 }
 
-/// {"a":{"a": ... core ...,"b":1},"b":1}
+/// Returns {"a":{"a": ... core ...,"b":1},"b":1}.
 std::string nested(std::size_t depth, const std::string& core) {
   return repeated(R"({"a":)", depth) + core + repeated(R"(,"b":1})", depth);
 }
@@ -85,7 +85,7 @@ TEST(ParseJson, RefusesAKeyThatIsThereTwice) {
   EXPECT_EQ(problem_of("{\"x\": [1,\n  {\"a\\\"\":1, \"b\":2,\n    \"a\\\"\" : 3}]}"),
             "the key 'a\"' is there twice (line 3, column 5)");
   EXPECT_EQ(problem_of(R"({"\\":1,"\u005c":1})"), "the key '\\' is there twice (line 1, column 9)");
-  // The first of them, in the order of the text.
+  // The first of the two in the order of the text.
   EXPECT_EQ(problem_of(R"({"b":1,"a":1,"b":1,"a":1})"),
             "the key 'b' is there twice (line 1, column 14)");
   EXPECT_EQ(problem_of(R"({"a":{"a":{}},"b":[{"a":1},{"a":1}]})"), "");
@@ -129,7 +129,7 @@ TEST(ParseJson, TakesTextUpToTheLimit) {
 }
 
 TEST(ParseJson, CopiesNoMemberWhenItsParentGrows) {
-  // What is innermost would be copied once more at each level, and once more for each doubling.
+  // Otherwise the innermost value would be copied at each level and for each reallocation.
   const std::string core = "\"" + std::string(100'000, 'x') + "\"";
   const std::string text = nested(JsonLimits{}.depth, core);
   const std::size_t before = allocated;
@@ -137,11 +137,11 @@ TEST(ParseJson, CopiesNoMemberWhenItsParentGrows) {
   const std::size_t cost = allocated - before;
   ASSERT_TRUE(parsed);
   EXPECT_GE(cost, core.size());
-  EXPECT_LE(cost, 6 * core.size()) << "of it, the parser's buffer takes up to 4";
+  EXPECT_LE(cost, 6 * core.size()) << "up to 4 times the size is the parser's buffer";
 }
 
 TEST(ParseJson, ManyKeysTakeNoMoreThanTheirShare) {
-  // Each key compared with all before it would be 10 to the power of 11 comparisons.
+  // Comparing each key with all previous ones would take 10^11 comparisons.
   constexpr std::size_t count = 500'000;
   std::string text = "{";
   for (std::size_t i = 0; i < count; ++i) text += "\"key " + std::to_string(i) + "\":0,";

@@ -15,7 +15,7 @@
 namespace sbgc::test {
 namespace {
 
-/// A parser that keeps a copy of what it delivers.
+/// A parser that keeps a copy of the frames it delivers.
 template <class P = Parser>
 struct Collector {
   P parser;
@@ -43,7 +43,8 @@ void expect_same(const Collector<>& collector, const ReferenceResult& reference)
   ASSERT_EQ(collector.parser.waiting_bytes(), reference.waiting_bytes);
 }
 
-/// Feeds `s` cut at the given positions, in ascending order; compares before and after the flush.
+/// Feeds `s` in chunks split at `cuts` (in ascending order); compares the results before and after
+/// the flush.
 void check_cuts(const Bytes& s, const std::vector<std::size_t>& cuts, const ReferenceResult& open,
                 const ReferenceResult& final) {
   Collector<> collector;
@@ -97,17 +98,17 @@ TEST(Parser, DeliversTheLongestBody) {
 TEST(Parser, IsTheSameForEveryCuttingOfShortStreams) {
   check_every_cutting(concat({motors_on, read_params, motors_on}));
   check_every_cutting(concat({{0x3E, 0x3E}, read_params, {0x3E}, motors_on}));
-  // A false candidate with a good frame inside what it would swallow, and a start at the end.
+  // A false candidate whose announced body contains a valid frame, and a start byte at the end.
   check_every_cutting(concat({{0x3E, 0x05, 0x08, 0x0D}, motors_on, read_params, {0x3E}}));
-  // The false candidate's body ends in the middle of a good frame.
+  // The body of the false candidate ends in the middle of a valid frame.
   check_every_cutting(concat({{0x3E, 0x05, 0x03, 0x08}, {9}, read_params, motors_on}));
-  // Two false candidates, one in the other.
+  // Two nested false candidates.
   check_every_cutting(concat({{0x3E, 1, 8, 9}, {0x3E, 1, 2, 3}, motors_on, motors_on}));
-  // The header checksum fails; the id is 0; a start byte and zeros.
+  // A wrong header checksum; the id 0; a start byte and zeros.
   check_every_cutting(concat({{0x3E, 0x52, 0x01, 0x54, 0x01, 0x01}, motors_on}));
   check_every_cutting(concat({{0x3E, 0, 1, 1, 1, 1}, motors_on}));
   check_every_cutting(concat({{0x3E, 0, 0, 0, 0, 0, 0}, motors_on}));
-  // A frame that is never completed swallows two good ones.
+  // A frame that is never completed hides two valid ones.
   check_every_cutting(concat({{0x3E, 0x05, 0xF0, 0xF5}, motors_on, read_params}));
   check_every_cutting(Bytes(16, 0x3E));
 }
@@ -135,8 +136,8 @@ TEST(Parser, IsTheSameForEveryOneAndTwoCuts) {
   }
 }
 
-// Many streams, chunks of many sizes, flushes in between: after every single step, the frames, the
-// counters and what waits are those of the reference.
+// Many streams, chunks of many sizes, flushes in between: after every step, the frames, the
+// counters and the waiting bytes match the reference.
 TEST(Parser, FollowsTheReferenceStepByStep) {
   for (std::uint32_t seed = 0; seed < 1500; ++seed) {
     Random random(seed);
@@ -145,7 +146,7 @@ TEST(Parser, FollowsTheReferenceStepByStep) {
     const bool flushes = random.below(2) == 0;
 
     Collector<> collector;
-    ReferenceResult settled;  // of the segments that a flush has closed
+    ReferenceResult settled;  // of the segments closed by a flush
     Bytes segment;
     std::uint64_t segment_offset = 0;
     const auto expect_reference = [&](End end) {
@@ -221,8 +222,8 @@ TEST(Parser, ViewsFramesInsideTheChunk) {
 }
 
 TEST(Parser, ViewsFramesInsideTheChunkBehindAFalseCandidateFromBefore) {
-  // The candidate in the first chunk wants 5 + 20 bytes and is false; the frames that it would have
-  // swallowed lie whole in the second chunk, but for the first of them.
+  // The candidate in the first chunk announces 5 + 20 bytes and is false. Of the frames in these
+  // bytes, all but the first are contained in the second chunk.
   const Bytes first = concat({{0x3E, 1, 20, 21}, {0x3E, 0x52}});
   const Bytes second = concat({{0x01, 0x53, 0x01, 0x01}, read_params, motors_on, read_params});
   Parser parser;
@@ -328,9 +329,9 @@ TEST(Parser, ThrowsOnlyWhatItsSinkThrows) {
   static_assert(noexcept(parser.counters())&& noexcept(parser.reset()));
 }
 
-/// The framing, counting the bytes it looks at.
+/// The framing, counting the inspected bytes.
 struct CountingFraming : Framing {
-  // The parser asks its rules without an object.
+  // Static, because the parser calls the rules without an object.
   static inline std::uint64_t operations = 0;  // NOLINT(*-avoid-non-const-global-variables)
 
   static Candidate inspect(const std::uint8_t* bytes, std::size_t available) {
@@ -364,17 +365,17 @@ Bytes repeat(const Bytes& pattern, std::size_t size) {
   return s;
 }
 
-// However hostile the stream and however it is cut, a byte costs at most about the length of a
-// frame. (What the parser copies is bounded by what it inspects, one frame per judgement.)
+// For every stream and every chunk size, a byte costs at most about the length of a frame. (The
+// parser copies no more than it inspects: one frame per verdict.)
 TEST(Parser, DoesBoundedWorkPerByte) {
   const std::vector<Bytes> patterns{
-      {0x3E},                                          // every byte is a start
-      {0x3E, 0x3F, 0xFF},                              // every third starts a header, 255 bytes
-      {0x3E, 0x01, 0xFF, 0x00},                        // every fourth
-      {0x3E, 0x00, 0x00, 0x00},                        // id 0
-      make_frame(1, repeat({0x3E, 0x3F, 0xFF}, 255)),  // the same in good frames
-      concat({{0x3E, 1, 255, 0}, Bytes(256, 0x3E)}),   // a false frame full of starts
-      concat({{0x3E, 1, 254, 255}, repeat(motors_on, 255)}),  // or of frames
+      {0x3E},                    // every byte is a start byte
+      {0x3E, 0x3F, 0xFF},        // every third byte starts a header, 255 bytes
+      {0x3E, 0x01, 0xFF, 0x00},  // every fourth byte
+      {0x3E, 0x00, 0x00, 0x00},  // id 0
+      make_frame(1, repeat({0x3E, 0x3F, 0xFF}, 255)),         // the same in valid frames
+      concat({{0x3E, 1, 255, 0}, Bytes(256, 0x3E)}),          // a false frame full of start bytes
+      concat({{0x3E, 1, 254, 255}, repeat(motors_on, 255)}),  // or full of frames
       Random(1).noise(1000),
   };
   for (const Bytes& pattern : patterns) {

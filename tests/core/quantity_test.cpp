@@ -1,4 +1,4 @@
-// Physical quantities: exact both ways, rounded to nearest, and never mixed.
+// Tests of physical quantities: conversion is exact or rounded to nearest, and units do not mix.
 
 #include <cmath>
 #include <concepts>
@@ -23,7 +23,7 @@ concept IsQuantity = RawValue<T> && requires {
   T::unit;
 };
 
-/// Raw values to try: all of 8 and 16 bits, a sample of more.
+/// Calls `use` with raw values: all of 8 and 16 bits, a sample of wider ones.
 template <class Raw, class Use>
 void for_raw_values(const Use& use) {
   constexpr std::int64_t lowest = std::numeric_limits<Raw>::min();
@@ -61,7 +61,7 @@ void check_quantity() {
   EXPECT_LT(Q(Raw{1}), Q(Raw{2}));
 }
 
-/// Finds the quantities in the members of all messages.
+/// Finds the quantities among the members of all messages.
 class Finder {
  public:
   template <class T>
@@ -130,7 +130,7 @@ concept Comparable = requires(A a, B b) {
 }
 || requires(A a, B b) { a < b; };
 
-// A quantity takes neither another unit nor a bare number.
+// A quantity accepts neither another unit nor a bare number.
 static_assert(Assignable<msg::Angle14&, msg::Angle14>);
 static_assert(!Assignable<msg::Angle14&, msg::Degrees>);
 static_assert(!Assignable<msg::Angle14&, msg::LongAngle14>);
@@ -147,7 +147,7 @@ static_assert(!Comparable<msg::Angle14, msg::LongAngle14>);
 static_assert(!Comparable<msg::Angle14, int>);
 static_assert(!Comparable<msg::ControlSpeed, msg::GyroRate>);
 
-// A literal converts to every quantity in its unit, and to no other.
+// A literal converts to every quantity of its unit, and to no other.
 static_assert(msg::Angle14(-30_deg).raw() == -1365);
 static_assert(msg::Angle14(-30_deg) == *msg::Angle14::from_degrees(-30));
 static_assert(std::convertible_to<decltype(45_deg), msg::Angle14>);
@@ -160,7 +160,7 @@ static_assert(std::convertible_to<decltype(45_deg), Optional<msg::Angle14>>);
 static_assert(std::convertible_to<decltype(45_deg), std::optional<msg::Angle14>>);
 static_assert(!std::convertible_to<decltype(45_V), Optional<msg::Angle14>>);
 
-// However the number is written.
+// Regardless of how the number is written.
 static_assert(msg::Voltage(12.6_V).raw() == 1260);
 static_assert(msg::Voltage(.5_V).raw() == 50);
 static_assert(msg::Voltage(1.26e1_V).raw() == 1260);
@@ -200,7 +200,7 @@ TEST(Literal, IsAPlainValue) {
   EXPECT_EQ(*number, 5U);
 }
 
-/// A quantity over a float: not rounded, but it has to fit.
+/// A quantity with a floating-point raw value is not rounded but still limited in range.
 class Radians : public detail::Quantity<Radians, float, msg::unit::deg, 1, 2> {
  public:
   using Quantity::Quantity;

@@ -1,8 +1,8 @@
-// The framing semantics, written out over a whole byte string, without any of the library's code.
+// The framing semantics implemented over a complete byte string, independently of the library.
 //
-// At each position: if the start byte stands there, the id is not 0, the header checksum holds, the
-// whole body and its checksum lie inside the string and the checksum holds, the frame is delivered
-// and the search goes on behind it; otherwise it goes on at the next position.
+// A frame is delivered at a position if the start byte is there, the id is not 0, the header
+// checksum matches, the body and its checksum are complete, and the checksum matches. The search
+// then continues after the frame; otherwise it continues at the next position.
 #pragma once
 
 #include <cstddef>
@@ -31,8 +31,8 @@ struct ReferenceResult {
 };
 
 enum class End {
-  final,  // the string is all there is: what is incomplete is false
-  open,   // more may come: the first incomplete candidate, and all behind it, waits
+  final,  // the string is complete: an incomplete candidate is not a frame
+  open,   // more may follow: the first incomplete candidate waits, with all bytes after it
 };
 
 inline ReferenceResult reference_parse(const Bytes& s, End end, std::uint64_t offset = 0) {

@@ -1,5 +1,5 @@
-// Every message, bodies of every size: what decodes encodes to the same bytes, what does not is an
-// error with a place, and no byte outside the buffers is touched.
+// Tests every message with bodies of every size: a decoded body encodes to the same bytes, any
+// other body is an error with a position, and no byte outside the buffers is touched.
 
 #include <algorithm>
 #include <cstdint>
@@ -23,14 +23,14 @@ bool all_untouched(std::span<const std::uint8_t> bytes) {
   return std::ranges::all_of(bytes, [](std::uint8_t byte) { return byte == untouched; });
 }
 
-/// Whether validation notices that a list is too long, by its size or by its counter.
+/// Returns true if validation reports a list as too long, by its size or by its counter.
 bool has_too_many_elements(const AnyMessage& message) {
   return std::ranges::any_of(message.violations(), [](const ViolationCopy& violation) {
     return violation.rule == Rule::count || violation.rule == Rule::maximum;
   });
 }
 
-/// What random conversations may have taught.
+/// Returns contexts learned from random conversations.
 const std::vector<Contexts>& learnt_contexts() {
   static const std::vector<Contexts> contexts = [] {
     RandomBodies bodies(5);
@@ -41,7 +41,7 @@ const std::vector<Contexts>& learnt_contexts() {
   return contexts;
 }
 
-/// Encodes with `encode` into buffers of exactly the right size and of every smaller one.
+/// Calls `encode` with buffers of exactly the right size and of every smaller size.
 template <class Encode>
 void check_buffers(const ByteVector& expected, const Encode& encode) {
   constexpr std::size_t margin = 8;
@@ -50,14 +50,14 @@ void check_buffers(const ByteVector& expected, const Encode& encode) {
   ASSERT_TRUE(exact) << name(exact.status.code);
   ASSERT_EQ(exact.size, expected.size());
   EXPECT_TRUE(std::equal(expected.begin(), expected.end(), out.begin()));
-  EXPECT_TRUE(all_untouched(std::span(out).last(margin))) << "written behind the buffer";
+  EXPECT_TRUE(all_untouched(std::span(out).last(margin))) << "written past the buffer";
 
   for (std::size_t size = 0; size < expected.size(); ++size) {
     std::ranges::fill(out, untouched);
     const WriteResult small = encode(std::span(out).first(size));
     EXPECT_EQ(small.status.code, Code::buffer_too_small) << "buffer of " << size;
     EXPECT_EQ(small.size, 0U);
-    EXPECT_TRUE(all_untouched(std::span(out).subspan(size))) << "behind a buffer of " << size;
+    EXPECT_TRUE(all_untouched(std::span(out).subspan(size))) << "past a buffer of " << size;
   }
 }
 
@@ -89,7 +89,7 @@ class RoundTrip : public testing::TestWithParam<MessageType> {
       EXPECT_EQ(status.code, Code::too_short);
     }
     if (GetParam().fixed_size()) {
-      EXPECT_NE(size, info().min_size) << "the right size is refused";
+      EXPECT_NE(size, info().min_size) << "the right size is rejected";
     }
   }
 };
@@ -97,7 +97,7 @@ class RoundTrip : public testing::TestWithParam<MessageType> {
 TEST_P(RoundTrip, EveryBodyThatDecodesEncodesToTheSameBytes) {
   RandomBodies bodies(info().id);
   int decoded = 0;
-  const auto used = GetParam().make();  // never cleaned: no body may shine through in the next
+  const auto used = GetParam().make();  // reused: no value may leak into the next decoding
   for (std::size_t size = 0; size <= max_body_size; ++size) {
     for (int i = 0; i < bodies_per_size; ++i) {
       SCOPED_TRACE(testing::Message() << size << " bytes, body " << i);
@@ -117,7 +117,7 @@ TEST_P(RoundTrip, EveryBodyThatDecodesEncodesToTheSameBytes) {
       if (HasFailure()) return;
     }
   }
-  EXPECT_GE(decoded, bodies_per_size) << "hardly anything decodes";
+  EXPECT_GE(decoded, bodies_per_size) << "too few bodies decode";
 }
 
 TEST_P(RoundTrip, EqualMessagesAreThoseWithEqualBytes) {
@@ -159,7 +159,7 @@ TEST_P(RoundTrip, TheDefaultMessageEncodesAndDecodes) {
   const auto message = GetParam().make();
   ByteVector buffer(max_body_size);
   if (message->encode(buffer).status.code == Code::count_mismatch) {
-    // A list of which something must be sent is empty: that is said, and nothing invented.
+    // A list with a minimum length is empty. This is reported, and no element is made up.
     const auto violations = message->violations();
     ASSERT_FALSE(violations.empty());
     EXPECT_EQ(violations[0].rule, Rule::count);

@@ -1,4 +1,4 @@
-// Byte streams that are hard on a parser, and small tools to make them.
+// Byte streams that are difficult to parse, and helpers to make them.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace sbgc::test {
 
-/// A frame, made without the library.
+/// Makes a frame without the library.
 inline Bytes make_frame(std::uint8_t id, const Bytes& body) {
   Bytes frame{0x3E, id, static_cast<std::uint8_t>(body.size()),
               static_cast<std::uint8_t>(id + body.size())};
@@ -34,18 +34,18 @@ class Random {
  public:
   explicit Random(std::uint32_t seed) : engine_(seed) {}
 
-  /// A number below `limit`.
+  /// Returns a number below `limit`.
   std::size_t below(std::size_t limit) { return engine_() % limit; }
   std::uint8_t byte() { return static_cast<std::uint8_t>(engine_()); }
 
-  /// Noise in which one byte in four is a start byte.
+  /// Returns noise in which one byte in four is a start byte.
   Bytes noise(std::size_t size) {
     Bytes bytes(size);
     for (std::uint8_t& b : bytes) b = below(4) == 0 ? std::uint8_t{0x3E} : byte();
     return bytes;
   }
 
-  /// A good frame; its body is noise, now and then with a whole frame inside.
+  /// Returns a valid frame. Its body is noise, sometimes with a complete frame inside.
   Bytes frame() {
     const auto id = static_cast<std::uint8_t>(1 + below(255));
     const std::size_t size = below(3) == 0 ? below(256) : below(20);
@@ -57,14 +57,15 @@ class Random {
     return make_frame(id, body);
   }
 
-  /// A valid header that announces a body which does not come.
+  /// Returns a valid header without the body that it announces.
   Bytes false_header() {
     const auto id = static_cast<std::uint8_t>(1 + below(255));
     const auto size = static_cast<std::uint8_t>(255 - below(40));
     return {0x3E, id, size, static_cast<std::uint8_t>(id + size)};
   }
 
-  /// Frames, whole and damaged, with noise, false headers and runs of one byte between them.
+  /// Returns frames, complete and damaged, with noise, false headers and runs of one byte between
+  /// them.
   Bytes stream(std::size_t pieces) {
     Bytes all;
     for (std::size_t i = 0; i < pieces; ++i) {
@@ -82,7 +83,7 @@ class Random {
     return all;
   }
 
-  /// Changes, drops, inserts or repeats one byte.
+  /// Changes, removes, inserts or repeats one byte.
   void damage(Bytes& bytes) {
     const auto place = bytes.begin() + static_cast<std::ptrdiff_t>(below(bytes.size()));
     switch (below(4)) {

@@ -1,4 +1,4 @@
-/// What the tests of the codec share.
+/// Helpers shared by the tests of the codec.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ namespace sbgc::test {
 
 using ByteVector = std::vector<std::uint8_t>;
 
-/// The bytes of hex digits; white space is ignored.
+/// Converts hex digits to bytes, ignoring spaces and newlines.
 inline ByteVector from_hex(std::string_view text) {
   std::string digits;
   for (const char c : text) {
@@ -30,7 +30,7 @@ inline ByteVector from_hex(std::string_view text) {
   return bytes;
 }
 
-/// A copy with nothing readable behind it, so that a sanitizer notices the first byte too many.
+/// A copy in an allocation of exactly its size, so that a sanitizer detects a read past the end.
 class ExactCopy {
  public:
   explicit ExactCopy(std::span<const std::uint8_t> bytes)
@@ -44,7 +44,7 @@ class ExactCopy {
   std::size_t size_;
 };
 
-/// decode() with the context that the message needs, if it needs one.
+/// Calls decode() with the context that the message needs, if any.
 template <class M>
 Status decode_in(std::span<const std::uint8_t> body, M& message, const Contexts& contexts) {
   if constexpr (requires { contexts.of(message); }) {
@@ -54,7 +54,7 @@ Status decode_in(std::span<const std::uint8_t> body, M& message, const Contexts&
   }
 }
 
-/// The body of a message; empty if it does not encode.
+/// Returns the body of a message, or an empty vector if it does not encode.
 template <class M>
 ByteVector body_of(const M& message) {
   ByteVector body(max_body_size);
@@ -63,7 +63,7 @@ ByteVector body_of(const M& message) {
   return body;
 }
 
-/// The frame of a message; empty if it does not encode.
+/// Returns the frame of a message, or an empty vector if it does not encode.
 template <class M>
 ByteVector frame_of(const M& message) {
   ByteVector frame(max_frame_size);
@@ -72,7 +72,7 @@ ByteVector frame_of(const M& message) {
   return frame;
 }
 
-/// Random bodies: some of any bytes, some of small ones (so that counters fit), some of extremes.
+/// Random bodies: of any bytes, of small ones (so that counters fit), and of extremes.
 class RandomBodies {
  public:
   explicit RandomBodies(std::uint32_t seed) : random_(seed) {}
@@ -86,7 +86,7 @@ class RandomBodies {
       if (kind == 2) byte = static_cast<std::uint8_t>((value >> 8) % 8);
       if (kind == 3) byte = (value >> 8) % 2 == 0 ? 0x00 : 0xFF;
     }
-    // Ids and counters mostly stand first; without this many would never be met.
+    // Most bodies start with an id or a counter, and random bytes would miss many of their values.
     if (size != 0 && random_() % 2 == 0) body[0] = static_cast<std::uint8_t>(random_() % 64);
     return body;
   }

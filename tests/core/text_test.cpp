@@ -1,4 +1,4 @@
-// Everything of the protocol as text: by to_string(), with {fmt} and in streams.
+// Tests of text output: to_string(), {fmt} and streams.
 
 #include <algorithm>
 #include <limits>

@@ -1,5 +1,5 @@
-// Every message is read and written in two ways: member by member when constant-evaluated (and on
-// hosts whose memory differs from the wire), in blocks at run time. Both must agree.
+// Every message is read and written in two ways: member by member in constant evaluation (and on
+// hosts whose memory layout differs from the wire), in blocks at run time. Both must agree.
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@
 namespace sbgc::test {
 namespace {
 
-/// A body in which no two neighbouring bytes are equal, and no float is NaN.
+/// A body in which neighboring bytes differ, and no float is NaN.
 struct Body {
   std::array<std::uint8_t, max_body_size> bytes{};
   std::size_t size{};
@@ -33,7 +33,7 @@ constexpr Body pattern(std::size_t size, std::uint8_t first) {
   return body;
 }
 
-/// The longest such body that decodes; the first byte may be a counter.
+/// Returns the longest such body that decodes; its first byte may be a counter.
 template <class M>
 constexpr Body body_for() {
   for (std::size_t size = M::max_size; size + 1 > M::min_size; --size) {
@@ -76,7 +76,8 @@ void check() {
   written.size = encode(read_member_by_member<M>, written.bytes).size;
   EXPECT_TRUE(std::ranges::equal(written.view(), body.view()));
 
-  // A frame's checksum is that of the message in memory where possible, else of the bytes written.
+  // The checksum of a frame is computed from the message in memory if possible, otherwise from the
+  // bytes written.
   const auto id = static_cast<std::uint8_t>(M::command);
   std::array<std::uint8_t, max_frame_size> framed{};
   std::array<std::uint8_t, max_frame_size> expected{};

@@ -1,4 +1,4 @@
-// The small value types that messages are made of.
+// Tests of the small value types that messages consist of.
 
 #include <cstdint>
 #include <string_view>
@@ -60,7 +60,7 @@ TEST(BoundedArray, ComparesWhatIsInUse) {
   b.clear();
   EXPECT_EQ(a, b);
   a.push_back(1);
-  EXPECT_NE(a, b) << "what lies behind the end is the same, the size is not";
+  EXPECT_NE(a, b) << "the bytes past the end are equal, the sizes are not";
   EXPECT_NE(b, a);
 }
 
@@ -83,7 +83,7 @@ TEST(Text, IsPaddedWithNul) {
   EXPECT_EQ(std::string_view(text.data(), text.size()), "abcd");
   EXPECT_TRUE(text.assign("x"sv));
   EXPECT_EQ(text.bytes, (std::array<char, 4>{'x', 0, 0, 0}));
-  // Only what follows the last other character is padding.
+  // Only trailing zeros are padding.
   EXPECT_TRUE(text.assign("a\0b"sv));
   EXPECT_EQ(text.size(), 3U);
 }
@@ -169,7 +169,7 @@ TEST(Packed, AValueOfTheMainPartIsTheWhole) {
   EXPECT_EQ(mode.mode(), msg::ControlMode::speed);
   mode = msg::ControlMode::angle;
   EXPECT_EQ(mode.raw(), 2);
-  // What has no bits in the part does not reach the others.
+  // Bits outside the part do not leak into other parts.
   EXPECT_EQ(msg::ControlMode(static_cast<msg::ControlModeKind>(0x92)).raw(), 2);
 
   const msg::RcMap map = msg::RcMap::adc2;

@@ -1,4 +1,4 @@
-// What validation reports: every rule, with the path, the value and the limit.
+// Tests of validation: every rule, with path, value and limit.
 
 #include <cmath>
 #include <cstdint>
@@ -42,7 +42,7 @@ TEST(Validate, MaximumAndSpecialValues) {
   msg::BeepSound message = good_beep();
   message.note_freq_hz[0] = msg::NoteFrequency(msg::BeepSound::pause);
   message.note_length = msg::NoteLength(0);
-  EXPECT_EQ(violations_of(message), Violations{}) << "these mean something else";
+  EXPECT_EQ(violations_of(message), Violations{}) << "these have another meaning";
   message.note_freq_hz[0] = msg::NoteFrequency(21001);
   message.decay_factor = 16;
   EXPECT_EQ(violations_of(message), (Violations{{"decay_factor", 16, 15, Rule::maximum},
@@ -100,7 +100,7 @@ TEST(Validate, PathsThroughAxesAndLists) {
                                {"servo_out[3]", 33, 32, Rule::maximum}}));
 }
 
-// The limits of an adjustable variable depend on which one it is.
+// The limits of an adjustable variable depend on its id.
 TEST(Validate, PathsIntoRecords) {
   msg::SetAdjVarsVal message;
   for (int i = 0; i < 3; ++i) message.params.push_back({msg::VariableId(0), 255});
@@ -128,7 +128,7 @@ TEST(Validate, NotANumberAndInfinity) {
   EXPECT_EQ(violations[2].rule, Rule::minimum);
 }
 
-// Reserved bytes, unknown flags and unknown enum values belong to later firmware.
+// Reserved bytes, unknown flags and unknown enum values are reserved for later firmware.
 TEST(Validate, TheUnknownIsNotRejected) {
   msg::BeepSound message = good_beep();
   message.reserved.fill(0xFF);
@@ -184,7 +184,7 @@ TEST(FieldPath, IsCutOffSafely) {
     }
     EXPECT_EQ(length, std::min(space - 1, full.size()));
     EXPECT_EQ(std::string(out), full.substr(0, space - 1));
-    EXPECT_EQ(out[space], '#') << "written behind the space";
+    EXPECT_EQ(out[space], '#') << "written past the end";
   }
 }
 

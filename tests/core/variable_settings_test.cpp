@@ -1,4 +1,4 @@
-// The adjustable variables and the settings they stand for.
+// Tests of the adjustable variables and the settings they represent.
 
 #include <algorithm>
 #include <cstdint>
@@ -18,7 +18,7 @@
 namespace sbgc::test {
 namespace {
 
-/// Settings of each kind that a variable can stand for.
+/// One setting of each kind that a variable can represent.
 struct Settings {
   template <class M>
   constexpr M& of() {
@@ -62,7 +62,7 @@ bool stands_for_none(msg::VariableId id) {
          id == msg::VariableId::gyro_heading_correction;
 }
 
-/// How much of the variable one step of the setting is.
+/// Returns the change of the variable for one step of the setting.
 std::int32_t step_of(msg::VariableId id) {
   switch (id) {
     case msg::VariableId::acc_limiter:
@@ -113,7 +113,7 @@ TEST(VariableSettings, NothingBesideTheSettingChanges) {
     }
   }
   std::sort(seen.begin(), seen.end());
-  EXPECT_EQ(std::unique(seen.begin(), seen.end()), seen.end()) << "each has a place of its own";
+  EXPECT_EQ(std::unique(seen.begin(), seen.end()), seen.end()) << "each has its own location";
 }
 
 TEST(VariableSettings, PlacesOfSome) {
@@ -137,7 +137,7 @@ TEST(VariableSettings, LimitOfTheAccelerationCountsInOtherSteps) {
   EXPECT_EQ(settings.of<msg::ReadParamsExt2>().acc_limiter3.yaw.raw(), 101);
   EXPECT_EQ(settings.of<msg::ReadParamsExt2>().acc_limiter3.roll.raw(), 100);
   EXPECT_EQ(*variable_value(settings, msg::VariableId::acc_limiter), 500)
-      << "the first one is told";
+      << "the first one is reported";
   EXPECT_EQ(*variable_value(settings, msg::VariableId::acc_limiter_yaw), 505);
 }
 

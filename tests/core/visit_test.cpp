@@ -1,4 +1,4 @@
-// What visit() hands to visitors that want some of the messages.
+// Tests of visit() with visitors that accept only some messages.
 
 #include <array>
 #include <cstdint>
@@ -98,7 +98,7 @@ TEST(Visit, SeveralLambdas) {
   EXPECT_EQ(others, 2);
 }
 
-// WriteParams3 is derived from ReadParams3: they have one body.
+// WriteParams3 is derived from ReadParams3: they share a body.
 TEST(Visit, AMessageDerivedFromAnotherIsAnotherOne) {
   const Framed write(msg::WriteParams3{});
   int reads = 0;

@@ -38,12 +38,12 @@ static_assert(is_wire_form<std::int32_t>(std::numeric_limits<std::int32_t>::min(
                                          Array<4>{0, 0, 0, 0x80}));
 static_assert(is_wire_form<float>(-1.5F, Array<4>{0x00, 0x00, 0xC0, 0xBF}));
 static_assert(std::bit_cast<std::uint32_t>(load<float>(Array<4>{1, 0, 0xA0, 0x7F}.data())) ==
-              0x7FA00001);  // a signalling NaN
+              0x7FA00001);  // a signaling NaN
 
 static_assert(noexcept(load<float>(nullptr)) && noexcept(store<float>(nullptr, 0)));
 
-/// Every function, as compiled for this host and for one with the other byte order (which on a
-/// little-endian machine is the code that big-endian ones run), on unaligned bytes.
+/// Tests every function for this host's byte order and for the other one (on a little-endian host,
+/// the code that big-endian hosts run), with unaligned bytes.
 template <class T>
 class Wire : public testing::Test {
  protected:

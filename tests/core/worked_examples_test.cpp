@@ -1,4 +1,4 @@
-// The worked examples of the specification, every field by hand.
+// The worked examples of the specification, with every field written by hand.
 
 #include <array>
 #include <cstdint>

@@ -1,4 +1,4 @@
-"""What ./dev says about the tests and the machine."""
+"""Tests of the messages of ./dev about the tests and the machine."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ TESTS = {
 
 
 def summary_of(folder: Path, *names: str) -> tuple[int, list[str]]:
-    """The exit status and the lines of the summary, after ctest has run these of TESTS."""
+    """Runs the named TESTS with ctest; returns exit status and lines of the summary."""
     (folder / "CTestTestfile.cmake").write_text("\n".join(TESTS[name] for name in names))
     report = folder / "tests.xml"
     ctest = ["ctest", "--test-dir", str(folder), "--output-junit", str(report)]
@@ -56,10 +56,10 @@ def test_skipped_cases_are_listed(tmp_path: Path) -> None:
 
 
 def test_fresh_wants_root() -> None:
-    # From standard input, because another user may not see the folder.
+    # The script is piped, because the other user may be unable to read the folder.
     user = ["setpriv", "--reuid=65534", "--clear-groups"] if os.geteuid() == 0 else []
     if user and subprocess.run([*user, "true"], capture_output=True, check=False).returncode != 0:
-        pytest.skip("this user cannot become another one")
+        pytest.skip("cannot switch to another user")
     script = (HERE / "fresh").read_text(encoding="utf-8")
     done = subprocess.run(
         [*user, "bash", "-s"], input=script, capture_output=True, text=True, check=False, cwd="/"

@@ -1,7 +1,7 @@
-"""Summarises a run of ctest from the JUnit file of `ctest --output-junit FILE`.
+"""Summarizes a run of ctest from the JUnit file of `ctest --output-junit FILE`.
 
-The exit status is 1 if a test was skipped: `./dev test` installs what the tests need, so each can run.
-Cases that do not apply to this machine, and that a test program skips itself, are listed.
+The exit status is 1 if a test was skipped: `./dev test` installs the requirements of all tests, so each
+can run. Cases that a test program itself skips, because they do not apply to this machine, are listed.
 """
 
 from __future__ import annotations
@@ -11,19 +11,19 @@ import sys
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
-# A skipped case in the output of GoogleTest, and of pytest with -rs.
+# A skipped case in the output of GoogleTest or of pytest with -rs.
 SKIPPED_CASE = re.compile(
     r"^(?:\[  SKIPPED \] (\w+\.\w+) \(\d+ ms\)|SKIPPED \[\d+\] (.+))$", re.MULTILINE
 )
 
 
 def skipped_cases(output: str) -> list[str]:
-    """The names of the cases that the output of one test says it skipped."""
+    """Returns the names of the skipped cases in the output of one test."""
     return [googletest or pytest for googletest, pytest in SKIPPED_CASE.findall(output)]
 
 
 def summarize(report: Path) -> tuple[list[str], bool]:
-    """The lines to print, and whether every test has run."""
+    """Returns the lines to print, and True if every test has run."""
     results: dict[str, list[str]] = {"run": [], "fail": [], "notrun": []}
     cases, reasons = [], []
     for test in ET.parse(report).getroot().iter("testcase"):

@@ -1,4 +1,4 @@
-"""The site as it is rendered, once for all tests."""
+"""Renders the site once for all tests."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ def layout() -> Layout:
 
 @pytest.fixture(scope="session")
 def files(layout: Layout) -> dict[str, bytes]:
-    """All files of the site by their path."""
+    """All files of the site by path."""
     return dict(target("site").files(layout, PROJECT))
 
 
 @pytest.fixture(scope="session")
 def pages(files: dict[str, bytes]) -> dict[str, Page]:
-    """The pages by their path."""
+    """All pages by path."""
     return {
         path: read(path, content.decode())
         for path, content in files.items()

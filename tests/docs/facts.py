@@ -1,4 +1,4 @@
-"""Every fact of the model that a reference has to tell, with the place where a reader looks for it."""
+"""All facts of the model that a reference has to document, and where a reader looks for them."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ Wanted = Union[str, Fraction]
 
 @dataclass(frozen=True)
 class Place:
-    """Where a fact stands.
+    """The place of a fact.
 
     `kind` is "message", "enum", "packed", "unit", "variables", "errata" or "commands"; `name` is
-    the message, type or (with a direction) message and direction; `hook` the path of a leaf, the
-    name of a value or variable, the number of an erratum; "" is the page as a whole.
+    the message, type or (with a direction) message and direction; `hook` is the path of a leaf, the
+    name of a value or variable, or the number of an erratum; "" is the page as a whole.
     """
 
     kind: str
@@ -43,10 +43,10 @@ class Place:
 
 @dataclass(frozen=True)
 class Fact:
-    """Something that must be found at a place: a text, or a number in whatever form.
+    """Something that must be found at a place: a text, or a number in any notation.
 
-    `column` names the column of the place's row that it must stand in, if it has such a column;
-    `flags` are those of a regular expression, for a text that may be written in capitals or not.
+    `column` is the column of the place's row that must contain it, if the row has such a column;
+    `flags` are regular expression flags, for a text whose case may differ.
     """
 
     place: Place
@@ -56,7 +56,7 @@ class Fact:
     flags: int = 0
 
     def holds(self, text: str) -> bool:
-        """Whether a text tells this fact."""
+        """Returns True if the text contains this fact."""
         if isinstance(self.wanted, Fraction):
             return any(_same(number, self.wanted) for number in numbers(text))
         wanted = " ".join(self.wanted.split())
@@ -68,16 +68,16 @@ class Pages(Protocol):
     """A rendered reference."""
 
     def text(self, place: Place, column: str) -> str | None:
-        """What stands at a place, None if there is no such place."""
+        """Returns the text at a place, or None if there is no such place."""
 
 
 def missing(facts: Iterator[Fact] | list[Fact], pages: Pages) -> list[Fact]:
-    """The facts that the pages do not tell where they should."""
+    """Returns the facts that the pages lack at their place."""
     return [f for f in facts if not f.holds(pages.text(f.place, f.column) or "")]
 
 
 def numbers(text: str) -> Iterator[Fraction]:
-    """The numbers in a text: 12, -0.5, 360/16384, 0x3E."""
+    """Yields the numbers in a text: 12, -0.5, 360/16384, 0x3E."""
     text = text.replace("\u2212", "-").replace("..", " .. ")
     for word in re.findall(r"(?<![\w.])0x[0-9A-Fa-f]+", text):
         yield Fraction(int(word, 16))
@@ -88,12 +88,12 @@ def numbers(text: str) -> Iterator[Fraction]:
 
 
 def _same(number: Fraction, wanted: Fraction) -> bool:
-    """Equal, or as near as six digits can tell."""
+    """Returns True if the numbers are equal within six digits."""
     return number == wanted or abs(number - wanted) < abs(wanted) * Fraction(6, 1000000)
 
 
 def one_of_each_kind(facts: list[Fact]) -> list[Fact]:
-    """The first fact of each kind."""
+    """Returns the first fact of each kind."""
     found: dict[str, Fact] = {}
     for fact in facts:
         found.setdefault(fact.kind, fact)
@@ -101,12 +101,12 @@ def one_of_each_kind(facts: list[Fact]) -> list[Fact]:
 
 
 def kind_of(fact: Fact) -> str:
-    """How a fact is called in a test."""
+    """Returns the id of a fact in pytest."""
     return fact.kind
 
 
 def shapes_of(fact: Fact) -> re.Pattern[str]:
-    """Whatever a fact's text or number may look like."""
+    """Returns a pattern of all notations of a fact's text or number."""
     if isinstance(fact.wanted, str):
         shapes = [r"\s+".join(re.escape(word) for word in fact.wanted.split())]
     else:
@@ -119,7 +119,7 @@ def shapes_of(fact: Fact) -> re.Pattern[str]:
 
 
 def all_facts(layout: Layout) -> Iterator[Fact]:
-    """All of them."""
+    """Yields all facts of the protocol."""
     for message in layout.messages:
         yield from facts_of_message(message)
     for enum in layout.enums:
@@ -134,7 +134,7 @@ def all_facts(layout: Layout) -> Iterator[Fact]:
 
 
 def facts_of_message(message: Message) -> Iterator[Fact]:
-    """What the page of a message tells."""
+    """Yields the facts on the page of a message."""
     place = Place("message", message.name, message.direction)
     yield Fact(place, "message", message.name)
     yield Fact(place, "message command", message.command)
@@ -249,7 +249,7 @@ def _leaf(message: Message, leaf: Leaf) -> Iterator[Fact]:
         yield Fact(place, "field reserved", "reserved", "meaning", re.IGNORECASE)
     if field.min_count and not field.index:
         yield Fact(place, "field least elements", Fraction(field.min_count), "meaning")
-    if field.max_count is not None and not field.index:  # else there is a row for each of them
+    if field.max_count is not None and not field.index:  # else each element has its own row
         yield Fact(place, "field most elements", Fraction(field.max_count), "meaning")
     if field.align != 1:
         yield Fact(place, "field alignment", Fraction(field.align), "meaning")

@@ -1,4 +1,4 @@
-"""The site as its readers see it: elements by their id, and the cells of rows of tables."""
+"""The text of the site's pages: elements by id, and the cells of table rows."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ from sbgcgen.model.names import slug
 
 _EMPTY = {"area", "base", "br", "col", "hr", "img", "input", "link", "meta", "source", "wbr"}
 _APART = {"td", "th", "li", "p", "dd", "dt", "div", "br", "h1", "h2", "h3", "tr", "small"}
-# In which columns of a row a reader looks for what; an empty list is the row as a whole.
+# The columns of a row in which a reader looks for each kind of fact; an empty list is the whole
+# row.
 _COLUMNS = {
     "offset": ["Offset"],
     "type": ["Type"],
@@ -35,7 +36,7 @@ class Element:
     children: list[Element | str] = field(default_factory=list)
 
     def text(self) -> str:
-        """All text in it, with what the titles of elements say that links can lead to."""
+        """Returns all text in it, including the titles of elements that are link targets."""
         parts = [child if isinstance(child, str) else child.text() for child in self.children]
         if "id" in self.attributes:
             parts.insert(0, f" {self.attributes.get('title', '')} ")
@@ -43,14 +44,14 @@ class Element:
         return f" {text} " if self.tag in _APART or "id" in self.attributes else text
 
     def all(self) -> Iterator[Element]:
-        """It and all elements in it."""
+        """Yields the element and all its descendants."""
         yield self
         for child in self.children:
             if isinstance(child, Element):
                 yield from child.all()
 
     def around(self, *tags: str) -> Element | None:
-        """The nearest element around it, or itself, that has one of these tags."""
+        """Returns the nearest enclosing element, or the element itself, with one of these tags."""
         element: Element | None = self
         while element is not None and element.tag not in tags:
             element = element.parent
@@ -83,7 +84,7 @@ class _Reader(HTMLParser):
 
 @dataclass
 class Page:
-    """A page, without what stands on every page; its elements by id."""
+    """A page, without the parts that all pages share; its elements by id."""
 
     main: Element
     by_id: dict[str, Element]
@@ -91,7 +92,7 @@ class Page:
 
 @lru_cache(maxsize=None)
 def page_of(text: str) -> Page:
-    """Parses a page; an element that is not closed fails."""
+    """Parses a page; fails on an unclosed element."""
     reader = _Reader()
     reader.feed(text)
     reader.close()
@@ -105,7 +106,7 @@ def page_of(text: str) -> Page:
 
 
 class HtmlPages:
-    """The files of the site by their path."""
+    """The files of the site by path."""
 
     def __init__(self, files: Mapping[str, str], families: Mapping[str, str]) -> None:
         self.files = files
@@ -119,21 +120,21 @@ class HtmlPages:
         page = page_of(self.files[name])
         if not id_:
             return page.main.text()
-        # Some ids are the name of what they stand for and nothing else.
+        # Some ids are only the name of the documented item.
         element = page.by_id.get(id_) or page.by_id.get(place.hook)
         if element is None:
             return None
         text = _text_of(element, column)
-        # Members stand under the group that they belong to, with the rest of their path.
+        # The row of a member shows only the last part of its path, below its group.
         is_shown = place.hook.rpartition(".")[2] in text
         return f"{text} {place.hook}" if column == "field" and is_shown else text
 
     def page_name(self, place: Place) -> str:
-        """The file that a place is in."""
+        """Returns the file that contains a place."""
         return self._where(place)[0]
 
     def _where(self, place: Place) -> tuple[str, str]:
-        """The page and the id of a place."""
+        """Returns the page and the id of a place."""
         folders = {"message": "messages", "enum": "enums", "packed": "packed", "unit": "units"}
         hooks = {"message": "field-", "enum": "value-", "variables": "variable-"}
         id_ = hooks.get(place.kind, "") + place.hook if place.hook else ""

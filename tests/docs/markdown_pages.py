@@ -1,4 +1,4 @@
-"""generated/docs/ as its readers see it: sections, and rows of tables, without the markup."""
+"""The text of generated/docs/: sections and table rows, without the markup."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _COLUMNS = {
 
 
 def plain(text: str) -> str:
-    """Markdown without its markup."""
+    """Returns the text without Markdown."""
     text = re.sub(r"\[((?:[^\]\\]|\\.)*)\]\([^)]*\)", r"\1", text)
     text = re.sub(r"<[^>]*>", " ", text)
     parts = re.split(r"(`[^`]*`)", text)
@@ -39,19 +39,19 @@ def plain(text: str) -> str:
 
 @dataclass
 class Section:
-    """What stands under a heading, without examples; rows of tables by their columns."""
+    """The text under a heading, without examples; table rows by column."""
 
     text: str = ""
     rows: list[dict[str, str]] = field(default_factory=list)
 
     def row(self, column: str, value: str) -> dict[str, str] | None:
-        """The row that has a value in a column."""
+        """Returns the row with this value in a column."""
         return next((row for row in self.rows if row.get(column) == value), None)
 
 
 @lru_cache(maxsize=None)
 def sections_of(page: str) -> dict[str, Section]:
-    """The sections of a page by heading; what comes before the second-level ones has its title."""
+    """Returns the sections of a page by heading; text before them is under the title."""
     page = re.sub(r"<details>.*?</details>", "", page, flags=re.DOTALL)
     found: dict[str, Section] = {}
     for part in re.split(r"^#+ ", page, flags=re.MULTILINE)[1:]:
@@ -73,7 +73,7 @@ def sections_of(page: str) -> dict[str, Section]:
 
 
 class MarkdownPages:
-    """The files of generated/docs/ by their path below it."""
+    """The files of generated/docs/ by their path in it."""
 
     def __init__(self, files: Mapping[str, str]) -> None:
         self.sections = {name: sections_of(text) for name, text in files.items()}

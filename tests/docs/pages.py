@@ -1,4 +1,4 @@
-"""Reads pages of the site into what the tests ask about. Strict: no element is closed by guessing."""
+"""Reads pages of the site for the tests. Strict: every element must be closed explicitly."""
 
 from __future__ import annotations
 
@@ -8,19 +8,19 @@ from html.parser import HTMLParser
 from typing import Any, Optional
 from urllib.parse import unquote, urljoin
 
-# Elements without content: those of HTML, and those of SVG that the site has.
+# Elements without content: those of HTML, and the SVG elements that the site uses.
 VOID = frozenset("br hr img input link meta wbr path circle ellipse".split())
 
 
 @dataclass
 class Element:
-    """An element with its attributes and everything in it."""
+    """An element with its attributes and contents."""
 
     tag: str
     attributes: dict[str, str]
     parent: Optional[Element] = None
     children: list[Element] = field(default_factory=list)
-    texts: list[object] = field(default_factory=list)  # str and Element in their order
+    texts: list[object] = field(default_factory=list)  # str and Element in order
 
     @property
     def text(self) -> str:
@@ -30,7 +30,7 @@ class Element:
         return self.attributes.get(name, "")
 
     def all(self, *tags: str) -> list[Element]:
-        """The descendants with one of these tags, or all of them."""
+        """Returns the descendants with one of these tags, or all of them."""
         found = []
         for child in self.children:
             if not tags or child.tag in tags:
@@ -79,7 +79,7 @@ class _Reader(HTMLParser):
 
 @dataclass(frozen=True)
 class Page:
-    """A page by its path below the site."""
+    """A page, identified by its path in the site."""
 
     path: str
     root: Element
@@ -90,7 +90,7 @@ class Page:
 
     @property
     def links(self) -> list[tuple[str, str]]:
-        """Where its links go: path below the site (or a URL), and fragment."""
+        """Returns the targets of its links: path in the site (or a URL), and fragment."""
         result = []
         for element in self.root.all("a"):
             page, _, fragment = element.get("href").partition("#")
@@ -100,7 +100,7 @@ class Page:
 
 
 def read(path: str, text: str) -> Page:
-    """A page; fails if an element is not closed properly."""
+    """Parses a page; fails if an element is not closed."""
     reader = _Reader()
     reader.feed(text)
     reader.close()
@@ -111,7 +111,7 @@ def read(path: str, text: str) -> Page:
 
 @dataclass(frozen=True)
 class Found:
-    """Something that the search knows."""
+    """An entry of the search index."""
 
     kind: str
     name: str
@@ -122,7 +122,7 @@ class Found:
 
 
 def search_index(files: dict[str, bytes]) -> list[Found]:
-    """The entries that the search knows."""
+    """Returns the entries of the search index."""
     text = files["assets/search-index.js"].decode()
     index = json.loads(text[text.index("{") : text.rindex("}") + 1])
     return [_found(*entry) for entry in index["entries"]]

@@ -1,4 +1,4 @@
-"""The site of random specs: whatever the spec language can say, the pages can show."""
+"""Renders the site of random specs: the pages support every construct of the spec language."""
 
 from __future__ import annotations
 

@@ -1,5 +1,4 @@
-"""Every example on the site is true: its C++ compiles and does what the page says, and so does every
-command line."""
+"""Every example on the site is correct: the C++ and the commands do what the pages describe."""
 
 from __future__ import annotations
 
@@ -41,13 +40,13 @@ def only(page: Page, name: str) -> Element:
 
 
 def values_of(page: Page) -> list[list[str]]:
-    """Path, raw value and meaning of each row of the example."""
+    """Returns path, raw value and meaning of each row of the example."""
     rows = [e for e in page.root.all("tr") if "data-value" in e.attributes]
     return [json.loads(row.get("data-value")) for row in rows]
 
 
 def shown_frame(page: Page) -> str:
-    """The frame as the page shows it, in lower case without blanks."""
+    """Returns the frame shown on the page, in lower case without blanks."""
     (frame,) = [e for e in page.root.all("pre") if "data-frame" in e.attributes]
     return re.sub(r"\s", "", frame.text).lower()
 
@@ -57,7 +56,7 @@ def message_pages(pages: Pages, layout: Layout) -> dict[str, Page]:
     return {m.name: pages[f"messages/{slug(m.name)}.html"] for m in layout.definitions}
 
 
-# The frames
+# ---- the frames ----
 
 
 def test_frame_is_whole_and_is_the_first_vector(
@@ -95,7 +94,7 @@ def test_rows_hold_the_bytes_of_the_frame(message_pages: dict[str, Page]) -> Non
 
 
 def test_examples_show_something(message_pages: dict[str, Page], layout: Layout) -> None:
-    """Messages that say something have an example that does so, too."""
+    """A message with content has an example with values."""
     for message in layout.definitions:
         values = values_of(message_pages[message.name])
         known = [leaf for leaf in message.leaves if not leaf.field.reserved]
@@ -105,11 +104,11 @@ def test_examples_show_something(message_pages: dict[str, Page], layout: Layout)
             assert any(raw not in ("0", "") for _, raw, _ in values), message.name
 
 
-# Whoever copies an example does no harm with it
+# ---- safety: a copied example does no harm ----
 
 
 def harmless(message: Message) -> list[Piece]:
-    """The values of an example, without those that are padding."""
+    """Returns the values of an example, without padding."""
     return [p for p in example_of(message, LAYOUT).pieces if not p.is_padding]
 
 
@@ -138,7 +137,7 @@ def test_what_moves_does_so_slowly() -> None:
 
 
 def test_captures_to_try_the_decoder_with_move_slowly() -> None:
-    """They are copied, too."""
+    """These may be copied, too."""
     done = subprocess.run(
         f"cat {PROJECT}/docs/captures/*.hex | {SBGC} decode --hex --format jsonl --from host",
         shell=True,
@@ -170,7 +169,7 @@ def test_vectors_have_the_length_1() -> None:
 
 
 def test_nothing_is_out_of_range_or_unnamed() -> None:
-    """Also where `sbgc encode`, which the pages show, would let it pass."""
+    """Includes checks that `sbgc encode`, as the pages show it, does not make."""
     for message in LAYOUT.messages:
         for piece in harmless(message):
             field, value = piece.field, piece.value
@@ -195,7 +194,7 @@ def test_examples_of_the_attitude_are_those_of_the_normal_position() -> None:
 
 
 def test_storage_is_written_with_what_was_read() -> None:
-    """Of memory whose meaning nobody knows, the examples write what the ones for reading deliver."""
+    """The examples that write memory of unknown meaning write the values of the reading examples."""
     bodies = {m.name: example_of(m, LAYOUT).body for m in LAYOUT.messages}
     assert bodies["EepromWrite"] == bodies["EepromRead"]
     assert len(bodies["WriteExternalData"]) == len(bodies["ReadExternalData"])
@@ -243,7 +242,7 @@ def test_what_only_the_board_knows_is_read_before_it_is_written(pages: Pages) ->
         assert read is not None and example_of(message, LAYOUT).changed
 
 
-# The command lines
+# ---- the command lines ----
 
 
 def run(command: str, folder: Path) -> str:
@@ -252,7 +251,7 @@ def run(command: str, folder: Path) -> str:
         capture_output=True,
         text=True,
         timeout=60,
-        # bash complains about a locale that is not there
+        # Bash complains about missing locales.
         env={**os.environ, "PATH": f"{folder}:{os.environ['PATH']}", "LC_ALL": "C.UTF-8"},
     )
     assert (done.returncode, done.stderr) == (0, ""), command
@@ -261,7 +260,7 @@ def run(command: str, folder: Path) -> str:
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder for PATH in which the command is called sbgc."""
+    """A folder for PATH that contains the command under the name sbgc."""
     path = tmp_path_factory.mktemp("bin")
     assert Path(SBGC).is_file(), f"{SBGC} is not built"
     (path / "sbgc").symlink_to(SBGC)
@@ -286,7 +285,7 @@ def test_every_command_gives_what_the_page_says(pages: Pages, folder: Path) -> N
 
 
 def frames_of(text: str) -> list[list[str]]:
-    """The lines of `sbgc decode` by frame, without the last line, which counts."""
+    """Returns the lines of `sbgc decode` by frame, without the summary in the last line."""
     frames: list[list[str]] = []
     *lines, last = text.splitlines()
     assert re.match(r"\d+ frames?, 0 bytes skipped", last), text
@@ -298,7 +297,7 @@ def frames_of(text: str) -> list[list[str]]:
     return frames
 
 
-# The C++
+# ---- the C++ ----
 
 
 @dataclass(frozen=True)
@@ -323,7 +322,7 @@ def snippet_of(page: Page) -> Snippet:
 
 
 def program_of(snippets: list[Snippet]) -> str:
-    """One program for several examples, each in a function of its own."""
+    """Returns one program for several examples, each in its own function."""
     includes = sorted({name for s in snippets for name in s.includes})
     lines = [*includes, "#include <cstddef>", "#include <cstdio>", "#include <sbgc/status.hpp>", ""]
     lines += [
@@ -342,7 +341,7 @@ def program_of(snippets: list[Snippet]) -> str:
 
 
 def test_cpp_examples(pages: Pages, layout: Layout, tmp_path: Path) -> None:
-    """A program for each family, and one for the units: what it prints is what the pages say."""
+    """One program for each family, and one for the units: it prints what the pages show."""
     groups: dict[str, list[Snippet]] = defaultdict(list)
     family = {slug(m.name): m.family for m in layout.definitions}
     for path, page in pages.items():

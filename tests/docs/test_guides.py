@@ -1,4 +1,4 @@
-"""What the guides in docs/ show: C++ compiles, commands run and print what they should, links lead."""
+"""The guides in docs/ are correct: C++ compiles, commands print their output, links are valid."""
 
 from __future__ import annotations
 
@@ -22,18 +22,18 @@ FLAGS += [f"-I{folder}" for folder in INCLUDES]
 
 
 def stem_of(guide: Path) -> str:
-    """How a guide is called in a test."""
+    """Returns the id of a guide in pytest."""
     return guide.stem
 
 
 def blocks(guide: Path, language: str) -> list[str]:
-    """The fenced blocks of a language."""
+    """Returns the fenced blocks of a language."""
     text = guide.read_text(encoding="utf-8")
     return re.findall(rf"^```{language}\n(.*?)^```$", text, re.DOTALL | re.MULTILINE)
 
 
 def compile_text(source: str, *options: str) -> str:
-    """The messages of the compiler, none if all is well."""
+    """Returns the messages of the compiler; empty on success."""
     command = ["g++", *FLAGS, "-x", "c++", *options, "-"]
     done = subprocess.run(command, input=source, capture_output=True, text=True, check=False)
     return done.stderr
@@ -48,7 +48,7 @@ def test_all_cpp_compiles() -> None:
         assert not complaint, f"{name}: {complaint}"
 
 
-# What the functions of the guides should do, as a condition on them.
+# Conditions that the functions of the guides must fulfill.
 PROMISES = {
     "1-getting-started": "turn_to(45, frame).size() == 18 && turn_to(800, frame).empty()",
     "4-framing": "frames_behind_a_broken_one() == 1",
@@ -79,13 +79,13 @@ int main() {{
 
 
 def prose(guide: Path) -> str:
-    """A guide without its fenced blocks."""
+    """Returns a guide without its fenced blocks."""
     text = guide.read_text(encoding="utf-8")
     return re.sub(r"^```.*?^```$", "", text, flags=re.DOTALL | re.MULTILINE)
 
 
 def shell_blocks() -> list[tuple[str, str, str | None]]:
-    """Guide, commands that use sbgc, and what they shall print, if that follows."""
+    """Returns guide, commands that use sbgc, and their expected output, if the guide shows it."""
     found = []
     for guide in GUIDES:
         text = guide.read_text(encoding="utf-8")
@@ -136,7 +136,7 @@ def test_links_lead_somewhere(guide: Path) -> None:
 
 @pytest.mark.parametrize("guide", GUIDES, ids=stem_of)
 def test_names_of_the_library_exist(guide: Path) -> None:
-    """Names of messages, fields and headers in running text, too."""
+    """Includes the names of messages, fields and headers in running text."""
     text = prose(guide)
     headers = "".join(
         path.read_text(encoding="utf-8") for folder in INCLUDES for path in folder.rglob("*.hpp")
@@ -157,5 +157,5 @@ def test_commands_of_dev_exist() -> None:
 
 
 def test_a_compiler_is_there() -> None:
-    """Without one, nothing of the above would be tested."""
+    """Without a compiler, the tests above would check nothing."""
     assert shutil.which("g++")

@@ -1,4 +1,4 @@
-"""generated/docs/ tells every fact of the model, where a reader looks for it, and its links lead."""
+"""generated/docs/ documents every fact of the model in the right place, and its links are valid."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ MODEL = json.loads((ROOT / "generated/simplebgc.json").read_text(encoding="utf-8
 
 
 def files() -> dict[str, str]:
-    """All pages by their path below generated/docs/."""
+    """Returns all pages by their path in generated/docs/."""
     return {
         path.relative_to(DOCS).as_posix(): path.read_text(encoding="utf-8")
         for path in sorted(DOCS.rglob("*.md"))
@@ -44,7 +44,7 @@ def test_every_fact_stands_where_it_belongs() -> None:
 
 
 def test_no_fact_of_the_exported_model_is_left_out_of_the_count() -> None:
-    """The facts come from the Layout; the JSON of the model must have as many."""
+    """The facts come from the Layout; the exported model must contain the same number."""
     counts = Counter(fact.kind for fact in FACTS)
     leaves = [
         leaf
@@ -80,16 +80,16 @@ def test_a_fact_that_is_taken_out_is_missed(fact: Fact) -> None:
 
 
 def without(fact: Fact, pages: Mapping[str, str]) -> dict[str, str]:
-    """The pages with the fact's text or number struck out everywhere."""
+    """Returns the pages with the fact's text or number removed everywhere."""
     pattern = shapes_of(fact)
-    if isinstance(fact.wanted, str):  # as Markdown writes it
+    if isinstance(fact.wanted, str):  # in Markdown notation
         pattern = re.compile(f"{re.escape(escape(fact.wanted))}|{pattern.pattern}", re.IGNORECASE)
     return {name: pattern.sub("", text) for name, text in pages.items()}
 
 
 @pytest.mark.parametrize("seed", range(1, 7))
 def test_any_other_protocol_is_told_as_well(seed: int, tmp_path: Path) -> None:
-    """Random protocols use all that the spec language has, this one does not."""
+    """Random protocols use all features of the spec language; this one does not."""
     write_spec(tmp_path, seed, 8)
     layout = load_protocol(tmp_path).layout
     made = target("docs").files(layout, tmp_path)
@@ -100,11 +100,11 @@ def test_any_other_protocol_is_told_as_well(seed: int, tmp_path: Path) -> None:
     assert not absent, absent[:20]
 
 
-# Links
+# ---- links ----
 
 
 def anchors(page: str) -> list[str]:
-    """The anchors of a page as a code host makes them of the headings."""
+    """Returns the anchors of a page as a code host derives them from the headings."""
     page = re.sub(r"```.*?```", "", page, flags=re.DOTALL)
     return [anchor(plain(title)) for title in re.findall(r"^#+ (.+)$", page, re.MULTILINE)]
 

@@ -1,4 +1,4 @@
-"""Every page: structure, links, anchors, nothing from elsewhere, small enough."""
+"""Checks of every page: structure, links, anchors, size, and no external resources."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def test_there_is_a_page_for_everything(pages: Pages, layout: Layout) -> None:
     assert len([p for p in pages if p.startswith("units/")]) == len(things[3])
 
 
-# Not rendered but compiled; ./dev docs puts it among the pages.
+# Compiled, not rendered; ./dev docs copies it into the site.
 BUILT = "assets/decoder-module.js"
 
 
@@ -42,7 +42,7 @@ def test_every_link_and_anchor_is_there(pages: Pages, files: Files) -> None:
     for page in pages.values():
         for target, fragment in page.links:
             assert target in files, f"{page.path}: {target}"
-            if target == "decoder.html" and fragment.startswith("hex="):  # what it is to decode
+            if target == "decoder.html" and fragment.startswith("hex="):  # the frame to decode
                 assert bytes.fromhex(fragment.removeprefix("hex=").partition("&")[0])
             elif fragment:
                 assert fragment in anchors[target], f"{page.path}: {target}#{fragment}"
@@ -79,7 +79,7 @@ def test_nothing_is_loaded_from_elsewhere(pages: Pages, files: Files) -> None:
 
 
 def test_links_work_from_a_folder(pages: Pages) -> None:
-    """From file:// a link must name a file, relative to its page."""
+    """On file:// URLs, a link must name a file, relative to its page."""
     for page in pages.values():
         for element in page.root.all("a"):
             href = element.get("href")
@@ -198,7 +198,7 @@ def test_lists_hold_items_only(pages: Pages) -> None:
 
 
 def test_weight_of_the_first_page(pages: Pages, files: Files) -> None:
-    """With all that it loads by itself, which the search index is not part of."""
+    """Includes everything that it loads by itself; the search index is loaded on demand."""
     start = pages["index.html"]
     loaded = {"index.html"}
     for element in start.root.all("link", "script", "img"):

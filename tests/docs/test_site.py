@@ -1,4 +1,4 @@
-"""The site tells every fact of the model, on the page and at the anchor where it belongs."""
+"""The site documents every fact of the model, on the right page and at the right anchor."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ FAMILIES = {command.name: command.family for command in LAYOUT.commands}
 
 @pytest.fixture(scope="module", name="files")
 def rendered() -> dict[str, str]:
-    """The pages by their path."""
+    """Returns the pages by path."""
     files = target("site").files(LAYOUT, ROOT)
     return {name: data.decode() for name, data in files if name.endswith(".html")}
 
@@ -49,7 +49,7 @@ def test_guides_link_pages_of_the_site(files: dict[str, str]) -> None:
 
 
 def page_part(text: str) -> str:
-    """What belongs to this page alone."""
+    """Returns the part that is specific to this page."""
     return text[text.index("<main") : text.index("</main>")]
 
 
@@ -60,10 +60,10 @@ def test_a_fact_that_is_taken_out_is_missed(fact: Fact, files: dict[str, str]) -
 
 
 def without(fact: Fact, pages: Mapping[str, str]) -> dict[str, str]:
-    """The fact's page with its text or number struck out of texts and titles; ids stay."""
+    """Returns the fact's page with its text or number removed from texts and titles; ids remain."""
     name = HtmlPages(pages, FAMILIES).page_name(fact.place)
     page, count = pages[name].replace("<wbr>", ""), 1
-    while count:  # texts in one piece
+    while count:  # join the parts of texts
         page, count = _INLINE.subn(r"\2", page)
     parts = re.split(r"(<[^>]*>)", page)
     pattern = shapes_of(fact)

@@ -1,4 +1,4 @@
-"""Code that people copy moves every axis slowly: speed 0 in an angle mode means that of the parameters."""
+"""Code to copy moves every axis slowly: in an angle mode, speed 0 means the parameters' speed."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ ANGLE_MODE = re.compile(r"ControlMode(Kind)?::\w*angle\w*")
 
 
 def sources() -> dict[str, str]:
-    """The C++ of guides, README and examples by where it stands."""
+    """Returns the C++ of guides, README and examples by location."""
     found = {}
     for path in (PROJECT / "README.md", *sorted((PROJECT / "docs").glob("*.md"))):
         text = path.read_text(encoding="utf-8")
@@ -28,7 +28,7 @@ def sources() -> dict[str, str]:
 
 
 def sets_speed_of(axis: str, code: str) -> bool:
-    """Whether the code sets the speed of an axis: by its name, in a loop over pointers, or in braces."""
+    """Returns True if the code sets the speed of an axis by name, pointer loop or braces."""
     loops = re.findall(r"for \(auto\* (\w+) : \{([^}]*)\}\)\s*\{?\s*\1->speed = ", code)
     in_loop = any(f"axes.{axis}" in members for _, members in loops)
     by_name = rf"axes\.{axis}\.speed = |\.{axis} = \{{\.speed = "

@@ -1,4 +1,4 @@
-"""The workflows of the code host: thin, with few rights, and naming only what there is."""
+"""The workflows of the code host are thin, have few rights, and name only existing files."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import yaml
 
 ROOT = Path(__file__).resolve().parents[2]
 WORKFLOWS = sorted((ROOT / ".github/workflows").glob("*.yml"))
-# What a container lacks before the project's own commands can run.
+# Setup that a container needs before the project's own commands can run.
 SET_UP = (
     "apt-get update",
     "apt-get install -y --no-install-recommends ca-certificates git",
@@ -23,18 +23,18 @@ MAY_WRITE = {"deploy": {"pages": "write", "id-token": "write"}}
 
 
 def name_of(path: Path) -> str:
-    """How a workflow is called in a test."""
+    """Returns the id of a workflow in pytest."""
     return path.stem
 
 
 def load(path: Path) -> dict[str, Any]:
-    """A workflow."""
+    """Loads a workflow."""
     loaded: dict[str, Any] = yaml.load(path.read_text(encoding="utf-8"), yaml.BaseLoader)
     return loaded
 
 
 def steps(workflow: dict[str, Any]) -> Iterator[dict[str, Any]]:
-    """The steps of all jobs."""
+    """Yields the steps of all jobs."""
     for job in workflow["jobs"].values():
         yield from job["steps"]
 

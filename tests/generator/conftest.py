@@ -1,4 +1,4 @@
-"""Makes the generator importable when pytest is started without generator/python; git as it comes."""
+"""Makes the generator importable if pytest is started without generator/python; isolates git."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "generator"))
 
 @pytest.fixture(autouse=True)
 def git_as_it_comes(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Without the settings of whoever runs the tests, and not in the repository of a hook."""
+    """Ignores the user's git settings, and the repository of a hook that runs the tests."""
     for name in list(os.environ):
         if name.startswith("GIT_"):
             monkeypatch.delenv(name)

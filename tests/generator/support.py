@@ -16,7 +16,7 @@ PROBE = "probe.yaml"
 
 
 def write_spec(folder: Path, text: str | bytes | None = None, file: str = PROBE) -> Path:
-    """Write the minimal spec to folder/spec, with `text` as the content of `file`."""
+    """Writes the minimal spec to folder/spec, with `text` as the content of `file`."""
     spec = folder / "spec"
     shutil.copytree(HERE / "minimal", spec, dirs_exist_ok=True)
     if text is not None:
@@ -26,7 +26,7 @@ def write_spec(folder: Path, text: str | bytes | None = None, file: str = PROBE)
 
 
 def findings(folder: Path, text: str | bytes | None = None, file: str = PROBE) -> list[Diagnostic]:
-    """What the generator has to say about the minimal spec with `text` as `file`."""
+    """Returns the findings for the minimal spec with `text` as `file`."""
     try:
         load_protocol(write_spec(folder, text, file))
     except SpecError as error:
@@ -35,12 +35,12 @@ def findings(folder: Path, text: str | bytes | None = None, file: str = PROBE) -
 
 
 def layout_of(folder: Path, text: str) -> Layout:
-    """The Layout of the minimal spec with the family `text`; it must have no findings."""
+    """Returns the Layout of the minimal spec with the family `text`, which must have no findings."""
     return load_protocol(write_spec(folder, text)).layout
 
 
 def message_of(layout: Layout, name: str, direction: str | None = None) -> Message:
-    """The message of that name; `direction` only where both directions have it."""
+    """Returns the message with that name; `direction` is needed only if both directions have it."""
     found = [m for m in layout.messages if m.name == name and direction in (None, m.direction)]
     assert len(found) == 1, f"{len(found)} messages are called {name}"
     return found[0]

@@ -1,4 +1,4 @@
-"""Adding a command takes YAML only: docs/10-new-commands.md, step by step."""
+"""Adding a command takes only YAML: docs/10-new-commands.md, step by step."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ int main() {
 
 
 def guide_block(language: str) -> str:
-    """The fenced block of the guide in this language."""
+    """Returns the fenced block of the guide in this language."""
     text = (ROOT / "docs/10-new-commands.md").read_text(encoding="utf-8")
     found: list[str] = re.findall(
         rf"^```{re.escape(language)}\n(.*?)^```", text, re.MULTILINE | re.DOTALL
@@ -78,7 +78,7 @@ def test_the_steps_of_the_guide(tmp_path: Path) -> None:
     )
     result = subprocess.run([program], capture_output=True, text=True, check=False)
     assert result.returncode == 0
-    # start, id 140, 5 bytes, their sum; roll, pitch, yaw = blink | 31 << 2, 500 ms; the sum
+    # Start, id 140, 5 bytes, their sum; roll, pitch, yaw = blink | 31 << 2, 500 ms; the sum.
     assert result.stdout == "3e8c0591" + "00007e" + "f401" + "73"
     assert (tmp_path / "generated/vectors/lights.jsonl").is_file()
     assert list((tmp_path / "generated/fuzz/messages").glob("to_board_set_lights_*"))

@@ -1,4 +1,4 @@
-"""The command line: exit statuses, messages, the depfile and the stamp."""
+"""Tests of the command line: exit statuses, messages, the depfile and the stamp."""
 
 from __future__ import annotations
 
@@ -113,7 +113,7 @@ def test_output_folder_with_other_files(root: Path, capsys: Capture) -> None:
 
 
 def depfile_of(text: str) -> tuple[str, list[str]]:
-    """A Make rule as its target and prerequisites."""
+    """Parses a Make rule into its target and prerequisites."""
     words = re.split(r"(?<!\\)\s+", text.replace("\\\n", " ").strip())
     names = [re.sub(r"\\([ #\\])", r"\1", word).replace("$$", "$") for word in words]
     assert names[0].endswith(":")
@@ -146,7 +146,7 @@ def test_stamp_is_not_touched_on_failure(root: Path) -> None:
 
 
 def test_as_a_program_from_anywhere(root: Path, tmp_path: Path) -> None:
-    """`python -m sbgcgen` and the launcher that looks for a Python that suits."""
+    """Runs `python -m sbgcgen` and the launcher that selects a suitable Python."""
     environment = {**os.environ, "SBGC_PYTHON": sys.executable}
     for command in ([sys.executable], [str(GENERATOR / "python")]):
         done = subprocess.run(

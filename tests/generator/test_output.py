@@ -1,4 +1,4 @@
-"""Output is reproducible to the byte, written only where it changes, and cleaned up."""
+"""Output is reproducible byte by byte, written only if it changes, and cleaned up."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ commands:
 
 
 def snapshot(folder: Path) -> dict[str, str]:
-    """Every file below a folder with the hash of its content."""
+    """Returns every file below a folder with the hash of its contents."""
     return {
         path.relative_to(folder).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
         for path in sorted(folder.rglob("*"))
@@ -45,7 +45,7 @@ def times(folder: Path) -> dict[str, int]:
 
 
 def age(folder: Path) -> None:
-    """Make every file old, so that a rewritten one can be told."""
+    """Sets old timestamps, so that rewritten files can be detected."""
     for path in folder.rglob("*"):
         if path.is_file():
             os.utime(path, ns=(10**18, 10**18))
@@ -56,7 +56,7 @@ def output(folder: Path, text: str = MESSAGE) -> Output:
 
 
 def generate(root: Path, folder: Path, seed: str, zone: str) -> dict[str, str]:
-    """Run the generator as a program of its own, in another environment."""
+    """Runs the generator as a separate program in another environment."""
     environment = {
         **os.environ,
         "PYTHONPATH": str(GENERATOR),
@@ -145,7 +145,7 @@ def test_family_that_goes_takes_its_files_with_it(tmp_path: Path) -> None:
 
 
 def test_a_folder_with_other_files_is_not_cleaned(tmp_path: Path) -> None:
-    """`--output .` in the wrong place must not delete somebody's work."""
+    """`--output .` in the wrong place must not delete other files."""
     precious = tmp_path / "out" / "thesis.txt"
     precious.parent.mkdir()
     precious.write_text("years of work")

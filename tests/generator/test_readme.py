@@ -1,4 +1,4 @@
-"""README.md, CONTRIBUTING.md and the guide to the library show only what exists."""
+"""README.md, CONTRIBUTING.md and the guide to the library refer only to existing things."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-/// Captures in tests: files that go away, and their content as readable lines.
+/// Captures in tests: temporary files, and their contents as readable lines.
 #pragma once
 
 #include <chrono>
@@ -23,10 +23,10 @@
 
 namespace sbgc::io::test {
 
-/// Any time: only differences matter.
+/// An arbitrary start time: only differences matter.
 inline constexpr CaptureWriter::Clock::time_point begin{std::chrono::hours(1000)};
 
-/// The name of a file that does not exist yet, and that does not survive this object.
+/// The name of a file that does not exist yet. The destructor removes the file.
 class TemporaryFile {
  public:
   TemporaryFile() : folder_(testing::TempDir() + "sbgc_XXXXXX") {
@@ -56,7 +56,7 @@ class TemporaryFile {
   std::string folder_;
 };
 
-/// No file of this process may become larger, as on a full disk.
+/// Limits the size of files written by this process, to simulate a full disk.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(std::size_t size) : old_handler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -76,13 +76,13 @@ class FileSizeLimit {
   void (*old_handler_)(int);
 };
 
-/// An item, and the bytes of a record.
+/// An item with a copy of a record's bytes.
 struct Parsed {
   CaptureItem item;
   Bytes bytes;
 };
 
-/// The items of a file that arrives in pieces of `piece` bytes.
+/// Returns the items of a file fed in chunks of `piece` bytes.
 inline std::vector<Parsed> parse(const Bytes& file, std::size_t piece = 1 << 20) {
   std::vector<Parsed> result;
   CaptureParser parser;
@@ -94,7 +94,7 @@ inline std::vector<Parsed> parse(const Bytes& file, std::size_t piece = 1 << 20)
     }
   };
   for (std::span<const std::uint8_t> rest = file; !rest.empty();) {
-    // On the heap and of exactly this size, so that a sanitizer sees a read outside.
+    // On the heap and of exactly this size, so that a sanitizer detects a read out of bounds.
     const auto next = rest.first(std::min(piece, rest.size()));
     parser.feed(Bytes(next.begin(), next.end()));
     rest = rest.subspan(next.size());
@@ -109,7 +109,7 @@ inline std::string text_of(const Bytes& bytes) { return {bytes.begin(), bytes.en
 
 using Log = std::vector<std::string>;
 
-/// A line for each item: "session", "KIND @MICROSECONDS: BYTES", "REASON: SIZE from OFFSET".
+/// Returns one line per item: "session", "KIND @MICROSECONDS: BYTES", "REASON: SIZE from OFFSET".
 inline Log log_of(const Bytes& file, std::size_t piece = 1 << 20) {
   Log result;
   for (const Parsed& parsed : parse(file, piece)) {

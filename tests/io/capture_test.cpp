@@ -1,5 +1,5 @@
-// Capture files: the format to the byte, and what is left of a file that is cut or damaged
-// anywhere.
+// Tests of capture files: the format byte by byte, and the recovery of files that are truncated or
+// damaged at any position.
 
 #include <chrono>
 #include <filesystem>
@@ -24,7 +24,7 @@ using testing::IsEmpty;
 using testing::SizeIs;
 using Reason = CaptureDamage::Reason;
 
-/// Two sessions; `cut` is where the second begins, `ends` where items end.
+/// Two sessions; `ends` holds the offsets at which items end.
 struct Example {
   Bytes file;
   Log log;
@@ -143,7 +143,7 @@ TEST(Capture, OneWrongByteCostsNoMoreThanItsSession) {
 TEST(Capture, LaterVersionsAreSkipped) {
   Example whole = example();
   const std::size_t size = whole.file.size();
-  // A header of version 2, and what may belong to it.
+  // A header of version 2, and bytes that may belong to it.
   const Bytes later{0x89, 0x53, 0x42, 0x47, 0x43, 0x0D, 0x0A, 0x1A, 0x02,
                     0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00,
                     0x00, 0x00, 0x7E, 0xD1, 0xE5, 0xE8, 0x01, 0x02, 0x03};
@@ -154,7 +154,7 @@ TEST(Capture, LaterVersionsAreSkipped) {
 }
 
 TEST(Capture, ZerosAtTheEndAreDamage) {
-  // What some file systems leave of a file when the power fails.
+  // Some file systems leave zeros at the end of a file after a power failure.
   Example whole = example();
   const std::size_t size = whole.file.size();
   whole.file.resize(size + 4096);
@@ -245,7 +245,7 @@ TEST(CaptureWriter, StopsAtTheFirstFailure) {
     EXPECT_EQ(writer.write(CaptureKind::from_board, Bytes{'b'}, begin).code,
               std::errc::file_too_large);
   }
-  // There would be room again, but behind a torn record.
+  // There would be space again, but only after a torn record.
   EXPECT_EQ(writer.write(CaptureKind::from_board, Bytes{'c'}, begin).code,
             std::errc::file_too_large);
   EXPECT_EQ(log_of(path.content()), (Log{"session", "1 @0: a", "torn: 10 from 41"}));

@@ -1,4 +1,4 @@
-// Times of the library and of <chrono>.
+// Tests of conversions between the times of the library and of <chrono>.
 
 #include <chrono>
 #include <cstdint>

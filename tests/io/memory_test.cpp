@@ -1,4 +1,4 @@
-// The pair in memory: order, capacity, closing, and ends whose settings differ.
+// Tests of the pair in memory: order, capacity, closing, and ends with different settings.
 
 #include <cstdint>
 #include <span>
@@ -137,7 +137,7 @@ TEST(Memory, APendingReadIsWork) {
   context.poll();
   EXPECT_FALSE(context.stopped());
   first->close();
-  context.run();  // ends, because nothing is left
+  context.run();  // returns, because no work is left
   EXPECT_TRUE(reading.outcome);
 }
 
@@ -146,7 +146,7 @@ TEST(Memory, EndsOnTwoThreads) {
   asio::io_context there;
   auto [first, second] =
       make_memory_pair(here.get_executor(), there.get_executor(), {.capacity = 7, .max_read = 5});
-  // There: an echo until the end.
+  // On the other thread: an echo until the line closes.
   Bytes buffer(64);
   std::function<void()> echo = [&, &other = second] {
     other->async_read(buffer, [&](std::error_code error, std::size_t size) {

@@ -1,4 +1,4 @@
-// TCP and UDP on the loopback interface, against plain Asio sockets.
+// Tests of TCP and UDP on the loopback interface, with plain Asio sockets as peers.
 
 #include <array>
 #include <string>
@@ -93,7 +93,7 @@ TEST_F(Tcp, OtherSideResetsDuringReadAndWrite) {
   port->async_read(into, reading.handler());
   port->async_write(much, writing.handler());
   context.poll();
-  EXPECT_FALSE(writing.outcome) << "nobody reads: it has to wait";
+  EXPECT_FALSE(writing.outcome) << "nothing is read: the write has to wait";
   board.set_option(asio::socket_base::linger(true, 0));
   board.close();
   EXPECT_EQ(finish(context, reading).error, Errc::end_of_stream);
@@ -116,7 +116,7 @@ TEST_F(Tcp, CloseDuringReadAndWrite) {
 }
 
 TEST_F(Tcp, RefusedIsSaid) {
-  // Nobody else may get the port, but nobody listens there.
+  // Binds the port without listening, so that no other program listens on it.
   board.open(tcp::v4());
   board.bind({here, 0});
   const std::uint16_t taken = board.local_endpoint().port();
@@ -127,7 +127,7 @@ TEST_F(Tcp, RefusedIsSaid) {
 }
 
 TEST_F(Tcp, SilentHostIsGivenUpInTime) {
-  // A listener whose queue is full lets further connections wait.
+  // A listener with a full queue keeps further connections waiting.
   tcp::acceptor busy(context);
   busy.open(tcp::v4());
   busy.bind({here, 0});
@@ -151,7 +151,7 @@ TEST_F(Tcp, SilentHostIsGivenUpInTime) {
 }
 
 TEST_F(Tcp, UnknownHostIsSaid) {
-  // By its standard "invalid" is in no name service, and no host may have such a name.
+  // "invalid" is a reserved domain that never resolves, and the empty label is illegal.
   const OpenResult result = open_tcp(context.get_executor(), "gimbal..invalid", 1);
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error.code, Errc::host_not_found) << result.error.message;
@@ -165,7 +165,7 @@ class Udp : public testing::Test {
         open_udp(context.get_executor(), "127.0.0.1", board.local_endpoint().port());
     ASSERT_TRUE(result) << result.error.message;
     port = std::move(result.transport);
-    // The board learns where the host is from its first datagram.
+    // The board learns the host's address from its first datagram.
     write(context, *port, Bytes{'?'});
     Bytes got(8);
     EXPECT_EQ(board.receive_from(asio::buffer(got), host), 1U);
@@ -224,7 +224,7 @@ TEST_F(Udp, StrangersAreNotHeard) {
 
 TEST_F(Udp, NobodyThereIsSaid) {
   connect();
-  board.connect(board.local_endpoint());  // keeps the port, but hears only itself
+  board.connect(board.local_endpoint());  // keeps the port, but receives only from itself
   Operation reading;
   Bytes into(8);
   port->async_read(into, reading.handler());

@@ -1,4 +1,4 @@
-// Address strings: what they mean, and what is said about malformed ones.
+// Tests of address strings: their meaning, and the errors for malformed ones.
 
 #include <string>
 

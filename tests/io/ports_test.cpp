@@ -1,4 +1,4 @@
-// The list of ports. Which there are depends on the machine; what holds of each does not.
+// Tests of the list of ports. Its contents depend on the machine, its properties do not.
 
 #include <algorithm>
 #include <filesystem>
@@ -33,7 +33,7 @@ TEST(Ports, AreDevicesOfTheSystem) {
 }
 
 TEST(Ports, UsbSerialDevicesAreAmongThem) {
-  // What the kernel has for USB adapters must be found, with its ids.
+  // Every USB adapter known to the kernel must be listed with its ids.
   const PortList list = list_ports();
   bool is_any = false;
   for (const auto& entry : std::filesystem::directory_iterator("/dev")) {

@@ -1,4 +1,4 @@
-// The recorder: transparent for the conversation, whatever becomes of the file.
+// Tests of the recorder: it is transparent for the conversation, whatever happens to the file.
 
 #include <chrono>
 #include <string>
@@ -122,7 +122,7 @@ TEST_F(Recording, AFullDiskDoesNotDisturb) {
   EXPECT_EQ(read_all(context, *board, 3), (Bytes{'a', 'b', 'd'}));
   ASSERT_THAT(errors, SizeIs(1));
   EXPECT_EQ(errors[0].code, std::errc::file_too_large);
-  // All before it is good, and the rest is known to be missing.
+  // Everything before is valid, and the remainder is reported as missing.
   Log expected = before;
   expected.push_back("torn: 3 from " + std::to_string(file.content().size() - 3));
   EXPECT_EQ(log_of(file.content()), expected);

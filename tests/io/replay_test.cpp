@@ -1,4 +1,4 @@
-// Replay of captures: what comes, in which pieces, and when.
+// Tests of the replay of captures: contents, chunks and timing.
 
 #include <algorithm>
 #include <chrono>
@@ -41,7 +41,7 @@ class Replay : public testing::Test {
     port = std::move(result.transport);
   }
 
-  /// Reads to the end; one text for each read.
+  /// Reads to the end; returns one text for each read.
   std::vector<std::string> all(std::size_t size = 4096) {
     std::vector<std::string> result;
     for (;;) {
@@ -89,7 +89,7 @@ TEST_F(Replay, OriginalTiming) {
 
 TEST_F(Replay, NoPauseBetweenSessions) {
   session({{0s, "a"}, {30ms, "b"}});
-  // As if that had been in 1970: the header has its start at 12, and its checksum at 20.
+  // Changes the start to 1970: the header has the start at offset 12 and its checksum at 20.
   Bytes bytes = file.content();
   std::fill_n(bytes.begin() + 12, 8, std::uint8_t{0});
   wire::store(bytes.data() + 20, sbgc::detail::crc32(std::span(bytes).first(20)));

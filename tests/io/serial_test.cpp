@@ -1,4 +1,4 @@
-// Serial ports, played by real pseudo-terminals.
+// Tests of serial ports, simulated by real pseudo-terminals.
 
 #include <array>
 #include <cerrno>
@@ -25,7 +25,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// A serial port and who plays it.
+/// A serial port and the pseudo-terminal behind it.
 class Serial : public testing::Test {
  protected:
   void play(const PseudoTerminalOptions& options = {}) {
@@ -41,7 +41,7 @@ class Serial : public testing::Test {
     port = std::move(result.transport);
   }
 
-  /// The settings as another program sees them.
+  /// Returns the settings as seen by another program.
   termios seen() const {
     termios result{};
     const int fd = ::open(board->path().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
@@ -73,7 +73,7 @@ TEST_F(Serial, NothingIsEchoed) {
   open();
   write(context, *board, every_byte());
   EXPECT_EQ(read_all(context, *port, 256), every_byte());
-  // An echo would be in front of this.
+  // An echo would precede this.
   write(context, *port, Bytes{42});
   EXPECT_EQ(read_all(context, *board, 1), Bytes{42});
 }
@@ -81,7 +81,7 @@ TEST_F(Serial, NothingIsEchoed) {
 TEST_F(Serial, LeavesNothingOfWhatATerminalDoes) {
   play();
   {
-    // The worst that another program can have left behind.
+    // The worst settings that another program can leave behind.
     const int fd = ::open(board->path().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
     termios bad{};
     tcgetattr(fd, &bad);
@@ -137,14 +137,14 @@ TEST_F(Serial, RateZeroIsRefused) {
 }
 
 TEST_F(Serial, WhatTheDriverDoesNotDoIsNoticed) {
-  // A pseudo-terminal silently has no parity; that is what reading back is for.
+  // A pseudo-terminal silently ignores parity, which only reading the settings back reveals.
   open();
   const Error error = port->line()->set({19200, Parity::even});
   EXPECT_EQ(error.code, Errc::line_refused);
   EXPECT_THAT(error.message, HasSubstr("does not do 19200 8E1"));
   EXPECT_THAT(error.message, HasSubstr("19200 8N1."));
   EXPECT_EQ(port->line()->current(), LineSettings{19200});
-  // And it goes on working.
+  // The port still works.
   write(context, *port, Bytes{1});
   EXPECT_EQ(read_all(context, *board, 1), Bytes{1});
   port.reset();
@@ -157,7 +157,7 @@ TEST_F(Serial, WhatTheDriverDoesNotDoIsNoticed) {
 TEST_F(Serial, OpeningDiscardsWhatCameBefore) {
   play({.stays_open = true});
   write(context, *board, Bytes{1, 2, 3});
-  // It is there once the kernel has passed it on.
+  // The bytes have arrived once the kernel has passed on the first one.
   const int fd = ::open(board->path().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
   std::uint8_t byte = 0;
   ASSERT_EQ(::read(fd, &byte, 1), 1);
@@ -185,7 +185,7 @@ TEST_F(Serial, OtherSideGoesAwayDuringRead) {
   EXPECT_FALSE(reading.outcome);
   board.reset();
   EXPECT_EQ(finish(context, reading).error, Errc::device_lost);
-  // And it stays so.
+  // The error persists.
   EXPECT_EQ(read(context, *port, into).error, Errc::device_lost);
   EXPECT_EQ(write(context, *port, into).error, Errc::device_lost);
   EXPECT_EQ(reading.calls, 1);
@@ -197,7 +197,7 @@ TEST_F(Serial, OtherSideGoesAwayDuringWrite) {
   const Bytes much(1 << 20);
   port->async_write(much, writing.handler());
   context.poll();
-  EXPECT_FALSE(writing.outcome) << "nobody reads: it has to wait";
+  EXPECT_FALSE(writing.outcome) << "nothing is read: the write has to wait";
   board->close();
   const Outcome outcome = finish(context, writing);
   EXPECT_EQ(outcome.error, Errc::device_lost);
@@ -238,7 +238,7 @@ TEST_F(Serial, DestroyedDuringReadAndWrite) {
 }
 
 TEST_F(Serial, DestroyedWhileAWriteIsHalfDone) {
-  // Some of it has been taken, its completion is queued, and then the port goes.
+  // Part of the data has been written and the completion is queued when the port is destroyed.
   open();
   Operation writing;
   const Bytes much(1 << 20);
@@ -257,7 +257,7 @@ TEST_F(Serial, IsExclusive) {
   ASSERT_FALSE(second);
   EXPECT_EQ(second.error.code, Errc::busy);
   EXPECT_THAT(second.error.message, HasSubstr(board->path() + " is in use"));
-  // The first is not disturbed.
+  // The first one is not affected.
   write(context, *board, Bytes{1});
   EXPECT_EQ(read_all(context, *port, 1), Bytes{1});
   port.reset();
@@ -266,7 +266,7 @@ TEST_F(Serial, IsExclusive) {
 
 TEST_F(Serial, BusyTellsWho) {
   open();
-  // A child has the port; this process no longer.
+  // A child holds the port; this process no longer does.
   std::array<int, 2> pipe{};
   ASSERT_EQ(::pipe(pipe.data()), 0);
   const pid_t child = fork();
@@ -339,12 +339,12 @@ TEST(SerialErrors, PermissionSaysWhatToDo) {
 }
 
 TEST(SerialErrors, PermissionDeniedIsRecognised) {
-  if (geteuid() != 0) GTEST_SKIP() << "needs root, to become somebody else";
+  if (geteuid() != 0) GTEST_SKIP() << "needs root to become another user";
   asio::io_context context;
   const PseudoTerminalResult board = open_pseudo_terminal(context.get_executor());
   ASSERT_TRUE(board);
   ASSERT_EQ(chmod(board.transport->path().c_str(), 0600), 0);
-  if (seteuid(65534) != 0) GTEST_SKIP() << "nobody is not known here";
+  if (seteuid(65534) != 0) GTEST_SKIP() << "the user nobody does not exist";
   const OpenResult result = open_serial(context.get_executor(), board.transport->path());
   ASSERT_EQ(seteuid(0), 0);
   EXPECT_EQ(result.error.code, Errc::permission_denied);

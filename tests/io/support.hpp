@@ -1,4 +1,4 @@
-/// What the tests of transports share.
+/// Helpers shared by the tests of transports.
 #pragma once
 
 #include <chrono>
@@ -19,23 +19,23 @@ namespace sbgc::io::test {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// No test takes this long: it is how a hang becomes a failure.
+/// No test takes this long: it turns a hang into a failure.
 inline constexpr std::chrono::seconds patience{60};
 
-/// Every value of a byte, `times` over.
+/// Returns every value of a byte, `times` times over.
 inline Bytes every_byte(std::size_t times = 1) {
   Bytes result(256 * times);
   std::iota(result.begin(), result.end(), std::uint8_t{0});
   return result;
 }
 
-/// How an operation ended.
+/// The result of an operation.
 struct Outcome {
   std::error_code error;
   std::size_t size{};
 };
 
-/// An operation under way; `outcome` is there once it is over.
+/// A pending operation; `outcome` is set when it completes.
 struct Operation {
   std::optional<Outcome> outcome;
   int calls = 0;
@@ -48,7 +48,7 @@ struct Operation {
   }
 };
 
-/// Runs `context` until `done()`; false if that takes too long.
+/// Runs `context` until `done()` returns true; returns false on timeout.
 template <class Done>
 bool run_until(asio::io_context& context, Done done) {
   const auto end = std::chrono::steady_clock::now() + patience;
@@ -73,7 +73,7 @@ inline Outcome read(asio::io_context& context, Transport& transport, std::span<s
   return finish(context, operation);
 }
 
-/// Reads until there are `size` bytes or an error.
+/// Reads until `size` bytes have arrived or an error occurs.
 inline Bytes read_all(asio::io_context& context, Transport& transport, std::size_t size) {
   Bytes result(size);
   std::size_t have = 0;

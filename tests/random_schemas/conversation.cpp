@@ -1,4 +1,4 @@
-// Compiled, not run: a conversation in whatever protocol the generated headers are of.
+// Compiled, not run: a conversation in the protocol of the generated headers.
 
 #include <sbgc/detector.hpp>
 #include <sbgc/dispatch.hpp>

@@ -1,4 +1,4 @@
-"""Makes lists of fields: of structs, and of messages."""
+"""Makes lists of fields, for structs and messages."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from type_maker import TypeMaker
 class FieldMaker(TypeMaker):
     """Makes lists of fields."""
 
-    # What a field may be made of
+    # Types of fields
 
     def number_kind(self) -> Kind:
-        """A type with a number on the wire."""
+        """Returns a type with a number on the wire."""
         scalars = [Kind(n, s, s, number=n) for n, s in SIZES.items()]
         ids = ("CommandToBoard", "CommandFromBoard", "VariableId")
         named = [Kind(name, 1, 1, number="u8") for name in ids]
@@ -24,12 +24,12 @@ class FieldMaker(TypeMaker):
         return self.random.choice(self.random.choice([pool for pool in pools if pool]))
 
     def blob_kind(self) -> Kind:
-        """Bytes or text of some size."""
+        """Returns bytes or text of some size."""
         size = self.random.choice((1, 2, 3, 7))
         return Kind(f"{self.random.choice(('bytes', 'text'))}[{size}]", size, size)
 
     def element_kind(self, scope: Scope) -> Kind:
-        """Any type that has an end."""
+        """Returns any type with a limited size."""
         what = self.random.random()
         if what < 0.5:
             return self.number_kind()
@@ -41,7 +41,7 @@ class FieldMaker(TypeMaker):
         return self.random.choice(structs) if structs else self.number_kind()
 
     def can_use(self, scope: Scope, kind: Kind) -> bool:
-        """Whether a list of fields may hold a struct: it fits, and no families form a circle."""
+        """Returns True if a list of fields may hold a struct: it fits and creates no family cycle."""
         order = list(self.families)
         return (
             order.index(kind.needs_family) <= order.index(scope.family)
@@ -53,7 +53,7 @@ class FieldMaker(TypeMaker):
     # Fields
 
     def make_fields(self, scope: Scope, count: int) -> None:
-        """Fill a scope with up to `count` fields."""
+        """Adds up to `count` fields to a scope."""
         makers: list[tuple[float, Callable[[Scope], None]]] = [
             (6, self.add_number),
             (2, self.add_element),
@@ -70,7 +70,7 @@ class FieldMaker(TypeMaker):
                 self.random.choices(makers, weights)[0][1](scope)
 
     def dimension(self, scope: Scope, kind: Kind) -> tuple[str, int]:
-        """What follows a field's name, and how often the field then stands."""
+        """Returns a suffix for a field's name, and how often the field then occurs."""
         choices = [("", 1)] * 6 + [("[axis]", 3), ("[xyz]", 3), ("[1]", 1), ("[4]", 4)]
         choices += [("_{AXIS}", 3 if scope.in_message else 1), ("{1..3}_END", 3), ("{5..5}", 1)]
         fitting = [
@@ -81,7 +81,7 @@ class FieldMaker(TypeMaker):
         return self.random.choice(fitting or [("", 1)])
 
     def decorate(self, node: Node, kind: Kind, scope: Scope) -> Node:
-        """Add limits and remarks to a field."""
+        """Adds limits and remarks to a field."""
         if kind.number in INTEGERS and self.chance(0.4):
             low, high = sorted(self.random.randint(*INTEGERS[kind.number]) for _ in range(2))
             node["range"] = f"{low}..{high}"
@@ -116,7 +116,7 @@ class FieldMaker(TypeMaker):
         return self.said(node)
 
     def add_number(self, scope: Scope) -> None:
-        """A number, once or several times."""
+        """Adds a number, once or several times."""
         kind = self.number_kind()
         name = self.field_name()
         dim, count = self.dimension(scope, kind)
@@ -128,20 +128,20 @@ class FieldMaker(TypeMaker):
             scope.variables.append(name)
 
     def depend_on(self, scope: Scope, name: str, kind: Kind) -> None:
-        """Let later fields depend on this one."""
+        """Allows later fields to depend on this one."""
         scope.known.append((name, kind))
         if kind.is_flags and scope.in_message:
             scope.flags += [(name, flag) for flag, mask in kind.values if mask]
 
     def add_condition_source(self, scope: Scope) -> None:
-        """An enum or flag set that something may depend on."""
+        """Adds an enum or flag set that other fields may depend on."""
         kind = self.random.choice(self.enums + self.flag_sets)
         name = self.field_name()
         scope.add(self.said({"name": name, "type": kind.name}), kind.least, kind.memory, True)
         self.depend_on(scope, name, kind)
 
     def add_element(self, scope: Scope) -> None:
-        """Something of any type."""
+        """Adds a field of any type."""
         kind = self.element_kind(scope)
         dim, count = self.dimension(scope, kind)
         node = self.said({"name": self.field_name() + dim, "type": kind.name})
@@ -150,7 +150,7 @@ class FieldMaker(TypeMaker):
         scope.add(node, kind.least * count, kind.memory * count, kind.fixed)
 
     def add_reserved(self, scope: Scope) -> None:
-        """Reserved bytes, with or without a name."""
+        """Adds reserved bytes, with or without a name."""
         if self.chance(0.6):
             size = self.random.randint(1, 5)
             scope.add({"reserved": size}, size, size, True)
@@ -160,7 +160,7 @@ class FieldMaker(TypeMaker):
             scope.add(node, kind.least, kind.memory, True)
 
     def condition(self, scope: Scope) -> Optional[Node]:
-        """A condition that fields of this scope can have."""
+        """Returns a condition for fields of this scope, or None."""
         sources = [("field", n, k) for n, k in scope.known]
         sources += [("context", n, k) for n, k in scope.contexts] * 3
         if not sources:
@@ -175,7 +175,7 @@ class FieldMaker(TypeMaker):
         return {key: name, "is": chosen if len(chosen) > 1 else chosen[0]}
 
     def add_conditional(self, scope: Scope) -> None:
-        """Something that is there only if some other field says so."""
+        """Adds a field that is present only under a condition on another field."""
         when = self.condition(scope)
         if when is None:
             return self.add_condition_source(scope)
@@ -192,9 +192,9 @@ class FieldMaker(TypeMaker):
         return None
 
     def add_list(self, scope: Scope) -> None:
-        """A list behind the number of its elements."""
+        """Adds a list and the counter before it."""
         kind = self.element_kind(scope)
-        if scope.has_region:  # everything behind a counter would lose its fixed place
+        if scope.has_region:  # all fields after a counter would lose their fixed offset
             return self.add_number(scope)
         if MAX_BODY // max(1, kind.least) * kind.memory > MAX_MEMORY:
             kind = self.number_kind()
@@ -211,7 +211,7 @@ class FieldMaker(TypeMaker):
         return None
 
     def add_inline_struct(self, scope: Scope) -> None:
-        """A struct that is defined where it is used, and can be used again later."""
+        """Adds a struct defined in place, which can be used again later."""
         if scope.depth >= 2:
             return self.add_number(scope)
         name = self.unique("Inline")
@@ -225,7 +225,7 @@ class FieldMaker(TypeMaker):
     def make_struct(
         self, name: str, family: str, budget: int, depth: int, rest: bool = False
     ) -> tuple[Kind, Node]:
-        """A struct and its entry in the spec."""
+        """Returns a struct and its entry in the spec."""
         inner = Scope(family, max(8, budget), in_message=False, depth=depth)
         self.make_fields(inner, self.random.randint(1, 5))
         if rest:
@@ -236,7 +236,7 @@ class FieldMaker(TypeMaker):
         return replace(kind, takes_rest=inner.takes_rest), {"fields": inner.fields}
 
     def add_variable_value(self, scope: Scope) -> None:
-        """The value of an adjustable variable."""
+        """Adds the value of an adjustable variable."""
         if not scope.variables:
             scope.variables.append(self.field_name())
             node = {"name": scope.variables[-1], "type": "VariableId"}
@@ -246,7 +246,7 @@ class FieldMaker(TypeMaker):
         scope.add(self.said(node), SIZES[number], SIZES[number], True)
 
     def add_region(self, scope: Scope) -> None:
-        """Some bytes whose meaning depends on fields before them."""
+        """Adds bytes whose meaning depends on preceding fields."""
         if scope.has_lists or not scope.fixed or scope.budget < 8:
             return
         here = {f.get("name") for f in scope.fields if "when" not in f}
@@ -256,7 +256,7 @@ class FieldMaker(TypeMaker):
             known = [scope.known[-1]]
         size = self.random.choice((4, 8))
         inner = Scope(scope.family, 99, in_message=False, depth=9, known=known)
-        left = size  # several conditions may hold at once
+        left = size  # several conditions may be true at once
         for _ in range(self.random.randint(1, 3)):
             kind = self.number_kind() if self.chance(0.7) else Kind("bytes[2]", 2, 2)
             if kind.least > left:
@@ -270,7 +270,7 @@ class FieldMaker(TypeMaker):
         scope.has_region = True
 
     def add_rest(self, scope: Scope) -> None:
-        """What takes the rest of the body."""
+        """Adds a field that takes the remaining body."""
         node: Node = {"name": self.field_name(), "type": "bytes[]"}
         if self.chance(0.15) and scope.budget >= 24:  # fields of which the last may be missing
             kind = self.number_kind()

@@ -11,10 +11,10 @@ from type_maker import TEXTS
 
 
 class MessageMaker(FieldMaker):
-    """Makes commands with their messages."""
+    """Makes commands and their messages."""
 
     def make_messages(self) -> None:
-        """Commands of all kinds; those that others depend on come first."""
+        """Makes commands of all kinds; those that others depend on come first."""
         for _ in range(2):
             self.add_flag_source()
         for _ in range(self.random.randint(1, 2)):
@@ -28,11 +28,11 @@ class MessageMaker(FieldMaker):
             self.random.choice(makers)()
 
     def scope(self, family: str, budget: int = 150) -> Scope:
-        """A new list of fields of a message."""
+        """Returns an empty list of fields for a message."""
         return Scope(family, budget, in_message=True)
 
     def random_scope(self, family: str, rest: bool = True, budget: int = 150) -> Scope:
-        """A list of fields of a message, perhaps with what takes the rest of the body."""
+        """Returns a list of fields for a message; the last one may take the remaining body."""
         scope = self.scope(family, budget)
         self.make_fields(scope, self.random.choice((0, 1, 2, 4, 8, 12)))
         if self.chance(0.3):
@@ -43,7 +43,7 @@ class MessageMaker(FieldMaker):
         return scope
 
     def new_command(self, *directions: str, family: str = "") -> tuple[str, str, Node]:
-        """A command: its name, its family, which is `family` or one behind it, and its entry."""
+        """Returns the name, family and entry of a command; its family is `family` or a later one."""
         shared = set(self.ids["from_board"]) & set(self.ids["to_board"])
         pool = sorted(shared) if len(directions) > 1 else self.ids[directions[0]]
         identity = self.random.choice(pool)
@@ -61,7 +61,7 @@ class MessageMaker(FieldMaker):
         return name, family, node
 
     def side(self, direction: str, name: str, content: Node, scope: Optional[Scope] = None) -> Node:
-        """One direction of a command, whose message is called `name` and has the fields of `scope`."""
+        """Returns one direction of a command: a message called `name` with the fields of `scope`."""
         node = self.sourced({**content, "as": name})
         if self.chance(0.2):
             node["description"] = self.random.choice(TEXTS)
@@ -74,7 +74,7 @@ class MessageMaker(FieldMaker):
         return node
 
     def effect(self, scope: Optional[Scope] = None) -> Any:
-        """What a request does, perhaps under a condition about the fields of `scope`."""
+        """Returns the effect of a request, perhaps under a condition on the fields of `scope`."""
         words = ["sets", "stores", "moves", "restarts", "erases"]
         several = self.random.sample(words, self.random.randint(1, 3))
         if scope is None or not scope.known or self.chance(0.5):
@@ -86,7 +86,7 @@ class MessageMaker(FieldMaker):
         return [{"when": when, "does": several}, {"does": "reads"}]
 
     def answer(self, scope: Optional[Scope] = None) -> Any:
-        """What answers a request, perhaps under a condition about the fields of `scope`."""
+        """Returns a response policy, perhaps under a condition on the fields of `scope`."""
         plain = self.plain_answer()
         if scope is None or not scope.known or self.chance(0.3):
             return plain
@@ -99,7 +99,7 @@ class MessageMaker(FieldMaker):
         return [{"when": when, **first}, plain]
 
     def plain_answer(self) -> Any:
-        """What answers a request."""
+        """Returns an unconditional response policy."""
         from_board = [b.name for b in self.bodies if b.direction == "from_board"]
         if from_board and self.chance(0.5):
             return {"message": self.random.choice(from_board), "retry": "safe"}
@@ -108,19 +108,19 @@ class MessageMaker(FieldMaker):
         return {"confirm": self.uncertain()} if self.chance(0.2) else "none"
 
     def uncertain(self) -> str:
-        """Of a confirmation that need not come."""
+        """Returns the likelihood of an uncertain confirmation."""
         return self.random.choice(("unlikely", "possible"))
 
     def add_body(self, name: str, scope: Scope, direction: str, has_contexts: bool = False) -> None:
-        """Remember a message."""
+        """Registers a message."""
         self.bodies.append(Body(name, scope.family, scope, direction, has_contexts))
 
     def either(self) -> str:
-        """A direction."""
+        """Returns a direction."""
         return self.random.choice(("from_board", "to_board"))
 
     def add_command(self) -> None:
-        """A command in one direction, or with different bodies in both."""
+        """Adds a command in one direction, or with different bodies in both."""
         both = self.chance(0.3)
         directions = ("from_board", "to_board") if both else (self.either(),)
         command, family, node = self.new_command(*directions)
@@ -133,26 +133,26 @@ class MessageMaker(FieldMaker):
             if not scope.fixed and self.chance(0.2):
                 content["max_size"] = MAX_BODY
             node[direction] = self.side(direction, name, content, scope)
-            if self.chance(0.5):  # by the name of the command
+            if self.chance(0.5):  # named after the command
                 del node[direction]["as"]
                 name = command.removeprefix("CMD_")
                 name += "Request" if both and direction == "to_board" else ""
             self.add_body(name, scope, direction)
 
     def add_forms(self) -> None:
-        """A command with several forms, told apart by size."""
+        """Adds a command with several forms, distinguished by size."""
         direction = self.either()
         _, family, node = self.new_command(direction)
         count = self.random.randint(2, 4)
         known = ("simple", "extended", "success", "error")
         names = self.random.sample((*known, "wide", "one_byte", "extended_wide", "form_2"), count)
         forms: Node = {}
-        size = -1  # what the forms so far have at most
+        size = -1  # the maximum size of the forms so far
         for position, form in enumerate(names):
             last = position == count - 1
             scope = self.scope(family, 60)
             wanted = size + 1
-            if wanted:  # more than any before
+            if wanted:  # larger than all previous forms
                 longer = self.said({"name": self.field_name(), "type": f"bytes[{wanted}]"})
                 scope.add(longer, wanted, wanted, True)
             self.make_fields(scope, self.random.randint(0, 6 if last else 2))
@@ -175,7 +175,7 @@ class MessageMaker(FieldMaker):
         node[direction] = self.sourced({"forms": {form: forms[form] for form in order}})
 
     def add_both_ways(self) -> None:
-        """A command with the same body in both directions."""
+        """Adds a command with the same body in both directions."""
         _, family, node = self.new_command("from_board", "to_board")
         scope = self.random_scope(family)
         name = self.unique("Both")
@@ -186,7 +186,7 @@ class MessageMaker(FieldMaker):
         self.add_body(name, scope, "from_board")
 
     def add_same(self) -> None:
-        """A command with the body of another."""
+        """Adds a command with the body of another."""
         body, direction = self.random.choice(self.bodies), self.either()
         _, family, node = self.new_command(direction, family=body.family)
         name = self.unique("Same")
@@ -194,7 +194,7 @@ class MessageMaker(FieldMaker):
         self.bodies.append(replace(body, name=name, family=family, direction=direction))
 
     def add_gaps(self) -> None:
-        """A message with values that may be missing in front of bytes that may be taken for them."""
+        """Adds a message with optional values before bytes that could be mistaken for them."""
         direction = self.either()
         _, family, node = self.new_command(direction)
         scope = self.scope(family)
@@ -211,7 +211,7 @@ class MessageMaker(FieldMaker):
         self.add_body(name, scope, direction)
 
     def add_including(self) -> None:
-        """A message that includes another."""
+        """Adds a message that includes another."""
         direction = self.either()
         _, family, node = self.new_command(direction)
         order = list(self.families)
@@ -242,7 +242,7 @@ class MessageMaker(FieldMaker):
         self.bodies.append(Body(name, family, included, direction, False))
 
     def add_flag_source(self) -> None:
-        """A message that tells the flags that others depend on."""
+        """Adds a message with the flags that other messages depend on."""
         direction = self.either()
         _, family, node = self.new_command(direction)
         kind = self.random.choice(
@@ -267,7 +267,7 @@ class MessageMaker(FieldMaker):
         self.sources.append((path, kind))
 
     def add_announcement(self) -> None:
-        """A message that announces the types of numbers in others."""
+        """Adds a message that announces the types of numbers in others."""
         direction = self.either()
         _, family, node = self.new_command(direction)
         name, enum_name, list_name = (
@@ -312,7 +312,7 @@ class MessageMaker(FieldMaker):
         self.announced.append(context)
 
     def add_dependent(self) -> None:
-        """A message that can be read only with what earlier ones have told."""
+        """Adds a message whose decoding depends on earlier ones."""
         direction = self.either()
         _, family, node = self.new_command(direction)
         scope = self.scope(family)
@@ -348,7 +348,7 @@ class MessageMaker(FieldMaker):
         self.add_body(name, scope, direction, has_contexts=True)
 
     def add_settings(self) -> None:
-        """Settings that can be read and stored: of the whole board, or several copies of them."""
+        """Adds settings that can be read and stored: of the whole board, or several copies of them."""
         _, family, node = self.new_command("from_board", "to_board")
         roles = ["state"] * 4
         copy: Node = {}
@@ -381,14 +381,14 @@ class MessageMaker(FieldMaker):
             storing["to_board"] = self.side("to_board", self.unique("Storing"), content)
 
     def add_marked(self, scope: Scope, role: str) -> None:
-        """An integer of that role, unless its place would vary."""
+        """Adds an integer of that role, if its offset is fixed."""
         kind = self.number_kind()
         if scope.fixed and kind.number in INTEGERS:
             node = {"name": self.field_name(), "type": kind.name, "role": role}
             scope.add(self.decorate(node, kind, scope), kind.least, kind.memory, True)
 
     def add_undocumented(self) -> None:
-        """A command of which nothing is known, or not even an id."""
+        """Adds an undocumented command without an id."""
         name = self.unique("CMD_UNKNOWN_")
         node: Node = self.sourced({"id": None, "undocumented": True})
         self.section(self.any_family(), "commands")[name] = node

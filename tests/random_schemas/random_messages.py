@@ -1,7 +1,7 @@
 """Random messages of a protocol, as lines of a vector file (see sbgcgen/oracle/vector_line.py).
 
-Bodies as they may come: right ones, with bytes changed, cut off or added, and nothing but noise; and
-fields with something changed, as a program may fill them in.
+Some bodies are valid, some have bytes changed, removed or added, some are noise. Some fields are modified
+as a program may set them.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ MAX_BODY = 255
 
 
 def lines_of(layout: Layout, seed: int, count: int) -> Iterator[str]:
-    """`count` lines for each message, and some of bodies that are no message."""
+    """Yields `count` lines for each message, and lines with bodies that are no message."""
     chosen = random.Random(seed)
     forms = forms_of(layout)
     for message in layout.messages:
@@ -55,7 +55,7 @@ class RandomMessages:
         self.mutator = _Mutator(chosen, self.composed)
 
     def vector(self) -> Optional[Vector]:
-        """A body and what it says, or fields that can not be written."""
+        """Returns a body with its fields, or fields that cannot be encoded."""
         context = self.context()
         fields = self.composed(context)
         if self.random.random() < 0.4:
@@ -76,14 +76,14 @@ class RandomMessages:
         return self.decoded(body, context, why)
 
     def decoded(self, body: bytes, context: Fields, why: str) -> Vector:
-        """A body with what it says."""
+        """Returns the vector of a body with its fields or its error."""
         try:
             return Vector(self.message, why, body, decode(self.message, body, context), context)
         except CodecError as error:
             return Vector(self.message, why, body, None, context, error)
 
     def context(self) -> Fields:
-        """What earlier messages may have told."""
+        """Returns a context that earlier messages may have provided."""
         kind = self.random.random()
         if kind < 0.2:
             return {}
@@ -105,7 +105,7 @@ class RandomMessages:
         return {name: value for name, value in context.items() if value}
 
     def composed(self, context: Fields) -> Fields:
-        """Fields with values at their edges, and lists of all lengths."""
+        """Returns fields with values at their limits, and lists of all lengths."""
         lengths = {}
         for path, member, _ in variable_parts(self.message.fields):
             if self.random.random() < 0.5:
@@ -119,7 +119,7 @@ class RandomMessages:
             short=self.random.random() < 0.3,
             leave_out=self.random.random() < 0.3,
         )
-        # Many choices are too long for a body.
+        # Many choices exceed the size of a body.
         fields = compose(self.message, choice)
         try:
             encode(self.message, fields)
@@ -129,7 +129,7 @@ class RandomMessages:
         return copy.deepcopy(fields)
 
     def mutated(self, body: bytes) -> tuple[bytes, str]:
-        """A body with some damage, or none."""
+        """Returns a body with or without damage, and a description of it."""
         result = bytearray(body)
         kind = self.random.randrange(6)
         if kind == 0:
@@ -153,14 +153,14 @@ class RandomMessages:
 
 
 class _Mutator:
-    """Changes fields to something that a C++ message can hold, though not always be written."""
+    """Modifies fields within the limits of a C++ message; the result may not be encodable."""
 
     def __init__(self, chosen: random.Random, composed: Any) -> None:
         self.random = chosen
         self.composed = composed
 
     def change(self, members: tuple[Field, ...], values: Fields) -> None:
-        """Change one of the values, or leave it out, or put in one that was left out."""
+        """Modifies, removes or adds one of the values."""
         members = tuple(m for m in members if not m.is_counter)
         if not members:
             return
@@ -195,14 +195,14 @@ class _Mutator:
             values[member.name] = self.changed(member, value)
 
     def resize(self, value: list[Any], capacity: int) -> None:
-        """Make a list shorter, or longer by repetition."""
+        """Makes a list shorter, or longer by repetition."""
         size = self.random.choice((0, 1, capacity, self.random.randint(0, capacity)))
         if not value:
             return
         value[:] = [copy.deepcopy(value[i % len(value)]) for i in range(size)]
 
     def changed(self, member: Field, value: Any) -> Any:
-        """Another value of the same type."""
+        """Returns another value of the same type."""
         if isinstance(member.type, Struct):
             self.change(member.type.fields, value)
             return value
@@ -217,7 +217,7 @@ class _Mutator:
         return self.number(member.type)
 
     def number(self, type_: Any) -> Any:
-        """A number of a type, often one that has a name."""
+        """Returns a number of a type, often one with a name."""
         scalar = scalar_of(type_)
         if scalar.minimum is None or scalar.maximum is None:
             return self.random.choice((0.0, -0.0, 1.5, "inf", "nan:7fc00001", 16777216.0))

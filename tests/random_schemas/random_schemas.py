@@ -1,11 +1,11 @@
-"""Random specs through the generator, a compiler, and random messages both ways.
+"""Runs random specs through the generator, a compiler, and random messages in both directions.
 
-For each seed: a random spec (spec_maker.py), generated; the program of tests/core/codec_vectors_test.cpp,
-compiled with the generated headers; vectors of random messages by the reference codec
-(random_messages.py), on which the C++ codec must agree to the byte, also in what it refuses; and
+For each seed, a random spec (spec_maker.py) is generated, and the program of tests/core/codec_vectors_test.cpp
+is compiled with the generated headers. Its input is vectors of random messages from the reference codec
+(random_messages.py), with which the C++ codec must agree byte by byte, including the bodies it rejects, and
 random settings (random_settings.py) for settings_test.cpp.
 
-What fails stays in its folder; `--seed N` makes it again.
+The folder of a failure is kept; `--seed N` reproduces it.
 """
 
 from __future__ import annotations
@@ -44,11 +44,11 @@ SANITIZERS = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
 
 
 class Failure(Exception):
-    """What went wrong with a spec."""
+    """A failure of one spec."""
 
 
 class Trial:
-    """One random spec in a folder of its own."""
+    """One random spec in its own folder."""
 
     def __init__(self, seed: int, folder: Path, options: argparse.Namespace) -> None:
         self.seed = seed
@@ -59,7 +59,7 @@ class Trial:
         self.program = folder / "program"
 
     def run(self) -> str:
-        """Do it all; returns how much that was. Raises Failure."""
+        """Runs all steps; returns a summary of their amount. Raises Failure."""
         shutil.rmtree(self.folder, ignore_errors=True)
         write_spec(self.spec, self.seed, self.options.size)
         messages, lines = self.generate()
@@ -69,7 +69,7 @@ class Trial:
         return f"{messages} messages, {lines} random lines, {Path(compiler).name}"
 
     def generate(self) -> tuple[int, int]:
-        """Run the generator, and add vectors of random messages to its own, and random settings."""
+        """Runs the generator, and adds vectors of random messages and random settings."""
         try:
             layout = load_protocol(self.spec).layout
             Output(self.folder / "generated", outputs(layout, self.folder)).write()
@@ -85,7 +85,7 @@ class Trial:
         return len(layout.messages), len(lines)
 
     def compile(self, compiler: str) -> None:
-        """Compile and link the program that runs vectors."""
+        """Compiles and links the program that runs the vectors."""
         flags = ["-std=c++20", *WARNINGS, '-DSBGC_GENERATED="."']
         flags += ["-O0", *(["-g1", *SANITIZERS] if self.options.sanitize else [])]
         folders = ("generated/include", *ROOT.glob("runtime/*/include"), ROOT / "tests/core")
@@ -119,7 +119,7 @@ class Trial:
         subprocess.run(linked, cwd=self.folder, check=True)
 
     def compare(self) -> None:
-        """Run the vectors; of what fails, the shortest is told."""
+        """Runs the vectors; reports the shortest one that fails."""
         output = self.run_program(self.folder / "generated")
         if not output:
             return
@@ -137,7 +137,7 @@ class Trial:
         raise Failure(f"{len(failing)} vectors fail; the shortest:\n{line[:1500]}\n{told[:3000]}")
 
     def run_program(self, folder: Path, *options: str) -> str:
-        """Run the program on what is in a folder; its output if something fails."""
+        """Runs the program on a folder; returns its output if it fails."""
         command = [str(self.folder.resolve() / "program"), "--gtest_brief=1", *options]
         done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
         return (done.stdout + done.stderr) if done.returncode else ""
@@ -171,7 +171,7 @@ def _options(arguments: list[str] | None) -> argparse.Namespace:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Run the trials; the exit status is 1 if one fails."""
+    """Runs the trials; returns exit status 1 if one fails."""
     options = _options(arguments)
     failed = []
     for seed in range(options.seed, options.seed + options.count):

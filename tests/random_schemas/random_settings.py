@@ -1,9 +1,9 @@
-"""Random settings of a protocol, as lines with what the generated code must make of them.
+"""Random settings of a protocol, as lines with the results expected of the generated code.
 
-A line has the message that holds the settings ("settings"), of how many copies ("copies"), which
-messages read and store them, the fields of two such messages ("from", "to"), which copy the second
-is about ("copy", null if there is one only), and its fields and body with the general settings of
-the first ("shared", "hex").
+A line has the message that holds the settings ("settings"), the number of copies ("copies"), the
+messages that read and store them, the fields of two such messages ("from", "to"), the copy number in
+the second ("copy", null if there is only one), and its fields and body after the general settings of
+the first have been copied to it ("shared", "hex").
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from sbgcgen.oracle.encoding import encode
 
 
 def lines_of(layout: Layout, seed: int, count: int) -> Iterator[str]:
-    """`count` lines for each kind of settings."""
+    """Yields `count` lines for each kind of settings."""
     chosen = random.Random(seed)
     for settings in layout.settings:
         maker = RandomMessages(settings.message, chosen)
@@ -30,7 +30,7 @@ def lines_of(layout: Layout, seed: int, count: int) -> Iterator[str]:
 
 
 def _fields(maker: RandomMessages) -> Fields:
-    """Fields as they come out of some body."""
+    """Returns the fields of a random valid body."""
     while True:
         vector = maker.vector()
         if vector is not None and vector.body is not None and vector.fields is not None:

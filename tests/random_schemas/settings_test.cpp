@@ -1,5 +1,5 @@
-// What the generated code says of settings, and what share() does to them, against
-// random_settings.py, which knows the model but none of the templates.
+// Tests of the generated code for settings, including share(), against random_settings.py, which
+// shares the model with it but none of the templates.
 
 #include <fstream>
 #include <set>

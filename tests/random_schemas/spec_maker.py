@@ -1,7 +1,7 @@
-"""Random spec folders that use everything the spec language can say and have no findings.
+"""Random spec folders that use all features of the spec language and have no findings.
 
-The same seed makes the same spec. Names of fields, flags and enum values are unique in a spec, so that
-any two lists of fields can be put together; what they are is random.
+The same seed makes the same spec. Names of fields, flags and enum values are unique in a spec, so any two
+lists of fields can be combined; their meaning is random.
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ from type_maker import TEXTS
 
 
 class SpecMaker(MessageMaker):
-    """Makes one random spec; `size` is about how many commands it has."""
+    """Makes one random spec; `size` is the approximate number of commands."""
 
     def make(self) -> dict[str, Node]:
-        """The files of the spec."""
+        """Returns the files of the spec."""
         count = self.random.randint(1, 4)
         self.families = {
             name: {"family": name, "summary": self.random.choice(TEXTS)}
@@ -42,7 +42,7 @@ class SpecMaker(MessageMaker):
         return {**files, "simplebgc.yaml": self.main_file(), "errata.yaml": self.errata_file()}
 
     def use_structs(self) -> None:
-        """A message with the structs that no other has."""
+        """Adds a message with the structs that no other message has."""
         _, family, node = self.new_command("to_board", family=list(self.families)[-1])
         used = {inner.get("type") for inner in _nodes(self.families)}
         scope = self.scope(family)
@@ -54,7 +54,7 @@ class SpecMaker(MessageMaker):
         node["to_board"] = self.side("to_board", self.unique("Using"), {"fields": scope.fields})
 
     def drop_unused(self) -> None:
-        """Take out types that nothing refers to, which would be a finding."""
+        """Removes types that nothing refers to, which would be findings."""
         while True:
             used = {
                 node[key]
@@ -76,7 +76,7 @@ class SpecMaker(MessageMaker):
                 return
 
     def mark_spelling(self) -> None:
-        """Names of numbers that are not in upper case are so on purpose."""
+        """Marks names of numbers that are not in upper case as intended."""
         nodes = _nodes(self.families)
         structs = {
             name for content in self.families.values() for name in content.get("structs", {})
@@ -88,7 +88,7 @@ class SpecMaker(MessageMaker):
                 field["verbatim"] = True
 
     def main_file(self) -> Node:
-        """simplebgc.yaml."""
+        """Returns simplebgc.yaml."""
         line = {
             "more_baud_rates": self.random.sample(range(1, 1_000_000), self.random.randint(1, 4)),
             "parities": self.random.sample(("none", "even"), self.random.randint(1, 2)),
@@ -116,13 +116,13 @@ class SpecMaker(MessageMaker):
         }
 
     def errata_file(self) -> Node:
-        """errata.yaml."""
+        """Returns errata.yaml."""
         entry = {"kind": "text", "lines": ["L1"], "problem": "Something.", "reading": "Anything."}
         return {"errata": {"E001": entry}}
 
 
 def _nodes(value: Any) -> list[Node]:
-    """All mappings in a value."""
+    """Returns all mappings in a value."""
     if isinstance(value, dict):
         return [value, *(node for inner in value.values() for node in _nodes(inner))]
     if isinstance(value, list):
@@ -132,12 +132,12 @@ def _nodes(value: Any) -> list[Node]:
 
 class _Dumper(yaml.SafeDumper):
     def ignore_aliases(self, data: Any) -> bool:
-        """Anchors can not be used in a spec."""
+        """Disables anchors, which are not allowed in a spec."""
         return True
 
 
 def write_spec(folder: Path, seed: int, size: int) -> None:
-    """Write the random spec of this seed."""
+    """Writes the random spec of this seed."""
     folder.mkdir(parents=True, exist_ok=True)
     for name, content in SpecMaker(seed, size).make().items():
         text = yaml.dump(content, Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=100)

@@ -1,4 +1,4 @@
-"""What a random spec is made of while it is made."""
+"""The parts of a random spec under construction."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ MAX_MEMORY = 100_000
 
 @dataclass(frozen=True)
 class Kind:
-    """A type: `least` bytes on the wire, more if it is not `fixed`; `memory` bytes in C++.
+    """A type: at least `least` bytes on the wire, exactly if `fixed`; `memory` bytes in C++.
 
-    `number` is the scalar behind it; `values` are those of an enum or flag set (`is_flags`).
+    `number` is the underlying scalar; `values` are those of an enum or flag set (`is_flags`).
     """
 
     name: str
@@ -43,9 +43,9 @@ class Kind:
 
 @dataclass
 class Scope:
-    """A list of fields in the making.
+    """A list of fields under construction.
 
-    `known` are fields that conditions can be about; `flags` those whose flags choose a unit.
+    `known` are fields that conditions may refer to; `flags` are flags that choose a unit.
     """
 
     family: str
@@ -65,7 +65,7 @@ class Scope:
     has_region: bool = False
 
     def add(self, node: Node, least: int, memory: int, fixed: bool) -> None:
-        """Add a field of at least so many bytes."""
+        """Adds a field with at least `least` bytes."""
         self.fields.append(node)
         self.least += least
         self.budget -= least

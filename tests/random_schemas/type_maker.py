@@ -7,7 +7,7 @@ from typing import Optional
 
 from spec_parts import INTEGERS, SIZES, UNSIGNED, Body, Kind, Node
 
-# What a name must not break: locals and parameters of the generated code, and words of the runtime.
+# Names that must not break the generated code: its locals and parameters, and names of the runtime.
 AWKWARD = """OUT IN READER WRITER BODY VALUE DATA SIZE STATUS RAW TO FROM REST N M T CONTEXT VISITOR
 FIELDS INFO NAME DECODE ENCODE GET PUT READ WRITE VISIT ANSWERS STD DETAIL mixedCase B2B""".split()
 TEXTS = (
@@ -20,7 +20,7 @@ TEXTS = (
 
 
 class TypeMaker:
-    """Makes types; `size` is about how many commands the spec is to have."""
+    """Makes types; `size` is the approximate number of commands of the spec."""
 
     def __init__(self, seed: int, size: int) -> None:
         self.random = random.Random(seed)
@@ -43,54 +43,54 @@ class TypeMaker:
             ids = self.random.sample(range(1, 256), 200)
             self.ids[direction] = ids
 
-    # Small things
+    # Helpers
 
     def chance(self, share: float) -> bool:
-        """True so often."""
+        """Returns True with probability `share`."""
         return self.random.random() < share
 
     def unique(self, word: str) -> str:
-        """A name that nothing else has."""
+        """Returns a unique name."""
         self.number += 1
         return f"{word}{self.number}"
 
     def field_name(self) -> str:
-        """The name of a field."""
+        """Returns the name of a field."""
         if self.awkward and self.chance(0.3):
             return self.awkward.pop()
         shape = self.random.choice(("F{}", "FIELD_{}", "f{}_lower", "LONG_NAME_OF_A_FIELD_{}"))
         return shape.format(self.unique(""))
 
     def said(self, node: Node, decided: bool = True) -> Node:
-        """The node with what every entry must say, and perhaps what an erratum has decided."""
+        """Adds the required keys of every entry to the node, and perhaps an erratum."""
         node["summary"] = self.random.choice(TEXTS)
         if decided and self.chance(0.1):
             node["errata"] = ["E001"]
         return node
 
     def since(self) -> Node:
-        """Some version."""
+        """Returns a version."""
         versions = {"firmware": self.random.choice(("2.55b5", "2.59")), "board": "3.0"}
         return dict(self.random.sample(sorted(versions.items()), self.random.randint(1, 2)))
 
     def sourced(self, node: Node) -> Node:
-        """As said(), and where it comes from."""
+        """Like said(), but also adds a source."""
         node["source"] = f"Somewhere L{self.random.randint(1, 99)}"
         return self.said(node)
 
     def section(self, family: str, name: str) -> Node:
-        """A section of a family file."""
+        """Returns a section of a family file."""
         sections: Node = self.families[family].setdefault(name, {})
         return sections
 
     def any_family(self) -> str:
-        """Some family."""
+        """Returns a family."""
         return self.random.choice(list(self.families))
 
     # Types
 
     def make_types(self) -> None:
-        """Types of every kind, some over each integer."""
+        """Makes types of every kind, some over each integer."""
         for number in SIZES:
             for _ in range(self.random.choice((0, 1, 2, 2))):
                 self.quantities.append(self.make_quantity(number))
@@ -104,7 +104,7 @@ class TypeMaker:
         self.make_versions()
 
     def make_quantity(self, number: str) -> Kind:
-        """A physical quantity."""
+        """Makes a physical quantity."""
         name = self.unique("Quantity")
         scales = (1, 5, "1/3", "360/16384", "0.02", "0.000000001", "123456789012/7")
         offsets = (0, "-1/2", "0.1", "-12345", "1/3")
@@ -121,7 +121,7 @@ class TypeMaker:
         return Kind(name, size, size, number=number, is_quantity=True, unit=unit)
 
     def make_enum(self, number: str, highest: Optional[int] = None) -> Kind:
-        """An enum, with the extremes of its type; no value over `highest`."""
+        """Makes an enum with the extremes of its type; no value exceeds `highest`."""
         low, high = INTEGERS[number] if highest is None else (0, highest)
         values = {low, high, 0, *(self.random.randint(low, high) for _ in range(2))}
         name = self.unique("Enum")
@@ -131,7 +131,7 @@ class TypeMaker:
         return Kind(name, SIZES[number], SIZES[number], number=number, values=named)
 
     def make_flags(self, number: str, bits: Optional[int] = None) -> Kind:
-        """A set of flags, some of several bits, perhaps one of none, in the lowest `bits`."""
+        """Makes a flag set in the lowest `bits`: some flags have several bits, one may have none."""
         bits = bits or 8 * SIZES[number]
         masks = [0] if self.chance(0.3) else []
         bit = 0
@@ -148,7 +148,7 @@ class TypeMaker:
     def make_values(
         self, name: str, number: str, section: str, values: list[int]
     ) -> tuple[tuple[str, int], ...]:
-        """The entry of an enum or flag set, and its named values."""
+        """Adds the entry of an enum or flag set; returns its named values."""
         prefix = f"P{name.upper()}_"
         content: Node = {}
         for value in values:
@@ -169,7 +169,7 @@ class TypeMaker:
         return tuple((key, entry["value"]) for key, entry in content.items())
 
     def make_packed(self, number: str) -> Kind:
-        """Several values in one integer: shifted bits, masks in place, enums and flags in them."""
+        """Makes a packed integer with shifted bits, masks in place, enums and flags."""
         bits, parts, bit = 8 * SIZES[number], [], 0
         while bit < bits:
             width = min(self.random.choice((1, 1, 2, 3, 7, 16)), bits - bit)
@@ -187,7 +187,7 @@ class TypeMaker:
         return self.add_packed(number, node)
 
     def make_part(self, number: str, bit: int, width: int) -> Node:
-        """A part of an integer, `width` bits from `bit` on."""
+        """Makes a part of an integer, `width` bits from `bit` on."""
         part: Node = {"name": self.unique("part_")}
         in_place = self.chance(0.4)
         if in_place:
@@ -204,14 +204,14 @@ class TypeMaker:
         return self.said(part, False)
 
     def make_flags_in_place(self, number: str, bit: int, width: int) -> Kind:
-        """Flags at some bits of an integer."""
+        """Makes flags at some bits of an integer."""
         name = self.unique("Upper")
         masks = [1 << (bit + self.random.randrange(width))]
         named = self.make_values(name, number, "flags", masks)
         return Kind(name, SIZES[number], SIZES[number], True, number, named, True)
 
     def make_digits(self) -> Kind:
-        """Decimal digits in one integer."""
+        """Makes decimal digits in one integer."""
         number = self.random.choice(UNSIGNED)
         parts = [
             self.said({"name": self.unique("high_"), "divide": 10}, False),
@@ -222,7 +222,7 @@ class TypeMaker:
         return self.add_packed(number, {"type": number, "display": display, "parts": parts})
 
     def make_versions(self) -> None:
-        """How versions are written."""
+        """Makes the format of versions."""
         parts = [
             self.said({"name": "major", "divide": 1000}, False),
             self.said({"name": "minor", "divide": 10, "modulo": 100}, False),
@@ -238,13 +238,13 @@ class TypeMaker:
         packed.update(FirmwareVersion=self.sourced(firmware), BoardVersion=self.sourced(board))
 
     def add_packed(self, number: str, node: Node) -> Kind:
-        """Add the entry of a packed integer."""
+        """Adds the entry of a packed integer."""
         name = self.unique("Packed")
         self.section(self.any_family(), "packed")[name] = self.sourced(node)
         return Kind(name, SIZES[number], SIZES[number], number=number)
 
     def make_variables(self) -> None:
-        """Adjustable variables, or none at all."""
+        """Makes adjustable variables, or none at all."""
         for identity in self.random.sample(range(256), self.random.choice((0, 1, 3))):
             integers = [k for k in self.quantities if k.number in INTEGERS]
             kinds = [Kind(n, SIZES[n], SIZES[n], number=n) for n in INTEGERS] + integers

@@ -1,4 +1,4 @@
-/// Ids of the protocol, as the specification lists them.
+/// Command ids of the protocol, as listed in the specification.
 #pragma once
 
 #include <cstdint>

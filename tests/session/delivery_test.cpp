@@ -1,4 +1,4 @@
-// A session on a line that loses, delays, repeats and garbles.
+// Tests of a session on a line that loses, delays, repeats and corrupts bytes.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -77,7 +77,7 @@ TEST(Session, HasADeadlineForTheWholeRequest) {
   Simulation line;
   const sbgc::Instant deadline = line.now + milliseconds(700);
   const Handle handle = line.send(sbgc::msg::BoardInfoRequest{}, {.deadline = deadline});
-  // It waits for the first one, and for its late reply, and never gets its turn.
+  // It waits for the first request and then for its late reply, and is never sent.
   const Handle waiting = line.send(sbgc::msg::BoardInfoRequest{}, {.deadline = deadline});
   line.run();
   for (const Handle each : {handle, waiting}) {
@@ -101,7 +101,7 @@ TEST(Session, ALateAnswerIsNotTheAnswerOfTheNextRequest) {
   line.run();
   EXPECT_EQ(line.outcome(first), Outcome::timeout);
   ASSERT_EQ(line.outcome(second), Outcome::answered);
-  EXPECT_EQ(line.completion(second)->body[0], 2) << "the answer of the first request";
+  EXPECT_EQ(line.completion(second)->body[0], 2) << "the response to the first request";
   EXPECT_EQ(line.session.statistics().late_replies, 1U);
   ASSERT_THAT(line.of(EventKind::unsolicited), SizeIs(1));
   EXPECT_TRUE(line.of(EventKind::unsolicited)[0].event.is_late);
@@ -117,7 +117,7 @@ TEST(Session, TheAnswerToTheFirstTransmissionAnswersARepeatedRequest) {
   ASSERT_EQ(line.outcome(first), Outcome::answered);
   EXPECT_EQ(line.completion(first)->body[0], 1);
   EXPECT_THAT(line.written, SizeIs(2));
-  // The answer to the second transmission comes while the next request waits for its turn.
+  // The response to the second transmission arrives while the next request is queued.
   const Handle second =
       line.send(sbgc::msg::BoardInfoRequest{}, {.attempts = 1, .timeout = seconds(1)});
   line.run();
@@ -158,11 +158,12 @@ TEST(Session, AnAnswerIsLateEvenIfItsRequestWasStuckInTheLine) {
   now = now + milliseconds(100);
   ASSERT_TRUE(session.cancel(first, sink));
   now = now + seconds(5);
-  session.written(now);  // only now
+  session.written(now);  // delayed until now
 
   const Handle second = session.send(sbgc::msg::BoardInfoRequest{}).handle;
   now = now + milliseconds(50);
-  EXPECT_TRUE(session.poll(now, sink).bytes.empty()) << "the answer to the first may still come";
+  EXPECT_TRUE(session.poll(now, sink).bytes.empty())
+      << "the response to the first request may still arrive";
   say(1, now);
   ASSERT_THAT(events, SizeIs(2));
   EXPECT_TRUE(events[1].event.is_late);
@@ -200,7 +201,7 @@ TEST(Session, CancelsWhatIsNotSentYet) {
   EXPECT_THAT(line.written, SizeIs(0));
 }
 
-// The line
+// Line errors
 
 TEST(Session, NoiseDoesNoHarm) {
   Simulation line;
@@ -219,7 +220,7 @@ TEST(Session, NoiseDoesNoHarm) {
 TEST(Session, ABeginningOfAFrameDoesNotHoldTheAnswerBackForLong) {
   Simulation line;
   line.board = [&](const Written&) {
-    line.say_bytes({'>', 9, 200, 209});  // a header whose body never comes
+    line.say_bytes({'>', 9, 200, 209});  // a header without the announced body
     line.say(board_info, body_of(18), milliseconds(5));
   };
   const Handle handle = line.send(sbgc::msg::BoardInfoRequest{});

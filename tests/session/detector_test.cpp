@@ -1,4 +1,4 @@
-// The search for a board's line, in virtual time, against a simulated port.
+// Tests of the search for a board's line settings, in virtual time, with a simulated port.
 
 #include <algorithm>
 #include <cstdint>
@@ -29,7 +29,7 @@ using simulation::Body;
 using simulation::body_of;
 using simulation::frame_of;
 
-/// A port that plays whatever `hear` wants it to hear, and notes what is done to it.
+/// A simulated port that receives the bytes returned by `hear`, and records the calls.
 struct Port {
   std::function<Body(const LineSettings&, const Body& written)> hear =
       [](const LineSettings&, const Body&) { return Body{}; };
@@ -39,7 +39,7 @@ struct Port {
   Instant now = simulation::start;
   Duration taken{};
 
-  /// Searches; the kind of the last step.
+  /// Runs the search and returns the kind of the last step.
   DetectorStep::Kind search(Detector& detector) {
     LineSettings line;
     Body heard;
@@ -77,7 +77,7 @@ struct Port {
   }
 };
 
-/// A board at one line; on all others it hears nothing that makes sense, and sends garbage.
+/// A board with the given line settings; with any other settings it receives and sends garbage.
 std::function<Body(const LineSettings&, const Body&)> board_at(const LineSettings& right,
                                                                unsigned seed = 0) {
   return [right, random = std::mt19937(seed), seed](const LineSettings& line,
@@ -117,7 +117,7 @@ TEST(Detector, TriesTheLikelyFirst) {
   const auto first_even =
       std::find_if(port.visited.begin(), port.visited.end(),
                    [](const auto& line) { return line.parity == Parity::even; });
-  EXPECT_EQ(first_even - port.visited.begin(), 5) << "behind the five rates of the protocol";
+  EXPECT_EQ(first_even - port.visited.begin(), 5) << "after the five rates of the protocol";
   EXPECT_EQ(port.visited[10].baud_rate, 256000U) << "others come last";
 }
 
@@ -158,7 +158,8 @@ TEST(Detector, ReportsWhatItTried) {
     lines.emplace(trial.line.baud_rate, trial.line.parity);
     const bool is_noisy = trial.line == LineSettings{9600, Parity::none};
     const bool is_heard = trial.line == LineSettings{9600, Parity::even};
-    EXPECT_EQ(trial.probes, is_heard ? 15 : 6) << "more where other messages were heard";
+    EXPECT_EQ(trial.probes, is_heard ? 15 : 6)
+        << "more requests where other messages were received";
     EXPECT_EQ(trial.bytes, is_noisy ? 36U : is_heard ? 15U * 68 : 0U);
     EXPECT_EQ(trial.bad_frames, is_noisy ? 6U : 0U);
     EXPECT_EQ(trial.good_frames, is_heard ? 15U : 0U);
@@ -175,7 +176,7 @@ TEST(Detector, AsksAgainWhenQuestionsAreLost) {
     return answer.empty() || ++heard < 5 ? Body{} : answer;
   };
   Detector detector;
-  // It has not heard a byte in two rounds, but for those it was not told of.
+  // All responses of both rounds are lost.
   EXPECT_EQ(port.search(detector), DetectorStep::Kind::failed);
   heard = 2;
   port.now = simulation::start;
@@ -194,7 +195,7 @@ TEST(Detector, WaitsForABoardThatIsSlow) {
 TEST(Detector, FindsAnIntroductionBehindAFalseBeginning) {
   Port port;
   port.hear = [](const LineSettings&, const Body&) {
-    Body bytes = {'>', 9, 250, 3};  // a header that waits for 250 bytes
+    Body bytes = {'>', 9, 250, 3};  // a header that announces 250 bytes
     const Body frame = frame_of(86, body_of(18));
     bytes.insert(bytes.end(), frame.begin(), frame.end());
     return bytes;
@@ -225,13 +226,13 @@ TEST(Detector, WaitsAsLongAsTheLineNeeds) {
   options.patience = Duration{};
   Detector detector(options);
   Instant now = simulation::start;
-  for (;;) {  // up to the first question at 9600 baud
+  for (;;) {  // up to the first request at 9600 baud
     const DetectorStep step = detector.next(now);
     if (step.kind == DetectorStep::Kind::wait) now = step.until;
     if (step.kind == DetectorStep::Kind::write && step.line.baud_rate == 9600) break;
     ASSERT_NE(step.kind, DetectorStep::Kind::failed);
   }
-  // 5 bytes of question, 23 of answer, 10 bits each.
+  // 5 bytes of request, 23 of response, 10 bits each.
   EXPECT_EQ(detector.next(now).until, now + sbgc::wire_time({9600, Parity::none}, 28));
 }
 

@@ -1,4 +1,4 @@
-// What goes over the line and when: breaks between commands, and the share of data streams.
+// Tests of the timing on the line: pauses between commands, and the share of data streams.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ using simulation::Simulation;
 using simulation::Written;
 using ::testing::SizeIs;
 
-/// The time between the frames of `first` and of another request.
+/// Returns the time between the frames of `first` and of another request.
 template <class M>
 Duration gap_behind(const M& first, const sbgc::SessionOptions& options = {}) {
   Simulation line(options);
@@ -47,14 +47,14 @@ TEST(Pacing, LiesBetweenTenAndTwentyMilliseconds) {
   const Duration large = gap_behind(sbgc::msg::ReadParams3Request{});
   EXPECT_GE(small, milliseconds(10));
   EXPECT_LT(small, milliseconds(11));
-  EXPECT_GT(large, small + milliseconds(2)) << "134 bytes come back";
+  EXPECT_GT(large, small + milliseconds(2)) << "the response has a body of 134 bytes";
   EXPECT_LE(large, milliseconds(20));
 }
 
 TEST(Pacing, GivesTheRequestAndTheAnswerTheirTimeOnTheLine) {
   sbgc::SessionOptions options;
   options.line = {9600, Parity::even};
-  // 6 bytes to send, 139 bytes of answer, 11 bits each.
+  // 6 bytes of request, 139 bytes of response, 11 bits each.
   EXPECT_EQ(gap_behind(sbgc::msg::ReadParams3Request{}, options),
             sbgc::wire_time(options.line, 6) + sbgc::wire_time(options.line, 139));
 }
@@ -153,7 +153,7 @@ TEST(Streams, HaveTheSizeThatTheirConfigurationGivesThem) {
 }
 
 TEST(Streams, BeyondTheBudgetAreRefused) {
-  Simulation line(at(9600));  // 960 bytes a second, 768 for streams
+  Simulation line(at(9600));  // 960 bytes/s, 768 for streams
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
   EXPECT_TRUE(
       line.session.send(stream_of(sbgc::msg::CommandFromBoard::realtime_data_3, 100)));  // 680
@@ -252,7 +252,7 @@ TEST(Streams, ASampleOfAnotherSizeIsNoAnswer) {
   line.board = [&](const Written&) {
     line.say(88, body_of(38), milliseconds(1));  // a sample
     line.say(88, body_of(8), milliseconds(2));
-    line.say(88, body_of(2), milliseconds(1));  // too short for the answer
+    line.say(88, body_of(2), milliseconds(1));  // too short for the response
   };
   sbgc::msg::RealtimeDataCustomRequest request;
   request.flags.set(sbgc::msg::RealtimeDataCustomFlag::imu_angles);

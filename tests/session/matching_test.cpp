@@ -1,4 +1,4 @@
-// What belongs to which request: answers, confirmations, errors and resets.
+// Tests of matching responses, confirmations, errors and resets with requests.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ sbgc::msg::ReadParams3Request read_profile(std::uint8_t profile) {
 
 TEST(Session, RequestsThatAnswersTellApartAreInFlightTogether) {
   Simulation line;
-  line.board = [&](const Written& frame) {  // answers in reverse order
+  line.board = [&](const Written& frame) {  // responses in reverse order
     const int delay = 300 - 50 * frame.body[0];
     line.say(read_params_3, body_of(134, {frame.body[0]}), milliseconds(delay));
   };
@@ -52,7 +52,7 @@ TEST(Session, RequestsThatAnswersTellApartAreInFlightTogether) {
     handles.push_back(line.send(read_profile(profile)));
   }
   line.run_for(milliseconds(90));
-  EXPECT_THAT(line.written, SizeIs(5)) << "before the first answer";
+  EXPECT_THAT(line.written, SizeIs(5)) << "before the first response";
   line.run();
   for (std::uint8_t profile = 0; profile < 5; ++profile) {
     ASSERT_EQ(line.outcome(handles[profile]), Outcome::answered);
@@ -74,7 +74,7 @@ TEST(Session, AWrongAnswerIsNone) {
     line.say(read_params_3, body_of(134, {4}), milliseconds(3));    // another profile
     line.say(read_params_3, body_of(133, {1}), milliseconds(5));    // too short
     line.say(realtime_data_4, body_of(124, {1}), milliseconds(7));  // another message
-    line.say(read_params_3, body_of(140, {1}), milliseconds(9));    // right, from later firmware
+    line.say(read_params_3, body_of(140, {1}), milliseconds(9));    // valid, from later firmware
   };
   const Handle handle = line.send(read_profile(1));
   line.run();
@@ -108,7 +108,7 @@ TEST(Session, ReadsOfFilesFollowEachOtherBecauseOfTheirErrors) {
   const Handle bad = line.send(request);
   line.run();
   EXPECT_EQ(line.outcome(good), Outcome::answered);
-  EXPECT_EQ(line.outcome(bad), Outcome::failed) << "the answer has the form of an error";
+  EXPECT_EQ(line.outcome(bad), Outcome::failed) << "the response has the form of an error";
   EXPECT_EQ(line.completion(bad)->body, body_of(1, {2}));
 }
 
@@ -125,7 +125,7 @@ TEST(Session, AConfirmationWithTheAddressOfAnotherBlockIsNotMeant) {
   EXPECT_EQ(line.outcome(handle), Outcome::none);
   line.run();
   EXPECT_EQ(line.outcome(handle), Outcome::confirmed);
-  // Boards may leave the address out.
+  // Boards may omit the address.
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
   const Handle bare = line.send(request);
   line.run();
@@ -192,7 +192,7 @@ TEST(Session, AnErrorWithoutCommandBelongsToTheOnlyRequest) {
   const Handle first = line.send(sbgc::msg::MotorsOn{}, {.attempts = 1});
   const Handle second = line.send(sbgc::msg::BoardInfoRequest{}, {.attempts = 1});
   line.run();
-  EXPECT_EQ(line.outcome(first), Outcome::timeout) << "either could be meant";
+  EXPECT_EQ(line.outcome(first), Outcome::timeout) << "it may refer to either";
   EXPECT_EQ(line.outcome(second), Outcome::timeout);
   EXPECT_THAT(line.of(EventKind::board_error), SizeIs(1));
 }
@@ -270,7 +270,7 @@ TEST(Session, AnAbandonedLinkEndsEverything) {
   line.session.abandon(line.sink());
   EXPECT_EQ(line.outcome(sent), Outcome::link_lost);
   EXPECT_EQ(line.outcome(waiting), Outcome::link_lost);
-  // On the next link nothing of the old one is left.
+  // No state of the old link remains.
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
   const Handle next = line.send(sbgc::msg::MotorsOn{});
   line.run_for(milliseconds(4));

@@ -1,5 +1,4 @@
-// What holds for every schedule: random requests over a line that loses, delays, repeats and
-// garbles.
+// Tests of invariants: random requests over a line that loses, delays, repeats and corrupts bytes.
 
 #include <cstdint>
 #include <map>
@@ -27,10 +26,10 @@ using simulation::Record;
 using simulation::Simulation;
 using simulation::Written;
 
-/// How bad a line is, in percent.
+/// The error rates of a line, in percent.
 struct Weather {
   int lost = 0;
-  int slow = 0;  // answers that come up to 900 ms later
+  int slow = 0;  // responses delayed by up to 900 ms
   int garbled = 0;
   int repeated = 0;
   int noise = 0;  // bytes between frames
@@ -40,7 +39,7 @@ struct Weather {
 
 constexpr Weather bad = {.lost = 15, .slow = 25, .garbled = 5, .noise = 20, .errors = 5};
 
-/// A board that puts into every answer which transmission it answers.
+/// A board that puts the number of the answered transmission into every response.
 class Chaos {
  public:
   Chaos(unsigned seed, const Weather& weather, const sbgc::SessionOptions& options = {})
@@ -49,7 +48,7 @@ class Chaos {
     line.on_event = [this](const Record& record) { note(record); };
   }
 
-  /// Sends `count` requests at random moments and lets all of them end.
+  /// Sends `count` requests at random times and runs until all have ended.
   void run(int count) {
     while (count-- > 0) {
       ask();
@@ -61,7 +60,7 @@ class Chaos {
     EXPECT_EQ(ended_.size(), asked_.size()) << "each request ends once";
   }
 
-  /// How many requests ended so.
+  /// Returns the number of requests with this outcome.
   std::size_t count(Outcome outcome) const {
     std::size_t result = 0;
     for (const auto& [handle, how] : ended_) result += how == outcome ? 1 : 0;
@@ -72,7 +71,7 @@ class Chaos {
  private:
   struct Asked {
     std::uint8_t command{};
-    std::uint8_t tag{};  // stands in the request's body, where it has one
+    std::uint8_t tag{};  // in the body of the request, if it has one
     sbgc::Instant at{};
   };
 
@@ -119,13 +118,13 @@ class Chaos {
     EXPECT_TRUE(line.session.cancel(*chosen, line.sink()));
   }
 
-  /// The frame has come to the board, perhaps.
+  /// Receives a frame, unless it is lost.
   void hear(const Written& frame) {
     ++transmission_;
     sent_at_[transmission_] = line.now;
     if (chance(weather_.lost)) return;
     if (chance(weather_.resets)) {
-      line.fall_silent_at(line.now + milliseconds(1000));  // by then it has restarted
+      line.fall_silent_at(line.now + milliseconds(1000));  // restarted by then
       line.say(114, {}, milliseconds(0));
       return;
     }
@@ -133,7 +132,7 @@ class Chaos {
       reply(255, {frame.id, 1, 0, 0, 0, 0});
       return;
     }
-    // The number of the transmission stands behind what the message needs.
+    // The number of the transmission follows the fields of the message.
     const auto low = static_cast<int>(transmission_ & 0xFF);
     const auto high = static_cast<int>(transmission_ >> 8);
     switch (frame.id) {
@@ -170,14 +169,14 @@ class Chaos {
         byte = chance(30) ? '>' : static_cast<std::uint8_t>(upto(255));
       bytes.insert(bytes.begin(), noise.begin(), noise.end());
     }
-    // An answer is never later than the session has to reckon with.
+    // A response is never later than the session allows for.
     const int late = chance(weather_.slow) ? 900 : 100;
     const Duration delay = milliseconds(1 + upto(late)) + extra;
     line.say_bytes(bytes, delay);
     if (chance(weather_.repeated)) line.say_bytes(bytes, delay + milliseconds(upto(80)));
   }
 
-  /// The transmission that an answer or confirmation answers.
+  /// Returns the number of the transmission that a response or confirmation answers.
   std::size_t transmission_of(const Record& record) const {
     EXPECT_GE(record.body.size(), 2U);
     const std::size_t end = record.body.size();
@@ -195,17 +194,18 @@ class Chaos {
         event.kind == EventKind::completed &&
         (event.outcome == Outcome::answered || event.outcome == Outcome::confirmed);
     if (!is_answer && (event.kind != EventKind::confirmation || !event.handle)) return;
-    // The heart of it: whoever is answered had asked before the answered transmission was sent.
+    // The central property: a request is answered only by a transmission sent after the request was
+    // made.
     const std::size_t transmission = transmission_of(record);
     ASSERT_TRUE(sent_at_.contains(transmission));
     EXPECT_LE(asked_[event.handle].at, sent_at_[transmission])
-        << "a request was given the answer of an earlier one";
+        << "a request got the response to an earlier one";
     if (event.command == 21) {
       EXPECT_EQ(record.body[0], asked_[event.handle].tag);
     }
     if (event.outcome == Outcome::none) return;
     const auto [place, is_new] = given_.emplace(transmission, event.handle);
-    EXPECT_TRUE(is_new || place->second == event.handle) << "one answer for two requests";
+    EXPECT_TRUE(is_new || place->second == event.handle) << "one response for two requests";
   }
 
   std::mt19937 random_;

@@ -1,4 +1,4 @@
-// A sink that calls back: whatever it does from inside an event, nothing is lost.
+// Tests of sinks that call the session from within an event: nothing is lost.
 
 #include <cstdint>
 #include <functional>
@@ -43,12 +43,12 @@ sbgc::msg::DataStreamInterval stream_of(std::uint8_t command, std::uint16_t inte
   return request;
 }
 
-/// Bytes a second of a stream of CMD_REALTIME_DATA_4: frames of 129 bytes, ten times a second.
+/// Load of a stream of CMD_REALTIME_DATA_4 in bytes per second: frames of 129 bytes at 10 Hz.
 constexpr std::uint32_t load_of_4 = 1290;
 
-// Streams that are asked for again while an earlier request for them is open
+// Stream requests while an earlier request for the same stream is open
 
-/// Puts a request for the stream in flight, which is not answered, and another behind it.
+/// Sends a request for the stream, which gets no response, and queues another one.
 void ask_in_vain(Simulation& line) {
   line.send(stream_of(realtime_data_4, 100));
   line.run_for(milliseconds(1));
@@ -123,7 +123,7 @@ TEST(Reentrancy, AStreamAskedForWhenTheLinkIsLostRunsOnTheNextOne) {
   };
   line.session.abandon(line.sink());
   EXPECT_EQ(line.session.open_requests(), 1U);
-  EXPECT_EQ(line.session.stream_usage().used, load_of_4) << "it is being asked for";
+  EXPECT_EQ(line.session.stream_usage().used, load_of_4) << "it is being requested";
   line.board = [&](const Written& frame) { line.confirm(frame.id); };
   line.run();
   expect_stream_runs(line, again);
@@ -136,7 +136,7 @@ TEST(Reentrancy, AStreamBehindARequestThatRestartsTheBoardRuns) {
   };
   line.send(stream_of(realtime_data_3, 100));
   line.run();
-  line.send(sbgc::msg::ResetRequest{});  // without notice: it is over once it is written
+  line.send(sbgc::msg::ResetRequest{});  // without notice: it ends as soon as it is written
   const Handle behind = line.send(stream_of(realtime_data_4, 100));
   line.run();
   expect_stream_runs(line, behind);
@@ -150,13 +150,13 @@ TEST(Reentrancy, TheEndOfAnUnknownStreamDoesNotEndThatOfALaterRequest) {
     request.config.flags = sbgc::msg::RealtimeDataCustomFlags(flags);
     return request;
   };
-  for (std::uint32_t i = 0; i < 10; ++i) {  // as many as there can be
+  for (std::uint32_t i = 0; i < 10; ++i) {  // the maximum number
     line.send(custom(i, 100));
     line.run();
   }
   const std::uint32_t before = line.session.stream_usage().used;
   const Handle end = line.send(custom(0, 0));
-  line.send(stream_of(realtime_data_4, 0));  // is not running
+  line.send(stream_of(realtime_data_4, 0));  // not running
   Handle asked;
   line.on_event = [&](const Record& record) {
     if (record.event.kind == EventKind::completed && record.event.handle == end) {
@@ -165,13 +165,13 @@ TEST(Reentrancy, TheEndOfAnUnknownStreamDoesNotEndThatOfALaterRequest) {
   };
   line.run();
   EXPECT_EQ(line.outcome(asked), Outcome::confirmed);
-  // 5 + 2 bytes ten times a second are those of the stream without flags.
+  // The stream without flags accounts for 5 + 2 bytes at 10 Hz.
   EXPECT_EQ(line.session.stream_usage().used, before - 70 + load_of_4);
 }
 
 // Each call from each event
 
-/// An event and what leads to it.
+/// An event and the actions that cause it.
 struct Occasion {
   std::string name;
   EventKind kind;
@@ -179,7 +179,7 @@ struct Occasion {
   std::function<void(Simulation&)> bring_about;
 };
 
-/// Long enough for a request to be sent behind another one.
+/// Enough time for a request to be sent after another one.
 constexpr sbgc::Duration to_be_sent = milliseconds(20);
 
 void say_reset(Simulation& line) { line.say(commands::reset, {}); }
@@ -255,7 +255,7 @@ const std::vector<Occasion>& occasions() {
   return all;
 }
 
-/// What the sink does.
+/// A call by the sink.
 struct Call {
   std::string name;
   std::function<void(Simulation&, const Record&, std::vector<Handle>& sent)> make;
@@ -313,7 +313,7 @@ TEST_P(EachCall, FromEachEventDoesWhatItDoesElsewhere) {
 
   Simulation line;
   std::vector<Handle> sent;
-  for (int i = 0; i < others; ++i) {  // of other requests, one is in flight and one waits
+  for (int i = 0; i < others; ++i) {  // one is in flight and one is queued
     sent.push_back(
         line.send(sbgc::msg::EepromReadRequest{}, {.attempts = 1, .timeout = seconds(60)}));
   }
@@ -324,7 +324,7 @@ TEST_P(EachCall, FromEachEventDoesWhatItDoesElsewhere) {
         record.event.kind == occasion.kind && record.event.outcome == occasion.outcome;
     if (!is_it || has_happened) return;
     has_happened = true;
-    // From now on the board answers.
+    // From now on the board responds.
     line.board = [&](const Written& frame) {
       if (frame.id == 21) {
         line.say(21, body_of(134));
@@ -366,14 +366,15 @@ INSTANTIATE_TEST_SUITE_P(All, EachCall,
 
 class RandomCalls : public ::testing::TestWithParam<unsigned> {};
 
-/// What a session believes to run is what a board that restarts now and then does run.
+/// The session's view of the running streams matches that of a board that restarts from time to
+/// time.
 TEST_P(RandomCalls, LeaveTheStreamsAsTheBoardHasThem) {
   std::mt19937 random(GetParam());
   const auto below = [&](int end) {
     return std::uniform_int_distribution<int>(0, end - 1)(random);
   };
   Simulation line;
-  std::map<std::uint8_t, std::uint32_t> running;  // of the board: loads by command
+  std::map<std::uint8_t, std::uint32_t> running;  // loads on the board by command
   line.board = [&](const Written& frame) {
     if (below(6) == 0) {
       running.clear();

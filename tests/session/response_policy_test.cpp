@@ -1,4 +1,4 @@
-// What answers what, against a table that was read from the specification by hand.
+// Tests of response policies against tables compiled manually from the specification.
 
 #include <concepts>
 #include <map>
@@ -25,7 +25,7 @@ using sbgc::Confirmed;
 using sbgc::ResponsePolicy;
 using ::testing::ElementsAre;
 
-/// Calls `use(message)` with an empty message of each type that goes to the board.
+/// Calls `use(message)` with a default message of each type that is sent to the board.
 template <class Use>
 void for_each_request(Use&& use) {
   sbgc::AllMessages::for_each([&]<class M>(sbgc::Type<M>) {
@@ -33,23 +33,22 @@ void for_each_request(Use&& use) {
   });
 }
 
-// Requests and the message that answers, by ids (lines 615-660, 753-774, 793-802, 837-905,
-// 946-953).
+// Requests and the responding message, by id (lines 615-660, 753-774, 793-802, 837-905, 946-953).
 const std::map<int, int> answers = {
     {86, 86}, {20, 20}, {68, 23},   {23, 23}, {25, 25}, {88, 88}, {82, 21}, {21, 21},
     {33, 33}, {62, 62}, {73, 73},   {61, 61}, {28, 28}, {64, 31}, {40, 40}, {253, 253},
     {42, 42}, {43, 43}, {254, 254}, {48, 48}, {49, 49}, {53, 53}, {46, 46}, {56, 56},
 };
 
-// Commands that the specification says are confirmed: "A, G, P, W, etc." of line 417, and 640, 668,
-// 726, 730, 791, 835, 875, 882, 916, 932, 972.
+// Commands that are confirmed according to the specification: "A, G, P, W, etc." in line 417, and
+// lines 640, 668, 726, 730, 791, 835, 875, 882, 916, 932, 972.
 const std::set<int> confirmed = {'A', 'G', 'P', 'W', 'g', 22, 34, 63, 'M',
                                  'm', 31,  39,  44,  47,  54, 55, 85};
 
-// Hosts send these as often as they have new data, so nobody waits for a confirmation.
+// Hosts send these whenever they have new data, so no confirmation is expected.
 const std::set<int> hardly_confirmed = {72, 45};
 
-// Without anything to wait for, unless they ask for notice.
+// No response is expected, unless the request asks for notice.
 const std::set<int> silent = {114, 51};
 
 TEST(ResponsePolicy, AreThoseOfTheSpecification) {
@@ -82,8 +81,8 @@ TEST(ResponsePolicy, AreThoseOfTheSpecification) {
 }
 
 TEST(ResponsePolicy, OnlyReadsAndRequestsThatCanBeRepeatedAreSafe) {
-  // What moves by a step, counts up, starts, restarts or toggles something when it is done again,
-  // and what nobody knows.
+  // Commands that step, count, start, restart or toggle something each time they are executed, and
+  // commands with unknown effect.
   const std::set<int> unsafe = {69, 72, 65, 103, 59, 71,  80, 79, 66, 26, 27,  35, 75,
                                 57, 89, 39, 40,  70, 114, 51, 30, 52, 74, 250, 251};
   for_each_request([&]<class M>(const M& message) {
@@ -135,7 +134,7 @@ TEST(ResponsePolicy, DependOnTheRequest) {
   });
 }
 
-// Numbers of the request that the answer repeats: their place, size and value.
+// A value of the request that the response repeats: its offset, size and value.
 struct Repeated {
   std::uint8_t offset;
   std::uint8_t size;
@@ -174,8 +173,8 @@ TEST(ResponsePolicy, AnswersRepeatPartsOfTheRequest) {
   EXPECT_EQ(response_policy(write).result.size, 0);
 }
 
-/// An answer whose bytes are what the request wants; `response_policy` must find it fits, and
-/// nothing that differs in a correlation field.
+/// A response with the requested values matches; a response with any other value in a correlation
+/// field does not.
 TEST(ResponsePolicy, CorrelationFieldsDecideWhatFits) {
   sbgc::msg::EepromReadRequest request;
   request.addr = 0xA0B0C0;

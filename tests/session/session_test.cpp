@@ -1,5 +1,5 @@
-// The rules of a session, one by one: what a request leads to when nothing goes wrong, and what the
-// session can not hold.
+// Tests of the rules of a session, one by one: outcomes of requests without faults, and capacity
+// limits.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -79,7 +79,7 @@ void expect_to_wait_only_if_told(const Request& request) {
     line.run();
     EXPECT_EQ(line.outcome(first), Outcome::sent);
     EXPECT_EQ(line.outcome(second), comes ? Outcome::confirmed : Outcome::unconfirmed);
-    EXPECT_THAT(line.written, SizeIs(2)) << "that a confirmation is missing is no reason to repeat";
+    EXPECT_THAT(line.written, SizeIs(2)) << "a missing confirmation does not trigger a retry";
   }
 }
 
@@ -99,7 +99,7 @@ TEST(Session, DoesNotTakeTheConfirmationOfAnEarlierRequestForThatOfALaterOne) {
   line.board = [&](const Written& frame) {
     if (++frames == 1) line.confirm(frame.id, milliseconds(200));
   };
-  line.send(sbgc::msg::ExecuteMenu{});  // nobody waits for its confirmation, which comes late
+  line.send(sbgc::msg::ExecuteMenu{});  // its confirmation is not awaited and arrives late
   const Handle second = line.send(sbgc::msg::ExecuteMenu{}, {.expect_confirmation = true});
   line.run();
   EXPECT_EQ(line.outcome(second), Outcome::unconfirmed);
@@ -110,7 +110,7 @@ TEST(Session, DoesNotTakeTheConfirmationOfAnEarlierRequestForThatOfALaterOne) {
 
 TEST(Session, RequestsThatWaitForNothingDoNotHoldUpEachOther) {
   Simulation line;
-  for (int i = 0; i < 40; ++i) {  // 50 a second; the board confirms none of them
+  for (int i = 0; i < 40; ++i) {  // 50 per second; the board confirms none of them
     line.send(sbgc::msg::Control{});
     line.run_for(milliseconds(20));
   }
@@ -202,7 +202,7 @@ TEST(Session, WaitsWhenThereIsNoRoomForLateReplies) {
 TEST(Session, RefusesWhatCanNotBeEncoded) {
   Simulation line;
   sbgc::msg::DataStreamInterval request;
-  request.cmd_id = sbgc::msg::CommandFromBoard::realtime_data_custom;  // its flags are missing
+  request.cmd_id = sbgc::msg::CommandFromBoard::realtime_data_custom;  // without its flags
   const sbgc::SendResult result = line.session.send(request);
   EXPECT_EQ(result.status, SendStatus::not_encodable);
   EXPECT_EQ(result.encoding.code, sbgc::Code::presence_mismatch);

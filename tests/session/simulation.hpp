@@ -28,7 +28,7 @@ inline Body frame_of(std::uint8_t id, const Body& body) {
   return frame;
 }
 
-/// A body of `size` bytes that begins with `begin`; the rest is 0.
+/// Returns a body of `size` bytes that starts with `begin` and is padded with zeros.
 inline Body body_of(std::size_t size, std::initializer_list<int> begin = {}) {
   Body body;
   for (const int byte : begin) body.push_back(static_cast<std::uint8_t>(byte));
@@ -36,21 +36,21 @@ inline Body body_of(std::size_t size, std::initializer_list<int> begin = {}) {
   return body;
 }
 
-/// An event, with a body of its own.
+/// An event with a copy of its body.
 struct Record {
   sbgc::Event event;
   Body body;
   sbgc::Instant at;
 };
 
-/// A frame that the session has written.
+/// A frame written by the session.
 struct Written {
   std::uint8_t id;
   Body body;
   sbgc::Instant at;
 };
 
-/// The ids of frames.
+/// Returns the ids of frames.
 inline std::vector<std::uint8_t> ids(const std::vector<Written>& written) {
   std::vector<std::uint8_t> result;
   result.reserve(written.size());
@@ -58,7 +58,7 @@ inline std::vector<std::uint8_t> ids(const std::vector<Written>& written) {
   return result;
 }
 
-/// Runs a session until nothing more happens. What it writes goes to `board`, which answers with
+/// Runs a session until no more events are pending. Its frames go to `board`, which responds with
 /// say(). Time passes only inside run() and run_for().
 template <class Session = sbgc::Session>
 class Basic {
@@ -72,19 +72,19 @@ class Basic {
   std::vector<Record> events;
   std::vector<Written> written;
 
-  /// The peer's bytes arrive after `delay`.
+  /// Delivers bytes of the peer after `delay`.
   void say_bytes(const Body& bytes, sbgc::Duration delay = sbgc::milliseconds(3)) {
     incoming_.emplace((now + delay).us, bytes);
   }
   void say(std::uint8_t id, const Body& body, sbgc::Duration delay = sbgc::milliseconds(3)) {
     say_bytes(frame_of(id, body), delay);
   }
-  /// The board confirms a command.
+  /// Sends a confirmation of `command`.
   void confirm(std::uint8_t command, sbgc::Duration delay = sbgc::milliseconds(3)) {
     say(67, {command}, delay);
   }
 
-  /// What the peer would have said from this moment on, it does not say.
+  /// Discards the peer's bytes that would arrive at `end` or later.
   void fall_silent_at(sbgc::Instant end) {
     incoming_.erase(incoming_.lower_bound(end.us), incoming_.end());
   }
@@ -92,14 +92,14 @@ class Basic {
   template <class M>
   sbgc::Handle send(const M& request, const sbgc::SendOptions& options = {}) {
     const sbgc::SendResult result = session.send(request, options);
-    EXPECT_TRUE(result) << "the session refused a request";
+    EXPECT_TRUE(result) << "the session rejected a request";
     return result.handle;
   }
 
-  /// Lets things happen for a while.
+  /// Runs for `duration`.
   void run_for(sbgc::Duration duration) { run_until(now + duration); }
 
-  /// Lets things happen until nothing more will.
+  /// Runs until no more events are pending.
   void run() { run_until(sbgc::Instant::never); }
 
   void run_until(sbgc::Instant end) {
@@ -126,13 +126,13 @@ class Basic {
     FAIL() << "no end";
   }
 
-  /// How a request ended; Outcome::none if it has not. Twice is a failure.
+  /// Returns the outcome of a request; Outcome::none if it is open. Ending twice fails the test.
   sbgc::Outcome outcome(sbgc::Handle handle) const {
     const Record* const record = completion(handle);
     return record == nullptr ? sbgc::Outcome::none : record->event.outcome;
   }
 
-  /// The `completed` event of a request, or null.
+  /// Returns the `completed` event of a request, or null.
   const Record* completion(sbgc::Handle handle) const {
     const Record* found = nullptr;
     for (const Record& record : events) {
@@ -145,7 +145,7 @@ class Basic {
     return found;
   }
 
-  /// The events of one kind.
+  /// Returns the events of one kind.
   std::vector<Record> of(sbgc::EventKind kind) const {
     std::vector<Record> found;
     for (const Record& record : events) {
@@ -154,7 +154,7 @@ class Basic {
     return found;
   }
 
-  /// A sink that notes what it gets.
+  /// Returns a sink that records events.
   auto sink() {
     return [this](const sbgc::Event& event) {
       Record record{event, {event.frame.body.begin(), event.frame.body.end()}, now};
@@ -171,7 +171,7 @@ class Basic {
     parser.feed(bytes, [&](const sbgc::Frame& found) {
       frame = Written{found.id, {found.body.begin(), found.body.end()}, now};
     });
-    ASSERT_TRUE(frame) << "not one whole frame";
+    ASSERT_TRUE(frame) << "not exactly one complete frame";
     written.push_back(*frame);
     board(*frame);
   }

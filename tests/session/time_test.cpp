@@ -1,4 +1,4 @@
-// Arithmetic of time, at its ends above all.
+// Tests of time arithmetic, above all at the limits of its range.
 
 #include <limits>
 

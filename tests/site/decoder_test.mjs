@@ -1,4 +1,4 @@
-// The decoder page in Chromium, from a file.
+// Tests of the decoder page in Chromium, opened from a file.
 
 import assert from "node:assert/strict";
 import fs from "node:fs";
@@ -15,7 +15,7 @@ before(async () => {
 });
 after(() => browser.close());
 
-/** Opens the decoder, and fails at the end if anything went wrong on the page. */
+/** Opens the decoder; fails at the end if an error occurred on the page. */
 async function withDecoder(work, { hash = "", ...options } = {}) {
   const context = await browser.newContext({ reducedMotion: "reduce", ...options });
   const page = await context.newPage();
@@ -30,7 +30,7 @@ async function withDecoder(work, { hash = "", ...options } = {}) {
 
 const summary = (page) => page.locator("#summary");
 
-/** Waits for the summary of an input, which must match in the end. */
+/** Waits until the summary of the input matches `expected`. */
 async function expectSummary(page, expected) {
   const matches = (pattern) =>
     new RegExp(pattern).test(document.querySelector("#summary").textContent);
@@ -38,7 +38,7 @@ async function expectSummary(page, expected) {
   assert.match(await summary(page).textContent(), expected);
 }
 
-/** Puts a text into the text area, in the place of another whose result is there. */
+/** Replaces the contents of the text area, after clearing the previous summary. */
 async function type(page, text) {
   await page.evaluate((value) => {
     document.querySelector("#summary").textContent = "";
@@ -48,7 +48,7 @@ async function type(page, text) {
   }, text);
 }
 
-/** What is inside the item with this index: rows as lists of cells, and notes. */
+/** Returns the contents of the item with this index: rows as lists of cells, and notes. */
 async function inside(page, index) {
   const opener = page.locator(`#item-${index}`);
   if ((await opener.getAttribute("aria-expanded")) === "false") await opener.click();
@@ -99,7 +99,7 @@ test("values have units and names, and bytes their fields", async () => {
   });
 });
 
-/** The places of a page that a link can name; undefined stands for the page itself. */
+/** The link targets on a page; undefined is the page itself. */
 const idsOf = (() => {
   const known = new Map();
   return (url) => {
@@ -218,7 +218,7 @@ test("a file can be dropped", async () => {
   });
 });
 
-/** 1 MB of hex text, with everything there is. */
+/** Returns 1 MB of hex text with all kinds of frames. */
 function megabyte() {
   const frames = vectors()
     .filter((vector) => vector.hex !== undefined && vector.id)
@@ -229,8 +229,8 @@ function megabyte() {
 }
 
 /**
- * Pastes a text and waits for its summary. Tells how long the longest task of the page was meanwhile,
- * in ms of processor time: what else the machine does is not the page's doing.
+ * Pastes a text and waits for its summary. Returns the duration of the longest task of the page
+ * meanwhile, in ms of processor time, which excludes other programs on the machine.
  */
 async function paste(page, text) {
   const categories = ["disabled-by-default-devtools.timeline", "blink.user_timing"];
@@ -242,7 +242,8 @@ async function paste(page, text) {
     const event = new ClipboardEvent("paste", init);
     const summary = document.getElementById("summary");
     return new Promise((resolve) => {
-      // In tasks of their own: preparing the event is not the page's work, and what it does ends.
+      // In separate tasks, so that preparing the event does not count and the page's own task can
+      // end.
       setTimeout(() => {
         performance.mark("pasted");
         new MutationObserver(() => {
@@ -268,17 +269,17 @@ async function paste(page, text) {
   return Math.max(...tasks.map((task) => task.tdur)) / 1000;
 }
 
-const longestTask = 100; // ms; it takes about a quarter of that
+const longestTask = 100; // ms; a task usually takes a quarter of that
 
 test("a paste of 1 MB leaves the page responsive", async () => {
   const text = megabyte();
   const attempts = [];
-  // What the page does itself shows every time; a machine that stands still may count, too.
+  // Long tasks of the page itself occur in every attempt; a stall of the machine does not.
   while (attempts.length < 5 && !attempts.some((longest) => longest < longestTask)) {
     await withDecoder(async (page) => {
       attempts.push(await paste(page, text));
       assert.match(await summary(page).textContent(), /^[0-9,]+ bytes: [0-9,]+ frames/);
-      // Another input goes on from there.
+      // The page still accepts input.
       await page.getByRole("button", { name: "Remove" }).click();
       await type(page, "3e 56 00 56 00");
       await expectSummary(page, /^5 bytes: 1 frame\.$/);

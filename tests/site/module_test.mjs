@@ -1,4 +1,5 @@
-// The WebAssembly module and its engine, without a browser: they must say what the command says.
+// Tests of the WebAssembly module and its engine without a browser: the results match the
+// command's.
 
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
@@ -18,7 +19,7 @@ const { decoderEngine } = (() => {
 })();
 createRequire(import.meta.url)(path.join(assets, "decoder-module.js"));
 
-/** The module itself, fed in pieces. */
+/** The module itself, fed in chunks. */
 class Module {
   static async create() {
     const code = Buffer.from(globalThis.sbgcDecoderModule, "base64");
@@ -31,7 +32,7 @@ class Module {
     return module;
   }
 
-  /** The lines of output, as text. */
+  /** Returns the lines of output, as text. */
   decode(input, { from = "auto", hex = false, pieces = 1 << 16 } = {}) {
     const { wasm } = this;
     const lines = [];
@@ -69,7 +70,7 @@ function command(input, ...options) {
   return { status: result.status, lines: result.stdout.toString().split("\n").slice(0, -1) };
 }
 
-/** Asserts that the module prints for each frame exactly what the command prints. */
+/** Asserts that the module prints the same line for each frame as the command. */
 function agree(input, from, hex = false) {
   const expected = command(input, "--from", from, ...(hex ? ["--hex"] : [])).lines;
   const lines = module.decode(input, { from, hex });
@@ -88,10 +89,10 @@ const ofVector = (vector) =>
     frame(vector.id, Buffer.from(vector.hex, "hex")),
   ]);
 
-// Vectors without hex are about encoding; no frame carries the id 0.
+// Vectors without hex test encoding only; no frame carries the id 0.
 const decodable = vectors().filter((vector) => vector.hex !== undefined && vector.id !== 0);
 
-/** Numbers as a float of the wire holds them. */
+/** Returns the value with all numbers rounded to 32-bit floats. */
 const rounded = (value) =>
   JSON.parse(JSON.stringify(value), (_, v) => (typeof v === "number" ? Math.fround(v) : v));
 
@@ -103,9 +104,9 @@ test("every vector decodes to what the reference codec says", () => {
     assert.equal(found.length, 1 + (vector.after ?? []).length);
     const { frame: last } = found.at(-1);
     assert.equal(last.id, vector.id);
-    // Not compared: frames taken for the other direction's, since the sender is not told where two
-    // have to speak; what "chosen" says of two forms; bodies that contradict their request, of which
-    // the command makes the best.
+    // Not compared: frames assigned to the other direction, because the sender is unknown when
+    // frames of both directions match; the choice between two forms; and bodies that contradict
+    // their request, which the command decodes as far as possible.
     if (last.direction !== vector.direction || "chosen" in vector) continue;
     if (vector.after && vector.error) continue;
     ++compared;

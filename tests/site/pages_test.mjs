@@ -1,4 +1,4 @@
-// Every page of the site in Chromium, from files.
+// Tests of every page of the site in Chromium, opened from files.
 
 import assert from "node:assert/strict";
 import fs from "node:fs";
@@ -17,7 +17,7 @@ before(async () => {
 });
 after(() => browser.close());
 
-/** Loads a page of the site. Returns what goes wrong, and every address that is asked for. */
+/** Loads a page of the site. Returns errors and all requested addresses. */
 async function visit(page, name) {
   const problems = [];
   const requests = [];
@@ -29,7 +29,7 @@ async function visit(page, name) {
     pageerror: (error) => problems.push(`exception: ${error}`),
     requestfailed: (request) => {
       const reason = request.failure().errorText;
-      // The icon is not waited for; leaving the page gives it up.
+      // Nothing waits for the icon; leaving the page aborts its request.
       if (reason !== "net::ERR_ABORTED") problems.push(`failed: ${request.url()}: ${reason}`);
     },
     request: (request) => {
@@ -43,7 +43,7 @@ async function visit(page, name) {
   return { problems, requests };
 }
 
-/** The pages to look at closely: all at the top, and of each folder the one of middle size. */
+/** Returns the pages to check closely: all at the top level, and each folder's one of median size. */
 function samples() {
   const size = (name) => fs.statSync(path.join(site, name)).size;
   const kinds = new Map();
@@ -54,7 +54,7 @@ function samples() {
   return [...kinds.values()].map((names) => names[names.length >> 1]);
 }
 
-/** What sticks out to the right of a window so wide. Boxes that scroll by themselves may hold more. */
+/** Returns the elements that overflow a window of this width. Scrollable boxes may be wider. */
 async function overflowing(width) {
   while (innerWidth !== width) {
     await new Promise((resolve) => addEventListener("resize", resolve, { once: true }));
@@ -109,7 +109,7 @@ for (const [colorScheme, width] of [
     await inParallel(browser, samples(), look, async (page, name) => {
       await visit(page, name);
       await page.addScriptTag({ path: axe });
-      // It would load the style sheets a second time, which files may not.
+      // Preloading would load the style sheets again, which is not allowed for file URLs.
       const { violations } = await page.evaluate(() => globalThis.axe.run({ preload: false }));
       for (const { id, help, nodes } of violations) {
         const where = nodes.map((node) => node.target.join(" ")).slice(0, 3);
@@ -155,7 +155,7 @@ test("search finds a message, a command and a field, and leads there", async () 
   await page.close();
 });
 
-/** What the search shows for a query: the names of the first results, and the line before them. */
+/** Returns the names of the first search results for a query, and the line above them. */
 async function search(page, query) {
   await page.locator("#search").fill(query);
   await page.waitForFunction(

@@ -1,4 +1,4 @@
-// Runs one file of tests: node run.mjs NAME_test.mjs. Exit status 77 if there is nothing to test.
+// Runs one test file: node run.mjs NAME_test.mjs. Exits with status 77 if the site is missing.
 
 import { spawnSync } from "node:child_process";
 import fs from "node:fs";

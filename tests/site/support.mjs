@@ -1,4 +1,4 @@
-// Where the site is, and a browser to look at it.
+// The location of the site, and a browser for the tests.
 
 import fs from "node:fs";
 import path from "node:path";
@@ -12,7 +12,7 @@ export const sbgc = process.env.SBGC ?? path.join(root, "build/release/tools/sbg
 
 export const addressOf = (page) => pathToFileURL(path.join(site, page)).href;
 
-/** All pages by their path in the site. */
+/** Returns all pages by their path in the site. */
 export function pages() {
   const found = [];
   const walk = (folder) => {
@@ -26,11 +26,11 @@ export function pages() {
   return found.sort();
 }
 
-/** The exported model. */
+/** Returns the exported model. */
 export const model = () =>
   JSON.parse(fs.readFileSync(path.join(root, "generated/simplebgc.json"), "utf8"));
 
-/** The lines of all test vectors. */
+/** Returns the lines of all test vectors. */
 export function vectors() {
   const folder = path.join(root, "generated/vectors");
   return fs
@@ -39,7 +39,7 @@ export function vectors() {
     .map((line) => JSON.parse(line));
 }
 
-/** A frame around a body. */
+/** Returns a frame around a body. */
 export function frame(id, body) {
   const sum = (bytes) => bytes.reduce((total, byte) => total + byte, 0) & 0xff;
   const content = Buffer.from(body);
@@ -47,14 +47,14 @@ export function frame(id, body) {
   return Buffer.concat([Buffer.from(header), content, Buffer.from([sum(content)])]);
 }
 
-/** Debian's Chromium, or the one in CHROMIUM. */
+/** Launches Debian's Chromium, or the one in CHROMIUM. */
 export async function launch() {
   const { chromium } = await import("playwright-core");
   const names = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser"];
   const executablePath = names.find((name) => name && fs.existsSync(name));
   if (executablePath === undefined) throw new Error("there is no /usr/bin/chromium: package chromium");
-  // Without its sandbox, which neither root nor others in many containers can have: it sees only
-  // pages of ours.
+  // Without its sandbox, which is unavailable to root and in many containers. It opens only our own
+  // pages.
   return chromium.launch({ executablePath, chromiumSandbox: false });
 }
 
@@ -66,6 +66,6 @@ export async function inParallel(browser, items, options, work) {
     for (const item of left) await work(page, item);
     await page.close();
   };
-  // Not one for each processor: a container may have the use of a few of many.
+  // A fixed number, because a container may use only a few of the machine's processors.
   await Promise.all(Array.from({ length: 3 }, worker));
 }

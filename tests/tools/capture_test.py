@@ -1,5 +1,5 @@
-"""Captures in the sbgc command: decode and record. The files are made here, from the description of the
-format, not by the library."""
+"""Tests of captures in sbgc decode and sbgc record. The files are built here from the description
+of the format, not by the library."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def record(kind: int, seconds: float, data: bytes) -> bytes:
 
 
 def records(capture: bytes) -> list[tuple[int, bytes]]:
-    """Kind and bytes of the records of a capture of one session."""
+    """Returns kind and bytes of the records of a capture with one session."""
     assert capture[:8] == session()[:8]
     assert zlib.crc32(capture[:20]) == struct.unpack_from("<I", capture, 20)[0]
     result = []
@@ -117,7 +117,7 @@ def test_rejected_candidates_of_a_capture_are_explained() -> None:
 
 def test_a_capture_without_a_frame() -> None:
     assert run("decode", stdin=session() + record(NOTE, 0, b"nothing came")).status == 0
-    # The frames of the other direction are frames, too.
+    # Frames of the other direction count as frames, too.
     assert run("decode", "--from", "board", stdin=session() + record(TO_BOARD, 0, ANGLES_REQUEST))
     noise = run("decode", "--format", "jsonl", stdin=session() + record(FROM_BOARD, 1, b"?" * 9))
     assert noise.status == 1 and noise.out == b""
@@ -130,7 +130,7 @@ def test_a_capture_without_a_frame() -> None:
 
 
 def test_a_frame_has_the_time_of_its_last_byte() -> None:
-    # It is found only when a later, longer candidate in front of it turns out to be false.
+    # The frame is found only when a longer candidate that starts before it turns out to be false.
     false_start = b">" + bytes([86, 50, 136])
     capture = (
         session()
@@ -149,7 +149,7 @@ def test_a_request_tells_what_its_answer_holds() -> None:
     answer = frame(88, struct.pack("<H3h", 7, 1, 2, 3))
     lines = decode(session() + record(TO_BOARD, 0, request) + record(FROM_BOARD, 1, answer))
     assert lines[1]["fields"] == {"timestamp_ms": 7, "gyro_data": {"roll": 1, "pitch": 2, "yaw": 3}}
-    # But not what another session has told.
+    # Requests of another session provide no context.
     lines = decode(
         session() + record(TO_BOARD, 0, request) + session() + record(FROM_BOARD, 1, answer)
     )
@@ -188,7 +188,7 @@ def test_a_torn_capture_is_reported_and_read_up_to_there(size: int) -> None:
 
 
 def record_ends() -> list[int]:
-    """Where the header and the records of CAPTURE end."""
+    """Returns the offsets at which the header and the records of CAPTURE end."""
     result = [24]
     while result[-1] < len(CAPTURE):
         size: int = struct.unpack_from("<H", CAPTURE, result[-1] + 2)[0]
@@ -197,7 +197,7 @@ def record_ends() -> list[int]:
 
 
 def end_of_record(time: float) -> int:
-    """Where the record of this time ends in CAPTURE."""
+    """Returns the offset at which the record with this time ends in CAPTURE."""
     starts = record_ends()
     (at,) = [s for s in starts[:-1] if struct.unpack_from("<Q", CAPTURE, s + 4)[0] == time * 1e6]
     return starts[starts.index(at) + 1]
@@ -235,7 +235,7 @@ def test_a_capture_arrives_in_pieces(tmp_path: Path) -> None:
         for piece in (CAPTURE[:1], CAPTURE[1:7], CAPTURE[7:150]):
             process.stdin.write(piece)
             process.stdin.flush()
-        # What is complete is printed while the rest is still to come.
+        # Complete frames are printed while the remaining bytes are still to come.
         assert json.loads(process.stdout.readline())["time"] == 0.25
         process.stdin.close()
         process.stdout.read()
@@ -261,7 +261,7 @@ def test_record_replays_and_decodes(tmp_path: Path) -> None:
 
 
 def test_record_to_the_standard_output(tmp_path: Path) -> None:
-    """Nothing but the capture goes there, and it can be read while it grows."""
+    """Only the capture is written there, and it can be read while it grows."""
     (tmp_path / "in").write_bytes(CAPTURE)
     result = run("record", f"capture:{tmp_path / 'in'}?timing=fast", "-")
     assert result.status == 0
@@ -303,7 +303,7 @@ def waiting_bytes(pipe: int) -> int:
 
 
 def test_a_reader_that_does_not_read_can_be_left() -> None:
-    """The recorder waits for its reader, but not when it is told to stop."""
+    """The recorder waits for its reader, but can be interrupted."""
     with socket.create_server(("127.0.0.1", 0)) as server:
         port = server.getsockname()[1]
         with subprocess.Popen(
@@ -319,7 +319,7 @@ def test_a_reader_that_does_not_read_can_be_left() -> None:
                 assert process.poll() is None
             while process.poll() is None:  # it may not have been waiting yet
                 process.send_signal(signal.SIGINT)
-            # The last of the signals may have come when it was about to end anyway.
+            # The last signal may have arrived during the exit.
             assert process.returncode in (0, 1, -signal.SIGINT)
             error = process.stderr.read()
             assert b"Interrupted" in error or process.returncode != 1
@@ -349,7 +349,7 @@ def test_record_from_a_serial_port_until_it_is_unplugged(tmp_path: Path) -> None
 
 
 def records_so_far(path: Path) -> list[tuple[int, bytes]]:
-    """Those of a capture that is being written."""
+    """Returns the records of a capture that is being written."""
     try:
         return records(path.read_bytes()) if path.exists() and path.stat().st_size >= 24 else []
     except struct.error:
@@ -409,7 +409,7 @@ def test_record_says_what_is_wrong_with_the_file(tmp_path: Path) -> None:
 
 
 def leave_little_room() -> None:
-    """For the header of a session, not for the first record."""
+    """Leaves space for the header of a session, but not for the first record."""
     signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
     resource.setrlimit(resource.RLIMIT_FSIZE, (30, 30))
 

@@ -1,4 +1,4 @@
-"""sbgc decode: what it prints. The keys and their meaning are a contract (design, section 8)."""
+"""Tests of sbgc decode. The keys and their meaning are a contract (design, section 8)."""
 
 from __future__ import annotations
 
@@ -127,7 +127,7 @@ def test_vectors_from_outside(vector: dict) -> None:
     assert line["offset"] == 0
     assert line["id"] == vector["bytes"][1]
     assert line["direction"] == vector["direction"]
-    # Without being told, it finds the same message; only who sent it may be open.
+    # Without the direction, it finds the same message; only the sender may be ambiguous.
     guessed = decode_one(vector["bytes"])
     assert {**guessed, "direction": line["direction"]} == line
     if line["message"] not in BOTH_WAYS:
@@ -152,7 +152,7 @@ BAD_SUM = GET_ANGLES[:-1] + b"\x01"
 @pytest.mark.parametrize(
     "data, sender, reason",
     [
-        # The message whose direction and size fit; 67 is CMD_CONFIRM as well.
+        # The message whose direction and size match; 67 is CMD_CONFIRM as well.
         (
             CONTROL[:-1] + b"\x0b",
             "auto",
@@ -177,7 +177,7 @@ BAD_SUM = GET_ANGLES[:-1] + b"\x01"
             "looks like CMD_CONTROL (67) from the host or CMD_CONFIRM (67) from the board with a body of "
             "50 bytes, an invalid size for both, but",
         ),
-        # Two fit.
+        # Two messages match.
         (
             frame(114)[:-1] + b"\x01",
             "auto",
@@ -219,7 +219,7 @@ def test_what_is_nearly_a_frame_is_explained(data: bytes, sender: str, reason: s
         assert text.status == 1
         (line, *_) = [line for line in text.text.splitlines() if line.startswith("    @")]
         assert line.startswith(f"    @{len(noise)}: looks like") and reason in line
-        # JSON lines are frames only.
+        # JSON lines contain only frames.
         lines = run("decode", "--format", "jsonl", "--from", sender, stdin=noise + data)
         assert lines.status == 1 and lines.out == b""
         assert line in lines.error
@@ -294,7 +294,7 @@ def test_input_without_a_frame(data: bytes, options: list[str], guess: str) -> N
 
 
 def test_noise_is_not_explained_as_frames() -> None:
-    """Among many start bytes, chance puts something like a header behind some of them."""
+    """Among many start bytes, some are followed by an accidental header."""
     noise = bytes(random.Random(5).choices(range(256), k=200_000))
     result = run("decode", "--format", "jsonl", stdin=noise)
     assert result.status == 1
@@ -313,7 +313,7 @@ def test_empty_input() -> None:
 
 
 def test_a_large_capture() -> None:
-    """More than one block, so that frames lie across their borders."""
+    """The input is larger than one block, so frames cross the block boundaries."""
     parts = []
     offsets = []
     generator = random.Random(1)
@@ -381,7 +381,7 @@ def test_file_and_dash(tmp_path: Path) -> None:
 
 
 def test_live_input_comes_out_at_once() -> None:
-    """A frame is printed when it is complete, not when the input ends."""
+    """A frame is printed as soon as it is complete, not at the end of the input."""
     with subprocess.Popen(
         [PROGRAM, "decode", "--format", "jsonl"], stdin=subprocess.PIPE, stdout=subprocess.PIPE
     ) as process:
@@ -394,7 +394,7 @@ def test_live_input_comes_out_at_once() -> None:
 
 
 def test_every_command_in_both_directions() -> None:
-    """Whatever a frame holds, there is one line for it, with fields or with an error."""
+    """Every frame yields exactly one line, with fields or with an error."""
     generator = random.Random(2)
     for direction in ("board", "host"):
         frames = [
@@ -403,7 +403,7 @@ def test_every_command_in_both_directions() -> None:
             for size in (0, 1, generator.randrange(256), 255)
         ]
         lines = decode(b"".join(frames), "--from", direction)
-        # A body may look like a frame only when a frame around it is broken; here none is.
+        # A body can be taken for a frame only if the frame around it is broken; here none is.
         assert [line["id"] for line in lines] == [data[1] for data in frames]
         for line, data in zip(lines, frames):
             keys = ["offset", "command", "id", "message", "direction"]
@@ -420,8 +420,8 @@ def test_a_failed_command_has_the_name_of_a_command() -> None:
 
 
 def test_text() -> None:
-    """The text form of a few frames, as a person reads it. After a change on purpose, write the new
-    one with: sbgc decode --hex tests/tools/capture.hex > tests/tools/capture.txt"""
+    """The text form of a few frames, as people read it. After an intended change, update it with:
+    sbgc decode --hex tests/tools/capture.hex > tests/tools/capture.txt"""
     folder = ROOT / "tests" / "tools"
     result = run("decode", "--format", "text", "--hex", str(folder / "capture.hex"))
     assert result.status == 0

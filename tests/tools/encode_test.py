@@ -1,4 +1,4 @@
-"""sbgc encode: the way back from JSON lines, and what it refuses."""
+"""Tests of sbgc encode: encoding JSON lines and rejecting invalid ones."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ BEEP = {
 
 
 def changed(line: dict, path: str, value: object) -> str:
-    """The line with the field at `path` replaced (or, for "REMOVE", left out)."""
+    """Returns the line with the field at `path` replaced (or, for "REMOVE", removed)."""
     copy = json.loads(json.dumps(line))
     place = copy["fields"]
     *way, last = path.split(".")
@@ -47,7 +47,7 @@ def changed(line: dict, path: str, value: object) -> str:
 
 
 def refusal(text: str, *options: str) -> str:
-    """What is said about input that is refused as a whole."""
+    """Returns the error message for input that is rejected as a whole."""
     result = run("encode", *options, stdin=text)
     assert result.status == 1
     assert result.out == b""
@@ -142,7 +142,7 @@ def test_alignment() -> None:
     ],
 )
 def test_fields_that_do_not_fit(path: str, value: object, words: list[str]) -> None:
-    """These can not be sent, with or without validation."""
+    """These cannot be sent, with or without validation."""
     for options in ([], ["--no-validate"]):
         error = refusal(changed(CONTROL, path, value), *options)
         for word in words:
@@ -210,7 +210,7 @@ def test_deep_nesting() -> None:
 
 
 def test_members_that_grow_on_many_levels() -> None:
-    """At each level, what is inside would be copied when a second member comes."""
+    """A naive reader would copy the inner value at each level when the second member follows."""
     depth = 8_000
     refusal('{"a":' * depth + "{}" + ',"b":1}' * depth)
     fields = '{"a":' * 60 + f'"{"x" * 10_000_000}"' + ',"b":1}' * 60
@@ -235,11 +235,11 @@ def test_long_lines(tmp_path: Path) -> None:
     assert run("encode", stdin=fits + "\r\n" + fits).out == frame(73) * 2
     for text in (fits + " ", " " * (limit + 1) + start):
         assert f"longer than {limit} bytes" in refusal(text)
-    # Nothing of it is kept, so that the next line can be read.
+    # The line is not stored, and the next line can be read.
     huge = tmp_path / "huge"
     with huge.open("wb") as file:
         file.write(b"[" * 1000)
-        file.truncate(100_000_000)  # zeros, which take no place on the disk
+        file.truncate(100_000_000)  # a sparse file
         file.seek(0, os.SEEK_END)
         file.write(b"\n" + GET_ANGLES.encode())
     with subprocess.Popen(
@@ -251,7 +251,7 @@ def test_long_lines(tmp_path: Path) -> None:
         _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
     assert process.returncode == 1
-    assert usage.ru_maxrss < 400_000  # kB, and a sanitizer has its part in it
+    assert usage.ru_maxrss < 400_000  # kB, including the memory of a sanitizer
 
 
 def test_messages_that_quote_the_input_are_harmless() -> None:

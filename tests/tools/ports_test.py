@@ -1,4 +1,4 @@
-"""The list of serial ports. Which there are depends on the machine."""
+"""Tests of the list of serial ports. Its contents depend on the machine."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import pytest
 
 from sbgc_command import PROGRAM, run
 
-# A namespace of its own, in which file systems can be mounted over others.
+# A separate mount namespace, in which file systems can be mounted over others.
 UNSHARE = ["unshare", "--mount"] + (["--map-root-user"] if os.geteuid() != 0 else [])
 NO_PORTS = "No serial ports found.\n"
 
@@ -31,7 +31,7 @@ def test_a_system_without_sys_has_no_ports() -> None:
     """Containers and chroots often lack /sys."""
     if subprocess.run([*UNSHARE, "true"], capture_output=True, check=False).returncode != 0:
         pytest.skip("this user may not mount file systems")
-    # Where /sys is missing already, nothing has to hide it.
+    # If /sys is already missing, there is nothing to hide.
     script = """
         [ ! -d /sys/class ] || mount -t tmpfs none /sys || exit
         "$1" ports && "$1" ports --format json

@@ -34,7 +34,7 @@ class Result:
 
 
 def run(*arguments: str, stdin: bytes | str = b"", stdout: Optional[int] = None) -> Result:
-    """Whatever the input, the program ends by itself, and never by a signal."""
+    """Runs the program; it must exit by itself, for every input, and never by a signal."""
     done = subprocess.run(
         [PROGRAM, *arguments],
         input=stdin.encode() if isinstance(stdin, str) else stdin,
@@ -51,7 +51,7 @@ def run(*arguments: str, stdin: bytes | str = b"", stdout: Optional[int] = None)
 
 
 def decode(stdin: bytes | str, *options: str) -> list[Any]:
-    """The objects of `sbgc decode --format jsonl`, which must succeed."""
+    """Returns the objects of `sbgc decode --format jsonl`, which must succeed."""
     result = run("decode", "--format", "jsonl", *options, stdin=stdin)
     assert result.status == 0, result
     return result.objects
@@ -68,7 +68,7 @@ def frame(command: int, body: bytes = b"") -> bytes:
 
 
 def valid_frames() -> list[dict[str, Any]]:
-    """The frames from outside that are intact, with their bytes; bodies get a frame."""
+    """Returns the intact frames from public sources, with their bytes; plain bodies are framed."""
     result = []
     for vector in VECTORS:
         if vector["expect"] != "valid":

@@ -1,4 +1,4 @@
-"""The sbgc command: wrong usage, input that can not be read, output that can not be written."""
+"""Tests of the sbgc command: wrong usage, unreadable input and unwritable output."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def test_wrong_usage_says_what_may_have_been_meant(arguments: list[str], words: 
 
 
 def test_version() -> None:
-    """It stands in one place."""
+    """The version is defined only in CMakeLists.txt."""
     project = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
     version = re.search(r"^ *VERSION ([0-9.]+)$", project, re.MULTILINE)
     assert version
@@ -90,7 +90,7 @@ def test_help(arguments: list[str]) -> None:
 
 
 def lines_of_help(arguments: list[str], **environment: str) -> list[str]:
-    """Of the help where the standard output is no terminal."""
+    """Returns the lines of the help if the standard output is not a terminal."""
     plain = {key: value for key, value in os.environ.items() if key != "COLUMNS"}
     done = subprocess.run(
         [PROGRAM, *arguments], env={**plain, **environment}, capture_output=True, check=True
@@ -105,7 +105,7 @@ def test_help_breaks_lines_between_words(arguments: list[str]) -> None:
         lines = lines_of_help(arguments, COLUMNS=columns)
         assert " ".join(lines).split() == words, "nothing is lost, no word is broken"
         width = int(columns) if columns.isdigit() else 80
-        # Examples stay whole, and the names of options.
+        # Examples and names of options are not wrapped.
         whole = re.compile(" +((sbgc|emulated gimbal|-)|[^ ]+$)")
         assert not [line for line in lines if len(line) > width and not whole.match(line)]
         if width >= 80:

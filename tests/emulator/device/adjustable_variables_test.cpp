@@ -1,4 +1,4 @@
-// Adjustable variables: set and asked for, lost or saved.
+// Tests of adjustable variables: writing, reading, losing and saving them.
 
 #include <cmath>
 #include <initializer_list>

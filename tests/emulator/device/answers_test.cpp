@@ -1,5 +1,5 @@
-// For every request of the model: what the emulated board sends is what the model says, and the
-// board's state has followed. A request without an entry in the table fails the test.
+// For every request of the model, the emulated board's response matches the model and the board's
+// state changes accordingly. A request without an entry in the table fails the test.
 
 #include <algorithm>
 #include <iterator>
@@ -25,15 +25,15 @@ void expect_as_modelled(const ResponsePolicy& policy, const Packets& packets, Co
     const ResponseForm* const answer = policy.responses.form_of(frame);
     if (answer != nullptr) {
       ++answers;
-      EXPECT_FALSE(answer->is_error) << "it could have been carried out";
+      EXPECT_FALSE(answer->is_error) << "the request could have been executed";
     } else if (roles::is_confirmation(frame)) {
       ++confirmations;
       EXPECT_TRUE(policy.responses.is_confirmed_by(roles::confirmed_command(frame), frame));
       EXPECT_FALSE(policy.result.is_failure(one.body));
     } else if (roles::is_reset(frame)) {
-      EXPECT_TRUE(policy.restarts_board) << "it restarts unasked";
+      EXPECT_TRUE(policy.restarts_board) << "unexpected restart";
     } else {
-      ADD_FAILURE() << "command " << int{one.id} << " is no answer to it";
+      ADD_FAILURE() << "command " << int{one.id} << " is not a response to it";
     }
   }
   EXPECT_EQ(answers, policy.response_required ? 1U : 0U);
@@ -42,7 +42,7 @@ void expect_as_modelled(const ResponsePolicy& policy, const Packets& packets, Co
     case Confirmed::unlikely: EXPECT_EQ(confirmations, 0U); break;
     case Confirmed::always: EXPECT_EQ(confirmations, policy.confirmations); break;
     case Confirmed::possible:
-      ASSERT_NE(comes, Comes::as_modelled) << "say in the table what the emulated board does";
+      ASSERT_NE(comes, Comes::as_modelled) << "specify in the table what the emulated board does";
       EXPECT_EQ(confirmations, comes == Comes::confirmation ? policy.confirmations : 0U);
       break;
   }

@@ -1,4 +1,4 @@
-// Automatic tuning: progress, what it finds, and where that is stored.
+// Tests of automatic tuning: progress, results, and where they are stored.
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ TEST(AutoTuning, ReportsTwiceASecondAndStoresWhatItFound) {
   EXPECT_EQ(after.axes.pitch.p, rest.back().p.pitch);
   EXPECT_EQ(after.axes.pitch.i.raw(), rest.back().i.pitch);
   EXPECT_EQ(after.axes.pitch.d, rest.back().d.pitch);
-  EXPECT_EQ(after.axes.roll, before.axes.roll) << "it was not tuned";
+  EXPECT_EQ(after.axes.roll, before.axes.roll) << "not tuned";
   EXPECT_EQ(filters(host, 0).lpf_freq.pitch.raw(), rest.back().lpf_freq.pitch);
 }
 

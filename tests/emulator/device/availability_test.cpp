@@ -1,5 +1,5 @@
-// Old boards and firmware, and newer ones: what they do not know they refuse, or ignore if they
-// have no words for it.
+// Tests of older and newer boards and firmware: they reject unknown requests, or ignore them if
+// they cannot report errors.
 
 #include <type_traits>
 
@@ -69,7 +69,7 @@ TEST(Availability, OfEveryRequestIsThatOfTheModel) {
             is_supported<M>(Availability{options.firmware.raw(), options.board.raw()});
         EXPECT_EQ(host.board.counters().unknown - unknown, is_known ? 0U : 1U)
             << Meta<M>::info.name;
-        // It may have restarted.
+        // The board may have restarted.
         host.board.restart(host.now);
         host.listen(options.start_time + milliseconds(1));
       }
@@ -93,7 +93,7 @@ TEST(Availability, OldRequestsHaveTheAnswersOfNewerOnes) {
 }
 
 TEST(Availability, AccelerationLimitsAreThoseThatTheFirmwareHas) {
-  // The camera is as fast as the limit in force allows.
+  // The camera accelerates as fast as the effective limit allows.
   const auto moved = [](std::uint16_t firmware) {
     Host host(versions(30, firmware));
     auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});

@@ -1,4 +1,4 @@
-// The board as a whole: what it does depends on bytes and their times alone.
+// Tests of the complete board: its behavior depends only on the bytes and their times.
 
 #include <algorithm>
 #include <cstdint>
@@ -48,7 +48,7 @@ TEST(Board, WorksOnAfterItHasBeenMoved) {
   EXPECT_EQ(told, 2);
 }
 
-/// What happens at a time: bytes come, and what waits is taken.
+/// At time `at`, bytes arrive and pending output is taken.
 struct Event {
   Instant at{};
   Bytes bytes{};
@@ -74,11 +74,11 @@ std::vector<Event> random_events(std::uint32_t seed) {
   return events;
 }
 
-/// How advance() is called between the events.
+/// How advance() is called between events.
 enum class Cut { never, as_next_says, at_random };
 
 Bytes run(std::uint32_t seed, Cut cut, emulator::BoardOptions options = {}) {
-  // There are many restarts among the requests.
+  // The requests include many restarts.
   options.start_time = milliseconds(5);
   options.bootloader_time = milliseconds(20);
   emulator::Board board(options, {}, {});
@@ -165,11 +165,11 @@ TEST(Board, SaysWhatItDoesNotKnow) {
     }
     return all;
   };
-  // CMD_ERROR (255): the id that it is about, the code, nothing else.
+  // CMD_ERROR (255): the id of the rejected command, the error code and no further data.
   EXPECT_EQ(bytes(200, {}), (Bytes{255, 200, 6, 0, 0, 0, 0})) << "UNKNOWN_COMMAND";
   EXPECT_EQ(bytes(67, Bytes(3)), (Bytes{255, 67, 1, 0, 0, 0, 0})) << "CMD_SIZE";
   EXPECT_EQ(bytes(69, Bytes(9)), (Bytes{255, 69, 1, 0, 0, 0, 0})) << "CMD_SIZE";
-  EXPECT_EQ(bytes(255, {200, 6, 0, 0, 0, 0}), Bytes{}) << "an error is not answered";
+  EXPECT_EQ(bytes(255, {200, 6, 0, 0, 0, 0}), Bytes{}) << "an error gets no response";
 }
 
 TEST(Board, IntroducesItselfWhateverTheSizeOfTheRequest) {
@@ -209,7 +209,7 @@ TEST(Board, SaysInItsAnswerThatAFileCannotBeRead) {
         .err_code;
   };
   EXPECT_EQ(error(1, 64), msg::FileError::file_not_found);
-  EXPECT_EQ(error(1, 252), msg::FileError::wrong_params) << "more than an answer holds";
+  EXPECT_EQ(error(1, 252), msg::FileError::wrong_params) << "more than fits into a response";
 }
 
 TEST(Board, RefusesPagesThatAreNone) {

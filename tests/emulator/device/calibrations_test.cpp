@@ -1,4 +1,4 @@
-// Calibrations: when they are confirmed, what they find and store, and what disturbs them.
+// Tests of calibrations: confirmations, results and storage, and disturbances.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -172,7 +172,7 @@ TEST(Calibrations, OverTemperatureTakesMinutes) {
   EXPECT_EQ(confirmations<msg::CalibGyro>(host.listen(seconds(100))), 1);
   const msg::CalibInfo one = info(host);
   EXPECT_EQ(one.temp_calib_gyro_enabled, 1);
-  // The board warms up all the time.
+  // The board warms up continuously.
   EXPECT_LT(one.temp_calib_gyro_t_min_cels, one.temp_calib_gyro_t_max_cels);
   EXPECT_NEAR(one.temp_calib_gyro_t_max_cels.raw(), one.imu_temp_cels.raw(), 3);
   EXPECT_EQ(one.temp_calib_acc_enabled, 0);
@@ -365,7 +365,7 @@ TEST(Calibrations, AHostThatHasLeftGetsNothing) {
   host.board.close_port(host.port);
   ASSERT_EQ(host.board.open_port(), host.port) << "the next host has the same port";
   EXPECT_THAT(host.listen(seconds(10)), IsEmpty());
-  EXPECT_EQ(info(host).progress, msg::Percent(100)) << "it went on nevertheless";
+  EXPECT_EQ(info(host).progress, msg::Percent(100)) << "it continued nevertheless";
 }
 
 TEST(Calibrations, ARestartEndsThem) {
@@ -381,7 +381,7 @@ TEST(Calibrations, TheMenuStartsThem) {
   Host host;
   host.ask(msg::ExecuteMenu{.cmd_id = msg::MenuCommand::calib_acc});
   EXPECT_EQ(refusal(host, msg::CalibGyro{}), msg::BoardErrorCode::wrong_state);
-  EXPECT_THAT(host.listen(seconds(5)), IsEmpty()) << "no request is left to be confirmed";
+  EXPECT_THAT(host.listen(seconds(5)), IsEmpty()) << "no request is awaiting a confirmation";
   EXPECT_EQ(info(host).acc_limits_info, msg::CalibratedLimit::plus_z);
 }
 

@@ -7,7 +7,7 @@
 
 namespace sbgc::test {
 
-/// Moves pitch alone.
+/// Returns a request that moves only pitch.
 inline msg::ControlExt one_axis(msg::ControlModeKind mode, std::int16_t speed, std::int16_t angle) {
   msg::ControlExt request;
   request.control_mode.pitch.set_mode(mode);

@@ -1,4 +1,4 @@
-// What control commands make of the axes.
+// Tests of control commands and their effect on the axes.
 
 #include <optional>
 #include <span>
@@ -26,7 +26,7 @@ TEST(Control, ModesAndUnits) {
   EXPECT_NEAR(command().speed, 1000 * 4000.0 / 32767, 1e-9);
   host.ask(one_axis(msg::ControlModeKind::angle, -1000, 8192));
   EXPECT_EQ(command().mode, AxisMode::angle);
-  EXPECT_NEAR(command().speed, 1000 * 4000.0 / 32767, 1e-9) << "the angle says the direction";
+  EXPECT_NEAR(command().speed, 1000 * 4000.0 / 32767, 1e-9) << "the angle determines the direction";
   EXPECT_EQ(command().angle, 180);
   host.ask(one_axis(msg::ControlModeKind::speed_angle, -1000, 100));
   EXPECT_EQ(command().mode, AxisMode::speed_angle);
@@ -41,7 +41,7 @@ TEST(Control, ModesAndUnits) {
   parameters.rc_trim.pitch = 50;
   host.ask(msg::WriteParams3{parameters});
   host.ask(one_axis(msg::ControlModeKind::rc, 0, -250));
-  EXPECT_NEAR(command().signal, 0.6, 1e-9) << "it stands for the RC signal, parameters and all";
+  EXPECT_NEAR(command().signal, 0.6, 1e-9) << "it replaces the RC signal, including its parameters";
   parameters.rc.pitch.rc_mode.set_inverted(false);
   host.ask(msg::WriteParams3{parameters});
   host.ask(one_axis(msg::ControlModeKind::rc, 0, 9999));
@@ -98,7 +98,7 @@ TEST(Control, TheCameraMoves) {
   EXPECT_EQ(angles.axes.pitch.rc_speed.raw(), 0);
 }
 
-/// Parameters by which the joint of yaw turns from -30 to 60 degrees.
+/// Limits the joint of yaw to -30 to 60 degrees.
 void limit_yaw(Host& host) {
   auto parameters = host.get<msg::ReadParamsExt>(msg::ReadParamsExtRequest{});
   parameters.encoder_limit_min.yaw = msg::EncoderLimit(-10);
@@ -106,7 +106,7 @@ void limit_yaw(Host& host) {
   host.ask(msg::WriteParamsExt{parameters});
 }
 
-/// Where the joint of yaw ends if the camera is told to turn to that angle.
+/// Returns the final angle of the yaw joint after a command to turn the camera to `angle`.
 double joint_after(Host& host, double angle) {
   msg::ControlExt request;
   request.control_mode.yaw.set_mode(msg::ControlModeKind::angle);
@@ -150,7 +150,8 @@ TEST(Control, NoMotorIsFasterThanTheGyroscopeCanTell) {
   EXPECT_NEAR(data.axes.pitch.rc_speed.degrees_per_second(), 2000, 0.1) << "and says so";
 }
 
-/// What a handheld gimbal does in 5 s, while a host sends the message 50 times a second.
+/// Returns the state of a handheld gimbal after 5 s in which a host sends `data` 50 times per
+/// second.
 template <class Data>
 emulator::Sample helped(const std::optional<Data>& data) {
   emulator::BoardOptions options;
@@ -161,7 +162,8 @@ emulator::Sample helped(const std::optional<Data>& data) {
     if (data) {
       host.send(*data);
     }
-    EXPECT_THAT(host.listen(milliseconds(20)), IsEmpty()) << "it comes often";
+    EXPECT_THAT(host.listen(milliseconds(20)), IsEmpty())
+        << "it is sent often, so it is not confirmed";
   }
   return host.board.gimbal().sample(host.now);
 }

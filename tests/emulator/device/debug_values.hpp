@@ -1,4 +1,4 @@
-/// Debug variables by name, in tests.
+/// Debug variables by name, for tests.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace sbgc::test {
 
-/// The values of all debug variables, read as the board announces them.
+/// Returns the values of all debug variables, read as the board announces them.
 inline std::map<std::string, std::vector<double>> debug_values(Host& host) {
   const auto info = host.get<msg::DebugVarsInfo3>(msg::DebugVarsInfo3Request{});
   msg::DebugVars3::Context context;

@@ -1,4 +1,4 @@
-// Debug variables: announced, and alive.
+// Tests of debug variables: their announcement, and that their values change.
 
 #include "device/parts/debug_variables.hpp"
 
@@ -25,7 +25,7 @@ TEST(DebugVariables, EveryKindOfVariableIsThere) {
     kinds.insert(one.var_type.kind());
     axes.insert(one.var_type.axis());
     names.insert(std::string(one.var_name.data(), one.var_name.size()));
-    EXPECT_EQ(one.arr_size, 0) << "known readers take these bytes for reserved";
+    EXPECT_EQ(one.arr_size, 0) << "existing readers treat these bytes as reserved";
     has_angle = has_angle || one.var_type.flags().has(msg::DebugVarFlag::angle14);
   }
   EXPECT_EQ(kinds.size(), EnumMeta<msg::DebugVarKind>::info.values.size());

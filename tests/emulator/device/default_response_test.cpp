@@ -1,5 +1,5 @@
-// What the board answers from the model alone fits the model: for every request there is, also
-// those that have code of their own.
+// The board's default responses match the model: for every request, including those with their own
+// handlers.
 
 #include "device/default_response.hpp"
 
@@ -81,7 +81,7 @@ TEST(DefaultAnswer, DependsOnTheRequest) {
   expect_answer_of_model(request);
   request.confirm = msg::ResetOption::notify;
   expect_answer_of_model(request);
-  // One that is unlikely confirmed is not.
+  // A request whose confirmation is unlikely is not confirmed.
   expect_answer_of_model(msg::AhrsHelperRequestExt{.mode = msg::AhrsHelperModeBit::set});
 }
 

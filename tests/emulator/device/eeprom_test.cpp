@@ -1,4 +1,4 @@
-// The EEPROM as CMD_EEPROM_READ and CMD_EEPROM_WRITE see it, and records in it.
+// Tests of the EEPROM, as accessed by CMD_EEPROM_READ and CMD_EEPROM_WRITE, and of its records.
 
 #include "device/parts/eeprom.hpp"
 

@@ -1,4 +1,4 @@
-"""Every request that the board answers with code of its own is answered in the file of its family."""
+"""Every request with its own handler is handled in the source file of its family."""
 
 import json
 import re

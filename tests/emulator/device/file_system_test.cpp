@@ -1,4 +1,4 @@
-// The board's files, as CMD_READ_FILE and CMD_WRITE_FILE see them.
+// Tests of the board's files, as accessed by CMD_READ_FILE and CMD_WRITE_FILE.
 
 #include "device/parts/file_system.hpp"
 
@@ -52,7 +52,7 @@ msg::FileError write_whole(FileSystem& files, std::uint16_t file, const ByteVect
   return msg::FileError::no_error;
 }
 
-/// Its content; nothing if there is none.
+/// Returns the contents of a file, or nothing if it does not exist.
 std::optional<ByteVector> whole(const FileSystem& files, std::uint16_t file) {
   ByteVector content;
   while (true) {
@@ -63,7 +63,7 @@ std::optional<ByteVector> whole(const FileSystem& files, std::uint16_t file) {
   }
 }
 
-/// Bytes that one file can have in an empty file system.
+/// Returns the maximum size of a single file in an empty file system.
 std::uint16_t capacity() {
   Memory memory;
   FileSystem files(memory);
@@ -133,7 +133,7 @@ TEST(Files, ANewSizeKeepsTheOldContentAndFillsWithZeros) {
   expected.resize(100);
   std::ranges::copy(numbered(36, 5), expected.begin() + 64);
   EXPECT_EQ(whole(files, 7), expected);
-  // What had been cut off does not come back.
+  // Truncated data does not reappear.
   ASSERT_EQ(files.write(7, 200, 0, numbered(1)), msg::FileError::no_error);
   expected.resize(200);
   EXPECT_EQ(whole(files, 7), expected);
@@ -188,7 +188,7 @@ TEST(Files, AFullMemoryRefusesWithoutAnyChange) {
   EXPECT_EQ(files.write(2, page + 1, 0, numbered(page)), msg::FileError::no_free_space);
   EXPECT_EQ(files.write(2, 0xFFFF, 0, numbered(page)), msg::FileError::no_free_space);
   EXPECT_EQ(memory, before);
-  // Deleting makes room.
+  // Deleting frees space.
   ASSERT_EQ(files.write(2, 0, 0, {}), msg::FileError::no_error);
   EXPECT_EQ(write_whole(files, 3, numbered(page)), msg::FileError::no_error);
   EXPECT_EQ(whole(files, 1), numbered(all - page));
@@ -240,7 +240,7 @@ TEST(Files, ATableThatNoBoardHasWrittenIsDamaged) {
   const std::size_t size = capacity() / 2;
   ASSERT_EQ(write_whole(files, 1, numbered(size)), msg::FileError::no_error);
   ASSERT_EQ(write_whole(files, 2, numbered(100)), msg::FileError::no_error);
-  // The second file reaches beyond the end, and the checksum holds.
+  // The second file extends past the end, although the checksum is valid.
   const auto table = std::span(memory.eeprom).subspan(sbgc::emulator::layout::files);
   constexpr std::size_t entry = 8, entries = FileSystem::most_files * entry;
   sbgc::wire::store(table.data() + entry + 2, static_cast<std::uint16_t>(size + 2 * page));
@@ -261,7 +261,7 @@ TEST(Files, ADamagedFileIsNoticedAndTheOthersAreNot) {
   EXPECT_EQ(files.read(1, 0, 64).error, msg::FileError::crc);
   EXPECT_EQ(files.write(1, 200, 0, numbered(64)), msg::FileError::crc);
   EXPECT_EQ(whole(files, 2), numbered(100));
-  // It stays damaged when another one is written or deleted.
+  // It remains damaged when another file is written or deleted.
   ASSERT_EQ(write_whole(files, 3, numbered(50)), msg::FileError::no_error);
   ASSERT_EQ(files.write(2, 0, 0, {}), msg::FileError::no_error);
   EXPECT_EQ(files.read(1, 0, 64).error, msg::FileError::crc);
@@ -270,7 +270,7 @@ TEST(Files, ADamagedFileIsNoticedAndTheOthersAreNot) {
   EXPECT_EQ(whole(files, 3), numbered(50));
 }
 
-// Any sequence of operations does what it would do to a map of contents.
+// Any sequence of operations has the same result as on a map of contents.
 TEST(Files, BehaveAsAMapOfContents) {
   const std::size_t all_pages = capacity() / page;
   std::mt19937 random(6);

@@ -1,4 +1,4 @@
-// What the parameters mean for the mechanics.
+// Tests of the effect of parameters on the mechanics.
 
 #include "device/parts/gimbal_tuning.hpp"
 
@@ -57,7 +57,7 @@ TEST(Tuning, TheMotorsStopAtWhatTheSensorShows) {
   Parameters parameters(memory);
   const double threshold = parameters.of<msg::ReadParams3>().bat_threshold_motors.volts();
   EXPECT_NEAR(tuning(parameters, 0.5).battery_stop, 2 * threshold, 1e-9);
-  EXPECT_LT(tuning(parameters, 0).battery_stop, 0) << "without a sensor never";
+  EXPECT_LT(tuning(parameters, 0).battery_stop, 0) << "the motors never stop without a sensor";
 }
 
 }  // namespace

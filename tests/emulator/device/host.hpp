@@ -1,4 +1,4 @@
-/// The host of an emulated board in tests: it sends requests, lets time pass and keeps what comes.
+/// The host of an emulated board in tests: it sends requests, advances time and records responses.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace sbgc::test {
 
-/// A message without its frame, and when it came.
+/// A message without its frame, and its time of arrival.
 struct Packet {
   std::uint8_t id{};
   std::vector<std::uint8_t> body{};
@@ -32,7 +32,7 @@ bool is(const Packet& packet) {
   return packet.id == static_cast<std::uint8_t>(M::command) && packet.body.size() >= M::min_size;
 }
 
-/// The message in a packet. Fails the test if it is none.
+/// Returns the message in a packet. Fails the test if it is not an M.
 template <class M>
 M message(const Packet& packet) {
   M result{};
@@ -40,7 +40,7 @@ M message(const Packet& packet) {
   return result;
 }
 
-/// The messages M among the packets.
+/// Returns the messages M among the packets.
 template <class M>
 std::vector<M> all(const Packets& packets) {
   std::vector<M> result;
@@ -58,7 +58,7 @@ class Host {
     listen(options.start_time + milliseconds(1));
   }
 
-  /// Lets time pass; returns what has come meanwhile.
+  /// Advances time; returns the packets that arrive meanwhile.
   Packets listen(Duration duration) {
     const Instant end = now + duration;
     Packets result;
@@ -71,7 +71,7 @@ class Host {
     }
   }
 
-  /// Sends bytes as they are.
+  /// Sends bytes unchanged.
   void send_bytes(std::span<const std::uint8_t> bytes) { board.receive(port, bytes, now); }
   template <Message M>
   void send(const M& message) {
@@ -81,13 +81,14 @@ class Host {
     send_bytes(std::span(frame).first(written.size));
   }
 
-  /// Sends a request and waits; returns what has come.
+  /// Sends a request and waits; returns the packets that arrive meanwhile.
   template <Message M>
   Packets ask(const M& request, Duration wait = milliseconds(50)) {
     send(request);
     return listen(wait);
   }
-  /// The answer to a request. Fails the test if there is not exactly one packet, of that type.
+  /// Returns the response to a request. Fails the test unless it is exactly one packet of that
+  /// type.
   template <class Answer, Message M>
   Answer get(const M& request, Duration wait = milliseconds(50)) {
     const Packets packets = ask(request, wait);

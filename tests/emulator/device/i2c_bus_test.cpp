@@ -1,4 +1,4 @@
-// I2C buses: who answers, and what registers hold.
+// Tests of I2C buses: which devices respond, and their registers.
 
 #include "device/parts/i2c_bus.hpp"
 

@@ -1,4 +1,4 @@
-// Choosing and correcting IMUs.
+// Tests of the selection and correction of IMUs.
 
 #include <cmath>
 
@@ -46,7 +46,7 @@ TEST(GyroCorrection, ChangesTheDrift) {
   EXPECT_TRUE(is_confirmed(corrected, request));
   plain.ask(msg::SelectImu3{.imu_type = msg::SelectedImu::main});
   for (Host* host : {&plain, &corrected}) host->listen(seconds(60));
-  // The camera turns, because the board believes that it does not.
+  // The camera turns, because the board measures no rotation.
   const double one = plain.board.gimbal().sample(plain.now).joints.yaw;
   const double other = corrected.board.gimbal().sample(corrected.now).joints.yaw;
   EXPECT_GT(std::abs(one - other), 1);
@@ -75,7 +75,8 @@ TEST(GyroCorrection, IsInForceWhenTheBoardIsSwitchedOn) {
             1);
 }
 
-/// What the gyroscope says of a camera at rest: with motors, it would turn so that this is 0.
+/// Returns the gyroscope's reading for a camera at rest: with motors on, it would turn so that this
+/// is 0.
 double still(Host& host) {
   host.ask(msg::MotorsOff{}, seconds(2));
   return host.board.gimbal().sample(host.now).gyro.z;

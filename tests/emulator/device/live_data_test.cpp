@@ -1,4 +1,4 @@
-// Live data: units, limits and what is behind them.
+// Tests of live data: units, limits and sources.
 
 #include <cmath>
 #include <cstdint>
@@ -21,7 +21,7 @@ emulator::BoardOptions still() {
   return options;
 }
 
-/// A board whose motors are off, so that the camera stays where it is placed.
+/// Returns a board with motors off, so that the camera remains where it is placed.
 Host placed(const Axes<double>& angles, emulator::BoardOptions options = still()) {
   Host host(options);
   host.ask(msg::MotorsOff{});
@@ -52,7 +52,7 @@ TEST(LiveData, AnglesBeginAgainAfterTwoTurns) {
   EXPECT_NEAR(
       host.get<msg::GetAnglesExt>(msg::GetAnglesExtRequest{}).axes.yaw.stator_rotor_angle.degrees(),
       730, 1)
-      << "joints count on";
+      << "joint angles do not wrap";
 }
 
 TEST(LiveData, EachAxisShowsItsOwnTurning) {
@@ -81,7 +81,7 @@ TEST(LiveData, BothFormsAgree) {
       << "the older request";
 }
 
-/// An attitude of the frame, told by a host: so many degrees about z and x.
+/// Returns a request that sets the attitude of the frame, in degrees about z and x.
 msg::AhrsHelperRequestExt frame_attitude(double yaw, double pitch) {
   const double z = yaw * M_PI / 180, x = pitch * M_PI / 180;
   msg::AhrsHelperRequestExt set;
@@ -113,7 +113,8 @@ TEST(LiveData, ErrorsAreThoseOfTheActiveImu) {
       return host.get<msg::CalibInfo>(msg::CalibInfoRequest{.imu_type = imu}).h1_err_length.value();
     };
     EXPECT_NEAR(length(msg::SelectedImu::frame), of_heading ? 0.17 : 0, 0.02);
-    EXPECT_NEAR(length(msg::SelectedImu::main), 0, 0.02) << "it is the one that is asked for";
+    EXPECT_NEAR(length(msg::SelectedImu::main), 0, 0.02)
+        << "the error is that of the requested IMU";
   }
 }
 
@@ -162,7 +163,7 @@ TEST(LiveData, AFramesAttitudeThatIsToldIsKnownWithoutItsImu) {
   EXPECT_NEAR(static_cast<double>(known.z1_vector.z), 0.866, 0.01);
   host.listen(seconds(2));
   EXPECT_EQ(host.get<msg::ErrorExt>(get).cmd_id, msg::CommandToBoard::ahrs_helper)
-      << "that is long ago";
+      << "the reference has expired";
 }
 
 TEST(LiveData, TheBatteryIsWatched) {
@@ -183,7 +184,7 @@ TEST(LiveData, TheBatteryIsWatched) {
   parameters.bat_threshold_motors = -12_V;
   host.ask(msg::WriteParams3{parameters});
   host.ask(msg::MotorsOn{});
-  EXPECT_EQ(errors(11).raw(), 0) << "negative thresholds are none";
+  EXPECT_EQ(errors(11).raw(), 0) << "negative thresholds are ignored";
 }
 
 TEST(LiveData, AnEmptyBatteryShowsWithoutMotorsToo) {
@@ -291,7 +292,8 @@ TEST(LiveData, AnAttitudeCanBeSet) {
   set.mode = msg::AhrsHelperModeBit::set;
   set.z1_vector = {0, -0.70710678F, 0.70710678F};
   set.h1_vector = {0, 0.70710678F, 0.70710678F};
-  EXPECT_THAT(host.ask(set, milliseconds(3)), SizeIs(0)) << "it comes often";
+  EXPECT_THAT(host.ask(set, milliseconds(3)), SizeIs(0))
+      << "it is sent often, so it is not confirmed";
   const auto angles = host.get<msg::GetAngles>(msg::GetAnglesRequest{}, milliseconds(3));
   EXPECT_NEAR(std::abs(angles.axes.pitch.imu_angle.degrees()), 45, 2);
 }
@@ -305,7 +307,7 @@ TEST(LiveData, AFrameTellsTheCamerasAttitudeAndTheOtherWayRound) {
     set.z1_vector = {0, -0.5F, 0.8660254F};
     set.h1_vector = {0, 0.8660254F, 0.5F};
     host.ask(set, milliseconds(3));
-    // It is only a reference for the other one, which goes there slowly.
+    // It is only a reference for the other IMU, which converges slowly.
     const auto before = host.board.gimbal().sample(host.now);
     EXPECT_NEAR(by_frame ? before.angles.pitch : before.frame.pitch, 0, 0.5);
     for (int i = 0; i < 2000; ++i) host.ask(set, milliseconds(20));
@@ -317,7 +319,7 @@ TEST(LiveData, AFrameTellsTheCamerasAttitudeAndTheOtherWayRound) {
 }
 
 TEST(LiveData, LaterFirmwareHasAModeOfTwoBytesInFrontOfTheVectors) {
-  // The camera is told to lean by 30 degrees; each firmware takes its own form only.
+  // The requested attitude is a tilt of 30 degrees; each firmware accepts only its own form.
   const std::vector<std::uint8_t> vectors{0,    0,    0,    0,    0, 0, 0, 0xBF,
                                           0xD7, 0xB3, 0x5D, 0x3F, 0, 0, 0, 0,
                                           0xD7, 0xB3, 0x5D, 0x3F, 0, 0, 0, 0x3F};

@@ -1,4 +1,4 @@
-// Every action of the menu.
+// Tests of every menu action.
 
 #include <cmath>
 
@@ -71,7 +71,7 @@ TEST(Menu, LookDownPointsTheCameraToTheGround) {
   execute(host, msg::MenuCommand::look_down, seconds(8));
   const auto attitude = host.get<msg::AhrsHelper>(msg::AhrsHelperRequest{});
   EXPECT_NEAR(static_cast<double>(attitude.z1_vector.y), -1, 0.02)
-      << "y points forward: up lies behind the camera";
+      << "y points forward: up is behind the camera";
 }
 
 TEST(Menu, Positions) {

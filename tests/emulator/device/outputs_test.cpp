@@ -1,4 +1,4 @@
-// Pins, servos and sounds; the debug variables show what became of them.
+// Tests of pins, servos and sounds; debug variables report their state.
 
 #include <array>
 #include <cstdint>
@@ -19,7 +19,7 @@ msg::TriggerPin pin(msg::OutputPin id, msg::PinState state = msg::PinState::high
   return {.pin_id = id, .state = state};
 }
 
-/// Changes the parameters of the first profile.
+/// Modifies the parameters of the first profile.
 template <class Change>
 void change(Host& host, const Change& change) {
   msg::WriteParams3 parameters;

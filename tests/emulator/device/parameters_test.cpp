@@ -1,4 +1,4 @@
-// Parameters of the board: what a host writes is read again, per profile, after a restart as well.
+// Tests of the board's parameters: written values are read back, per profile, also after a restart.
 
 #include "device/parts/parameters.hpp"
 
@@ -151,7 +151,7 @@ TEST(Parameters, ADamagedRecordIsTheFactorySettings) {
   Memory memory;
   Parameters parameters(memory);
   write_random(parameters, 3);
-  // The first record is that of the first message and profile.
+  // The first record holds the first message of the first profile.
   memory.eeprom[emulator::layout::parameters + 50] ^= 0x40;
   EXPECT_EQ(parameters.read<msg::ReadParams3>(0).profile_id, 0);
   const Memory damaged = memory;
@@ -161,7 +161,7 @@ TEST(Parameters, ADamagedRecordIsTheFactorySettings) {
   for_each_random(3, [&]<class M>(std::uint8_t copy, const M& message) {
     const bool is_damaged = std::is_same_v<M, msg::ReadParams3> && copy == 0;
     if (is_damaged) return;
-    // The general ones were in that record.
+    // That record held the general parameters.
     const M expected = copy == 0 ? message : with_general_of(parameters.read<M>(0), message);
     EXPECT_EQ(parameters.read<M>(copy), expected);
   });

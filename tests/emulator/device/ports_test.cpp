@@ -1,4 +1,4 @@
-// Buffers of the serial interfaces, and the order of requests.
+// Tests of the buffers of the serial interfaces, and of the order of requests.
 
 #include <vector>
 
@@ -51,7 +51,7 @@ TEST(Ports, ARequestThatDoesNotFitIsLostWhole) {
   host.send_bytes(frame_of(41, Bytes(128)));
   EXPECT_EQ(host.board.counters().lost, 3U) << "longer than the buffer";
   host.send_bytes(who);
-  EXPECT_THAT(host.listen(seconds(1)), SizeIs(1)) << "there is room again";
+  EXPECT_THAT(host.listen(seconds(1)), SizeIs(1)) << "there is space again";
 }
 
 TEST(Ports, AFloodOfRequestsHasAnEnd) {
@@ -85,7 +85,7 @@ TEST(Ports, AnswersWaitForRoomAndRequestsBehindThem) {
 
 TEST(Ports, AFrameThatIsNeverCompleteIsGivenUp) {
   Host host;
-  // By its header it has 200 bytes, of which the request would be the first.
+  // The header announces 200 bytes, so the request would be the start of its body.
   host.send_bytes(Bytes{'>', 41, 200, 241});
   host.send_bytes(who);
   EXPECT_THAT(host.listen(milliseconds(90)), IsEmpty());

@@ -1,4 +1,4 @@
-/// Parameters of any values, for tests.
+/// Parameters with random values, for tests.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,8 @@ void set_copy(M& message, std::uint8_t copy) {
   if constexpr (SettingsOf<M>::copies > 1) SettingsOf<M>::copy(message) = copy;
 }
 
-/// A body of any bytes with a tail: reserved bytes, values without a meaning, all of it.
+/// Returns a message decoded from random bytes with a tail, including reserved bytes and undefined
+/// values.
 template <class M>
 M random_message(std::mt19937& random, std::uint8_t copy) {
   ByteVector body(M::min_size + random() % (max_body_size - M::min_size + 1));
@@ -40,14 +41,14 @@ M random_message(std::mt19937& random, std::uint8_t copy) {
   return message;
 }
 
-/// The message with the general parameters of another.
+/// Returns the message with the general parameters of another.
 template <class M>
 M with_general_of(const M& from, M message) {
   if constexpr (SettingsOf<M>::copies > 1) SettingsOf<M>::share(from, message);
   return message;
 }
 
-/// Hands out random bodies for everything, always in the same order.
+/// Calls `use` with random bodies of all messages with parameters, always in the same order.
 template <class Use>
 void for_each_random(unsigned seed, Use&& use) {
   std::mt19937 random(seed);

@@ -1,4 +1,4 @@
-/// Frames to a board: requests with any values, and what is none.
+/// Frames to a board: requests with random values, and invalid bytes.
 #pragma once
 
 #include <array>
@@ -20,7 +20,8 @@ inline Bytes frame_of(std::uint8_t id, std::span<const std::uint8_t> body) {
   return {frame.begin(), frame.begin() + static_cast<std::ptrdiff_t>(written.size)};
 }
 
-/// Each has a form of the model, one in eight a wrong size, one in eight are no frames at all.
+/// Each request has a form of the model; one in eight has a wrong size, one in eight is not a
+/// frame.
 class RandomRequests {
  public:
   explicit RandomRequests(std::uint32_t seed) : random_(seed) {
@@ -44,7 +45,7 @@ class RandomRequests {
     }
     if (kind == 0) size = up_to(max_body_size);
     Bytes body(size);
-    // Small numbers mean something more often.
+    // Small numbers are meaningful more often.
     const std::uint32_t most = up_to(2) == 0 ? 255 : 4;
     for (auto& byte : body) byte = static_cast<std::uint8_t>(up_to(most));
     if (kind == 1) return body;

@@ -1,4 +1,4 @@
-// What RC signals, virtual channels and a flight controller make of the axes.
+// Tests of RC signals, virtual channels and a flight controller, and their effect on the axes.
 
 #include <algorithm>
 #include <optional>
@@ -19,7 +19,7 @@ namespace {
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-/// Parameters by which an API channel controls pitch.
+/// Sets the parameters so that an API channel controls pitch.
 void map_pitch(Host& host, int channel, msg::RcModeKind mode = msg::RcModeKind::angle) {
   auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
   parameters.rc_map.pitch.set_source(msg::RcSource::api);
@@ -42,7 +42,7 @@ msg::ApiVirtChControl channels(std::size_t channel, std::int16_t signal) {
 TEST(RemoteControl, VirtualChannelsControlTheCamera) {
   Host host;
   map_pitch(host, 5);
-  EXPECT_THAT(host.ask(channels(5, 500)), IsEmpty()) << "it comes often, so it is not confirmed";
+  EXPECT_THAT(host.ask(channels(5, 500)), IsEmpty()) << "it is sent often, so it is not confirmed";
   host.listen(seconds(8));
   const auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
   const auto angles = host.get<msg::GetAngles>(msg::GetAnglesRequest{});
@@ -80,7 +80,8 @@ TEST(RemoteControl, NoChannelsAndTooManyAreRefused) {
   }
 }
 
-/// What the signals make of pitch, as a share of RC_SPEED. Precondition: they are speeds.
+/// Returns the pitch speed that results from the signals, relative to RC_SPEED. Precondition: the
+/// signals control speeds.
 double control(Host& host, const msg::ApiVirtChControl& signals) {
   host.ask(signals, seconds(1));
   const double full = host.get<msg::ReadParams3>(msg::ReadParams3Request{}).rc.pitch.rc_speed;
@@ -112,7 +113,7 @@ TEST(RemoteControl, SignalsAreBentAsTheSettingsSay) {
     const double result = control(host, signals);
     const auto shown = host.get<msg::RealtimeData3>(msg::RealtimeData3Request{}).rc.pitch;
     EXPECT_EQ(shown, signals.val_ch[4].raw() == 250 ? msg::RcSignal(1750) : msg::RcSignal(1500))
-        << "live data have it as it comes";
+        << "live data contain the raw signal";
     return result;
   };
   EXPECT_NEAR(bent([](msg::ReadParams3&) {}), 0.5, 1e-9);
@@ -132,14 +133,14 @@ TEST(RemoteControl, SignalsAreBentAsTheSettingsSay) {
   EXPECT_NEAR(bent(mix(0)), 0.5, 1e-9);
   EXPECT_NEAR(bent(mix(32)), 0.65, 0.01) << "half and half";
   EXPECT_NEAR(bent(mix(63)), 0.8, 1e-9);
-  // A flight controller controls an axis that has no signal of its own.
+  // A flight controller controls an axis without a signal of its own.
   signals.val_ch[4] = msg::CentredRcSignal(msg::ApiVirtChControl::undefined);
   EXPECT_NEAR(bent(mix(63)), 0.8, 1e-9);
-  EXPECT_NEAR(bent(mix(32)), 0.4, 0.01) << "as if that were in the middle";
+  EXPECT_NEAR(bent(mix(32)), 0.4, 0.01) << "as if the missing signal were centered";
   EXPECT_EQ(bent(mix(0)), 0);
 }
 
-/// Parameters by which the flight controller's signals are those of API channels 6 and 7, and roll
+/// Sets the parameters so that the flight controller's signals are API channels 6 and 7, and roll
 /// and pitch follow it.
 void follow_controller(Host& host, int roll_percent, int pitch_percent) {
   auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
@@ -178,16 +179,16 @@ TEST(RemoteControl, AFlightControllerTiltsTheCameraThatFollowsIt) {
   follow_controller(host, 50, 100);
   host.ask(controller_signals(250, 100));
   const Axes<double> tilted = targets_after(host, seconds(5));
-  EXPECT_NEAR(tilted.roll, 22.5, 0.1) << "half of what its signal says";
-  EXPECT_NEAR(tilted.pitch, -18, 0.1) << "its gain turns it round";
+  EXPECT_NEAR(tilted.roll, 22.5, 0.1) << "half of its signal";
+  EXPECT_NEAR(tilted.pitch, -18, 0.1) << "its gain is negative";
   EXPECT_NEAR(tilted.yaw, 0, 0.1) << "yaw follows the frame";
-  // Speeds of RC control come on top of it.
+  // Speeds of RC control are added.
   auto turn = one_axis(msg::ControlModeKind::speed, 0, 0);
   turn.axes.pitch.speed = 10_deg_per_s;
   host.ask(turn, seconds(1));
   host.ask(one_axis(msg::ControlModeKind::no_control, 0, 0));
   EXPECT_NEAR(targets_after(host, seconds(1)).pitch, -8, 1);
-  // Who is no longer heard is level.
+  // Without a signal, the axis levels.
   host.ask(channels(1, 0));
   EXPECT_NEAR(targets_after(host, seconds(5)).roll, 0, 0.1);
   EXPECT_NEAR(targets_after(host, seconds(1)).pitch, 10, 1);
@@ -201,7 +202,7 @@ TEST(RemoteControl, AFlightControllerIsFollowedInItsModeOnly) {
   EXPECT_NEAR(followed.roll, 0, 0.1) << "RC_FOLLOW 0";
   EXPECT_NEAR(followed.pitch, -90, 0.1);
   host.ask(one_axis(msg::ControlModeKind::angle, 0, 0));
-  EXPECT_NEAR(targets_after(host, seconds(5)).pitch, 0, 0.1) << "angles are those of the world";
+  EXPECT_NEAR(targets_after(host, seconds(5)).pitch, 0, 0.1) << "angles are relative to the world";
   for (const msg::FollowMode mode : {msg::FollowMode::disabled, msg::FollowMode::pitch}) {
     auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
     parameters.follow_mode = mode;
@@ -230,7 +231,7 @@ TEST(RemoteControl, SignalsShowInLiveData) {
   map_pitch(host, 31);
   host.ask(channels(31, 250));
   EXPECT_EQ(host.get<msg::RealtimeData3>(msg::RealtimeData3Request{}).rc.pitch.raw(), 1750);
-  // Parameters that bend it do not change it.
+  // Parameters of the signal curve do not affect it.
   auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{});
   parameters.rc_trim.pitch = 100;
   parameters.rc.pitch.rc_mode.set_inverted(true);

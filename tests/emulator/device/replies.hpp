@@ -1,4 +1,4 @@
-/// What a board says to a request, in tests.
+/// Responses of a board to a request, for tests.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace sbgc::test {
 
-/// Confirmations of a request among the packets.
+/// Returns the number of confirmations of M among the packets.
 template <class M>
 std::ptrdiff_t confirmations(const Packets& packets) {
   const auto all_of_them = all<msg::Confirm>(packets);
@@ -20,7 +20,7 @@ std::ptrdiff_t confirmations(const Packets& packets) {
                        [](const msg::Confirm& one) { return one.cmd == M::command; });
 }
 
-/// The reason if the packets are one CMD_ERROR that names the request.
+/// Returns the reason if the packets are a single CMD_ERROR that names M.
 template <class M>
 std::optional<msg::BoardErrorCode> refusal(const Packets& packets) {
   const auto errors = all<msg::ErrorExt>(packets);
@@ -28,14 +28,14 @@ std::optional<msg::BoardErrorCode> refusal(const Packets& packets) {
   return errors[0].error_code;
 }
 
-/// Whether a request is confirmed, and nothing else comes.
+/// Returns true if the only response to the request is a confirmation.
 template <Message M>
 bool is_confirmed(Host& host, const M& request) {
   const Packets packets = host.ask(request);
   return packets.size() == 1 && confirmations<M>(packets) == 1;
 }
 
-/// Why a request is refused; nothing if something else comes.
+/// Returns the reason why a request is rejected; nothing for any other response.
 template <Message M>
 std::optional<msg::BoardErrorCode> refusal(Host& host, const M& request) {
   return refusal<M>(host.ask(request));

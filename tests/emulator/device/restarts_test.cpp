@@ -1,4 +1,4 @@
-// Restarts: their times, their notice, and what is lost.
+// Tests of restarts: their duration, their notice, and lost state.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ using ::testing::SizeIs;
 
 bool answers(Host& host) { return host.ask(msg::BoardInfoRequest{}, milliseconds(2)).size() == 1; }
 
-/// How long the board does not answer from now on.
+/// Returns how long the board does not respond from now on.
 Duration silence(Host& host) {
   const Instant begin = host.now;
   while (!answers(host) && host.now - begin < seconds(60)) {
@@ -76,7 +76,7 @@ TEST(Restart, OfTwoTheEarlierComes) {
   host.ask(with_notice<msg::ResetRequestExt>(2000), milliseconds(200));
   EXPECT_EQ(host.board.counters().restarts, 1U);
   host.listen(seconds(3));
-  EXPECT_EQ(host.board.counters().restarts, 1U) << "the other one is forgotten";
+  EXPECT_EQ(host.board.counters().restarts, 1U) << "the second restart is discarded";
 }
 
 TEST(Restart, TheBootloaderGivesUp) {
@@ -125,7 +125,7 @@ TEST(Restart, PowerOffLosesWhatWaitsToBeSent) {
   EXPECT_FALSE(answers(host));
 }
 
-/// The wish stands in the parameters of all profiles, whichever it is written with.
+/// The setting applies to all profiles, regardless of the profile it is written with.
 std::uint8_t profile_after_restart(bool is_remembered, std::uint8_t written) {
   Host host;
   host.ask(msg::ExecuteMenu{.cmd_id = msg::MenuCommand::profile3});

@@ -1,4 +1,4 @@
-// What a board tells of its memory before that is safe: nothing.
+// Before its memory is saved, a board confirms no change to it.
 
 #include <cstdint>
 #include <vector>
@@ -24,7 +24,7 @@ msg::WriteExternalData data(std::uint8_t first) {
   return request;
 }
 
-/// Of a board whose memory is safe by now.
+/// A board whose memory has been saved.
 struct Rig {
   Host host{options()};
 
@@ -33,14 +33,14 @@ struct Rig {
   std::uint32_t revision() const { return host.board.memory().revision; }
   void save() { host.board.memory_saved(revision(), host.now); }
   void fail() { host.board.memory_not_saved(revision(), host.now); }
-  /// What comes now.
+  /// Returns the packets that arrive now.
   Packets heard() { return host.listen(milliseconds(50)); }
 };
 
 TEST(Saving, AChangeIsConfirmedWhenItIsSafe) {
   Rig rig;
   EXPECT_TRUE(rig.host.ask(data(1), seconds(10)).empty());
-  EXPECT_FALSE(rig.host.board.is_quiet(rig.host.port)) << "something is still to come";
+  EXPECT_FALSE(rig.host.board.is_quiet(rig.host.port)) << "a confirmation is pending";
   rig.save();
   EXPECT_EQ(confirmations<msg::WriteExternalData>(rig.heard()), 1);
   EXPECT_TRUE(rig.host.board.is_quiet(rig.host.port));
@@ -60,7 +60,7 @@ TEST(Saving, WhatChangesNothingDoesNotWait) {
   rig.heard();
   rig.save();
   rig.heard();
-  EXPECT_TRUE(is_confirmed(rig.host, data(1))) << "it is there already, and safe";
+  EXPECT_TRUE(is_confirmed(rig.host, data(1))) << "it is already written and saved";
 }
 
 TEST(Saving, AnswersKeepTheirOrder) {
@@ -81,7 +81,7 @@ TEST(Saving, OtherHostsOfTheBoardAreAnswered) {
   const std::size_t first = rig.host.port;
   rig.host.port = rig.host.board.open_port().value();
   rig.host.get<msg::BoardInfo>(msg::BoardInfoRequest{});
-  EXPECT_TRUE(rig.host.ask(data(1)).empty()) << "it is there already, but not safe";
+  EXPECT_TRUE(rig.host.ask(data(1)).empty()) << "it is already written but not saved";
   rig.save();
   EXPECT_EQ(confirmations<msg::WriteExternalData>(rig.heard()), 1);
   rig.host.port = first;
@@ -113,7 +113,7 @@ TEST(Saving, AChangeThatCanNotBeSavedIsRefused) {
   EXPECT_EQ(refusal<msg::WriteExternalData>({heard[0]}), msg::BoardErrorCode::operation_failed);
   EXPECT_TRUE(is<msg::BoardInfo>(heard[1]));
   EXPECT_EQ(refusal<msg::WriteExternalData>({heard[2]}), msg::BoardErrorCode::operation_failed);
-  // And whoever tries again does not hear that it is there.
+  // Repeating the request does not confirm it either.
   EXPECT_TRUE(rig.host.ask(data(2)).empty());
   rig.fail();
   EXPECT_EQ(refusal<msg::WriteExternalData>(rig.heard()), msg::BoardErrorCode::operation_failed);
@@ -136,7 +136,7 @@ TEST(Saving, AProfileThatIsSelectedWaits) {
   msg::ExecuteMenu request;
   request.cmd_id = msg::MenuCommand::profile2;
   EXPECT_TRUE(rig.host.ask(request).empty());
-  EXPECT_TRUE(rig.host.ask(request).empty()) << "selected already, but not safe";
+  EXPECT_TRUE(rig.host.ask(request).empty()) << "already selected but not saved";
   rig.save();
   EXPECT_EQ(confirmations<msg::ExecuteMenu>(rig.heard()), 2);
 }
@@ -165,7 +165,7 @@ TEST(Saving, PowerOffLosesWhatWaits) {
   EXPECT_EQ(rig.host.get<msg::ReadExternalData>(msg::ReadExternalDataRequest{}).data[0], 1);
 }
 
-/// Whenever the memory is saved, a host hears the same in the same order.
+/// A host receives the same responses in the same order, whenever the memory is saved.
 TEST(Saving, ChangesNothingButWhen) {
   int waited = 0;
   for (std::uint32_t seed = 0; seed < 30; ++seed) {

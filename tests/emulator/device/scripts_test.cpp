@@ -1,4 +1,4 @@
-// Scripts: started, watched, stopped.
+// Tests of scripts: starting, watching and stopping them.
 
 #include <string>
 #include <string_view>

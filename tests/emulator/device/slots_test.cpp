@@ -1,4 +1,4 @@
-// Slots: RC signals that start actions and change variables.
+// Tests of slots: RC signals that start actions and change variables.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ msg::RcMap channel(std::uint8_t number) {
   return result;
 }
 
-/// One trigger slot at channel 1, one analog slot at channel 2.
+/// Returns one trigger slot on channel 1 and one analog slot on channel 2.
 msg::WriteAdjVarsCfg config() {
   msg::WriteAdjVarsCfg result;
   result.trigger_slots[0] = {
@@ -27,7 +27,7 @@ msg::WriteAdjVarsCfg config() {
   return result;
 }
 
-/// Sets both channels, in counts of -500..500, and lets the board see it.
+/// Sets both channels, in counts of -500..500, and lets the board process them.
 void move(Host& host, std::int16_t first, std::int16_t second) {
   msg::ApiVirtChControl request;
   while (request.val_ch.push_back(msg::CentredRcSignal(msg::ApiVirtChControl::undefined))) {
@@ -73,9 +73,9 @@ TEST(TriggerSlots, OnlyAChangeOfTheLevelActs) {
   host.listen(seconds(5));
   EXPECT_EQ(host.board.memory().profile, 2);
   move(host, none, none);
-  EXPECT_EQ(host.board.memory().profile, 2) << "a signal that is lost starts nothing";
+  EXPECT_EQ(host.board.memory().profile, 2) << "a lost signal starts nothing";
   move(host, 500, none);
-  EXPECT_EQ(host.board.memory().profile, 4) << "one that is found does";
+  EXPECT_EQ(host.board.memory().profile, 4) << "a regained signal does";
 }
 
 TEST(AnalogSlots, TheSignalIsTheVariable) {
@@ -171,7 +171,7 @@ TEST(Slots, ARestartForgetsWhatTheySaw) {
   host.listen(seconds(1));
   EXPECT_EQ(state(host).trigger_action, msg::MenuCommand::none);
   move(host, -500, none);
-  EXPECT_EQ(host.board.memory().profile, 0) << "the configuration is still there";
+  EXPECT_EQ(host.board.memory().profile, 0) << "the configuration is preserved";
   EXPECT_EQ(state(host).trigger_action, msg::MenuCommand::profile1);
 }
 

@@ -1,4 +1,4 @@
-// Data streams: rate, limits, and what ends them.
+// Tests of data streams: rates, limits and their end.
 
 #include <vector>
 
@@ -81,7 +81,7 @@ TEST(Streams, SamplesWithoutRoomAreSkippedAtNoCost) {
   EXPECT_LE(host.board.output(host.port).size(), host.board.options().output_buffer);
   EXPECT_GT(now_sent, 100U);
   EXPECT_EQ(host.board.counters().skipped - skipped + now_sent, 3600U * 1250);
-  // The rate goes on as if nothing had been.
+  // The stream continues at its rate.
   host.listen({});
   EXPECT_THAT(host.listen(seconds(1)), SizeIs(1250));
 }

@@ -1,4 +1,4 @@
-// Adjustable variables: what they change in the parameters in use, and until when.
+// Tests of adjustable variables: their effect on the parameters in use, and how long it lasts.
 
 #include <cstdint>
 #include <random>

@@ -38,7 +38,7 @@ struct Bench {
     listen(seconds(1));
   }
 
-  /// What comes meanwhile.
+  /// Advances time; returns the bytes that arrive meanwhile.
   Bytes listen(Duration duration, Duration step = milliseconds(10)) {
     Bytes result;
     const Instant end = now + duration;

@@ -1,5 +1,5 @@
-// A board behind its lines: rates, backpressure, restarts, and that calling more often changes
-// nothing.
+// Tests of a board and its lines: rates, backpressure, restarts, and independence of the number of
+// calls.
 
 #include <cstdint>
 #include <vector>
@@ -27,7 +27,7 @@ TEST(Emulator, TheLineTakesItsTime) {
   options.line.board.baud_rate = 9600;
   Bench bench(options);
   bench.send(frame_of(msg::BoardInfoRequest{}));
-  // 5 bytes there and 23 back take 29 ms, whatever the board needs.
+  // On the line, 5 bytes of request and 23 of response take 29 ms, regardless of the board.
   EXPECT_TRUE(bench.listen(milliseconds(6), milliseconds(1)).empty());
   const Bytes early = bench.listen(milliseconds(20), milliseconds(1));
   EXPECT_EQ(frames_in(early, msg::CommandFromBoard::board_info), 0U);
@@ -68,7 +68,7 @@ TEST(Emulator, AHostThatDoesNotListenHoldsTheBoardUp) {
   EXPECT_LE(bench.emulator.to_host(bench.port).size(), Emulator::output_limit);
   EXPECT_GT(bench.emulator.to_host(bench.port).size(), Emulator::output_limit - 1000);
   EXPECT_GT(bench.emulator.board().counters().skipped, 5000U);
-  // It goes on as if nothing had been when it listens again: whole frames.
+  // When it reads again, complete frames arrive as if nothing had happened.
   const Bytes got = bench.listen(seconds(1));
   EXPECT_GT(frames_in(got, msg::CommandFromBoard::realtime_data_4), 500U);
   Parser parser;
@@ -86,7 +86,7 @@ TEST(Emulator, AHostThatDoesNotListenMissesTextLines) {
     bench.emulator.advance(bench.now);
     EXPECT_LE(bench.emulator.to_host(bench.port).size(), Emulator::output_limit + 1000);
     EXPECT_GT(bench.listen(milliseconds(10)).size(), Emulator::output_limit - 1000);
-    EXPECT_GT(bench.listen(seconds(1)).size(), 10'000U) << "they come again";
+    EXPECT_GT(bench.listen(seconds(1)).size(), 10'000U) << "samples arrive again";
   }
 }
 
@@ -102,7 +102,7 @@ TEST(Emulator, ToldWhenTheHostShouldWait) {
 }
 
 TEST(Emulator, RequestsThatWaitTakeUpRoom) {
-  Bench bench;  // the line is perfect: it is the board that takes its time
+  Bench bench;  // the line is perfect: the board causes the delay
   Bytes requests;
   while (requests.size() < Emulator::input_limit) {
     const Bytes one = frame_of(msg::BoardInfoRequest{});
@@ -110,7 +110,7 @@ TEST(Emulator, RequestsThatWaitTakeUpRoom) {
   }
   bench.send(requests);
   EXPECT_LT(bench.emulator.room(bench.port), 20U);
-  // A host that does not listen keeps them from their turn.
+  // A host that does not read delays their execution.
   bench.now = bench.now + seconds(60);
   bench.emulator.advance(bench.now);
   for (int i = 0; i < 20; ++i) bench.send(requests);
@@ -160,7 +160,7 @@ TEST(Emulator, IsQuietWhenAllThatWasAskedHasBeenTaken) {
     ASSERT_LT(bench.now, Instant{} + seconds(5));
   }
   EXPECT_EQ(frames_in(got, msg::CommandFromBoard::board_info), 1U);
-  // What has arrived and is not taken is not quiet.
+  // Bytes that have arrived but are not taken count as traffic.
   bench.send(frame_of(msg::BoardInfoRequest{}));
   bench.now = bench.now + seconds(1);
   bench.emulator.advance(bench.now);
@@ -192,7 +192,7 @@ TEST(Emulator, StreamsAndTextEndWithTheInput) {
 TEST(Emulator, IsNotQuietWhileAFrameHasBegun) {
   Bench bench;
   Bytes bytes = frame_of(msg::BoardInfoRequest{});
-  bytes[2] = 200;  // more bytes than will come
+  bytes[2] = 200;  // more bytes than will arrive
   bytes[3] = static_cast<std::uint8_t>(bytes[1] + bytes[2]);
   bench.send(bytes);
   bench.send(frame_of(msg::BoardInfoRequest{}));
@@ -209,7 +209,7 @@ TEST(Emulator, ARestartInTheMiddleOfAFrameEndsItForTheLine) {
   Bench bench(options);
   bench.listen(milliseconds(200));
   bench.send(frame_of(msg::BoardInfo3Request{}));
-  bench.listen(milliseconds(200));  // some of the answer's 74 bytes, which take 0.6 s
+  bench.listen(milliseconds(200));  // part of the response's 74 bytes, which take 0.6 s
   bench.emulator.restart(bench.now);
   const auto texts = [&] {
     return bench.emulator.counters(bench.port, Line::Way::to_host).text_lines;
@@ -254,7 +254,7 @@ TEST(Emulator, ANewRateOfTheSettingsHoldsFromTheNextStartOn) {
   bench.listen(seconds(1));
   EXPECT_EQ(bench.emulator.line().baud_rate, 9600U);
 
-  // On the port that has a rate an answer takes 29 ms, on USB one cycle.
+  // A response takes 29 ms on the port with a rate, and one cycle on USB.
   bench.send(frame_of(msg::BoardInfoRequest{}));
   bench.emulator.from_host(usb, frame_of(msg::BoardInfoRequest{}), bench.now);
   EXPECT_EQ(frames_in(bench.listen(milliseconds(20)), msg::CommandFromBoard::board_info), 0U);

@@ -1,4 +1,4 @@
-// The faults of a line: each as often as asked for, and text between the frames of the board.
+// Tests of line faults: each occurs as often as configured, and text appears only between frames.
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// `share` of `total` within four standard deviations.
+/// Expects that `count` is `share` of `total` within four standard deviations.
 void expect_share(std::uint64_t count, std::uint64_t total, double share) {
   const double expected = static_cast<double>(total) * share;
   const double deviation = std::sqrt(expected * (1 - share));
@@ -68,7 +68,7 @@ TEST(Faults, ShareOfBitErrors) {
     sum += count;
   }
   EXPECT_EQ(line.counters().bit_errors, sum);
-  // None brings on another one.
+  // Errors are independent of each other.
   std::size_t neighbours = 0;
   for (std::size_t i = 1; i < bytes.size(); ++i) {
     neighbours += bytes[i - 1] != got[i - 1] && bytes[i] != got[i] ? 1U : 0U;
@@ -175,7 +175,7 @@ TEST(Faults, TextThatIsLeftOut) {
   line.leave_out_text(start + milliseconds(2500));
   EXPECT_THAT(received(line, start + milliseconds(2500)), IsEmpty());
   EXPECT_EQ(line.next(), start + seconds(3));
-  // What has to wait for the end of a frame is not.
+  // Text that is waiting for the end of a frame is not left out.
   const Bytes frame = frames(1);
   line.send(std::span(frame).first(10), start + milliseconds(2900));
   line.leave_out_text(start + milliseconds(3500));

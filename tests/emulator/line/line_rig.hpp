@@ -1,4 +1,4 @@
-/// What tests of a line have in common: bytes to send, and their arrivals.
+/// Helpers shared by the tests of a line: bytes to send, and their arrivals.
 #pragma once
 
 #include <array>
@@ -43,7 +43,7 @@ inline Bytes received(Line& line, Instant now) {
   return result;
 }
 
-/// Each byte with its time.
+/// A byte with its time of arrival.
 struct Arrived {
   Instant at{};
   std::uint8_t byte{};

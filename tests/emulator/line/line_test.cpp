@@ -1,4 +1,4 @@
-// The line of an emulated board: pacing, wrong settings, and that cutting changes nothing.
+// Tests of the line of an emulated board: pacing, wrong settings, and independence of chunk sizes.
 
 #include <algorithm>
 #include <cstdint>
@@ -44,8 +44,8 @@ TEST(Line, ParityTakesABitMore) {
 }
 
 TEST(Line, RoundingNeverAddsUp) {
-  // At 115200 a byte takes 86.8055... us. A sender that refills the UART whenever it can gets
-  // exactly its rate, for an hour.
+  // At 115200 baud a byte takes 86.8055... us. A sender that refills the UART whenever possible
+  // gets exactly this rate for an hour.
   Line line({.board = {115200}}, Way::to_host, start, start);
   Instant now = start;
   std::uint64_t sent = 0;
@@ -113,8 +113,8 @@ TEST(WrongSettings, TheRateOfTheHostCounts) {
 TEST(WrongSettings, GarbageOfHalfTheRate) {
   Line line({.board = {19200}}, Way::to_host, start, start);
   line.set_host(LineSettings{9600});
-  // 0xE0 is six bits of 0, then ones: for the host a start bit and two bits of 0. Its stop bit is
-  // sampled in the middle of the 20th bit of the board, which has long been silent.
+  // 0xE0 is six 0 bits, then ones: for the host, a start bit and two 0 bits. The host samples its
+  // stop bit in the middle of the board's 20th bit, long after the board's byte has ended.
   line.send(Bytes{0xE0}, start);
   EXPECT_THAT(received(line, start + microseconds(900)), IsEmpty());
   EXPECT_LE(line.next(), start + microseconds(1045));
@@ -157,7 +157,7 @@ TEST(WrongSettings, DoNotMatterWithoutARate) {
   EXPECT_THAT(received(line, start), ElementsAre(1, 2));
 }
 
-/// The same bytes at the same times, cut anyhow and received at any times.
+/// The result of sending the same bytes at the same times, in any chunks and received at any times.
 struct Result {
   std::vector<Arrived> arrived;
   LineCounters counters;

@@ -1,4 +1,4 @@
-// What a UART makes of bytes that were sent with other settings.
+// Tests of the bytes that a UART receives if they were sent with other settings.
 
 #include <cstdint>
 #include <numeric>
@@ -36,25 +36,26 @@ TEST(ReceivedAs, AlmostTheSameRateChangesNothing) {
 }
 
 TEST(ReceivedAs, HalfTheRate) {
-  // 0xE0 is six bits of 0, then ones: for the receiver a start bit and two bits of 0.
+  // 0xE0 is six 0 bits, then ones: for the receiver, a start bit and two 0 bits.
   EXPECT_THAT(received_as(Bytes{0xE0}, {19200}, {9600}), ElementsAre(0xFC));
 }
 
 TEST(ReceivedAs, TwiceTheRate) {
-  // Bits seen at twice the rate: 0xFF has a start bit of two bits, then ones.
+  // Sampled at twice the rate, 0xFF has a start bit of two bits, followed by ones.
   EXPECT_THAT(received_as(Bytes{0xFF}, {9600}, {19200}), ElementsAre(0xFE));
-  // 0x00 is a break: no stop bit where one should be.
+  // 0x00 is a break: the stop bit is missing.
   EXPECT_THAT(received_as(Bytes{0x00}, {9600}, {19200}), IsEmpty());
 }
 
 TEST(ReceivedAs, ParityThatIsNotThere) {
-  // The stop bit is taken for parity: right for an odd number of ones, if the line is idle then.
+  // The stop bit is read as the parity bit: correct for an odd number of ones, if the line is idle
+  // afterwards.
   EXPECT_THAT(received_as(Bytes{0x01}, {9600}, {9600, Parity::even}), ElementsAre(0x01));
   EXPECT_THAT(received_as(Bytes{0x03}, {9600}, {9600, Parity::even}), IsEmpty());
 }
 
 TEST(ReceivedAs, ParityThatIsNotExpected) {
-  // The parity bit is taken for the stop bit: it must be 1.
+  // The parity bit is read as the stop bit, so it must be 1.
   EXPECT_THAT(received_as(Bytes{0x01, 0x03, 0x07}, {9600, Parity::even}, {9600}),
               ElementsAre(0x01, 0x07));
 }

@@ -1,4 +1,4 @@
-// How well the camera is held: stabilization, motors off, faults, battery.
+// Tests of the stabilization of the camera: with faults, motors off, and low battery.
 
 #include <gtest/gtest.h>
 
@@ -70,7 +70,7 @@ TEST(Hold, HelpFromOutsideMakesItBetter) {
   double without = 0;
   for (std::int64_t t = 0; t < 30000; t += 5) {
     if (t % 100 == 0) helped.help(ms(t));
-    if (t < 5000) continue;  // they have just begun to hold
+    if (t < 5000) continue;  // both have just started to hold
     with = std::max(with, worst_error(helped, t, t + 1));
     without = std::max(without, worst_error(alone, t, t + 1));
   }
@@ -91,7 +91,7 @@ TEST(Hold, APushedCameraStaysWhenMotorsAreOff) {
   gimbal.set_motors(false, ms(1000));
   gimbal.push(pitch, 20, ms(2000));
   EXPECT_NEAR(gimbal.sample(ms(9000)).angles.pitch, 20, 0.2);
-  // And there it is held when they are on again.
+  // This position is held when the motors turn on again.
   gimbal.set_motors(true, ms(9000));
   EXPECT_NEAR(gimbal.sample(ms(12000)).angles.pitch, 20, 0.2);
 }

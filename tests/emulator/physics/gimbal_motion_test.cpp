@@ -1,4 +1,4 @@
-// Where targets go: modes, limits, arrival, RC signals, following.
+// Tests of the motion of targets: modes, limits, arrival, RC signals, following.
 
 #include <gtest/gtest.h>
 
@@ -161,7 +161,7 @@ TEST(Motion, SignalsAreAnglesBetweenTheirEnds) {
   EXPECT_EQ(gimbal.sample(ms(5000)).targets.pitch, -90);
   gimbal.command(pitch, {AxisMode::signal, 0, 0, 0}, ms(5000));
   EXPECT_EQ(gimbal.sample(ms(10000)).targets.pitch, -30);
-  // The receiver's own signal counts when nobody controls the axis.
+  // The receiver's signal takes effect when no command controls the axis.
   gimbal.set_remote(pitch, 1.0, ms(10000));
   EXPECT_EQ(gimbal.sample(ms(12000)).targets.pitch, -30);
   gimbal.command(pitch, {}, ms(12000));
@@ -223,7 +223,7 @@ TEST(Motion, PlacedCamerasStay) {
   EXPECT_EQ(gimbal.sample(ms(5000)).targets, (Axes<double>{1, 2, 3}));
 }
 
-/// A yaw whose joint has limits.
+/// A tuning with limits of the yaw joint.
 Tuning limited(double low, double high) {
   Tuning tuning;
   tuning.axes.yaw.joint_min = low;
@@ -255,7 +255,7 @@ TEST(JointLimits, HoldInAllModesAndTheTargetBrakesBefore) {
       EXPECT_GT(fastest, 39);
       EXPECT_EQ(gimbal.sample(ms(5000)).targets.yaw, 60 * sign);
       EXPECT_EQ(gimbal.sample(ms(5000)).target_speeds.yaw, 0);
-      // It leaves the limit at once when it is told to.
+      // It leaves the limit immediately on command.
       gimbal.command(yaw, {AxisMode::speed, -40 * sign, 0, 0}, ms(5000));
       EXPECT_LT(gimbal.sample(ms(6000)).targets.yaw * sign, 32);
     }
@@ -270,7 +270,7 @@ TEST(JointLimits, ThereAreNoneIfTheyAreEqualOrTheWrongWayRound) {
   }
 }
 
-/// A frame that turns about the vertical from 1 s to 3 s by 60 degrees.
+/// A frame that turns about the vertical by 60 degrees, from 1 s to 3 s.
 Gimbal::Options turning_frame() {
   Gimbal::Options options = quiet();
   options.frame.kind = Disturbance::Kind::recorded;
@@ -283,7 +283,7 @@ TEST(JointLimits, AFrameThatTurnsTakesTheCameraWithIt) {
   Gimbal gimbal = ready(turning_frame(), limited(-20, 45));
   EXPECT_EQ(gimbal.sample(ms(1000)).targets.yaw, 0);
   for (std::int64_t t = 1000; t < 8000; t += 20) {
-    // The target cannot speed up as the frame does.
+    // The target cannot accelerate as fast as the frame does.
     ASSERT_GT(gimbal.sample(ms(t)).joints.yaw, -20 - 10) << t;
   }
   EXPECT_NEAR(gimbal.sample(ms(8000)).joints.yaw, -20, 0.1);
@@ -328,7 +328,7 @@ TEST(Follow, TheNeutralPositionCanBeBesideTheFrame) {
   EXPECT_NEAR(gimbal.sample(ms(35000)).joints.yaw, -10, 0.1);
   tuning.axes.yaw.follows = false;
   gimbal.tune(tuning, ms(35000));
-  EXPECT_NEAR(gimbal.sample(ms(45000)).targets.yaw, 0, 0.1) << "angles of the world have none";
+  EXPECT_NEAR(gimbal.sample(ms(45000)).targets.yaw, 0, 0.1) << "world angles have no follow offset";
 }
 
 TEST(Follow, AnglesOfTheWorldDoNot) {

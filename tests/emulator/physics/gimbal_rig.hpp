@@ -1,4 +1,4 @@
-/// A gimbal for tests: time in milliseconds since it was switched on.
+/// A gimbal for tests, with time in milliseconds since power-on.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ inline Gimbal::Options moving(Disturbance::Kind kind, double strength = 1) {
   return options;
 }
 
-/// Motors on, camera level.
+/// Returns a gimbal with motors on and a level camera.
 inline Gimbal ready(const Gimbal::Options& options = quiet(), const Tuning& tuning = {}) {
   Gimbal gimbal(options, ms(0));
   gimbal.tune(tuning, ms(0));
@@ -34,7 +34,7 @@ inline Gimbal ready(const Gimbal::Options& options = quiet(), const Tuning& tuni
   return gimbal;
 }
 
-/// Largest |camera - target| of all axes, looked at every 5 ms.
+/// Returns the largest |camera - target| of all axes, sampled every 5 ms.
 inline double worst_error(Gimbal& gimbal, std::int64_t from, std::int64_t until) {
   double worst = 0;
   for (std::int64_t t = from; t < until; t += 5) {
@@ -46,8 +46,8 @@ inline double worst_error(Gimbal& gimbal, std::int64_t from, std::int64_t until)
   return worst;
 }
 
-/// The first time, looked at every 4 ms, at which the axis has stood still at a target for 40 ms;
-/// -1 if there is none.
+/// Returns the first time, sampled every 4 ms, at which the target of the axis has been at rest for
+/// 40 ms; -1 if there is none.
 inline std::int64_t arrival(Gimbal& gimbal, std::size_t axis, std::int64_t from,
                             std::int64_t until) {
   int still = 0;

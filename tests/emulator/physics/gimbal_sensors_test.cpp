@@ -1,4 +1,4 @@
-// What the sensors measure, and what the IMU makes of it.
+// Tests of the sensors' measurements and of the IMU's estimate.
 
 #include <array>
 #include <numbers>
@@ -87,7 +87,7 @@ TEST(Attitudes, VectorsMakeThemOnlyIfTheyPointSomewhere) {
   EXPECT_FALSE(rotation_of({0, 0, 1}, {std::nan(""), 1, 0}));
 }
 
-/// The rotation from one time to another by small turns about the gyroscope's rates.
+/// Integrates the gyroscope's rates from one time to another, in small rotations.
 Rotation integrated(Gimbal& gimbal, Rotation rotation, std::int64_t from, std::int64_t until) {
   for (std::int64_t t = from; t < until; ++t) {
     const Vector rates = gimbal.sample({t * 1000 + 500}).gyro;
@@ -96,7 +96,8 @@ Rotation integrated(Gimbal& gimbal, Rotation rotation, std::int64_t from, std::i
     const double turn = length * 0.001 * radian;
     const Vector axis{rates.x / length, rates.y / length, rates.z / length};
     for (Vector& row : rotation.rows) {
-      // A vector of the world seen from a body that turns: Rodrigues' formula, inverse.
+      // A vector of the world in the coordinates of a rotating body: the inverse of Rodrigues'
+      // formula.
       const Vector side = cross(row, axis);
       const double along = dot(row, axis) * (1 - std::cos(turn));
       for (std::size_t i = 0; i < 3; ++i) {
@@ -198,7 +199,7 @@ TEST(Sensors, TheyWarmUp) {
   EXPECT_LT(late, 45);
 }
 
-/// Where the camera really heads: what the joint and the frame say.
+/// Returns the true heading of the camera, computed from the joint and the frame.
 double heading_of(const Sample& sample) { return sample.joints.yaw; }
 
 TEST(Drift, TurnsTheCameraUnnoticedUntilTheGyroscopeIsCalibrated) {
@@ -243,13 +244,13 @@ TEST(Reference, ReplacesTheEstimate) {
   const Sample before = gimbal.sample(ms(1000));
   const double c = std::cos(20 * radian);
   const double s = std::sin(20 * radian);
-  // The camera heads 20 degrees farther left than the IMU knew.
+  // The camera's true heading is 20 degrees to the left of the IMU's estimate.
   gimbal.correct({Vector{0, 0, 1}, Vector{s, c, 0}, false, false}, ms(1000));
   const Sample told = gimbal.sample(ms(1000));
   EXPECT_NEAR(told.angles.yaw, 20, 1e-9);
   expect_near(told.north, {s, c, 0}, 1e-9);
   EXPECT_EQ(told.joints.yaw, before.joints.yaw);
-  // So the camera is turned back.
+  // Therefore the camera turns back.
   const Sample later = gimbal.sample(ms(6000));
   EXPECT_NEAR(later.angles.yaw, 0, 0.05);
   EXPECT_NEAR(later.joints.yaw, -20, 0.05);
@@ -263,14 +264,14 @@ TEST(Reference, OfOneVectorLeavesTheOther) {
   const Sample sample = gimbal.sample(ms(0));
   EXPECT_NEAR(sample.angles.pitch, 10, 1e-9);
   EXPECT_NEAR(sample.angles.yaw, 40, 1e-9);
-  // Gravity tells the truth when nobody tells otherwise.
+  // Gravity is the reference if no other one is given.
   EXPECT_NEAR(gimbal.sample(ms(90'000)).angles.pitch, 0, 0.01);
 }
 
 TEST(Reference, CorrectsSlowly) {
   Gimbal gimbal = ready();
   for (std::int64_t t = 0; t < 60'000; t += 100) {
-    // As an external sensor on the camera: it sees the camera turn.
+    // Simulates an external sensor on the camera, which observes the camera's rotation.
     const double really = gimbal.sample(ms(t)).joints.yaw + 10;
     const Vector seen{std::sin(really * radian), std::cos(really * radian), 0};
     gimbal.correct({{}, seen, false, true}, ms(t));

@@ -1,4 +1,4 @@
-// Time: the same seed and commands give the same samples, however often somebody looks.
+// Tests of time: the same seed and commands give the same samples, regardless of the sampling rate.
 
 #include <cstdio>
 #include <iterator>
@@ -16,7 +16,7 @@
 namespace sbgc::emulator::test {
 namespace {
 
-/// All numbers of a sample, exactly.
+/// Returns all numbers of a sample, exactly.
 std::string text_of(const Sample& sample) {
   std::string text;
   const auto add = [&](double value) {
@@ -65,8 +65,8 @@ Gimbal::Options lively(std::uint32_t seed = 7) {
   return options;
 }
 
-/// Two minutes with commands at odd times, looked at every `every` us; the samples of whole
-/// minutes.
+/// Runs two minutes with commands at odd times, sampled every `every` us; returns the samples of
+/// whole minutes.
 std::string story(const Gimbal::Options& options, std::int64_t every) {
   Gimbal gimbal(options, Instant{-123});
   Tuning tuning;
@@ -140,8 +140,8 @@ TEST(Time, NothingJumpsFromStepToStep) {
   }
 }
 
-/// Where a camera looks that nobody has asked for so long, while its frame has turned aside and
-/// back at that time. Who has seen that stays behind by the dead band, 5 degrees.
+/// Returns the yaw of a camera that is not sampled for `gap`, while its frame turns aside and back
+/// at time `at`. If the turn is simulated, the camera lags by the dead band, 5 degrees.
 double left_by_a_turn(std::int64_t at, std::int64_t gap) {
   Gimbal::Options options = quiet();
   options.frame.kind = Disturbance::Kind::recorded;
@@ -341,7 +341,7 @@ TEST(Frame, RecordingsArePlayedAgainAndAgain) {
   EXPECT_NEAR(at(100).roll, 10, 1e-9);
   EXPECT_NEAR(at(300).roll, 20, 1e-9);
   EXPECT_NEAR(at(400).roll, -5, 1e-9);
-  EXPECT_NEAR(at(1400).roll, 0, 1e-9);  // a second for the way back
+  EXPECT_NEAR(at(1400).roll, 0, 1e-9);  // one second for the way back
   EXPECT_NEAR(at(1500).roll, 10, 1e-9);
   for (std::int64_t t = 0; t < 3000; t += 4) {
     ASSERT_LE(at(t).roll, 20 + 1e-9);

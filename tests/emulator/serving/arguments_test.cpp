@@ -1,4 +1,4 @@
-// What stands in the arguments of `sbgc emulate`, and files of motion.
+// Tests of the arguments of `sbgc emulate`, and of motion files.
 
 #include "serving/arguments.hpp"
 
@@ -71,7 +71,7 @@ TEST(Arguments, Versions) {
   EXPECT_EQ(parse_firmware("2.59"), msg::FirmwareVersion(2590));
   EXPECT_EQ(parse_firmware("2.59").minor(), 59);
   EXPECT_EQ(parse_firmware("2.59b0"), msg::FirmwareVersion(2590)) << "as decode prints it";
-  EXPECT_EQ(parse_firmware("2.59b9"), msg::FirmwareVersion(2599)) << "the newest that is modelled";
+  EXPECT_EQ(parse_firmware("2.59b9"), msg::FirmwareVersion(2599)) << "the newest emulated version";
   for (const char* text : {"2.60", "2.62b5", "2.69b5", "9.99"}) {
     try {
       parse_firmware(text);

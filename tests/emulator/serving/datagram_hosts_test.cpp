@@ -1,4 +1,4 @@
-// Who keeps a place for datagrams.
+// Tests of the hosts that keep a place for datagrams.
 
 #include "serving/datagram_hosts.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 
 using Port = std::optional<std::size_t>;
 
-/// Hosts by the number of their UDP port; it is also that of the board's port.
+/// Hosts identified by the number of their UDP port, which is also that of the board's port.
 struct Rig {
   DatagramHosts hosts{4};
   Instant now{};
@@ -20,7 +20,7 @@ struct Rig {
   static asio::ip::udp::endpoint endpoint(std::uint16_t number) {
     return {asio::ip::address_v4::loopback(), number};
   }
-  /// Whether it has a place then.
+  /// Returns true if the host has a place afterwards.
   bool say(std::uint16_t number) {
     if (hosts.find(endpoint(number)) != nullptr) {
       hosts.hear(endpoint(number), now);

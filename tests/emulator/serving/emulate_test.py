@@ -1,4 +1,4 @@
-"""sbgc emulate: where hosts connect, how it ends, what it keeps, what it refuses."""
+"""Tests of sbgc emulate: connections, exit, stored state and rejected arguments."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def test_a_pseudo_terminal_is_the_default(number: int) -> None:
         terminal = Terminal(place)
         assert len(terminal.ask(BOARD_INFO)) == 18
         terminal.close()
-        # Programs come and go.
+        # A second program connects.
         terminal = Terminal(place)
         assert len(terminal.ask(BOARD_INFO)) == 18
         assert emulator.end(number) == 0
@@ -86,7 +86,7 @@ def test_nothing_else_is_replaced_by_a_link(tmp_path: Path) -> None:
     with Emulator("--link", str(used)) as emulator:
         assert "in use" in refused("--link", str(used))
         assert Path(os.readlink(used)) == terminal_of(emulator.places[0])
-        # Somebody else's link by now.
+        # The link is replaced by another program.
         used.unlink()
         used.symlink_to(taken)
     assert Path(os.readlink(used)) == taken
@@ -146,7 +146,7 @@ def test_baud_rate_takes_its_time() -> None:
         begin = time.monotonic()
         for _ in range(10):
             host.ask(BOARD_INFO_3)
-        # 5 bytes there, 74 back.
+        # 5 bytes of request, 74 of response.
         assert time.monotonic() - begin > 10 * 79 / 960 * 0.95
         host.close()
 
@@ -168,7 +168,7 @@ def test_faults() -> None:
 
 
 def streams_before(reset: float, begin: float, host: Connection) -> bool:
-    """Whether a stream has begun before the reset, which a busy machine may not bring about."""
+    """Returns True if a stream starts before the reset; on a busy machine it may not."""
     host.send(DATA_STREAM_INTERVAL, stream(20))
     while time.monotonic() < begin + reset:
         if host.receive(0.1) and bytes([0x3E, REALTIME_DATA_4]) in host.heard:
@@ -183,7 +183,7 @@ def test_a_reset_at_a_given_time() -> None:
             host = Connection(emulator.places[0])
             in_time = streams_before(reset, begin, host)
             if in_time:
-                # Streams end with a reset: there is one answer behind the other, and no sample.
+                # A reset ends streams: responses follow each other without a sample in between.
                 answers = 0
                 end = begin + reset + PATIENCE
                 while answers < 10:
@@ -211,7 +211,7 @@ def test_ends_by_itself() -> None:
 
 
 def test_firmware_that_is_not_modelled_is_not_played() -> None:
-    """It would claim commands and forms that the board does not take."""
+    """It would claim commands and forms that the board does not support."""
     result = run("emulate", "--stdio", "--firmware", "2.69b5")
     assert result.status == 2, result
     assert result.out == b""
@@ -289,7 +289,7 @@ def test_one_demo_at_a_time(tmp_path: Path) -> None:
 
 
 def test_the_tour(tmp_path: Path) -> None:
-    """What ./dev demo does."""
+    """Runs the tour as ./dev demo does."""
     tour = os.environ.get("SBGC_TOUR")
     if not tour:
         pytest.skip("examples are not built")

@@ -1,4 +1,4 @@
-"""Runs sbgc emulate for the tests, and talks to what it plays."""
+"""Runs sbgc emulate for the tests, and communicates with the emulated boards."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ ERROR = 255
 DATA_STREAM_INTERVAL = 85
 REALTIME_DATA_4 = 25
 
-PATIENCE = 60.0  # seconds; nothing waits longer than it must
+PATIENCE = 60.0  # seconds; an upper limit that waiting rarely reaches
 
 
 def stream(milliseconds: int) -> bytes:
@@ -33,19 +33,19 @@ def stream(milliseconds: int) -> bytes:
 
 
 def refused(*arguments: str) -> str:
-    """What it says when it cannot start."""
+    """Returns the error message of an emulator that cannot start."""
     result = run("emulate", *arguments)
     assert result.status == 1, result
     return result.error
 
 
 def heed_hangup() -> None:
-    """Also when the tests run under nohup."""
+    """Restores the default handling of SIGHUP, in case the tests run under nohup."""
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
 
 class Emulator:
-    """sbgc emulate, until the with block ends. `places` is what it prints about its boards."""
+    """sbgc emulate, running until the with block ends. `places` are the addresses of its boards."""
 
     def __init__(self, *arguments: str, boards: int = 1, places: int = 1) -> None:
         self.process = subprocess.Popen(
@@ -83,7 +83,7 @@ class Emulator:
             assert kind is not None or status == 0, self.error
 
     def end(self, number: int = signal.SIGTERM) -> int:
-        """Sends a signal and waits; the exit status."""
+        """Sends a signal, waits and returns the exit status."""
         if self.process.poll() is None:
             self.process.send_signal(number)
         return self.wait()
@@ -110,7 +110,7 @@ class Line:
         os.write(self.fd, frame(command, body))
 
     def receive(self, seconds: float) -> bool:
-        """Whether something came in that time."""
+        """Returns True if data arrives within `seconds`."""
         if not select.select([self.fd], [], [], seconds)[0]:
             return False
         try:
@@ -121,7 +121,7 @@ class Line:
         return bool(data)
 
     def body(self, command: int, seconds: float = PATIENCE) -> bytes:
-        """The body of the next frame of that command; fails if there is none in time."""
+        """Returns the body of the next frame of that command; fails on timeout."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             start = self.heard.find(bytes([0x3E, command]))
@@ -141,7 +141,7 @@ class Line:
 
 
 class Terminal(Line):
-    """The other side of a pseudo-terminal, raw, at a rate."""
+    """The host's end of a pseudo-terminal, in raw mode, at a given rate."""
 
     def __init__(self, path: str, rate: int = termios.B115200) -> None:
         super().__init__(os.open(path, os.O_RDWR | os.O_NOCTTY))
@@ -160,7 +160,7 @@ class Terminal(Line):
 
 
 class Connection(Line):
-    """A socket to a place such as "tcp:127.0.0.1:5000"."""
+    """A socket connected to a place such as "tcp:127.0.0.1:5000"."""
 
     def __init__(self, place: str) -> None:
         protocol, host, port = place.split(":")

@@ -1,4 +1,4 @@
-// The board in real time: whoever has something to take is told.
+// Tests of the board in real time: each host is notified of its output.
 
 #include "serving/live_board.hpp"
 
@@ -22,7 +22,7 @@ std::vector<std::uint8_t> request() {
   return {frame.begin(), frame.begin() + static_cast<std::ptrdiff_t>(size)};
 }
 
-/// Longer than the board and its line need for all that is asked here.
+/// Waits longer than the board and its line need for any request in these tests.
 void let_time_pass(const LiveBoard& board) {
   const Instant end = board.now() + milliseconds(5);
   while (board.now() < end) {
@@ -32,7 +32,7 @@ void let_time_pass(const LiveBoard& board) {
 struct Rig {
   asio::io_context context{1};
   LiveBoard board{context.get_executor(), {}, {}};
-  std::size_t told = 0;  // that there is output for the first host
+  std::size_t told = 0;  // notifications of output for the first host
   std::size_t first =
       *board.connect(false, [this] { told += board.output(first).empty() ? 0U : 1U; });
 };
@@ -45,7 +45,7 @@ TEST(LiveBoard, AnotherHostConnectsWhenAnAnswerIsDue) {
   let_time_pass(rig.board);
   ASSERT_TRUE(rig.board.connect(false, [] {}));
   EXPECT_FALSE(rig.board.output(rig.first).empty());
-  EXPECT_EQ(rig.told, 0U);  // not from inside connect()
+  EXPECT_EQ(rig.told, 0U);  // not from within connect()
   rig.context.poll();
   EXPECT_GT(rig.told, 0U);
 }
@@ -77,7 +77,7 @@ TEST(LiveBoard, AnAnswerThatComesWhileAnotherHostIsServed) {
   rig.board.receive(second, request());
   let_time_pass(rig.board);
   is_slow = true;
-  rig.board.receive(rig.first, request());  // it is carried out while the second one is told
+  rig.board.receive(rig.first, request());  // executed while the second host is being notified
   rig.context.poll();
   EXPECT_TRUE(rig.board.output(second).empty());
   EXPECT_GT(rig.told, 0U);

@@ -1,4 +1,5 @@
-// Memory of a board as a file: all of it comes back, and nothing damaged does.
+// Tests of the memory of a board as a file: it is restored completely, and damaged files are
+// rejected.
 
 #include "serving/memory_file.hpp"
 
@@ -57,7 +58,7 @@ SavedMemory random_memory(unsigned seed) {
   return saved;
 }
 
-/// A text of a file in which a part is replaced by another; both must be there.
+/// Returns `text` with the first `from` replaced by `to`; fails the test if there is none.
 std::string changed(const std::string& text, const std::string& from, const std::string& to) {
   const auto at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
@@ -133,7 +134,7 @@ TEST(MemoryText, EveryChangedCharacterIsNoticed) {
       EXPECT_NE(result.error().message, "");
       continue;
     }
-    // White space, or the other case of a hex digit: it still says the same.
+    // Only white space or the case of a hex digit has changed, so the content is the same.
     EXPECT_EQ(result->memory, random_memory(1).memory);
     EXPECT_EQ(result->owner, random_memory(1).owner);
     ++loaded;

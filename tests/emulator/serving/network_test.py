@@ -1,4 +1,4 @@
-"""Hosts that come over TCP and UDP."""
+"""Tests of hosts that connect over TCP and UDP."""
 
 from __future__ import annotations
 
@@ -36,12 +36,12 @@ def test_tcp_has_several_hosts() -> None:
             host.send(BOARD_INFO)
         for host in hosts:
             assert len(host.body(BOARD_INFO)) == 18
-        # Streams belong to who asked for them.
+        # A stream goes only to the host that requested it.
         hosts[0].send(DATA_STREAM_INTERVAL, stream(20))
         hosts[0].body(REALTIME_DATA_4)
         hosts[1].heard = b""
         assert not hosts[1].receive(0.2)
-        # There is no ninth, until one of them leaves.
+        # A ninth host is refused until one of the others leaves.
         ninth = Connection(place)
         ninth.socket.settimeout(PATIENCE)
         assert ninth.socket.recv(1) == b""
@@ -64,7 +64,7 @@ def test_tcp_has_several_hosts() -> None:
 
 
 def timer_of(place: str) -> list[str]:
-    """Kind and time of the timer that the system runs for the only connection to a port."""
+    """Returns kind and time of the kernel's timer for the only connection to a port."""
     port = f":{int(place.rpartition(':')[2]):04X}"
     timers = []
     for line in Path("/proc/net/tcp").read_text(encoding="utf-8").splitlines()[1:]:
@@ -81,10 +81,10 @@ def test_tcp_hosts_that_vanish_are_noticed() -> None:
         assert host.ask(BOARD_INFO)
         end = time.monotonic() + PATIENCE
         kind, ticks = timer_of(emulator.places[0])
-        while kind == "01":  # that the answer has arrived may not be known yet
+        while kind == "01":  # the acknowledgment of the response may be pending
             assert time.monotonic() < end
             kind, ticks = timer_of(emulator.places[0])
-        assert kind == "02"  # it is asked for a sign of life
+        assert kind == "02"  # the keep-alive timer
         assert int(ticks, 16) <= 10 * 100
         host.close()
 
@@ -140,7 +140,7 @@ def test_udp_leaves_places_for_tcp() -> None:
         fifth = Connection(tcp)
         fifth.socket.settimeout(PATIENCE)
         assert fifth.socket.recv(1) == b""
-        # Passers-by make room for one who comes later.
+        # Transient hosts make room for a new one.
         newcomer = Connection(udp)
         end = time.monotonic() + PATIENCE
         while not newcomer.receive(0.1):
@@ -156,11 +156,11 @@ def test_udp_leaves_places_for_tcp() -> None:
 def test_udp_tells_once_of_a_host_that_is_refused() -> None:
     with Emulator("--udp", "0") as emulator:
         hosts = [Connection(emulator.places[0]) for _ in range(9)]
-        for host in hosts[:8] + hosts[:8]:  # twice: they have come to stay
+        for host in hosts[:8] + hosts[:8]:  # twice, which makes them permanent
             assert len(host.ask(BOARD_INFO)) == 18
         for _ in range(100):
             hosts[8].send(BOARD_INFO)
-        assert hosts[0].ask(BOARD_INFO)  # behind all of them
+        assert hosts[0].ask(BOARD_INFO)  # after all of them
         assert not hosts[8].receive(0)
         assert emulator.end() == 0
         assert emulator.error.count("refused") == 1
@@ -173,11 +173,11 @@ def test_udp_carries_whole_answers_and_no_more_than_fits() -> None:
         host = Connection(emulator.places[0])
         host.send(BOARD_INFO_3)
         assert len(host.socket.recv(65536)) == 74
-        for _ in range(10):  # there is not room for all
+        for _ in range(10):  # more than fit
             host.socket.send(frame(BOARD_INFO) * 800)
         end = time.monotonic() + PATIENCE
         while bytes([0x3E, BOARD_INFO_3, 69]) not in host.heard and time.monotonic() < end:
-            host.send(BOARD_INFO_3)  # its answer comes behind them
+            host.send(BOARD_INFO_3)  # its response follows theirs
             host.receive(1)
         answers, rest = divmod(host.heard.count(bytes([0x3E, BOARD_INFO, 18])), 800)
         assert 1 <= answers < 10 and rest == 0
@@ -197,7 +197,7 @@ def test_udp_takes_a_large_datagram_when_nothing_waits() -> None:
 def test_udp_loses_a_datagram_when_an_earlier_one_waits() -> None:
     with Emulator("--udp", "0", "--baud", "300", "--verbose") as emulator:
         host = Connection(emulator.places[0])
-        host.socket.send(frame(BOARD_INFO) * 900)  # which takes minutes
+        host.socket.send(frame(BOARD_INFO) * 900)  # takes minutes
         host.socket.send(frame(BOARD_INFO_3) * 800)
         assert emulator.process.stdout is not None
         while b"lost a datagram of 4000 bytes" not in emulator.process.stdout.readline():
@@ -206,7 +206,7 @@ def test_udp_loses_a_datagram_when_an_earlier_one_waits() -> None:
 
 
 def two_free_ports() -> int:
-    """The first one. Below those that the system gives to other tests."""
+    """Returns the first of two free consecutive ports, below the system's ephemeral range."""
     while True:
         port = random.randrange(10000, 30000)
         try:
@@ -226,7 +226,7 @@ def test_ports_in_a_row() -> None:
 
 
 def waiting_for(terminal: Terminal) -> int:
-    """How many bytes it has not read yet."""
+    """Returns the number of unread bytes."""
     size = fcntl.ioctl(terminal.fd, termios.FIONREAD, bytes(4))
     return int.from_bytes(size, sys.byteorder)
 
@@ -236,7 +236,8 @@ def test_a_host_that_does_not_read() -> None:
         terminal = Terminal(emulator.places[0])
         terminal.send(DATA_STREAM_INTERVAL, stream(1))
         other = Connection(emulator.places[1])
-        # A pseudo-terminal holds few samples. Soon no more get in, while the other host has answers.
+        # A pseudo-terminal buffers few samples and is soon full, while the other host still gets
+        # responses.
         unchanged = before = 0
         end = time.monotonic() + PATIENCE
         while unchanged < 20:
@@ -265,13 +266,13 @@ def test_a_host_that_floods() -> None:
         host = Connection(emulator.places[0])
         host.socket.settimeout(0.5)
         requests = frame(BOARD_INFO) * 10000
-        with pytest.raises(socket.timeout):  # it is held up
+        with pytest.raises(socket.timeout):  # blocked by backpressure
             for _ in range(1000):
                 host.socket.sendall(requests)
         other = Connection(emulator.places[0])
         assert other.ask(BOARD_INFO)
         status = Path(f"/proc/{emulator.process.pid}/status").read_text(encoding="utf-8")
         (size,) = (int(line.split()[1]) for line in status.splitlines() if line.startswith("VmRSS"))
-        assert size < 500_000  # KiB; sanitizers need some
+        assert size < 500_000  # KiB; sanitizers need more
         other.close()
         host.close()

@@ -1,4 +1,4 @@
-"""What it prints for people."""
+"""Tests of the output for people."""
 
 from __future__ import annotations
 
@@ -48,8 +48,8 @@ def test_a_reader_of_its_output_that_goes_away(tmp_path: Path) -> None:
 
 
 def ask_often(host: Connection) -> None:
-    """More frames than a reader's pipe or terminal holds as lines, all of them answered."""
-    at_once = 400  # which are read in one piece: a stall in a frame would be the end of that
+    """Sends requests for more lines than the reader's pipe or terminal holds; all get a response."""
+    at_once = 400  # read at once: a stall within a frame would discard it
     for _ in range(3):
         host.heard = b""
         os.write(host.fd, frame(BOARD_INFO) * at_once)
@@ -70,7 +70,7 @@ def test_a_reader_of_its_output_that_stalls(kind: str) -> None:
         host = Connection(line.decode().strip().partition(": ")[2])
         ask_often(host)
         ask_often(host)
-        # Lines that were left out are reported when there is room again.
+        # Omitted lines are reported when there is space again.
         lines = os.read(reader, 65536)
         end = time.monotonic() + PATIENCE
         while b"lines dropped" not in lines:
@@ -79,7 +79,7 @@ def test_a_reader_of_its_output_that_stalls(kind: str) -> None:
             lines += os.read(reader, 65536)
         for line in lines.splitlines()[:-1]:
             assert b" CMD_BOARD_INFO (86), " in line or b"dropped" in line or b"is host" in line
-        # And nobody has to read for it to end.
+        # It exits even if its output is not read.
         ask_often(host)
         process.terminate()
         assert process.wait(PATIENCE) == 0
@@ -121,7 +121,7 @@ def test_warnings_that_can_not_be_written() -> None:
     hosts = [Connection(place) for _ in range(9)]
     for host in hosts[:8]:
         assert host.ask(BOARD_INFO)
-    assert hosts[8].socket.recv(1) == b""  # refused, which is worth a warning
+    assert hosts[8].socket.recv(1) == b""  # refused, which prints a warning
     assert hosts[0].ask(BOARD_INFO)
     for host in hosts:
         host.close()

@@ -1,4 +1,4 @@
-// Boards of one process whose memory is being saved.
+// Tests of saving the memory of several boards in one process.
 
 #include "serving/state_keeper.hpp"
 
@@ -32,7 +32,7 @@ emulator::EmulatorOptions options() {
   return result;
 }
 
-/// A disk that writes when it is told to.
+/// A simulated disk that completes writes on request.
 class Disk {
  public:
   StateKeeper::Save save() {
@@ -179,7 +179,7 @@ TEST(StateKeeper, AFailureIsToldAndTriedAgain) {
   EXPECT_EQ(kept.warnings, std::vector<std::string>{"the disk is full"});
   kept.write(1);  // again
   rig.run_until([&] { return kept.disk.begun() == 2; });
-  EXPECT_EQ(kept.heard, Ids{error}) << "what stands in the memory is not safe";
+  EXPECT_EQ(kept.heard, Ids{error}) << "the contents of the memory are not saved";
   kept.disk.end(1);
   rig.run_until([&] { return kept.heard.size() == 2; });
   EXPECT_EQ(kept.heard, (Ids{error, confirm}));

@@ -1,4 +1,4 @@
-"""What a board remembers, in a file."""
+"""Tests of the state that a board keeps in a file."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def test_state_survives(tmp_path: Path) -> None:
         host = Connection(emulator.places[0])
         assert host.ask(READ_EXTERNAL_DATA) == data
         assert host.ask(BOARD_INFO_3)[:21] == serial
-        # And what changes in the last moment.
+        # Changes just before the exit are saved, too.
         host.send(WRITE_EXTERNAL_DATA, data[::-1])
         host.body(CONFIRM)
         assert emulator.end() == 0
@@ -74,7 +74,7 @@ def test_what_is_confirmed_is_on_the_disk(tmp_path: Path) -> None:
                 line.send(WRITE_EXTERNAL_DATA, value)
             for _ in range(3):
                 line.body(CONFIRM)
-            # It is in the middle of saving this one, perhaps.
+            # It may be in the middle of saving this.
             line.send(WRITE_EXTERNAL_DATA, data)
             emulator.process.kill()
             emulator.wait()
@@ -140,7 +140,7 @@ def test_a_file_that_has_the_name_of_the_lock_is_left_alone(tmp_path: Path) -> N
     lock.touch()  # left behind by an emulator that was killed
     with Emulator("--tcp", "0", "--state", str(state)):
         lock.unlink()
-        lock.write_text("mine")  # by now
+        lock.write_text("mine")  # replaced meanwhile
     assert lock.read_text() == "mine"
 
 
@@ -149,7 +149,7 @@ def test_a_state_keeps_its_mode(tmp_path: Path) -> None:
     for mode in (0o644, 0o600, 0o660):
         with Emulator("--tcp", "0", "--state", str(state)):
             state.chmod(mode)
-        with Emulator("--tcp", "0", "--state", str(state)):  # which is written at once
+        with Emulator("--tcp", "0", "--state", str(state)):  # which is written immediately
             pass
         assert state.stat().st_mode & 0o7777 == mode
 
@@ -176,13 +176,13 @@ def test_a_state_that_can_not_be_saved_any_more(tmp_path: Path) -> None:
         assert host.ask(BOARD_INFO)
         host.close()
         assert emulator.end() == 1
-        assert emulator.error.count("cannot write") == 1  # it is tried again at the end
+        assert emulator.error.count("cannot write") == 1  # it is retried at the end
         assert "not everything could be saved" in emulator.error
 
 
 def test_board_and_firmware(tmp_path: Path) -> None:
     state = ["--state", str(tmp_path / "state")]
-    # The state knows which board it is of.
+    # The state identifies its board.
     for model in (["--firmware", "2.43b9", "--board", "3.1"], []):
         with Emulator("--tcp", "0", *state, *model) as emulator:
             host = Connection(emulator.places[0])
@@ -190,7 +190,7 @@ def test_board_and_firmware(tmp_path: Path) -> None:
             assert info[0] == 31
             assert int.from_bytes(info[1:3], "little") == 2439
             host.close()
-    # What is given must be right, and nothing else.
+    # Options that are given must match the state; others may be omitted.
     for model in (["--firmware", "2.43b9"], ["--board", "3.1"]):
         with Emulator("--tcp", "0", *state, *model):
             pass

@@ -1,4 +1,4 @@
-"""A host on standard input and output."""
+"""Tests of a host on standard input and output."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def test_standard_input_and_output(tmp_path: Path) -> None:
     assert b"emulated gimbal 1: standard input and output" in done.stderr
     assert b"CMD_BOARD_INFO" in done.stderr
 
-    # Regular files are as good.
+    # Regular files work as well.
     (tmp_path / "in").write_bytes(frame(BOARD_INFO))
     with open(tmp_path / "in", "rb") as source, open(tmp_path / "out", "wb") as sink:
         done = subprocess.run(
@@ -71,7 +71,7 @@ def test_standard_input_that_ends_before_the_answers() -> None:
         assert done.returncode == 0, done.stderr
         answers, rest = divmod(len(done.stdout), 74)
         assert rest == 0
-        # Many are read in pieces, and a stall between two of them may cost a request.
+        # Requests are read in chunks, and a stall between two chunks may lose a request.
         assert number * 99 // 100 <= answers <= number
 
 

@@ -1,4 +1,4 @@
-// A pseudo-terminal that no longer works.
+// Tests of a pseudo-terminal that fails.
 
 #include <array>
 #include <chrono>
@@ -22,7 +22,7 @@
 namespace sbgc::serving {
 namespace {
 
-/// Nothing can be read from it.
+/// A transport that fails to read.
 class Broken final : public io::Transport {
  public:
   explicit Broken(std::unique_ptr<io::Transport> inner) : inner_(std::move(inner)) {}
@@ -62,7 +62,7 @@ TEST(Terminal, ThatFailsLeavesItsPortAlone) {
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_NE(warnings[0].find(terminal->address()), std::string::npos);
 
-  // Whoever has its port now has settings of his own: they stay wrong.
+  // The port's new host has its own settings, which remain wrong.
   std::size_t got = 0;
   std::size_t port = 0;
   port = *board.connect(false, [&] { got += board.output(port).size(); });

@@ -1,4 +1,4 @@
-"""Edits of compat/probe.yaml by class of change, and what the report says about each."""
+"""Edits of compat/probe.yaml by class of change, and the expected report."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ BASE = (HERE / "minimal" / "base.yaml").read_text(encoding="utf-8")
 
 WIRE, MEANING, SOURCE, OK = Level.WIRE, Level.MEANING, Level.SOURCE, Level.COMPATIBLE
 
-# What is edited: pairs of old and new text. What is found: class, and the report's words.
+# The edits as pairs of old and new text, and the expected class and text of the report.
 Case = tuple[list[tuple[str, str]], Level, str]
 
 RESERVED = "        - {reserved: 4}\n"

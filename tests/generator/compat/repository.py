@@ -7,21 +7,21 @@ from pathlib import Path
 
 
 def git(folder: Path, *arguments: str) -> None:
-    """A git command as some user or other."""
+    """Runs a git command with a fixed user."""
     user = ["-c", "user.name=Test", "-c", "user.email=test@example.org"]
     command = ["git", *user, "-C", str(folder), *arguments]
     subprocess.run(command, check=True, capture_output=True)
 
 
 def start(folder: Path) -> Path:
-    """A new repository without anything."""
+    """Creates an empty repository."""
     folder.mkdir(parents=True)
     git(folder, "init", "--quiet")
     return folder
 
 
 def commit(folder: Path, tag: str) -> None:
-    """A revision with all files as they are, by the name `tag`."""
+    """Commits all files and tags the revision `tag`."""
     git(folder, "add", ".")
     git(folder, "commit", "--quiet", "-m", tag)
     git(folder, "tag", tag)

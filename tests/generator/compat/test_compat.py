@@ -1,4 +1,4 @@
-"""Every class of change between two versions of a spec is found and put into its class."""
+"""Every kind of change between two versions of a spec is found and classified."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def old_spec(folder: Path) -> Path:
 
 
 def edited_spec(folder: Path, edits: list[tuple[str, str]]) -> Path:
-    """The old spec with some words replaced, in whichever file they are."""
+    """Returns the old spec with words replaced in all files that contain them."""
     spec = old_spec(folder)
     for before, after in edits:
         files = [path for path in spec.glob("*.yaml") if before in path.read_text(encoding="utf-8")]
@@ -96,7 +96,7 @@ def test_a_spec_that_does_not_load(tmp_path: Path, capsys: pytest.CaptureFixture
 
 @pytest.fixture
 def repository(tmp_path: Path) -> Path:
-    """A repository with two revisions of the spec, and one before them without any."""
+    """A repository with two revisions of the spec, and an earlier one without a spec."""
     root = start(tmp_path / "project")
     (root / "README").write_text("nothing yet\n", encoding="utf-8")
     commit(root, "v0")

@@ -1,4 +1,4 @@
-"""A revision is read by its own generator, whatever has changed since: the language, the model."""
+"""A revision is read by its own generator, even if the spec language or model has changed since."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ EARLIER = HERE / "compat" / "earlier_model.json"
 
 
 def restored(layout: Layout) -> Layout:
-    """A model after the way through JSON and back."""
+    """Returns a model after the round trip through JSON."""
     return restore(json.loads(json.dumps(dump(layout))))
 
 
@@ -40,14 +40,15 @@ def test_a_model_comes_back_as_it_was() -> None:
 
 
 def test_the_model_of_an_earlier_generator_is_understood(tmp_path: Path) -> None:
-    """If this fails, the model has got another name or shape for something: say so in reading.py.
+    """If this fails, a part of the model has got another name or shape: describe it in reading.py.
 
-    The file is what dump.py has printed for probe.yaml with the generator of an earlier revision; if
-    probe.yaml changes, it has to be printed again.
+    The file is the output of dump.py for probe.yaml with the generator of an earlier revision; if
+    probe.yaml changes, it has to be written again.
     """
     earlier = restore(json.loads(EARLIER.read_text(encoding="utf-8")))
     found = compare(earlier, load_layout(write_spec(tmp_path, OLD)))
-    # The spec did not say then how versions are written, nor which part of a packed value is the main one.
+    # At that time the spec specified neither the format of versions nor the main part of a packed
+    # value.
     assert {c.what for c in found} == {
         "packed FirmwareVersion",
         "packed BoardVersion",
@@ -110,7 +111,7 @@ def test_an_answer_that_was_the_same_in_all_cases() -> None:
 
 @pytest.fixture(name="project")
 def of_another_language(tmp_path: Path) -> Path:
-    """A repository whose revision v1 said `gist` for what is called `summary` now."""
+    """A repository whose revision v1 uses the key `gist` for the present `summary`."""
     root = start(tmp_path / "project")
     spec = write_spec(root, OLD)
     for path in spec.glob("*.yaml"):

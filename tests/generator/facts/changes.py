@@ -1,4 +1,4 @@
-"""Other values for a place of the spec: valid ones first."""
+"""Alternative values for a place of the spec, valid ones first."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ ABSENT = object()
 
 
 def changes(place: Place, pool: list[Any]) -> Iterator[Any]:
-    """Values that the schema allows in the place; `pool` has those of other places of its path."""
+    """Yields valid values for the place; `pool` has those of other places with the same path."""
     seen = [place.value]
     for value in _candidates(place, pool):
         if value in seen:
@@ -64,7 +64,7 @@ def _lists(value: list[Any], pool: list[Any]) -> Iterator[Any]:
 
 
 def items(value: list[Any], chosen: list[int]) -> List:
-    """A list of some items of another one."""
+    """Returns a list of some items of another."""
     result = List(value[i] for i in chosen)
     result.position = value.position  # type: ignore[attr-defined]
     result.items_at = [value.items_at[i] for i in chosen]  # type: ignore[attr-defined]
@@ -72,12 +72,12 @@ def items(value: list[Any], chosen: list[int]) -> List:
 
 
 def without(node: Any, key: str) -> Map:
-    """A mapping without a key."""
+    """Returns a mapping without a key."""
     return mapping(node, {k: v for k, v in node.items() if k != key})
 
 
 def mapping(like: Any, content: dict[str, Any]) -> Map:
-    """A mapping at the position of another."""
+    """Returns a mapping at the position of another."""
     result = Map(content)
     result.position = like.position
     result.keys_at = {k: like.keys_at.get(k, like.position) for k in content}
@@ -86,7 +86,7 @@ def mapping(like: Any, content: dict[str, Any]) -> Map:
 
 @contextmanager
 def changed(parent: Map, key: str, value: Any) -> Iterator[None]:
-    """The mapping with another value under a key, new or not; as before behind it."""
+    """Sets a key, new or existing, to another value within the with block."""
     content, places = dict(parent), dict(parent.keys_at)
     if value is ABSENT:
         del parent[key]
@@ -102,7 +102,7 @@ def changed(parent: Map, key: str, value: Any) -> Iterator[None]:
 
 
 def positioned(value: Any, at: Position) -> Any:
-    """A plain value as the reader of YAML would make it."""
+    """Converts a plain value to the types of the YAML reader."""
     if isinstance(value, dict) and not isinstance(value, Map):
         result = Map((key, positioned(inner, at)) for key, inner in value.items())
         result.position, result.keys_at = at, dict.fromkeys(value, at)

@@ -1,4 +1,4 @@
-"""What the generator makes of a spec in memory, as far as somebody asks."""
+"""The generator's output for a spec in memory, computed on demand."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _COMMENT = re.compile(rb"//[^\n]*|/\*.*?\*/", re.S)
 
 
 class Made:
-    """What a spec makes; each part is made when it is asked for."""
+    """The output for a spec; each part is computed on first access."""
 
     def __init__(self, spec: Spec, project: Path) -> None:
         families = {name: spec.families[name] for name in spec.main["families"]}
@@ -33,7 +33,7 @@ class Made:
 
     @cached_property
     def model(self) -> Any:
-        """The exported model; None if it cannot be made."""
+        """The exported model, or None if the spec is invalid."""
         check_syntax(self.spec, self.found)
         if not self.found.found:
             self.layout = resolve(self.spec, self.found)
@@ -41,7 +41,7 @@ class Made:
 
     @cached_property
     def is_refused(self) -> bool:
-        """Whether lint finds something."""
+        """True if lint has findings."""
         if self.model is not None and self.layout is not None:
             build.check(self.spec, self.layout, self.found)
             if not self.found.found:

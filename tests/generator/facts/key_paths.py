@@ -1,6 +1,6 @@
-"""The key paths of the JSON Schema of the YAML, and where the spec uses them.
+"""The key paths of the JSON Schema of the YAML, and their uses in the spec.
 
-A path is a definition of the schema and the keys from there on: `field.range`, `packed.parts`,
+A path is a definition of the schema and the keys below it: `field.range`, `packed.parts`,
 `main.line.pause_ms`. `*` is a name that the spec chooses, `[]` an item of a list.
 """
 
@@ -24,7 +24,7 @@ _ROOTS = ("main", "family", "errata")
 
 @dataclass(frozen=True)
 class Place:
-    """A value of the spec: what it is in, under which key, and what the schema says of it."""
+    """A value of the spec with its parent, its key and its schema."""
 
     path: str
     parent: Any
@@ -38,7 +38,7 @@ class Place:
 
 
 def resolved(schema: Schema) -> tuple[str, Schema]:
-    """What a reference leads to, with the name of that definition; "" if it is none."""
+    """Returns the name and schema of a referenced definition; the name is "" without a reference."""
     if "$ref" in schema:
         name = schema["$ref"].rpartition("/")[2]
         return name, DEFS[name]
@@ -46,12 +46,12 @@ def resolved(schema: Schema) -> tuple[str, Schema]:
 
 
 def validator(schema: Schema) -> Any:
-    """What checks a value against a part of the schema."""
+    """Returns a validator for a part of the schema."""
     return jsonschema.Draft202012Validator({**schema, "$defs": DEFS})
 
 
 def key_paths() -> set[str]:
-    """All that the schema has."""
+    """Returns all key paths of the schema."""
     found: set[str] = set()
     done: set[str] = set()
 
@@ -84,7 +84,7 @@ def _steps(schema: Schema) -> Iterator[tuple[str, Schema]]:
 
 
 def places(spec: Spec) -> Iterator[Place]:
-    """The values of a spec that have a key."""
+    """Yields the values of a spec that have a key."""
     files = [("main", spec.main), ("errata", spec.errata)]
     files += [("family", content) for content in spec.families.values()]
     for kind, content in files:
@@ -92,7 +92,7 @@ def places(spec: Spec) -> Iterator[Place]:
 
 
 def nodes(spec: Spec, definition: str) -> Iterator[Any]:
-    """The mappings of a spec that have a definition of the schema."""
+    """Yields the mappings of a spec that have a definition of the schema."""
     for place in places(spec):
         name, schema = resolved(place.schema)
         names = (name, *(resolved(branch)[0] for branch in schema.get("anyOf", ())))

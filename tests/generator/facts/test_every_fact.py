@@ -1,8 +1,8 @@
-"""Every key of the YAML drives something: the exported model, the C++, the vectors, or lint's verdict.
+"""Every key of the YAML has an effect on the exported model, the C++, the vectors, or the findings.
 
 For each key path of the JSON Schema, one value after another is changed in a copy of the spec in memory
-until a change shows. Only if every valid value is refused, that counts. `table.yaml` has what only
-documentation prints, and what the test cannot think of.
+until a change has an effect. A rejection counts only if every valid value is rejected. `table.yaml` lists
+the keys that affect only documentation, and values that the test cannot derive.
 """
 
 from __future__ import annotations
@@ -23,17 +23,17 @@ from sbgcgen.spec.diagnostics import Diagnostics
 from sbgcgen.spec.load import Spec, load
 from support import HERE, PROJECT
 
-# How many changes of a path are tried until one shows, and in how many places.
+# The maximum number of changes of a path, and of places to change.
 _CHANGES = 7
 _PLACES = 4
-# After so many valid changes that do not show, no further one is thought to.
+# The search ends after this number of valid changes without effect.
 _SILENT = 3
 
 TABLE: dict[str, Any] = yaml.safe_load((HERE / "facts" / "table.yaml").read_text("utf-8"))
 
 
 def loaded() -> Spec:
-    """The spec in memory."""
+    """Returns the spec in memory."""
     found = Diagnostics()
     spec = load(PROJECT / "spec", found)
     found.raise_if_any()
@@ -41,7 +41,7 @@ def loaded() -> Spec:
 
 
 class Facts:
-    """The spec, what is made of it, and where it uses which key path."""
+    """The spec, its output, and the places where it uses each key path."""
 
     def __init__(self) -> None:
         self.spec = loaded()
@@ -52,7 +52,8 @@ class Facts:
             self.places[place.path].append(place)
 
     def shows(self, path: str) -> str:
-        """Where a change of this path shows; "" if nowhere, and "unused" if the spec has no such key."""
+        """Returns where a change of this path has an effect: "" if nowhere, "unused" for an unused
+        key."""
         refused = silent = 0
         for made, before in islice(self.variants(path), _CHANGES):
             if shown := difference(made, before, path in TABLE["documentation"]):
@@ -68,7 +69,7 @@ class Facts:
         return "lint" if refused else ""
 
     def variants(self, path: str) -> Iterator[tuple[Made, Made]]:
-        """The spec with one change after another, and as it was before."""
+        """Yields the output for one change after another, and the output before the change."""
         found = self.places.get(path, [])
         chosen = found[:: max(1, len(found) // _PLACES)][:_PLACES]
         for place in chosen:
@@ -87,7 +88,7 @@ class Facts:
     def uses(
         self, path: str, value: Any, beside: Optional[dict[str, Any]] = None, having: str = ""
     ) -> Iterator[tuple[Made, Made]]:
-        """The spec with a key that it does not use, and without it."""
+        """Yields the output with a key that the spec does not use, and without it."""
         definition, _, key = path.rpartition(".")
         for node in nodes(self.spec, definition):
             if having and having not in node:
@@ -103,17 +104,17 @@ class Facts:
                     yield self.made(), before
 
     def made(self) -> Made:
-        """What the spec makes as it is now."""
+        """Returns the output for the spec in its current state."""
         return Made(self.spec, PROJECT)
 
     @staticmethod
     def only_value(place: Place) -> str:
-        """For a place where the schema allows just one value."""
+        """Returns "lint" for a place where the schema allows a single value."""
         return "" if validator(place.schema).is_valid(f"{place.value}_X") else "lint"
 
 
 def difference(made: Made, before: Made, is_documentation: bool) -> str:
-    """Where a valid change shows."""
+    """Returns where a valid change has an effect."""
     if made.model is not None and made.model != before.model:
         return "model"
     if made.is_refused:
@@ -128,7 +129,7 @@ def difference(made: Made, before: Made, is_documentation: bool) -> str:
 
 @pytest.fixture(name="facts", scope="module")
 def all_facts() -> Facts:
-    """One for all tests: each leaves the spec as it was."""
+    """One instance for all tests: each test restores the spec."""
     return Facts()
 
 
@@ -138,7 +139,7 @@ def test_a_change_shows(path: str, facts: Facts) -> None:
     if path in TABLE["documentation"]:
         assert shown == "documentation", f"{path} drives more than documentation: {shown}"
     else:
-        assert shown, f"a change of {path} shows nowhere"
+        assert shown, f"a change of {path} has no effect"
         assert (
             shown != "unused"
         ), f"the spec does not use {path}: show a use in table.yaml, or delete it"

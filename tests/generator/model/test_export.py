@@ -1,4 +1,4 @@
-"""The exported model: the keys and values that design.md section 7 promises."""
+"""The exported model has the keys and values that design.md section 7 specifies."""
 
 from __future__ import annotations
 
@@ -97,7 +97,7 @@ def test_words_are_the_promised_ones(model: dict[str, Any]) -> None:
     assert {m["direction"] for m in model["messages"]} == {"from_board", "to_board"}
     forms = {"simple", "extended", "success", "error", None}
     assert {m["form"] for m in model["messages"]} == forms
-    more = {"one_byte", "wide", "extended_wide"}  # what later firmware and real boards have beside
+    more = {"one_byte", "wide", "extended_wide"}  # forms of later firmware and real boards
     assert {m.get("form_name") for m in model["messages"]} == forms | more
     for message in model["messages"]:
         assert ("form_name" in message) == (message["form"] is not None)
@@ -139,7 +139,7 @@ def test_enum_values_fit_their_width_and_are_named_once(model: dict[str, Any]) -
 
 
 def test_fixed_layouts_add_up(model: dict[str, Any]) -> None:
-    """Offsets follow each other without gap, and the last byte ends the body."""
+    """Offsets follow each other without gaps, and the last byte ends the body."""
     for message in model["messages"]:
         at = 0
         for leaf in message["layout"]:
@@ -163,7 +163,7 @@ def test_paths_are_unique(model: dict[str, Any]) -> None:
 
 
 def test_example_of_the_design(model: dict[str, Any]) -> None:
-    """The entries that design.md shows, to the letter."""
+    """The entries shown in design.md match exactly."""
     (message,) = [m for m in model["messages"] if m["name"] == "BoardInfo"]
     assert {key: message[key] for key in KEYS["messages"] if key != "layout"} == {
         "name": "BoardInfo",

@@ -1,4 +1,4 @@
-"""How names are taken apart and put together."""
+"""Tests of splitting and joining names."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How packed integers are written, at the example of versions."""
+"""Tests of the text form of packed integers, using versions as the example."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from support import HERE
 
 @lru_cache(maxsize=None)
 def packed(name: str) -> Packed:
-    """A packed integer of the minimal spec."""
+    """Returns a packed integer of the minimal spec."""
     return next(p for p in load_protocol(HERE / "minimal").layout.packed if p.name == name)
 
 

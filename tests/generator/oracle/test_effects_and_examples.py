@@ -1,4 +1,4 @@
-"""What requests do, what is typical, worked examples and the history: from YAML to the model."""
+"""Tests of effects, typical values, examples and the history, from YAML to the model."""
 
 from __future__ import annotations
 

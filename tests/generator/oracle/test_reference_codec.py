@@ -1,4 +1,4 @@
-"""The reference codec by itself, and that its vectors leave nothing out."""
+"""Tests of the reference codec, and of the completeness of its vectors."""
 
 from __future__ import annotations
 
@@ -43,13 +43,13 @@ Line = dict[str, Any]
 
 @lru_cache(maxsize=None)
 def protocol() -> Layout:
-    """The real protocol."""
+    """Returns the real protocol."""
     return load_protocol(PROJECT / "spec").layout
 
 
 @lru_cache(maxsize=None)
 def lines() -> tuple[Line, ...]:
-    """Every vector of the real protocol."""
+    """Returns every vector of the real protocol."""
     return tuple(
         json.loads(line)
         for path, content in target("vectors").files(protocol(), PROJECT)
@@ -60,16 +60,16 @@ def lines() -> tuple[Line, ...]:
 
 @lru_cache(maxsize=None)
 def messages() -> dict[tuple[str, str], Message]:
-    """The messages by direction and name."""
+    """Returns the messages by direction and name."""
     return {(m.direction, m.name): m for m in protocol().messages}
 
 
 def message_in(line: Line) -> Message:
-    """The message that a vector is about."""
+    """Returns the message of a vector."""
     return messages()[line["direction"], line["message"]]
 
 
-# The codec by itself
+# The codec
 
 FAMILY = """
 family: probe
@@ -225,7 +225,7 @@ def test_frames_are_found_behind_false_starts(layout: Layout) -> None:
 
 
 def test_frames_are_as_the_framing_says(layout: Layout) -> None:
-    """A start byte, an order of the header, and checksums that no protocol here has."""
+    """Uses a start byte, a header order and checksums that the real protocol does not have."""
     checksums = (
         Checksum("head", "sum8", ("start", "id")),
         Checksum("size_again", "sum8", ("size",)),
@@ -285,7 +285,7 @@ def test_vectors_are_small_and_always_the_same() -> None:
 
 
 def everything_said() -> dict[int, tuple[list[Message], list[Line]]]:
-    """Of each body (some messages share one): its messages, and the fields of its vectors."""
+    """Returns the messages of each body (some share one) and the fields of its vectors."""
     found: dict[int, tuple[list[Message], list[Line]]] = defaultdict(lambda: ([], []))
     for message in protocol().messages:
         found[id(message.body)][0].append(message)
@@ -296,14 +296,14 @@ def everything_said() -> dict[int, tuple[list[Message], list[Line]]]:
 
 
 def all_leaves(leaves: tuple[Leaf, ...]) -> Iterator[Leaf]:
-    """The leaves, and those of what regions may hold."""
+    """Yields the leaves, including the alternatives of regions."""
     for leaf in leaves:
         yield leaf
         yield from all_leaves(leaf.cases)
 
 
 def values_at(fields: Any, path: str) -> list[Any]:
-    """Every value that stands at a leaf's path in a message, of all elements of its lists."""
+    """Returns every value at a leaf's path in a message, for all elements of its lists."""
     found = [fields]
     for step in path.replace("[", ".[").split("."):
         found = [value for inner in found for value in step_into(inner, step)]
@@ -311,7 +311,7 @@ def values_at(fields: Any, path: str) -> list[Any]:
 
 
 def step_into(value: Any, step: str) -> list[Any]:
-    """What one step of a path leads to; nothing where an optional member is not there."""
+    """Returns the values one step down a path; nothing for an absent optional member."""
     if step == "[]":
         return list(value)
     if step.startswith("["):
@@ -321,7 +321,7 @@ def step_into(value: Any, step: str) -> list[Any]:
 
 
 def numbers_of(values: list[Any]) -> list[Any]:
-    """The single numbers of a leaf, which may be a list."""
+    """Returns the single numbers of a leaf, which may be a list."""
     result: list[Any] = []
     for value in values:
         result += value if isinstance(value, list) else [value]
@@ -340,9 +340,9 @@ LIMITS = {
 
 
 def wanted_of(field: Field, leaf: Leaf) -> Iterator[tuple[str, Any]]:
-    """What a leaf must be in some vector, and why."""
+    """Yields the values that a leaf must have in some vector, each with the reason."""
     if field.is_counter:
-        return  # as many as fit: test_nothing_is_without_a_vector looks at the lengths of lists
+        return  # test_nothing_is_without_a_vector checks the lengths of lists
     for number in LIMITS.get(leaf.type, ()):
         yield "limit of the type", number
     for limit in (field.minimum, field.maximum):
@@ -356,7 +356,7 @@ def wanted_of(field: Field, leaf: Leaf) -> Iterator[tuple[str, Any]]:
 
 
 def named_values(field: Field) -> Iterator[tuple[str, int]]:
-    """The values of an enum; those of packed parts in their place."""
+    """Yields the values of an enum, and those of packed parts shifted to their bits."""
     if isinstance(field.type, Enum) and field.type.kind == "enum":
         for value in field.type.values:
             yield value.name, value.value
@@ -367,7 +367,7 @@ def named_values(field: Field) -> Iterator[tuple[str, int]]:
 
 
 def missing_of(leaf: Leaf, said: list[Line]) -> Iterator[str]:
-    """What of a leaf is in no vector."""
+    """Yields descriptions of the values of a leaf that no vector has."""
     values = [value for fields in said for value in values_at(fields, leaf.path)]
     field = leaf.field
     if not values:
@@ -393,7 +393,7 @@ def missing_of(leaf: Leaf, said: list[Line]) -> Iterator[str]:
 
 
 def missing_lengths(leaf: Leaf, lengths: set[int]) -> Iterator[str]:
-    """What of the lengths of a text is in no vector."""
+    """Yields descriptions of the lengths of a text that no vector has."""
     assert isinstance(leaf.field.type, Blob)
     full = leaf.field.type.size if leaf.type == "text" else 200
     if not {0, 1} <= lengths or max(lengths) < (full or 0):
@@ -401,13 +401,13 @@ def missing_lengths(leaf: Leaf, lengths: set[int]) -> Iterator[str]:
 
 
 def lengths_of(field: Field, said: list[Line]) -> set[int]:
-    """The lengths that a list has in the vectors, bytes as bytes."""
+    """Returns the lengths that a list has in the vectors; for bytes, their number."""
     lists = [fields[field.name] for fields in said if field.name in fields]
     return {len(value) // 2 if isinstance(value, str) else len(value) for value in lists}
 
 
 def missing_of_message(message: Message, said: list[Line]) -> Iterator[str]:
-    """What of a message as a whole is in no vector."""
+    """Yields descriptions of the variants of a message that no vector has."""
     for field in message.fields:
         present = {field.name in fields for fields in said}
         if field.when and present != {True, False}:

@@ -1,7 +1,7 @@
 """Compares the facts of the specification's text with the exported model.
 
-Every comparison is a Check: what the text says and what the model has. Nothing here knows a
-deviation; those stand in tests/data/fidelity_exceptions.yaml, each with its erratum.
+Every comparison is a Check of the text's statement against the model's. The deviations are not here but
+in tests/data/fidelity_exceptions.yaml, each with its erratum.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ UNITS = {
 
 @dataclass(frozen=True)
 class Check:
-    """One fact: what the text says, on which line, and what the model has."""
+    """A fact: the statement of the text, its line, and the statement of the model."""
 
     kind: str
     line: int
@@ -50,12 +50,12 @@ class Check:
 
     @property
     def fact(self) -> tuple[str, int, str, str]:
-        """What the text says once, however often it is compared."""
+        """Identifies a statement of the text, however often it is compared."""
         return (self.kind, self.line, self.name.rpartition(".")[2], str(self.said))
 
     @property
     def is_addition(self) -> bool:
-        """Whether the model says it and the text does not."""
+        """True if the model has a fact that the text lacks."""
         return self.kind.startswith("extra")
 
     def __str__(self) -> str:
@@ -63,20 +63,20 @@ class Check:
 
 
 def entry_lines(entry: Json, line: int) -> tuple[int, int]:
-    """The lines that an entry is about: one, or a range, or any."""
+    """Returns the range of lines that an entry applies to; without lines, it applies to any."""
     lines = entry.get("line", line)
     return (lines[0], lines[1]) if isinstance(lines, list) else (lines, lines)
 
 
 @dataclass
 class Table:
-    """The exceptions; `used` remembers which were needed."""
+    """The exceptions; `used` records which were needed."""
 
     entries: list[Json]
     used: set[int]
 
     def find(self, kind: str, line: int, name: str) -> Json | None:
-        """The entry for a fact, which counts as used."""
+        """Returns the entry for a fact and marks it as used."""
         for number, entry in enumerate(self.entries):
             first, last = entry_lines(entry, line)
             if (
@@ -91,7 +91,7 @@ class Table:
 
 @dataclass(frozen=True)
 class Element:
-    """One element of a body of the text: a number, a run of bytes, or something variable."""
+    """An element of a body in the text: a number, a run of bytes, or a variable part."""
 
     name: str
     type: str
@@ -103,7 +103,7 @@ class Element:
 
 @dataclass(frozen=True)
 class Ours:
-    """One element of a layout of the model."""
+    """An element of a layout in the model."""
 
     name: str
     type: str
@@ -114,7 +114,7 @@ class Ours:
 
 
 def text_elements(body: Json) -> list[Element]:
-    """The elements of a body; an array is as many elements as it counts."""
+    """Returns the elements of a body; an array yields each of its elements."""
     found = []
     for field in body["fields"]:
         notation = field["type"]
@@ -134,7 +134,7 @@ def text_elements(body: Json) -> list[Element]:
 
 
 def our_elements(message: Json) -> list[Ours]:
-    """The elements of a layout; texts and bytes are both runs of bytes to the text."""
+    """Returns the elements of a layout; in the text, strings and bytes are both runs of bytes."""
     found = []
     for leaf in message["layout"]:
         count = leaf["count"]
@@ -149,12 +149,12 @@ def our_elements(message: Json) -> list[Ours]:
 
 
 def same_name(said: str, ours: str) -> bool:
-    """Whether two names are the same, but for the case of a word such as 'reserved'."""
+    """Returns True if the names are equal, except for the case of 'reserved'."""
     return said == ours or said.upper() == ours == "RESERVED"
 
 
 def body_paths(message: Json) -> list[str]:
-    """The paths of a body's leaves; reserved ones are numbered differently when included."""
+    """Returns the paths of a body's leaves; included reserved ones have other numbers."""
     return [re.sub(r"reserved_\d", "reserved", leaf["path"]) for leaf in message["layout"]]
 
 
@@ -224,7 +224,7 @@ class Comparison:
     # Bodies
 
     def command_of(self, name: str, line: int) -> tuple[Check, str | None]:
-        """Whether a command has an id, and what it is called where it has not."""
+        """Checks that a command has an id; returns its name in the model otherwise."""
         known = self.commands.get(name, {}).get("id") is not None
         check = Check("command", line, name, name, name if known else None)
         if known:
@@ -234,7 +234,7 @@ class Comparison:
         return Check("command", line, name, name, ours), ours
 
     def message_of(self, body: Json, command: str) -> tuple[Check, Json | None]:
-        """The message for a body of the text, by direction and form."""
+        """Returns the message for a body of the text, by direction and form."""
         forms = {
             m.get("form_name"): m
             for m in self.model["messages"]
@@ -246,7 +246,7 @@ class Comparison:
             return Check("form", body["line"], command, said, entry["ours"]), forms[entry["ours"]]
         if said in forms:
             return Check("form", body["line"], command, said, said), forms[said]
-        # A form that has no other beside it in the text, or in the model, is the simple one.
+        # The only form of a command, in the text or in the model, is the simple one.
         simple = forms.get("simple" if said is None else None) if said in (None, "simple") else None
         ours = said if simple else sorted(str(form) for form in forms)
         return Check("form", body["line"], command, said, ours), simple
@@ -302,7 +302,7 @@ class Comparison:
                     yield Check("same field", body["line"], leaf["spec_name"], said, have)
 
     def fields(self, body: Json, message: Json) -> Iterator[Check]:
-        """Names, order, types, offsets and remarks of the fields of one body."""
+        """Checks names, order, types, offsets and remarks of the fields of one body."""
         where = message["name"]
         waiting = our_elements(message)
         offset: int | None = 0
@@ -355,12 +355,12 @@ class Comparison:
         return bool(expected) and same_name(expected, ours.name)
 
     def skip_extra(self, waiting: list[Ours], expected: str, element: Element) -> list[Ours]:
-        """Take what stands before the expected field away, if that field comes at all."""
+        """Removes the elements before the expected field, if that field exists."""
         self.took_conditional = False
         position = next(
             (i for i, o in enumerate(waiting) if self.matches(expected, element, o)), None
         )
-        if element.type == "variable":  # the table tells what may stand here
+        if element.type == "variable":  # the table defines the elements allowed here
             conditional = [o for o in waiting[:position] if o.leaf.get("when")]
             self.took_conditional = bool(conditional)
             waiting[:] = [o for o in waiting if o not in conditional]
@@ -412,7 +412,7 @@ class Comparison:
             yield from self.remarks(remark, line, where, [leaf for _, leaf in leaves], "", leaves)
 
     def row_leaves(self, row: Json, name: str, where: str) -> tuple[list[tuple[Json, Json]], Check]:
-        """The leaves that a name of the table means, and the check that there are some."""
+        """Returns the leaves that a name of the table refers to, and the check that they exist."""
         entry = self.table.find("row", row["line"], where)
         wanted = [name] if entry is None else str(entry["ours"] or "").split()
         found = [
@@ -429,7 +429,7 @@ class Comparison:
         return found, Check("row", row["line"], where, name, ours)
 
     def one(self, values: Iterable[Any]) -> Any:
-        """The value, if all are the same."""
+        """Returns the value if all are equal, else the list of distinct values."""
         found: list[Any] = []
         for value in values:
             if value not in found:
@@ -447,7 +447,7 @@ class Comparison:
         message: str,
         owners: list[tuple[Json, Json]] | None = None,
     ) -> Iterator[Check]:
-        """Constants, values, bits, units and so on, each of which every leaf must have."""
+        """Checks constants, values, bits, units etc., which every leaf must have."""
 
         def all_have(test: Any, said: Any) -> Any:
             return said if all(test(leaf) for leaf in leaves) else None
@@ -511,7 +511,7 @@ class Comparison:
             yield Check("part", line, f"{name}.{part['name']}", said, cases.get(part["name"]))
 
     def enums_of(self, leaf: Json) -> list[tuple[Json, int]]:
-        """The enums of a leaf and how far their values are shifted."""
+        """Returns the enums of a leaf, each with the shift of its values."""
         found = [(self.enums[leaf["enum"]], 0)] if leaf["enum"] else []
         packed = self.packed.get(leaf.get("packed", ""))
         if packed:
@@ -524,7 +524,7 @@ class Comparison:
         return found
 
     def constant(self, leaf: Json, name: str, number: int) -> Json | None:
-        """The enum value of this name; a number such as 115200 may have a word before it."""
+        """Returns the enum value of this name; a number such as 115200 may have a prefix."""
         found = None
         for value in [v for enum, _ in self.enums_of(leaf) for v in enum["values"]]:
             is_number = name.isdigit() and value["name"].endswith(f"_{name}")
@@ -566,7 +566,7 @@ class Comparison:
         return reserved or all(bit in named for bit in bits)
 
     def unit(self, unit: Json, line: int, name: str, leaves: list[Json]) -> Check:
-        """Scale and unit, of the field itself or of the alternative that a flag chooses."""
+        """Checks scale and unit, of the field itself or of the alternative that a flag chooses."""
         scale = float(unit.get("number", 1)) / float(unit.get("divisor", 1))
         word = unit.get("unit")
         said = (scale, UNITS.get(str(word), word), float(unit.get("add", 0)))
@@ -588,7 +588,7 @@ class Comparison:
         return {note["firmware"] for note in notes if note and "firmware" in note}
 
     def digits_agree(self, leaf: Json, name: str, operations: list[str]) -> bool:
-        """Whether a part of a decimal number comes out as the formula has it."""
+        """Returns True if a part of a decimal number matches the formula."""
         parts = self.packed.get(leaf.get("packed", ""), {}).get("parts", [])
         part = next((p for p in parts if p["name"] == name), None)
         if part is None:
@@ -603,7 +603,7 @@ class Comparison:
                 return False
         return True
 
-    # Codes, answers, variables
+    # Codes, responses, variables
 
     def codes(self) -> Iterator[Check]:
         enums = {
@@ -654,10 +654,10 @@ class Comparison:
                 inside = value if ours["min"] <= value <= ours["max"] else None
                 yield Check("value", line, f"{name}={value}", value, inside)
 
-    # What the model has beyond the text
+    # Facts of the model beyond the text
 
     def additions(self) -> Iterator[Check]:
-        """Messages, limits, units and names that no fact stands for."""
+        """Checks messages, limits, units and names without a fact in the text."""
         for message in self.model["messages"]:
             name = message["name"]
             if (name, message["direction"]) not in self.met:
@@ -691,7 +691,7 @@ class Comparison:
                 yield Check("extra variable", 0, variable["name"], None, variable["id"])
 
     def same_elsewhere(self, message: Json) -> list[str]:
-        """Other messages with the same body, or that this one begins with."""
+        """Returns other messages that have the same body, or whose body starts this one."""
         paths = body_paths(message)
         found = []
         for other in self.model["messages"]:

@@ -1,4 +1,4 @@
-"""What answers a request in which case, correlation fields, roles and the line."""
+"""Tests of response policies by case, correlation fields, roles and the line."""
 
 from __future__ import annotations
 
@@ -152,7 +152,7 @@ def test_data_of_a_confirmation(tmp_path: Path) -> None:
     assert case.confirmation and (case.confirmation.offset, case.confirmation.size) == (1, 2)
     assert case.result and (case.result.offset, case.result.success.value) == (3, 3)
     (other,) = answer_of(layout, "Stream").cases
-    assert other.confirmation is None and other.result is None, "its data are of another command"
+    assert other.confirmation is None and other.result is None, "its data belong to another command"
 
 
 def test_roles(tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""Files that cannot be read: a clear message with a place, exit status 1, never a traceback."""
+"""Unreadable files: a clear message with a position, exit status 1, never a traceback."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from support import findings, write_spec
 
 
 def report(spec: Path, capsys: pytest.CaptureFixture[str]) -> list[str]:
-    """What `lint` prints about a spec, which must fail."""
+    """Returns the output of `lint` for a spec, which must fail."""
     assert main(["lint", "--spec", str(spec)]) == 1
     output = capsys.readouterr()
     assert output.out == ""

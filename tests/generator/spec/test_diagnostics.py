@@ -1,4 +1,4 @@
-"""Findings as a whole: all in one run, in order, once each, with advice."""
+"""Tests of the findings as a whole: complete, ordered, without duplicates, and with hints."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def test_several_mistakes_come_out_in_one_run_by_position(tmp_path: Path) -> Non
     assert [(d.position.line, d.position.column, d.code) for d in found] == [
         (10, 7, "SBGC016"),
         (14, 5, "SBGC011"),
-        (14, 5, "SBGC011"),  # taken in both directions
+        (14, 5, "SBGC011"),  # used in both directions
         (16, 5, "SBGC020"),
         (18, 31, "SBGC017"),
         (19, 12, "SBGC012"),
@@ -72,7 +72,7 @@ def test_mistakes_of_several_files_come_out_together(tmp_path: Path) -> None:
 
 
 def test_misspelt_type_does_not_bring_other_findings_with_it(tmp_path: Path) -> None:
-    """The size of a form is not known while one of its types is not."""
+    """The size of a form is unknown while one of its types is."""
     forms = """\
 family: probe
 commands:

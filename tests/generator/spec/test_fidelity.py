@@ -1,7 +1,7 @@
-"""The specification's text against the model: every fact is there, or an erratum says why not.
+"""The model contains every fact of the specification's text, or an erratum explains the difference.
 
-The facts are in tests/data/specification_facts.json, made by tests/data/extract_facts.py from the
-text. Set SBGC_SPECIFICATION to the text's path to check that they are still what the script makes.
+The facts are in tests/data/specification_facts.json, extracted by tests/data/extract_facts.py from the
+text. Set SBGC_SPECIFICATION to the path of the text to check that the file is up to date.
 """
 
 from __future__ import annotations
@@ -105,14 +105,14 @@ def test_every_line_is_understood_or_accounted_for(facts: Json, accepted: Json) 
     explained = [line for entry in accepted["not_parsed"] for line in entry["lines"]]
     assert all(entry["reason"] for entry in accepted["not_parsed"])
     assert [line for line, times in Counter(explained).items() if times > 1] == []
-    assert left_over - set(explained) == set(), "lines with facts that nobody looked at"
-    assert set(explained) - left_over == set(), "entries that are not needed any more"
+    assert left_over - set(explained) == set(), "lines with facts that were not compared"
+    assert set(explained) - left_over == set(), "entries that are no longer needed"
 
 
 def test_no_fact_is_lost(
     checks: list[Check], accepted: Json, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """The number of facts may rise, and then the recorded ones should, too; it may not sink."""
+    """The number of facts must not drop; if it rises, the recorded numbers should, too."""
     distinct = {check.fact for check in checks if not check.is_addition}
     counts = Counter(kind for kind, *_ in distinct)
     with capsys.disabled():
@@ -128,18 +128,18 @@ def test_no_fact_is_lost(
 def test_the_facts_are_what_the_script_makes(facts: Json, tmp_path: Path) -> None:
     text = os.environ.get("SBGC_SPECIFICATION")
     if not text:
-        pytest.skip("SBGC_SPECIFICATION does not say where the text is")
+        pytest.skip("SBGC_SPECIFICATION is not set")
     script = DATA / "extract_facts.py"
     target = tmp_path / "facts.json"
     subprocess.run([sys.executable, str(script), text, str(target)], check=True)
     assert json.loads(target.read_text(encoding="utf-8")) == facts
 
 
-# Where the spec says that it has things from
+# Sources named by the spec
 
 
 def test_the_source_of_a_message_is_about_its_command(facts: Json, model: Json) -> None:
-    """Each range of lines names the command, or lies in its list, its table or its errata."""
+    """Each range of lines names the command, or is in its list, its table or its errata."""
     mentioned = {name: set(lines) for name, lines in facts["mentions"].items()}
     lines: dict[str, set[int]] = {}
     for body in facts["bodies"]:
@@ -175,7 +175,7 @@ def test_the_source_of_a_message_is_about_its_command(facts: Json, model: Json) 
 
 
 def test_the_source_of_an_enum_holds_its_values(facts: Json, model: Json) -> None:
-    """Some line of it has a named value, or the field that has the enum as its type."""
+    """One of its lines has a named value, or the field with the enum as its type."""
     constants: dict[str, set[int]] = {}
     fields: dict[str, set[int]] = {}
     for row in facts["rows"]:
@@ -202,7 +202,7 @@ def test_the_source_of_an_enum_holds_its_values(facts: Json, model: Json) -> Non
         for name in users.get(enum["name"], set()):
             about |= fields.get(name, set())
         ranges = parse_lines(enum["source"])
-        if not ranges:  # it came later than the specification
+        if not ranges:  # newer than the specification
             assert enum["errata"], enum["name"]
             continue
         inside = any(first <= line <= last for first, last in ranges for line in about)
@@ -210,7 +210,7 @@ def test_the_source_of_an_enum_holds_its_values(facts: Json, model: Json) -> Non
 
 
 def _fields_by_enum(model: Json) -> dict[str, set[str]]:
-    """The names of the fields that have an enum as their type, or as the type of a part."""
+    """Returns the names of the fields that have an enum as their type, or as the type of a part."""
     users: dict[str, set[str]] = {}
     parts = {p["name"]: p for p in model["packed"]}
     for message in model["messages"]:
@@ -239,7 +239,7 @@ def test_every_source_lies_in_the_text(facts: Json) -> None:
             assert 1 <= first <= end <= last, f"{name}: L{first}-L{end}"
 
 
-# Whether the comparison would notice
+# Sensitivity of the comparison
 
 
 def _leaf(model: Json, message: str, name: str) -> Json:

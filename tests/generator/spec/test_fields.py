@@ -1,4 +1,4 @@
-"""Fields: repetition, offsets, sizes and the leaves with their paths and protocol names."""
+"""Tests of fields: repetition, offsets, sizes, and the leaves with their paths and names."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ commands:
 
 
 def message(folder: Path, *fields: str) -> Message:
-    """A message with these fields, each a line of YAML."""
+    """Returns a message with these fields, each a line of YAML."""
     lines = "".join(f"        - {field}\n" for field in fields)
     return message_of(layout_of(folder, COMMAND + lines), "Probe")
 
@@ -204,7 +204,7 @@ def test_list_counted_by_an_earlier_field(tmp_path: Path) -> None:
             ("after", "AFTER", "u8", 1, None),
         ]
         or leaves(made)[1][4] == 1
-    )  # the first element of a list may have its place
+    )  # the first element of a list may have a fixed offset
     assert made.leaves[-1].offset is None
     assert [f.is_counter for f in made.fields] == [True, False, False]
     assert made.fields[1].counter == "n"
@@ -221,7 +221,7 @@ def test_rest_of_the_body(tmp_path: Path) -> None:
     assert (made.min_size, made.max_size) == (4, 64)
     assert made.fields[1].dim == "rest"
     assert made.fields[1].capacity == 125
-    assert not made.keeps_tail, "there can be nothing behind the rest"
+    assert not made.keeps_tail, "nothing can follow the rest"
 
 
 def test_rest_of_the_body_without_limit_fills_a_frame(tmp_path: Path) -> None:

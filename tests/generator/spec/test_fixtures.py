@@ -1,12 +1,12 @@
-"""Each rule has at least one small spec that breaks it, and is reported at the right place.
+"""Each rule has at least one small spec that breaks it, and is reported at the right position.
 
-A fixture is the family file `probe.yaml` (or what its first line `# file: …` says) beside the
-files in `minimal/`. Its comments say what must be found, all of it and in this order:
+A fixture is the family file `probe.yaml` (or the file named in its first line, `# file: …`), used with
+the files in `minimal/`. Its comments list all findings, in this order:
 
     # expect 12:21 SBGC017 part of the message
     #   hint: part of the hint
 
-with `file:line:column` where the finding is not in the fixture itself.
+The position is `file:line:column` if the finding is in another file.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def name_of(path: Path) -> str:
 
 @dataclass(frozen=True)
 class Fixture:
-    """One broken spec and what must be found in it."""
+    """A broken spec and its expected findings."""
 
     file: str
     text: str
@@ -42,7 +42,7 @@ class Fixture:
 
 
 def read(path: Path) -> Fixture:
-    """Read a fixture and its comments."""
+    """Reads a fixture and its comments."""
     text = path.read_text(encoding="utf-8")
     named = re.match(r"# file: (\S+)\n", text)
     file = named[1] if named else PROBE
@@ -50,7 +50,7 @@ def read(path: Path) -> Fixture:
         (f"spec/{m['file'] or file}:{m['line']}:{m['column']}", m["code"], m["message"], m["hint"])
         for m in _EXPECT.finditer(text)
     ]
-    assert len(expected) == text.count("# expect"), f"{path.name}: a comment is not written well"
+    assert len(expected) == text.count("# expect"), f"{path.name}: a malformed comment"
     return Fixture(file, text, expected)
 
 
@@ -101,7 +101,7 @@ def test_minimal_spec_itself_is_fine(tmp_path: Path) -> None:
 
 
 def test_guides_of_the_project_exist(tmp_path: Path) -> None:
-    """Only where the project's docs/ lies beside the spec: a copy of the spec may name any."""
+    """Checked only if the project's docs/ is next to the spec: other specs may name any guide."""
     text = (HERE / "minimal/simplebgc.yaml").read_text(encoding="utf-8")
     text += "guides:\n  safety: docs/2-savety.md\n"
     assert findings(tmp_path, text, "simplebgc.yaml") == []

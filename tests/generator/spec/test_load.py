@@ -1,4 +1,4 @@
-"""YAML's guesses are off, and every value knows its place."""
+"""The reader disables YAML's type guesses, and every value has a position."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from support import write_spec
 
 
 def loaded(folder: Path, text: str) -> Map:
-    """A family file as loaded."""
+    """Returns a family file as loaded."""
     found = Diagnostics()
     spec = load(write_spec(folder, text), found)
     assert found.found == []

@@ -1,4 +1,4 @@
-"""Messages: names, forms, bodies shared with others, answers, contexts."""
+"""Tests of messages: names, forms, shared bodies, response policies, contexts."""
 
 from __future__ import annotations
 
@@ -125,7 +125,7 @@ def test_forms(tmp_path: Path) -> None:
     assert extended.since.firmware == 2610
     assert extended.errata == ("E001",)
     assert extended.source == "L1"
-    assert extended.answer is not None, "what the direction says holds for each form"
+    assert extended.answer is not None, "keys of the direction apply to each form"
 
 
 def test_only_the_longest_form_keeps_a_tail(tmp_path: Path) -> None:
@@ -305,7 +305,7 @@ commands:
 
 
 def test_body_of_a_form_grows_as_that_does(tmp_path: Path) -> None:
-    """The codec is the same, so what is true of the form is true of all that have its body."""
+    """The codec is the same, so all messages with the body of the form keep its properties."""
     layout = layout_of(tmp_path, SAME_AS_A_FORM)
     for name in ("Probe", "Middle", "Later"):
         assert not message_of(layout, name).keeps_tail, name
@@ -325,7 +325,7 @@ structs:
 
 
 def test_families_use_each_other_in_one_direction(tmp_path: Path) -> None:
-    """Their headers would include each other."""
+    """Otherwise their headers would include each other."""
     spec = write_spec(tmp_path, CIRCLE)
     with (spec / "base.yaml").open("a", encoding="utf-8") as base:
         base.write("        - {name: MINE, type: Mine, summary: A struct of another family.}\n")

@@ -1,4 +1,4 @@
-"""Whatever a slip of the keyboard makes of a spec, it is generated from or reported, never fatal."""
+"""A spec with any typing error is generated from or reported; the generator never crashes."""
 
 from __future__ import annotations
 

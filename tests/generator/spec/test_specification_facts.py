@@ -1,6 +1,6 @@
-"""Sizes and offsets that were summed up by hand from the lists of the specification.
+"""Sizes and offsets, summed up manually from the lists of the specification.
 
-They do not come from spec/, nor from any program. Where an erratum decides, it is named.
+They come neither from spec/ nor from a program. Comments name the erratum that decides, if any.
 """
 
 from __future__ import annotations
@@ -39,9 +39,9 @@ SIZES = [
     ("AdjVarsState", FROM, 2 + 1 + 2 + 4 + 6),
     ("ReadFileError", FROM, 1),
     ("Error", FROM, 1 + 4),
-    ("ErrorExt", FROM, 1 + 1 + 4),  # E086: real boards put the command in front
+    ("ErrorExt", FROM, 1 + 1 + 4),  # E086: real boards put the command first
     ("BoardInfoRequest", TO, 0),
-    ("BoardInfoRequestOneByte", TO, 1),  # E214: answered by real boards
+    ("BoardInfoRequestOneByte", TO, 1),  # E214: real boards respond to it
     ("AhrsHelperRequest", TO, 1),  # E023
     ("AhrsHelperRequestWide", TO, 2),  # E209: MODE has two bytes from 2.69b5 on
     ("AhrsHelperRequestExt", TO, 1 + 12 + 12),
@@ -68,7 +68,7 @@ SIZES = [
     ("RealtimeDataCustomRequest", TO, 4 + 6),
 ]
 
-# Message, direction, fewest and most bytes.
+# Message, direction, minimum and maximum size.
 VARIABLE_SIZES = [
     ("BeepSound", TO, 2 + 1 + 1 + 8, 12 + 30 * 2),
     ("SetAdjVarsVal", TO, 1, 1 + 40 * (1 + 4)),
@@ -76,10 +76,10 @@ VARIABLE_SIZES = [
     ("WriteFile", TO, 2 + 2 + 2, 255),
     ("RealtimeDataCustom", FROM, 2, 2 + 5 * 6 + 12 + 24 + 36 + 6),
     ("BoardInfoRequestExt", TO, 2, 255),
-    ("ApiVirtChControl", TO, 2, 32 * 2),  # E217: channels may be left out at the end
+    ("ApiVirtChControl", TO, 2, 32 * 2),  # E217: trailing channels may be omitted
 ]
 
-# CMD_READ_PARAMS_3 by hand, L186-L310: protocol name, offset of its first byte.
+# CMD_READ_PARAMS_3, compiled manually, L186-L310: protocol name, offset of its first byte.
 PARAMS_3 = {
     "PROFILE_ID": 0,
     "P": 1,
@@ -194,7 +194,7 @@ def test_forms_that_share_an_id(layout: Layout) -> None:
     assert names == {("Control", TO), ("ControlExt", TO), ("Confirm", FROM)}
 
 
-# What the revision history (L9-L25) says has been added, by hand.
+# Additions according to the revision history (L9-L25), compiled manually.
 HISTORY = {
     "0.4": ["ControlExt", "MenuCommand.MENU_CMD_LEVEL_ROLL_PITCH", "RealtimeData4.rotor_angle"],
     "0.6": ["ControlModeKind.MODE_ANGLE_REL_FRAME", "CMD_GET_ANGLES_EXT", "CMD_SET_ADJ_VARS_VAL"],
@@ -241,7 +241,7 @@ def test_the_history_is_that_of_the_document(layout: Layout) -> None:
     }, "all but the first have changed something"
 
 
-# What a request does, as people know it.
+# Known effects of requests.
 EFFECTS_KNOWN = {
     "GetAnglesRequest": ("reads",),
     "ReadParams3Request": ("reads",),

@@ -1,4 +1,4 @@
-"""Two mistakes in one line come out in one run, whatever they are."""
+"""Any two mistakes in one line are reported in one run."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ RIGHT = {
     "summary": "summary: A limit.",
     "errata": "errata: [E001]",
 }
-# What stands where, and the code and a word of what is reported.
+# The replaced part and its text, and the code and a word of the finding.
 WRONG = [
     ("name", "name: limit", "SBGC053", "upper case"),
     ("name", "name: CLASS", "SBGC022", "'class'"),
@@ -89,7 +89,7 @@ def test_a_key_that_is_missing_beside_one_that_is_misspelt(tmp_path: Path) -> No
 
 
 def test_entries_that_can_not_be_read_bring_no_findings_with_them(tmp_path: Path) -> None:
-    """The enum is left out, but whatever uses it is right."""
+    """The enum is ignored, but its uses are correct."""
     text = """\
 family: probe
 enums:

@@ -1,4 +1,4 @@
-"""Quantities, enums, flag sets, packed integers, variables."""
+"""Tests of quantities, enums, flag sets, packed integers and variables."""
 
 from __future__ import annotations
 
@@ -151,7 +151,7 @@ def test_command_ids_are_an_enum_in_the_order_of_ids(tmp_path: Path) -> None:
         [(v.name, v.identifier, v.value) for e in layout.enums if e.name == name for v in e.values]
         for name in ("CommandToBoard", "CommandFromBoard")
     )
-    last = ("CMD_LAST", "last", 255)  # in which direction it goes is not known
+    last = ("CMD_LAST", "last", 255)  # its direction is unknown
     assert to_board == [
         ("CMD_PING", "ping", 1),
         ("CMD_USE", "use", 199),
@@ -190,7 +190,7 @@ def test_packed_by_bits(tmp_path: Path) -> None:
     assert [(p.name, p.mask, p.shift, p.is_bool) for p in byte.parts] == [
         ("low", 0x07, 0, False),
         ("single", 0x08, 3, True),
-        ("high", 0xF0, 0, False),  # a mask leaves the value in its place
+        ("high", 0xF0, 0, False),  # a mask does not shift the value
     ]
 
 
@@ -216,7 +216,7 @@ def test_value_of_a_variable_is_no_special_one_by_rounding(tmp_path: Path) -> No
     (setting,) = variable.settings
     values = [-150, -60, -50, -10, -1, 0, 1, 10, 49, 50, 60, 150]
     assert [setting.count(v) for v in values] == [-2, -1, -1, -1, -1, 0, 1, 1, 1, 1, 1, 2]
-    assert setting.count(9951) == setting.count(9999) == 99, "as near as it may"
+    assert setting.count(9951) == setting.count(9999) == 99, "as near as allowed"
     assert setting.count(10000) == 100, "exactly the special one"
 
 

@@ -1,4 +1,4 @@
-"""Which words C++ takes as names."""
+"""Tests of the words that C++ does not accept as names."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ def test_names_of_cpp() -> None:
 
 
 def test_words_of_cpp20_are_complete() -> None:
-    """[lex.key], [lex.digraph] of C++20; a missing one breaks the build of whoever uses it."""
+    """[lex.key], [lex.digraph] of C++20; a missing word breaks the user's build."""
     for word in ("concept", "requires", "co_await", "char8_t", "char16_t", "char32_t", "consteval"):
         assert word in WORDS
     for word in ("and_eq", "not_eq", "or_eq", "xor_eq", "const_cast"):
         assert word in WORDS
-    assert "final" not in WORDS, "it has a meaning only in some places"
+    assert "final" not in WORDS, "it is a keyword only in some contexts"

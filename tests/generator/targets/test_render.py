@@ -1,4 +1,4 @@
-"""Where the output of a template goes, and what the template sees."""
+"""Tests of template rendering: the path of the output, and the names visible to the template."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ commands:
 
 
 class Toy(Target):
-    """A target with words of its own."""
+    """A target with its own names."""
 
     def view(self, layout: Layout, project: Path) -> View:
         things = [("x", 1), ("y", 2)]
@@ -41,7 +41,7 @@ class Toy(Target):
 
 
 def made(folder: Path, files: dict[str, str]) -> dict[str, bytes]:
-    """What a target with these templates makes."""
+    """Returns the output of a target with these templates."""
     for name, text in files.items():
         path = folder / "toy" / "templates" / name
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""A target is a folder: it comes and goes with its folder, and nothing outside knows its name."""
+"""A target is self-contained: it is added and removed with its folder, and no code names it."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from sbgcgen.targets import HERE, targets
 from support import GENERATOR, PROJECT, write_spec
 
 NAMES = [target.name for target in targets()]
-# Rooms from the lowest to the highest; a module uses its own room and lower ones. Those without a folder
-# (the command line, and what is under it) use all of them.
+# Packages from the lowest to the highest layer; a module uses only its own package and lower ones.
+# Modules outside of them (the command line and its helpers) use all.
 ROOMS = ("model", "spec", "oracle", "views", "targets")
 
 TOY = '''
@@ -62,7 +62,7 @@ def copied(tmp_path: Path) -> Path:
 
 
 def run(generator: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    """Run a copy of the generator in a process of its own."""
+    """Runs a copy of the generator in a separate process."""
     return subprocess.run(
         [sys.executable, "-m", "sbgcgen", *arguments],
         env={**os.environ, "PYTHONPATH": str(generator), "PYTHONDONTWRITEBYTECODE": "1"},
@@ -84,7 +84,7 @@ def output_of(generator: Path, spec: Path, folder: Path) -> dict[str, bytes]:
 
 @pytest.fixture(name="before", scope="module")
 def as_it_is(tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
-    """The output of the generator as it is."""
+    """The output of the unmodified generator."""
     folder = tmp_path_factory.mktemp("before")
     return output_of(GENERATOR, write_spec(folder), folder / "out")
 
@@ -106,7 +106,7 @@ def test_a_folder_is_all_that_a_target_takes(
     after = output_of(generator, spec, tmp_path / "after")
     assert after.keys() - before.keys() == {"toys/base.txt"}
     assert after["toys/base.txt"].endswith(b"\nUSE\n") and b"Ping 1\n" in after["toys/base.txt"]
-    # Who shows examples shows those of any language; all else is as it was.
+    # Targets that show examples show those of any language; other output is unchanged.
     changed = {name for name, content in before.items() if after[name] != content}
     assert changed == {"docs/messages/base.md"}
     assert b"In Toys:\n\n```toy\nplay(Use)\n```\n" in after["docs/messages/base.md"]
@@ -130,7 +130,7 @@ def test_rules_of_a_target_are_checked(generator: Path, tmp_path: Path) -> None:
 def test_a_target_goes_with_its_folder(
     name: str, before: dict[str, bytes], generator: Path, tmp_path: Path
 ) -> None:
-    """The others are still made; what they show of it is gone, too."""
+    """The other targets are still rendered, without its examples."""
     spec = write_spec(tmp_path)
     shutil.rmtree(generator / "sbgcgen" / "targets" / name)
     after = output_of(generator, spec, tmp_path / "after")
@@ -138,7 +138,7 @@ def test_a_target_goes_with_its_folder(
     assert after.keys() < before.keys() or name == "site"
 
 
-# What the modules say
+# Imports of the modules
 
 
 def modules() -> Iterator[tuple[Path, ast.Module]]:
@@ -147,7 +147,7 @@ def modules() -> Iterator[tuple[Path, ast.Module]]:
 
 
 def imports(tree: ast.Module) -> Iterator[str]:
-    """The modules, and what is taken from them."""
+    """Yields the imported modules and names."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             yield from (name.name for name in node.names)
@@ -166,9 +166,9 @@ def test_no_module_outside_names_a_target(name: str) -> None:
         for node in ast.walk(tree):
             if isinstance(node, ast.Constant) and isinstance(node.value, str):
                 words = node.value.replace("/", " ").replace(".", " ").split()
-                # docs/ of the project has the guides, whatever a target is called.
+                # The project's docs/ holds the guides, independently of the names of targets.
                 is_other = len(words) > 2 or name == "docs"
-                assert is_other or name not in words, f"{path.name}:{node.lineno} says {name}"
+                assert is_other or name not in words, f"{path.name}:{node.lineno} mentions {name}"
 
 
 def test_templates_of_a_target_use_no_other_one() -> None:

@@ -1,4 +1,4 @@
-"""The site for any spec: written safely, the same each time, and with nothing taken for markup."""
+"""The site for any spec is escaped and reproducible, and cleans up only its own files."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ def test_command_writes_and_cleans(tmp_path: Path, capsys: pytest.CaptureFixture
 def test_folder_with_other_files_is_not_cleaned(
     tmp_path: Path, name: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Neither somebody's web pages, nor generated/."""
+    """Applies to other people's web pages and to generated/."""
     write_spec(tmp_path, MESSAGE)
     folder = tmp_path / "precious"
     folder.mkdir()

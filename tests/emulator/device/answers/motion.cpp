@@ -1,4 +1,4 @@
-// Checks of live data and of what moves the camera.
+// Checks of live data and of commands that move the camera.
 
 #include <span>
 #include <type_traits>
@@ -13,7 +13,7 @@ namespace {
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-/// The request that moves the camera to a pitch.
+/// Returns a request that moves the camera to a pitch angle.
 template <Message M>
 M to_pitch(double degrees) {
   M request{};

@@ -22,8 +22,8 @@ using ::testing::SizeIs;
 }  // namespace
 
 void Table::add_parameters() {
-  // Every reader and writer of every message that holds parameters, for the last copy of it: what
-  // stood there is changed in every bit that is a setting, and comes back so.
+  // Every request that reads or writes a message with parameters, for the last copy: all bits that
+  // are settings are inverted, written and read back.
   StoredMessages::for_each([this]<class M>(Type<M>) {
     using Parameters = SettingsOf<M>;
     constexpr std::uint8_t copy = Parameters::copies - 1;

@@ -1,4 +1,4 @@
-// Checks of calibrations, the attitude and what is connected to the board.
+// Checks of calibrations, the attitude and connected devices.
 
 #include <cmath>
 

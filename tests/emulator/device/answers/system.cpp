@@ -1,4 +1,4 @@
-// Checks of the board itself, its restarts, its storage, its scripts and debugging.
+// Checks of the board itself, its restarts, storage, scripts and debugging.
 
 #include <algorithm>
 #include <array>
@@ -47,7 +47,7 @@ void Table::add_system() {
   add<msg::BootMode3Ext>({.request = boot});
   boot.confirm = msg::ResetOption::notify;
   add<msg::BootMode3Ext>({.request = boot});
-  // Nothing is known of these.
+  // The responses to these are undocumented.
   add<msg::QueueParamsInfo3Request>({.comes = Comes::nothing});
   add<msg::SystemStateRequest>({.comes = Comes::nothing});
   add<msg::MavlinkInfoRequest>({.comes = Comes::nothing});

@@ -1,5 +1,4 @@
-/// What the emulated board answers, and what else has to follow: a table with checks for every
-/// request.
+/// A table of checks for every request: the emulated board's response, and the effect on its state.
 #pragma once
 
 #include <functional>
@@ -16,17 +15,17 @@
 
 namespace sbgc::test {
 
-/// What a board does where the model leaves it open.
+/// The board's behavior where the model leaves it open.
 enum class Comes {
-  as_modelled,  ///< nothing is open
+  as_modelled,  ///< the model leaves nothing open
   confirmation,
   nothing,
 };
 
-/// Fails unless the packets are what response_policy(request) announces, and nothing else.
+/// Fails unless the packets are exactly the responses announced by response_policy(request).
 void expect_as_modelled(const ResponsePolicy& policy, const Packets& packets, Comes comes);
 
-/// How long all that the model announces takes at most.
+/// Returns the maximum time for all responses that the model announces.
 Duration patience(const ResponsePolicy& policy);
 
 using Check = std::function<void()>;
@@ -48,7 +47,7 @@ class Table {
     Comes comes = Comes::as_modelled;
     /// Brings the board into the state that the request needs.
     std::function<void(Host&)> before{};
-    /// Looks at what came, and at the board.
+    /// Checks the responses and the state of the board.
     std::function<void(Host&, const Packets&)> after{};
     emulator::BoardOptions options{};
   };
@@ -82,7 +81,7 @@ class Table {
   std::multimap<std::string, Check> checks_;
 };
 
-/// The only message M of what came.
+/// Returns the only message M among the packets; fails the test otherwise.
 template <class M>
 M only(const Packets& packets) {
   const auto found = all<M>(packets);
