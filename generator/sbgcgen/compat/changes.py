@@ -33,7 +33,7 @@ class Change:
 
 @dataclass
 class Changes:
-    """Collects changes; `what` names the changed object, `written` defines how versions are shown."""
+    """Collects changes; `what` names the changed object, `written` is the notation of versions."""
 
     written: Versions = Versions()
     found: list[Change] = field(default_factory=list)

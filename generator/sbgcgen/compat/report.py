@@ -18,7 +18,7 @@ _LONGEST = 60
 
 
 def run(old: str, new: str | None, root: Path, spec_dir: Path) -> int:
-    """Run the command; returns 0 without breaking changes, 1 with any, 2 for an unknown revision."""
+    """Run the command; returns 0, or 1 for breaking changes, or 2 for an unknown revision."""
     inside = spec_dir.relative_to(root).as_posix() if root in spec_dir.parents else "spec"
     try:
         with version(old, root, inside) as before, version(
