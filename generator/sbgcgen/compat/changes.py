@@ -42,7 +42,7 @@ class Changes:
         """Record an object that differs between the versions."""
         self._append(Change(level, what, text(old), text(new), at, False))
 
-    def deleted(self, level: Level, what: str, at: Position, old: object = "there") -> None:
+    def deleted(self, level: Level, what: str, at: Position, old: object = "present") -> None:
         """Record an object that the new version lacks."""
         self._append(Change(level, what, text(old), "deleted", at, True))
 

@@ -173,7 +173,7 @@ def _compare_additions(
         if at_the_end and (open_ended or field.optional or _may_be_empty(field)):
             changes.added(label, field.at, f"{form} at the end")
         else:
-            where = "at the end, which took nothing more" if at_the_end else "in between"
+            where = "at the end, where no tail is accepted" if at_the_end else "in between"
             changes.added(label, field.at, f"{form} {where}", Level.WIRE)
     return longer
 
