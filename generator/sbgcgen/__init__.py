@@ -1,13 +1,14 @@
 """Generator for the SimpleBGC protocol: YAML in, code, documentation and test data out.
 
-The rooms, each of which uses only those above it:
+Packages, each of which imports only those above it:
 
-- `model/`: what the protocol is, frozen; its export as JSON, its names;
-- `spec/`: from YAML to the model, with every mistake at its line;
-- `oracle/`: a second codec, and the values that show and test the first one;
-- `views/`: what several targets show beyond the model;
-- `targets/`: a folder for each thing that is made of it;
-- `compat/`: what changed between two versions of it.
+- `model/`: the resolved protocol as frozen dataclasses, its names, and its export as JSON;
+- `spec/`: reads the YAML into the model and reports each mistake at its line;
+- `oracle/`: an independent codec, and the values for examples and tests;
+- `views/`: facts derived from the model that several targets show;
+- `targets/`: one folder for each kind of output;
+- `compat/`: the changes between two versions of the protocol.
 
-`build.py` puts the rooms together, `output.py` writes what the targets make, `cli.py` is the command.
+`build.py` loads and checks a spec, `output.py` writes the output of the targets, `cli.py` is the
+command line.
 """

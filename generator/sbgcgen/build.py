@@ -1,4 +1,4 @@
-"""The way from spec files to a checked Layout."""
+"""Builds a checked Layout from spec files."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from sbgcgen.targets import targets
 
 @dataclass(frozen=True)
 class Protocol:
-    """A spec without findings, and what it means."""
+    """A spec without findings, and the Layout that it resolves to."""
 
     spec: Spec
     layout: Layout
@@ -32,8 +32,8 @@ class Protocol:
 def load_protocol(spec_dir: Path) -> Protocol:
     """Load, check and resolve a spec folder.
 
-    Raises SpecError with every finding. What is unused is reported when all else is right: a
-    mistake elsewhere may be the reason.
+    Raises SpecError with every finding. Unused entries are reported only if there is no other
+    finding, because another mistake may be the reason that an entry is unused.
     """
     found = Diagnostics()
     spec = load(spec_dir, found)
@@ -58,7 +58,7 @@ def _checked(spec: Spec, found: Diagnostics) -> Layout:
 
 
 def check(spec: Spec, layout: Layout, found: Diagnostics) -> None:
-    """The rules over a resolved spec; findings go into `found`."""
+    """Apply the rules for a resolved spec; findings go into `found`."""
     lint(spec, layout, found)
     lint_bodies(layout, found)
     lint_names(spec, found)
@@ -69,9 +69,9 @@ def check(spec: Spec, layout: Layout, found: Diagnostics) -> None:
 
 
 def _look_behind(spec: Spec, found: Diagnostics) -> None:
-    """Mistakes that those found so far would hide: of a line with two, both are reported."""
+    """Report mistakes that those found so far hide, so that one run reports both of a line."""
     if found.any_of(("SBGC001",)):
-        return  # something could not be read
+        return  # a file or value could not be read
     recovery = recover_shape(spec, found)
     if recovery is None:
         return
@@ -86,9 +86,9 @@ def _look_behind(spec: Spec, found: Diagnostics) -> None:
 
 
 def load_layout(spec_dir: Path) -> Layout:
-    """Load and resolve a spec folder without the rules of style, which older ones may not know.
+    """Load and resolve a spec folder without applying lint rules, which older specs may violate.
 
-    Raises SpecError if it cannot be understood.
+    Raises SpecError if the spec cannot be resolved.
     """
     found = Diagnostics()
     _, layout = _resolve(spec_dir, found)

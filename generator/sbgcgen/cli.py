@@ -54,12 +54,12 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _apart() -> list[Target]:
-    """The targets that are not part of generated/: each has a command of its own."""
+    """Targets that are not part of generated/; each has its own command."""
     return [target for target in targets() if not target.committed]
 
 
 def inputs() -> list[Path]:
-    """Every file of the generator that its output depends on."""
+    """Files of the generator that its output depends on."""
     here = Path(__file__).resolve().parent
     files = [*here.rglob("*"), *(here.parent / "schema").glob("*.json")]
     return [path for path in files if path.is_file() and "__pycache__" not in path.parts]
@@ -85,7 +85,7 @@ def _output(options: argparse.Namespace, root: Path, layout: Layout) -> Output:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Run one command; the exit status is 0, or 1 for findings, or 2 for wrong usage."""
+    """Run one command; returns 0, or 1 for findings. Wrong usage exits with status 2."""
     parser = _parser()
     options = parser.parse_args(arguments)
     if getattr(options, "depfile", None) and not options.stamp:

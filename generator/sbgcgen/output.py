@@ -1,4 +1,4 @@
-"""Writes what has changed of a folder of output, and tells what differs."""
+"""Writes the changed files of an output folder and reports differences."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class Output:
-    """The content that a folder should have."""
+    """The expected content of a folder."""
 
     folder: Path
     files: dict[str, bytes]
-    # A file that every such output has; without it, a folder is not ours to clean.
+    # A file that every such output contains. A folder without it is not cleaned.
     mark: str = "simplebgc.json"
 
     def _stale(self) -> list[str]:
@@ -25,7 +25,7 @@ class Output:
         return sorted(name for name in there if name not in self.files)
 
     def drift(self) -> list[str]:
-        """One line for each file that differs from what it should be."""
+        """One line for each missing, differing or unexpected file."""
         lines = [f"{name}: not generated from the spec" for name in self._stale()]
         for name, content in sorted(self.files.items()):
             path = self.folder / name
@@ -36,10 +36,10 @@ class Output:
         return lines
 
     def write(self) -> int:
-        """Make the folder so; returns how many files were written or deleted.
+        """Update the folder; returns how many files were written or deleted.
 
-        Raises OSError, also if the folder holds something else: files that are not generated are
-        deleted, so it must be empty or hold an earlier output.
+        Deletes files that are not generated, so the folder must be empty or hold an earlier output.
+        Raises OSError, also if the folder holds other files.
         """
         stale = self._stale()
         if stale and not (self.folder / self.mark).is_file():

@@ -26,8 +26,8 @@ def test_every_header_in_the_table_exists() -> None:
 
 
 def test_every_folder_of_the_map_exists() -> None:
-    rows = re.findall(r"^\| (`[a-z]+/`(?: `[a-z]+/`)*) \|", CONTRIBUTING, re.MULTILINE)
-    folders = [name for row in rows for name in re.findall(r"`([a-z]+)/`", row)]
+    rows = re.findall(r"^\| (`[a-z/]+/`(?: `[a-z/]+/`)*) \|", CONTRIBUTING, re.MULTILINE)
+    folders = [name for row in rows for name in re.findall(r"`([a-z/]+)/`", row)]
     assert len(folders) >= 9
     for folder in folders:
         assert (ROOT / folder).is_dir(), folder

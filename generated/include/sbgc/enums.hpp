@@ -295,7 +295,7 @@ enum class VariableId : std::uint8_t {
   rc_trim_pitch = 26,
   /// RC_TRIM_YAW: RC trim of yaw.
   rc_trim_yaw = 27,
-  /// RC_DEADBAND: Dead band around the centre of the RC signals.
+  /// RC_DEADBAND: Dead band around the center of the RC signals.
   rc_deadband = 28,
   /// RC_EXPO_RATE: Expo rate of the RC signals.
   rc_expo_rate = 29,
@@ -338,7 +338,7 @@ enum class VariableId : std::uint8_t {
   lpf_freq_yaw = 47,
 };
 
-/// Why the board did not execute a command.
+/// Reason that the board did not execute a command.
 /// Source: Incoming commands L421-L426. Errata: E086.
 enum class BoardErrorCode : std::uint8_t {
   /// The command has no body of this size.
@@ -351,7 +351,7 @@ enum class BoardErrorCode : std::uint8_t {
   unknown_command = 6,
   /// Not possible in the current state.
   wrong_state = 8,
-  /// The board lacks what the command requires.
+  /// The board lacks a feature that the command requires.
   not_supported = 9,
   /// The board tried and failed.
   operation_failed = 10,
@@ -587,7 +587,7 @@ enum class MenuCommand : std::uint8_t {
   calib_mag = 33,
   /// MENU_CMD_LEVEL_ROLL_PITCH: Level roll and pitch.
   level_roll_pitch = 34,
-  /// MENU_CMD_CENTER_YAW: Centre yaw.
+  /// MENU_CMD_CENTER_YAW: Center yaw.
   center_yaw = 35,
   /// MENU_CMD_UNTWIST_CABLES: Turn back to untwist the cables.
   untwist_cables = 36,
@@ -1056,7 +1056,7 @@ enum class GeneralFlag : std::uint16_t {
   frame_imu_ff = 0x0040,
   /// OVERHEAT_STOP_MOTORS: Stop the motors when they overheat.
   overheat_stop_motors = 0x0080,
-  /// CENTER_YAW_AT_STARTUP: Centre yaw at start-up.
+  /// CENTER_YAW_AT_STARTUP: Center yaw at start-up.
   center_yaw_at_startup = 0x0100,
 };
 using GeneralFlags = Flags<GeneralFlag>;
@@ -1193,7 +1193,7 @@ enum class CalibratedLimit : std::uint8_t {
 };
 using CalibratedLimits = Flags<CalibratedLimit>;
 
-/// What CMD_AHRS_HELPER does. Without SET it queries, and only FRAME_IMU counts.
+/// Operation of CMD_AHRS_HELPER. Without SET it is a query, in which only FRAME_IMU matters.
 /// Source: Variables L1193-L1195.
 enum class AhrsHelperModeBit : std::uint8_t {
   /// Set the attitude instead of querying it.
@@ -1212,7 +1212,7 @@ enum class AhrsHelperModeBit : std::uint8_t {
 };
 using AhrsHelperMode = Flags<AhrsHelperModeBit>;
 
-/// What the forms of CMD_AHRS_HELPER with a two-byte mode do. Without SET they query.
+/// Operation of the forms of CMD_AHRS_HELPER with a two-byte mode. Without SET they are queries.
 /// Source: Later firmware. Errata: E209.
 enum class AhrsHelperWideModeBit : std::uint16_t {
   /// Set the attitude instead of querying it.

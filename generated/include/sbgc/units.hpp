@@ -531,7 +531,7 @@ class GyroOffset
   constexpr double gyro_units() const noexcept { return real(); }
 };
 
-/// RC pulse width, or an analog signal normalised to the same range.
+/// RC pulse width, or an analog signal normalized to the same range.
 /// Unit: us. Errata: E070.
 class RcSignal
     : public detail::Quantity<RcSignal, std::int16_t, unit::us, 1, 1> {
@@ -557,7 +557,7 @@ class FineRcSignal
   constexpr double fraction() const noexcept { return real(); }
 };
 
-/// RC signal relative to its centre; the normal range is -1 to 1.
+/// RC signal relative to its center; the normal range is -1 to 1.
 /// Unit: no unit, one count is 1/500. Errata: E070.
 class CentredRcSignal
     : public detail::Quantity<CentredRcSignal, std::int16_t, unit::fraction, 1, 500> {

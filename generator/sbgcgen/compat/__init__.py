@@ -1,1 +1,1 @@
-"""What changed between two versions of the protocol."""
+"""Compares two versions of the protocol."""

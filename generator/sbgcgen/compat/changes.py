@@ -1,4 +1,4 @@
-"""What changed between two versions of the protocol, and whom it hurts."""
+"""Changes between two versions of the protocol, and their severity."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from sbgcgen.model.packed_text import text_of
 
 
 class Level(enum.Enum):
-    """Classes of changes, the worst first."""
+    """Severity of a change, the worst first."""
 
     WIRE = "wire-breaking"
     MEANING = "meaning-breaking"
@@ -21,7 +21,7 @@ class Level(enum.Enum):
 
 @dataclass(frozen=True)
 class Change:
-    """One change. It stands at `at` in the new spec, or in the old one if it is a deletion."""
+    """One change; `at` is its position in the new spec, or in the old one if `in_old`."""
 
     level: Level
     what: str
@@ -33,32 +33,32 @@ class Change:
 
 @dataclass
 class Changes:
-    """Collects changes; `what` says which thing they are about, `written` how versions are written."""
+    """Collects changes; `what` names the changed object, `written` is the notation of versions."""
 
     written: Versions = Versions()
     found: list[Change] = field(default_factory=list)
 
     def add(self, level: Level, what: str, old: object, new: object, at: Position) -> None:
-        """Something that is in both versions and differs."""
+        """Record an object that differs between the versions."""
         self._append(Change(level, what, text(old), text(new), at, False))
 
-    def deleted(self, level: Level, what: str, at: Position, old: object = "there") -> None:
-        """Something that the new version has no more."""
+    def deleted(self, level: Level, what: str, at: Position, old: object = "present") -> None:
+        """Record an object that the new version lacks."""
         self._append(Change(level, what, text(old), "deleted", at, True))
 
     def added(
         self, what: str, at: Position, new: object = "added", level: Level = Level.COMPATIBLE
     ) -> None:
-        """Something that the old version had not."""
+        """Record an object that the old version lacks."""
         self._append(Change(level, what, "none", text(new), at, False))
 
     def compare(self, level: Level, what: str, old: object, new: object, at: Position) -> None:
-        """Record a change unless both values are the same."""
+        """Record a change unless both values are equal."""
         if old != new:
             self.add(level, what, old, new, at)
 
     def since(self, what: str, old: Availability, new: Availability, at: Position) -> None:
-        """A later version than before excludes somebody, an earlier one does not."""
+        """Record a change of availability; only a later version than before breaks the meaning."""
         later = new.firmware > old.firmware or new.board > old.board
         level = Level.MEANING if later else Level.COMPATIBLE
         self.compare(level, f"{what}: since", self.versions(old), self.versions(new), at)
@@ -78,7 +78,7 @@ class Changes:
 
 
 def text(value: object) -> str:
-    """A value as the report shows it."""
+    """A value as text for the report."""
     if value is None or value == "":
         return "none"
     if isinstance(value, bool):

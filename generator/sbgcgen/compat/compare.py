@@ -1,4 +1,4 @@
-"""Compares two versions of the protocol; see `changes.Level` for the classes of changes."""
+"""Compares two versions of the protocol; see `changes.Level` for the severity of changes."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from sbgcgen.spec.load import MAIN_FILE
 
 
 def compare(old: Layout, new: Layout) -> list[Change]:
-    """All changes, the worst first, and else in the order of the spec."""
+    """All changes, the worst first; those of equal severity are grouped by kind of entry."""
     changes = Changes(new.versions)
     _compare_framing(old, new, changes)
     _compare_versions(old, new, changes)
@@ -72,7 +72,7 @@ def _compare_versions(old: Layout, new: Layout, changes: Changes) -> None:
 
 
 def _compare_line(old: Layout, new: Layout, changes: Changes) -> None:
-    """Slower breaks and further rates harm nobody."""
+    """Changed pauses and additional rates are compatible."""
     at = new.line.at if new.line.at.file else Position(f"spec/{MAIN_FILE}")
     for key in ("baud_rates", "parities"):
         before, now = getattr(old.line, key), getattr(new.line, key)
@@ -107,7 +107,7 @@ def _same_struct(old: Struct, new: Struct) -> bool:
 
 
 def _compare_revisions(old: Layout, new: Layout, changes: Changes) -> None:
-    """History tells programs nothing."""
+    """Revisions are documentation, so all changes are compatible."""
     before = {r.number: (r.date, [a.text for a in r.adds], r.changes) for r in old.revisions}
     for revision in new.revisions:
         now = (revision.date, [a.text for a in revision.adds], revision.changes)
@@ -122,7 +122,7 @@ def _compare_revisions(old: Layout, new: Layout, changes: Changes) -> None:
 
 
 def _compare_commands(old: Layout, new: Layout, changes: Changes) -> dict[str, str]:
-    """Compare the commands; the result says which one each old command is now."""
+    """Compare the commands; returns the new name of each old command."""
     now_by_name = {command.name: command for command in new.commands}
     old_names = {command.name for command in old.commands}
     come = [command for command in new.commands if command.name not in old_names]
@@ -145,7 +145,7 @@ def _compare_commands(old: Layout, new: Layout, changes: Changes) -> dict[str, s
 
 
 def _is_renamed(old: Command, in_old: Layout, new: Command, in_new: Layout) -> bool:
-    """Whether a command has the id and the directions of another."""
+    """True if a command has the id and the directions of another."""
     directions = [
         {m.direction for m in layout.messages if m.command == command.name}
         for layout, command in ((in_old, old), (in_new, new))
@@ -203,7 +203,7 @@ def _compare_messages(old: Layout, new: Layout, commands: dict[str, str], change
 def _other_form(
     message: Message, commands: dict[str, str], left: dict[Key, Message]
 ) -> Message | None:
-    """The message under another form or direction of its command, by its name or its body."""
+    """The same message as another form or in the other direction, found by its name or body."""
     command = commands.get(message.command, "")
     candidates = [m for m in left.values() if m.command == command]
     for candidate in candidates:
@@ -217,7 +217,7 @@ def _other_form(
 
 
 def _compare_ways(old: Message, new: Message, changes: Changes) -> None:
-    """Another direction or form. That the only form gets others beside it changes no body."""
+    """Compare direction and form. Adding further forms to the only one changes no body."""
     what = f"message {new.name}"
     changes.compare(Level.WIRE, f"{what}: direction", old.direction, new.direction, new.at)
     plain = {old.form, new.form} == {None, "simple"}
@@ -265,7 +265,7 @@ def _until_words(until: Until | None, renamed: dict[str, str], changes: Changes)
 
 
 def _lengths(message: Message) -> tuple[object, ...]:
-    """What decides how long a body can be, unless `max_size` says it."""
+    """The properties that determine the largest size of a body, apart from `max_size`."""
     limits = [(field.max_count, field.maximum) for field in message.fields]
     return (places(message.fields), limits)
 
@@ -276,7 +276,7 @@ NO_ANSWER = Answer((AnswerCase(None, (), "never", 0, 0, 0, False, False, (), ())
 def _compare_answers(
     what: str, old: Message, new: Message, renamed: dict[str, str], changes: Changes
 ) -> None:
-    """Whoever waits for an answer must still get it, and a repetition must still be harmless."""
+    """A client must still receive each response, and a safe retry must stay safe."""
     before, now = old.answer or NO_ANSWER, new.answer or NO_ANSWER
     names = tuple(renamed.get(name, name) for name in before.messages)
     lost = set(names) - set(now.messages)
@@ -318,7 +318,7 @@ def _compare_answers(
 def _compare_effects(
     what: str, old: Effect | None, new: Effect | None, at: Position, changes: Changes
 ) -> None:
-    """Whoever asks before a request that moves, relies on what is said of it."""
+    """Programs may rely on the effect, for example to confirm requests that move the camera."""
     before, now = ([_effect_words(c) for c in e.cases] if e else [] for e in (old, new))
     level = Level.MEANING if before else Level.COMPATIBLE
     changes.compare(level, f"{what}: effect", before, now, at)
@@ -330,14 +330,14 @@ def _effect_words(case: EffectCase) -> str:
 
 
 def _level_of(confirm: tuple[str, str]) -> Level:
-    """Nobody waits for a confirmation that may or may not come, so how likely it is breaks nothing."""
+    """Clients do not wait for uncertain confirmations, so their likelihood may change."""
     before, now = confirm
     is_kept = before != "always" and now in ("unlikely", "possible")
     return Level.COMPATIBLE if is_kept else Level.MEANING
 
 
 def _condition_words(case: AnswerCase | EffectCase) -> str:
-    """The condition of a case, for people; "else" if it has none."""
+    """The condition of a case in words; "else" if it has none."""
     when = case.when
     if when is None:
         return "else"
@@ -346,7 +346,7 @@ def _condition_words(case: AnswerCase | EffectCase) -> str:
 
 
 def _compare_roles(what: str, old: Message, new: Message, changes: Changes) -> None:
-    """Programs find messages by their roles."""
+    """Compare roles, by which programs find messages."""
     kinds = [m.role.kind if m.role else "" for m in (old, new)]
     level = Level.COMPATIBLE if not kinds[0] else Level.MEANING
     changes.compare(level, f"{what}: role", kinds[0], kinds[1], new.at)

@@ -1,8 +1,8 @@
-"""Prints the model of a spec folder as JSON. The generator of any revision can run this file.
+"""Prints the model of a spec folder as JSON. Runs with the generator of any revision.
 
-So it stands alone, and asks of a generator only what all have had: `load_layout` of `sbgcgen.build` (the
-very first: `load_protocol`), and a model of dataclasses. What is in the model twice is printed once.
-See reading.py for the way back.
+It therefore imports nothing but `load_layout` of `sbgcgen.build` (or `load_protocol` of the first
+revisions), and expects only a model of dataclasses. Shared objects are printed once. reading.py is
+the inverse.
 """
 
 from __future__ import annotations
@@ -25,14 +25,14 @@ def load(spec_dir: Path) -> Any:
 
 
 class Dump:
-    """All objects of a model, each with its class and fields; a reference is a number in a list."""
+    """All objects of a model, each with its class and fields; references are list indices."""
 
     def __init__(self) -> None:
         self.objects: list[Any] = []
         self.numbers: dict[int, int] = {}
 
     def plain(self, value: Any) -> Any:
-        """A value with numbers for the objects in it."""
+        """A value as plain data, with references to objects."""
         if value is None or isinstance(value, (bool, int, float, str)):
             return value
         if isinstance(value, Fraction):
@@ -52,17 +52,17 @@ class Dump:
 
 
 def dump(layout: Any) -> list[Any]:
-    """The objects of a model, those that others refer to first: the last one is the Layout."""
+    """The objects of a model, each after those that it refers to; the last one is the Layout."""
     made = Dump()
     made.plain(layout)
     return made.objects
 
 
 def main() -> None:
-    """Print the model of the folder that is named; or on stderr, what is wrong with it."""
+    """Print the model of the folder in the arguments, or an error to stderr."""
     try:
         made = dump(load(Path(sys.argv[1])))
-    except Exception as error:  # whatever a generator of that time raises
+    except Exception as error:  # exception types differ between revisions
         sys.exit(f"{type(error).__name__}: {error}")
     json.dump(made, sys.stdout)
 

@@ -1,8 +1,8 @@
-"""Compares two lists of fields: what is where on the wire, what it means, what C++ calls it.
+"""Compares two lists of fields: layout on the wire, meaning, and names in C++.
 
-Reserved bytes are no part of the C++ interface: they are members only so that nothing is lost. So
-fields that later firmware keeps where reserved bytes were are a compatible addition, although the
-member `reserved` gets smaller, moves or goes away.
+Reserved bytes are not part of the C++ interface; they are members only to keep their values. So new
+fields in reserved bytes are a compatible addition, although the member `reserved` shrinks, moves or
+disappears.
 """
 
 from __future__ import annotations
@@ -28,11 +28,11 @@ Fields = tuple[Field, ...]
 Place = tuple[Any, ...]
 
 
-# What is on the wire
+# Layout on the wire
 
 
 def wire_type(type_: Type) -> Any:
-    """What a type is on the wire, whatever it means."""
+    """The layout of a type, regardless of its meaning."""
     scalar = scalar_of(type_)
     if scalar is not None:
         return scalar.name
@@ -40,11 +40,11 @@ def wire_type(type_: Type) -> Any:
         return ("string",) if type_.kind == "string" else ("bytes", type_.size)
     if isinstance(type_, Struct):
         return ("struct", type_.is_region and type_.size, places(type_.fields)[-1])
-    return ("bytes", None)  # whose types a context knows
+    return ("bytes", None)  # a context has the types
 
 
 def wire_form(field: Field) -> Any:
-    """What a field is on the wire: its type, how often it stands, and when."""
+    """The layout of a field: its type, number of elements, and condition."""
     return (wire_type(field.type), _times(field), _condition(field.when))
 
 
@@ -60,9 +60,9 @@ def _condition(when: Condition | None) -> Any:
 
 
 def places(fields: Fields) -> list[Place]:
-    """Where each field begins, and where the last one ends.
+    """The place of each field, and that of the end.
 
-    A place is a number of bytes, or a list of numbers with the variable parts between them.
+    A place is an offset in bytes, or several numbers of bytes with the variable parts between them.
     """
     found: list[Place] = [(0,)]
     for field in fields:
@@ -80,7 +80,7 @@ def _place_text(place: Place) -> str:
     return f"byte {place[-1]} after {len(place) // 2} variable parts"
 
 
-# Which field is which
+# Matching fields
 
 
 def _is_padding(field: Field) -> bool:
@@ -88,7 +88,7 @@ def _is_padding(field: Field) -> bool:
 
 
 def _pairs(old: Fields, new: Fields) -> list[tuple[Field, Field]]:
-    """Fields that are the same: by the protocol's name, or by place and form."""
+    """Corresponding fields: those with the same protocol name, or the same place and form."""
     by_name = _by_name(new)
     pairs = []
     left = []
@@ -110,7 +110,7 @@ def _pairs(old: Fields, new: Fields) -> list[tuple[Field, Field]]:
 
 
 def _by_name(fields: Fields) -> dict[tuple[str, int], Field]:
-    """Fields by the protocol's name, and a number where several have the same one."""
+    """Fields by the protocol's name and a number, which distinguishes fields with the same name."""
     found: dict[tuple[str, int], Field] = {}
     for field in fields:
         if not _is_padding(field):
@@ -122,7 +122,7 @@ def _by_name(fields: Fields) -> dict[tuple[str, int], Field]:
 def compare_fields(
     owner: str, old: Fields, new: Fields, changes: Changes, open_ended: bool = False
 ) -> None:
-    """Compare two lists of fields; `open_ended` if the old one takes a longer body."""
+    """Compare two lists of fields; `open_ended` if the old one accepts longer bodies."""
     pairs = _pairs(old, new)
     for before, now in pairs:
         _compare_field(owner, before, now, pairs, changes)
@@ -135,7 +135,7 @@ def compare_fields(
     explained = _compare_places(owner, old, new, pairs, changes) or explained
     explained = explained or bool(gone) or any(wire_form(f) != wire_form(g) for f, g in pairs)
     end_old, end_new = places(old)[-1], places(new)[-1]
-    if end_old != end_new and not explained:  # so only reserved bytes differ, at the end
+    if end_old != end_new and not explained:  # only reserved bytes at the end differ
         longer = end_old[:-1] == end_new[:-1] and end_new[-1] > end_old[-1]
         level = Level.COMPATIBLE if longer and open_ended else Level.WIRE
         at = (new or old)[-1].at
@@ -150,9 +150,9 @@ def _compare_additions(
     changes: Changes,
     open_ended: bool,
 ) -> bool:
-    """New fields: in place of reserved bytes, at the end, or in between.
+    """Compare new fields, which can be in reserved bytes, at the end, or in between.
 
-    The result is whether that changes where the list ends.
+    Returns true if they move the end of the list.
     """
     known = {id(now) for _, now in pairs}
     end = places(old)[-1]
@@ -173,7 +173,7 @@ def _compare_additions(
         if at_the_end and (open_ended or field.optional or _may_be_empty(field)):
             changes.added(label, field.at, f"{form} at the end")
         else:
-            where = "at the end, which took nothing more" if at_the_end else "in between"
+            where = "at the end, where no tail is accepted" if at_the_end else "in between"
             changes.added(label, field.at, f"{form} {where}", Level.WIRE)
     return longer
 
@@ -199,7 +199,7 @@ def _takes_reserved(field: Field, old: Fields) -> bool:
 def _compare_places(
     owner: str, old: Fields, new: Fields, pairs: list[tuple[Field, Field]], changes: Changes
 ) -> bool:
-    """Fields that begin elsewhere; of several in a row, the first one is reported."""
+    """Report the first field with a different offset, and the number of others."""
     where_old = dict(zip((id(f) for f in old), places(old)))
     where_new = dict(zip((id(f) for f in new), places(new)))
     moved = [(f, g) for f, g in pairs if where_old[id(f)] != where_new[id(g)]]
@@ -246,7 +246,7 @@ def _index(field: Field) -> str:
 
 
 def type_text(type_: Type) -> str:
-    """A type as the report shows it."""
+    """A type as text for the report."""
     if isinstance(type_, Blob):
         return type_.kind if type_.kind == "string" else f"{type_.kind}[{type_.size or ''}]"
     name = str(getattr(type_, "name", type_.kind))
@@ -263,7 +263,7 @@ def _compare_types(label: str, old: Field, new: Field, changes: Changes) -> None
     before, now, at = old.type, new.type, new.at
     names = (getattr(before, "name", None), getattr(now, "name", None))
     if names[0] is not None and names[0] == names[1] and type(before) is type(now):
-        return  # compared once, with the named types
+        return  # compared with the named types
     same_wire = wire_type(before) == wire_type(now)
     texts = (type_text(before), type_text(now))
     if not same_wire:
@@ -301,7 +301,7 @@ def _when_text(when: Condition | None) -> str:
 
 
 def _compare_limits(label: str, old: Field, new: Field, changes: Changes) -> None:
-    """Range, alignment, role, least and most elements, and special values."""
+    """Compare range, alignment, role, numbers of elements, and special values."""
     before, now = _range(old), _range(new)
     if before and now and before != now:
         narrowed = now[0] > before[0] or now[1] < before[1]
@@ -335,7 +335,7 @@ def _compare_limits(label: str, old: Field, new: Field, changes: Changes) -> Non
 
 
 def _range(field: Field) -> tuple[Fraction, Fraction] | None:
-    """The values that are allowed: the range, or all of the type."""
+    """The range of valid values, which is that of the type by default."""
     if field.minimum is not None and field.maximum is not None:
         return (field.minimum, field.maximum)
     scalar = scalar_of(field.type)

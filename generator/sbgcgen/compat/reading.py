@@ -1,9 +1,9 @@
-"""Reads a version of the protocol: a revision with its own generator, everything else with this one.
+"""Reads a version of the protocol: a revision with its own generator, a folder with this one.
 
-The language of the YAML may change, so only the generator of a revision can be relied on to read its
-spec. It prints its model (see dump.py), of which the classes and fields that this model has are taken.
-What it did not know yet is as it is where nothing is said. Where a class or field of the model gets
-another name, `RENAMED` says so; where it gets another shape, `_UPGRADES` does.
+The language of the YAML may change, so a revision's spec is read by the generator of that revision,
+which prints its model (see dump.py). Classes and fields that this model lacks are dropped; fields
+that the old model lacks get default values. `RENAMED` maps former names of classes and fields, and
+`_UPGRADES` converts former shapes.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from sbgcgen.build import load_layout
 from sbgcgen.compat.revision import Version
 from sbgcgen.model import Layout
 
-# Former names of classes, and of fields as "Class.field", with those of now.
+# Current names by former ones, of classes and of fields as "Class.field".
 RENAMED = {
     "AnswerCase.echoes": "correlation",
     "AnswerCase.replies": "responses",
@@ -40,7 +40,7 @@ class UnreadableRevision(Exception):
 
 
 def layout_of(version: Version) -> Layout:
-    """The model of a version, without the rules of style, which older ones may not know.
+    """The model of a version, read without lint rules, which older specs may violate.
 
     Raises SpecError or UnreadableRevision.
     """
@@ -63,7 +63,7 @@ def layout_of(version: Version) -> Layout:
 
 
 def restore(objects: list[Any]) -> Layout:
-    """The model that a dump tells of."""
+    """The model from a dump."""
     made: list[Any] = []
     for name, fields in objects:
         made.append(_object(name, {key: _value(value, made) for key, value in fields.items()}))
@@ -87,7 +87,7 @@ def _value(value: Any, made: list[Any]) -> Any:
 
 
 def _object(name: str, facts: Facts) -> Any:
-    """An object of the class of now; of one that there is no more, only that it was there."""
+    """An object of the current class; None if the class no longer exists."""
     class_ = getattr(model, RENAMED.get(name, name), None)
     if class_ is None:
         return None
@@ -107,7 +107,7 @@ def _has_no_default(field: dataclasses.Field[Any]) -> bool:
 
 
 def _nothing(type_: str) -> Any:
-    """What a field of a type says when nothing is said."""
+    """The default value of a field by its type."""
     if type_.endswith("| None"):
         return None
     plain = {"str": "", "int": 0, "bool": False, "Fraction": Fraction(0)}
@@ -120,7 +120,7 @@ def _nothing(type_: str) -> Any:
 
 
 def _answer(facts: Facts) -> Facts:
-    """An answer was the same in all cases, and a name or several."""
+    """Formerly, an answer had no cases."""
     if "cases" in facts:
         return facts
     case = _object("AnswerCase", {"confirm": "never", "confirmations": 1, **facts})
@@ -128,7 +128,7 @@ def _answer(facts: Facts) -> Facts:
 
 
 def _framing(facts: Facts) -> Facts:
-    """The sizes of header and trailer were all that the model had of their parts."""
+    """Formerly, the model had only the sizes of header and trailer."""
     if "header" in facts:
         return facts
     checksums = (

@@ -1,4 +1,4 @@
-"""The `compat` command: prints what changed between two versions of the spec."""
+"""The `compat` command: prints the changes between two versions of the spec."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _LONGEST = 60
 
 
 def run(old: str, new: str | None, root: Path, spec_dir: Path) -> int:
-    """Compare; the exit status is 0 without a break, 1 with one, 2 for an unknown revision."""
+    """Run the command; returns 0, or 1 for breaking changes, or 2 for an unknown revision."""
     inside = spec_dir.relative_to(root).as_posix() if root in spec_dir.parents else "spec"
     try:
         with version(old, root, inside) as before, version(
@@ -56,7 +56,7 @@ def _report(old: Version, new: Version, is_working_tree: bool) -> int:
 
 
 def describe(change: Change) -> str:
-    """What changed, from what, to what."""
+    """A change as text: the object, the old and the new value."""
     return f"{change.what}: {_shorten(change.old)} → {_shorten(change.new)}"
 
 

@@ -1,4 +1,4 @@
-"""Finds a version of the spec: in a folder, or in a revision of a git repository."""
+"""Finds a version of the spec in a folder or in a git revision."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ from typing import Optional
 from sbgcgen.model import Position
 
 
-# The folder of the generator in a project; a revision that has it is read by it.
+# The folder of the generator; a revision that has it is read by its own generator.
 _GENERATOR = "generator"
 
 
 class UnknownRevision(Exception):
-    """What was asked for is neither a folder nor a revision with a spec."""
+    """The name is neither a folder nor a revision with a spec."""
 
 
 @dataclass(frozen=True)
 class Version:
-    """A spec folder, what to call its files, and the generator that reads it, if not this one."""
+    """A spec folder, the prefix for names of its files, and its generator, if not this one."""
 
     folder: Path
     prefix: str
@@ -39,10 +39,10 @@ class Version:
 
 @contextlib.contextmanager
 def version(name: str, root: Path, spec_name: str) -> Iterator[Version]:
-    """The spec folder `name`, or else the one of the git revision `name` of the project `root`.
+    """The spec folder `name`, or else that of the git revision `name` of the project `root`.
 
-    A revision's files are put into a temporary folder, with those of its generator if it has one.
-    What is a folder and a revision, too, is taken as a folder.
+    Extracts the spec of a revision, and its generator if it has one, to a temporary folder. A name
+    of both a folder and a revision means the folder.
     """
     folder = Path(name)
     if name and folder.is_dir():
@@ -66,7 +66,7 @@ def version(name: str, root: Path, spec_name: str) -> Iterator[Version]:
 
 
 def _git(root: Path, *arguments: str) -> bytes | None:
-    """Output of a git command in the project, or None if it fails."""
+    """The output of a git command in the project; None if it fails."""
     command = ["git", "-C", str(root), *arguments]
     try:
         return subprocess.run(command, capture_output=True, check=True).stdout

@@ -18,7 +18,7 @@ def pair_named(
     same: Callable[[Named, Named], bool],
     changes: Changes,
 ) -> list[tuple[Named, Named]]:
-    """Pairs by name. What is gone may have another name now, which only concerns source code."""
+    """Pair objects by name; a removed and an added one that are `same` count as renamed."""
     by_name = {thing.name: thing for thing in new}
     pairs = [(thing, by_name[thing.name]) for thing in old if thing.name in by_name]
     gone = [thing for thing in old if thing.name not in by_name]
@@ -41,7 +41,7 @@ def pair_named(
 
 
 def same_quantity(old: Quantity, new: Quantity) -> bool:
-    """Whether two quantities are one under two names."""
+    """True if two quantities differ only in their names."""
     return (old.scalar, _unit(old), old.summary) == (new.scalar, _unit(new), new.summary)
 
 
@@ -50,7 +50,7 @@ def _unit(quantity: Quantity) -> tuple[object, ...]:
 
 
 def compare_quantity(old: Quantity, new: Quantity, changes: Changes) -> None:
-    """Type, unit and scale of one quantity."""
+    """Compare type, unit and scale of a quantity."""
     what = f"quantity {new.name}"
     changes.compare(Level.WIRE, f"{what}: type", old.scalar.name, new.scalar.name, new.at)
     compare_unit(what, old, new, changes)
@@ -59,7 +59,7 @@ def compare_quantity(old: Quantity, new: Quantity, changes: Changes) -> None:
 
 
 def compare_unit(what: str, old: Quantity, new: Quantity, changes: Changes) -> None:
-    """What a raw number of one quantity is worth in the other."""
+    """Compare the conversions of raw values."""
     changes.compare(Level.MEANING, f"{what}: unit", old.unit, new.unit, new.at)
     changes.compare(Level.MEANING, f"{what}: scale", old.scale, new.scale, new.at)
     changes.compare(Level.MEANING, f"{what}: offset", old.offset, new.offset, new.at)
@@ -69,13 +69,13 @@ def compare_unit(what: str, old: Quantity, new: Quantity, changes: Changes) -> N
 
 
 def same_enum(old: Enum, new: Enum) -> bool:
-    """Whether two enums are one under two names."""
+    """True if two enums differ only in their names."""
     values = [[(v.name, v.value) for v in e.values] for e in (old, new)]
     return old.scalar == new.scalar and old.kind == new.kind and values[0] == values[1]
 
 
 def compare_enum(old: Enum, new: Enum, changes: Changes) -> None:
-    """Type, kind and values of one enum or flag set."""
+    """Compare type, kind and values of an enum or flag set."""
     what = f"{new.kind} {new.name}"
     changes.compare(Level.WIRE, f"{what}: type", old.scalar.name, new.scalar.name, new.at)
     changes.compare(Level.SOURCE, f"{what}: kind", old.kind, new.kind, new.at)
@@ -89,7 +89,7 @@ def compare_enum(old: Enum, new: Enum, changes: Changes) -> None:
 
 
 def compare_values(what: str, old: Enum, new: Enum, changes: Changes) -> None:
-    """The values of two enums by name; a number that changes its name changes its meaning."""
+    """Compare the values of two enums by name; a number with another name has another meaning."""
     by_name = {value.name: value for value in new.values}
     by_number = {value.value: value for value in new.values}
     for value in old.values:
@@ -125,7 +125,7 @@ def _compare_value(label: str, old: EnumValue, new: EnumValue, changes: Changes)
 
 
 def same_packed(old: Packed, new: Packed) -> bool:
-    """Whether two packed integers are one under two names."""
+    """True if two packed integers differ only in their names."""
     return old.scalar == new.scalar and _cuts(old) == _cuts(new)
 
 
@@ -145,7 +145,7 @@ def _cut_text(part: Part) -> str:
 
 
 def compare_packed(old: Packed, new: Packed, changes: Changes) -> None:
-    """Type and parts of one packed integer."""
+    """Compare type and parts of a packed integer."""
     what = f"packed {new.name}"
     changes.compare(Level.WIRE, f"{what}: type", old.scalar.name, new.scalar.name, new.at)
     compare_parts(what, old, new, changes)
@@ -154,7 +154,7 @@ def compare_packed(old: Packed, new: Packed, changes: Changes) -> None:
 
 
 def compare_parts(what: str, old: Packed, new: Packed, changes: Changes) -> None:
-    """The parts of two packed integers by name."""
+    """Compare the parts of two packed integers by name."""
     _compare_enums_of(f"{what}: names", old.names, new.names, new, changes)
     mains = [packed.main.name if packed.main else "" for packed in (old, new)]
     level = Level.SOURCE if old.main else Level.COMPATIBLE
@@ -182,7 +182,7 @@ def compare_parts(what: str, old: Packed, new: Packed, changes: Changes) -> None
 def _compare_enums_of(
     label: str, old: Enum | None, new: Enum | None, owner: Union[Part, Packed], changes: Changes
 ) -> None:
-    """The enum that a part takes its values from; one of the same name is compared elsewhere."""
+    """Compare the enums of a part; enums with the same name are compared with the named types."""
     old_name, new_name = old.name if old else None, new.name if new else None
     if old_name == new_name:
         return

@@ -1,7 +1,6 @@
-"""The Layout model: the protocol fully resolved, frozen, and the only thing that templates see.
+"""The Layout model: the fully resolved, immutable protocol, and the only input of the templates.
 
-Every size, offset, name and reference is decided here, once. Targets print it; none of them
-computes a layout again.
+It holds every size, offset, name and reference. Targets print them and never compute a layout.
 """
 
 from sbgcgen.model.position import NOWHERE, Position

@@ -1,4 +1,4 @@
-"""What a request is answered with, and what a message is in the conversation."""
+"""Response policies of requests, and the roles of messages in the conversation."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from sbgcgen.model.values import EnumValue
 
 @dataclass(frozen=True)
 class CorrelationField:
-    """A number of the request that stands again in what answers it, `offset` bytes from its start.
+    """An integer field of the request that the response repeats, `offset` bytes from its start.
 
     A special value of the request's `field` is not repeated.
     """
@@ -23,9 +23,9 @@ class CorrelationField:
 
 @dataclass(frozen=True)
 class Growth:
-    """`size` bytes that a body has if `when` holds for the value at `path` of the request.
+    """`size` more bytes of a body if `when` holds for the value at `path` of the request.
 
-    `optional`: that value may be missing; then it does not hold.
+    If that value may be missing (`optional`) and is, the condition does not hold.
     """
 
     path: str
@@ -36,7 +36,7 @@ class Growth:
 
 @dataclass(frozen=True)
 class Response:
-    """One message of the board that answers a request, or that it makes the board send."""
+    """One message of the board that answers a request or belongs to a stream that it starts."""
 
     message: str
     id: int
@@ -50,7 +50,7 @@ class Response:
 
 @dataclass(frozen=True)
 class Result:
-    """The place in the data of a confirmation that tells whether the request has succeeded."""
+    """The value in the data of a confirmation that reports success or failure of the request."""
 
     field: Field
     offset: int
@@ -60,10 +60,11 @@ class Result:
 
 @dataclass(frozen=True)
 class AnswerCase:
-    """What a request is answered with, if `when` holds for it.
+    """The response policy of a request for which `when` holds.
 
-    `correlation` are the fields that are repeated. `responses`, `confirmation` (what the data of a
-    confirmation repeat) and `result` follow from them and from the messages of the board.
+    `correlation` names the fields that responses repeat. `responses`, `confirmation` (the field
+    that a confirmation repeats in its data) and `result` are derived from it and the board's
+    messages.
     """
 
     when: Condition | None
@@ -84,18 +85,18 @@ class AnswerCase:
 
 @dataclass(frozen=True)
 class Answer:
-    """What a request is answered with: the first case that holds; the last one always does."""
+    """The response policy of a request: the first case that holds. The last case always holds."""
 
     cases: tuple[AnswerCase, ...]
 
     @property
     def messages(self) -> tuple[str, ...]:
-        """All messages that may answer."""
+        """All messages that may answer the request."""
         return tuple(dict.fromkeys(name for case in self.cases for name in case.messages))
 
     @property
     def confirm(self) -> str:
-        """What holds of all cases: "always", "never", "unlikely" at most, or else "possible"."""
+        """The value of all cases; if they differ, "unlikely" (with "never") or "possible"."""
         said = {case.confirm for case in self.cases}
         if said == {"never", "unlikely"}:
             return "unlikely"
@@ -119,18 +120,18 @@ class Answer:
 
     @property
     def is_certain(self) -> bool:
-        """Whether one of the messages comes in every case."""
+        """True if every case has a message as its response."""
         return all(case.messages for case in self.cases)
 
 
 @dataclass(frozen=True)
 class Role:
-    """What a message is in the conversation (`kind`), and which of its fields tell what about it.
+    """The role of a message in the conversation (`kind`), and the fields that it needs (`parts`).
 
     A board restarts `delay_ms` after its reset message.
-    `streams` are the messages that a stream request makes the board send; its interval is in units
-    of `interval_us`, `end` ends the stream and `cycle` stands for `cycle_us`. There are at most
-    `limit` streams at a time over all ports; 0 if that is not known.
+    `streams` are the messages that a stream request can start. Its interval is in units of
+    `interval_us`; the interval `end` ends the stream, and `cycle` stands for `cycle_us`. The board
+    has at most `limit` streams over all ports; 0 if the limit is unknown.
     """
 
     kind: str

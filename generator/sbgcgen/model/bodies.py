@@ -1,4 +1,4 @@
-"""What a body is made of: fields, their types, and on what they depend."""
+"""The contents of a body: fields, their types, and their conditions."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from sbgcgen.model.values import (
 
 @dataclass(frozen=True)
 class Identifier:
-    """A word that becomes a name in code, and where it comes from."""
+    """A word that becomes a name in code, and its position in the spec."""
 
     name: str
     at: Position = field(default=NOWHERE, compare=False, repr=False)
@@ -29,10 +29,10 @@ class Identifier:
 
 @dataclass(frozen=True)
 class Blob:
-    """Bytes, or NUL-padded UTF-8 text (kind "text"), or a length-prefixed string (kind "string").
+    """Bytes, NUL-padded UTF-8 text (kind "text"), or a length-prefixed string (kind "string").
 
-    `size` is None for bytes that take the rest of the body; a string's size includes its prefix
-    at its longest.
+    `size` is None for bytes that take the rest of the body. The size of a string is its largest,
+    including the prefix.
     """
 
     kind: str
@@ -41,10 +41,10 @@ class Blob:
 
 @dataclass(frozen=True)
 class Struct:
-    """A reusable group of fields; `size` is None when it varies.
+    """A reusable group of fields; `size` is None if it varies.
 
-    A region has a fixed size, whatever of its conditional fields are present; its last field keeps
-    the bytes that they do not use. Its conditions are about fields of the message around it.
+    A region has a fixed size, whichever of its conditional fields are present; its last field keeps
+    the bytes that they do not use. Its conditions refer to fields of the enclosing message.
     """
 
     name: str
@@ -60,7 +60,7 @@ class Struct:
 
 @dataclass(frozen=True)
 class Announced:
-    """A number whose type an earlier message announces; `context` is the context that knows it."""
+    """A number whose type an earlier message announces, by way of `context`."""
 
     context: str
     kind: str = "announced"
@@ -70,7 +70,7 @@ Type = Union[Scalar, Quantity, Enum, Packed, Blob, Struct, Announced]
 
 
 def scalar_of(type_: Type) -> Scalar | None:
-    """The number on the wire behind a type, None for bytes and structs."""
+    """The wire type of a numeric type; None for bytes and structs."""
     if isinstance(type_, Scalar):
         return type_
     return type_.scalar if isinstance(type_, (Quantity, Enum, Packed)) else None
@@ -78,7 +78,7 @@ def scalar_of(type_: Type) -> Scalar | None:
 
 @dataclass(frozen=True)
 class Special:
-    """A value outside the ordinary meaning; `name` is that of a constant in C++, or ""."""
+    """A sentinel: a raw value with its own meaning; `name` is its constant in C++, or ""."""
 
     value: int
     meaning: str
@@ -88,7 +88,7 @@ class Special:
 
 @dataclass(frozen=True)
 class Constant:
-    """A special value, of these `fields`, that a struct or message has a name for."""
+    """A named special value of a struct or message, shared by these `fields`."""
 
     name: str
     scalar: Scalar
@@ -99,7 +99,7 @@ class Constant:
 
 
 def constants(fields: tuple[Field, ...]) -> tuple[Constant, ...]:
-    """The special values of fields that have a name, each name once."""
+    """The named special values of fields, each name once."""
     found: dict[str, Constant] = {}
     for owner in fields:
         if isinstance(owner.type, (Blob, Struct, Announced)):
@@ -118,9 +118,9 @@ def constants(fields: tuple[Field, ...]) -> tuple[Constant, ...]:
 
 @dataclass(frozen=True)
 class Condition:
-    """When a field is present: by flags of a context or an earlier field, or by a field's value.
+    """A condition on the flags or the value of a context or an earlier field.
 
-    If the earlier field is not there (`source_may_be_missing`), the condition does not hold.
+    If the earlier field is missing (see `source_may_be_missing`), the condition does not hold.
     """
 
     source: str
@@ -135,9 +135,9 @@ class Condition:
 
 @dataclass(frozen=True)
 class Alternative:
-    """Another unit of the same bytes, chosen by a flag of an earlier field.
+    """Another unit of the same bytes, selected by a flag of an earlier field.
 
-    `source` is the path of that field from the message, with "{axis}" for the index in force.
+    `source` is the path of that field from the message, with "{axis}" for the current index.
     """
 
     quantity: Quantity
@@ -150,13 +150,12 @@ class Alternative:
 class Field:
     """One member of a struct or message.
 
-    `dim` says how often the type stands: "one", "axis", "xyz", "fixed" (`count` times),
-    "counted" (as the field `counter` says) or "rest" (to the end of the body; with an `index`, as
-    many of those named as there are, at least `min_count`). `offset` is from
-    the start of the struct, None behind a variable part. `role` is what the field is among
-    settings: "copy" (which of several copies they are), "general" (the same in all copies),
-    "state" (no setting), or "". `typical` is an ordinary value, in the shape that it has in JSON, None
-    if the spec names none.
+    `dim` is the number of elements: "one", "axis", "xyz", "fixed" (`count`), "counted" (the value
+    of the field `counter`) or "rest" (to the end of the body; with an `index`, the first of the
+    named elements, at least `min_count`). `offset` is from the start of the struct; None after a
+    variable part. `role` is the field's role in a set of settings: "copy" (selects one of several
+    copies), "general" (the same in all copies), "state" (not a setting), or "". `typical` is an
+    ordinary value as JSON represents it; None if the spec names none.
     """
 
     name: str
@@ -191,16 +190,16 @@ class Field:
 
     @property
     def is_variable(self) -> bool:
-        """Whether the number of bytes depends on the message."""
+        """True if the number of bytes depends on the message."""
         return self.size is None or self.when is not None
 
 
 @dataclass(frozen=True)
 class Leaf:
-    """One value (or run of bytes) of a body in wire order, with the whole path to it.
+    """One value or run of bytes of a body, with its full path.
 
-    `cases` are the leaves that a region may hold, depending on other fields. `optional`: a body may
-    end before it.
+    `cases` are the leaves that a region may hold, depending on other fields. A body may end before
+    an `optional` leaf.
     """
 
     path: str
@@ -214,7 +213,7 @@ class Leaf:
 
     @property
     def size(self) -> int | None:
-        """The bytes that it takes, None if that varies."""
+        """Size in bytes; None if it varies."""
         if self.count is None or self.type == "string":
             return None
         return self.count * (SCALARS[self.type].size if self.type in SCALARS else 1)
@@ -222,10 +221,10 @@ class Leaf:
 
 @dataclass(frozen=True)
 class Announcement:
-    """The list in a message that announces the types of numbers in later ones.
+    """A list in a message that announces the types of numbers in later messages.
 
-    Each element has the type in `kind` (the path of an enum, through a packed part if need be) and
-    how often it stands in `count`. `types` are those that the enum can name.
+    `kind` is the path of an element's type, an enum or an enum in a packed value; `count` is the
+    field with the number of repetitions. `types` are those that the enum can name.
     """
 
     message: str
@@ -237,9 +236,9 @@ class Announcement:
 
 @dataclass(frozen=True)
 class Context:
-    """Something a body cannot be read without, that stands in an earlier message.
+    """A fact from an earlier message that a body needs for decoding.
 
-    Either an enum or flag set, found in `sources` (message, path), or announced types.
+    Either an enum or flag set from one of the `sources` (message, path), or announced types.
     """
 
     name: str
@@ -250,7 +249,7 @@ class Context:
 
 
 def element_of(typical: Any, path: str) -> Any:
-    """What a typical value says about the element that a path ends with, or about all of them."""
+    """The part of a typical value for the last element of a path, or the value for all elements."""
     if isinstance(typical, dict):
         return typical.get(path.rpartition(".")[2], typical)
     if isinstance(typical, list) and path.endswith("]"):

@@ -1,4 +1,4 @@
-"""What a request does to the board."""
+"""The effects of requests on the board."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from sbgcgen.model.bodies import Condition
 
-# Every word of the spec language, the harmless first, with what it means to people.
+# Every effect of the spec language, the most harmless first, with its description.
 EFFECTS: dict[str, str] = {
     "reads": "Reads: changes nothing.",
     "sets": "Sets temporarily: a restart of the board discards the change.",
@@ -20,7 +20,7 @@ EFFECTS: dict[str, str] = {
 
 @dataclass(frozen=True)
 class EffectCase:
-    """What a request does, if `when` holds for it."""
+    """The effect of a request for which `when` holds."""
 
     when: Condition | None
     words: tuple[str, ...]
@@ -28,13 +28,13 @@ class EffectCase:
 
 @dataclass(frozen=True)
 class Effect:
-    """What a request does: the first case that holds; the last one always does."""
+    """The effect of a request: the first case that holds. The last case always holds."""
 
     cases: tuple[EffectCase, ...]
 
     @property
     def words(self) -> tuple[str, ...]:
-        """Whatever any case does; that one of them changes nothing is left out."""
+        """The effects of all cases; "reads" only if there is no other."""
         said = {word for case in self.cases for word in case.words}
         if len(said) > 1:
             said.discard("reads")

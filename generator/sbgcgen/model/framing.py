@@ -1,18 +1,18 @@
-"""How a body is wrapped on the line."""
+"""The parts of a frame."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-# The bytes of each kind of checksum.
+# Size of each kind of checksum in bytes.
 CHECKSUM_SIZES = {"sum8": 1}
-# The parts that are no checksum; all but the body have one byte.
+# The parts that are not checksums; each but the body has one byte.
 START, ID, SIZE, BODY = "start", "id", "size", "body"
 
 
 @dataclass(frozen=True)
 class Checksum:
-    """A checksum, by its name among the parts of a frame, over the parts that it covers."""
+    """A checksum of a frame: its name as a part, its kind, and the parts that it covers."""
 
     name: str
     kind: str
@@ -25,7 +25,7 @@ class Checksum:
 
 @dataclass(frozen=True)
 class Framing:
-    """The parts around a body, in the order of the line: names of checksums, `START`, `ID`, `SIZE`."""
+    """The parts around a body in wire order: `START`, `ID`, `SIZE` and names of checksums."""
 
     start: int
     header: tuple[str, ...]
@@ -44,12 +44,12 @@ class Framing:
         return sum(self.size_of(part) for part in self.trailer)
 
     def size_of(self, part: str) -> int:
-        """The bytes of a part other than the body."""
+        """Size in bytes of a part other than the body."""
         found = self.checksum(part)
         return found.size if found else 1
 
     def checksum(self, part: str) -> Checksum | None:
-        """The checksum of a name; None for another part."""
+        """The checksum with this name; None for any other part."""
         return next((c for c in self.checksums if c.name == part), None)
 
     def place(self, part: str) -> int:

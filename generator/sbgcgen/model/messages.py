@@ -1,4 +1,4 @@
-"""Commands, their messages, and what these store."""
+"""Commands, their messages, and the settings that messages store."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from sbgcgen.model.effects import Effect
 from sbgcgen.model.values import Availability, Deprecation, Enum, Until
 from sbgcgen.model.names import form_suffix, snake_case
 
-# The enum of the ids of commands, by direction.
+# The enum of command ids of each direction.
 COMMAND_IDS = {"to_board": "CommandToBoard", "from_board": "CommandFromBoard"}
 
 
@@ -20,10 +20,10 @@ COMMAND_IDS = {"to_board": "CommandToBoard", "from_board": "CommandFromBoard"}
 class Message:
     """One body layout of one command in one direction.
 
-    `keeps_tail`: bytes behind the described ones are kept. `is_open`: any body of at least
-    `min_size` is taken for this message, of several forms the longest. `example` has the values by
-    path in which the worked example is not typical; of what has the body of another message, on top
-    of that one's.
+    `keeps_tail`: decoding keeps bytes after the described ones. `is_open`: a body of any size from
+    `min_size` up is this message; of several forms, only the longest can be open. `example` has the
+    values by path in which the worked example is not typical; a message with the body of another
+    inherits that message's.
     """
 
     name: str
@@ -59,17 +59,17 @@ class Message:
 
     @property
     def identifier(self) -> str:
-        """The name as a member would have it."""
+        """The name in snake_case, for members."""
         return snake_case(self.name)
 
     @property
     def command_ids(self) -> str:
-        """The enum that has the id of its command; in both directions it is first of all a request."""
+        """The enum with the command's id; that of requests for a message in both directions."""
         return COMMAND_IDS["to_board" if self.in_both_directions else self.direction]
 
     @property
     def call(self) -> str:
-        """The name of a function that sends it."""
+        """The name of the function that sends the message."""
         suffix = form_suffix(self.form)
         return f"{self.command_identifier}_{suffix}" if suffix else self.command_identifier
 
@@ -79,7 +79,7 @@ class Message:
 
     @property
     def failure(self) -> Field | None:
-        """In the form that answers a request that has failed, the field that says why."""
+        """In an error form, the field with the reason of the failure."""
         return next(
             (
                 f
@@ -97,7 +97,7 @@ class Message:
 
 @dataclass(frozen=True)
 class Command:
-    """One command name of the protocol; several may share an id in different directions."""
+    """One command of the protocol. Two may share an id if their directions differ."""
 
     name: str
     identifier: str
@@ -113,7 +113,7 @@ class Command:
 
 @dataclass(frozen=True)
 class Family:
-    """A group of commands that get one header and one page."""
+    """The commands of one spec file; they share a header and a page."""
 
     name: str
     summary: str
@@ -122,7 +122,7 @@ class Family:
 
     @property
     def uses(self) -> tuple[str, ...]:
-        """Other families whose structs or messages this one needs."""
+        """Other families whose structs or messages this family uses."""
         fields = [f for m in self.messages for f in m.fields]
         fields += [f for s in self.structs for f in s.fields]
         names = {f.type.family for f in fields if isinstance(f.type, Struct)}
@@ -131,9 +131,9 @@ class Family:
 
     @property
     def definitions(self) -> tuple[Message, ...]:
-        """Messages that define a C++ type of their own (a same_as in both directions does not).
+        """Messages that define a C++ type; one in both directions defines it once.
 
-        Those with the body of another message come last, behind what they are made of.
+        Messages with the body of another come last, after the message that defines the body.
         """
         seen: dict[str, Message] = {}
         for message in self.messages:
@@ -147,10 +147,10 @@ class Family:
 
 @dataclass(frozen=True)
 class Settings:
-    """A message whose content a host can read and store, and with which requests.
+    """A message with settings, and the requests that read and store them.
 
-    Deprecated requests come last. `copies` is how many of these settings the board has, told apart
-    by a field with the role "copy"; 1 without such a field.
+    Deprecated requests come last. `copies` is the number of copies of these settings in the board,
+    selected by a field with the role "copy"; 1 without such a field.
     """
 
     message: Message
@@ -164,12 +164,12 @@ class Settings:
 
 
 def copy_field(message: Message) -> Field | None:
-    """The field that says which of several copies of its settings a message is about."""
+    """The field of a message that selects one of several copies of its settings."""
     return next((f for f in message.fields if f.role == "copy"), None)
 
 
 def conditions(message: Message) -> list[Condition]:
-    """All conditions about what the message as a whole says: those of its fields and regions."""
+    """All conditions on fields and contexts of the message: those of its fields and regions."""
     regions = [m.type for m in message.fields if isinstance(m.type, Struct) and m.type.is_region]
     inner = [member for region in regions for member in region.fields]
     return [member.when for member in (*message.fields, *inner) if member.when]

@@ -1,4 +1,4 @@
-"""How the protocol's names become identifiers, and what a field's name says about its shape."""
+"""Converts the protocol's names to identifiers, and parses field names with dimensions."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ _FIELD = re.compile(
 
 @dataclass(frozen=True)
 class FieldName:
-    """A field's name taken apart.
+    """A parsed field name.
 
-    `spec_name` keeps a placeholder ("SPEED_{AXIS}") where the protocol has one name an element;
-    `expand` is what stands in the braces, `index` what stands in the brackets (None: neither).
+    `spec_name` keeps a placeholder ("SPEED_{AXIS}") where the protocol has one name per element.
+    `expand` is the text in braces, `index` the text in brackets; None without them.
     """
 
     base: str
@@ -28,7 +28,7 @@ class FieldName:
 
 
 def parse_field_name(text: str) -> FieldName | None:
-    """NAME, NAME[axis], NAME[6], NAME[COUNT], NAME[], NAME_{AXIS}, NAME{1..5}_MORE; else None."""
+    """Parses NAME, NAME[axis], NAME[6], NAME[COUNT], NAME[], NAME_{AXIS} or NAME{1..5}_MORE."""
     match = _FIELD.match(text)
     if match is None or (match["expand"] and match["array"]):
         return None
@@ -41,7 +41,7 @@ _FOREIGN = re.compile(r"(?P<sign>u?)int(?P<bits>8|16|32)(_t)?\Z|(?P<size>[124])(
 
 
 def type_advice(text: str) -> str:
-    """What to write for a type in the notation of C or of the specification; or ""."""
+    """Advice for a type in the notation of C or of the specification; "" if there is none."""
     array = re.match(r"(\w+)\[(.*)\]\Z", text)
     if array and array[1] not in ("bytes", "text"):
         return f"the count belongs to the name: 'NAME[{array[2]}]' with type: {array[1]}"
@@ -64,35 +64,35 @@ def camel_case(name: str) -> str:
     return "".join(word.capitalize() for word in name.split("_"))
 
 
-# The forms of a command that have a meaning of their own; any other name says how a form differs.
+# The forms of a command that have a special meaning; any other name describes the difference.
 KNOWN_FORMS = ("simple", "extended", "success", "error")
 _FORM_WORDS = {"simple": "", "success": "", "extended": "ext"}
 
 
 def form_suffix(form: str | None) -> str:
-    """What a form adds to the name of its command: simple -> "", extended_wide -> ext_wide."""
+    """The suffix of a form to the name of its command: simple -> "", extended_wide -> ext_wide."""
     words = [_FORM_WORDS.get(word, word) for word in (form or "").split("_")]
     return "_".join(word for word in words if word)
 
 
 def singular(plural: str) -> str:
-    """What one of the flags of a set is called: SystemErrors -> SystemError, Switches -> Switch."""
+    """The name of one flag of a set: SystemErrors -> SystemError, Switches -> Switch."""
     if re.search(r"(ch|sh|ss)es\Z", plural):
         return plural[:-2]
     return plural[:-1] if plural.endswith("s") else f"{plural}Bit"
 
 
 def slug(name: str) -> str:
-    """BoardInfo3Request -> board-info3-request, as it stands in paths."""
+    """BoardInfo3Request -> board-info3-request, for use in paths."""
     return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "-", name).lower()
 
 
 def is_name(text: str) -> bool:
-    """Whether a name is made of letters, digits and underscores, as every language has them."""
+    """True if a name consists of letters, digits and underscores and starts with a letter."""
     return re.match(r"[A-Za-z][A-Za-z0-9_]*\Z", text) is not None
 
 
 def parse_lines(text: str) -> list[tuple[int, int]]:
-    """Line ranges that a source names: "Variables L1005-L1009, L12" -> [(1005, 1009), (12, 12)]."""
+    """The line ranges in a source: "Variables L1005-L1009, L12" -> [(1005, 1009), (12, 12)]."""
     found = re.findall(r"L([0-9]+)(?:-L([0-9]+))?", text)
     return [(int(first), int(last or first)) for first, last in found]

@@ -1,4 +1,4 @@
-"""How a packed integer is written: its display text, read and filled in."""
+"""Formats and parses packed integers by their display text."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ _GROUP = re.compile(r"\[([^]]*)\]")
 
 
 def part_of(part: Part, raw: int) -> int:
-    """What a part of a packed integer holds."""
+    """The value of a part of a packed integer."""
     number = ((raw & part.mask) >> part.shift) // part.divide
     return number % part.modulo if part.modulo else number
 
 
 def text_of(packed: Packed, raw: int) -> str:
-    """The display text with the values of the parts; a group in brackets that holds zeros is left out."""
+    """The display text with the values of the parts; a bracketed group of zeros is omitted."""
     values = {part.name: part_of(part, raw) for part in packed.parts}
 
     def group(match: re.Match[str]) -> str:
@@ -28,7 +28,7 @@ def text_of(packed: Packed, raw: int) -> str:
 
 
 def raw_of(packed: Packed, text: str) -> int | None:
-    """The integer that is written like this; None if none is."""
+    """The integer with this display text; None if there is none."""
     match = re.fullmatch(_pattern(packed.display), text)
     if match is None:
         return None
@@ -41,8 +41,8 @@ def raw_of(packed: Packed, text: str) -> int | None:
 
 
 def _pattern(display: str) -> str:
-    """A regular expression for all texts of this display, with a group for each part."""
-    outside = _GROUP.split(display)  # every second one was in brackets
+    """A regular expression that matches the display text, with a group for each part."""
+    outside = _GROUP.split(display)  # every second piece was in brackets
     return "".join(
         f"(?:{_literal(text)})?" if number % 2 else _literal(text)
         for number, text in enumerate(outside)
@@ -50,7 +50,7 @@ def _pattern(display: str) -> str:
 
 
 def _literal(text: str) -> str:
-    """The same for a text without brackets."""
+    """Like `_pattern`, for a text without brackets."""
     pieces = _PART.split(text)
     result = re.escape(pieces[0])
     for name, digits, literal in zip(pieces[1::3], pieces[2::3], pieces[3::3]):

@@ -1,4 +1,4 @@
-"""Where in the specification something comes from."""
+"""Positions in spec files."""
 
 from __future__ import annotations
 

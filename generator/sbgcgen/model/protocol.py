@@ -16,7 +16,7 @@ from sbgcgen.model.names import KNOWN_FORMS
 
 @dataclass(frozen=True)
 class Erratum:
-    """A decision on how to read the specification."""
+    """A problem of the specification, with its interpretation."""
 
     number: str
     kind: str
@@ -29,9 +29,9 @@ class Erratum:
 
 @dataclass(frozen=True)
 class Line:
-    """The serial line. Rates and parities stand with the most likely first.
+    """The serial line; the most likely baud rates and parities come first.
 
-    `named` of the rates are those that the protocol names.
+    The protocol names the first `named` of the rates.
     """
 
     baud_rates: tuple[int, ...]
@@ -48,10 +48,10 @@ class Line:
 class Layout:
     """The whole protocol.
 
-    `newest_firmware` is the newest that the protocol as a whole describes; 0 if that is not said.
-    `timeout_errata` tell where the times for an answer come from; `guides` are files of docs/ by what
-    they are about; `synonyms` are groups of words for the same thing; `identifiers` are all the words
-    that become names in code, those of fields that could not be resolved, too.
+    `newest_firmware` is the newest version that the specification describes; 0 if the spec does not
+    state it. `timeout_errata` justify the default timeout; `guides` are files in docs/ by topic;
+    `synonyms` are groups of words for the same thing; `identifiers` are all words that become names
+    in code, including those of fields that could not be resolved.
     """
 
     protocol: dict[str, str]
@@ -79,12 +79,12 @@ class Layout:
 
     @property
     def definitions(self) -> tuple[Message, ...]:
-        """Messages with a type of their own, in the order of families."""
+        """Messages that define a C++ type, in the order of families."""
         return tuple(m for family in self.families for m in family.definitions)
 
     @property
     def settings(self) -> tuple[Settings, ...]:
-        """What can be read and stored, in the order of families."""
+        """The settings that can be read and stored, in the order of families."""
         stored = {m.stores for m in self.messages}
 
         def requests(of: list[Message]) -> tuple[Message, ...]:
@@ -104,10 +104,10 @@ class Layout:
 
     @property
     def forms(self) -> tuple[str, ...]:
-        """The names of all forms, those with a meaning of their own first."""
+        """The names of all forms, those with a special meaning first."""
         named = (m.form for m in self.messages if m.form)
         return tuple(dict.fromkeys((*KNOWN_FORMS, *named)))
 
     def having_role(self, kind: str) -> tuple[Message, ...]:
-        """The messages with a role; several are forms of one command."""
+        """The messages with a role; if there are several, they are forms of one command."""
         return tuple(m for m in self.messages if m.role and m.role.kind == kind)

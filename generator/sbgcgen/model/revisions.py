@@ -1,4 +1,4 @@
-"""What the revisions of the specification have added."""
+"""Revisions of the specification and their additions."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from sbgcgen.model.position import NOWHERE, Position
 
 @dataclass(frozen=True)
 class Addition:
-    """Something that a revision has added.
+    """An addition of a revision.
 
-    `kind` is "command", "message", "field" or "value"; `owner` is the message of a field or the enum
-    of a value, and `name` the command, message, path or value.
+    `kind` is "command", "message", "field" or "value"; `owner` is the message of a field or the
+    enum of a value, and `name` is the command, message, path or value.
     """
 
     kind: str
@@ -26,7 +26,7 @@ class Addition:
 
 @dataclass(frozen=True)
 class Revision:
-    """A revision of the specification; `changes` are sentences about what has no name of its own."""
+    """A revision of the specification; `changes` are sentences about changes without a name."""
 
     number: str
     date: str

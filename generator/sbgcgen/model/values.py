@@ -1,4 +1,4 @@
-"""What one value on the wire can be: numbers, quantities, enums, packed integers."""
+"""Types of single values on the wire: numbers, quantities, enums, packed integers."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ SCALARS: dict[str, Scalar] = {
 
 @dataclass(frozen=True)
 class Availability:
-    """Since when something exists: the versions as on the wire, and as they are written."""
+    """The first versions that have something, as numbers on the wire and as text."""
 
     firmware: int = 0
     board: int = 0
@@ -51,7 +51,7 @@ class Availability:
 
     @property
     def words(self) -> tuple[tuple[str, str], ...]:
-        """What is said: ("firmware", "2.59"), ("board", "3.0")."""
+        """Kind and text of each version: ("firmware", "2.59"), ("board", "3.0")."""
         said = (
             ("firmware", self.firmware, self.firmware_text),
             ("board", self.board, self.board_text),
@@ -64,7 +64,7 @@ class Availability:
 
 @dataclass(frozen=True)
 class Until:
-    """The first versions that no longer take a message, and the message that they take instead."""
+    """The first versions that no longer accept a message, and the message that replaces it."""
 
     versions: Availability
     instead: str
@@ -73,7 +73,7 @@ class Until:
 
 @dataclass(frozen=True)
 class Deprecation:
-    """That something should not be used any more, since when, and what to use instead."""
+    """A deprecation: since which versions, and the replacement."""
 
     since: Availability
     replaced_by: str
@@ -81,7 +81,7 @@ class Deprecation:
 
 @dataclass(frozen=True)
 class Quantity:
-    """A physical quantity: real value = raw * scale + offset, in `unit`."""
+    """A physical quantity: physical value = raw * scale + offset, in `unit`."""
 
     name: str
     scalar: Scalar
@@ -100,8 +100,8 @@ class Quantity:
 class EnumValue:
     """One named value; `name` is the protocol's own unless `ours`.
 
-    `wire` is the number on the wire that the value stands for, where it names a type; `number` is
-    any other number that it stands for.
+    If the value names a type, `wire` is that wire type. `number` is any other number that the value
+    stands for, such as a baud rate.
     """
 
     name: str
@@ -120,7 +120,7 @@ class EnumValue:
 class Enum:
     """An enum, or (kind "flags") a set of bits whose values are masks.
 
-    `success` is the value, of a result, that does not tell of a failure.
+    `success` is the value of a result code that means success.
     """
 
     name: str
@@ -150,7 +150,7 @@ class Part:
 
     @property
     def is_digits(self) -> bool:
-        """Whether the part is cut out of the decimal digits rather than out of the bits."""
+        """True if the part consists of decimal digits rather than bits."""
         return self.divide != 1 or self.modulo != 0
 
     @property
@@ -160,10 +160,10 @@ class Part:
 
 @dataclass(frozen=True)
 class Packed:
-    """Several values in one integer; the raw integer is kept, so no bit is ever lost.
+    """Several values in one integer, which is kept as a raw value so that no bit is lost.
 
-    `names` names values of the whole integer. `main` is the part whose values say most: such a value
-    alone is a value of the whole, with 0 in the other parts.
+    `names` names values of the whole integer. A value of the part `main` alone is a value of the
+    whole, with 0 in the other parts.
     """
 
     name: str
@@ -181,11 +181,11 @@ class Packed:
 
 @dataclass(frozen=True)
 class Versions:
-    """The packed integers whose display text is how versions are written."""
+    """The packed integers whose display texts define the notation of versions."""
 
     firmware: Packed | None = None
     board: Packed | None = None
 
     def of(self, kind: str) -> Packed | None:
-        """The one of a kind of version."""
+        """The packed integer for a kind of version."""
         return self.firmware if kind == "firmware" else self.board

@@ -12,9 +12,9 @@ from sbgcgen.model.values import Quantity, Scalar
 
 @dataclass(frozen=True)
 class VariableSetting:
-    """A setting that a variable stands for: its count is the variable's * `scale` + `offset`.
+    """A setting that a variable sets; its raw value is the variable's * `scale` + `offset`.
 
-    `special` are the counts with a meaning of their own that no other value may be rounded to.
+    `special` are the setting's sentinels, to which no other value may be rounded.
     """
 
     message: str
@@ -26,7 +26,7 @@ class VariableSetting:
 
     @property
     def denominator(self) -> int:
-        """Of both `scale` and `offset`."""
+        """The common denominator of `scale` and `offset`."""
         return lcm(self.scale.denominator, self.offset.denominator)
 
     @property
@@ -38,9 +38,9 @@ class VariableSetting:
         return int(self.offset * self.denominator)
 
     def count(self, value: int) -> int:
-        """The count of the setting that is nearest to a value of the variable.
+        """The raw value of the setting that is nearest to a value of the variable.
 
-        A special count is only that of a value that is it exactly: others get the step beside it.
+        A value that would round to a sentinel without being equal gets the adjacent raw value.
         """
         exact = value * self.scale + self.offset
         count = _nearest(exact)
@@ -49,12 +49,12 @@ class VariableSetting:
         return count
 
     def value(self, count: int) -> int:
-        """The value of the variable that is nearest to a count of the setting."""
+        """The value of the variable that is nearest to a raw value of the setting."""
         return _nearest((count - self.offset) / self.scale)
 
 
 def _nearest(exact: Fraction) -> int:
-    """The nearest integer; a half goes away from 0."""
+    """The nearest integer; halves round away from 0."""
     whole = floor(abs(exact) + Fraction(1, 2))
     return whole if exact >= 0 else -whole
 
@@ -63,8 +63,8 @@ def _nearest(exact: Fraction) -> int:
 class Variable:
     """An adjustable variable (Appendix B).
 
-    It stands for `settings`, the first of which is the one that is read. A switch tells only
-    whether its settings are 0, and leaves what is not 0 as it is when it is switched on.
+    It sets all `settings` and reads the first. A switch is 1 if the setting is not 0; switching it
+    on leaves settings that are not 0 unchanged.
     """
 
     name: str

@@ -1,1 +1,1 @@
-"""An independent implementation of the protocol, and the values that show and test it."""
+"""An independent codec, and the values for examples and tests."""

@@ -1,4 +1,4 @@
-"""Numbers whose types another message announces: what it announces, and how to announce something."""
+"""Reads and composes messages that announce the types of numbers in other messages."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from sbgcgen.oracle.codec import Fields
 
 
 def announced_types(announcement: Announcement, message: Message, fields: Fields) -> list[str]:
-    """The types of the numbers in order; an element of unknown type ends them.
+    """The announced types in order, up to the first element of unknown type.
 
-    A count of 0 stands for a single number, as 1 does.
+    A count of 0 means a single number, as 1 does.
     """
     result: list[str] = []
     for element in fields[announcement.list]:
@@ -24,8 +24,10 @@ def announced_types(announcement: Announcement, message: Message, fields: Fields
 
 
 def announcing(announcement: Announcement, message: Message, types: list[str]) -> Fields:
-    """A message that announces these types: equal neighbours as one element, singles in turn with
-    the counts 0 and 1."""
+    """A message that announces these types.
+
+    Equal neighbors become one element. Single types alternate between the counts 0 and 1.
+    """
     kind = _kind(announcement, message)
     values = {v.wire: v.value << kind.shift for v in kind.enum.values if v.wire}
     runs: list[tuple[str, int]] = []
@@ -45,7 +47,7 @@ def announcing(announcement: Announcement, message: Message, types: list[str]) -
 
 
 class _Kind:
-    """Where in an element its type stands."""
+    """The place of the type in an element."""
 
     def __init__(self, enum: Enum, mask: int, shift: int) -> None:
         self.enum = enum

@@ -1,11 +1,11 @@
-"""A second codec, read straight off the Layout model: slow, small, and meant to be obviously right.
+"""A second codec that interprets the Layout model: slow, small, and obviously correct.
 
-It shares no template and no line with the generated C++, so what both agree on is what the model
-says. decoding.py and encoding.py are its two halves, frames.py is what is around them; here is what
-they have in common. The test vectors come from it (vectors.py). Bodies are `bytes`; messages are the `fields` of
-`sbgc decode --format jsonl`: objects for structs and axes, lists for arrays, lower-case hex for
-bytes, strings for texts, raw integers for everything else; a number of announced type stands as
-{"i16": -5}.
+It shares no code or template with the generated C++, so an agreement of both confirms the model.
+decoding.py and encoding.py are its two halves and frames.py adds the framing; this module has their
+common parts. The test vectors come from this codec (vectors.py). Bodies are `bytes`. Messages are
+the `fields` of `sbgc decode --format jsonl`: objects for structs and axes, lists for arrays,
+lower-case hex for bytes, strings for texts, raw integers for everything else, and {"i16": -5} for a
+number of announced type.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ Fields = dict[str, Any]
 
 
 class CodecError(Exception):
-    """What sbgc::Status says: `code` by its name in JSON, the field, and the byte of the body."""
+    """The same facts as sbgc::Status: the code by its name in JSON, the field, and the offset."""
 
     def __init__(self, code: str, field: str = "", offset: int = 0) -> None:
         super().__init__(f"{code} at {offset}" + (f" ({field})" if field else ""))
@@ -28,7 +28,7 @@ class CodecError(Exception):
 
 
 def scalar_of(type_: Type) -> Scalar:
-    """The number on the wire behind a type that has one."""
+    """The wire type of a numeric type."""
     if isinstance(type_, Scalar):
         return type_
     assert isinstance(type_, (Quantity, Enum, Packed)), f"no number: {type_}"
@@ -36,18 +36,18 @@ def scalar_of(type_: Type) -> Scalar:
 
 
 def is_bytes(field: Field) -> bool:
-    """Whether the member is a run of bytes, which stands as hex."""
+    """True if the member is a run of bytes, which JSON represents as hex."""
     type_ = field.type
     return isinstance(type_, Blob) and type_.kind == "bytes" and type_.size is None
 
 
 def keys_of(field: Field) -> tuple[str, ...]:
-    """The members of a value for each axis: roll, pitch, yaw."""
+    """The keys of a value with one element per axis: roll, pitch, yaw."""
     return tuple(word.lower() for word in field.index)
 
 
 def holds(when: Condition, value: int | None) -> bool:
-    """Whether a condition holds for the value of what it depends on, None if that is missing."""
+    """True if a condition holds for the value of its source, which is None if missing."""
     if value is None:
         return False
     if when.mask:
@@ -56,9 +56,9 @@ def holds(when: Condition, value: int | None) -> bool:
 
 
 def fixed_part(fields: tuple[Field, ...]) -> tuple[Field, ...]:
-    """The leading fields that have their place whatever the message holds.
+    """The leading fields with a fixed offset and size in every body.
 
-    Their size is checked once for all of them, which shows in what an error says.
+    The C++ codec checks their total size once, which determines the field and offset of an error.
     """
     if any(f.is_counter for f in fields):
         return ()

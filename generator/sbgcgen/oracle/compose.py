@@ -1,4 +1,4 @@
-"""Puts together messages that have chosen values in all of their fields."""
+"""Composes messages with chosen values in all fields."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from sbgcgen.oracle.typical import typical
 
 
 def all_types(context: Context) -> list[str]:
-    """What may be announced, with something that is so more than once."""
+    """Each type that may be announced, and one of them repeatedly."""
     assert context.announced is not None
     known = [name for name in SCALARS if name in context.announced.types]
     several = "i16" if "i16" in known else known[-1]
@@ -35,13 +35,13 @@ def all_types(context: Context) -> list[str]:
 
 @dataclass
 class Places:
-    """The places of a message that hold a value, numbered as they are met, and their edges."""
+    """The places of a message that hold a value, numbered on first use, with their edge values."""
 
     numbers: dict[str, int] = field(default_factory=dict)
     edges: dict[str, list[Edge]] = field(default_factory=dict)
 
     def at(self, path: str, member: Field, type_: Type) -> tuple[int, list[Edge]]:
-        """The number and the edges of a place."""
+        """The number and the edge values of a place."""
         if path not in self.numbers:
             self.numbers[path] = len(self.numbers)
             self.edges[path] = edges(member, type_)
@@ -50,12 +50,12 @@ class Places:
 
 @dataclass
 class Choice:
-    """Which values to choose.
+    """The choice of values for a message.
 
-    In each round every place is at another of its edges; the place's number is added, lest
-    neighbours are alike. `forced` has values of fields by path; `lengths` those of lists and
-    texts by path. Others have a length that shows their edges, or, if `short`, the least. If
-    `typical`, all values are ordinary ones instead, but for those that `example` has by path.
+    Each round uses another edge value at every place, shifted by the place's number so that
+    neighbors differ. `forced` has values of fields by path, `lengths` those of lists and texts.
+    Other lists are long enough for all edge values, or minimal if `short`. If `typical`, all values
+    are ordinary, except those in `example` by path.
     """
 
     places: Places
@@ -72,25 +72,25 @@ class Choice:
     rounds_of_conditional: int = 1
 
     def why(self) -> str:
-        """What was chosen, if that is not too much to tell."""
+        """A description of the chosen values, or only of the round if it would be too long."""
         text = ", ".join(f"{path} = {name}" for path, name in self.chosen)
         if not text:
-            return "as it always is"
-        return text if len(text) <= 100 else f"round {self.round} through the edges of all fields"
+            return "no variable values"
+        return text if len(text) <= 100 else f"round {self.round} of edge values of all fields"
 
 
 def compose(message: Message, choice: Choice) -> Fields:
-    """The fields of a message by choice."""
+    """The fields of a message with the chosen values."""
     return compose_fields(message.fields, choice)
 
 
 def compose_fields(fields: tuple[Field, ...], choice: Choice) -> Fields:
-    """The same for a list of fields, such as those of a struct."""
+    """Like compose(), for a list of fields, such as those of a struct."""
     return _Composer(choice).fields(fields, "", {})
 
 
 def first_that_fits(message: Message, *choices: Choice) -> bytes:
-    """The body that the first choice makes that fits into one; the last one must."""
+    """The body of the first choice that fits into a body. The last choice must fit."""
     for choice in choices[:-1]:
         try:
             return encode(message, compose(message, choice))
@@ -100,7 +100,7 @@ def first_that_fits(message: Message, *choices: Choice) -> bytes:
 
 
 def full_context(message: Message) -> Fields:
-    """A context in which all that hangs on flags is there, and each type is announced."""
+    """A context with all flags that fields depend on and all types announced."""
     context: Fields = {}
     for when in conditions(message):
         if when.from_context:
@@ -111,7 +111,7 @@ def full_context(message: Message) -> Fields:
 
 
 def typical_context(message: Message) -> Fields:
-    """A context in which some of what hangs on flags is there, and each type is announced."""
+    """A context with some of the flags that fields depend on and all types announced."""
     context: Fields = {}
     for when in conditions(message):
         if when.from_context and when.mask and bin(context.get(when.source, 0)).count("1") < 2:
@@ -120,19 +120,19 @@ def typical_context(message: Message) -> Fields:
 
 
 def satisfying(when: Condition) -> list[int]:
-    """The values that make a condition hold, without more bits than needed."""
+    """The values that satisfy a condition, without other bits."""
     return [when.mask] if when.mask else [v.value for v in when.values]
 
 
 def variable_parts(
     fields: tuple[Field, ...], path: str = ""
 ) -> Iterator[tuple[str, Field, tuple[Field, ...]]]:
-    """The lists and length-prefixed texts: path, member, and the members beside it."""
+    """The lists and length-prefixed texts: path, member, and the member list that contains it."""
     for member in fields:
         name = path + member.name
         is_list = member.dim in ("counted", "rest")
         if isinstance(member.type, Announced):
-            continue  # as long as its context says
+            continue  # its context determines the length
         if is_list:
             yield name, member, fields
         if isinstance(member.type, Blob) and member.type.kind == "string":
@@ -154,7 +154,7 @@ class _Composer:
     def __init__(self, choice: Choice) -> None:
         self.choice = choice
         self.conditional = False
-        self.element = 0  # in lists around the place
+        self.element = 0  # sum of the indices in enclosing lists
 
     def fields(self, fields: tuple[Field, ...], path: str, around: Fields) -> Fields:
         values: Fields = {}
@@ -185,7 +185,7 @@ class _Composer:
         if name in self.choice.forced:
             return self.choice.forced[name]
         if member.is_counter:
-            return 0  # known when its list is there
+            return 0  # set after its list
         if member.dim == "one":
             around = values if isinstance(member.type, Struct) and member.type.is_region else {}
             return self._value(member, name, around)
@@ -201,13 +201,13 @@ class _Composer:
         return [self._element(member, f"{name}[]", i) for i in range(count)]
 
     def _is_typical(self, member: Field, name: str) -> bool:
-        """Whether a field has its typical value as a whole."""
+        """True if the whole field has its typical value."""
         if not self.choice.typical or member.typical is None or name in self.choice.forced:
             return False
         return not any(path.startswith((f"{name}.", f"{name}[")) for path in self.choice.example)
 
     def _given(self, member: Field, value: Any, path: str) -> Any:
-        """A value of the example; of elements that have members, the others are typical."""
+        """A value of the example; members of elements that it lacks are typical."""
         if not isinstance(member.type, Struct):
             return value
         return [{**self._element(member, path, i), **one} for i, one in enumerate(value)]
@@ -224,7 +224,7 @@ class _Composer:
         return numbers
 
     def _element(self, member: Field, path: str, number: int) -> Any:
-        """An element of a list; neighbours are at different edges, too."""
+        """An element of a list, with another edge value than its neighbors."""
         outside, self.element = self.element, self.element + number
         value = self._value(member, path)
         self.element = outside

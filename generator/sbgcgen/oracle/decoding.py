@@ -1,4 +1,4 @@
-"""Reads a body: one half of the second codec (see codec.py)."""
+"""The decoder of the second codec (see codec.py)."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from sbgcgen.oracle.json_values import float_from_bits, text_from_bytes
 
 
 class _Reader:
-    """A place in a body; whoever reads says for which field."""
+    """A position in a body; reads name the field for errors."""
 
     def __init__(self, body: bytes, at: int = 0) -> None:
         self.body = body
@@ -36,9 +36,9 @@ class _Reader:
 
 
 def decode(message: Message, body: bytes, context: Fields | None = None) -> Fields:
-    """The fields of a body.
+    """Decode a body.
 
-    `context` has what earlier messages have told: raw values, and lists of the names of types.
+    `context` has the facts from earlier messages: raw values, and lists of type names.
     """
     fixed = fixed_part(message.fields)
     size = sum(f.size or 0 for f in fixed)
@@ -74,7 +74,7 @@ def _read_fields(fields: tuple[Field, ...], reader: _Reader, context: Fields) ->
 
 
 def _read_announced(types: list[str], reader: _Reader, field: Field) -> list[Fields]:
-    """Numbers of announced types, as many as there are bytes for."""
+    """Numbers of announced types, up to the end of the body."""
     numbers = []
     for name in types:
         if reader.left() < SCALARS[name].size:
@@ -103,7 +103,7 @@ def _count(field: Field, reader: _Reader, values: Fields) -> int:
         return field.count
     if field.dim == "counted":
         count = int(values[field.counter])
-        if count > field.capacity:  # so many elements would not fit into any body
+        if count > field.capacity:  # no body has room for this many elements
             raise CodecError("too_short", field.name, reader.at)
         return count
     size = 1 if is_bytes(field) else _size_of(field.type)
@@ -122,7 +122,7 @@ def _size_of(type_: Type) -> int:
 
 def _read_value(type_: Type, reader: _Reader, name: str) -> Any:
     if isinstance(type_, Struct):
-        if type_.size is not None:  # is there as a whole, or not at all
+        if type_.size is not None:  # must be complete
             reader = _Reader(reader.take(type_.size, name))
         return _read_fields(type_.fields, reader, {})
     if isinstance(type_, Blob):
@@ -143,7 +143,7 @@ def _read_blob(type_: Blob, reader: _Reader, name: str) -> str:
 
 
 def _read_region(type_: Struct, reader: _Reader, around: Fields) -> Fields:
-    """A region has its size whatever is in it; its conditions are about the fields around it."""
+    """Read a region: its size is fixed, and its conditions refer to the fields `around` it."""
     assert type_.size is not None
     inner = _Reader(reader.take(type_.size, ""))
     values: Fields = {}

@@ -1,4 +1,4 @@
-"""The values at which a codec is most likely to be wrong, for every kind of field."""
+"""Edge values of every kind of field, at which a codec is most likely to fail."""
 
 from __future__ import annotations
 
@@ -9,20 +9,20 @@ from sbgcgen.model import Blob, Enum, Field, Packed, Part, Scalar, Type
 from sbgcgen.oracle.codec import scalar_of
 from sbgcgen.oracle.json_values import float_from_bits, float_to_bits, text_from_bytes
 
-# A name for people, and the value as it stands in JSON.
+# A readable name, and the value in JSON.
 Edge = tuple[str, Any]
 
-# Zeros of both signs, ordinary, largest, smallest, infinite; NaN quiet, signalling and negative.
+# Zeros of both signs, ordinary, largest, smallest, infinite; NaN quiet, signaling and negative.
 _FLOAT_BITS = (
     *(0x00000000, 0x80000000, 0x3FC00000, 0xC0490FDB, 0x7F7FFFFF, 0xFF7FFFFF, 0x00000001),
     *(0x7F800000, 0xFF800000, 0x7FC00000, 0x7F800001, 0xFFC12345),
 )
-# Empty, one, several bytes a character, no UTF-8, a NUL inside, what looks like an escaped byte.
+# Empty, ASCII, multi-byte, invalid UTF-8, an embedded NUL, a character like an escaped byte.
 _TEXTS = (b"", b"A", "\u00e9\u20ac\U0001f4f7".encode(), b"a\xff\xc3", b"a\0b", "\uf7ff".encode())
 
 
 def edges(field: Field, type_: Type) -> list[Edge]:
-    """What a field shall hold in at least one vector; no value twice."""
+    """The distinct values that a field must have in at least one vector each."""
     if isinstance(type_, Blob):
         return _blob_edges(type_)
     scalar = scalar_of(type_)
@@ -71,7 +71,7 @@ def _part_edges(part: Part) -> list[Edge]:
 
 
 def _signed(value: int, scalar: Scalar) -> int:
-    """The bits as the number that stands in JSON."""
+    """The bits as the number in JSON."""
     assert scalar.maximum is not None
     return value if value <= scalar.maximum else value - (1 << 8 * scalar.size)
 
@@ -88,5 +88,5 @@ def _blob_edges(type_: Blob) -> list[Edge]:
 
 
 def counting(size: int) -> bytes:
-    """Bytes that all differ, so that none can be taken for another."""
+    """Bytes that all differ, so that a misplaced byte shows."""
     return bytes((7 * i + 3) % 256 for i in range(size))

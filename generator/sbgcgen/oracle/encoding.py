@@ -1,4 +1,4 @@
-"""Writes a body: the other half of the second codec (see codec.py)."""
+"""The encoder of the second codec (see codec.py)."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from sbgcgen.oracle.json_values import float_to_bits, text_to_bytes
 
 
 class _Writer:
-    """A body in the making, of at most `limit` bytes, the first of which is byte `base`."""
+    """A buffer of at most `limit` bytes; `base` is the offset of its first byte in the body."""
 
     def __init__(self, limit: int, base: int = 0) -> None:
         self.data = bytearray()
         self.limit = limit
         self.base = base
-        self.missing: list[tuple[int, int, str]] = []  # up to which byte, from where, what
+        self.missing: list[tuple[int, int, str]] = []  # end, begin and name of missing fields
 
     @property
     def at(self) -> int:
@@ -29,17 +29,16 @@ class _Writer:
 
 
 def encode(message: Message, fields: Fields, limit: int = 255) -> bytes:
-    """The body that holds these fields, of at most `limit` bytes.
+    """Encode fields to a body of at most `limit` bytes.
 
-    Beyond what the C++ codec can report, values of the wrong kind or size are refused: there, the
-    types of the members see to that.
+    Also rejects values of the wrong kind or size, which the types of the members prevent in C++.
     """
     writer = _Writer(limit)
     given = dict(fields)
     tail = str(given.pop("tail", "")) if message.keeps_tail else ""
     _write_fields(message.fields, given, writer, "")
     writer.put(_hex(tail, None, "tail", writer), "tail")
-    # What follows a missing value must be too short to be taken for it.
+    # The bytes after a missing value must be too few to be decoded as that value.
     for end, at, name in sorted(writer.missing, key=lambda entry: entry[0])[:1]:
         if writer.at >= end:
             raise CodecError("presence_mismatch", name, at)
@@ -59,7 +58,7 @@ def _write_fields(
         if field.is_counter:
             _write_counter(fields, field, values, writer, name)
         elif field.when:
-            # A context is not at hand here, so what depends on one is written if it is there.
+            # Encoding has no context, so fields that depend on one are written if present.
             if not field.when.from_context:
                 wanted = holds(field.when, conditions.get(field.when.source))
                 if present != wanted and (present or not field.when.may_be_missing):
@@ -106,7 +105,7 @@ def _write_field(field: Field, value: Any, writer: _Writer, name: str, around: F
         data = bytes.fromhex(value)
         _check_count(field, len(data), name, writer)
         writer.put(data, name)
-    elif field.type == SCALARS["u8"]:  # bytes that are numbers; they fit all together or not at all
+    elif field.type == SCALARS["u8"]:  # written at once, so all of them fit or none
         _check_count(field, len(value), name, writer)
         writer.put(b"".join(_number(SCALARS["u8"], v, writer, name) for v in value), name)
     else:
@@ -115,7 +114,7 @@ def _write_field(field: Field, value: Any, writer: _Writer, name: str, around: F
 
 
 def _write_all(field: Field, elements: list[Any], writer: _Writer, name: str) -> None:
-    """Elements one by one; those of a member of fixed size fit all together or not at all."""
+    """Write elements; of a member of fixed size, all elements fit or none."""
     inner = writer if field.size is None else _Writer(field.size, writer.at)
     for element in elements:
         _write_value(field.type, element, inner, name)
@@ -139,7 +138,7 @@ def _hex(text: str, size: int | None, name: str, writer: _Writer) -> bytes:
 def _write_value(type_: Type, value: Any, writer: _Writer, name: str) -> None:
     if isinstance(type_, Struct):
         inner = _Writer(type_.size or writer.limit, writer.at) if type_.size else writer
-        # The C++ codec names the whole of a struct of fixed size, a member of any other.
+        # In errors, the C++ codec names a fixed-size struct, but the member of any other struct.
         _write_fields(type_.fields, value, inner, f"{name}." if type_.size else "")
         if inner is not writer:
             writer.put(bytes(inner.data), name)

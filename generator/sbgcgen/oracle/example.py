@@ -1,4 +1,4 @@
-"""A worked example of a message: an ordinary frame, taken apart into the values it holds."""
+"""Worked examples of messages: an ordinary frame, split into its values."""
 
 from __future__ import annotations
 
@@ -34,10 +34,10 @@ from sbgcgen.oracle.vectors import typical_vector
 
 @dataclass(frozen=True)
 class Piece:
-    """One value of a body: where it stands, what it is, and what it means.
+    """One value of a body: its place, type, bytes and meaning.
 
-    `path` has every index; `leaf` is the path of the Leaf of the model that it belongs to. `missing`
-    are the paths to what may be missing on the way to the value, and to itself. `data` are its bytes.
+    `path` has all indices; `leaf` is the path of its Leaf in the model. `missing` are the paths of
+    the value and its enclosing members, as far as they may be missing. `data` are its bytes.
     """
 
     path: str
@@ -70,9 +70,9 @@ class Piece:
 
 @dataclass(frozen=True)
 class Example:
-    """An ordinary frame of a message, and the frames before it without which it cannot be read.
+    """An ordinary frame of a message, and the earlier frames that it needs as context.
 
-    Of a message that stores what another one delivers, `read` is the example of that one.
+    For a message that stores settings, `read` is the example of the message that delivers them.
     """
 
     message: Message
@@ -86,13 +86,13 @@ class Example:
 
     @property
     def changed(self) -> frozenset[str]:
-        """The paths of the values that differ from what was read."""
+        """The paths of the values that differ from those in `read`."""
         before = {piece.path: piece.data for piece in self.read.pieces} if self.read else {}
         return frozenset(p.path for p in self.pieces if before.get(p.path) != p.data)
 
     @property
     def missing(self) -> frozenset[str]:
-        """The paths to everything in the example that may be missing elsewhere."""
+        """The paths of all values and groups in the example that may be missing in other bodies."""
         return frozenset(path for piece in self.pieces for path in piece.missing)
 
     @property
@@ -105,13 +105,13 @@ class Example:
 
     @property
     def json_line(self) -> str:
-        """What `sbgc encode` makes the frame of."""
+        """The input from which `sbgc encode` makes the frame."""
         names = {"message": self.message.name, "direction": self.message.direction}
         return json.dumps({**names, "fields": self.fields})
 
 
 def example_of(message: Message, layout: Layout) -> Example:
-    """The example of a message; it is the first of its test vectors."""
+    """The example of a message, from its first readable test vector."""
     vector = typical_vector(message)
     assert vector.body is not None and vector.fields is not None
     vector_line = json.loads(line(vector, forms_of(layout)))
@@ -137,7 +137,7 @@ def example_of(message: Message, layout: Layout) -> Example:
 
 
 def _read_before(message: Message, layout: Layout) -> Example | None:
-    """The example of what a message stores, if it has the same body and nothing else is needed."""
+    """The example of the message that a message stores; None unless their bodies are the same."""
     if not message.stores or message.same_as != message.stores or message.contexts:
         return None
     board = [m for m in layout.messages if m.direction == "from_board"]
@@ -146,7 +146,7 @@ def _read_before(message: Message, layout: Layout) -> Example | None:
 
 @dataclass(frozen=True)
 class _Place:
-    """Where a value stands: in the message, and among the leaves of the model."""
+    """The place of a value: its path in the message, and that of its leaf in the model."""
 
     path: str = ""
     leaf: str = ""
@@ -166,7 +166,7 @@ class _Place:
 
 
 class _Taker:
-    """Takes the values of a body one behind the other."""
+    """Takes the values of a body in order."""
 
     def __init__(self, layout: Layout, body: bytes, whole: Fields) -> None:
         self.layout = layout
@@ -206,7 +206,7 @@ class _Taker:
             return
         for piece in self.fields(type_.fields, value, at):
             is_rest = type_.is_region and piece.field is type_.fields[-1]
-            yield replace(piece, leaf=at.leaf) if is_rest else piece  # it has no leaf of its own
+            yield replace(piece, leaf=at.leaf) if is_rest else piece  # the rest has no own leaf
 
     def _piece(
         self, field: Field, type_: Type, value: Any, at: _Place, size: int, variable: Any = None
@@ -225,7 +225,7 @@ class _Taker:
         self.at += size
         return piece
 
-    # What a value means
+    # Meanings
 
     def _meaning(self, field: Field, type_: Type, value: Any, path: str, variable: Any) -> str:
         for special in field.special:
@@ -242,7 +242,7 @@ class _Taker:
         return _packed_text(type_, value) if isinstance(type_, Packed) else ""
 
     def _name(self, enum: Enum, value: int) -> str:
-        """The name of a value; of a command that has two, the one of the host."""
+        """The name of a value; for two commands with the same id, that of the request."""
         names = [v.name for v in enum.values if v.value == value]
         to_board = {m.command for m in self.layout.messages if m.direction == "to_board"}
         return next((name for name in names if name in to_board), names[0] if names else "")
@@ -267,7 +267,7 @@ class _Taker:
 
 
 def _index(field: Field, i: int) -> str:
-    """The index of a list's element as the leaves of the model have it."""
+    """The index of a list's element in the paths of leaves."""
     is_single = not field.index and not isinstance(field.type, (Struct, Blob))
     if field.dim == "fixed" or field.index:
         return "" if is_single else f"[{i}]"
@@ -284,13 +284,13 @@ def _size(type_: Type, value: Any) -> int:
 
 
 def physical(raw: int | float, quantity: Quantity) -> str:
-    """The real value with its unit: "-30 deg"."""
+    """The physical value with its unit: "-30 deg"."""
     number = f"{float(real(raw, quantity)):.6g}"
     return f"{number} {quantity.unit}" if quantity.unit else number
 
 
 def real(raw: int | float, quantity: Quantity) -> Fraction:
-    """The exact real value."""
+    """The exact physical value."""
     return Fraction(raw) * quantity.scale + quantity.offset
 
 

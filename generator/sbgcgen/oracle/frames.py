@@ -1,4 +1,4 @@
-"""Which message a body is, and how bodies stand in frames."""
+"""Selects the message of a body, and reads and writes frames."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ def forms_of(layout: Layout) -> Forms:
 
 
 def choose_message(forms: Forms, direction: str, id: int, size: int) -> Message:
-    """The message that a body of `size` bytes is.
+    """The message of a body with `size` bytes.
 
-    A command with one form is always that; of several forms the one that allows the size.
+    If a command has several forms, the one that allows the size.
     """
     candidates = forms.get((direction, id), [])
     if not candidates:
@@ -35,7 +35,7 @@ def choose_message(forms: Forms, direction: str, id: int, size: int) -> Message:
 
 
 def write_frame(framing: Framing, id: int, body: bytes) -> bytes:
-    """A body in its frame."""
+    """The frame with this body."""
     if id == 0:
         raise CodecError("invalid_id")
     if len(body) > framing.max_body:
@@ -47,12 +47,12 @@ def write_frame(framing: Framing, id: int, body: bytes) -> bytes:
 
 
 def header_of(framing: Framing, id: int, size: int) -> bytes:
-    """The bytes before a body of `size` bytes."""
+    """The header of a frame with `size` bytes of body."""
     return b"".join(_header(framing, id, size).values())
 
 
 def read_frames(framing: Framing, stream: bytes) -> Iterator[tuple[int, int, bytes]]:
-    """The frames in a stream: position, id and body of each, by the rule of the design."""
+    """Position, id and body of each frame in a stream; continues after an invalid start byte."""
     at = 0
     while at < len(stream):
         frame = _frame_at(framing, stream[at:])
@@ -64,7 +64,7 @@ def read_frames(framing: Framing, stream: bytes) -> Iterator[tuple[int, int, byt
 
 
 def _frame_at(framing: Framing, data: bytes) -> tuple[int, bytes] | None:
-    """The frame that begins here: what says that it is one is written just so."""
+    """Id and body of the frame at the start of `data`; None if these bytes are not a frame."""
     header = data[: framing.header_size]
     if len(header) < framing.header_size:
         return None
@@ -85,7 +85,7 @@ def _header(framing: Framing, id: int, size: int) -> dict[str, bytes]:
 
 
 def _checksum(framing: Framing, name: str, parts: dict[str, bytes]) -> bytes:
-    """A checksum over the parts that it covers, all of which come before it."""
+    """A checksum over the parts that it covers, all of which precede it."""
     checksum = framing.checksum(name)
     assert checksum is not None
     covered = b"".join(parts[part] for part in checksum.covers)

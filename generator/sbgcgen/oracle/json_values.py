@@ -1,4 +1,4 @@
-"""How texts and floats stand in JSON, so that every byte and bit comes back."""
+"""Lossless representation of texts and floats in JSON."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from typing import Any
 
 
 def text_from_bytes(data: bytes) -> str:
-    """Any bytes as text: a byte that is not UTF-8 stands as the character U+F700 + byte.
+    """Any bytes as text. A byte that is not UTF-8 becomes the character U+F700 + byte.
 
-    Characters that would look like such a byte are taken apart, so that nothing is ambiguous.
+    Each byte of a character in that range is escaped as well, so that the result is unambiguous.
     """
     result = ""
     for char in data.decode("utf-8", "surrogateescape"):
@@ -24,7 +24,7 @@ def text_from_bytes(data: bytes) -> str:
 
 
 def text_to_bytes(text: str) -> bytes:
-    """The bytes that text_from_bytes() has written so."""
+    """The inverse of text_from_bytes()."""
     return b"".join(
         bytes((ord(char) - 0xF700,)) if "\uf780" <= char <= "\uf7ff" else char.encode()
         for char in text
@@ -32,7 +32,7 @@ def text_to_bytes(text: str) -> bytes:
 
 
 def float_from_bits(bits: int) -> float | str:
-    """A number; "inf", "-inf" and "nan:<bits>" for what JSON has no number for."""
+    """A number, or "inf", "-inf" or "nan:<bits>", which JSON has no numbers for."""
     value = float(struct.unpack("<f", bits.to_bytes(4, "little"))[0])
     if math.isfinite(value):
         return value
@@ -42,7 +42,7 @@ def float_from_bits(bits: int) -> float | str:
 
 
 def float_to_bits(value: Any) -> int:
-    """The bits of what float_from_bits() has written; ValueError for anything else."""
+    """The inverse of float_from_bits(). Raises ValueError for any other value."""
     if isinstance(value, str) and value.startswith("nan:"):
         return int(value[4:], 16)
     if value not in ("inf", "-inf") and not isinstance(value, (int, float)):

@@ -1,7 +1,7 @@
-"""Byte streams that a wrong framing is most likely to get wrong, and the frames in them.
+"""Test vectors for framing: byte streams, and the frames in them.
 
-A line is {"stream", "frames", "why"}: hex, and of each frame its "offset", "id" and "body". With
-"written", the stream is the frame that a writer makes of that id and body.
+A line is {"stream", "frames", "why"}: the stream in hex, and "offset", "id" and "body" of each
+frame. With "written", the stream is exactly the frame that a writer makes from the id and body.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from sbgcgen.oracle.vectors import typical_vector
 
 
 def stream_lines(layout: Layout) -> Iterator[str]:
-    """The lines for the framing of a protocol."""
+    """The lines of the vector file for a protocol's framing."""
     framing = layout.framing
     for message in layout.definitions:
         vector = typical_vector(message)
@@ -32,7 +32,7 @@ def stream_lines(layout: Layout) -> Iterator[str]:
 
 
 def _broken(framing: Framing) -> Iterator[tuple[bytes, str]]:
-    """Streams in which not all is a frame; a good one is always behind what is not."""
+    """Streams with noise and damaged frames, mostly followed by a valid frame."""
     start = bytes((framing.start,))
     good = write_frame(framing, 86, counting(5))
     yield b"", "no bytes"

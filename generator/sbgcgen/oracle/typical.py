@@ -1,7 +1,7 @@
-"""Ordinary values for every kind of field: inside its range, round in its unit, of no special meaning.
+"""Ordinary values for every kind of field: inside its range, round in its unit, and not special.
 
-They make the examples of the documentation. What stands at neighbouring places differs, so that it
-can be told apart.
+They are used in the examples of the documentation. Neighboring places have different values, so
+that readers can distinguish them.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ _WORDS = ("Studio", "Tripod", "Handheld", "Crane", "Car", "Drone", "Walking")
 
 
 def typical(field: Field, type_: Type, place: int) -> Any:
-    """A value for a field, or for each element of one; `place` tells its neighbours apart."""
+    """A value for a field or one of its elements; `place` makes neighbors differ."""
     if isinstance(type_, Blob):
         assert type_.size is not None, "the rest of a body is a list of bytes"
         if type_.kind == "bytes":
@@ -34,10 +34,10 @@ def typical(field: Field, type_: Type, place: int) -> Any:
 
 
 def _enum(type_: Enum, place: int, field: Field | None = None) -> int:
-    """One of the named values, not the first if there are others; of flags, one or two."""
+    """A named value, not the first if there are others; for flags, one or two of them."""
     values = [v for v in type_.values if not v.since and _allows(field, v)]
     if not values and type_.kind == "flags":
-        return 0  # of what only later firmware has
+        return 0  # only later firmware has these flags
     values = values or list(type_.values)
     if not values:
         return 0
@@ -55,7 +55,7 @@ def _allows(field: Field | None, value: EnumValue) -> bool:
 
 def _packed(type_: Packed, place: int) -> int:
     digits = [part for part in type_.parts if part.is_digits]
-    if digits:  # a version: 2.60 and nothing behind it
+    if digits:  # a version, such as 2.60, with 0 in its last part
         tops = {part.divide: 2 if not part.modulo else part.modulo * 6 // 10 for part in digits}
         tops[min(tops)] = 0
         return sum(divide * number for divide, number in tops.items())
@@ -74,7 +74,7 @@ def _part(part: Part, place: int) -> int:
 
 
 def _share(place: int, low: int, high: int) -> Fraction:
-    """A share of a range, from `low` to `high` percent, another one for each place."""
+    """A fraction of a range, from `low` to `high` percent, which differs by place."""
     return Fraction(low + 7 * place % (high - low), 100)
 
 
@@ -82,14 +82,14 @@ def _float(field: Field, place: int) -> float:
     if field.minimum is None or field.maximum is None:
         return 1.5 + place % 8 / 4
     middle, half = (field.maximum + field.minimum) / 2, (field.maximum - field.minimum) / 2
-    # Sixteenths have few digits in binary as well as in decimal.
+    # Sixteenths have few digits in binary and in decimal.
     share = Fraction(int(16 * _share(place, 10, 80)), 16)
     return float(middle + half * share * (-1 if place % 2 else 1))
 
 
 def _integer(field: Field, type_: Type, scalar: Scalar, place: int) -> int:
     assert scalar.minimum is not None and scalar.maximum is not None
-    if field.variable:  # whichever variable it is of, it hardly has a narrower range
+    if field.variable:  # small enough for the range of every variable
         return 10 + place % 7
     low = Fraction(scalar.minimum) if field.minimum is None else field.minimum
     high = Fraction(scalar.maximum) if field.maximum is None else field.maximum
@@ -104,7 +104,7 @@ def _integer(field: Field, type_: Type, scalar: Scalar, place: int) -> int:
 
 
 def typical_number(quantity: Quantity) -> int | float:
-    """An ordinary raw value of a quantity that may have any."""
+    """An ordinary raw value of a quantity without a range."""
     low, high = quantity.scalar.minimum, quantity.scalar.maximum
     if low is None or high is None:
         return 1.5
@@ -113,8 +113,8 @@ def typical_number(quantity: Quantity) -> int | float:
 
 
 def _inside(low: Fraction, high: Fraction, is_narrow: bool, type_: Type, place: int) -> int:
-    """A number of a range that is round in its unit."""
-    # What may be anything is mostly far from its limits.
+    """A number in a range that is round in its unit."""
+    # Values of fields without a range are usually far from the limits of their type.
     most = high if is_narrow else min(high, Fraction(65535))
     share = _share(place, 40, 80) if is_narrow else _share(place, 2, 7)
     if most <= 255 and not is_narrow:
@@ -130,5 +130,5 @@ def _inside(low: Fraction, high: Fraction, is_narrow: bool, type_: Type, place: 
 
 
 def _round(value: Fraction) -> Fraction:
-    """The value with two digits that count."""
+    """The value with two significant digits."""
     return Fraction(f"{float(value):.1e}")

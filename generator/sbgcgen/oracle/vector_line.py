@@ -1,10 +1,13 @@
-"""A test vector as a line of a file, for codecs in any language.
+"""Test vectors as lines of JSON, for codecs in any language.
 
-A line is {"message", "command", "id", "direction", "hex", "fields", "why"}. What else it may have: "context", raw values without which the body can
-not be read, with "after", the messages that tell them; and "error" in place of what there is none
-of: without "fields" the body does not decode, without "hex" the fields do not encode. Of bodies
-that are no message at all (`unknown.jsonl`) there is no "message" and no "command". Where the size
-of a body makes it another form of the command, "chosen" is that form's name, or null for none.
+A line is {"message", "command", "id", "direction", "hex", "fields", "why"}. It may also have:
+
+- "context": raw values that the body needs for decoding, with "after", the messages with them;
+- "error": without "fields", the error of decoding "hex"; without "hex", that of encoding "fields";
+- "chosen": the name of the form that the size of the body selects, null for none, if it is not
+  "message".
+
+Lines of `unknown.jsonl` are bodies of no known message; they lack "message" and "command".
 """
 
 from __future__ import annotations
@@ -58,12 +61,12 @@ def _chosen(forms: Forms, message: Message, size: int) -> Message | None:
 
 
 def error_words(error: CodecError) -> dict[str, Any]:
-    """What a line says of an error."""
+    """An error as part of a line."""
     return {"code": error.code, "field": error.field, "offset": error.offset}
 
 
 def _telling(context: Context, value: Any, forms: Forms) -> dict[str, Any]:
-    """A message that tells a context's value."""
+    """A message that delivers a context's value."""
     name, path = context.sources[0] if context.sources else ("", "")
     if context.announced:
         name = context.announced.message

@@ -1,4 +1,4 @@
-"""Finds the bodies of a message that a wrong codec is most likely to get wrong."""
+"""Generates the test vectors of a message, with the bodies that are most likely to expose bugs."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from sbgcgen.oracle.encoding import encode
 
 @dataclass(frozen=True)
 class Vector:
-    """What a body says or why it says nothing, or why fields have no body."""
+    """A body with its fields, or a body or fields with the error of decoding or encoding them."""
 
     message: Message
     why: str
@@ -38,7 +38,7 @@ class Vector:
 
 
 def vectors_of(message: Message, is_known: bool = False) -> list[Vector]:
-    """The vectors of a message; only a few if another one has had all those of its body."""
+    """The vectors of a message; only a few if the body is known from another message."""
     maker = _Maker(message)
     maker.typical()
     maker.uniform()
@@ -56,7 +56,7 @@ def vectors_of(message: Message, is_known: bool = False) -> list[Vector]:
 
 
 def typical_vector(message: Message) -> Vector:
-    """The first of the vectors that can be read: what an ordinary message looks like."""
+    """The first vector that can be decoded, which has typical values."""
     maker = _Maker(message)
     maker.typical()
     maker.uniform()
@@ -66,7 +66,7 @@ def typical_vector(message: Message) -> Vector:
 
 
 class _Maker:
-    """Collects the vectors of one message, none twice."""
+    """Collects the distinct vectors of one message."""
 
     def __init__(self, message: Message) -> None:
         self.message = message
@@ -75,13 +75,13 @@ class _Maker:
         self.places = Places()
 
     def readable(self) -> list[Vector]:
-        """Those that have a body and can be decoded."""
+        """The vectors that have a body and can be decoded."""
         return [v for v in self.vectors if v.body is not None and v.fields is not None]
 
-    # What is made
+    # Kinds of vectors
 
     def typical(self) -> None:
-        """Ordinary values, with what the first condition about a field asks for."""
+        """Ordinary values that satisfy the first condition on a field."""
         forced: Fields = next((case["forced"] for case in self.cases() if "forced" in case), {})
         context = typical_context(self.message)
         for short in (False, True):
@@ -102,15 +102,15 @@ class _Maker:
                 return
 
     def uniform(self) -> None:
-        """Nothing but zeros, nothing but ones."""
+        """All bits zero, and all bits one."""
         for name, byte in (("zeros", b"\x00"), ("ones", b"\xff")):
             self.add_body(byte * self.message.min_size, {}, f"all {name}")
 
     def rounds(self) -> None:
-        """Every field at each of its edges, all fields of a message at once.
+        """Every edge value of every field, with all fields of a message varied at once.
 
-        Neighbours are at different edges, so a field that is read from a wrong place shows. Then
-        each condition is made to hold, for as many rounds as what hangs on it needs.
+        Neighbors have different edge values, so that a field at a wrong offset shows. Then each
+        condition is satisfied, for as many rounds as the fields that depend on it need.
         """
         last = self.choice()
         self.add(last)
@@ -124,12 +124,12 @@ class _Maker:
                 last = self.choice(round=last.round + 1, **case)
                 self.add(last)
             if any(when.may_be_missing for when in conditions(self.message)):
-                self.add(self.choice(short=True, leave_out=True, **case), "what may be missing is")
+                self.add(self.choice(short=True, leave_out=True, **case), "without optional fields")
         if self.message.contexts:
             self.add(self.choice(context=full_context(self.message)))
 
     def lengths(self) -> None:
-        """Lists and texts that are empty, of one element, as long as documented, as can be."""
+        """Lists and texts of length 0, 1, the minimum, the documented and the possible maximum."""
         for path, member, beside in variable_parts(self.message.fields):
             case: dict[str, Any] = {"context": full_context(self.message)}
             if member.when and not member.when.from_context:
@@ -146,7 +146,7 @@ class _Maker:
                 self.add(choice, f"{path} of length {length}")
 
     def random(self) -> None:
-        """Bodies of any bytes, some of which mean nothing."""
+        """Bodies of pseudo-random bytes, which need not be valid."""
         numbers = _Random(zlib.crc32(f"{self.message.direction} {self.message.name}".encode()))
         for number in (1, 2):
             size = numbers.between(self.message.min_size, self.message.max_size)
@@ -154,7 +154,7 @@ class _Maker:
             self.add_body(body, full_context(self.message), f"random {number}")
 
     def tails(self) -> None:
-        """What later firmware appends: one byte, and as much as fits."""
+        """Tails, as later firmware appends them: one byte, and as many as fit."""
         if not self.message.keeps_tail:
             return
         context = full_context(self.message)
@@ -162,10 +162,10 @@ class _Maker:
         body = first_that_fits(self.message, *short)
         for size in sorted({1, 255 - len(body)}):
             tail = bytes((251 * i + 165) % 256 for i in range(size))
-            self.add_body(body + tail, context, f"{size} more bytes than are known")
+            self.add_body(body + tail, context, f"a tail of {size} bytes")
 
     def truncated(self) -> None:
-        """Bodies that end too early, one for each way that is reported, and one too long."""
+        """Truncated bodies, one for each distinct error, and one body that is too long."""
         context = full_context(self.message)
         choices = [self.choice(context=context), self.choice(short=True, context=context)]
         whole = first_that_fits(self.message, *choices, self.choice(short=True))
@@ -180,7 +180,7 @@ class _Maker:
                     self.add_body(body, context, f"{size} bytes instead of {len(whole)}")
 
     def too_much(self) -> None:
-        """Lists and tails that have room of their own, but too little beside everything else."""
+        """Lists and tails at their capacity, which do not fit beside all other fields."""
         context = full_context(self.message)
         for path, member, _ in variable_parts(self.message.fields):
             if member.dim in ("counted", "rest") and not path.endswith("[]") and not member.when:
@@ -189,10 +189,10 @@ class _Maker:
         if self.message.keeps_tail:
             fields = compose(self.message, self.choice(context=context))
             tail = bytes(self.message.tail_capacity).hex()
-            self.add_refused({**fields, "tail": tail}, "too long a tail")
+            self.add_refused({**fields, "tail": tail}, "a tail that is too long")
 
     def out_of_place(self) -> None:
-        """Conditional fields that are there against their condition, or missing."""
+        """Conditional fields that are present or missing contrary to their condition."""
         for case in self.cases():
             for source, value in case.get("forced", {}).items():
                 other = self.value_of_no_condition(source)
@@ -201,10 +201,10 @@ class _Maker:
                 absent = compose(self.message, self.choice(forced={source: other}))
                 self.add_refused({**absent, source: value}, f"missing for this {source}")
 
-    # What it is made from
+    # Inputs
 
     def value_of_no_condition(self, source: str) -> int:
-        """A value of a field for which no condition holds that is about it."""
+        """A value of a field that satisfies no condition on it."""
         asked = [when for when in conditions(self.message) if when.source == source]
         return next(value for value in range(128) if not any(holds(w, value) for w in asked))
 
@@ -213,7 +213,7 @@ class _Maker:
         return Choice(self.places, **options)
 
     def cases(self) -> Iterator[dict[str, Any]]:
-        """For each condition, what makes it hold."""
+        """For each condition, the options of a choice that satisfies it."""
         seen = []
         for when in conditions(self.message):
             for value in satisfying(when):
@@ -228,10 +228,10 @@ class _Maker:
                 for types in (known, known[:1], known[:1] * 254):
                     yield {"context": {context.name: types}}
 
-    # How it is added
+    # Results
 
     def add(self, choice: Choice, why: str = "") -> None:
-        """Add what comes out of composing; if it does not fit into a body, as an error."""
+        """Add the composed message, or the error if it cannot be encoded."""
         fields = compose(self.message, choice)
         why = why or choice.why()
         try:
@@ -240,7 +240,7 @@ class _Maker:
             self.add_refused(fields, why)
 
     def add_body(self, body: bytes, context: Fields, why: str) -> None:
-        """Add a body and what it decodes to, be it an error."""
+        """Add a body with its fields or the error of decoding it."""
         try:
             fields = decode(self.message, body, context)
         except CodecError as error:
@@ -249,7 +249,7 @@ class _Maker:
             self._add(Vector(self.message, why, body, fields, context))
 
     def add_refused(self, fields: Fields, why: str) -> None:
-        """Add fields that do not encode, if so."""
+        """Add fields with the error of encoding them, if there is one."""
         try:
             encode(self.message, fields)
         except CodecError as error:

@@ -1,1 +1,1 @@
-"""Reading the specification: YAML in, a checked model out."""
+"""Reads the YAML of the specification into a checked model."""

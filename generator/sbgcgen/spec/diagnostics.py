@@ -1,4 +1,4 @@
-"""Errors that point at the line of YAML that caused them and say how to mend it."""
+"""Diagnostics with the position in the YAML and a hint for the fix."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from sbgcgen.model import Position
 
 @dataclass(frozen=True, order=True)
 class Diagnostic:
-    """One finding: where, which rule, what, and what to do about it."""
+    """One finding: position, rule, problem, and hint."""
 
     position: Position
     code: str
@@ -31,23 +31,23 @@ class Diagnostics:
     found: list[Diagnostic] = field(default_factory=list)
 
     def add(self, position: Position, code: str, message: str, hint: str = "") -> None:
-        """Record one finding; a repetition of the very same one is dropped."""
+        """Record a finding unless the same one has been recorded before."""
         diagnostic = Diagnostic(position, code, message, hint)
         if diagnostic not in self.found:
             self.found.append(diagnostic)
 
     def any_of(self, codes: Iterable[str]) -> bool:
-        """Whether any finding so far has one of these codes."""
+        """True if any finding so far has one of these codes."""
         return any(diagnostic.code in codes for diagnostic in self.found)
 
     def raise_if_any(self) -> None:
-        """Raise SpecError with everything found so far, in order of position."""
+        """Raise SpecError with all findings so far, sorted by position."""
         if self.found:
             raise SpecError(sorted(self.found))
 
 
 class SpecError(Exception):
-    """The spec cannot be used; `diagnostics` says why, one entry for each mistake."""
+    """The spec has mistakes; `diagnostics` has one entry for each."""
 
     def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
         self.diagnostics = list(diagnostics)
@@ -55,9 +55,9 @@ class SpecError(Exception):
 
 
 def closest(name: str, known: Iterable[str], cutoff: float = 0.6) -> str:
-    """The known word that is probably meant, or "" if none is close (1: the same).
+    """The known word that is probably meant, or "" if none is close. A `cutoff` of 1 means equal.
 
-    What differs in nothing but a number is another thing, not a slip: E999 is not E099.
+    A word that differs only in a number is not a typo: E999 is not E099.
     """
     by_lower = {word.lower(): word for word in known}
     close = difflib.get_close_matches(name.lower(), by_lower, n=10, cutoff=cutoff)

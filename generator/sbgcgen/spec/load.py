@@ -1,7 +1,7 @@
-"""Reads spec/*.yaml into plain values that remember where they stand.
+"""Reads spec/*.yaml into plain values that know their positions.
 
-YAML's own guesses are switched off where they hurt a protocol description: `2.50` stays the
-text "2.50" (a firmware version), `on` is a word, `010` is not octal, and a key may stand once.
+Implicit conversions of YAML are disabled: `2.50` is the text "2.50" (a firmware version), `on` is a
+word, and `010` is not octal. A repeated key is an error.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ except ImportError:  # a PyYAML without libyaml: slower, same result
     from yaml import SafeLoader as _Loader  # type: ignore[assignment]
 
 MAIN_FILE = "simplebgc.yaml"
-# Sections that a family file may contribute; they share one name space over all files.
+# Sections of a family file; each has one namespace across all files.
 SECTIONS = ("quantities", "enums", "flags", "packed", "structs", "commands", "variables")
 
 _INT = re.compile(r"[-+]?(0|[1-9][0-9]{0,17})$")
@@ -30,18 +30,18 @@ _HEX = re.compile(r"0x[0-9A-Fa-f]{1,16}$")
 
 
 class Map(dict[str, Any]):
-    """A mapping that knows its own position and those of its keys."""
+    """A mapping with its own position and those of its keys."""
 
     position: Position
     keys_at: dict[str, Position]
 
     def at(self, key: str) -> Position:
-        """Where `key` stands, or the mapping itself if it has no such key."""
+        """The position of `key`, or that of the mapping if it has no such key."""
         return self.keys_at.get(key, self.position)
 
 
 class List(list[Any]):
-    """A sequence that knows where its items stand."""
+    """A sequence with its own position and those of its items."""
 
     position: Position
     items_at: list[Position]
@@ -49,7 +49,7 @@ class List(list[Any]):
 
 @dataclass
 class Spec:
-    """The specification as written: the main file and the sections of all families."""
+    """The contents of the YAML files: the main file, the families and the errata."""
 
     main: Map
     families: dict[str, Map] = field(default_factory=dict)
@@ -66,7 +66,7 @@ class Spec:
 
 
 def directions_of(command: Map) -> tuple[str, ...]:
-    """The directions in which a command is described; both if it is described in neither."""
+    """The directions in which the spec describes a command; both if it describes neither."""
     both = ("from_board", "to_board")
     return tuple(direction for direction in both if direction in command) or both
 
@@ -99,7 +99,7 @@ class _Builder:
         return Position(self.file, node.start_mark.line + 1, node.start_mark.column + 1)
 
     def build(self, node: yaml.Node) -> Any:
-        if id(node) in self.seen:  # composed once, referred to twice: it could contain itself
+        if id(node) in self.seen:  # an alias; the node could contain itself
             hint = "write it out, or make it a struct or 'same_as'"
             self.found.add(self.position(node), "SBGC001", "YAML anchors cannot be used here", hint)
             return None
@@ -172,7 +172,7 @@ def _read(path: Path, name: str, found: Diagnostics) -> Map:
 
 
 def _position_of(name: str, before: bytes) -> Position:
-    """The place behind the bytes `before`."""
+    """The position after the bytes `before`."""
     lines = before.decode("utf-8", errors="replace").split("\n")
     return Position(name, len(lines), len(lines[-1]) + 1)
 

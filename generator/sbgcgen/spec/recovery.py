@@ -1,5 +1,5 @@
-"""Makes of a spec with mistakes in its shape what was probably meant, so that one run can look for
-the mistakes behind them. Nothing is generated from it."""
+"""Repairs a copy of a spec with mistakes in its shape, so that one run can also report the mistakes
+that these hide. Nothing is generated from the copy."""
 
 from __future__ import annotations
 
@@ -12,48 +12,48 @@ from sbgcgen.spec.diagnostics import Diagnostics, closest
 from sbgcgen.spec.load import List, Map, Spec
 from sbgcgen.spec.schema import ShapeError, add_shape_error, shape_errors
 
-# Findings about one entry that do not hang on what else is in the spec, or in the entry.
+# Findings about one entry that depend neither on other entries nor on its other keys.
 _OF_ONE_ENTRY = frozenset(
     f"SBGC0{number}" for number in (11, 12, 15, 16, 17, 18, 19, 20, 22, 24, 28, 30, 31, 53)
 )
-# Findings about names of other entries, which are right as long as no entry is left out.
+# Findings about names of other entries; they are valid if no entry was dropped.
 _OF_NAMES = frozenset(("SBGC010", "SBGC021", "SBGC023", "SBGC040", "SBGC051", "SBGC052"))
-# What a field with mistakes keeps; the rest of it says what it looks like in a body.
+# Keys that a field with mistakes keeps; the others describe its layout.
 _KEPT = ("name", "verbatim", "summary", "range", "special", "since", "errata")
-# Has every range.
+# A type that allows every range.
 _ANY_TYPE = "i32"
 _PLACEHOLDERS = {"summary": "?", "source": "L1", "type": _ANY_TYPE}
-# Without these an entry is another one, or none.
+# Keys without which an entry has another meaning or none.
 _ESSENTIAL = frozenset(
     """bits divide fields forms include mask modulo name parts reserved same_as size struct
     values""".split()
 )
-# How close a word must be to be taken for a known one.
+# The similarity from which a word counts as a misspelled known one.
 _CUTOFF = 0.75
 _MOST_ROUNDS = 50
-# Schema errors that come of what is not there.
+# Schema errors caused by missing parts.
 _OF_WHAT_IS_MISSING = frozenset(("minItems", "minProperties", "dependentRequired"))
 
 
 @dataclass
 class Recovery:
-    """A copy of the spec, and what it has lost of the original."""
+    """A repaired copy of the spec, with a record of the changes."""
 
     spec: Spec
     lost_keys: bool = False
     lost_entries: bool = False
-    _misspelt: list[Map] = field(default_factory=list)  # had keys that are not possible
+    _misspelt: list[Map] = field(default_factory=list)  # nodes that had misspelled keys
     _dropped: list[tuple[Map, str]] = field(default_factory=list)
 
     def report(self, behind: Diagnostics, found: Diagnostics) -> None:
-        """Add the findings about the copy that are findings about the original, too."""
+        """Add the findings about the copy that also apply to the original."""
         telling = _OF_ONE_ENTRY if self.lost_entries else _OF_ONE_ENTRY | _OF_NAMES
         for finding in behind.found:
             if finding.code in telling or not (self.lost_keys or self.lost_entries):
                 found.add(finding.position, finding.code, finding.message, finding.hint)
 
     def repair(self, error: ShapeError) -> bool:
-        """Mend one error; False if that cannot be done."""
+        """Repair one error; returns false if that is not possible."""
         node, parent = error.node, error.parent
         if error.validator == "additionalProperties":
             self._rename_keys(error)
@@ -64,7 +64,7 @@ class Recovery:
         elif parent is None:
             return False
         elif isinstance(parent, List) and parent[error.step : error.step + 1] != [node]:
-            pass  # items before it have gone: the next round finds it
+            pass  # its index has changed with earlier deletions; the next round finds it
         elif error.validator == "enum" and (meant := closest(str(node), error.known, _CUTOFF)):
             parent[error.step] = meant
         elif isinstance(parent, Map):
@@ -94,7 +94,7 @@ class Recovery:
 
     def _drop_key(self, parent: Map, key: str, is_entry: bool) -> None:
         if key not in parent:
-            return  # it has gone with another error
+            return  # dropped with another error
         self.lost_keys = True
         self._dropped.append((parent, key))
         if not is_entry and parent[key] != _PLACEHOLDERS.get(key, parent[key]):
@@ -104,7 +104,7 @@ class Recovery:
         del parent[key]
 
     def is_news(self, error: ShapeError) -> bool:
-        """Whether the original has it, too: it does not come of what has been dropped."""
+        """True if the original has the error, too; false if a repair caused it."""
         if error.validator != "required":
             is_ours = error.parent is not None and self._has_dropped(error.parent, str(error.step))
             return not is_ours and error.validator not in _OF_WHAT_IS_MISSING
@@ -116,7 +116,7 @@ class Recovery:
 
 
 def recover_shape(spec: Spec, found: Diagnostics) -> Recovery | None:
-    """A copy that fits the schema, or None. Mistakes that come to light are added to `found`."""
+    """A copy that fits the schema, or None. Adds mistakes that the repairs uncover to `found`."""
     recovery = Recovery(copy.deepcopy(spec), lost_entries=found.any_of(("SBGC003",)))
     for _ in range(_MOST_ROUNDS):
         errors = list(shape_errors(recovery.spec))
@@ -134,14 +134,14 @@ def recover_shape(spec: Spec, found: Diagnostics) -> Recovery | None:
 
 
 def _is_about_files(spec: Spec, error: ShapeError) -> bool:
-    """Whether it may be the reason that a family has not been read."""
+    """True if the error may be the reason that a family has not been read."""
     return error.content.position.file == spec.main.position.file and (
         error.path[1:2] in ((), ("families",))
     )
 
 
 def recover_syntax(recovery: Recovery, behind: Diagnostics) -> bool:
-    """Take what contradicts itself out of fields and parts; False if it stands elsewhere."""
+    """Remove contradictions from fields and parts; returns false if there are others."""
     places = {finding.position for finding in behind.found}
     for content in recovery.spec.families.values():
         _mend(recovery, content, places)
@@ -149,7 +149,7 @@ def recover_syntax(recovery: Recovery, behind: Diagnostics) -> bool:
 
 
 def _mend(recovery: Recovery, node: Any, places: set[Position]) -> None:
-    """Mend the fields and parts that stand at these places, and take away the places."""
+    """Repair the fields and parts at these places, and remove the places from the set."""
     if isinstance(node, Map):
         for key, value in node.items():
             if key in ("fields", "parts") and isinstance(value, List):

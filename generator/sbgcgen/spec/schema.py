@@ -1,4 +1,4 @@
-"""Checks the shape of the YAML against the JSON Schema that editors use, too."""
+"""Validates the YAML against the JSON Schema, which editors use as well."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ SCHEMA_FILE = Path(__file__).resolve().parents[2] / "schema" / "sbgc-spec.schema
 
 @dataclass(frozen=True)
 class ShapeError:
-    """One thing that the schema does not allow."""
+    """One violation of the schema."""
 
-    error: Any  # as jsonschema has it
+    error: Any  # of jsonschema
     content: Map  # of the file
-    node: Any  # where it is, and what that stands in
+    node: Any  # the invalid node, and the node that contains it
     parent: Map | List | None
 
     @property
@@ -33,29 +33,29 @@ class ShapeError:
 
     @property
     def path(self) -> tuple[str, ...]:
-        """What leads to the node in the spec."""
+        """The path to the node, beginning with the file."""
         return (self.content.position.file, *(str(step) for step in self.error.absolute_path))
 
     @property
     def step(self) -> Any:
-        """The last step to the node."""
+        """The last step of the path."""
         return self.error.absolute_path[-1]
 
     @property
     def known(self) -> list[str]:
-        """The keys or values that are possible."""
+        """The allowed keys or values."""
         if self.validator == "enum":
             return [str(value) for value in self.error.validator_value]
         return list(self.error.schema.get("properties", {}))
 
     @property
     def patterns(self) -> list[str]:
-        """What keys may look like that are not known by name."""
+        """Patterns of allowed keys that have no fixed names."""
         return list(self.error.schema.get("patternProperties", {}))
 
     @property
     def unknown(self) -> list[str]:
-        """The keys that are not possible."""
+        """The keys that are not allowed."""
         known, patterns = self.known, self.patterns
         return [
             key
@@ -65,32 +65,34 @@ class ShapeError:
 
     @property
     def missing(self) -> str:
-        """The key that is required."""
+        """The required key that is missing."""
         return str(self.error.message).split(" is a required")[0].strip("'")
 
 
 def check_shape(spec: Spec, found: Diagnostics) -> None:
-    """Report whatever the schema does not allow, each at its place in the YAML."""
+    """Report every violation of the schema at its position in the YAML."""
     for error in shape_errors(spec):
         add_shape_error(error, found)
 
 
 def shape_errors(spec: Spec) -> Iterator[ShapeError]:
-    """Whatever the schema does not allow."""
+    """All violations of the schema."""
     schema = json.loads(SCHEMA_FILE.read_text(encoding="utf-8"))
     parts = [("main", spec.main), ("errata", spec.errata)]
     parts += [("family", family) for family in spec.families.values()]
     for kind, content in parts:
         if not content:
-            continue  # the file could not be read, which is reported already
+            continue  # the file could not be read, which has been reported
         rules = {"$ref": f"#/$defs/{kind}", "$defs": schema["$defs"]}
         checker = jsonschema.Draft202012Validator(rules)
         yield from _meant(checker.iter_errors(content), content)
 
 
 def _meant(errors: Iterable[Any], content: Map) -> Iterator[ShapeError]:
-    """Errors of one file, of alternatives those of the one that fits best. A key that is missing is
-    none beside one that is misspelt: that may be it."""
+    """The errors of one file; of alternatives, those of the best match.
+
+    Drops a missing key if the same node has a misspelled one, which may be the missing key.
+    """
     errors = list(errors)
     misspelt = [list(e.absolute_path) for e in errors if e.validator == "additionalProperties"]
     for error in errors:
@@ -108,7 +110,7 @@ def _meant(errors: Iterable[Any], content: Map) -> Iterator[ShapeError]:
 
 
 def add_shape_error(shape: ShapeError, found: Diagnostics) -> None:
-    """Report one of them."""
+    """Report one violation."""
     error, node = shape.error, shape.node
     at = shape.content.position
     inner: Any = shape.content
@@ -116,7 +118,7 @@ def add_shape_error(shape: ShapeError, found: Diagnostics) -> None:
         at = _child_position(inner, step) or at
         inner = inner[step]
     if any(earlier.position == at and earlier.code == "SBGC001" for earlier in found.found):
-        return  # a value that could not be read is reported as such
+        return  # the value could not be read, which has been reported
     hint = str(error.schema.get("description", ""))
     message = str(error.message)
     if error.validator == "additionalProperties" and isinstance(node, Map):
@@ -151,7 +153,7 @@ def add_shape_error(shape: ShapeError, found: Diagnostics) -> None:
 
 
 def _closest_branch(error: Any) -> list[Any]:
-    """Of the alternatives of an anyOf, the errors of the one that was probably meant."""
+    """The errors of the alternative of an anyOf that was probably meant."""
     branches: dict[Any, list[Any]] = {}
     for inner in error.context or ():
         branches.setdefault(inner.schema_path[0], []).append(inner)
@@ -165,7 +167,7 @@ def _closest_branch(error: Any) -> list[Any]:
 
 
 def _is_of_another_kind(error: Any) -> bool:
-    """Whether a value is not of the kind that is wanted: a list in place of a word, say."""
+    """True if a value has the wrong kind, such as a list in place of a word."""
     if error.validator == "enum":
         return isinstance(error.instance, (dict, list))
     return error.validator in ("type", "const")

@@ -1,4 +1,4 @@
-"""Rules over the spec as written that a JSON Schema cannot say; they need no other entry."""
+"""Rules for single entries of the spec that a JSON Schema cannot express."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ _REST = re.compile(r"(bytes|text)\[\]$")
 
 
 def check_syntax(spec: Spec, found: Diagnostics) -> None:
-    """Report entries that contradict themselves; the spec must fit the schema."""
+    """Report entries that contradict themselves. The spec must fit the schema."""
     max_body = int(spec.main["framing"]["max_body"])
     for family, content in spec.families.items():
         if content["family"] != family:
             text = f"the family '{content['family']}' is in {family}.yaml"
-            found.add(content.at("family"), "SBGC003", text, "a family is named like its file")
+            found.add(content.at("family"), "SBGC003", text, "a family has the name of its file")
     for words in spec.main.get("indices", {}).values():
         for word, position in zip(words, words.items_at):
             if not is_name(word):
@@ -38,7 +38,7 @@ def check_syntax(spec: Spec, found: Diagnostics) -> None:
 
 
 def _messages(command: Map) -> Iterator[tuple[str, Map]]:
-    """The directions of a command and their forms."""
+    """The nodes of a command's directions and their forms."""
     for direction in ("from_board", "to_board"):
         if direction in command:
             yield direction, command[direction]
@@ -51,7 +51,7 @@ def _messages(command: Map) -> Iterator[tuple[str, Map]]:
 
 
 def _check_form_names(node: Map, found: Diagnostics) -> None:
-    """A form may have any name, but hardly one that is nearly a name with a meaning of its own."""
+    """A form may have any name, but one that resembles a known form is probably a typo."""
     forms = node.get("forms", Map())
     for form in forms:
         close = difflib.get_close_matches(form, KNOWN_FORMS, n=1, cutoff=0.8)
@@ -60,7 +60,7 @@ def _check_form_names(node: Map, found: Diagnostics) -> None:
             found.add(forms.at(form), "SBGC004", f"unknown form '{form}'", hint)
         elif not is_name(form):
             text = f"'{form}' cannot be the name of a form"
-            found.add(forms.at(form), "SBGC022", text, "it is a word")
+            found.add(forms.at(form), "SBGC022", text, "a name is a single word")
 
 
 def _check_command(name: str, command: Map, found: Diagnostics) -> None:
@@ -87,10 +87,10 @@ def _check_answer(name: str, answer: Map, found: Diagnostics) -> None:
     never = answer.get("confirm", "never") == "never"
     if never and not answer.get("message") and "confirm" not in answer:
         hint = "name a 'message', say 'confirm: always', or write 'answer: none'"
-        found.add(answer.position, "SBGC032", f"{name} does not say what answers it", hint)
+        found.add(answer.position, "SBGC032", f"{name} does not state what answers it", hint)
     if "confirmations" in answer and never == (answer["confirmations"] > 0):
-        message = f"'confirmations' of {name} does not go with 'confirm'"
-        hint = "'never' has 0 of them, all else has some"
+        message = f"'confirmations' of {name} contradicts 'confirm'"
+        hint = "'never' means 0, every other value at least 1"
         found.add(answer.at("confirmations"), "SBGC041", message, hint)
     if "finish_ms" in answer and answer.get("confirmations", 1) < 2:
         hint = "for a single one, say 'timeout_ms'"
@@ -123,7 +123,7 @@ def _check_include(field: Map, in_struct: bool, found: Diagnostics) -> None:
         found.add(field.at("include"), "SBGC040", "'include' is in a struct", hint)
     for key in field:
         if key != "include":
-            hint = "the fields of the message come as they are"
+            hint = "'include' takes the fields of the message unchanged"
             found.add(field.at(key), "SBGC040", f"'{key}' is next to 'include'", hint)
 
 
@@ -170,7 +170,7 @@ def _check_repetition(field: Map, name: FieldName, max_body: int, found: Diagnos
     at = field.at("name")
     rest = bool(_REST.match(str(field.get("type", ""))))
     if rest and (name.index is not None or name.expand is not None):
-        message = f"{field['name']} repeats what takes the rest of the body"
+        message = f"{field['name']} repeats a type that takes the rest of the body"
         found.add(at, "SBGC043", message, "leave out the brackets of the name")
     for key in ("min_count", "max_count"):
         is_named = key == "min_count" and name.expand is not None and name.expand[0].isdigit()
@@ -205,5 +205,5 @@ def _check_part(part: Map, found: Diagnostics) -> None:
     if "bits" in part:
         first, last = parse_bits(part["bits"])
         if last < first:
-            message = f"the bits of '{part['name']}' are upside down"
+            message = f"the bits of '{part['name']}' are reversed"
             found.add(part.at("bits"), "SBGC017", message, f"write {last}..{first}")

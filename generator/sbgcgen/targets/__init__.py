@@ -1,14 +1,15 @@
-"""Targets: what is made of the protocol.
+"""Targets: the kinds of output that are generated from the protocol.
 
-A target is a folder in here, found by being there; nothing outside it names it. It has
+A target is a subfolder, which is found by listing this folder; nothing outside names it. It has
 
-- `templates/`: the path of a template says where its output goes, and what it is rendered for (see
-  render.py);
-- `target.py`, if templates alone do not do: one class derived from `Target`, which overrides what it
-  needs.
+- `templates/`: the path of a template determines the path of its output and the objects that it is
+  rendered for (see render.py);
+- `target.py`, if templates are not sufficient: one class derived from `Target` that overrides the
+  necessary members.
 
-Targets do not import each other. What several of them show comes from `views/`, and what only one of
-them can say (how its language writes an example) is asked of all of them: `codes_of`.
+Targets do not import each other. Facts that several of them show come from `views/`. For facts that
+only one of them knows, such as the code of an example in its language, all of them are asked (see
+`codes_of`).
 """
 
 from __future__ import annotations
@@ -28,14 +29,14 @@ from sbgcgen.spec.load import Spec
 
 HERE = Path(__file__).resolve().parent
 
-Items = list[tuple[str, Any]]  # the text in the path, and the value that the template sees
+Items = list[tuple[str, Any]]  # the text in the path, and the value for the template
 
 
 @dataclass(frozen=True)
 class View:
-    """What the templates of a target see and may do beyond the Layout and its export.
+    """Names, filters and tests for the templates of a target, besides the Layout and its export.
 
-    `each` has what may stand between @ and @ in a path.
+    `each` has the placeholders that a path may have between @ and @, with their items.
     """
 
     names: Mapping[str, Any] = field(default_factory=dict)
@@ -46,21 +47,21 @@ class View:
 
 @dataclass(frozen=True)
 class Code:
-    """An example in the language of a target: its lines, and the lines that it prints."""
+    """An example in the language of a target: its source, and the lines that it prints."""
 
-    language: str  # for people: C++
+    language: str  # as a name: C++
     word: str  # for markup: cpp
     text: str
     output: tuple[str, ...] = ()
 
 
 class Target:
-    """What the generator asks of a target."""
+    """The interface of a target to the generator."""
 
-    # Whether its output is part of generated/. If not, `sbgcgen <name>` writes it to build/<name>/.
+    # True if its output is part of generated/. If not, `sbgcgen <name>` writes it to build/<name>/.
     committed = True
     help = ""
-    # Of what is not committed, a file that every output has: a folder without it is not ours to clean.
+    # If not committed: a file that every output contains. A folder without it is not cleaned.
     mark = ""
 
     def __init__(self, folder: Path) -> None:
@@ -75,30 +76,30 @@ class Target:
         return self.folder / "templates"
 
     def view(self, layout: Layout, project: Path) -> View:
-        """What its templates see; `project` is the folder that has spec/, docs/ and all else."""
+        """The view of its templates; `project` is the root folder of the project."""
         return View()
 
     def files(self, layout: Layout, project: Path) -> Iterator[tuple[str, bytes]]:
-        """Its output files by their path: those of its templates, if it has no other ways."""
+        """Its output files by path; by default, those of its templates."""
         from sbgcgen.targets.render import render
 
         return render(self, layout, project)
 
     def lint(self, spec: Spec, layout: Layout, found: Diagnostics) -> None:
-        """Its own rules, such as names of the protocol that its language reserves."""
+        """Check its own rules, such as reserved words of its language; findings go into `found`."""
 
     def example(self, example: Example) -> Optional[Code]:
-        """How its language encodes or decodes a message."""
+        """Code in its language that encodes or decodes a message; None without a language."""
         return None
 
     def conversion(self, quantity: Quantity) -> Optional[Code]:
-        """How its language makes a quantity of a number, and a number of it."""
+        """Code in its language that converts a number to a quantity and back; None without one."""
         return None
 
 
 @cache
 def targets() -> tuple[Target, ...]:
-    """All targets, in the order of their names."""
+    """All targets, sorted by name."""
     folders = sorted(p for p in HERE.iterdir() if p.is_dir() and not p.name.startswith("_"))
     return tuple(_load(folder) for folder in folders if _is_target(folder))
 
@@ -109,7 +110,7 @@ def target(name: str) -> Target:
 
 
 def _is_target(folder: Path) -> bool:
-    """A folder that only has the remains of an earlier version is none."""
+    """False for a folder with only the remains of a deleted target, such as caches."""
     return (folder / "target.py").is_file() or (folder / "templates").is_dir()
 
 
@@ -127,16 +128,16 @@ def _load(folder: Path) -> Target:
 
 
 def outputs(layout: Layout, project: Path) -> dict[str, bytes]:
-    """All files of generated/ by their path."""
+    """All files of generated/ by path."""
     committed = (t for t in targets() if t.committed)
     return {path: content for t in committed for path, content in t.files(layout, project)}
 
 
 def codes_of(example: Example) -> list[Code]:
-    """An example in the language of every target that has one."""
+    """The code of an example in the language of every target that has one."""
     return [code for t in targets() if (code := t.example(example)) is not None]
 
 
 def conversions_of(quantity: Quantity) -> list[Code]:
-    """How every target that has a language converts a quantity."""
+    """The code that converts a quantity in the language of every target that has one."""
     return [code for t in targets() if (code := t.conversion(quantity)) is not None]

@@ -1,8 +1,9 @@
 """Renders the templates of a target.
 
-A template's path says where its output goes: `templates/a/@family@.hpp.j2` makes `a/<family>.hpp` for
-each family. Files that end in .jinja are for templates to import; any other that does not end in .j2 is
-copied as it is. Templates name each other with the name of their target in front: "cpp/macros.jinja".
+A template's path determines the path of its output: `templates/a/@family@.hpp.j2` is rendered to
+`a/<family>.hpp` for each family. Templates import files that end in .jinja; any other file that
+does not end in .j2 is copied. Names of templates begin with that of their target:
+"cpp/macros.jinja".
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from sbgcgen.model.names import slug
 from sbgcgen.targets import Items, Target
 from sbgcgen.views.words import FILTERS, TESTS
 
-# What @family@ and the like in a path stand for.
+# The objects that placeholders such as @family@ in a path stand for.
 _EACH: dict[str, Callable[[Layout], Items]] = {
     "family": lambda layout: [(f.name, f) for f in layout.families if f.messages or f.structs],
     "message": lambda layout: [(slug(m.name), m) for m in layout.definitions],
@@ -37,7 +38,7 @@ def _fail(message: str) -> None:
 
 @cache
 def _environment(folder: Path) -> jinja2.Environment:
-    """The environment of a target, with its templates once they are compiled."""
+    """The environment of a target; it caches compiled templates."""
     loader = jinja2.FileSystemLoader(folder / "templates")
     environment = jinja2.Environment(
         loader=jinja2.PrefixLoader({folder.name: loader}),
@@ -55,15 +56,15 @@ def _environment(folder: Path) -> jinja2.Environment:
 
 
 def environment(target: Target) -> jinja2.Environment:
-    """What compiles the templates of a target."""
+    """The Jinja environment of a target."""
     return _environment(target.folder)
 
 
 def render(target: Target, layout: Layout, project: Path) -> Iterator[tuple[str, bytes]]:
     """The output files of a target's templates.
 
-    Each template sees `layout`, its export as `model`, what the target's view adds, `here`, the path of
-    its output, and `root`, the way from there up.
+    Each template sees `layout`, its export `model`, the names of the target's view, `here` (the
+    path of its output) and `root` (the relative path from there to the root of the output).
     """
     view = target.view(layout, project)
     made = environment(target)
@@ -82,7 +83,7 @@ def render(target: Target, layout: Layout, project: Path) -> Iterator[tuple[str,
 
 
 def sources_of(target: Target) -> dict[str, Path]:
-    """The files of a target that have an output, by its path (as yet with @family@ and the like)."""
+    """The source files of a target by the path of their output, with unexpanded placeholders."""
     return {
         path.relative_to(target.templates).as_posix().removesuffix(".j2"): path
         for path in sorted(target.templates.rglob("*"))
@@ -93,7 +94,7 @@ def sources_of(target: Target) -> dict[str, Path]:
 def expand(
     sources: Mapping[str, Path], layout: Layout, each: Mapping[str, Items]
 ) -> Iterator[tuple[Path, str, dict[str, Any]]]:
-    """Each source with the paths of its outputs, and what its template gets to see for each."""
+    """Each source with the path of each of its outputs, and the names for its template."""
     for output, path in sources.items():
         placeholder = re.search(r"@(\w+)@", output)
         if placeholder is None:

@@ -1,1 +1,1 @@
-"""What several targets show beyond the model."""
+"""Facts derived from the model that several targets show."""

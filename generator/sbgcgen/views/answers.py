@@ -1,4 +1,4 @@
-"""Which requests a message answers."""
+"""Finds the requests that a message answers."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ from sbgcgen.model import Layout, Message
 
 
 def confirmation(layout: Layout) -> Message | None:
-    """The message that confirms, if the protocol has one."""
+    """The confirmation message; None if the protocol has none."""
     return next(iter(layout.having_role("confirmation")), None)
 
 
 def asked_by(layout: Layout) -> dict[str, list[Message]]:
-    """The requests that a message answers or confirms, by its name."""
+    """The requests that each message answers or confirms, by the message's name."""
     found: dict[str, list[Message]] = {}
     for message in layout.messages:
         if message.answer is None:

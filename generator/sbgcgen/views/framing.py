@@ -1,4 +1,4 @@
-"""What each part of a frame is for."""
+"""Describes the parts of a frame."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _ALL_BYTES = "all bytes of the body"
 
 @dataclass(frozen=True)
 class FramePart:
-    """A part of a frame: where, what, how long, and what it is for."""
+    """A part of a frame: offset, name, size and description, as text."""
 
     at: str
     name: str
@@ -21,7 +21,7 @@ class FramePart:
 
 
 def frame_parts(framing: Framing) -> list[FramePart]:
-    """The parts of a frame in the order of the line."""
+    """The parts of a frame in wire order."""
     behind = f"{framing.header_size} + size"
     parts = [_part(framing, part, str(framing.place(part))) for part in framing.header]
     most = framing.max_body
@@ -35,7 +35,7 @@ def frame_parts(framing: Framing) -> list[FramePart]:
 
 
 def checksum_text(framing: Framing, name: str) -> str:
-    """What a checksum is: "the sum of id and size, modulo 256"."""
+    """The definition of a checksum: "the sum of id and size, modulo 256"."""
     checksum = framing.checksum(name)
     assert checksum is not None
     covers = [_ALL_BYTES if part == BODY else part_name(part) for part in checksum.covers]
@@ -63,7 +63,7 @@ def _part(framing: Framing, part: str, at: str) -> FramePart:
 
 @dataclass(frozen=True)
 class Sum:
-    """A checksum in a frame, and the bytes that it covers there."""
+    """A checksum in a frame, with the bytes that it covers."""
 
     name: str
     covered: bytes

@@ -1,4 +1,4 @@
-"""Which revision of the specification has added what."""
+"""Finds the revision of the specification that added something."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from sbgcgen.model import Layout, Message, Revision
 
 
 class Revisions:
-    """Which revision of the specification has added what."""
+    """An index of the additions of all revisions."""
 
     def __init__(self, layout: Layout) -> None:
         self._of = {
@@ -19,9 +19,9 @@ class Revisions:
         self._same = {m.name: m.same_as for m in layout.messages if m.same_as}
 
     def of(self, kind: str, owner: str, name: str) -> Revision | None:
-        """The revision that names it, or for a field one of the groups that it belongs to.
+        """The revision that added something; for a field, also the one that added its group.
 
-        The fields of a message with the body of another one are those of that one.
+        A message with the body of another has the fields of that message.
         """
         owner = self._same.get(owner, owner) if kind == "field" else owner
         name = re.sub(r"\[\d*\]", "", name) if kind == "field" else name
@@ -32,5 +32,5 @@ class Revisions:
         return found
 
     def of_message(self, message: Message) -> Revision | None:
-        """The revision that names a message, or else its command."""
+        """The revision that added a message, or else its command."""
         return self.of("message", "", message.name) or self.of("command", "", message.command)

@@ -1,4 +1,4 @@
-"""Words for values of the model: what templates of all targets may do beyond Jinja's own filters."""
+"""Texts for values of the model: the Jinja filters and tests of all targets."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ from sbgcgen.views.framing import frame_parts, sums_in
 
 
 def to_json(value: Any) -> str:
-    """Value as JSON, two spaces deep, in the order it was made."""
+    """A value as JSON, indented by two spaces, in insertion order."""
     return json.dumps(value, indent=2, ensure_ascii=False)
 
 
 def number(value: Fraction) -> str:
-    """A number in digits, as many as a double holds: 255, -0.5."""
+    """A decimal number with the precision of a double: 255, -0.5."""
     is_exact = value.denominator == 1 and abs(value.numerator) <= 1 << 53
     return str(value.numerator) if is_exact else repr(float(value))
 
@@ -40,12 +40,12 @@ def versions(since: Availability) -> str:
 
 
 def effect_text(word: str) -> str:
-    """What a word about the effect of a request means."""
+    """The description of an effect of a request."""
     return EFFECTS[word]
 
 
 def is_dangerous(effect: Effect | None) -> bool:
-    """Whether somebody had better read about safety before sending a request."""
+    """True if a request can move the camera or restart the board, so readers need a warning."""
     return effect is not None and not {"moves", "restarts"}.isdisjoint(effect.words)
 
 

@@ -98,12 +98,12 @@ CASES: dict[str, Case] = {
             ),
         ],
         WIRE,
-        "Move.LAST: none → u8 at the end, which took nothing more",
+        "Move.LAST: none → u8 at the end, where no tail is accepted",
     ),
     "field added where no tail is kept": (
         [("How to do it.}\n\n  CMD_MOVE", "How to do it.}\n" + MORE_BYTE + "\n  CMD_MOVE")],
         WIRE,
-        "StateRequest.MORE: none → u8 at the end, which took nothing more",
+        "StateRequest.MORE: none → u8 at the end, where no tail is accepted",
     ),
     "struct grown": (
         [

@@ -102,7 +102,7 @@ def test_position_and_hint_are_written_as_compilers_do(tmp_path: Path) -> None:
     first = findings(tmp_path, "family: prob\n")[0]
     assert str(first) == (
         "spec/probe.yaml:1:1: SBGC003 the family 'prob' is in probe.yaml\n"
-        "    hint: a family is named like its file"
+        "    hint: a family has the name of its file"
     )
 
 

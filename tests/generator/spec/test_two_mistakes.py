@@ -41,7 +41,7 @@ WRONG = [
     ("type", "type: u18", "SBGC010", "u18"),
     ("type", "tpye: u8", "SBGC004", "tpye"),
     ("type", "size: 3", "SBGC040", "no type"),
-    ("range", "range: 90..1", "SBGC017", "upside down"),
+    ("range", "range: 90..1", "SBGC017", "reversed"),
     ("range", "range: 1-90", "SBGC004", "1-90"),
     ("range", "rnage: 1..90", "SBGC004", "rnage"),
     ("range", "range: [1, 90]", "SBGC004", "not a list"),

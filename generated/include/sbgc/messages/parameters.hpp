@@ -64,7 +64,7 @@ struct AxisRc {
 
 /// Notch filters of each axis.
 struct AxisNotches {
-  /// Centre frequency of each of the three filters. Unit: Hz.
+  /// Center frequency of each of the three filters. Unit: Hz.
   std::array<EvenFrequency, 3> notch_freq{};
   /// Width of each filter, between its -3 dB points. Unit: Hz.
   std::array<SmallFrequency, 3> notch_width{};
@@ -115,7 +115,7 @@ struct ReadParams3 {
   SerialSpeed serial_speed{};
   /// Trim of the RC signals. Range: -127 to 127.
   Axes<std::int8_t> rc_trim{};
-  /// Dead band around the centre of the RC signals.
+  /// Dead band around the center of the RC signals.
   std::uint8_t rc_deadband{};
   /// Expo rate of the RC signals. Range: 0 to 100.
   std::uint8_t rc_expo_rate{};
@@ -183,7 +183,7 @@ struct ReadParams3 {
   SmallDegrees follow_roll_mix_start{};
   /// Angle over which pitch continues to follow roll. Range: 0 to 90 deg.
   SmallDegrees follow_roll_mix_range{};
-  /// Additional power to recover lost synchronisation.
+  /// Additional power to recover lost synchronization.
   Axes<std::uint8_t> booster_power{};
   /// Speed of the follow mode.
   Axes<std::uint8_t> follow_speed{};

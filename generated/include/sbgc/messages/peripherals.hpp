@@ -83,7 +83,7 @@ struct TriggerPin {
 
 /// Send PWM signals to servos. Outputs 1 to 4 share their pins with FC_ROLL, FC_PITCH, RC_PITCH and
 /// AUX1; 5 to 8 are reserved. A board may have fewer. Most servos take 500 to 2500 us, with 1500 us
-/// as their centre. A pulse must be shorter than the period that SERVO_RATE sets.
+/// as their center. A pulse must be shorter than the period that SERVO_RATE sets.
 ///
 /// CMD_SERVO_OUT (36), to the board; 16 bytes. Effect: moves. Since board 3.0. Source: Outgoing
 /// commands L813-L824; Variables L1183-L1184.

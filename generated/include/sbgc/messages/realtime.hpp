@@ -80,7 +80,7 @@ struct RealtimeData3 {
   Axes<AxisSensors> axes{};
   /// Number of errors on the serial line.
   std::uint16_t serial_error_cnt{};
-  /// Present errors; 0 is none.
+  /// Current errors; 0 if there are none.
   SystemErrors system_error{};
   /// Reason for an emergency stop.
   SystemSubError system_sub_error{};
@@ -164,7 +164,7 @@ struct RealtimeData4 {
   Axes<AxisSensors> axes{};
   /// Number of errors on the serial line.
   std::uint16_t serial_error_cnt{};
-  /// Present errors; 0 is none.
+  /// Current errors; 0 if there are none.
   SystemErrors system_error{};
   /// Reason for an emergency stop.
   SystemSubError system_sub_error{};

@@ -152,7 +152,7 @@ struct EnumMeta<msg::VariableId> {
       {"RC_TRIM_ROLL", 25, "RC trim of roll."},
       {"RC_TRIM_PITCH", 26, "RC trim of pitch."},
       {"RC_TRIM_YAW", 27, "RC trim of yaw."},
-      {"RC_DEADBAND", 28, "Dead band around the centre of the RC signals."},
+      {"RC_DEADBAND", 28, "Dead band around the center of the RC signals."},
       {"RC_EXPO_RATE", 29, "Expo rate of the RC signals."},
       {"FOLLOW_MODE", 30, "What the camera follows: 0 nothing, 1 the flight controller, 2 pitch and roll of the frame."},
       {"RC_FOLLOW_YAW", 31, "1 if yaw follows the frame, otherwise 0."},
@@ -184,7 +184,7 @@ struct EnumMeta<msg::BoardErrorCode> {
       {"CRYPTO", 4, "A key or signature check failed."},
       {"UNKNOWN_COMMAND", 6, "The board does not know the command."},
       {"WRONG_STATE", 8, "Not possible in the current state."},
-      {"NOT_SUPPORTED", 9, "The board lacks what the command requires."},
+      {"NOT_SUPPORTED", 9, "The board lacks a feature that the command requires."},
       {"OPERATION_FAILED", 10, "The board tried and failed."},
       {"TEMPORARY", 11, "Temporarily not possible; retry later."},
   };
@@ -350,7 +350,7 @@ struct EnumMeta<msg::MenuCommand> {
       {"MENU_CMD_RUN_SCRIPT5", 27, "Run script 5."},
       {"MENU_CMD_CALIB_MAG", 33, "Calibrate the magnetometer."},
       {"MENU_CMD_LEVEL_ROLL_PITCH", 34, "Level roll and pitch."},
-      {"MENU_CMD_CENTER_YAW", 35, "Centre yaw."},
+      {"MENU_CMD_CENTER_YAW", 35, "Center yaw."},
       {"MENU_CMD_UNTWIST_CABLES", 36, "Turn back to untwist the cables."},
       {"MENU_CMD_SET_ANGLE_NO_SAVE", 37, "Make the current angle the initial angle, without saving it."},
   };
@@ -702,7 +702,7 @@ struct EnumMeta<msg::GeneralFlag> {
       {"MAGNETOMETER_POS_FRAME", 32, "The magnetometer is on the frame."},
       {"FRAME_IMU_FF", 64, "Feed forward from the frame IMU."},
       {"OVERHEAT_STOP_MOTORS", 128, "Stop the motors when they overheat."},
-      {"CENTER_YAW_AT_STARTUP", 256, "Centre yaw at start-up."},
+      {"CENTER_YAW_AT_STARTUP", 256, "Center yaw at start-up."},
   };
   static constexpr EnumInfo info{"GeneralFlags", values, true};
 };

@@ -12,7 +12,7 @@ __all__ = ["export"]
 
 
 def export(layout: Layout) -> dict[str, Any]:
-    """Everything the model knows, ready for JSON."""
+    """The whole model as plain data for JSON."""
     return {
         "protocol": layout.protocol,
         "framing": {

@@ -23,7 +23,7 @@ from sbgcgen.model import (
 )
 from sbgcgen.model.export.types import deprecation, number, version
 
-# Words for forms that readers of the export may rely on.
+# Forms that readers of the export may rely on.
 _FORMS = ("simple", "extended", "success", "error")
 
 
@@ -116,7 +116,7 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
 
 
 def _answer(answer: Answer | None) -> dict[str, Any] | None:
-    """What holds of all cases, then the cases one by one."""
+    """The summary of all cases, then each case."""
     if answer is None:
         return None
     return {
@@ -183,7 +183,7 @@ def _role(role: Role | None) -> dict[str, Any] | None:
 
 
 def _effect(effect: Effect | None) -> dict[str, Any] | None:
-    """All that a request may do, then case by case."""
+    """All effects of a request, then each case."""
     if effect is None:
         return None
     cases = [{"when": _condition(case.when), "does": list(case.words)} for case in effect.cases]
@@ -206,12 +206,12 @@ def _context(context: Context) -> dict[str, Any]:
 
 
 def _form(name: str | None) -> str | None:
-    """The kind of a form. Beside those of the protocol, all forms are later, longer ones."""
+    """The kind of a form. Forms with other names are later, longer ones."""
     return name if name in (None, *_FORMS) else "extended"
 
 
 def message_json(message: Message) -> dict[str, Any]:
-    """A message."""
+    """A message as plain data."""
     return {
         "name": message.name,
         "command": message.command,

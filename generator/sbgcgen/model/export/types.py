@@ -10,28 +10,28 @@ from sbgcgen.model.variables import Variable
 
 
 def number(value: Fraction | None) -> int | float | None:
-    """An exact number, as a number of JSON."""
+    """An exact number as a JSON number."""
     if value is None:
         return None
     return int(value) if value.denominator == 1 else float(value)
 
 
 def version(since: Availability) -> dict[str, str] | None:
-    """The versions of an availability; None for always."""
+    """The versions of an availability; None if always available."""
     if not since:
         return None
     return dict(since.words)
 
 
 def deprecation(mark: Deprecation | None) -> dict[str, Any] | None:
-    """Since when something is deprecated, and what replaces it."""
+    """The versions and the replacement of a deprecation."""
     if mark is None:
         return None
     return {"since": version(mark.since), "replaced_by": mark.replaced_by or None}
 
 
 def enum_json(enum: Enum) -> dict[str, Any]:
-    """An enum or flag set."""
+    """An enum or flag set as plain data."""
     return {
         "name": enum.name,
         "kind": enum.kind,
@@ -59,7 +59,7 @@ def enum_json(enum: Enum) -> dict[str, Any]:
 
 
 def packed_json(packed: Packed) -> dict[str, Any]:
-    """A packed integer."""
+    """A packed integer as plain data."""
     return {
         "name": packed.name,
         "width": packed.scalar.size,
@@ -85,7 +85,7 @@ def packed_json(packed: Packed) -> dict[str, Any]:
 
 
 def quantity_json(q: Quantity) -> dict[str, Any]:
-    """A quantity."""
+    """A quantity as plain data."""
     return {
         "name": q.name,
         "type": q.scalar.name,
@@ -99,7 +99,7 @@ def quantity_json(q: Quantity) -> dict[str, Any]:
 
 
 def variable_json(variable: Variable) -> dict[str, Any]:
-    """An adjustable variable, and the parameters that it sets."""
+    """An adjustable variable and the settings that it sets, as plain data."""
     quantity = variable.quantity
     return {
         "name": variable.name,

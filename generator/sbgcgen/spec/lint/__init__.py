@@ -1,1 +1,1 @@
-"""Rules over the specification."""
+"""Rules for the specification."""

@@ -1,4 +1,4 @@
-"""Rules over resolved bodies: what a decoder could not read or an encoder could not write."""
+"""Rules for resolved bodies, which a codec must be able to decode and encode."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def _check_message(message: Message, max_body: int, found: Diagnostics) -> None:
 
 
 def _check_same_as(message: Message, layout: Layout, found: Diagnostics) -> None:
-    """The codec of a body is the same for all messages that have it."""
+    """Messages with the same body share its codec, so they must agree on the tail."""
     owner = next(m for m in layout.messages if m.body is message.body)
     if owner.keeps_tail != message.keeps_tail:
         word = "keeps" if message.keeps_tail else "refuses"
@@ -59,7 +59,7 @@ def _check_same_as(message: Message, layout: Layout, found: Diagnostics) -> None
 
 
 def _check_families(layout: Layout, found: Diagnostics) -> None:
-    """The header of a family includes those of others that it uses, but not in a circle."""
+    """A family's header includes those of the families that it uses, so cycles are errors."""
     uses = {family.name: set(family.uses) for family in layout.families}
     for name in uses:
         reached: set[str] = set()
@@ -70,14 +70,14 @@ def _check_families(layout: Layout, found: Diagnostics) -> None:
         if name in reached:
             family = next(f for f in layout.families if f.name == name)
             at = [*(m.at for m in family.messages), *(s.at for s in family.structs)][0]
-            text = f"the family '{name}' uses bodies of others that use its own"
-            hint = "put what both of them need into a third family"
+            text = f"the family '{name}' depends on itself through other families"
+            hint = "move what both need into a third family"
             found.add(at, "SBGC029", text, hint)
             return
 
 
 def _check_source(source: str, owner: Message | Enum | Packed, found: Diagnostics) -> None:
-    """Line ranges run forwards. (What came later than the specification names no lines.)"""
+    """A line range must not end before it starts. Later additions may name no lines."""
     if any(last < first for first, last in parse_lines(source)):
         text = f"the source of {owner.name} has a line range that ends before it starts"
         hint = "write it like 'Variables L1005-L1009'"
@@ -98,7 +98,7 @@ def _check_list(fields: tuple[Field, ...], found: Diagnostics) -> None:
             found.add(field.at, "SBGC042", text, "lower 'min_count'")
         if field.max_count is not None and field.max_count > field.capacity:
             text = f"{field.max_count} elements of '{field.name}' do not fit into a body"
-            found.add(field.at, "SBGC042", text, f"there is room for {field.capacity}")
+            found.add(field.at, "SBGC042", text, f"at most {field.capacity} fit")
         if isinstance(field.type, Struct) and _takes_rest(field.type):
             if field.dim != "one" or field is not fields[-1]:
                 text = f"{field.type.name} takes the rest of the body, but something follows it"
@@ -108,13 +108,13 @@ def _check_list(fields: tuple[Field, ...], found: Diagnostics) -> None:
             problem = _counter_problem(by_name.get(field.counter), counted)
             if problem:
                 text = f"'{field.counter}' cannot count '{field.name}': {problem}"
-                hint = "a counter is a u8, u16 or u32 of its own, in the same list of fields"
+                hint = "a counter is a single u8, u16 or u32 in the same list of fields"
                 found.add(field.at, "SBGC043", text, hint)
             counted.add(field.counter)
 
 
 def _check_varying(field: Field, found: Diagnostics) -> None:
-    """What nobody could find the end of."""
+    """Report fields whose end a decoder cannot determine."""
     is_list = field.dim in ("counted", "rest")
     varies = field.type.size is None if isinstance(field.type, (Blob, Struct)) else False
     varies = varies or (isinstance(field.type, Blob) and field.type.kind == "string")
@@ -130,7 +130,7 @@ def _check_varying(field: Field, found: Diagnostics) -> None:
         found.add(field.at, "SBGC026", text, "leave out 'may_be_missing'")
     if isinstance(field.type, Announced) and field.dim != "rest":
         text = f"'{field.name}' is announced, but does not take the rest of the body"
-        found.add(field.at, "SBGC043", text, "write NAME[] for as many as are announced")
+        found.add(field.at, "SBGC043", text, "write NAME[]; the announcement determines the count")
 
 
 # Regions
@@ -150,7 +150,7 @@ def _check_struct(struct: Struct, found: Diagnostics) -> None:
 
 
 def _check_regions(message: Message, found: Diagnostics) -> None:
-    """What has a size of its own stands once, at a fixed place, behind what it depends on."""
+    """A region must be a single field at a fixed offset, after the fields that it depends on."""
     earlier: dict[str, Field] = {}
     for field in message.fields:
         if isinstance(field.type, Struct) and field.type.is_region:
@@ -181,7 +181,7 @@ def _takes_rest(struct: Struct) -> bool:
 
 def _counter_problem(counter: Field | None, counted: set[str]) -> str:
     if counter is None:
-        return "it is elsewhere"
+        return "it is not in the same list"
     if counter.name in counted:
         return "it counts another list"
     if not isinstance(counter.type, Scalar) or counter.type.minimum != 0:
@@ -264,7 +264,7 @@ def _check_source_of(
     field = _find(source.fields if source else (), path.split("."))
     if field is None:
         text = f"the context '{context.name}' of {message.name} has no source field"
-        hint = f"there is no single '{name}.{path}'; write it like BoardInfo.FIRMWARE_VER"
+        hint = f"there is no single field '{name}.{path}'; write it like BoardInfo.FIRMWARE_VER"
         found.add(message.at, "SBGC026", text, hint)
     elif context.type is not None and field.type != context.type:
         text = f"the context '{context.name}' of {message.name} comes from a field of another type"
@@ -273,7 +273,7 @@ def _check_source_of(
 
 
 def _find(fields: tuple[Field, ...], path: list[str]) -> Field | None:
-    """The field of a path through structs that are always there."""
+    """The field at a path through structs that are always present."""
     for field in fields:
         if field.name == path[0] and field.dim == "one":
             if len(path) == 1:

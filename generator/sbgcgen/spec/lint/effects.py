@@ -1,4 +1,4 @@
-"""Rules about what requests do to the board, once nothing else is wrong."""
+"""Rules for the effects of requests, applied if there are no other findings."""
 
 from __future__ import annotations
 
@@ -25,15 +25,15 @@ def lint_effects(layout: Layout, found: Diagnostics) -> None:
 
 
 def _problem(message: Message, effect: Effect, is_undocumented: bool) -> tuple[str, str]:
-    """What is wrong with an effect, and what to do; two empty texts if nothing is."""
+    """The problem of an effect and a hint; two empty texts if there is none."""
     for index, case in enumerate(effect.cases):
         is_last = index == len(effect.cases) - 1
         if is_last and case.when is not None:
             text = f"the last case of the effect of {message.name} has a condition"
-            return text, "the last case holds if no other does"
+            return text, "the last case applies if no other does"
         if not is_last and case.when is None:
             text = f"a case of the effect of {message.name} has no condition"
-            return text, "each case has a 'when' but the last, which holds if none does"
+            return text, "every case but the last needs a 'when'"
         for word in ("reads", "unknown"):
             if word in case.words and len(case.words) > 1:
                 text = f"{message.name} combines '{word}' with another effect"

@@ -1,4 +1,4 @@
-"""Rules over the main file, and over what it says of all others."""
+"""Rules for the main file, and for the contents of other files that it governs."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def _check_revisions(spec: Spec, found: Diagnostics) -> None:
 
 
 def _check_lines(spec: Spec, found: Diagnostics) -> None:
-    """Sources and errata name lines that the text of the specification has."""
+    """Sources and errata must name existing lines of the specification."""
     count = spec.main.get("protocol", {}).get("lines")
     if count is None:
         return
@@ -92,7 +92,7 @@ def _sources(node: Any) -> Iterator[tuple[str, Position]]:
 
 
 def _check_guides(spec: Spec, found: Diagnostics) -> None:
-    """Guides exist. A copy of the spec without the project's docs/ beside it may name any."""
+    """Guides must exist. Not checked for a copy of the spec without docs/ beside it."""
     nodes = spec.main.get("guides", Map())
     root = spec.files[0].resolve().parent.parent if spec.files else None
     if root is None or not (root / "docs").is_dir():

@@ -1,4 +1,4 @@
-"""Rules over the resolved protocol; what concerns one entry alone is checked while resolving."""
+"""Rules for the resolved protocol. Rules for single entries are checked while resolving."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ from sbgcgen.model import (
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Spec, directions_of
 
-# What the runtime counts in a byte.
+# The runtime counts copies in a byte.
 MAX_COPIES = 255
-# Findings that leave a body without some of its fields, so that its size is not known.
+# Findings that drop fields from a body, so that its size is unknown.
 _UNSIZED = ("SBGC010", "SBGC021", "SBGC025", "SBGC029", "SBGC031")
 
 
@@ -77,7 +77,7 @@ def _check_forms(layout: Layout, found: Diagnostics) -> None:
 
 
 def _check_until(layout: Layout, found: Diagnostics) -> None:
-    """What takes the place of a form comes in time, is answered alike, and can say the same."""
+    """The replacement of a form must be available in time, with the same answer and fields."""
     by_key = {(m.name, m.direction): m for m in layout.messages}
     for message in layout.messages:
         until = message.until
@@ -91,7 +91,7 @@ def _check_until(layout: Layout, found: Diagnostics) -> None:
         if other is None:
             continue
         if other.since.firmware > until.versions.firmware:
-            text = f"{other.name} comes later than {message.name} ends"
+            text = f"{other.name} starts after {message.name} ends"
             found.add(until.at, "SBGC047", text, f"see {other.at}")
         answers = [m.answer.messages if m.answer else () for m in (message, other)]
         if answers[0] != answers[1]:
@@ -106,7 +106,7 @@ def _check_until(layout: Layout, found: Diagnostics) -> None:
 
 
 def _can_hold(wide: Field, narrow: Field) -> bool:
-    """Whether one field can take every value of another, of the same meaning."""
+    """True if one field can hold every value of another of the same meaning."""
     if (wide.dim, wide.count, wide.when) != (narrow.dim, narrow.count, narrow.when):
         return False
     if wide.type == narrow.type:
@@ -140,7 +140,7 @@ def _check_bodies(layout: Layout, found: Diagnostics) -> None:
 
 
 def _check_constants(fields: tuple[Field, ...], found: Diagnostics) -> None:
-    """The names of special values stand beside those of the fields."""
+    """Names of special values share a scope with those of fields."""
     members = {f.name: f.at for f in fields}
     known = {c.name: c for c in constants(fields)}
     for field in fields:
@@ -184,7 +184,7 @@ def _check_stores(layout: Layout, found: Diagnostics) -> None:
 
 
 def _check_roles(layout: Layout, found: Diagnostics) -> None:
-    """Fields that say what they are among settings stand in settings, and where they can be used."""
+    """Fields with a role must be in settings, where the role can be used."""
     for settings in layout.settings:
         if not settings.readers:
             text = f"nothing reads the settings {settings.message.name} that a message stores"
@@ -197,7 +197,7 @@ def _check_roles(layout: Layout, found: Diagnostics) -> None:
     for struct in (s for family in layout.families for s in family.structs):
         for field in struct.fields:
             if field.role:
-                text = f"the role of '{field.name}' is lost inside {struct.name}"
+                text = f"the role of '{field.name}' has no effect inside {struct.name}"
                 found.add(field.at, "SBGC037", text, "only fields of a message have a role")
     for message in layout.messages:
         if message.same_as or message.name in stored:
@@ -235,7 +235,7 @@ def _check_copies(settings: Settings, found: Diagnostics) -> None:
 
 
 def _check_marked(settings: Settings, found: Diagnostics) -> None:
-    """What is state or general is marked for code that knows bytes, but not what they mean."""
+    """Fields with the role "state" or "general" must be usable by code that knows only bytes."""
     shaping = {when.source for when in conditions(settings.message) if not when.from_context}
     for field in settings.message.fields:
         if field.role not in ("general", "state"):

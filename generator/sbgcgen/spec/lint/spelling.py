@@ -1,4 +1,4 @@
-"""Rules over the spelling of the protocol's own names."""
+"""Rules for the spelling of the protocol's own names."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from sbgcgen.spec.diagnostics import Diagnostics
 from sbgcgen.spec.load import Map, Spec
 from sbgcgen.spec.resolve.types import VARIABLE_ID
 
-# Types of the spec begin with an upper-case letter, what is built in does not.
+# Types of the spec begin with an upper-case letter, built-in ones do not.
 _BUILT_IN = re.compile(r"[a-z]")
-# What does not belong to the protocol's name of a field: its index, a placeholder.
+# Parts of a field's name that are not the protocol's: index and placeholder.
 _BRACKETS = re.compile(r"\[.*?\]|\{.*?\}")
-# From here on, a beginning that is not the prefix looks like it.
+# The similarity from which the beginning of a name counts as a misspelled prefix.
 _SIMILAR = 0.85
 
 
@@ -39,7 +39,7 @@ def lint_spelling(spec: Spec, found: Diagnostics) -> None:
 
 
 def _fields(node: Any) -> Iterator[Map]:
-    """The fields with a name in all lists of fields."""
+    """The named fields of all lists of fields."""
     if isinstance(node, Map):
         for key, value in node.items():
             if key == "fields" and isinstance(value, list):
@@ -56,7 +56,7 @@ def _check_case(name: str, node: Map, at: Position, found: Diagnostics) -> None:
         hint = f"write {name.upper()}, or 'verbatim: true' if the protocol spells it like this"
         found.add(at, "SBGC053", f"'{name}' is not in upper case", hint)
     elif is_upper and node.get("verbatim"):
-        message = f"'verbatim' beside {name}, which is in upper case like all names"
+        message = f"'verbatim' is redundant on {name}, which is in upper case"
         found.add(node.at("verbatim"), "SBGC053", message, "leave it out")
 
 
@@ -73,5 +73,5 @@ def _check_prefix(name: str, node: Map, found: Diagnostics) -> None:
         begin = value[: len(prefix)]
         alike = difflib.SequenceMatcher(None, begin, prefix).ratio()
         if begin != prefix and alike >= _SIMILAR:
-            message = f"{value} does not begin with '{prefix}', but nearly"
-            found.add(values.at(value), "SBGC054", message, "the other values do")
+            message = f"{value} almost begins with '{prefix}'"
+            found.add(values.at(value), "SBGC054", message, "the other values begin with it")

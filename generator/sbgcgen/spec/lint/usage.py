@@ -1,4 +1,4 @@
-"""Rules over the names in the whole spec: those of nothing, and those that nothing uses."""
+"""Rules for names in the whole spec: undefined and unused ones."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Map, Spec
 
-# Sections of types, and what one of their entries is called.
+# Sections of types, and the term for one entry.
 _TYPES = {
     "quantities": "quantity",
     "enums": "enum",
@@ -22,14 +22,14 @@ _NAME = re.compile(r"\b[A-Z][A-Z0-9]*(?:_[A-Z0-9]+)*\b")
 
 
 def lint_names(spec: Spec, found: Diagnostics) -> None:
-    """Check the names that texts of the spec use; findings go into `found`."""
+    """Check the names in texts of the spec; findings go into `found`."""
     nodes = _all_maps(spec)
     _check_replacements(spec, nodes, found)
     _check_texts(spec, nodes, found)
 
 
 def lint_unused(spec: Spec, found: Diagnostics) -> None:
-    """Report what nothing refers to, once nothing else is wrong."""
+    """Report unused entries; call it only if there are no other findings."""
     _check_unused(spec, _all_maps(spec), found)
 
 
@@ -71,7 +71,7 @@ def _is_text(node: Map, key: str) -> bool:
 
 
 def _check_replacements(spec: Spec, nodes: list[Map], found: Diagnostics) -> None:
-    """What `replaced_by` names must be a command, or a field."""
+    """`replaced_by` must name a command or a field."""
     commands = {name for _, name, _, _ in spec.entries("commands")}
     fields = {re.split(r"[\[{]", str(node["name"]))[0] for node in nodes if _is_text(node, "name")}
     known = commands | fields
@@ -85,13 +85,13 @@ def _check_replacements(spec: Spec, nodes: list[Map], found: Diagnostics) -> Non
                 hint = did_you_mean(name, known) or "name a command, or a field and its command"
                 found.add(node.at("replaced_by"), "SBGC051", message, hint)
         if not names:
-            message = "'replaced_by' names nothing"
+            message = "'replaced_by' names no command or field"
             hint = "name a command, or a field and its command"
             found.add(node.at("replaced_by"), "SBGC051", message, hint)
 
 
 def _check_texts(spec: Spec, nodes: list[Map], found: Diagnostics) -> None:
-    """Summaries and descriptions speak of commands that exist."""
+    """Summaries and descriptions must only mention existing commands."""
     commands = {name for _, name, _, _ in spec.entries("commands")}
     fields = {node["name"] for node in nodes if _is_text(node, "name")}
     for node in nodes:

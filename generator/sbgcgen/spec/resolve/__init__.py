@@ -1,1 +1,1 @@
-"""From the YAML's words to the model: every reference, size and offset decided."""
+"""Resolves the YAML to the model, with all references, sizes and offsets."""

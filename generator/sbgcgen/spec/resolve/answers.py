@@ -1,4 +1,4 @@
-"""Resolves what answers a request."""
+"""Resolves the response policies of requests."""
 
 from __future__ import annotations
 
@@ -27,13 +27,13 @@ from sbgcgen.spec.resolve.fields import FieldResolver
 from sbgcgen.spec.resolve.roles import RoleResolver
 from sbgcgen.spec.resolve.types import TypeResolver
 
-# What the runtime has room for.
+# Limits of the runtime.
 MAX_CORRELATION_FIELDS = 2
 MAX_RESPONSES = 2
 
 
 class AnswerResolver:
-    """What the `answer` of messages says; findings go into `found`.
+    """Resolves the `answer` of messages; findings go into `found`.
 
     answer() needs the message's own fields, settle() all messages.
     """
@@ -46,25 +46,23 @@ class AnswerResolver:
         self.roles = RoleResolver(types.versions.versions, found)
         self.found = found
         self.defaults = spec.main.get("defaults", {})
-        self.nodes: dict[Position, Map] = {}  # what was resolved, to point at its keys
+        self.nodes: dict[Position, Map] = {}  # resolved nodes, for positions of their keys
 
     def answer(self, node: Any, name: str, fields: tuple[Field, ...], at: Position) -> Answer:
-        """`node` is what stands behind `answer:`, None if nothing does."""
+        """Resolve the value of `answer:`; `node` is None if it is absent."""
         if node is None:
             hint = "say 'answer: none', or which message or confirmation answers it"
-            self.found.add(at, "SBGC032", f"{name} does not say what answers it", hint)
+            self.found.add(at, "SBGC032", f"{name} does not state what answers it", hint)
         nodes = node if isinstance(node, list) else [node]
         places = node.items_at if isinstance(node, List) else [at]
         for index, (case, place) in enumerate(zip(nodes, places)):
             is_last = index == len(nodes) - 1
             if is_last == (isinstance(case, Map) and "when" in case):
-                message = f"the last case of what answers {name} has a condition"
+                message = f"the last case of the answer of {name} has a condition"
                 if not is_last:
-                    message = f"a case of what answers {name} has no condition"
+                    message = f"a case of the answer of {name} has no condition"
                 where = case.at("when") if isinstance(case, Map) and "when" in case else place
-                hint = (
-                    "each case has a 'when' but the last, which holds if none does; or it is 'none'"
-                )
+                hint = "every case but the last needs a 'when'; the last may be 'none'"
                 self.found.add(where, "SBGC035", message, hint)
         return Answer(tuple(self._case(n, fields, p) for n, p in zip(nodes, places)))
 
@@ -90,7 +88,7 @@ class AnswerResolver:
         )
 
     def settle(self, messages: list[Message]) -> list[Message]:
-        """Completes answers and roles with what the board's messages are like."""
+        """Complete answers and roles with facts about the board's messages."""
         self.roles.check(messages)
         board = {m.name: m for m in messages if m.direction == "from_board"}
         confirmations = [m for m in messages if m.role and m.role.kind == "confirmation"]
@@ -112,7 +110,7 @@ class AnswerResolver:
         return result
 
     def _board(self, name: str, board: dict[str, Message], at: Position) -> Message | None:
-        """The board's message that is named at `at`."""
+        """The board's message with this name; reports an unknown one at `at`."""
         if name not in board:
             hint = did_you_mean(name, board) or "name a message under 'from_board'"
             self.found.add(at, "SBGC021", f"the board sends no message '{name}'", hint)
@@ -158,7 +156,7 @@ class AnswerResolver:
                     if other.spec_name == field.spec_name and other.size == field.size:
                         found, confirmed = True, CorrelationField(field, offset, field.size or 0)
             if not found:
-                text = f"what answers {request.name} does not have '{name}' in a fixed place"
+                text = f"no response of {request.name} has '{name}' at a fixed offset"
                 hint = "a field of the same name and size, before the fields of varying size"
                 self.found.add(at, "SBGC036", text, hint)
         if len(case.correlation) > MAX_CORRELATION_FIELDS:
@@ -175,12 +173,12 @@ def _why_not_repeated(field: Field | None) -> str:
         return "does not exist"
     scalar = scalar_of(field.type)
     if field.dim != "one" or scalar is None or scalar.is_float or field.when is not None:
-        return "is not a whole number that is always there"
+        return "is not an integer that is always present"
     return ""
 
 
 def _place(field: Field, fields: tuple[Field, ...]) -> int | None:
-    """Where the fields of an answer have one of this name and size, if it is always there."""
+    """The offset of the response's field with this name and size; None unless always present."""
     for other in fields:
         if (other.spec_name, other.dim, other.size) == (field.spec_name, "one", field.size):
             return other.offset if other.when is None else None
@@ -188,7 +186,7 @@ def _place(field: Field, fields: tuple[Field, ...]) -> int | None:
 
 
 def confirmation_data(confirmation: Message, command: str) -> Iterator[tuple[Field, int]]:
-    """The fields that a confirmation of `command` may have, and where they stand then."""
+    """The fields that a confirmation of `command` can have, with their offsets."""
     assert confirmation.role is not None
     names = confirmation.role.parts["command"].name
     offset = 0
@@ -210,7 +208,7 @@ def _result(confirmation: Message, command: str) -> Result | None:
 
 
 def _response(request: Message, message: Message) -> Response:
-    """What the board's message is like when this request makes the board send it."""
+    """The board's message as a response to this request."""
     known = {
         context.name: path
         for context in message.contexts
@@ -235,7 +233,7 @@ def _response(request: Message, message: Message) -> Response:
 
 
 def _is_optional(path: str, fields: tuple[Field, ...]) -> bool:
-    """Whether a value deep in a message may be missing."""
+    """True if the value at a path may be missing."""
     first, _, rest = path.partition(".")
     field = next((f for f in fields if f.name == first), None)
     if field is None or field.when is not None:

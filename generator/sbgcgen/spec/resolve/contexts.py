@@ -1,4 +1,4 @@
-"""Resolves what a message cannot be read without, and what announces it."""
+"""Resolves the contexts of messages and their sources."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from sbgcgen.spec.resolve.types import TypeResolver
 
 
 def context_of(node: Map, types: TypeResolver) -> Context:
-    """A context that a message names."""
+    """Resolve a context of a message."""
     summary = types.summary(node, node.position, str(node["name"]))
     name = snake_case(str(node["name"]))
     if "announced_by" in node:
@@ -27,7 +27,7 @@ def context_of(node: Map, types: TypeResolver) -> Context:
 
 
 def announceable_types(announcement: Announcement, fields: tuple[Field, ...]) -> tuple[str, ...]:
-    """The types that a message can announce; none if it does not have what announces them."""
+    """The types that a message can announce; none if it lacks the fields of the announcement."""
 
     def find(name: str, members: tuple[Field, ...], dim: str) -> Type | None:
         return next((f.type for f in members if (f.name, f.dim, f.when) == (name, dim, None)), None)

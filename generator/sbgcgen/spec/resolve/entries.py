@@ -1,4 +1,4 @@
-"""What entries of all sections have: a summary, a source, errata, versions, a name."""
+"""Reads the keys that entries of all sections share: summary, source, errata, versions, name."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from sbgcgen.spec.resolve.versions import KINDS, VersionReader
 
 
 class Entries:
-    """Reads what entries have in common; findings go into `found`."""
+    """Reads common keys of entries; findings go into `found`."""
 
     def __init__(self, spec: Spec, found: Diagnostics) -> None:
         self.spec = spec
@@ -21,7 +21,7 @@ class Entries:
         self.identifiers: list[Identifier] = []
 
     def errata(self, node: Map) -> tuple[str, ...]:
-        """The errata numbers of a node, each of which must exist."""
+        """The errata numbers of a node; reports those that do not exist."""
         numbers = node.get("errata", [])
         known = self.spec.errata.get("errata", {})
         for index, number in enumerate(numbers):
@@ -32,7 +32,7 @@ class Entries:
         return tuple(str(n) for n in numbers)
 
     def availability(self, node: Map, key: str = "since") -> Availability:
-        """The versions under `since`, as the wire has them."""
+        """The versions under `key`, as numbers on the wire and as text."""
         since = node.get(key)
         if not isinstance(since, Map):
             return Availability()
@@ -45,7 +45,7 @@ class Entries:
         return Availability(**said)
 
     def deprecation(self, node: Map) -> Deprecation | None:
-        """What `deprecated` and `replaced_by` say."""
+        """The value of `deprecated` and `replaced_by`; None if not deprecated."""
         mark = node.get("deprecated")
         if not mark:
             return None
@@ -53,22 +53,22 @@ class Entries:
         return Deprecation(since, str(node.get("replaced_by", "")))
 
     def summary(self, node: Map, at: Position, what: str) -> str:
-        """The summary, which nothing may lack."""
+        """The summary; reports a missing one."""
         text = " ".join(str(node.get("summary") or "").split())
         if not text:
             self.found.add(at, "SBGC019", f"{what} has no summary", "describe it in one sentence")
         return text
 
     def source(self, node: Map, at: Position, what: str) -> str:
-        """Where the specification describes it, which nothing that comes from it may lack."""
+        """The source in the specification; reports a missing one."""
         text = str(node.get("source") or "")
         if not text:
             hint = "name the section and lines, as in 'Variables L1005-L1009'"
-            self.found.add(at, "SBGC020", f"{what} does not say where it comes from", hint)
+            self.found.add(at, "SBGC020", f"{what} has no source", hint)
         return text
 
     def identifier(self, name: str, at: Position) -> str:
-        """`name`, after a check that it is one."""
+        """Returns `name`; reports one that is not a valid identifier."""
         self.identifiers.append(Identifier(name, at))
         if not is_name(name):
             message = f"'{name}' cannot be a name"

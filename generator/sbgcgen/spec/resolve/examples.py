@@ -1,8 +1,8 @@
-"""Reads the values that the spec calls typical, and those of worked examples.
+"""Resolves typical values and the values of worked examples.
 
-They are written as people say them: a quantity in its unit, an enum by name, flags as a list of names,
-a packed integer as a mapping of its parts, bytes in hex. What comes out has the shape of the JSON of
-messages, with raw numbers.
+The spec has them in readable form: a quantity in its unit, an enum by name, flags as a list of
+names, a packed integer as a mapping of its parts, bytes in hex. The results have the form of
+messages in JSON, with raw numbers.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ _STEP = re.compile(r"\.?([a-z_][a-z0-9_]*)|\[([0-9]+)\]")
 
 
 class _Unfit(Exception):
-    """A value that its field cannot have."""
+    """A value that its field cannot hold."""
 
     def __init__(self, problem: str, hint: str) -> None:
         super().__init__(problem)
@@ -45,13 +45,13 @@ class ExampleReader:
     """Turns `typical` and `example` into raw values; findings go into `found`."""
 
     def __init__(self, found: Diagnostics, broken: set[str]) -> None:
-        """`broken` names the packed integers whose types did not resolve, as a finding says."""
+        """`broken` names the packed integers whose types did not resolve, which is reported."""
         self.found = found
         self._broken = broken
         self.untyped: set[str] = set()  # names of fields whose type did not resolve
 
     def typical(self, field: Field, node: Any, at: Position) -> Any:
-        """The value of a field, or None if it makes no sense."""
+        """The typical value of a field; None if it is not valid."""
         if self._is_broken(field.type):
             return None
         try:
@@ -62,7 +62,7 @@ class ExampleReader:
         return None
 
     def example(self, fields: tuple[Field, ...], node: Any, name: str) -> dict[str, Any]:
-        """The values of a worked example by path; the rest of it is typical."""
+        """The values of a worked example by path; all others are typical."""
         result: dict[str, Any] = {}
         for path, value in node.items() if isinstance(node, Map) else ():
             found = _find(fields, path)
@@ -85,14 +85,14 @@ class ExampleReader:
         return result
 
     def _is_broken(self, type_: Type) -> bool:
-        """Whether values of a type cannot be read, because another finding has to go first."""
+        """True if values of a type cannot be read because the type has a finding."""
         if isinstance(type_, Struct):
             return any(self._is_broken(member.type) for member in type_.fields)
         return isinstance(type_, Packed) and type_.name in self._broken
 
 
 def _find(fields: tuple[Field, ...], path: str) -> tuple[Field, bool] | None:
-    """The field that a path leads to, and whether it means one element of it."""
+    """The field at a path, and whether the path denotes one element of it."""
     field: Field | None = None
     is_element = True
     at = 0
@@ -122,7 +122,7 @@ def _find(fields: tuple[Field, ...], path: str) -> tuple[Field, bool] | None:
 
 
 def _known(fields: tuple[Field, ...], path: str = "") -> Iterator[str]:
-    """The paths of values, to choose a similar one from."""
+    """The paths of all values, for suggestions."""
     for field in fields:
         names = [path + field.name]
         if field.dim in ("axis", "xyz"):
@@ -138,7 +138,7 @@ def _known(fields: tuple[Field, ...], path: str = "") -> Iterator[str]:
 
 
 def _member(field: Field, node: Any) -> Any:
-    """All that a field holds; a single value stands for each element."""
+    """The value of a whole field; a single value applies to each element."""
     type_ = field.type
     if field.dim == "one":
         return _single(field, type_, node)
@@ -196,18 +196,18 @@ def _blob(type_: Blob, node: Any) -> str:
         return _hex(node, type_.size)
     text = str(node)
     if len(text.encode()) > (type_.size or 0):
-        raise _Unfit("is too long", f"{type_.size} bytes fit")
+        raise _Unfit("is too long", f"at most {type_.size} bytes fit")
     return text
 
 
 def _hex(node: Any, size: int | None) -> str:
-    """Bytes; what is missing is 0."""
+    """Bytes, padded with zeros."""
     try:
         data = bytes.fromhex(str(node) if node is not None else "")
     except ValueError:
         raise _Unfit("is not hex", 'write bytes like "0a ff", in quotes') from None
     if size is not None and len(data) > size:
-        raise _Unfit("is too long", f"{size} bytes fit")
+        raise _Unfit("is too long", f"at most {size} bytes fit")
     return data.ljust(size or 0, b"\0").hex()
 
 
@@ -272,12 +272,12 @@ def _number(type_: Type, scalar: Scalar, node: Any) -> int | float:
 
 
 def _check(field: Field, scalar: Scalar, value: int | float) -> None:
-    """A value must be one that may be sent."""
+    """Raises _Unfit unless the value may be sent."""
     if any(special.value == value for special in field.special):
         return
     low = scalar.minimum if field.minimum is None else field.minimum
     high = scalar.maximum if field.maximum is None else field.maximum
     if (low is not None and value < low) or (high is not None and value > high):
-        raise _Unfit(f"is {value} on the wire, out of its range", f"it goes from {low} to {high}")
+        raise _Unfit(f"is {value} on the wire, out of its range", f"the range is {low} to {high}")
     if field.align != 1 and value % field.align:
         raise _Unfit(f"is {value}, which is not a multiple of {field.align}", "round it")

@@ -1,4 +1,4 @@
-"""Resolves lists of fields: types, repetitions and offsets; and the structs made of them."""
+"""Resolves lists of fields (types, dimensions, offsets) and structs."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _ANNOUNCED = re.compile(r"announced\(([A-Z][A-Z0-9_]*)\)$")
 
 
 class FieldResolver:
-    """Turns field lists into model fields; structs are resolved when first used."""
+    """Resolves lists of fields; structs are resolved on first use."""
 
     def __init__(self, spec: Spec, types: TypeResolver, found: Diagnostics, max_body: int) -> None:
         self.spec = spec
@@ -62,7 +62,7 @@ class FieldResolver:
     # Structs and types
 
     def struct(self, name: str, around: tuple[Field, ...] = ()) -> Struct:
-        """The struct of this name, resolved; a region may refer to the fields `around` it."""
+        """The resolved struct with this name; a region may refer to the fields `around` it."""
         if name not in self.structs:
             family, node, at = self._nodes[name]
             is_region = "size" in node
@@ -86,13 +86,13 @@ class FieldResolver:
         return self.structs[name]
 
     def all_structs(self) -> list[Struct]:
-        """Those that nothing has used yet, too."""
+        """All structs, including those not used so far."""
         for name in self._nodes:
             self.struct(name)
         return list(self.structs.values())
 
     def _region_rest(self, node: Map, fields: tuple[Field, ...]) -> Field:
-        """The member that keeps what the conditional fields of a region do not use."""
+        """The member that keeps the bytes of a region that its conditional fields do not use."""
         size = int(node["size"])
         for field in fields:
             if field.when is None or (field.size or size + 1) > size:
@@ -157,7 +157,7 @@ class FieldResolver:
             return self.struct(text)
         words = [*SCALARS, "string", *named, *self._nodes]
         hint = type_advice(text) or did_you_mean(text, words)
-        hint = hint or "built-in are u8 … f32, bytes[N], text[N] and string"
+        hint = hint or "built-in types: u8 … f32, bytes[N], text[N] and string"
         self.found.add(at, "SBGC010", f"unknown type '{text}'", hint)
         return None
 
@@ -172,7 +172,7 @@ class FieldResolver:
         include: Any = None,
         around: tuple[Field, ...] = (),
     ) -> tuple[Field, ...]:
-        """Resolve one list of fields; `include(node)` supplies the fields of another message."""
+        """Resolve a list of fields; `include(node)` returns the fields of another message."""
         result: list[Field] = []
         reserved = 0
         offset: int | None = 0
@@ -234,7 +234,7 @@ class FieldResolver:
         if isinstance(type_, Blob) and size is None and type_.kind != "string":
             dim = "rest"
         max_count = node.get("max_count")
-        if dim == "fixed" and index and "min_count" in node:  # the first ones of those named
+        if dim == "fixed" and index and "min_count" in node:  # a variable number of named elements
             dim, count, max_count = "rest", 0, count
         whole = None if size is None or dim in ("counted", "rest") else size * count
         when = self.references.condition(node, earlier, contexts)
@@ -277,7 +277,7 @@ class FieldResolver:
         return self._with_typical(field, node)
 
     def _check_broken(self, node: Map, at: Position, text: str, owner: str) -> None:
-        """What else is wrong with a field that has no name or type, whatever they should be."""
+        """Check the other keys of a field without a valid name or type."""
         self.limits.limits(node, SCALARS["f32"], text)
         self.types.availability(node)
         self.types.deprecation(node)
@@ -294,7 +294,7 @@ class FieldResolver:
                 return "fixed", last - first + 1, tuple(str(n) for n in range(first, last + 1)), ""
             kind = name.expand.lower()
             if kind in self.indices:
-                if in_struct:  # the name follows the index of whoever uses the struct
+                if in_struct:  # the index is that of the field that has the struct's type
                     return "one", 1, (), ""
                 return kind, len(self.indices[kind]), self.indices[kind], ""
             words = [i.upper() for i in self.indices]

@@ -1,4 +1,4 @@
-"""Resolves how a body is wrapped on the line."""
+"""Resolves the parts of a frame."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import List, Map
 from sbgcgen.spec.resolve.entries import Entries
 
-# The largest number in the byte of a size.
+# The largest value of the size byte.
 _MOST = 255
 
 
 def framing_of(node: Map, entries: Entries, found: Diagnostics) -> Framing:
-    """`node` is what stands behind `framing:`; findings go into `found`."""
+    """Resolve the value of `framing:`; findings go into `found`."""
     checksums = tuple(
         Checksum(name, str(content["kind"]), tuple(str(part) for part in content["covers"]))
         for name, content in node["checksums"].items()
@@ -35,7 +35,7 @@ def framing_of(node: Map, entries: Entries, found: Diagnostics) -> Framing:
 
 
 def _check_parts(framing: Framing, node: Map, found: Diagnostics) -> None:
-    """Every part has a place, the start byte the first one."""
+    """Every part must have one place, and the start byte must be first."""
     names = [checksum.name for checksum in framing.checksums]
     header = [START, ID, SIZE, *names]
     for key, parts, known in (
@@ -59,7 +59,7 @@ def _check_parts(framing: Framing, node: Map, found: Diagnostics) -> None:
 
 
 def _check_checksums(framing: Framing, nodes: Map, found: Diagnostics) -> None:
-    """Every checksum has a place, and covers what is sent before it."""
+    """Every checksum must have a place, and cover only parts before it."""
     for checksum in framing.checksums:
         name, node = checksum.name, nodes[checksum.name]
         if name in (START, ID, SIZE, BODY):

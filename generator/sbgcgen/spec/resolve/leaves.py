@@ -1,4 +1,4 @@
-"""The leaves of a body: its values in wire order, every index written out."""
+"""Expands a body into its leaves: the values in wire order, with one leaf per named element."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def expand_name(spec_name: str, word: str) -> str:
 def leaves(
     fields: tuple[Field, ...], path: str = "", base: int | None = 0, word: str = ""
 ) -> Iterator[Leaf]:
-    """The leaves of a list of fields in wire order, every index written out."""
+    """The leaves of a list of fields in wire order."""
     for field in fields:
         offset = None if base is None or field.offset is None else base + field.offset
         yield from _field_leaves(field, path + field.name, offset, word)

@@ -1,4 +1,4 @@
-"""Resolves which values a field may have: its range, and values of a special meaning."""
+"""Resolves the valid values of a field: its range and special values."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _RANGE = re.compile(r"(-?[0-9]+(?:\.[0-9]+)?)\.\.(-?[0-9]+(?:\.[0-9]+)?)$")
 
 
 class LimitResolver:
-    """Ranges and special values; findings go into `found`."""
+    """Resolves ranges and special values; findings go into `found`."""
 
     def __init__(self, types: TypeResolver, found: Diagnostics) -> None:
         self.types = types
@@ -23,7 +23,7 @@ class LimitResolver:
     def limits(
         self, node: Map, type_: Type, text: str
     ) -> tuple[Fraction | None, Fraction | None, tuple[Special, ...]]:
-        """Least and greatest value, None where the type alone decides, and the special values."""
+        """Minimum and maximum (None if only the type limits the value) and the special values."""
         at = node.at("range")
         special = self._special(node)
         minimum = maximum = None
@@ -32,17 +32,17 @@ class LimitResolver:
             match = _RANGE.match(str(node["range"]))
             if match is None or scalar is None:
                 hint = "write it like 0..100, for a number"
-                self.found.add(at, "SBGC017", f"the range of {text} makes no sense", hint)
+                self.found.add(at, "SBGC017", f"the range of {text} is not valid", hint)
             else:
                 minimum, maximum = Fraction(match[1]), Fraction(match[2])
                 if minimum > maximum:
                     hint = f"write {match[2]}..{match[1]}"
-                    self.found.add(at, "SBGC017", f"the range of {text} is upside down", hint)
+                    self.found.add(at, "SBGC017", f"the range of {text} is reversed", hint)
                 if not scalar.is_float and minimum.denominator * maximum.denominator != 1:
-                    message = f"the range of {text} is not one of whole numbers"
+                    message = f"the range of {text} is not in whole numbers"
                     self.found.add(at, "SBGC017", message, "the range is in raw wire values")
                 if not scalar.is_float and not (_fits(scalar, minimum) and _fits(scalar, maximum)):
-                    message = f"the range of {text} goes beyond {scalar.name}"
+                    message = f"the range of {text} exceeds {scalar.name}"
                     self.found.add(at, "SBGC017", message, "the range is in raw wire values")
         for entry in special:
             where = node["special"].at(str(entry.value)) if isinstance(node["special"], Map) else at
@@ -51,13 +51,13 @@ class LimitResolver:
                 self.found.add(where, "SBGC017", message, "it is a raw wire value")
             elif minimum is not None and maximum is not None:
                 if minimum <= entry.value <= maximum and not node.get("special_in_range"):
-                    message = f"the special value {entry.value} of {text} lies inside its range"
+                    message = f"the special value {entry.value} of {text} is inside its range"
                     hint = "narrow the range, or mark it with 'special_in_range: true'"
                     self.found.add(where, "SBGC018", message, hint)
         return minimum, maximum, special
 
     def _special(self, node: Map) -> tuple[Special, ...]:
-        """The special values, which are texts, or mappings that give them a name in C++."""
+        """The special values: texts, or mappings that also give a name in C++."""
         result = []
         for key, content in (node.get("special") or {}).items():
             if not isinstance(content, Map):

@@ -1,4 +1,4 @@
-"""Resolves the serial line that messages travel over."""
+"""Resolves the settings of the serial line."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from sbgcgen.spec.resolve.types import TypeResolver
 
 
 def line_of(node: Any, types: TypeResolver, found: Diagnostics) -> Line:
-    """`node` is what stands behind `line:` in the main file, None if nothing does."""
+    """Resolve the value of `line:` in the main file; None if it is absent."""
     if not isinstance(node, Map):
         return Line((), 0, (), 0, 0, "", ())
     named: list[int] = []

@@ -43,12 +43,12 @@ class _Draft:
     at: Position
 
     def get(self, key: str, default: Any = None) -> Any:
-        """A property of the form, or else of the direction it belongs to."""
+        """A property of the form, or else of its direction."""
         return self.node.get(key, self.parent.get(key, default))
 
 
 class MessageResolver:
-    """Makes drafts of all messages first, because any of them may need the body of another."""
+    """Collects drafts of all messages first, because any message may need the body of another."""
 
     def __init__(
         self,
@@ -66,13 +66,13 @@ class MessageResolver:
         self.open: list[str] = []
 
     def add(self, command: Command, node: Map) -> None:
-        """Make drafts of the messages of a command."""
+        """Add drafts of the messages of a command."""
         for direction in DIRECTIONS:
             if direction in node:
                 self._draft(command, direction, node)
 
     def run(self) -> list[Message]:
-        """All messages, once all commands are there."""
+        """Resolve all messages; call it after adding all commands."""
         self._check_same_as()
         messages = self._settle_tails([self._message(draft) for draft in self.drafts.values()])
         messages = [self._settle_types(message) for message in messages]
@@ -100,7 +100,7 @@ class MessageResolver:
             self.drafts[key] = draft
 
     def _check_same_as(self) -> None:
-        """Every 'same_as' must lead to a list of fields; one that does not is taken out."""
+        """Every 'same_as' must lead to a list of fields; removes those that do not."""
         for draft in self.drafts.values():
             seen: list[_Draft] = []
             step: _Draft | None = draft
@@ -118,11 +118,11 @@ class MessageResolver:
                 node.pop("same_as")
 
     def _is_own_body(self, node: Map, base: str) -> bool:
-        """Whether one direction of a command has the very body of the other."""
+        """True if one direction of a command has the same body as the other."""
         return any(node[d].get("same_as") == base for d in DIRECTIONS if d in node)
 
     def _find(self, name: str, at: Position) -> Message | None:
-        """A message by name, whichever direction defines its body."""
+        """The message with this name, from the direction that defines its body."""
         candidates = [d for (n, _), d in self.drafts.items() if n == name]
         candidates.sort(key=lambda d: "same_as" in d.node)
         if not candidates:
@@ -209,7 +209,7 @@ class MessageResolver:
         return message_
 
     def _effect(self, node: Any, fields: tuple[Field, ...]) -> Effect | None:
-        """`node` is what stands behind `effect:`: a word, several, or cases."""
+        """Resolve the value of `effect:`, which is one word, several, or cases."""
         if node is None:
             return None
         listed = node if isinstance(node, list) else [node]
@@ -223,7 +223,7 @@ class MessageResolver:
         return Effect(tuple(cases))
 
     def _until(self, draft: _Draft) -> Until | None:
-        """The firmware that no longer takes the message, and the form that it takes instead."""
+        """The first firmware that no longer accepts the message, and the form that replaces it."""
         node = draft.get("until")
         if not isinstance(node, Map):
             return None
@@ -244,16 +244,16 @@ class MessageResolver:
         return Until(versions, forms.get(wanted, "") if wanted else "", node.position)
 
     def _original(self, draft: _Draft, same_as: str) -> Message | None:
-        """The other message whose body this one has."""
+        """The other message that defines the body of this one."""
         for direction in DIRECTIONS if same_as != draft.name else ():
             if (same_as, direction) in self.drafts:
                 return self._message(self.drafts[same_as, direction])
         return None
 
     def _settle_tails(self, messages: list[Message]) -> list[Message]:
-        """Of several forms only the longest may grow: the others are told apart by their size.
+        """Let only the longest of several forms keep a tail, because size distinguishes the others.
 
-        A message with the body of another grows as that does, unless it says otherwise.
+        A message with the body of another has that message's tail setting, unless it has its own.
         """
         result = []
         for message in messages:
@@ -275,7 +275,7 @@ class MessageResolver:
         ]
 
     def _settle_types(self, message: Message) -> Message:
-        """What the contexts of a message can announce is known when all messages are."""
+        """Complete the announced types of contexts, which need all messages."""
         contexts = []
         for context in message.contexts:
             announced = context.announced
@@ -336,7 +336,7 @@ class MessageResolver:
 
 
 def _no_body(at: Position) -> Map:
-    """The content of a form that is only named."""
+    """The content of a form without a description."""
     result = Map()
     result.position, result.keys_at = at, {}
     return result

@@ -1,4 +1,4 @@
-"""Turns a Spec into the Layout model."""
+"""Resolves a Spec to the Layout model."""
 
 from __future__ import annotations
 

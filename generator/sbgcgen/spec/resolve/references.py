@@ -1,4 +1,4 @@
-"""Resolves what a field depends on: conditions, flags that choose a unit, ids of variables."""
+"""Resolves references of a field: conditions, flags that select a unit, ids of variables."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from sbgcgen.spec.resolve.types import VARIABLE_ID, TypeResolver
 
 
 class ReferenceResolver:
-    """References to earlier fields and to contexts; findings go into `found`."""
+    """Resolves references to earlier fields and contexts; findings go into `found`."""
 
     def __init__(self, types: TypeResolver, found: Diagnostics) -> None:
         self.types = types
@@ -22,7 +22,7 @@ class ReferenceResolver:
     def condition(
         self, node: Map, earlier: list[Field], contexts: tuple[Context, ...]
     ) -> Condition | None:
-        """The `when` of a node, about a context or one of the `earlier` fields."""
+        """The condition under `when`, which refers to a context or one of the `earlier` fields."""
         when = node.get("when")
         if not isinstance(when, Map):
             return None
@@ -38,7 +38,7 @@ class ReferenceResolver:
         )
         unknown = {c.name.upper() for c in contexts if c.type is None and c.announced is None}
         if from_context and wanted in unknown:
-            return None  # its type is reported where it is named
+            return None  # the context's unknown type has been reported
         if wanted not in found:
             hint = did_you_mean(wanted, found) or f"known here: {', '.join(found) or 'none'}"
             self.found.add(when.at(key), "SBGC026", f"'{wanted}' is not an earlier {key}", hint)
@@ -75,7 +75,7 @@ class ReferenceResolver:
         return tuple(by_name[n] for n in names if n in by_name)
 
     def alternative(self, node: Map) -> Alternative | None:
-        """The other unit of a field, and the flag that chooses it."""
+        """The alternative unit of a field, and the flag that selects it."""
         other = node.get("alternative")
         if not isinstance(other, Map):
             return None
@@ -95,7 +95,7 @@ class ReferenceResolver:
         return None
 
     def variable(self, node: Map, earlier: list[Field]) -> str:
-        """The earlier field with the id of the adjustable variable that this is the value of."""
+        """The earlier field with the id of the adjustable variable whose value this field holds."""
         wanted = str(node.get("variable", ""))
         for field in earlier:
             if wanted and field.spec_name == wanted and field.type == self._ids:

@@ -11,7 +11,7 @@ from sbgcgen.spec.load import List, Spec
 
 
 class RevisionResolver:
-    """Turns `revisions` of the main file into model entries; findings go into `found`."""
+    """Resolves `revisions` of the main file; findings go into `found`."""
 
     def __init__(
         self,
@@ -37,7 +37,7 @@ class RevisionResolver:
         self.known[addition.text] = addition
 
     def revisions(self, spec: Spec) -> Iterator[Revision]:
-        """All of them, the first revision first."""
+        """All revisions, the oldest first."""
         nodes = spec.main.get("revisions", {})
         for number, node in nodes.items():
             adds = node.get("adds", List())
@@ -60,7 +60,7 @@ class RevisionResolver:
 
 
 def _paths(message: Message) -> Iterator[str]:
-    """The fields of a message, and what they consist of, by their paths without indices."""
+    """The paths of a message's fields and groups, without indices."""
     for leaf in message.leaves:
         for inner in (leaf, *leaf.cases):
             words = re.sub(r"\[\d*\]", "", inner.path).split(".")

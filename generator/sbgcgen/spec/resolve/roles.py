@@ -1,4 +1,4 @@
-"""Resolves what messages are in the conversation."""
+"""Resolves the roles of messages in the conversation."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Map
 from sbgcgen.spec.resolve.versions import KINDS
 
-# What the runtime has room for.
+# Limit of the runtime in bytes.
 MAX_CONFIG = 8
 _UNITS = {"s": 1_000_000, "ms": 1000, "us": 1}
-# The fields that a role needs, and those that it can have; then what else it has.
+# The required and the optional fields of each role; below, its other keys.
 _PARTS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "confirmation": (("command",), ()),
     "error": ((), ("code", "command")),
@@ -41,7 +41,7 @@ _WORDS = {
 
 
 class RoleResolver:
-    """What the `role` of messages says; findings go into `found`.
+    """Resolves the `role` of messages; findings go into `found`.
 
     role() needs the message's own fields, check() all messages.
     """
@@ -49,10 +49,10 @@ class RoleResolver:
     def __init__(self, versions: Versions, found: Diagnostics) -> None:
         self.versions = versions
         self.found = found
-        self.nodes: dict[Position, Map] = {}  # what was resolved, to point at its keys
+        self.nodes: dict[Position, Map] = {}  # resolved nodes, for positions of their keys
 
     def role(self, node: Any, direction: str, fields: tuple[Field, ...]) -> Role | None:
-        """`node` is what stands behind `role:`."""
+        """Resolve the value of `role:`; None if it is absent or not valid."""
         if not isinstance(node, Map):
             return None
         kind = str(node["is"])
@@ -76,7 +76,7 @@ class RoleResolver:
                     parts[part] = field
             elif part in needed:
                 hint = f"{part}: NAME of the field"
-                self.found.add(node.position, "SBGC037", f"a {kind} has '{part}'", hint)
+                self.found.add(node.position, "SBGC037", f"a {kind} needs '{part}'", hint)
         if any(part not in parts for part in needed):
             return None
         role = Role(kind, parts, delay_ms=int(node.get("delay_ms", 0)), at=node.position)
@@ -99,7 +99,7 @@ class RoleResolver:
         return field
 
     def _why_not(self, kind: str, part: str, field: Field) -> str:
-        """Why a field cannot be this part of a role; "" if it can."""
+        """The reason that a field cannot be this part of a role; "" if it can."""
         type_, is_one = field.type, field.dim == "one"
         if part == "config":
             is_bytes = isinstance(type_, (Struct, Blob)) and is_one
@@ -108,19 +108,19 @@ class RoleResolver:
         if part == "command":
             wanted = COMMAND_IDS["from_board" if kind == "stream_request" else "to_board"]
             is_command = isinstance(type_, Enum) and type_.name == wanted
-            return "" if is_command else f"is no command: its type is not {wanted}"
+            return "" if is_command else f"is not a command: its type is not {wanted}"
         if part == "code":
             is_code = isinstance(type_, Enum) and type_.scalar.size == 1
-            return "" if is_code else "is no enum of one byte"
+            return "" if is_code else "is not an enum of one byte"
         if part in KINDS:
             is_version = is_one and type_ == self.versions.of(part)
-            return "" if is_version else f"is not of the type that 'versions' has for {part}"
+            return "" if is_version else f"is not of the type that 'versions' names for {part}"
         if part == "serial_number":
             is_run = is_one and isinstance(type_, Blob) and type_.kind == "bytes"
             return (
                 "" if is_run and field.size is not None else "is not a run of bytes of fixed size"
             )
-        return "" if isinstance(type_, Quantity) and is_one else "is no quantity"
+        return "" if isinstance(type_, Quantity) and is_one else "is not a quantity"
 
     def _stream_role(self, node: Map, role: Role) -> Role | None:
         quantity = role.parts["interval"].type
@@ -133,7 +133,7 @@ class RoleResolver:
             return None
         if "messages" not in node or ("cycle" in node) != ("cycle_us" in node):
             hint = "messages: [NAME, …]; cycle and cycle_us come together or not at all"
-            self.found.add(node.position, "SBGC037", "a stream_request lacks something", hint)
+            self.found.add(node.position, "SBGC037", "a stream_request is incomplete", hint)
             return None
         return replace(
             role,
@@ -146,7 +146,7 @@ class RoleResolver:
         )
 
     def check(self, messages: list[Message]) -> None:
-        """Each role belongs to one command."""
+        """Each role must belong to one command."""
         first: dict[str, Message] = {}
         for message in messages:
             if message.role is None:

@@ -1,4 +1,4 @@
-"""How many bytes types and lists of fields take."""
+"""Sizes of types and lists of fields in bytes."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from sbgcgen.model import Announced, Blob, Field, Struct, Type, scalar_of
 
 
 def size_of(type_: Type) -> int | None:
-    """The bytes that a type takes, None if that varies."""
+    """Size of a type; None if it varies."""
     scalar = scalar_of(type_)
     if scalar is not None:
         return scalar.size
@@ -17,7 +17,7 @@ def size_of(type_: Type) -> int | None:
 
 
 def min_size_of(type_: Type) -> int:
-    """The fewest bytes that a type takes."""
+    """Smallest size of a type."""
     if isinstance(type_, Struct):
         return type_.min_size
     if isinstance(type_, Blob) and type_.kind == "string":
@@ -26,7 +26,7 @@ def min_size_of(type_: Type) -> int:
 
 
 def total_size(fields: tuple[Field, ...]) -> int | None:
-    """Size of a list of fields in bytes, None if it varies."""
+    """Size of a list of fields; None if it varies."""
     total = 0
     for field in fields:
         if field.is_variable or field.size is None:
@@ -36,7 +36,7 @@ def total_size(fields: tuple[Field, ...]) -> int | None:
 
 
 def min_size(fields: tuple[Field, ...]) -> int:
-    """The fewest bytes that a list of fields takes."""
+    """Smallest size of a list of fields."""
     return sum(_min_field(field) for field in fields if field.when is None)
 
 
@@ -47,7 +47,7 @@ def _min_field(field: Field) -> int:
 
 
 def max_size(fields: tuple[Field, ...], limit: int) -> int:
-    """The most bytes that the specification describes, at most `limit`."""
+    """Largest size that the specification describes, at most `limit`."""
     total = 0
     by_name = {field.name: field for field in fields}
     for field in fields:

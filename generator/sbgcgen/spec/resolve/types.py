@@ -24,13 +24,13 @@ from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Map, Spec, directions_of
 from sbgcgen.spec.resolve.entries import Entries
 
-# Enums that follow from other sections of the spec.
+# An enum that is derived from the section `variables`, as COMMAND_IDS are from `commands`.
 VARIABLE_ID = "VariableId"
 
 
 @dataclass
 class Types:
-    """Everything that a `type:` may name, but structs."""
+    """The named types that `type:` can refer to, except structs."""
 
     quantities: dict[str, Quantity] = field(default_factory=dict)
     enums: dict[str, Enum] = field(default_factory=dict)
@@ -38,12 +38,12 @@ class Types:
 
 
 class TypeResolver(Entries):
-    """Turns the type sections of a spec into model types; findings go into `found`."""
+    """Resolves the type sections of a spec; findings go into `found`."""
 
     def __init__(self, spec: Spec, found: Diagnostics) -> None:
         super().__init__(spec, found)
         self.types = Types()
-        self.broken: set[str] = set()  # packed integers with a part whose type does not exist
+        self.broken: set[str] = set()  # packed integers with an unknown enum
 
     def run(self) -> Types:
         for _, name, value, at in self.spec.entries("quantities"):
@@ -64,7 +64,7 @@ class TypeResolver(Entries):
         return self.types
 
     def _read_versions(self) -> None:
-        """What says how versions are written comes first: everything else may have a version."""
+        """Resolve the packed integers of versions first: any other entry may have a version."""
         names = []
         for _, name, value, at in self.spec.entries("packed"):
             names.append(name)
@@ -102,7 +102,7 @@ class TypeResolver(Entries):
         )
 
     def _command_ids(self, direction: str) -> Enum:
-        """The ids of what goes in one direction; in the other one they may mean other commands."""
+        """The command ids of one direction; in the other one they may mean other commands."""
         values = []
         for _, name, value, at in self.spec.entries("commands"):
             if value["id"] is None or direction not in directions_of(value):
@@ -145,7 +145,7 @@ class TypeResolver(Entries):
     def _enum_values(
         self, name: str, entries: dict[str, tuple[Map, Position]], on_the_way: tuple[str, ...]
     ) -> list[EnumValue]:
-        """The values of an enum or flag set, behind those of the one that it extends."""
+        """The values of an enum or flag set, after those of the one that it extends."""
         node, _ = entries[name]
         values = []
         base = str(node.get("extends", ""))
@@ -226,7 +226,7 @@ class TypeResolver(Entries):
                 self.found.add(value.at, "SBGC012", message, "give one of them a name with 'as'")
 
     def enum_named(self, name: str, at: Position) -> Enum | None:
-        """The enum or flag set of this name; an unknown name is a finding."""
+        """The enum or flag set with this name; reports an unknown name and returns None."""
         enum = self.types.enums.get(name)
         if enum is None:
             hint = did_you_mean(name, self.types.enums) or "name one under 'enums' or 'flags'"
@@ -254,7 +254,7 @@ class TypeResolver(Entries):
         literal = re.sub(r"\{\w+(:[0-9]+)?\}", "", display)
         if not re.fullmatch(r"[^][{}]*(\[[^][{}]*\][^][{}]*)*", literal):
             message = f"the display text of {name} has the wrong syntax"
-            hint = "write {part} or {part:02}, and [b{part}] for what is left out when it is 0"
+            hint = "write {part} or {part:02}, and [b{part}] for text to omit if the part is 0"
             self.found.add(node.at("display"), "SBGC025", message, hint)
         for word in re.findall(r"\{(\w+)", display):
             if word not in seen:
@@ -292,7 +292,7 @@ class TypeResolver(Entries):
             hint = did_you_mean(node["main"], by_name) or f"parts: {', '.join(sorted(by_name))}"
             self.found.add(at, "SBGC026", f"{name} has no part '{node['main']}'", hint)
         elif part.enum is not None and part.enum.kind != "enum":
-            text = f"'{part.name}' of {name} has flags, of which no single one is the whole value"
+            text = f"'{part.name}' of {name} is a flag set, not an enum"
             self.found.add(at, "SBGC026", text, "the main part has the type of an enum")
         elif part.enum is None and "type" not in node["parts"][parts.index(part)]:
             text = f"'{part.name}' of {name} has no named values"
@@ -314,7 +314,7 @@ class TypeResolver(Entries):
         elif "mask" in node:
             mask = node["mask"]
         if mask & ~whole or mask == 0:
-            message = f"the bits of '{name}' do not lie in {scalar.name}"
+            message = f"the bits of '{name}' do not fit into {scalar.name}"
             at = node.at("bits" if "bits" in node else "mask")
             self.found.add(
                 at, "SBGC016", message, f"they are counted from 0 to {8 * scalar.size - 1}"
@@ -355,7 +355,7 @@ class TypeResolver(Entries):
                 first = seen.setdefault(name, at)
                 if first is not at:
                     message = f"'{name}' is defined twice (first at {first})"
-                    self.found.add(at, "SBGC028", message, "all kinds of types share their names")
+                    self.found.add(at, "SBGC028", message, "all types share one namespace")
 
 
 def parse_bits(value: Any) -> tuple[int, int]:

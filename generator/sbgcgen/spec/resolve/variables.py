@@ -1,4 +1,4 @@
-"""Resolves the adjustable variables, and the settings that they stand for."""
+"""Resolves the adjustable variables and the settings that they set."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import List, Map
 from sbgcgen.spec.resolve.types import TypeResolver
 
-_WIDEST = SCALARS["i32"]  # what a message tells a variable in
-_LIMIT = 1 << 62  # of a product of a count, in 64 bits
+_WIDEST = SCALARS["i32"]  # type of a variable's value in messages
+_LIMIT = 1 << 62  # bound of intermediate products, which must fit into 64 bits
 
 
 class VariableResolver:
-    """Turns entries under `variables` into model variables; findings go into `found`."""
+    """Resolves entries under `variables`; findings go into `found`."""
 
     def __init__(self, types: TypeResolver, messages: list[Message], found: Diagnostics) -> None:
         self.types = types
@@ -36,7 +36,7 @@ class VariableResolver:
         self.stored = {m.stores for m in messages if m.stores}
 
     def variable(self, name: str, node: Map, at: Position) -> Variable:
-        """One entry."""
+        """Resolve one entry."""
         quantity = self.types.types.quantities.get(str(node["type"]))
         scalar = quantity.scalar if quantity else SCALARS.get(str(node["type"]))
         if scalar is None:
@@ -48,10 +48,10 @@ class VariableResolver:
         low, _, high = str(node["range"]).partition("..")
         minimum, maximum = int(low), int(high)
         if minimum > maximum:
-            message = f"the range of {name} is upside down"
+            message = f"the range of {name} is reversed"
             self.found.add(node.at("range"), "SBGC017", message, f"write {high}..{low}")
         if not (_fits(scalar, min(minimum, maximum)) and _fits(scalar, max(minimum, maximum))):
-            message = f"the range of {name} goes beyond {scalar.name}"
+            message = f"the range of {name} exceeds {scalar.name}"
             hint = "the range is in raw wire values"
             self.found.add(node.at("range"), "SBGC017", message, hint)
         is_switch = bool(node.get("as_switch", False))
@@ -82,7 +82,7 @@ class VariableResolver:
     def _setting(
         self, text: str, at: Position, quantity: Quantity | None, limits: tuple[int, int]
     ) -> VariableSetting | None:
-        """What `Message.path` leads to, if a variable in these units can stand for it."""
+        """The setting at `Message.path`; None if a variable of this quantity cannot set it."""
         name, _, path = text.partition(".")
         message = self.messages.get(name)
         if message is None:
@@ -100,9 +100,9 @@ class VariableResolver:
         if name not in self.stored:
             problem = "is not a setting: no message stores it"
         elif leaf.field.role in ("copy", "state") or leaf.field.reserved or leaf.field.is_counter:
-            problem = "is no setting"
+            problem = "is not a setting"
         elif not _always_there(leaf, message):
-            problem = "does not always stand there"
+            problem = "is not always present"
         if problem or scalar is None:
             hint = "a variable sets one number among the settings that a message stores"
             self.found.add(at, "SBGC044", f"'{text}' {problem}", hint)
@@ -128,7 +128,7 @@ class VariableResolver:
             special = tuple(sorted(s.value for s in leaf.field.special))
             setting = replace(setting, special=special)
         if any(value + 1 in setting.special for value in setting.special):
-            text = f"a value between two special ones of '{text}' has no step of its own"
+            text = f"a value between two special ones of '{text}' has no raw value"
             self.found.add(at, "SBGC044", text, "give the variable the type of the setting")
         elif not all(_fits(scalar, setting.count(value)) for value in limits):
             text = f"'{text}' cannot hold every value of the range"
@@ -142,7 +142,7 @@ class VariableResolver:
 
 
 def _paths(node: Map) -> list[tuple[str, Position]]:
-    """What stands behind `sets`, each with its place."""
+    """The paths under `sets` with their positions."""
     sets: Any = node.get("sets", [])
     if isinstance(sets, List):
         return [(str(path), at) for path, at in zip(sets, sets.items_at)]
@@ -156,7 +156,7 @@ def _fits(scalar: Scalar, value: int) -> bool:
 
 
 def _number(leaf: Leaf) -> Scalar | None:
-    """The integer of a leaf that is a single one."""
+    """The type of a leaf that is a single integer or enum; None for any other."""
     type_ = leaf.field.type
     scalar = type_ if isinstance(type_, Scalar) else None
     if isinstance(type_, Quantity) or (isinstance(type_, Enum) and type_.kind == "enum"):
@@ -171,7 +171,7 @@ def _always_there(leaf: Leaf, message: Message) -> bool:
 
 
 def _is_told(setting: VariableSetting) -> bool:
-    """Whether every value that the setting can have is a variable's, and nothing overflows."""
+    """True if a variable can represent every value of the setting without overflow."""
     scalar = setting.scalar
     assert scalar.minimum is not None and scalar.maximum is not None
     parts = (setting.numerator, setting.denominator, setting.addend)

@@ -1,4 +1,4 @@
-"""Resolves how versions are written: those of `since` and `until`, and the newest one."""
+"""Parses versions: those of `since` and `until`, and the newest firmware."""
 
 from __future__ import annotations
 
@@ -13,20 +13,23 @@ KINDS = ("firmware", "board")
 
 
 class VersionReader:
-    """Reads versions as the packed integers under `versions` display them; findings go into `found`."""
+    """Parses versions by the display texts of the packed integers under `versions`.
+
+    Findings go into `found`.
+    """
 
     def __init__(self, node: Map, found: Diagnostics) -> None:
-        self.node = node  # what stands behind `versions:` in the main file
+        self.node = node  # the value of `versions:` in the main file
         self.found = found
         self.versions = Versions()
 
     @property
     def names(self) -> list[str]:
-        """The packed integers."""
+        """The names of the packed integers."""
         return [str(self.node[kind]) for kind in KINDS if kind in self.node]
 
     def use(self, packed: dict[str, Packed], names: list[str]) -> None:
-        """Take the packed integers that can be read; `names` are those of all that there are."""
+        """Use these packed integers; `names` are the names of all, including unresolved ones."""
         found = {}
         for kind in KINDS:
             if kind not in self.node:
@@ -40,13 +43,13 @@ class VersionReader:
             elif type_ is not None and _is_written(type_):
                 found[kind] = type_
             else:
-                text = f"a version cannot be read by the display text of {name}"
+                text = f"the display text of {name} cannot represent a version"
                 hint = "it has each part once, and no part is an enum"
                 self.found.add(self.node.at(kind), "SBGC070", text, hint)
         self.versions = Versions(**found)
 
     def version(self, kind: str, text: str, at: Position) -> int:
-        """The number of a version; 0 if it is none, which is a finding."""
+        """The number of a version; reports text that is not a version and returns 0."""
         type_ = self.versions.of(kind)
         value = raw_of(type_, text) if type_ else None
         if value is None and (type_ or kind not in self.node):

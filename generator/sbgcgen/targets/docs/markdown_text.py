@@ -1,4 +1,4 @@
-"""What the Markdown templates need: escaping, anchors, drawings of bytes and bits."""
+"""Filters of the Markdown templates: escaping, anchors, byte maps and bit maps."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ from fractions import Fraction
 
 from sbgcgen.model import Message, Packed
 
-# Bytes in a row of a byte map, and characters for each.
+# Bytes in a row of a byte map, and characters per byte.
 _ROW = 16
 _CELL = 4
 
 
 def escape(text: str) -> str:
-    """Text that is shown as it is, in a paragraph or in a cell of a table."""
+    """Escape text for a paragraph or a table cell."""
     text = " ".join(text.split()).replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
     return re.sub(r"([\\`*_{}\[\]|~#])", r"\\\1", text)
 
 
 def code(text: str) -> str:
-    """Text as code, in a cell of a table, too."""
+    """Format text as code, also for a table cell."""
     fence = "``" if "`" in text else "`"
     return f"{fence}{text}{fence}".replace("|", "\\|") if text else ""
 
@@ -43,10 +43,10 @@ class _Cell:
 
 
 def byte_map(message: Message) -> str:
-    """The bytes of a body as a drawing; the numbers are those of the leaves, from 1 on.
+    """Draw the bytes of a body, with the numbers of the leaves, which count from 1.
 
-    Where a leaf takes whole rows beyond its first, only the last is drawn. What has no fixed offset
-    is left to the table.
+    Of the rows that one leaf fills after its first row, only the last is drawn. The map ends before
+    the first leaf without a fixed place.
     """
     spans = []
     for number, leaf in enumerate(message.leaves, 1):
@@ -95,7 +95,7 @@ def _row(cells: list[_Cell], is_open: bool) -> str:
 
 
 def _rule(above: list[_Cell], below: list[_Cell]) -> str:
-    """The line between two rows of cells, with a corner wherever a cell begins or ends."""
+    """The line between two rows of cells, with a corner at each end of a cell."""
     corners = {at * _CELL for cell in (*above, *below) for at in (cell.start, cell.end)}
     drawn = {
         at for cell in (*above, *below) for at in range(cell.start * _CELL, cell.end * _CELL + 1)
@@ -107,7 +107,7 @@ def _rule(above: list[_Cell], below: list[_Cell]) -> str:
 
 
 def bit_map(packed: Packed) -> str:
-    """The bits of a packed integer as a drawing, the highest first; "" for decimal digits."""
+    """Draw the bits of a packed integer, the highest first; "" for decimal digits."""
     parts = [part for part in packed.parts if not part.is_digits]
     if not parts:
         return ""
@@ -129,7 +129,7 @@ def bit_map(packed: Packed) -> str:
 
 
 def bits_of(mask: int) -> str:
-    """The bits of a mask as people say them: "bit 7", "bits 0 to 3", "bits 0, 2"."""
+    """The bits of a mask in words: "bit 7", "bits 0 to 3", "bits 0, 2"."""
     bits = [bit for bit in range(mask.bit_length()) if mask >> bit & 1]
     if len(bits) == 1:
         return f"bit {bits[0]}"
@@ -139,7 +139,7 @@ def bits_of(mask: int) -> str:
 
 
 def listed(values: Sequence[str], last: str = "or") -> str:
-    """A, B or C."""
+    """Join values in words: "A, B or C"."""
     if len(values) < 2:
         return "".join(values)
     return ", ".join(values[:-1]) + f" {last} {values[-1]}"

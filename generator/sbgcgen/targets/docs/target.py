@@ -1,4 +1,4 @@
-"""The reference in Markdown: for reading where the code is."""
+"""The reference in Markdown, for reading in the repository."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from sbgcgen.targets.docs.view import names
 
 
 class Docs(Target):
-    """Pages by family, and of what they have in common."""
+    """A page for each family, and pages for types, framing, availability and errata."""
 
     def view(self, layout: Layout, project: Path) -> View:
         return View(names=names(layout), filters=FILTERS)

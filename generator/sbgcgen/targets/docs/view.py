@@ -1,6 +1,4 @@
-"""What the pages show beyond the Layout: the way back from types to messages, groups of fields, what
-each version has brought, examples.
-"""
+"""Facts for the pages that the Layout lacks: users of types, groups of fields, news of versions."""
 
 from __future__ import annotations
 
@@ -30,7 +28,7 @@ from sbgcgen.views.history import Revisions
 
 
 def names(layout: Layout) -> dict[str, Any]:
-    """What templates see of this module, by name."""
+    """The names that templates see."""
     of_command: dict[str, list[Message]] = {command.name: [] for command in layout.commands}
     for message in layout.messages:
         of_command[message.command].append(message)
@@ -75,14 +73,14 @@ def packed_with(layout: Layout) -> dict[str, tuple[Packed, ...]]:
 
 
 def effects_of(messages: list[Message]) -> list[str]:
-    """What any of these requests does; that another one changes nothing is left out."""
+    """The effects of these requests; "reads" only if there is no other."""
     said = {word for message in messages if message.effect for word in message.effect.words}
     return [word for word in EFFECTS if word in said and (word != "reads" or len(said) == 1)]
 
 
 @dataclass
 class News:
-    """What a version of firmware or board has brought."""
+    """The additions of a firmware or board version."""
 
     since: Availability
     commands: list[Command] = field(default_factory=list)
@@ -92,7 +90,7 @@ class News:
 
 
 def news(layout: Layout) -> list[News]:
-    """What each version has brought, the oldest first; those of boards before those of firmware."""
+    """The additions of each version, the oldest first; board versions precede firmware versions."""
     found: dict[tuple[int, int], News] = {}
 
     def at(since: Availability) -> News:
@@ -117,7 +115,7 @@ def news(layout: Layout) -> list[News]:
 
 @dataclass(frozen=True)
 class Group:
-    """A member that has members, of a message or of another one; its path as in the leaves."""
+    """A member of struct type, at any depth of a message."""
 
     path: str
     field: Field

@@ -1,7 +1,7 @@
-"""Seeds and a dictionary for the fuzzers, so that they begin with what the protocol knows.
+"""Seeds and a dictionary for the fuzzers, so that they start with valid input.
 
-What an input means is up to fuzz/*_fuzz.cpp: for `messages`, a byte for the direction (0 is to the
-board), the id, and the body; for `framing`, steps of an opcode and the bytes it feeds.
+fuzz/core/*_fuzz.cpp define the input formats: for `messages`, a byte for the direction (0 is to the
+board), the id, and the body; for `framing`, steps of an opcode and the bytes that it feeds.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ _LARGEST_STREAM = 2000
 
 
 class Seeds(Target):
-    """The corpora that the fuzzers begin with, and their dictionary."""
+    """The seed corpora of the fuzzers, and their dictionary."""
 
     def files(self, layout: Layout, project: Path) -> Iterator[tuple[str, bytes]]:
-        """The seeds and the dictionary by their path."""
+        """The seeds and the dictionary by path."""
         yield "fuzz/sbgc.dict", _dictionary(layout).encode()
         for message in layout.messages:
             head = bytes((message.direction == "from_board", message.id))
@@ -49,7 +49,7 @@ class Seeds(Target):
 
 
 def _bodies(message: Message) -> list[bytes]:
-    """One body with the least that it can have, one with a bit of everything."""
+    """A body with all optional parts, and a minimal one."""
     places = Places()
     short = Choice(places, short=True)
     full = Choice(places, round=1, context=full_context(message))
@@ -66,7 +66,7 @@ def _chunk(data: bytes) -> bytes:
 
 
 def _cut(stream: bytes) -> Iterator[bytes]:
-    """The stream in chunks of all kinds of sizes."""
+    """The stream in chunks of various sizes."""
     sizes = (1, 3, 4, 5, 17, 64, _LARGEST_CHUNK, 2)
     at = step = 0
     while at < len(stream):
@@ -78,7 +78,7 @@ def _cut(stream: bytes) -> Iterator[bytes]:
 
 
 def _noisy(layout: Layout, frames: Iterable[bytes]) -> bytes:
-    """Frames with noise between them, some of them broken or cut off."""
+    """Frames with noise between them; some are damaged or truncated."""
     start = bytes((layout.framing.start,))
     noise = (b"", start, b"\x00\xff", start * 3, counting(20))
     result = b""
@@ -94,7 +94,7 @@ def _noisy(layout: Layout, frames: Iterable[bytes]) -> bytes:
 
 
 def _written(layout: Layout) -> Iterator[bytes]:
-    """Frames that the fuzzer writes itself: id, body size and space, then the body."""
+    """Steps in which the fuzzer writes a frame: id, body size and space, then the body."""
     for size in (0, 1, 15, 16, 124, 250):
         for space in (size + 4, 255):
             yield bytes((_WRITE_FRAME, layout.messages[0].id if layout.messages else 1, size))
@@ -102,7 +102,7 @@ def _written(layout: Layout) -> Iterator[bytes]:
 
 
 def _no_frames(layout: Layout) -> Iterator[bytes]:
-    """What looks like a frame at first: id 0, a header without its body, bad checksums."""
+    """Data that begins like a frame: id 0, a header without a body, bad checksums."""
     good = header_of(layout.framing, 1, 0)
     bad = good[:-1] + bytes(((good[-1] + 1) % 256,))
     for header in (*(header_of(layout.framing, *it) for it in ((0, 0), (1, 255))), good, bad):
@@ -114,7 +114,7 @@ def _no_frames(layout: Layout) -> Iterator[bytes]:
 
 
 def _dictionary(layout: Layout) -> str:
-    """Words that mean something, in libFuzzer's format."""
+    """Words with a meaning in the protocol, in libFuzzer's format."""
     words: dict[str, bytes] = {"start": bytes((layout.framing.start,))}
     for message in layout.messages:
         size = message.min_size
@@ -132,7 +132,7 @@ def _dictionary(layout: Layout) -> str:
 
 
 def _fields(fields: tuple[Field, ...]) -> Iterator[Field]:
-    """The fields, and those of the structs among them."""
+    """The fields, including those of structs."""
     for field in fields:
         yield field
         if isinstance(field.type, Struct):
@@ -140,7 +140,7 @@ def _fields(fields: tuple[Field, ...]) -> Iterator[Field]:
 
 
 def _words_of(field: Field) -> Iterator[tuple[str, bytes]]:
-    """Special values of a field, and the values that its presence hangs on."""
+    """Special values of a field, and the values in its condition."""
     for special in field.special:
         scalar = scalar_of(field.type)
         value = special.value % (1 << 8 * scalar.size)

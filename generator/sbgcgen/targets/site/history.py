@@ -1,4 +1,4 @@
-"""What each version has brought."""
+"""Additions and deprecations of each version."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from sbgcgen.views.words import versions
 
 @dataclass(frozen=True)
 class Added:
-    """What a version has brought, or what it has deprecated."""
+    """The additions and deprecations of a version."""
 
     version: str
     messages: tuple[Message, ...]
@@ -22,7 +22,7 @@ class Added:
 
 
 def added(layout: Layout) -> list[Added]:
-    """One entry for each firmware version, then for each board version that anything is about."""
+    """One entry for each firmware version, then for each board version, with changes."""
     rows = [(message, row) for message in layout.definitions for row in rows_of(message)]
     everything: set[Availability] = {message.since for message in layout.messages}
     everything |= {row.field.since for _, row in rows}
@@ -60,7 +60,7 @@ def added(layout: Layout) -> list[Added]:
 
 
 def deprecated_always(layout: Layout) -> list[tuple[Message, Row]]:
-    """The fields that should not be used any more, whatever the version."""
+    """The fields that are deprecated in all versions."""
     return [
         (message, row)
         for message in layout.definitions

@@ -1,4 +1,4 @@
-"""The rows of field tables, and the maps of bytes."""
+"""Rows of field tables, and byte maps."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from sbgcgen.oracle.frames import choose_message, forms_of
 
 @dataclass(frozen=True)
 class Row:
-    """A line of a field table: a field, or a group of them, with all places where it stands.
+    """A row of a field table: a field with all its leaves, or a group of fields.
 
-    `path` has a * for each index; `leaves` is empty for a group. The rows of what a region may hold
-    have `is_case`.
+    `path` has a * for each axis and [] for each index; `leaves` is empty for a group. Rows of
+    fields in a region have `is_case`.
     """
 
     path: str
@@ -31,11 +31,11 @@ class Row:
 
     @property
     def spec_name(self) -> str:
-        """The protocol's name, with {AXIS} or {1..5} where there is one for each element."""
+        """The protocol's name, with {AXIS} or {1..5} if each element has a name."""
         return self.field.spec_name
 
     def index_of(self, leaf: Leaf) -> str:
-        """What tells a leaf from the others of its row: "roll", "[2]"."""
+        """The index that distinguishes a leaf from the others of its row: "roll", "[2]"."""
         pattern = re.escape(self.path).replace(r"\*", r"(\w+)").replace(r"\[\]", r"\[(\d*)\]")
         match = re.fullmatch(pattern, leaf.path)
         assert match, f"{leaf.path} is not {self.path}"
@@ -85,9 +85,9 @@ def _fits(pattern: str, path: str) -> bool:
 
 @dataclass(frozen=True)
 class Block:
-    """A piece of a byte map: (part of) a leaf in one row of eight bytes.
+    """A piece of a byte map: a leaf, or part of one, in one row of eight bytes.
 
-    `start` and `end` are columns; `first` and `last` tell whether the leaf begins and ends here.
+    `start` and `end` are columns; `first` and `last` are true if the leaf begins or ends here.
     """
 
     leaf: Leaf
@@ -99,7 +99,7 @@ class Block:
 
 
 def byte_map(message: Message) -> tuple[list[list[Block]], list[Leaf]]:
-    """The bytes with a fixed place, in rows of eight; and the leaves that follow them."""
+    """The bytes with a fixed place in rows of eight, and the leaves without one."""
     lines: list[list[Block]] = []
     rest: list[Leaf] = []
     number = -1
@@ -124,7 +124,7 @@ def byte_map(message: Message) -> tuple[list[list[Block]], list[Leaf]]:
 
 
 def sizes_of(message: Message, layout: Layout) -> str:
-    """The sizes of a body that make it this form of the command: "13", "16 to 255"."""
+    """The body sizes that select this form of the command: "13", "16 to 255"."""
     forms = forms_of(layout)
     taken = []
     for size in range(layout.framing.max_body + 1):

@@ -1,4 +1,4 @@
-"""What the search of the site finds."""
+"""The search index of the site."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from sbgcgen.targets.site.rows import Row, rows_of
 from sbgcgen.targets.site.uses import page_of_message, page_of_type
 from sbgcgen.views.words import title_of
 
-# Words of running text that nobody searches for.
+# Stop words.
 _COMMON = frozenset(
     """about after again all also and another any are ask because been before behind below but can
     does each else even every first for from had has have her here his how into its itself last less
@@ -25,7 +25,7 @@ _COMMON = frozenset(
     your""".split()
 )
 
-# Pages that stand for themselves: file, title, what they are about, what else they are found by.
+# Pages that are not about one entry: file, title, description, search words.
 _PAGES = (
     (
         "framing",
@@ -55,7 +55,7 @@ _PAGES = (
 
 
 class Page(Protocol):
-    """A guide, as far as the search is concerned."""
+    """The properties of a guide that the search needs."""
 
     @property
     def title(self) -> str:
@@ -72,9 +72,9 @@ class Page(Protocol):
 
 @dataclass(frozen=True)
 class Entry:
-    """Something that can be found: what it is, its name, what it is about, its page, other words.
+    """An entry of the index: kind, name, description, page, and other search words.
 
-    `twins` are entries that are shown as one with it: what writes the settings that it reads.
+    `twins` are entries that are shown together with it: the writers of the settings that it reads.
     """
 
     kind: str
@@ -86,13 +86,13 @@ class Entry:
 
     @property
     def data(self) -> list[Any]:
-        """As it stands in the index: kind, name, about, page, words, then twins without their kind."""
+        """The entry in the index: kind, name, about, page, words, then twins without their kind."""
         own = [self.kind, self.name, self.about, self.page, self.words]
         return [*own, [twin.data[1:] for twin in self.twins]] if self.twins else own
 
 
 def search_index(layout: Layout, guides: Sequence[Page]) -> dict[str, Any]:
-    """Everything that can be found, the more important first, and words that stand for another."""
+    """All entries, the more important first, and groups of synonyms."""
     return {
         "synonyms": [list(group) for group in layout.synonyms],
         "entries": [entry.data for entry in _entries(layout, guides)],
@@ -136,7 +136,7 @@ def _entries(layout: Layout, guides: Sequence[Page]) -> Iterator[Entry]:
 
 
 def _pages(layout: Layout) -> Iterator[Entry]:
-    """The pages that are not about one thing, and what the one about versions has sections for."""
+    """The pages that are not about one entry, and the sections of the page about versions."""
     for name, title, about, words in _PAGES:
         yield Entry("page", title, about, f"{name}.html", words)
     for part in added(layout):
@@ -152,7 +152,7 @@ def _pages(layout: Layout) -> Iterator[Entry]:
 
 
 def anchor_of(text: str) -> str:
-    """A heading as the name of its place: "Firmware 2.59" -> "firmware-2.59"."""
+    """The anchor of a heading: "Firmware 2.59" -> "firmware-2.59"."""
     return re.sub(r"[^a-z0-9.]+", "-", text.lower())
 
 
@@ -161,7 +161,7 @@ def _joined(*words: str) -> str:
 
 
 def _lines(*sources: str) -> str:
-    """The lines of the specification that sources name, each range a word: "L12 L20-L31"."""
+    """The line ranges of the specification in sources, each as a word: "L12 L20-L31"."""
     ranges = (found for text in sources for found in re.findall(r"L([0-9]+)(?:-L?([0-9]+))?", text))
     words = (f"L{first}-L{last}" if last else f"L{first}" for first, last in ranges)
     return " ".join(dict.fromkeys(words))
@@ -219,7 +219,7 @@ def _fields(message: Message, layout: Layout) -> Iterator[Entry]:
 
 
 def _words_of(row: Row) -> Iterator[str]:
-    """What else a field is found by: its names in the specification, its paths, its unit."""
+    """More search words of a field: its names in the specification, its paths, its unit."""
     yield from dict.fromkeys(leaf.spec_name for leaf in row.leaves)
     if len(row.leaves) <= 6:
         yield from (leaf.path for leaf in row.leaves if leaf.path != row.path)
@@ -246,7 +246,7 @@ def _text(html: str) -> str:
 
 
 def _vocabulary(html: str) -> str:
-    """The words of a text, each once; code that is no part of a sentence is left out."""
+    """The distinct words of a text without code blocks and stop words."""
     prose = _text(re.sub(r"<pre.*?</pre>", " ", html, flags=re.DOTALL).replace("<", " <"))
     words = re.findall(r"[a-z][a-z0-9_]{2,}", prose.lower())
     return " ".join(dict.fromkeys(word for word in words if word not in _COMMON))

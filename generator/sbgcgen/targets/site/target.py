@@ -1,4 +1,4 @@
-"""The reference site: every message on a page of its own, the guides, a search, a decoder."""
+"""The reference site: a page for each message, the guides, a search and a decoder."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from sbgcgen.targets import Target, View
 
 
 class Site(Target):
-    """It is not committed, and needs more modules than everything else."""
+    """The site. It is not committed, and needs the module markdown, which other targets do not."""
 
     committed = False
     help = "write the reference site; it is not part of generated/"
-    # No other folder has this file, so no other one is taken for an earlier site and cleaned.
+    # Only an earlier site has this file, so no other folder is cleaned.
     mark = "assets/search-index.js"
 
     def view(self, layout: Layout, project: Path) -> View:

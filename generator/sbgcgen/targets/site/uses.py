@@ -1,4 +1,4 @@
-"""Who uses what, with the pages that tell of it."""
+"""Cross-references: the uses of types, errata and messages, with links to pages."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from sbgcgen.views.answers import asked_by
 
 @dataclass(frozen=True)
 class Use:
-    """A place that uses a type or an erratum: what it is called, and where to read of it."""
+    """A use of a type or an erratum: its kind, name and page."""
 
     kind: str
     name: str
@@ -21,7 +21,7 @@ class Use:
 
 
 def page_of_message(message: Message) -> str:
-    """The path of a message's page."""
+    """The path of the page of a message."""
     return f"messages/{slug(message.name)}.html"
 
 
@@ -33,7 +33,7 @@ def page_of_type(type_: Enum | Packed | Quantity) -> str:
 
 @dataclass
 class References:
-    """Uses by the name of a type, the number of an erratum, or the name of a message."""
+    """Uses by name of a type, number of an erratum, or name of a message."""
 
     types: dict[str, list[Use]] = field(default_factory=dict)
     errata: dict[str, list[Use]] = field(default_factory=dict)
@@ -56,7 +56,7 @@ def _add(where: dict[str, list[Use]], name: str, use: Use) -> None:
 
 
 def references(layout: Layout) -> References:
-    """Everything that is used anywhere, with its uses in the order of the protocol."""
+    """All uses, in the order of the protocol."""
     found = References(answers=asked_by(layout))
     for command in layout.commands:
         page = f"families/{command.family}.html#{command.name}"

@@ -1,4 +1,4 @@
-"""The reference site: its guides, and what its templates may ask beyond the Layout."""
+"""The view of the reference site's templates: guides, captures, cross-references and filters."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from sbgcgen.views.history import Revisions
 
 @dataclass(frozen=True)
 class Guide:
-    """A page that somebody has written: docs/<name>.md."""
+    """A handwritten page: docs/<name>.md."""
 
     name: str
     title: str
@@ -39,14 +39,14 @@ class Guide:
 
 @dataclass(frozen=True)
 class Capture:
-    """Bytes to try the decoder with: docs/captures/<name>.hex, as `sbgc decode --hex` reads it."""
+    """Bytes for trying the decoder: docs/captures/<name>.hex, the format of `sbgc decode --hex`."""
 
     title: str
     text: str
 
 
 def captures_in(folder: Path) -> list[Capture]:
-    """The captures in the order of their file names, whose words are the titles."""
+    """The captures, sorted by file name; the title is the name in words."""
     return [
         Capture(_guide_name(path.stem).replace("-", " ").capitalize(), path.read_text("utf-8"))
         for path in sorted(folder.glob("*.hex"))
@@ -54,7 +54,7 @@ def captures_in(folder: Path) -> list[Capture]:
 
 
 def guides_in(folder: Path) -> list[Guide]:
-    """The guides in the order of the numbers that their file names begin with."""
+    """The guides, sorted by the numbers at the start of their file names."""
     return [_guide(path) for path in sorted(folder.glob("*.md"), key=_guide_order)]
 
 
@@ -69,7 +69,7 @@ def _guide(path: Path) -> Guide:
     html = markdown.markdown(
         text, extensions=["tables", "fenced_code", "toc"], output_format="html"
     )
-    # Guides link each other as files, so that they can be read where they lie, too.
+    # Guides link to each other as files, so that they can also be read in the repository.
     html = re.sub(r'href="([\w-]+)\.md', lambda m: f'href="{_guide_name(m[1])}.html', html)
     html = re.sub(
         r'href="\.\./generated/docs/([^"]+)', lambda m: f'href="{_page_of_doc(m[1])}', html
@@ -81,7 +81,7 @@ def _guide(path: Path) -> Guide:
 
 
 def _page_of_doc(link: str) -> str:
-    """The way from a guide to the page that has what a file of generated/docs/ has."""
+    """The relative path from a guide to the page with the contents of a file of generated/docs/."""
     name = link.partition("#")[0].removesuffix(".md")
     name = {"README": "messages"}.get(name, name.replace("messages/", "families/"))
     return f"../{name}.html"
@@ -92,16 +92,16 @@ def _guide_name(stem: str) -> str:
 
 
 def view_of(site: Target, layout: Layout, docs: Path) -> View:
-    """What the templates see; `docs` is the folder of the guides.
+    """The view of the templates; `docs` is the folder of the guides.
 
-    Raises ValueError if two files of the site had the same path.
+    Raises ValueError if two pages would have the same path.
     """
     guides = guides_in(docs)
     each: dict[str, Items] = {"guide": [(guide.name, guide) for guide in guides]}
     pages = [path for _, path, _ in expand(sources_of(site), layout, each)]
     twice = {page for page in pages if pages.count(page) > 1}
     if twice:
-        raise ValueError(f"several things have the page {min(twice)}")
+        raise ValueError(f"several pages have the path {min(twice)}")
     names: dict[str, Any] = {
         "pages": frozenset(pages),
         "guides": guides,
@@ -123,7 +123,7 @@ def view_of(site: Target, layout: Layout, docs: Path) -> View:
 
 
 def _filters(layout: Layout) -> dict[str, Callable[..., Any]]:
-    """What templates of the site may do to parts of the model."""
+    """The filters of the site's templates."""
     prose = _Prose(layout)
     undocumented = {command.name for command in layout.commands if command.undocumented}
     rows_of = cache(rows.rows_of)
@@ -166,26 +166,26 @@ def _filters(layout: Layout) -> dict[str, Callable[..., Any]]:
 
 
 def example_for_page(message: Message, layout: Layout) -> Example:
-    """The example of a message; of one in both directions that of the host's."""
+    """The example of a message; for one in both directions, that of the request."""
     instances = uses.instances(message, layout)
     return example_of(next((m for m in instances if m.direction == "to_board"), message), layout)
 
 
 def page_of(item: Message | Enum | Packed | Quantity) -> str:
-    """The path of the page that something has."""
+    """The path of the page of a message or type."""
     if isinstance(item, Message):
         return uses.page_of_message(item)
     return uses.page_of_type(item)
 
 
 def fragment(link: str) -> str:
-    """A link whose fragment may have any characters."""
+    """A link with an escaped fragment."""
     page, mark, name = link.partition("#")
     return page + mark + quote(name)
 
 
 class _Prose:
-    """Text with links to the commands and errata that it names."""
+    """Adds links to the commands and errata that a text names."""
 
     def __init__(self, layout: Layout) -> None:
         pages = {c.name: f"families/{c.family}.html#{c.name}" for c in layout.commands}
@@ -208,7 +208,7 @@ class _Prose:
 
 
 def plain(value: Fraction) -> str:
-    """An exact number as people write it: 255, -0.5, else a fraction."""
+    """An exact number as a decimal if possible, such as 255 or -0.5, else as a fraction."""
     if value.denominator == 1:
         return str(value.numerator)
     text = f"{float(value):.10g}"
@@ -216,18 +216,18 @@ def plain(value: Fraction) -> str:
 
 
 def short(path: str) -> str:
-    """The end of a path that fits into a cell: axes.roll.speed -> roll.speed."""
+    """The last two steps of a path, which fit into a cell: axes.roll.speed -> roll.speed."""
     words = path.split(".")
     return ".".join(words[-2:])
 
 
 def label(row: rows.Row) -> str:
-    """What a row is called: its name, with what it is repeated over."""
+    """The label of a row: its name, with .* if it is repeated for each axis."""
     return row.path.rpartition(".")[2] if row.path[-1] != "*" else row.path.split(".")[-2] + ".*"
 
 
 def size_words(leaf: Leaf) -> str:
-    """How many bytes a leaf of varying place takes."""
+    """The size of a leaf without a fixed place, in words."""
     size = leaf.size
     if size is not None:
         return f"{size} byte" + "s" * (size != 1)
@@ -235,7 +235,7 @@ def size_words(leaf: Leaf) -> str:
 
 
 def offset_words(leaf: Leaf, row: rows.Row) -> str:
-    """Where a leaf begins, as far as that is fixed."""
+    """The offset of a leaf in words."""
     if leaf.offset is None:
         return "varies"
     return f"{leaf.offset}…" if "[]" in leaf.path and "[]" in row.path else str(leaf.offset)
@@ -243,7 +243,7 @@ def offset_words(leaf: Leaf, row: rows.Row) -> str:
 
 @dataclass(frozen=True)
 class Bits:
-    """Neighbouring bits of a packed integer with one meaning; "" for none."""
+    """Adjacent bits of a packed integer in the same part; `name` is "" for unused bits."""
 
     name: str
     label: str
@@ -252,7 +252,7 @@ class Bits:
 
 
 def bits_of(packed: Packed) -> list[Bits]:
-    """The bits of a packed integer, highest first; those cut out of decimal digits as a whole."""
+    """The bits of a packed integer, the highest first; parts of decimal digits as one run."""
     total = 8 * packed.scalar.size
     if any(part.is_digits for part in packed.parts):
         names = ", ".join(part.name for part in packed.parts)

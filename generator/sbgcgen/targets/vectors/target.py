@@ -1,8 +1,8 @@
-"""Test vectors: bodies and what they say, by the reference codec.
+"""Test vectors: bodies and their fields, computed by the oracle.
 
-`vectors/<family>.jsonl` has one vector a line, as `oracle/vector_line.py` describes it;
-`vectors/unknown.jsonl` has bodies that are no message at all; `frames.jsonl` has streams and their
-frames, as `oracle/streams.py` describes them.
+`vectors/<family>.jsonl` has one vector per line (see `oracle/vector_line.py`);
+`vectors/unknown.jsonl` has bodies of no known message; `frames.jsonl` has streams and their frames
+(see `oracle/streams.py`).
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ from sbgcgen.targets import Target
 
 
 class Vectors(Target):
-    """A file for each family, and one of what is no message."""
+    """A file for each family, one for unknown messages, and one for framing."""
 
     def files(self, layout: Layout, project: Path) -> Iterator[tuple[str, bytes]]:
-        """The vector files by their path."""
+        """The vector files by path."""
         forms = forms_of(layout)
         bodies: set[int] = set()
         for family in layout.families:
@@ -41,7 +41,7 @@ class Vectors(Target):
 
 
 def _of_no_message(forms: Forms) -> Iterator[str]:
-    """Bodies that are no message: of sizes that fit no form, with ids that a direction has not."""
+    """Bodies of no known message: with sizes of no form, or ids of no command in a direction."""
     for direction in ("from_board", "to_board"):
         known = {id_ for way, id_ in forms if way == direction}
         other = {id_ for way, id_ in forms if way != direction} - known
@@ -54,7 +54,7 @@ def _of_no_message(forms: Forms) -> Iterator[str]:
 
 
 def _refused(forms: Forms, direction: str, number: int, sizes: Iterable[int]) -> Iterator[str]:
-    """The shortest and the longest body of these sizes that is no message."""
+    """The shortest and the longest body of these sizes that is not a known message."""
     refused = []
     for size in sizes:
         try:

@@ -10,7 +10,7 @@ function decoderEngine(scope) {
 
   let wasm = null; // the exports of the module
   let loaded = null; // a promise of them
-  let job = 0; // the input that counts; another one cancels it
+  let job = 0; // number of the current input; a new input cancels it
   let bytes = new Uint8Array(0); // of the capture, as far as it is read
   let size = 0;
   let items = []; // JSON of each frame, null for a gap
@@ -61,7 +61,7 @@ function decoderEngine(scope) {
     };
   }
 
-  // Lets messages in: a new input, a request for a frame.
+  // Yields to incoming messages: a new input, or a request for a frame.
   const pause = () =>
     new Promise((resolve) => {
       const channel = new MessageChannel();

@@ -67,7 +67,7 @@ const decoderView = (() => {
     return button;
   }
 
-  /** The bytes, those of a part in its colour. `parts`: [{at, size, part, tint, name}], in order. */
+  /** The bytes, with a color for each part. `parts`: [{at, size, part, tint, name}], in order. */
   function coloured(bytes, parts, describedBy) {
     const block = element("p", { class: "bytes", "aria-label": describedBy, role: "group" });
     const run = (from, until, attributes) => {

@@ -1,4 +1,4 @@
-// The decoder page: takes the input, has it decoded, shows the result page by page.
+// The decoder page: passes the input to the engine and shows the result page by page.
 "use strict";
 
 (() => {
@@ -143,7 +143,7 @@
     fillPage();
   }
 
-  /** Fills up the end of the current page. */
+  /** Appends missing items to the current page. */
   function fillPage() {
     const list = get("frames");
     const first = page * pageSize;
@@ -263,7 +263,7 @@
     text.setSelectionRange(at, at + 1);
   });
 
-  // Ways in
+  // Sources of input
 
   function hold(input) {
     held = input;
@@ -290,7 +290,7 @@
     decode();
   }
 
-  /** Whether bytes look like hex text rather than like a capture. */
+  /** True if bytes look like hex text rather than a capture. */
   function isHexText(bytes) {
     const start = new TextDecoder("latin1").decode(bytes.subarray(0, 4096));
     const stripped = start.replace(/#[^\n]*/g, "");

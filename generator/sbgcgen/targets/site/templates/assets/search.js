@@ -17,7 +17,7 @@
 
   let entries; // [{kind, name, about, page, parts, words, text, twins}], once loaded
   let synonyms; // groups of words
-  let vocabulary; // every word that occurs, once something is misspelt
+  let vocabulary; // all known words, set by the first misspelled word
   let loading;
   let active = -1;
 
@@ -65,7 +65,7 @@
   };
 
   const plain = (text) => text.toLowerCase();
-  // "Axes.roll" and "axes_roll" are one.
+  // Makes "Axes.roll" and "axes_roll" equal.
   const squeeze = (text) => text.replace(/[\s_.·-]+/g, "");
 
   // How well one word matches; 0 means not at all.
@@ -158,7 +158,7 @@
     return row[b.length];
   };
 
-  // The words, or prefixes of words, nearest to a misspelt one.
+  // The words, or prefixes of words, nearest to a misspelled one.
   const nearest = (word) => {
     const most = word.length < 4 ? 0 : word.length < 8 ? 1 : 2;
     vocabulary ??= new Set(
@@ -177,7 +177,7 @@
     return found.sort((a, b) => a[1] - b[1]).slice(0, 4).map(([known]) => known);
   };
 
-  // The results, and the corrections of misspelt words.
+  // The results, and the corrections of misspelled words.
   const find = (query) => {
     const words = wordsOf(query);
     const taken = [];

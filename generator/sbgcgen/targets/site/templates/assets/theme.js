@@ -1,4 +1,4 @@
-// Runs before the page is drawn, so the wrong colours never flash.
+// Runs before the page is drawn, so the wrong colors never flash.
 "use strict";
 
 (() => {
