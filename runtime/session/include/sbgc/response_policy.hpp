@@ -167,8 +167,7 @@ struct ResponsePolicy {
   /// The timeout of the response message or the first confirmation. Assumption: the values of this
   /// and of finish_ms; the specification states no times.
   std::uint32_t timeout_ms{};
-  std::uint32_t
-      finish_ms{};  ///< the timeout of the last confirmation, from the request on; 0: the same
+  std::uint32_t finish_ms{};  ///< for the last confirmation, from the request on; 0: the same
   ConfirmationResult result{};
   StreamChange stream{};
 
