@@ -1,6 +1,6 @@
-# What sbgc::io needs: Asio without Boost, as the target sbgc::asio, and libserialport, as the target
-# PkgConfig::sbgc_serialport. Sets sbgc_io_missing to what was not found. For the build and for an
-# installed sbgc alike.
+# The dependencies of sbgc::io: Asio without Boost, as the target sbgc::asio, and libserialport, as
+# the target PkgConfig::sbgc_serialport. Sets sbgc_io_missing to the ones not found. Used by the
+# build and by an installed sbgc.
 
 set(sbgc_io_missing "")
 set(THREADS_PREFER_PTHREAD_FLAG ON)

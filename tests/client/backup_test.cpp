@@ -195,7 +195,7 @@ TEST_F(BackupTest, MissingAndForeignFilesAreNamed) {
   std::ofstream(file("text")) << "hello";
   const auto error = load_backup(file("text")).error();
   EXPECT_EQ(error.code, ErrorCode::bad_file);
-  EXPECT_THAT(error.message, HasSubstr("text: this is no JSON"));
+  EXPECT_THAT(error.message, HasSubstr("text: this is not JSON"));
   EXPECT_EQ(parse_backup("{}").error().code, ErrorCode::bad_file);
   EXPECT_EQ(parse_backup("[]").error().code, ErrorCode::bad_file);
 }
@@ -216,7 +216,7 @@ TEST_F(BackupTest, AFileThatIsMadeToDoHarmIsRefused) {
   EXPECT_THAT(error.message, HasSubstr("nested deeper than 64 levels (line 1, column "));
   std::string text = to_json_text(make());
   text.insert(1, R"("created":"",)");
-  EXPECT_THAT(parse_backup(text).error().message, HasSubstr("the key 'created' is there twice"));
+  EXPECT_THAT(parse_backup(text).error().message, HasSubstr("the key 'created' occurs twice"));
 }
 
 TEST_F(BackupTest, EverythingInAFileIsChecked) {

@@ -66,32 +66,33 @@ TEST(ParseJson, ReadsEveryKindOfValue) {
 }
 
 TEST(ParseJson, NamesThePlaceOfWhatIsWrong) {
-  EXPECT_EQ(problem_of(""), "this is no JSON, or only its beginning (line 1, column 1)");
-  EXPECT_EQ(problem_of("{\n \"a\": "), "this is no JSON, or only its beginning (line 2, column 7)");
-  EXPECT_EQ(problem_of("hello"), "this is no JSON (line 1, column 1)");
-  EXPECT_EQ(problem_of("[1,\n2,\n 3 4]"), "this is no JSON (line 3, column 4)");
-  EXPECT_EQ(problem_of("{} {}"), "this is no JSON (line 1, column 4)");
-  EXPECT_EQ(problem_of("\"\xff\""), "this is no JSON (line 1, column 2)");
+  EXPECT_EQ(problem_of(""), "this is not JSON, or only its beginning (line 1, column 1)");
+  EXPECT_EQ(problem_of("{\n \"a\": "),
+            "this is not JSON, or only its beginning (line 2, column 7)");
+  EXPECT_EQ(problem_of("hello"), "this is not JSON (line 1, column 1)");
+  EXPECT_EQ(problem_of("[1,\n2,\n 3 4]"), "this is not JSON (line 3, column 4)");
+  EXPECT_EQ(problem_of("{} {}"), "this is not JSON (line 1, column 4)");
+  EXPECT_EQ(problem_of("\"\xff\""), "this is not JSON (line 1, column 2)");
   EXPECT_EQ(problem_of("[1e999]"), "a number that is too large for JSON (line 1, column 6)");
 }
 
 TEST(ParseJson, NothingHidesBehindAZeroByte) {
-  EXPECT_EQ(problem_of(std::string_view("{}\0{}", 5)), "this is no JSON (line 1, column 3)");
-  EXPECT_EQ(problem_of(std::string_view("[\0]", 3)), "this is no JSON (line 1, column 2)");
+  EXPECT_EQ(problem_of(std::string_view("{}\0{}", 5)), "this is not JSON (line 1, column 3)");
+  EXPECT_EQ(problem_of(std::string_view("[\0]", 3)), "this is not JSON (line 1, column 2)");
 }
 
 TEST(ParseJson, RefusesAKeyThatIsThereTwice) {
-  EXPECT_EQ(problem_of(R"({"a":1,"a":1})"), "the key 'a' is there twice (line 1, column 8)");
+  EXPECT_EQ(problem_of(R"({"a":1,"a":1})"), "the key 'a' occurs twice (line 1, column 8)");
   EXPECT_EQ(problem_of("{\"x\": [1,\n  {\"a\\\"\":1, \"b\":2,\n    \"a\\\"\" : 3}]}"),
-            "the key 'a\"' is there twice (line 3, column 5)");
-  EXPECT_EQ(problem_of(R"({"\\":1,"\u005c":1})"), "the key '\\' is there twice (line 1, column 9)");
-  // The first of the two in the order of the text.
+            "the key 'a\"' occurs twice (line 3, column 5)");
+  EXPECT_EQ(problem_of(R"({"\\":1,"\u005c":1})"), "the key '\\' occurs twice (line 1, column 9)");
+  // The first of them, in the order of the text.
   EXPECT_EQ(problem_of(R"({"b":1,"a":1,"b":1,"a":1})"),
-            "the key 'b' is there twice (line 1, column 14)");
+            "the key 'b' occurs twice (line 1, column 14)");
   EXPECT_EQ(problem_of(R"({"a":{"a":{}},"b":[{"a":1},{"a":1}]})"), "");
   const std::string key = "\"\\u001b[2J" + repeated("ä", 100) + "\"";
   EXPECT_EQ(problem_of("{" + key + ":1," + key + ":1}"),
-            "the key '?[2J" + repeated("ä", 18) + "...' is there twice (line 1, column 216)");
+            "the key '?[2J" + repeated("ä", 18) + "...' occurs twice (line 1, column 216)");
 }
 
 TEST(ParseJson, ReadsAsDeepAsTheLimit) {

@@ -128,7 +128,7 @@ TEST(Text, TheValueOfAVariableHasItsUnit) {
 }
 
 TEST(Text, StatusesSayWhichField) {
-  EXPECT_EQ(to_string(Status{}), "Everything is in order");
+  EXPECT_EQ(to_string(Status{}), "No error");
   EXPECT_EQ(to_string(Status{Code::too_short, 1, "params"}),
             "params: The body ends before this field does");
   EXPECT_EQ(to_string(Code::too_short), "too_short");

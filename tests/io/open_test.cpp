@@ -57,32 +57,32 @@ TEST(Address, MalformedOnesAreExplained) {
   EXPECT_EQ(complaint(""), "it is empty.");
   EXPECT_EQ(complaint("ttyUSB0"), "a port is written with its path, such as /dev/ttyUSB0.");
   EXPECT_EQ(complaint("tpc:host:1"),
-            "there is no kind 'tpc'; kinds are serial, tcp, udp, pty and capture.");
+            "unknown kind 'tpc'; kinds are serial, tcp, udp, pty and capture.");
   EXPECT_EQ(complaint("serial:"), "the path is missing.");
   EXPECT_EQ(complaint("serial:?baud=1"), "the path is missing.");
-  EXPECT_EQ(complaint("/dev/x?baud=fast"), "'fast' is no baud rate.");
-  EXPECT_EQ(complaint("/dev/x?baud=0"), "'0' is no baud rate.");
-  EXPECT_EQ(complaint("/dev/x?baud=-1"), "'-1' is no baud rate.");
-  EXPECT_EQ(complaint("/dev/x?baud=4294967296"), "'4294967296' is no baud rate.");
-  EXPECT_EQ(complaint("/dev/x?baud=9600 "), "'9600 ' is no baud rate.");
-  EXPECT_EQ(complaint("/dev/x?parity=odd"), "'odd' is no parity; parities are none and even.");
+  EXPECT_EQ(complaint("/dev/x?baud=fast"), "'fast' is not a baud rate.");
+  EXPECT_EQ(complaint("/dev/x?baud=0"), "'0' is not a baud rate.");
+  EXPECT_EQ(complaint("/dev/x?baud=-1"), "'-1' is not a baud rate.");
+  EXPECT_EQ(complaint("/dev/x?baud=4294967296"), "'4294967296' is not a baud rate.");
+  EXPECT_EQ(complaint("/dev/x?baud=9600 "), "'9600 ' is not a baud rate.");
+  EXPECT_EQ(complaint("/dev/x?parity=odd"), "'odd' is not a parity; parities are none and even.");
   EXPECT_EQ(complaint("/dev/x?speed=9600"),
-            "there is no option 'speed'; options are baud=NUMBER and parity=none|even.");
-  EXPECT_EQ(complaint("/dev/x?"), "'' is no option; options are baud=NUMBER and parity=none|even.");
-  EXPECT_EQ(complaint("/dev/x?baud=9600&baud=9600"), "'baud' is given twice.");
+            "unknown option 'speed'; options are baud=NUMBER and parity=none|even.");
+  EXPECT_EQ(complaint("/dev/x?"),
+            "'' is not an option; options are baud=NUMBER and parity=none|even.");
+  EXPECT_EQ(complaint("/dev/x?baud=9600&baud=9600"), "'baud' occurs twice.");
   EXPECT_EQ(complaint("tcp:host"), "the port is missing; write HOST:PORT.");
   EXPECT_EQ(complaint("tcp:[::1]"), "the port is missing; write HOST:PORT.");
   EXPECT_EQ(complaint("tcp::5000"), "the host is missing; write HOST:PORT.");
-  EXPECT_EQ(complaint("tcp:[::1:5000"), "the ']' behind the IPv6 address is missing.");
-  EXPECT_EQ(complaint("udp:fe80::1:5000"),
-            "an IPv6 address stands in brackets; write [ADDRESS]:PORT.");
-  EXPECT_EQ(complaint("tcp://host:1"), "there are no slashes in front of the host.");
+  EXPECT_EQ(complaint("tcp:[::1:5000"), "the ']' after the IPv6 address is missing.");
+  EXPECT_EQ(complaint("udp:fe80::1:5000"), "an IPv6 address needs brackets; write [ADDRESS]:PORT.");
+  EXPECT_EQ(complaint("tcp://host:1"), "slashes before the host are not allowed.");
   for (const std::string port : {"", "0", "65536", "http", "1x", "+1"}) {
-    EXPECT_EQ(complaint("tcp:host:" + port), "'" + port + "' is no port; ports are 1 to 65535.");
+    EXPECT_EQ(complaint("tcp:host:" + port), "'" + port + "' is not a port; ports are 1 to 65535.");
   }
-  EXPECT_EQ(complaint("pty:/dev/pts/1"), "nothing may stand behind 'pty:'.");
+  EXPECT_EQ(complaint("pty:/dev/pts/1"), "nothing may follow 'pty:'.");
   EXPECT_EQ(complaint("capture:x?timing=slow"),
-            "'slow' is no timing; timings are original and fast.");
+            "'slow' is not a timing; timings are original and fast.");
 }
 
 TEST(Open, ReportsWhatTheAddressHasWrong) {

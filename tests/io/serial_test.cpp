@@ -141,7 +141,7 @@ TEST_F(Serial, WhatTheDriverDoesNotDoIsNoticed) {
   open();
   const Error error = port->line()->set({19200, Parity::even});
   EXPECT_EQ(error.code, Errc::line_refused);
-  EXPECT_THAT(error.message, HasSubstr("does not do 19200 8E1"));
+  EXPECT_THAT(error.message, HasSubstr("does not support 19200 8E1"));
   EXPECT_THAT(error.message, HasSubstr("19200 8N1."));
   EXPECT_EQ(port->line()->current(), LineSettings{19200});
   // The port still works.
@@ -304,7 +304,7 @@ TEST(SerialErrors, NoSuchPort) {
   EXPECT_EQ(result.error.code, Errc::no_such_port);
   EXPECT_THAT(result.error.message, StartsWith("There is no port /dev/ttyNONE7. "));
   EXPECT_THAT(result.error.message,
-              testing::AnyOf(HasSubstr("These are there:\n  /dev/"), HasSubstr("plugged in?")));
+              testing::AnyOf(HasSubstr("Available ports:\n  /dev/"), HasSubstr("plugged in?")));
 }
 
 TEST(SerialErrors, NotASerialPort) {
@@ -331,8 +331,8 @@ TEST(SerialErrors, PermissionSaysWhatToDo) {
     return error.message;
   };
   EXPECT_EQ(message({"dialout", true, false}),
-            "You may not open /dev/ttyUSB0. Add yourself to the group dialout: sudo usermod -aG "
-            "dialout $USER, then log in again.");
+            "You do not have permission to open /dev/ttyUSB0. Add yourself to the group dialout: "
+            "sudo usermod -aG dialout $USER, then log in again.");
   EXPECT_THAT(message({"dialout", true, true}), HasSubstr("log out and in again"));
   EXPECT_THAT(message({"dialout", false, false}), HasSubstr("udev rule"));
   EXPECT_THAT(message({"root", true, false}), HasSubstr("udev rule"));
@@ -348,7 +348,7 @@ TEST(SerialErrors, PermissionDeniedIsRecognised) {
   const OpenResult result = open_serial(context.get_executor(), board.transport->path());
   ASSERT_EQ(seteuid(0), 0);
   EXPECT_EQ(result.error.code, Errc::permission_denied);
-  EXPECT_THAT(result.error.message, HasSubstr("You may not open /dev/pts/"));
+  EXPECT_THAT(result.error.message, HasSubstr("You do not have permission to open /dev/pts/"));
 }
 
 TEST(PseudoTerminal, LosesWhatNobodyReadsIfItStaysOpen) {

@@ -404,7 +404,7 @@ def test_record_says_what_is_wrong_with_the_file(tmp_path: Path) -> None:
     assert "/nowhere/c" in run("record", "pty:", "/nowhere/c").error
     other = tmp_path / "other"
     other.write_text("my thesis")
-    assert "no capture" in run("record", "pty:", str(other)).error
+    assert "not a capture" in run("record", "pty:", str(other)).error
     assert other.read_text() == "my thesis"
 
 
@@ -425,4 +425,4 @@ def test_record_says_that_there_is_no_room(tmp_path: Path) -> None:
         check=False,
     )
     assert done.returncode == 1
-    assert b"c can not be written: File too large" in done.stderr
+    assert b"c cannot be written: File too large" in done.stderr

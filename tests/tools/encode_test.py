@@ -225,7 +225,7 @@ def test_members_that_grow_on_many_levels() -> None:
     ],
 )
 def test_a_key_that_is_there_twice(text: str, key: str, column: int) -> None:
-    assert f"the key '{key}' is there twice, at column {column}" in refusal(text)
+    assert f"the key '{key}' occurs twice, at column {column}" in refusal(text)
 
 
 def test_long_lines(tmp_path: Path) -> None:

@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// Which message a body is, and what must be known to read it.
+/// Selects the message type of a body, and keeps the context needed to decode it.
 #pragma once
 
 #include <cstddef>
@@ -131,7 +131,7 @@ using AllMessages = TypeList<
     msg::DebugVars3,
     msg::DebugVars3Request>;
 
-/// What earlier messages of a conversation say about how to read later ones.
+/// Facts from earlier messages of a conversation that later bodies need for decoding.
 struct Contexts {
   msg::RealtimeDataCustom::Context realtime_data_custom{};
   msg::DebugVars3::Context debug_vars3{};
@@ -155,11 +155,11 @@ struct Contexts {
       if (!detail::announce(debug_vars3.types, type, item.arr_size)) break;
     }
   }
-  /// Takes from a message what later ones need; most messages tell nothing.
+  /// Stores the facts of a message that later ones need. Most messages have none.
   template <class M>
   constexpr void learn(const M&) noexcept {}
 
-  /// Whether learn() takes anything from an M.
+  /// True if learn() stores facts of an M.
   template <class M>
   static constexpr bool learns_from =
       std::is_same_v<M, msg::RealtimeDataCustomRequest> ||
@@ -167,9 +167,9 @@ struct Contexts {
       std::is_same_v<M, msg::DebugVarsInfo3>;
 };
 
-/// Calls `use(Type<M>{})` with the message M that a body of `size` bytes is. Of several forms the
-/// one that such a body fits is chosen; of a command with one form always that one, so that decode
-/// can tell what is wrong with the size. Returns ok, unknown_command or unknown_form.
+/// Calls `use(Type<M>{})` with the message type M of a body of `size` bytes. Selects the form that
+/// matches the size; if the command has only one, selects it for any size, so that decode() can
+/// report a wrong one. Returns ok, unknown_command or unknown_form.
 template <class Use>
 constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std::size_t size,
                       Use&& use) {

@@ -1,7 +1,7 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// Enums, flag sets and packed integers of the protocol. Values without a name are kept as they
-/// come from the wire; the reflection in <sbgc/meta/enums.hpp> knows the names.
+/// Enums, flag sets and packed values of the protocol. Unnamed values are preserved. The names are
+/// in <sbgc/meta/enums.hpp>.
 #pragma once
 
 #include <compare>
@@ -339,7 +339,7 @@ enum class VariableId : std::uint8_t {
 };
 
 /// Reason that the board did not execute a command.
-/// Source: Incoming commands L421-L426. Errata: E086.
+/// Source: Incoming commands L421-L426.
 enum class BoardErrorCode : std::uint8_t {
   /// The command has no body of this size.
   cmd_size = 1,
@@ -394,7 +394,7 @@ enum class SerialSpeed : std::uint8_t {
   baud_9600 = 4,
 };
 
-/// The number that a value stands for; 0 for unknown values.
+/// Returns the number that a value denotes; 0 for unknown values.
 constexpr std::uint32_t number_of(SerialSpeed value) noexcept {
   switch (value) {
     case SerialSpeed::baud_115200: return 115200;
@@ -422,7 +422,7 @@ enum class RcVirtualMode : std::uint8_t {
 };
 
 /// Named inputs of RC_MAP: pins for PWM or an analog voltage.
-/// Source: Variables L1036. Errata: E058, E069, E106.
+/// Source: Variables L1036.
 enum class RcInput : std::uint8_t {
   /// INPUT_NO: No input.
   input_no = 0,
@@ -447,7 +447,7 @@ enum class RcInput : std::uint8_t {
 };
 
 /// Kind of signal selected by RC_MAP.
-/// Source: Variables L1036-L1038. Errata: E058.
+/// Source: Variables L1036-L1038.
 enum class RcSource : std::uint8_t {
   /// A PWM signal.
   pwm = 0,
@@ -484,7 +484,7 @@ enum class FollowMode : std::uint8_t {
 };
 
 /// Direction of a sensor's axis.
-/// Source: Variables L1046, L1104. Errata: E047.
+/// Source: Variables L1046, L1104.
 enum class SensorAxis : std::int8_t {
   /// X: X axis.
   x = 1,
@@ -525,7 +525,7 @@ enum class SkipGyroCalibration : std::uint8_t {
 };
 
 /// Actions of the menu button, an RC signal or CMD_EXECUTE_MENU.
-/// Source: Variables L1051-L1053. Errata: E046, E048, E059.
+/// Source: Variables L1051-L1053.
 enum class MenuCommand : std::uint8_t {
   /// MENU_CMD_NO: Nothing.
   none = 0,
@@ -609,7 +609,7 @@ enum class MotorOutput : std::uint8_t {
 };
 
 /// Which IMU is selected.
-/// Source: Variables L1062, L1135, L1169, L1235; Outgoing commands L893. Errata: E053.
+/// Source: Variables L1062, L1135, L1169, L1235; Outgoing commands L893.
 enum class SelectedImu : std::uint8_t {
   /// IMU_TYPE_MAIN: The main IMU on the camera.
   main = 1,
@@ -671,7 +671,7 @@ enum class EulerOrder : std::uint8_t {
 };
 
 /// Kind of encoder.
-/// Source: Variables L1100. Errata: E059.
+/// Source: Variables L1100.
 enum class EncoderModel : std::uint8_t {
   /// ENC_TYPE_AS5048A: AS5048A, over SPI.
   as5048a = 1,
@@ -702,7 +702,7 @@ enum class EncoderModel : std::uint8_t {
 };
 
 /// Clock of an SPI encoder; for an I2C driver, the kind of encoder in it.
-/// Source: Variables L1101. Errata: E118.
+/// Source: Variables L1101.
 enum class EncoderConfig : std::uint8_t {
   /// SPI_SPEED_1MHz: SPI clock of 1 MHz.
   spi_1_mhz = 0,
@@ -715,7 +715,7 @@ enum class EncoderConfig : std::uint8_t {
 };
 
 /// Reason for an emergency stop.
-/// Source: Variables L1131. Errata: E048, E059.
+/// Source: Variables L1131.
 enum class SystemSubError : std::uint8_t {
   /// No emergency stop.
   none = 0,
@@ -767,7 +767,7 @@ enum class ControlModeKind : std::uint8_t {
 };
 
 /// How to turn the motors off.
-/// Source: Later firmware. Errata: E205.
+/// Source: Later firmware.
 enum class MotorsOffMode : std::uint8_t {
   /// They turn freely, without current.
   normal = 0,
@@ -778,7 +778,7 @@ enum class MotorsOffMode : std::uint8_t {
 };
 
 /// Coordinate system of data from an external system.
-/// Source: Variables L1250. Errata: E080.
+/// Source: Variables L1250.
 enum class CoordinateSystem : std::uint8_t {
   /// COORD_SYS_GROUND_YAW_ROTATED: Ground coordinates rotated with the camera about Z: Z points up,
   /// X right, Y forward. The default.
@@ -786,7 +786,7 @@ enum class CoordinateSystem : std::uint8_t {
 };
 
 /// IMU to calibrate.
-/// Source: Outgoing commands L629. Errata: E051, E053.
+/// Source: Outgoing commands L629.
 enum class CalibImu : std::uint8_t {
   /// The active IMU.
   active = 0,
@@ -816,7 +816,7 @@ enum class CalibAction : std::uint8_t {
 };
 
 /// IMU, counted from 0.
-/// Source: Variables L1199, L1207. Errata: E053.
+/// Source: Variables L1199, L1207.
 enum class ImuIndex : std::uint8_t {
   /// The main IMU on the camera.
   main = 0,
@@ -825,7 +825,7 @@ enum class ImuIndex : std::uint8_t {
 };
 
 /// Pins that a host can switch.
-/// Source: Variables L1154. Errata: E106.
+/// Source: Variables L1154.
 enum class OutputPin : std::uint8_t {
   /// RC_INPUT_ROLL: The RC_ROLL pin.
   rc_input_roll = 1,
@@ -924,7 +924,7 @@ enum class DebugVarKind : std::uint8_t {
   float32 = 7,
 };
 
-/// The number on the wire that a value stands for; none for unknown values.
+/// Returns the number type that a value denotes; none for unknown values.
 constexpr NumberType number_type(DebugVarKind value) noexcept {
   switch (value) {
     case DebugVarKind::uint8: return NumberType::u8;
@@ -939,7 +939,7 @@ constexpr NumberType number_type(DebugVarKind value) noexcept {
 }
 
 /// Axis of a debug variable.
-/// Source: Variables L1188. Errata: E055.
+/// Source: Variables L1188.
 enum class DebugVarAxis : std::uint8_t {
   /// None.
   no_axis = 0,
@@ -978,7 +978,7 @@ enum class ConnectionFlag : std::uint8_t {
 using ConnectionFlags = Flags<ConnectionFlag>;
 
 /// What the board does before a restart.
-/// Source: Outgoing commands L676, L685. Errata: E204.
+/// Source: Outgoing commands L676, L685.
 enum class ResetOption : std::uint8_t {
   /// Send CMD_RESET back first.
   notify = 0x01,
@@ -1000,7 +1000,7 @@ enum class FilterSwitch : std::uint8_t {
 using FilterSwitches = Flags<FilterSwitch>;
 
 /// Options in the upper half of the encoder type byte.
-/// Source: Variables L1100. Errata: E057.
+/// Source: Variables L1100.
 enum class EncoderFlag : std::uint8_t {
   /// SKIP_DETECTION: Do not detect whether the encoder is present.
   skip_detection = 0x10,
@@ -1010,7 +1010,7 @@ enum class EncoderFlag : std::uint8_t {
 using EncoderFlags = Flags<EncoderFlag>;
 
 /// When the board makes a sound.
-/// Source: Variables L1058. Errata: E049, E111.
+/// Source: Variables L1058.
 enum class BeeperMode : std::uint8_t {
   /// BEEPER_MODE_CALIBRATE: During calibrations.
   calibrate = 0x01,
@@ -1038,7 +1038,7 @@ enum class AdaptivePidAxe : std::uint8_t {
 using AdaptivePidAxes = Flags<AdaptivePidAxe>;
 
 /// Options of the whole board.
-/// Source: Variables L1073. Errata: E059.
+/// Source: Variables L1073.
 enum class GeneralFlag : std::uint16_t {
   /// REMEMBER_LAST_USED_PROFILE: Start with the last used profile.
   remember_last_used_profile = 0x0001,
@@ -1062,7 +1062,7 @@ enum class GeneralFlag : std::uint16_t {
 using GeneralFlags = Flags<GeneralFlag>;
 
 /// Options of one profile.
-/// Source: Variables L1074. Errata: E059.
+/// Source: Variables L1074.
 enum class ProfileFlag : std::uint16_t {
   /// ADC1_AUTO_DETECTION: Detect whether analog input 1 is connected.
   adc1_auto_detection = 0x0001,
@@ -1084,7 +1084,7 @@ enum class ProfileFlag : std::uint16_t {
 using ProfileFlags = Flags<ProfileFlag>;
 
 /// Errors detected by the board.
-/// Source: Variables L1128-L1130. Errata: E048.
+/// Source: Variables L1128-L1130.
 enum class SystemError : std::uint16_t {
   /// ERR_NO_SENSOR: The IMU sensor does not respond.
   no_sensor = 0x0001,
@@ -1154,7 +1154,7 @@ enum class ControlFlag : std::uint8_t {
 using ControlFlags = Flags<ControlFlag>;
 
 /// Options of automatic PID tuning.
-/// Source: Variables L1179-L1181. Errata: E056.
+/// Source: Variables L1179-L1181.
 enum class AutoPidFlag : std::uint8_t {
   /// AUTO_PID_STOP: Not a bit: the whole value 0 stops the tuning.
   stop = 0x00,
@@ -1176,7 +1176,7 @@ enum class AutoPidFlag : std::uint8_t {
 using AutoPidFlags = Flags<AutoPidFlag>;
 
 /// Calibrated directions of the accelerometer.
-/// Source: Variables L1239. Errata: E054.
+/// Source: Variables L1239.
 enum class CalibratedLimit : std::uint8_t {
   /// Limit +X.
   plus_x = 0x01,
@@ -1213,7 +1213,7 @@ enum class AhrsHelperModeBit : std::uint8_t {
 using AhrsHelperMode = Flags<AhrsHelperModeBit>;
 
 /// Operation of the forms of CMD_AHRS_HELPER with a two-byte mode. Without SET they are queries.
-/// Source: Later firmware. Errata: E209.
+/// Source: Later firmware.
 enum class AhrsHelperWideModeBit : std::uint16_t {
   /// Set the attitude instead of querying it.
   set = 0x0001,
@@ -1238,7 +1238,7 @@ enum class AhrsHelperWideModeBit : std::uint16_t {
 using AhrsHelperWideMode = Flags<AhrsHelperWideModeBit>;
 
 /// Sounds of CMD_BEEP_SOUND.
-/// Source: Variables L1223. Errata: E111.
+/// Source: Variables L1223.
 enum class BeepMode : std::uint16_t {
   /// BEEPER_MODE_CALIBRATE: The calibration sound.
   calibrate = 0x0001,
@@ -1258,7 +1258,7 @@ enum class BeepMode : std::uint16_t {
 using BeepModes = Flags<BeepMode>;
 
 /// Properties of a debug variable.
-/// Source: Variables L1188. Errata: E055.
+/// Source: Variables L1188.
 enum class DebugVarFlag : std::uint8_t {
   /// VAR_FLAG_ANGLE14: An angle, 16384 counts per turn.
   angle14 = 0x40,
@@ -1274,14 +1274,14 @@ class BoardVersion {
   constexpr BoardVersion() = default;
   constexpr explicit BoardVersion(raw_type raw) noexcept : raw_(raw) {}
 
-  /// The integer as it stands on the wire.
+  /// Returns the integer on the wire.
   constexpr raw_type raw() const noexcept { return raw_; }
 
   /// Major version.
   constexpr raw_type major() const noexcept {
     return static_cast<raw_type>(raw_ / 10);
   }
-  /// False, and nothing changes, when the number does not fit.
+  /// Returns false and changes nothing if the number does not fit.
   constexpr bool set_major(unsigned value) noexcept {
     return set_digits(major(), value, 10, 0);
   }
@@ -1290,7 +1290,7 @@ class BoardVersion {
   constexpr raw_type minor() const noexcept {
     return static_cast<raw_type>(raw_ % 10);
   }
-  /// False, and nothing changes, when the number does not fit.
+  /// Returns false and changes nothing if the number does not fit.
   constexpr bool set_minor(unsigned value) noexcept {
     return set_digits(minor(), value, 1, 10);
   }
@@ -1318,14 +1318,14 @@ class FirmwareVersion {
   constexpr FirmwareVersion() = default;
   constexpr explicit FirmwareVersion(raw_type raw) noexcept : raw_(raw) {}
 
-  /// The integer as it stands on the wire.
+  /// Returns the integer on the wire.
   constexpr raw_type raw() const noexcept { return raw_; }
 
   /// Major version.
   constexpr raw_type major() const noexcept {
     return static_cast<raw_type>(raw_ / 1000);
   }
-  /// False, and nothing changes, when the number does not fit.
+  /// Returns false and changes nothing if the number does not fit.
   constexpr bool set_major(unsigned value) noexcept {
     return set_digits(major(), value, 1000, 0);
   }
@@ -1334,7 +1334,7 @@ class FirmwareVersion {
   constexpr raw_type minor() const noexcept {
     return static_cast<raw_type>(raw_ / 10 % 100);
   }
-  /// False, and nothing changes, when the number does not fit.
+  /// Returns false and changes nothing if the number does not fit.
   constexpr bool set_minor(unsigned value) noexcept {
     return set_digits(minor(), value, 10, 100);
   }
@@ -1343,7 +1343,7 @@ class FirmwareVersion {
   constexpr raw_type beta() const noexcept {
     return static_cast<raw_type>(raw_ % 10);
   }
-  /// False, and nothing changes, when the number does not fit.
+  /// Returns false and changes nothing if the number does not fit.
   constexpr bool set_beta(unsigned value) noexcept {
     return set_digits(beta(), value, 1, 10);
   }
@@ -1370,19 +1370,19 @@ class RcMode {
 
   constexpr RcMode() = default;
   constexpr explicit RcMode(raw_type raw) noexcept : raw_(raw) {}
-  /// A value of the part `mode` stands for the whole, with 0 in the other parts.
+  /// A value of the part `mode` converts to the whole, with 0 in the other parts.
   using enum RcModeKind;
   constexpr RcMode(RcModeKind value) noexcept
       : raw_(static_cast<raw_type>(static_cast<unsigned>(value) & 0x07U)) {}
 
-  /// The integer as it stands on the wire.
+  /// Returns the integer on the wire.
   constexpr raw_type raw() const noexcept { return raw_; }
 
   /// What the signal controls.
   constexpr RcModeKind mode() const noexcept {
     return static_cast<RcModeKind>(raw_ & 0x07);
   }
-  /// False, and nothing changes, when the value does not fit into its bits.
+  /// Returns false and changes nothing if the value does not fit into its bits.
   constexpr bool set_mode(RcModeKind value) noexcept {
     return set(static_cast<raw_type>(value), 0x07, 0);
   }
@@ -1408,27 +1408,27 @@ class RcMode {
 };
 
 /// Source of an RC signal.
-/// Source: Variables L1036-L1038. Errata: E058, E069.
+/// Source: Variables L1036-L1038.
 class RcMap {
  public:
   using raw_type = std::uint8_t;
 
   constexpr RcMap() = default;
   constexpr explicit RcMap(raw_type raw) noexcept : raw_(raw) {}
-  /// The names of whole values.
+  /// Named values of the whole integer.
   using enum RcInput;
   constexpr RcMap(RcInput value) noexcept : raw_(static_cast<raw_type>(value)) {}
 
-  /// The integer as it stands on the wire.
+  /// Returns the integer on the wire.
   constexpr raw_type raw() const noexcept { return raw_; }
-  /// The name of the whole value, if it has one.
+  /// Returns the whole integer as an enum value, which may be unnamed.
   constexpr RcInput named() const noexcept { return static_cast<RcInput>(raw_); }
 
   /// Number of the input or virtual channel.
   constexpr raw_type channel() const noexcept {
     return static_cast<raw_type>(raw_ & 0x1F);
   }
-  /// False, and nothing changes, when the value does not fit into its bits.
+  /// Returns false and changes nothing if the value does not fit into its bits.
   constexpr bool set_channel(raw_type value) noexcept {
     return set(static_cast<raw_type>(value), 0x1F, 0);
   }
@@ -1437,7 +1437,7 @@ class RcMap {
   constexpr RcSource source() const noexcept {
     return static_cast<RcSource>(raw_ & 0xE0);
   }
-  /// False, and nothing changes, when the value does not fit into its bits.
+  /// Returns false and changes nothing if the value does not fit into its bits.
   constexpr bool set_source(RcSource value) noexcept {
     return set(static_cast<raw_type>(value), 0xE0, 0);
   }
@@ -1464,14 +1464,14 @@ class RcMix {
   constexpr RcMix() = default;
   constexpr explicit RcMix(raw_type raw) noexcept : raw_(raw) {}
 
-  /// The integer as it stands on the wire.
+  /// Returns the integer on the wire.
   constexpr raw_type raw() const noexcept { return raw_; }
 
   /// 0 is RC only, 32 half and half, 63 the flight controller only.
   constexpr raw_type rate() const noexcept {
     return static_cast<raw_type>(raw_ & 0x3F);
   }
-  /// False, and nothing changes, when the value does not fit into its bits.
+  /// Returns false and changes nothing if the value does not fit into its bits.
   constexpr bool set_rate(raw_type value) noexcept {
     return set(static_cast<raw_type>(value), 0x3F, 0);
   }
@@ -1480,7 +1480,7 @@ class RcMix {
   constexpr MixTarget target() const noexcept {
     return static_cast<MixTarget>((raw_ & 0xC0) >> 6);
   }
-  /// False, and nothing changes, when the value does not fit into its bits.
+  /// Returns false and changes nothing if the value does not fit into its bits.
   constexpr bool set_target(MixTarget value) noexcept {
     return set(static_cast<raw_type>(value), 0xC0, 6);
   }
@@ -1499,26 +1499,26 @@ class RcMix {
 };
 
 /// Kind and options of an encoder.
-/// Source: Variables L1100. Errata: E057.
+/// Source: Variables L1100.
 class EncoderType {
  public:
   using raw_type = std::uint8_t;
 
   constexpr EncoderType() = default;
   constexpr explicit EncoderType(raw_type raw) noexcept : raw_(raw) {}
-  /// A value of the part `model` stands for the whole, with 0 in the other parts.
+  /// A value of the part `model` converts to the whole, with 0 in the other parts.
   using enum EncoderModel;
   constexpr EncoderType(EncoderModel value) noexcept
       : raw_(static_cast<raw_type>(static_cast<unsigned>(value) & 0x0FU)) {}
 
-  /// The integer as it stands on the wire.
+  /// Returns the integer on the wire.
   constexpr raw_type raw() const noexcept { return raw_; }
 
   /// Kind of encoder.
   constexpr EncoderModel model() const noexcept {
     return static_cast<EncoderModel>(raw_ & 0x0F);
   }
-  /// False, and nothing changes, when the value does not fit into its bits.
+  /// Returns false and changes nothing if the value does not fit into its bits.
   constexpr bool set_model(EncoderModel value) noexcept {
     return set(static_cast<raw_type>(value), 0x0F, 0);
   }
@@ -1527,7 +1527,7 @@ class EncoderType {
   constexpr EncoderFlags flags() const noexcept {
     return static_cast<EncoderFlags>(raw_ & 0xF0);
   }
-  /// False, and nothing changes, when the value does not fit into its bits.
+  /// Returns false and changes nothing if the value does not fit into its bits.
   constexpr bool set_flags(EncoderFlags value) noexcept {
     return set(value.raw(), 0xF0, 0);
   }
@@ -1553,19 +1553,19 @@ class ControlMode {
 
   constexpr ControlMode() = default;
   constexpr explicit ControlMode(raw_type raw) noexcept : raw_(raw) {}
-  /// A value of the part `mode` stands for the whole, with 0 in the other parts.
+  /// A value of the part `mode` converts to the whole, with 0 in the other parts.
   using enum ControlModeKind;
   constexpr ControlMode(ControlModeKind value) noexcept
       : raw_(static_cast<raw_type>(static_cast<unsigned>(value) & 0x0FU)) {}
 
-  /// The integer as it stands on the wire.
+  /// Returns the integer on the wire.
   constexpr raw_type raw() const noexcept { return raw_; }
 
   /// Meaning of speed and angle.
   constexpr ControlModeKind mode() const noexcept {
     return static_cast<ControlModeKind>(raw_ & 0x0F);
   }
-  /// False, and nothing changes, when the value does not fit into its bits.
+  /// Returns false and changes nothing if the value does not fit into its bits.
   constexpr bool set_mode(ControlModeKind value) noexcept {
     return set(static_cast<raw_type>(value), 0x0F, 0);
   }
@@ -1574,7 +1574,7 @@ class ControlMode {
   constexpr ControlFlags flags() const noexcept {
     return static_cast<ControlFlags>(raw_ & 0xF0);
   }
-  /// False, and nothing changes, when the value does not fit into its bits.
+  /// Returns false and changes nothing if the value does not fit into its bits.
   constexpr bool set_flags(ControlFlags value) noexcept {
     return set(value.raw(), 0xF0, 0);
   }
@@ -1601,14 +1601,14 @@ class I2cDevice {
   constexpr I2cDevice() = default;
   constexpr explicit I2cDevice(raw_type raw) noexcept : raw_(raw) {}
 
-  /// The integer as it stands on the wire.
+  /// Returns the integer on the wire.
   constexpr raw_type raw() const noexcept { return raw_; }
 
   /// Bus of the device.
   constexpr I2cPort port() const noexcept {
     return static_cast<I2cPort>(raw_ & 0x01);
   }
-  /// False, and nothing changes, when the value does not fit into its bits.
+  /// Returns false and changes nothing if the value does not fit into its bits.
   constexpr bool set_port(I2cPort value) noexcept {
     return set(static_cast<raw_type>(value), 0x01, 0);
   }
@@ -1617,7 +1617,7 @@ class I2cDevice {
   constexpr raw_type address() const noexcept {
     return static_cast<raw_type>((raw_ & 0xFE) >> 1);
   }
-  /// False, and nothing changes, when the value does not fit into its bits.
+  /// Returns false and changes nothing if the value does not fit into its bits.
   constexpr bool set_address(raw_type value) noexcept {
     return set(static_cast<raw_type>(value), 0xFE, 1);
   }
@@ -1636,26 +1636,26 @@ class I2cDevice {
 };
 
 /// Type, axis and properties of a debug variable.
-/// Source: Variables L1188. Errata: E055.
+/// Source: Variables L1188.
 class DebugVarType {
  public:
   using raw_type = std::uint8_t;
 
   constexpr DebugVarType() = default;
   constexpr explicit DebugVarType(raw_type raw) noexcept : raw_(raw) {}
-  /// A value of the part `kind` stands for the whole, with 0 in the other parts.
+  /// A value of the part `kind` converts to the whole, with 0 in the other parts.
   using enum DebugVarKind;
   constexpr DebugVarType(DebugVarKind value) noexcept
       : raw_(static_cast<raw_type>(static_cast<unsigned>(value) & 0x0FU)) {}
 
-  /// The integer as it stands on the wire.
+  /// Returns the integer on the wire.
   constexpr raw_type raw() const noexcept { return raw_; }
 
   /// Type of each value.
   constexpr DebugVarKind kind() const noexcept {
     return static_cast<DebugVarKind>(raw_ & 0x0F);
   }
-  /// False, and nothing changes, when the value does not fit into its bits.
+  /// Returns false and changes nothing if the value does not fit into its bits.
   constexpr bool set_kind(DebugVarKind value) noexcept {
     return set(static_cast<raw_type>(value), 0x0F, 0);
   }
@@ -1664,7 +1664,7 @@ class DebugVarType {
   constexpr DebugVarAxis axis() const noexcept {
     return static_cast<DebugVarAxis>(raw_ & 0x30);
   }
-  /// False, and nothing changes, when the value does not fit into its bits.
+  /// Returns false and changes nothing if the value does not fit into its bits.
   constexpr bool set_axis(DebugVarAxis value) noexcept {
     return set(static_cast<raw_type>(value), 0x30, 0);
   }
@@ -1673,7 +1673,7 @@ class DebugVarType {
   constexpr DebugVarFlags flags() const noexcept {
     return static_cast<DebugVarFlags>(raw_ & 0xC0);
   }
-  /// False, and nothing changes, when the value does not fit into its bits.
+  /// Returns false and changes nothing if the value does not fit into its bits.
   constexpr bool set_flags(DebugVarFlags value) noexcept {
     return set(value.raw(), 0xC0, 0);
   }
@@ -1695,7 +1695,7 @@ class DebugVarType {
 
 namespace sbgc {
 
-/// The types whose display text is how the versions in an Availability are written.
+/// The types of the versions in an Availability, which define their text.
 struct VersionTypes {
   using Firmware = msg::FirmwareVersion;
   using Board = msg::BoardVersion;

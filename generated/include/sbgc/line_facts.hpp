@@ -1,7 +1,7 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// The serial lines that boards are found on.
-/// Source: Message format (L35-L41); Variables L1031. Errata: E084, E213.
+/// The serial line settings that boards use.
+/// Source: Message format (L35-L41); Variables L1031.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace sbgc {
 
 /// Baud rates, the most likely first.
 inline constexpr std::array<std::uint32_t, 9> baud_rates{115200, 57600, 38400, 19200, 9600, 256000, 230400, 460800, 921600};
-/// How many of them, from the first on, the protocol names; the others are in use as well.
+/// The number of leading baud rates that the protocol names; the others are also in use.
 inline constexpr std::size_t named_baud_rates = 5;
 /// Parities, the most likely first.
 inline constexpr std::array<Parity, 2> parities{Parity::none, Parity::even};

@@ -1,13 +1,13 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// Literals of physical values, for constants: `using namespace sbgc::literals;`, then 45_deg.
+/// Literals of physical values: `using namespace sbgc::literals;`, then 45_deg.
 #pragma once
 
 #include <sbgc/physical.hpp>
 
 namespace sbgc {
 
-/// The units of the quantities; a quantity without one has a unit of its own.
+/// The units of the quantities. A quantity without a unit has its own unit type.
 namespace msg::unit {
 
 struct deg {

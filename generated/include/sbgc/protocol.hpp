@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// Constants of the framing, of the line, and of the protocol as a whole.
+/// Constants of the framing, the line and the protocol.
 /// Source: Message format (L41-L61); Message format (L35-L41); Variables L1031.
 #pragma once
 
@@ -30,7 +30,7 @@ inline constexpr std::size_t frame_header_checksum_offset = 3;
 enum class FramePart : std::uint8_t { start, id, size, body, header_checksum, body_checksum };
 
 /// The order of the parts before and after the body, and what each checksum covers.
-/// <sbgc/framing.hpp> implements this framing and does not compile for one that it cannot handle.
+/// <sbgc/framing.hpp> implements this framing and does not compile for an unsupported one.
 struct FrameParts {
   /// How a checksum is computed; sum8 is the sum of all bytes modulo 256.
   enum class Checksum : std::uint8_t { sum8 };
@@ -46,7 +46,7 @@ struct FrameParts {
   static constexpr auto body_checksum_covers = std::array{FramePart::body};
 };
 
-/// Which of the bodies of a command a message is; `only` if there is one.
+/// The form of a message among the bodies of its command; `only` if there is one.
 enum class Form : std::uint8_t {
   only,
   simple,
@@ -58,12 +58,12 @@ enum class Form : std::uint8_t {
   extended_wide,
 };
 
-/// The newest firmware that the protocol as a whole is known of, as FIRMWARE_VER has it; 0 if that
-/// is not known. Some messages and values of later firmware are known beside it.
+/// The newest firmware whose protocol is known as a whole, encoded as FIRMWARE_VER; 0 if unknown.
+/// Some messages and values of later firmware are also known.
 inline constexpr std::uint16_t newest_firmware = 2599;
 
-/// Break behind a command in milliseconds, so that the board's input buffer does not overflow:
-/// behind a small request with a small answer, and behind the largest.
+/// The pause after a command in milliseconds, so that the board's input buffer does not overflow:
+/// after a small request with a small response, and after the largest ones.
 inline constexpr std::uint32_t shortest_pause_ms = 10;
 inline constexpr std::uint32_t longest_pause_ms = 20;
 

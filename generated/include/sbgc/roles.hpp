@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// Messages by what they are in the conversation, whatever they are called.
+/// Messages by their role in the conversation, independent of their names.
 #pragma once
 
 #include <cstddef>
@@ -33,21 +33,21 @@ enum class BoardErrorCode : std::uint8_t;
 
 namespace roles {
 
-/// Says that the board has carried out a command.
+/// Confirms that the board has executed a command.
 using Confirmation = msg::Confirm;
-/// Says that it could not: one type, or a TypeList of forms.
+/// Reports that the board could not execute a command: one type, or a TypeList of forms.
 using BoardError = TypeList<msg::Error, msg::ErrorExt>;
-/// Why.
+/// The reason that an error reports.
 using ErrorReason = msg::BoardErrorCode;
-/// Says that the board is about to restart.
+/// Announces that the board is about to restart.
 using Reset = msg::Reset;
-/// Says what the board is.
+/// Describes the board and its versions.
 using Introduction = msg::BoardInfo;
-/// Asks for the introduction.
+/// Requests the introduction.
 using IntroductionRequest = msg::BoardInfoRequest;
-/// Says what else there is to know about the board.
+/// Describes further properties of the board.
 using Details = msg::BoardInfo3;
-/// Asks for these details.
+/// Requests the details.
 using DetailsRequest = msg::BoardInfo3Request;
 
 /// The bytes that identify the board, in Details.
@@ -66,7 +66,7 @@ using StreamRequest = msg::DataStreamInterval;
 /// The messages that streams consist of.
 using StreamMessages = TypeList<msg::RealtimeData3, msg::RealtimeData4, msg::RealtimeDataCustom, msg::AhrsHelper>;
 
-/// The command whose message a StreamRequest is about.
+/// The command whose messages the stream consists of.
 template <class Request>
 constexpr auto& stream_command(Request& request) noexcept {
   return request.cmd_id;
@@ -77,14 +77,14 @@ constexpr auto& stream_interval(Request& request) noexcept {
   return request.interval_ms;
 }
 
-/// Microseconds that one count of the interval is.
+/// Microseconds per count of the interval.
 inline constexpr std::uint32_t stream_interval_us = 1000;
 /// The interval, in counts, that ends a stream.
 inline constexpr std::uint32_t stream_end = 0;
-/// The interval, in counts, that stands for every cycle of the board, and how long one is.
+/// The interval, in counts, that means every cycle of the board, and the length of a cycle.
 inline constexpr std::uint32_t stream_cycle = 1;
 inline constexpr std::uint32_t stream_cycle_us = 800;
-/// Maximum number of streams at a time, on all ports of the board together; 0 if it is not known.
+/// Maximum number of simultaneous streams on all ports of the board together; 0 if unknown.
 inline constexpr std::size_t stream_limit = 10;
 
 /// The largest documented body of a confirmation.
@@ -94,7 +94,7 @@ constexpr bool is_confirmation([[maybe_unused]] const Frame& frame) noexcept {
   return frame.id == 67 && frame.body.size() >= 1;
 }
 
-/// The id of the command that a confirmation names. Precondition: is_confirmation(frame).
+/// Returns the id of the command that a confirmation names. Precondition: is_confirmation(frame).
 constexpr std::uint8_t confirmed_command([[maybe_unused]] const Frame& frame) noexcept {
   return frame.body[0];
 }
@@ -104,13 +104,13 @@ constexpr bool is_error([[maybe_unused]] const Frame& frame) noexcept {
          (frame.id == 255 && frame.body.size() >= 6);
 }
 
-/// The id of the command that an error names, or 0. Precondition: is_error(frame).
+/// Returns the id of the command that an error names, or 0. Precondition: is_error(frame).
 constexpr std::uint8_t failed_command([[maybe_unused]] const Frame& frame) noexcept {
   if (frame.id == 255 && frame.body.size() >= 6) return frame.body[0];
   return 0;
 }
 
-/// What it says was the reason. Precondition: is_error(frame).
+/// Returns the reason that an error reports. Precondition: is_error(frame).
 constexpr ErrorReason error_reason(const Frame& frame) noexcept {
   if (frame.id == 255 && frame.body.size() >= 6) {
     return static_cast<ErrorReason>(frame.body[1]);
@@ -118,8 +118,8 @@ constexpr ErrorReason error_reason(const Frame& frame) noexcept {
   return static_cast<ErrorReason>(frame.body[0]);
 }
 
-/// The number that says why a request failed: the code of an error, or the result in a confirmation or
-/// in another response; 0 in a message that has neither.
+/// Returns the number that explains why a request failed: the code of an error, or the result in a
+/// confirmation or another response; 0 if the message has neither.
 constexpr std::uint32_t failure_code([[maybe_unused]] const Frame& frame) noexcept {
   if (frame.id == 255 && frame.body.size() == 5) return frame.body[0];
   if (frame.id == 255 && frame.body.size() >= 6) return frame.body[1];
@@ -139,10 +139,10 @@ constexpr bool is_reset([[maybe_unused]] const Frame& frame) noexcept {
   return frame.id == 114;
 }
 
-/// How long after it the board restarts.
+/// The time from the announcement of a restart to the restart.
 inline constexpr std::uint32_t reset_delay_ms = 1000;
 
-/// The id of the request, with an empty body, that asks for the introduction; 0 if there is none.
+/// The id of the request for the introduction, which has an empty body; 0 if there is none.
 inline constexpr std::uint8_t introduction_request_id = 86;
 
 /// The largest documented body of an introduction.
@@ -154,7 +154,7 @@ constexpr bool is_introduction([[maybe_unused]] const Frame& frame) noexcept {
 
 }  // namespace roles
 
-/// The versions in the introduction of a board.
+/// Returns the versions in the introduction of a board.
 template <class Info>
   requires std::is_same_v<Info, roles::Introduction>
 constexpr Availability versions_of(const Info& info) noexcept {

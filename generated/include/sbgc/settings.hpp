@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// Settings that the board keeps, and which messages read and store them.
+/// The stored settings of the board, and the messages that read and store them.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,10 @@
 
 namespace sbgc {
 
-/// How the settings that message M holds are read and stored: `Readers` and `Writers`, both with
-/// deprecated messages last; `name` of M; `copies`, how many of these settings the board has; `copy(message)`,
-/// the number of the copy that one of these messages is about, counted from 0; `share(from, to)`, which
-/// gives one copy the general settings of another.
+/// How the settings in message M are read and stored: `Readers` and `Writers`, both with deprecated
+/// messages last; `name` of M; `copies`, the number of copies of these settings on the board;
+/// `copy(message)`, the index of the copy in one of these messages, from 0; `share(from, to)`, which
+/// copies the general settings from one copy to another.
 template <class M>
 struct SettingsOf;
 

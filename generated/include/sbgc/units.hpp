@@ -1,7 +1,7 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// The physical quantities of the protocol. Each is a type of its own over the exact integer of
-/// the wire, so that two units cannot be mixed by mistake.
+/// The physical quantities of the protocol. Each is a distinct type over the exact number on the
+/// wire, so that units cannot be mixed by mistake.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 namespace sbgc::msg {
 
 /// Angle, 16384 counts per turn.
-/// Unit: deg, one count is 360/16384. Errata: E074.
+/// Unit: deg, one count is 360/16384.
 class Angle14
     : public detail::Quantity<Angle14, std::int16_t, unit::deg, 45, 2048> {
  public:
@@ -25,7 +25,7 @@ class Angle14
 };
 
 /// Angle, 16384 counts per turn, accumulated over full turns.
-/// Unit: deg, one count is 360/16384. Errata: E074.
+/// Unit: deg, one count is 360/16384.
 class LongAngle14
     : public detail::Quantity<LongAngle14, std::int32_t, unit::deg, 45, 2048> {
  public:
@@ -116,7 +116,7 @@ class AngleError
 };
 
 /// Angular speed of commands and targets: full scale is 4000 deg/s.
-/// Unit: deg/s, one count is 4000/32767. Errata: E071, E074.
+/// Unit: deg/s, one count is 4000/32767.
 class ControlSpeed
     : public detail::Quantity<ControlSpeed, std::int16_t, unit::deg_per_s, 4000, 32767> {
  public:
@@ -129,7 +129,7 @@ class ControlSpeed
 };
 
 /// Angular speed for extremely slow motion, in thousandths of a degree per second.
-/// Unit: deg/s, one count is 1/1000. Errata: E071.
+/// Unit: deg/s, one count is 1/1000.
 class FineSpeed
     : public detail::Quantity<FineSpeed, std::int16_t, unit::deg_per_s, 1, 1000> {
  public:
@@ -142,7 +142,7 @@ class FineSpeed
 };
 
 /// Angular speed from the gyroscope: full scale is 2000 deg/s.
-/// Unit: deg/s, one count is 2000/32767. Errata: E071, E074.
+/// Unit: deg/s, one count is 2000/32767.
 class GyroRate
     : public detail::Quantity<GyroRate, std::int16_t, unit::deg_per_s, 2000, 32767> {
  public:
@@ -155,7 +155,7 @@ class GyroRate
 };
 
 /// Angular acceleration in steps of 5 deg/s^2.
-/// Unit: deg/s^2, one count is 5. Errata: E066.
+/// Unit: deg/s^2, one count is 5.
 class AngularAcceleration
     : public detail::Quantity<AngularAcceleration, std::uint8_t, unit::deg_per_s2, 5, 1> {
  public:
@@ -168,7 +168,7 @@ class AngularAcceleration
 };
 
 /// Angular acceleration in whole deg/s^2.
-/// Unit: deg/s^2. Errata: E066.
+/// Unit: deg/s^2.
 class PlainAngularAcceleration
     : public detail::Quantity<PlainAngularAcceleration, std::int16_t, unit::deg_per_s2, 1, 1> {
  public:
@@ -220,7 +220,7 @@ class Milliseconds
 };
 
 /// Duration in microseconds.
-/// Unit: us. Errata: E078.
+/// Unit: us.
 class Microseconds
     : public detail::Quantity<Microseconds, std::uint16_t, unit::us, 1, 1> {
  public:
@@ -246,7 +246,7 @@ class TensOfMilliseconds
 };
 
 /// Length of a servo pulse; values up to 0 are special.
-/// Unit: us. Errata: E076.
+/// Unit: us.
 class ServoPulse
     : public detail::Quantity<ServoPulse, std::int16_t, unit::us, 1, 1> {
  public:
@@ -415,7 +415,7 @@ class Temperature
 };
 
 /// Number in hundredths.
-/// Unit: no unit, one count is 1/100.
+/// Unit: none, one count is 1/100.
 class Hundredths
     : public detail::Quantity<Hundredths, std::uint8_t, unit::value, 1, 100> {
  public:
@@ -428,7 +428,7 @@ class Hundredths
 };
 
 /// Number in hundredths, with a wide range.
-/// Unit: no unit, one count is 1/100.
+/// Unit: none, one count is 1/100.
 class LongHundredths
     : public detail::Quantity<LongHundredths, std::uint16_t, unit::value, 1, 100> {
  public:
@@ -441,7 +441,7 @@ class LongHundredths
 };
 
 /// Number in thousandths.
-/// Unit: no unit, one count is 1/1000.
+/// Unit: none, one count is 1/1000.
 class Thousandths
     : public detail::Quantity<Thousandths, std::uint16_t, unit::value, 1, 1000> {
  public:
@@ -454,7 +454,7 @@ class Thousandths
 };
 
 /// Number with eight integer and eight fractional bits.
-/// Unit: no unit, one count is 1/256.
+/// Unit: none, one count is 1/256.
 class FixedPoint8
     : public detail::Quantity<FixedPoint8, std::uint16_t, unit::value, 1, 256> {
  public:
@@ -467,7 +467,7 @@ class FixedPoint8
 };
 
 /// Factor on the gains of a PID controller; 0 counts are 0.1.
-/// Unit: no unit, one count is 1/50, counted from 1/10.
+/// Unit: none, one count is 1/50, counted from 1/10.
 class PidGain
     : public detail::Quantity<PidGain, std::uint8_t, unit::value, 1, 50, 1, 10> {
  public:
@@ -532,7 +532,7 @@ class GyroOffset
 };
 
 /// RC pulse width, or an analog signal normalized to the same range.
-/// Unit: us. Errata: E070.
+/// Unit: us.
 class RcSignal
     : public detail::Quantity<RcSignal, std::int16_t, unit::us, 1, 1> {
  public:
@@ -545,7 +545,7 @@ class RcSignal
 };
 
 /// High-resolution RC signal; the normal range is -1 to 1.
-/// Unit: no unit, one count is 1/16384. Errata: E070.
+/// Unit: none, one count is 1/16384.
 class FineRcSignal
     : public detail::Quantity<FineRcSignal, std::int16_t, unit::fraction, 1, 16384> {
  public:
@@ -558,7 +558,7 @@ class FineRcSignal
 };
 
 /// RC signal relative to its center; the normal range is -1 to 1.
-/// Unit: no unit, one count is 1/500. Errata: E070.
+/// Unit: none, one count is 1/500.
 class CentredRcSignal
     : public detail::Quantity<CentredRcSignal, std::int16_t, unit::fraction, 1, 500> {
  public:
@@ -623,7 +623,7 @@ class LongByteCount
 };
 
 /// Offset in pages of 64 bytes.
-/// Unit: byte, one count is 64. Errata: E092.
+/// Unit: byte, one count is 64.
 class Pages
     : public detail::Quantity<Pages, std::uint16_t, unit::byte, 64, 1> {
  public:

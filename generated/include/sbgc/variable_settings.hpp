@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// The settings that the adjustable variables stand for.
+/// The settings that the adjustable variables control.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +12,9 @@
 
 namespace sbgc {
 
-/// The variable's value in the settings that it stands for, of several in the first; nothing if it
-/// stands for none. It may lie beyond the variable's range, as the setting may.
-/// `settings.template of<M>()` is a reference to the settings of message type M.
+/// Returns the value of a variable according to the first setting that it controls; empty if it
+/// controls none. The value may exceed the range of the variable, because the setting may.
+/// `settings.template of<M>()` returns a reference to the settings of message type M.
 template <class Settings>
 constexpr Optional<std::int32_t> variable_value([[maybe_unused]] const Settings& settings,
                                                 msg::VariableId id) noexcept {
@@ -69,9 +69,9 @@ constexpr Optional<std::int32_t> variable_value([[maybe_unused]] const Settings&
   }
 }
 
-/// Puts a value into all settings that the variable stands for, to the nearest step of each that
-/// does not mean something special which the value does not. False, and nothing is changed, if it
-/// stands for none or the value is out of its range.
+/// Sets every setting that the variable controls to the nearest raw value; a sentinel only if `value`
+/// converts to it exactly. Returns false and changes nothing if the variable controls no setting or
+/// `value` is out of its range.
 template <class Settings>
 constexpr bool set_variable([[maybe_unused]] Settings& settings, msg::VariableId id,
                             [[maybe_unused]] std::int32_t value) noexcept {

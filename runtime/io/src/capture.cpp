@@ -39,12 +39,12 @@ void store64(std::uint8_t* bytes, std::uint64_t value) {
   wire::store(bytes + 4, static_cast<std::uint32_t>(value >> 32));
 }
 
-/// A time of the file: 63 bits are enough for all that has been.
+/// Loads a time. The sign bit is cleared, so that damaged times are not negative.
 std::chrono::microseconds load_time(const std::uint8_t* bytes) {
   return std::chrono::microseconds(static_cast<std::int64_t>(load64(bytes) & ~(1ULL << 63)));
 }
 
-/// Whether the checksum at the end of these bytes is right.
+/// Returns true if the checksum at the end of these bytes is correct.
 bool is_sound(std::span<const std::uint8_t> bytes) {
   const std::size_t size = bytes.size() - checksum_size;
   return sbgc::detail::crc32(bytes.first(size)) == wire::load<std::uint32_t>(bytes.data() + size);
@@ -56,7 +56,8 @@ void append_checksum(std::vector<std::uint8_t>& bytes) {
   wire::store(bytes.data() + bytes.size() - checksum_size, sum);
 }
 
-/// Where `bytes` have the magic, or the beginning of it at their end; their size if nowhere.
+/// Returns the position of the magic in `bytes`, or of a prefix of it at their end; their size if
+/// there is neither.
 std::size_t find_magic(std::span<const std::uint8_t> bytes) {
   for (std::size_t at = 0; at < bytes.size(); ++at) {
     const std::size_t size = std::min(magic.size(), bytes.size() - at);
@@ -76,11 +77,11 @@ std::string to_string(const CaptureDamage& damage) {
   switch (damage.reason) {
     case Reason::not_a_capture: return "This is not a capture.";
     case Reason::newer_version:
-      return place + " are of a newer version of captures than this program knows.";
+      return place + " have a newer capture version than this program supports.";
     case Reason::torn: return "The last " + place + " on were not completely written.";
     case Reason::damaged: return place + " are damaged.";
   }
-  return place + " can not be read.";
+  return place + " cannot be read.";
 }
 
 bool is_capture(std::span<const std::uint8_t> begin) noexcept {
@@ -161,7 +162,7 @@ std::optional<CaptureItem> CaptureParser::incomplete() {
 
 void CaptureParser::begin_damage(CaptureDamage::Reason reason) {
   damage_ = CaptureDamage{reason, offset_, 0};
-  // A file that never was a capture has no sessions either.
+  // A file that does not begin as a capture has no sessions.
   advance(reason == Reason::not_a_capture ? rest().size() : 1);
 }
 
@@ -179,7 +180,7 @@ std::optional<CaptureItem> CaptureParser::find_session() {
     if (bytes.empty()) break;
     advance(1);
   }
-  // In front of another session, what is incomplete is damaged all the same.
+  // An incomplete item before another session is damaged, not torn.
   if (damage_->reason == Reason::torn && !rest().empty()) damage_->reason = Reason::damaged;
   damage_->size = offset_ - damage_->offset;
   return *std::exchange(damage_, std::nullopt);
@@ -205,18 +206,19 @@ Error CaptureWriter::open(const std::string& path, Clock::time_point now) {
   *this = CaptureWriter();
   path_ = path;
   start_ = now;
-  // Non-blocking, so that no pipe without a reader stops the program.
+  // Non-blocking, so that a pipe without a reader does not block the program.
   fd_ = ::open(path.c_str(), O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
   if (fd_ < 0) return fail(errno);
   if (flock(fd_, LOCK_EX | LOCK_NB) != 0) {
-    return error_ = {Errc::busy, "Another program writes to the capture " + path + "."};
+    return error_ = {Errc::busy, "Another program is writing to the capture " + path + "."};
   }
   struct stat status {};
   if (fstat(fd_, &status) != 0) return fail(errno);
   std::array<std::uint8_t, capture_magic_size> begin{};
   if (status.st_size != 0 &&
       (pread(fd_, begin.data(), begin.size(), 0) < 0 || !is_capture(begin))) {
-    return error_ = {Errc::not_a_capture, path + " exists and is no capture; it stays as it is."};
+    return error_ = {Errc::not_a_capture,
+                     path + " exists and is not a capture; it was not changed."};
   }
   begin_session();
   return error_;
@@ -270,7 +272,7 @@ bool CaptureWriter::put(std::span<const std::uint8_t> bytes) {
   if (error_) return false;
   while (!bytes.empty()) {
     if (may_wait_ && !wait_for_reader()) return false;
-    // What a pipe has room for does not wait, so that all waiting is above.
+    // A write that a pipe has room for does not block, so only wait_for_reader() waits.
     const std::size_t most = may_wait_ ? PIPE_BUF : bytes.size();
     const ssize_t size = ::write(fd_, bytes.data(), std::min(bytes.size(), most));
     if (size < 0 && errno == EINTR) continue;
@@ -278,7 +280,7 @@ bool CaptureWriter::put(std::span<const std::uint8_t> bytes) {
       fail(errno);
       return false;
     }
-    // The rest of a short write tells why it was short.
+    // After a short write, writing the rest reports the reason.
     bytes = bytes.subspan(static_cast<std::size_t>(size));
   }
   return true;
@@ -287,14 +289,14 @@ bool CaptureWriter::put(std::span<const std::uint8_t> bytes) {
 bool CaptureWriter::wait_for_reader() {
   pollfd waiting{fd_, POLLOUT, 0};
   constexpr int forever = -1;
-  if (::poll(&waiting, 1, forever) >= 0) return true;  // an error of the other side: write() tells
+  if (::poll(&waiting, 1, forever) >= 0) return true;  // write() reports errors of the other side
   fail(errno);
   return false;
 }
 
 Error CaptureWriter::fail(int reason) {
   const std::error_code code(reason, std::generic_category());
-  return error_ = {code, "The capture " + path_ + " can not be written: " + code.message() + "."};
+  return error_ = {code, "The capture " + path_ + " cannot be written: " + code.message() + "."};
 }
 
 }  // namespace sbgc::io

@@ -16,7 +16,7 @@ namespace sbgc::io {
 
 namespace {
 
-/// An operation that waits: its executor has work until it is completed, as with a socket.
+/// A pending operation. Its executor has outstanding work until it completes, as with a socket.
 class Pending {
  public:
   Pending(const asio::any_io_executor& executor, Transport::Handler handler)
@@ -38,9 +38,9 @@ struct PendingRead {
 };
 
 struct PendingWrite {
-  std::vector<std::uint8_t> bytes;  // as they go over the line
+  std::vector<std::uint8_t> bytes;  // as received by the other end
   std::size_t moved;
-  std::size_t reported;  // what the writer is told when all is moved
+  std::size_t reported;  // the size reported to the writer when all bytes have been moved
   Pending pending;
 };
 
@@ -123,12 +123,12 @@ class Pipe {
   bool writer_closed_ = false;
 };
 
-/// What both ends share: pipes[i] and lines[i] are what end i reads from and how.
+/// The state shared by both ends: end i reads from pipes[i] with the settings lines[i].
 struct Link {
   explicit Link(const MemoryOptions& options)
       : pipes{Pipe(options), Pipe(options)}, mismatch(options.mismatch) {}
 
-  /// What arrives of bytes that this end writes.
+  /// Returns the bytes that the other end receives if `writer` writes `bytes`.
   std::vector<std::uint8_t> received(std::size_t writer,
                                      std::span<const std::uint8_t> bytes) const {
     const LineSettings& sender = lines[writer];

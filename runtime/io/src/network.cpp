@@ -66,8 +66,8 @@ Lookup look_up(const std::string& host) {
   return result;
 }
 
-/// The addresses of a host. The name service knows no deadline, so it is asked on a thread that is
-/// left to itself when time is over.
+/// Looks up the addresses of a host. The name service supports no deadline, so the lookup runs on a
+/// thread that is abandoned at the deadline.
 Error resolve(const std::string& host, Clock::time_point deadline,
               std::vector<asio::ip::address>& addresses) {
   std::error_code not_numeric;
@@ -87,16 +87,16 @@ Error resolve(const std::string& host, Clock::time_point deadline,
   Lookup lookup = future.get();
   if (lookup.status == EAI_AGAIN) {
     return {Errc::host_not_found,
-            "The host " + host + " can not be looked up now: the name service does not answer."};
+            "The host " + host + " cannot be looked up now: the name service does not answer."};
   }
   if (lookup.addresses.empty()) {
-    return {Errc::host_not_found, "There is no host " + host + ": is the name spelt right?"};
+    return {Errc::host_not_found, "There is no host " + host + ": check the spelling of the name."};
   }
   addresses = std::move(lookup.addresses);
   return {};
 }
 
-/// Waits until the connection of a non-blocking socket stands or has failed.
+/// Waits until a non-blocking socket has connected or failed to.
 std::error_code wait_connected(int fd, Clock::time_point deadline) {
   pollfd waiting{fd, POLLOUT, 0};
   for (;;) {
@@ -132,11 +132,11 @@ Error connect_error(const std::string& place, std::error_code error) {
   const std::error_code code = translate_network(error);
   if (code == Errc::refused) {
     return {code, place +
-                      " refused the connection: the machine is there, but nothing listens on "
+                      " refused the connection: the machine is reachable, but nothing listens on "
                       "this port."};
   }
   if (code == Errc::timed_out) return {code, place + " did not answer in time."};
-  if (code == Errc::unreachable) return {code, "There is no way to " + place + " in the network."};
+  if (code == Errc::unreachable) return {code, "There is no network route to " + place + "."};
   return {code, "No connection to " + place + ": " + error.message() + "."};
 }
 
@@ -151,8 +151,8 @@ class TcpTransport final : public detail::StreamTransport<tcp::socket> {
   std::string place_;
 };
 
-/// Makes a stream of datagrams: reads keep what did not fit, writes are cut so that no network on
-/// the way has to.
+/// A byte stream over datagrams: reads keep the bytes that did not fit, and writes are split into
+/// datagrams that no network needs to fragment.
 class DatagramStream {
  public:
   explicit DatagramStream(udp::socket socket)
@@ -231,7 +231,7 @@ OpenResult open_tcp(const asio::any_io_executor& executor, const std::string& ho
   tcp::socket socket(executor);
   std::error_code error;
   for (std::size_t left = addresses.size(); left > 0; --left) {
-    // A silent address must not use up the time of those behind it.
+    // An address that does not answer must not use up the time of the remaining ones.
     const auto now = Clock::now();
     const auto share = now + (deadline - now) / static_cast<Clock::rep>(left);
     error = connect(socket, {addresses[addresses.size() - left], port}, share);

@@ -15,7 +15,7 @@ namespace sbgc::io {
 
 namespace {
 
-/// Ends parsing; what() of it is not needed, it never leaves this file.
+/// Thrown to end parsing; never leaves this file.
 struct Malformed {
   std::string reason;
 };
@@ -27,7 +27,7 @@ struct Overloaded : Ts... {
 template <class... Ts>
 Overloaded(Ts...) -> Overloaded<Ts...>;
 
-/// A decimal number from 1 to `max`.
+/// Parses a decimal number from 1 to `max`.
 std::optional<std::uint32_t> number(std::string_view text, std::uint32_t max) {
   std::uint32_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -39,8 +39,8 @@ std::optional<std::uint32_t> number(std::string_view text, std::uint32_t max) {
 
 std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
 
-/// "path?key=value&key=value": what stands in front of the '?', and each option to `take`, which
-/// returns false for a key it does not know. `known` names the keys.
+/// Parses "path?key=value&key=value". Returns the path and passes each option to `take`, which
+/// returns false for an unknown key. `known` names the keys.
 template <class Take>
 std::string split_options(std::string_view text, const char* known, Take take) {
   const std::size_t mark = text.rfind('?');
@@ -57,11 +57,11 @@ std::string split_options(std::string_view text, const char* known, Take take) {
     const std::size_t equals = option.find('=');
     const std::string_view key = option.substr(0, equals);
     if (equals == std::string_view::npos) {
-      throw Malformed{quoted(option) + " is no option; options are " + known};
+      throw Malformed{quoted(option) + " is not an option; options are " + known};
     }
-    if (!seen.insert(key).second) throw Malformed{quoted(key) + " is given twice"};
+    if (!seen.insert(key).second) throw Malformed{quoted(key) + " occurs twice"};
     if (!take(key, option.substr(equals + 1))) {
-      throw Malformed{"there is no option " + quoted(key) + "; options are " + known};
+      throw Malformed{"unknown option " + quoted(key) + "; options are " + known};
     }
   }
   return path;
@@ -72,11 +72,11 @@ SerialAddress parse_serial(std::string_view text) {
   const auto take = [&](std::string_view key, std::string_view value) {
     if (key == "baud") {
       const auto rate = number(value, std::numeric_limits<std::uint32_t>::max());
-      if (!rate) throw Malformed{quoted(value) + " is no baud rate"};
+      if (!rate) throw Malformed{quoted(value) + " is not a baud rate"};
       result.line.baud_rate = *rate;
     } else if (key == "parity") {
       if (value != "none" && value != "even") {
-        throw Malformed{quoted(value) + " is no parity; parities are none and even"};
+        throw Malformed{quoted(value) + " is not a parity; parities are none and even"};
       }
       result.line.parity = value == "even" ? Parity::even : Parity::none;
     } else {
@@ -93,7 +93,7 @@ CaptureAddress parse_capture(std::string_view text) {
   const auto take = [&](std::string_view key, std::string_view value) {
     if (key != "timing") return false;
     if (value != "original" && value != "fast") {
-      throw Malformed{quoted(value) + " is no timing; timings are original and fast"};
+      throw Malformed{quoted(value) + " is not a timing; timings are original and fast"};
     }
     result.timing = value == "fast" ? ReplayTiming::fast : ReplayTiming::original;
     return true;
@@ -104,7 +104,7 @@ CaptureAddress parse_capture(std::string_view text) {
 
 template <class T>
 T parse_host_and_port(std::string_view text) {
-  if (text.starts_with("//")) throw Malformed{"there are no slashes in front of the host"};
+  if (text.starts_with("//")) throw Malformed{"slashes before the host are not allowed"};
   const std::size_t colon = text.rfind(':');
   const bool bracketed = text.starts_with('[');
   if (colon == std::string_view::npos || (bracketed && text.ends_with(']'))) {
@@ -112,15 +112,15 @@ T parse_host_and_port(std::string_view text) {
   }
   std::string_view host = text.substr(0, colon);
   if (bracketed) {
-    if (!host.ends_with(']')) throw Malformed{"the ']' behind the IPv6 address is missing"};
+    if (!host.ends_with(']')) throw Malformed{"the ']' after the IPv6 address is missing"};
     host = host.substr(1, host.size() - 2);
   } else if (host.find(':') != std::string_view::npos) {
-    throw Malformed{"an IPv6 address stands in brackets; write [ADDRESS]:PORT"};
+    throw Malformed{"an IPv6 address needs brackets; write [ADDRESS]:PORT"};
   }
   if (host.empty()) throw Malformed{"the host is missing; write HOST:PORT"};
   const auto port = number(text.substr(colon + 1), 65535);
   if (!port) {
-    throw Malformed{quoted(text.substr(colon + 1)) + " is no port; ports are 1 to 65535"};
+    throw Malformed{quoted(text.substr(colon + 1)) + " is not a port; ports are 1 to 65535"};
   }
   return {std::string(host), static_cast<std::uint16_t>(*port)};
 }
@@ -139,11 +139,10 @@ Address parse(std::string_view text) {
   if (kind == "udp") return parse_host_and_port<UdpAddress>(rest);
   if (kind == "capture") return parse_capture(rest);
   if (kind == "pty") {
-    if (!rest.empty()) throw Malformed{"nothing may stand behind 'pty:'"};
+    if (!rest.empty()) throw Malformed{"nothing may follow 'pty:'"};
     return PtyAddress{};
   }
-  throw Malformed{"there is no kind " + quoted(kind) +
-                  "; kinds are serial, tcp, udp, pty and capture"};
+  throw Malformed{"unknown kind " + quoted(kind) + "; kinds are serial, tcp, udp, pty and capture"};
 }
 
 }  // namespace

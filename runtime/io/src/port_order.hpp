@@ -7,7 +7,7 @@
 
 namespace sbgc::io::detail {
 
-/// ttyUSB2 before ttyUSB10: the shorter of two numbers is the smaller.
+/// Orders ttyUSB2 before ttyUSB10: of two numbers, the shorter one is smaller.
 inline bool comes_before(const std::string& a, const std::string& b) {
   const auto key = [](const std::string& name) {
     const std::size_t digits = name.find_last_not_of("0123456789") + 1;

@@ -36,7 +36,7 @@ PortInfo describe(const sp_port* port) {
 PortList list_ports() {
   sp_port** list = nullptr;
   if (sp_list_ports(&list) != SP_OK) {
-    // A container or a chroot may have no /sys, and then it has no serial ports either.
+    // Without /sys, as in some containers and chroots, there are no serial ports.
     if (sp_last_error_code() == ENOENT) return {};
     return {{}, {std::make_error_code(std::errc::io_error), "The system cannot list its ports."}};
   }

@@ -29,7 +29,8 @@ class Master final : public Base {
 
   void async_write(std::span<const std::uint8_t> bytes, Handler handler) override {
     if (!slave_ || state()->closed) return Base::async_write(bytes, std::move(handler));
-    // It stays open: what does not fit is lost, or the writer would wait for a reader for ever.
+    // The terminal stays open. Bytes that do not fit are dropped, because the writer could
+    // otherwise wait for a reader forever.
     std::error_code error;
     stream().non_blocking(true, error);
     for (auto rest = bytes; !rest.empty() && !error;) {
@@ -64,7 +65,7 @@ PseudoTerminalResult failure() {
   const int reason = errno;
   return {nullptr,
           {std::error_code(reason, std::generic_category()),
-           "A pseudo-terminal can not be made: " + std::generic_category().message(reason) + "."}};
+           "Cannot create a pseudo-terminal: " + std::generic_category().message(reason) + "."}};
 }
 
 }  // namespace

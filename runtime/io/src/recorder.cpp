@@ -8,7 +8,7 @@ namespace sbgc::io {
 
 namespace {
 
-/// The file and who is told if it fails. Outlives the transport while something is under way.
+/// The file and its error handler. Outlives the transport while an operation is pending.
 class Log {
  public:
   Log(CaptureWriter file, RecorderOptions options)

@@ -23,13 +23,13 @@ namespace sbgc::io {
 
 namespace {
 
-/// A piece of what the board said, and when, counted from the begin of the file.
+/// Bytes from the board, and their time from the start of the file.
 struct Piece {
   CaptureTime time{};
   std::vector<std::uint8_t> bytes{};
 };
 
-/// The pieces of a file, read as they are asked for.
+/// The pieces of a file, read on demand.
 class Source {
  public:
   explicit Source(detail::Descriptor file)
@@ -37,7 +37,7 @@ class Source {
     parser_.feed(raw_ ? std::span<const std::uint8_t>() : block_);
   }
 
-  /// The next piece, nothing at the end.
+  /// Returns the next piece; nullopt at the end.
   std::optional<Piece> next() { return raw_ ? next_raw() : next_record(); }
 
  private:
@@ -65,7 +65,7 @@ class Source {
     if (std::holds_alternative<CaptureSession>(item)) session_begin_ = last_;
     const auto* const record = std::get_if<CaptureRecord>(&item);
     if (record == nullptr) return std::nullopt;
-    // Times of a file are not to be trusted: they must not run backwards or out of all bounds.
+    // Times in a file are untrusted: they must not run backwards or exceed all bounds.
     constexpr CaptureTime bound = std::chrono::years(1);
     last_ = std::max(last_, std::min(session_begin_ + std::min(record->time, bound), bound));
     if (record->kind != CaptureKind::from_board || record->bytes.empty()) return std::nullopt;
@@ -91,7 +91,7 @@ class Source {
   CaptureTime last_{};
 };
 
-/// Outlives the transport while a read waits for its time.
+/// Outlives the transport while a read waits until it is due.
 class Player : public std::enable_shared_from_this<Player> {
  public:
   using Handler = Transport::Handler;
@@ -167,7 +167,7 @@ class ReplayTransport final : public Transport {
 
   ReplayTransport(const ReplayTransport&) = delete;
   ReplayTransport& operator=(const ReplayTransport&) = delete;
-  // NOLINTNEXTLINE(bugprone-exception-escape): cancelling this kind of timer can not fail
+  // NOLINTNEXTLINE(bugprone-exception-escape): cancelling this kind of timer cannot fail
   ~ReplayTransport() override { player_->close(); }
 
   void async_read(std::span<std::uint8_t> into, Handler handler) override {
@@ -196,7 +196,7 @@ OpenResult open_replay(const asio::any_io_executor& executor, const std::string&
     if (reason == std::errc::no_such_file_or_directory) {
       return {nullptr, {Errc::no_such_port, "There is no file " + path + "."}};
     }
-    return {nullptr, {reason, path + " can not be read: " + reason.message() + "."}};
+    return {nullptr, {reason, path + " cannot be read: " + reason.message() + "."}};
   }
   if (!S_ISREG(status.st_mode)) {
     return {nullptr, {Errc::not_a_capture, path + " is not a file that can be replayed."}};

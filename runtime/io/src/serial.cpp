@@ -62,7 +62,7 @@ class SerialTransport final : public detail::StreamTransport<Stream>, private Li
     if (state()->closed) return closed();
     Error error = detail::make_raw(fd(), settings, path_);
     settings_ = detail::line_of(fd()).value_or(settings_);
-    // A rate that the hardware can only nearly do is what was asked for.
+    // If the hardware approximates the rate, report the requested one.
     if (!error) settings_ = settings;
     detail::discard_input(fd());
     return error;
@@ -88,8 +88,7 @@ class SerialTransport final : public detail::StreamTransport<Stream>, private Li
   LineSettings settings_;
 };
 
-/// Calls `take` with each entry of a folder until it returns true; what can not be read is left
-/// out.
+/// Calls `take` with each entry of a folder until it returns true. Skips what cannot be read.
 template <class Take>
 bool find_entry(const fs::path& folder, Take take) {
   std::error_code error;
@@ -100,7 +99,7 @@ bool find_entry(const fs::path& folder, Take take) {
   return false;
 }
 
-/// "minicom (process 4711)", "" if it can not be seen.
+/// Returns the program that has `path` open, "minicom (process 4711)"; "" if unknown.
 std::string holder_of(const std::string& path) {
   std::error_code error;
   const fs::path device = fs::canonical(path, error);
@@ -132,9 +131,9 @@ Error missing_error(const std::string& path) {
   std::string message = "There is no port " + path + ". ";
   const PortList list = list_ports();
   if (list.ports.empty()) {
-    message += "No serial port is there at all: is the gimbal plugged in?";
+    message += "There are no serial ports: is the gimbal plugged in?";
   } else {
-    message += "These are there:";
+    message += "Available ports:";
     for (const PortInfo& port : list.ports) {
       message += "\n  " + port.name;
       if (!port.description.empty()) message += " (" + port.description + ")";
@@ -160,7 +159,7 @@ DeviceOwner owner_of(const struct stat& status) {
 
 Error system_error(const std::string& path, int reason) {
   return {std::error_code(reason, std::generic_category()),
-          path + " can not be opened: " + std::generic_category().message(reason) + "."};
+          path + " cannot be opened: " + std::generic_category().message(reason) + "."};
 }
 
 Error open_error(const std::string& path, int reason, const struct stat& status) {
@@ -170,7 +169,7 @@ Error open_error(const std::string& path, int reason, const struct stat& status)
     case EBUSY: return busy_error(path);
     case ENXIO:
     case ENODEV:
-    case EIO: return {Errc::device_lost, "There is a " + path + ", but no device behind it."};
+    case EIO: return {Errc::device_lost, path + " exists, but no device is connected to it."};
     default: return system_error(path, reason);
   }
 }
@@ -178,12 +177,12 @@ Error open_error(const std::string& path, int reason, const struct stat& status)
 }  // namespace
 
 Error permission_error(const std::string& path, const DeviceOwner& owner) {
-  std::string message = "You may not open " + path + ". ";
+  std::string message = "You do not have permission to open " + path + ". ";
   if (!owner.group_may_open || owner.group == "root") {
-    message += "Only its owner may: ask the administrator of this machine for a udev rule.";
+    message += "Only its owner does: ask the administrator of this machine for a udev rule.";
   } else if (owner.is_member) {
     message += "You have been added to the group " + owner.group +
-               ", but this login does not know it yet: log out and in again.";
+               ", but this login session is not in it yet: log out and in again.";
   } else {
     message += "Add yourself to the group " + owner.group + ": sudo usermod -aG " + owner.group +
                " $USER, then log in again.";
@@ -206,8 +205,8 @@ OpenResult open_serial(const asio::any_io_executor& executor, const std::string&
   if (!detail::is_terminal(fd.get())) {
     return {nullptr, {Errc::not_a_port, path + " is not a serial port."}};
   }
-  // The lock keeps out root, too. A pseudo-terminal would stay exclusive if this program were
-  // killed, as its device lives on.
+  // Unlike exclusive mode, the lock also excludes root. A pseudo-terminal is not made exclusive:
+  // its device outlives this program and would stay exclusive if the program were killed.
   if (flock(fd.get(), LOCK_EX | LOCK_NB) != 0) return {nullptr, busy_error(path)};
   if (!is_pseudo_terminal(status)) detail::set_exclusive(fd.get(), true);
   if (Error error = detail::make_raw(fd.get(), settings, path)) return {nullptr, std::move(error)};

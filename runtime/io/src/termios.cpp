@@ -17,7 +17,7 @@ struct StandardRate {
   tcflag_t flag;
 };
 
-/// The rates with a constant of their own; other programs understand these better than BOTHER.
+/// The rates with their own constant, which other programs handle better than BOTHER.
 constexpr std::array<StandardRate, 18> standard_rates{{{9600, B9600},
                                                        {19200, B19200},
                                                        {38400, B38400},
@@ -64,7 +64,8 @@ LineSettings line_of(const termios2& settings) {
   return {settings.c_ospeed, (settings.c_cflag & PARENB) != 0 ? Parity::even : Parity::none};
 }
 
-/// Drivers report the rate that the hardware makes of it; a UART bears 2 %.
+/// Returns true if a rate is within 2 % of the wanted one, which a UART tolerates. Drivers report
+/// the rate that the hardware actually uses.
 bool is_near(std::uint32_t rate, std::uint32_t wanted) {
   return std::llabs(std::int64_t{rate} - std::int64_t{wanted}) * 50 <= std::int64_t{wanted};
 }
@@ -80,40 +81,40 @@ bool is_raw(const termios2& settings) {
 bool is_terminal(int fd) { return get(fd).has_value(); }
 
 Error make_raw(int fd, const LineSettings& line, const std::string& name) {
-  if (line.baud_rate == 0) return {Errc::line_refused, "A baud rate of 0 does not exist."};
+  if (line.baud_rate == 0) return {Errc::line_refused, "The baud rate must not be 0."};
   std::optional<termios2> settings = get(fd);
-  if (!settings) return {Errc::device_lost, name + " does not answer any more."};
+  if (!settings) return {Errc::device_lost, name + " no longer responds."};
   settings->c_iflag &= ~input_flags;
   settings->c_oflag &= ~tcflag_t{OPOST};
   settings->c_lflag &= ~local_flags;
-  // CLOCAL: no modem decides whether there is a line. No HUPCL: closing leaves DTR alone, which
-  // resets some boards.
+  // CLOCAL: ignore the modem status lines. No HUPCL: closing must not change DTR, which resets some
+  // boards.
   settings->c_cflag &= ~(control_mask | HUPCL | CBAUD | CBAUD << IBSHIFT);
   settings->c_cflag |= control_flags(line.parity) | CLOCAL | rate_flag(line.baud_rate) |
                        rate_flag(line.baud_rate) << IBSHIFT;
   settings->c_ispeed = line.baud_rate;
   settings->c_ospeed = line.baud_rate;
-  // With VMIN 0 a read that finds nothing would look like the end of the stream.
+  // With VMIN 0, a read without data would look like the end of the stream.
   settings->c_cc[VMIN] = 1;
   settings->c_cc[VTIME] = 0;
   const bool accepted = ioctl(fd, TCSETS2, &*settings) == 0;
   const int reason = errno;
   const std::optional<termios2> now = get(fd);
-  if (!now) return {Errc::device_lost, name + " does not answer any more."};
+  if (!now) return {Errc::device_lost, name + " no longer responds."};
   if (!accepted) {
-    return {Errc::line_refused, name + " does not take " + to_string(line) + ": " +
+    return {Errc::line_refused, name + " does not accept " + to_string(line) + ": " +
                                     std::generic_category().message(reason) + "."};
   }
   if (!is_raw(*now)) {
     return {Errc::line_refused, name +
-                                    " can not be made transparent: its driver insists on changing "
+                                    " cannot be put in raw mode: its driver insists on changing "
                                     "some of the bytes."};
   }
   const LineSettings got = line_of(*now);
   if (!is_near(got.baud_rate, line.baud_rate) || !is_near(now->c_ispeed, line.baud_rate) ||
       (now->c_cflag & control_mask) != control_flags(line.parity)) {
-    return {Errc::line_refused, name + " does not do " + to_string(line) +
-                                    ": asked for it, it was set to " + to_string(got) + "."};
+    return {Errc::line_refused, name + " does not support " + to_string(line) +
+                                    ": its driver set " + to_string(got) + " instead."};
   }
   return {};
 }

@@ -146,11 +146,11 @@ TEST(MemoryText, SaysWhatIsWrongAndWhere) {
   const SavedMemory saved{sbgc::serving::owner_of({}), {}};
   const std::string text = to_json_text(saved);
   const auto bad = ErrorCode::bad_file;
-  expect_error("", bad, "no JSON");
+  expect_error("", bad, "not JSON");
   expect_error(std::string(200'000, '[') + std::string(200'000, ']'), bad,
                "nested deeper than 64 levels (line 1, column 65)");
   expect_error(changed(text, "\"profile\": 0", "\"profile\": 0, \"profile\": 0"), bad,
-               "the key 'profile' is there twice (line ");
+               "the key 'profile' occurs twice (line ");
   expect_error("[]", bad, "not the memory of an emulated board");
   expect_error("{}", bad, "not the memory of an emulated board");
   expect_error(R"({"format":"sbgc-backup"})", bad, "not the memory of an emulated board");

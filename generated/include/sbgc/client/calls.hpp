@@ -10,7 +10,7 @@
 
 namespace sbgc {
 
-// Only declared: a program that makes a call includes its message.
+// Only declared: a program that makes a call must include its message.
 namespace msg {
 struct BoardInfoRequest;
 struct BoardInfoRequestOneByte;
@@ -97,9 +97,9 @@ struct DebugVarsInfo3Request;
 struct DebugVars3Request;
 }  // namespace msg
 
-/// Gives a client a function for each request: `client.get_angles()`,
-/// `client.read_params_3({.profile_id = profile})`. They do what its call(request, options) does;
-/// the errors are the same, too.
+/// Adds a function for each request to a client: `client.get_angles()`,
+/// `client.read_params_3({.profile_id = profile})`. Each is equivalent to call(request, options),
+/// with the same errors.
 template <class Self>
 class Calls {
  public:
@@ -399,7 +399,7 @@ class Calls {
 
   /// Turn the motors off.
   /// Effect: moves.
-  /// Firmware 2.68b7 and later takes MotorsOffExt instead, which is then sent.
+  /// Firmware 2.68b7 and later accepts MotorsOffExt instead, which is then sent.
   template <class M = msg::MotorsOff>
   CallResult<M> motors_off(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -587,7 +587,7 @@ class Calls {
   /// Query the attitude of an IMU.
   /// Effect: reads.
   /// Since board 3.0.
-  /// Firmware 2.69b5 and later takes AhrsHelperRequestWide instead, which is then sent.
+  /// Firmware 2.69b5 and later accepts AhrsHelperRequestWide instead, which is then sent.
   template <class M = msg::AhrsHelperRequest>
   CallResult<M> ahrs_helper(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -606,7 +606,7 @@ class Calls {
   /// Query or set the attitude of an IMU.
   /// Effect: moves.
   /// Since board 3.0.
-  /// Firmware 2.69b5 and later takes AhrsHelperRequestExtWide instead, which is then sent.
+  /// Firmware 2.69b5 and later accepts AhrsHelperRequestExtWide instead, which is then sent.
   template <class M = msg::AhrsHelperRequestExt>
   CallResult<M> ahrs_helper_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {

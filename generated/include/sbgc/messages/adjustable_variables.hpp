@@ -14,7 +14,7 @@
 
 namespace sbgc::msg {
 
-static_assert(codec_version == 2, "generated code and runtime do not belong together");
+static_assert(codec_version == 2, "generated code and runtime do not match");
 
 struct AdjVarsState;
 struct ReadAdjVarsCfg;
@@ -73,7 +73,7 @@ struct SetAdjVarsVal {
 
   /// The variables.
   BoundedArray<AdjVarValue, 50> params{};
-  /// What later firmware appends; kept, and written back.
+  /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<254> tail{};
 
   bool operator==(const SetAdjVarsVal&) const = default;
@@ -128,7 +128,7 @@ struct ReadAdjVarsCfg {
   std::array<AnalogSlot, 15> analog_slots{};
   /// Reserved; kept as it is.
   Bytes<8> reserved{};
-  /// What later firmware appends; kept, and written back.
+  /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<127> tail{};
 
   bool operator==(const ReadAdjVarsCfg&) const = default;
@@ -175,7 +175,7 @@ struct AdjVarsState {
   std::int32_t analog_value{};
   /// Reserved; kept as it is.
   Bytes<6> reserved{};
-  /// What later firmware appends; kept, and written back.
+  /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<240> tail{};
 
   bool operator==(const AdjVarsState&) const = default;

@@ -14,7 +14,7 @@
 
 namespace sbgc::msg {
 
-static_assert(codec_version == 2, "generated code and runtime do not belong together");
+static_assert(codec_version == 2, "generated code and runtime do not match");
 
 struct CalibInfo;
 
@@ -243,7 +243,7 @@ struct CalibInfo {
   Hundredths h1_err_length{};
   /// Reserved; kept as it is.
   Bytes<7> reserved{};
-  /// What later firmware appends; kept, and written back.
+  /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<222> tail{};
 
   bool operator==(const CalibInfo&) const = default;
@@ -381,7 +381,7 @@ struct AutoPid {
   Axes<AxisTuning> axes{};
   /// Reserved; kept as it is.
   Bytes<10> reserved{};
-  /// What later firmware appends; kept, and written back.
+  /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<198> tail{};
 
   bool operator==(const AutoPid&) const = default;

@@ -15,7 +15,7 @@
 
 namespace sbgc::msg {
 
-static_assert(codec_version == 2, "generated code and runtime do not belong together");
+static_assert(codec_version == 2, "generated code and runtime do not match");
 
 struct GetAngles;
 struct GetAnglesExt;
@@ -23,7 +23,7 @@ struct GetAnglesExt;
 /// Target of each axis.
 struct ControlAxis {
   /// Speed of the motion; the acceleration limit in the parameters may restrict it. Unit: deg/s.
-  /// With CONTROL_FLAG_HIGH_RES_SPEED it is FineSpeed instead.
+  /// Interpreted as FineSpeed if CONTROL_FLAG_HIGH_RES_SPEED is set.
   ControlSpeed speed{};
   /// Target angle; in MODE_RC the RC signal, -500 to 500. Unit: deg.
   Angle14 angle{};
@@ -83,13 +83,13 @@ struct Control {
   /// Target of each axis.
   Axes<ControlAxis> axes{};
 
-  /// The physical value of speed of an element in deg/s, whose unit on the wire
-  /// CONTROL_FLAG_HIGH_RES_SPEED chooses.
+  /// Returns the physical value of speed of an element in deg/s; CONTROL_FLAG_HIGH_RES_SPEED
+  /// selects its unit on the wire.
   constexpr double real_speed(std::size_t index) const noexcept {
     return detail::real_in_unit<FineSpeed>(axes[index].speed, control_mode, 0x80);
   }
-  /// Sets speed of an element, and the flag to its unit. False, and nothing changes, while another
-  /// element has a value in the other unit.
+  /// Sets speed of an element and the flag that selects its unit. Returns false and changes nothing
+  /// if another element has a value in the other unit.
   [[nodiscard]] constexpr bool set_speed(std::size_t index, ControlSpeed value) noexcept {
     return detail::set_in_common_unit(
         axes, index, [](auto& one) -> auto& { return one.speed; }, value, control_mode, 0x80, false);
@@ -123,12 +123,12 @@ struct ControlExt {
   /// Target of each axis.
   Axes<ControlAxis> axes{};
 
-  /// The physical value of speed of an element in deg/s, whose unit on the wire
-  /// CONTROL_FLAG_HIGH_RES_SPEED chooses.
+  /// Returns the physical value of speed of an element in deg/s; CONTROL_FLAG_HIGH_RES_SPEED
+  /// selects its unit on the wire.
   constexpr double real_speed(std::size_t index) const noexcept {
     return detail::real_in_unit<FineSpeed>(axes[index].speed, control_mode[index], 0x80);
   }
-  /// Sets speed of an element, and the flag to its unit.
+  /// Sets speed of an element and the flag that selects its unit.
   constexpr void set_speed(std::size_t index, ControlSpeed value) noexcept {
     detail::set_in_unit(axes[index].speed, value, control_mode[index], 0x80, false);
   }
@@ -154,7 +154,7 @@ struct GetAngles {
 
   /// State of each axis.
   Axes<AxisState> axes{};
-  /// What later firmware appends; kept, and written back.
+  /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<237> tail{};
 
   bool operator==(const GetAngles&) const = default;
@@ -190,7 +190,7 @@ struct GetAnglesExt {
 
   /// State of each axis.
   Axes<AxisStateExt> axes{};
-  /// What later firmware appends; kept, and written back.
+  /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<201> tail{};
 
   bool operator==(const GetAnglesExt&) const = default;
@@ -231,7 +231,7 @@ struct MotorsOn {
 /// Turn the motors off.
 ///
 /// CMD_MOTORS_OFF (109), to the board, simple form; 0 bytes. Effect: moves. Firmware 2.68b7 and
-/// later takes MotorsOffExt instead. Source: Outgoing commands L728-L730.
+/// later accepts MotorsOffExt instead. Source: Outgoing commands L728-L730.
 struct MotorsOff {
   static constexpr CommandToBoard command = CommandToBoard::motors_off;
   static constexpr Direction direction = Direction::to_board;
@@ -365,7 +365,7 @@ struct HelperDataExt {
       &HelperDataExt::reserved>;
 };
 
-/// The message that says the same to firmware that no longer takes this one.
+/// Returns the equivalent message for firmware that no longer accepts this one.
 constexpr MotorsOffExt later_form(const MotorsOff&) noexcept {
   MotorsOffExt later{};
   return later;

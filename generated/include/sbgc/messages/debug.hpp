@@ -14,7 +14,7 @@
 
 namespace sbgc::msg {
 
-static_assert(codec_version == 2, "generated code and runtime do not belong together");
+static_assert(codec_version == 2, "generated code and runtime do not match");
 
 struct DebugVars3;
 struct DebugVarsInfo3;
@@ -51,7 +51,7 @@ struct DebugVarsInfo3 {
 
   /// The variables.
   BoundedArray<DebugVarInfo, 63> vars{};
-  /// What later firmware appends; kept, and written back.
+  /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<254> tail{};
 
   bool operator==(const DebugVarsInfo3&) const = default;
@@ -91,7 +91,7 @@ struct DebugVars3 {
   static constexpr std::size_t max_size = 255;
   static constexpr Availability since{.board = 30};
 
-  /// What earlier messages said about the body.
+  /// Facts from earlier messages that the body needs for decoding.
   struct Context {
     /// The types announced by CMD_DEBUG_VARS_INFO_3; the values cannot be decoded without them.
     NumberTypes types{};
@@ -100,7 +100,7 @@ struct DebugVars3 {
   /// The values in sequence, each with the type and the number of elements announced by
   /// CMD_DEBUG_VARS_INFO_3. The set of variables depends on the firmware.
   BoundedArray<Number, 255> var_value{};
-  /// What later firmware appends; kept, and written back.
+  /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<255> tail{};
 
   bool operator==(const DebugVars3&) const = default;

@@ -14,7 +14,7 @@
 
 namespace sbgc::msg {
 
-static_assert(codec_version == 2, "generated code and runtime do not belong together");
+static_assert(codec_version == 2, "generated code and runtime do not match");
 
 struct AhrsHelper;
 
@@ -83,7 +83,7 @@ struct AhrsHelper {
   Xyz<float> z1_vector{};
   /// Unit vector that points north (the Y axis in the normal position). Range: -1 to 1.
   Xyz<float> h1_vector{};
-  /// What later firmware appends; kept, and written back.
+  /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<231> tail{};
 
   bool operator==(const AhrsHelper&) const = default;
@@ -93,7 +93,7 @@ struct AhrsHelper {
 /// Query the attitude of an IMU. MODE 0 queries the main IMU, 2 the frame IMU.
 ///
 /// CMD_AHRS_HELPER (56), to the board, simple form; 1 byte. Effect: reads. Since board 3.0.
-/// Firmware 2.69b5 and later takes AhrsHelperRequestWide instead. Source: Outgoing commands
+/// Firmware 2.69b5 and later accepts AhrsHelperRequestWide instead. Source: Outgoing commands
 /// L946-L953; Variables L1192-L1197.
 struct AhrsHelperRequest {
   static constexpr CommandToBoard command = CommandToBoard::ahrs_helper;
@@ -140,7 +140,7 @@ struct AhrsHelperRequestWide {
 /// Z1_ONLY and H1_ONLY may be added to each. MODE 0 queries the main IMU, 2 the frame IMU.
 ///
 /// CMD_AHRS_HELPER (56), to the board, extended form; 25 bytes. Effect: moves. Since board 3.0.
-/// Firmware 2.69b5 and later takes AhrsHelperRequestExtWide instead. Source: Outgoing commands
+/// Firmware 2.69b5 and later accepts AhrsHelperRequestExtWide instead. Source: Outgoing commands
 /// L946-L953; Variables L1192-L1197.
 struct AhrsHelperRequestExt {
   static constexpr CommandToBoard command = CommandToBoard::ahrs_helper;
@@ -220,14 +220,14 @@ struct GyroCorrection {
       &GyroCorrection::gyro_zero_heading_corr>;
 };
 
-/// The message that says the same to firmware that no longer takes this one.
+/// Returns the equivalent message for firmware that no longer accepts this one.
 constexpr AhrsHelperRequestWide later_form(const AhrsHelperRequest& message) noexcept {
   AhrsHelperRequestWide later{};
   detail::widen(message.mode, later.mode);
   return later;
 }
 
-/// The message that says the same to firmware that no longer takes this one.
+/// Returns the equivalent message for firmware that no longer accepts this one.
 constexpr AhrsHelperRequestExtWide later_form(const AhrsHelperRequestExt& message) noexcept {
   AhrsHelperRequestExtWide later{};
   detail::widen(message.mode, later.mode);

@@ -14,7 +14,7 @@
 
 namespace sbgc::msg {
 
-static_assert(codec_version == 2, "generated code and runtime do not belong together");
+static_assert(codec_version == 2, "generated code and runtime do not match");
 
 struct ReadParams3;
 struct ReadParamsExt;
@@ -219,7 +219,7 @@ struct ReadParams3 {
   SelectedImu cur_imu{};
   /// Active profile; write it back unchanged. Range: 0 to 4.
   std::uint8_t cur_profile_id{};
-  /// What later firmware appends; kept, and written back.
+  /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<121> tail{};
 
   bool operator==(const ReadParams3&) const = default;
@@ -370,7 +370,7 @@ struct ReadParamsExt {
   FineFrequency acc_lpf_freq{};
   /// Low-pass filter of the derivative term. Range: 0 to 600 Hz.
   Axes<CoarseFrequency> d_term_lpf_freq{};
-  /// What later firmware appends; kept, and written back.
+  /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<151> tail{};
 
   bool operator==(const ReadParamsExt&) const = default;
@@ -447,7 +447,7 @@ struct ReadParamsExt2 {
   std::uint8_t auto_pid_gain{};
   /// Later firmware holds parameters in all of these bytes.
   Bytes<119> reserved_2{};
-  /// What later firmware appends; kept, and written back.
+  /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<104> tail{};
 
   bool operator==(const ReadParamsExt2&) const = default;
@@ -494,7 +494,7 @@ struct ReadProfileNames {
 
   /// Name of each profile.
   std::array<Text<48>, 5> profile_name{};
-  /// What later firmware appends; kept, and written back.
+  /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<15> tail{};
 
   bool operator==(const ReadProfileNames&) const = default;

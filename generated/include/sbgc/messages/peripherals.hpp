@@ -14,7 +14,7 @@
 
 namespace sbgc::msg {
 
-static_assert(codec_version == 2, "generated code and runtime do not belong together");
+static_assert(codec_version == 2, "generated code and runtime do not match");
 
 struct I2cReadRegBuf;
 

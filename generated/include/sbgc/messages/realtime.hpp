@@ -14,7 +14,7 @@
 
 namespace sbgc::msg {
 
-static_assert(codec_version == 2, "generated code and runtime do not belong together");
+static_assert(codec_version == 2, "generated code and runtime do not match");
 
 struct RealtimeData3;
 struct RealtimeData4;
@@ -35,9 +35,9 @@ struct AxisSensors {
 struct StreamConfig {
   static constexpr std::size_t wire_size = 8;
 
-  /// Blocks to send. Present when cmd_id is CMD_REALTIME_DATA_CUSTOM.
+  /// Blocks to send. Present if cmd_id is CMD_REALTIME_DATA_CUSTOM.
   Optional<RealtimeDataCustomFlags> flags{};
-  /// IMU whose attitude to send. Present when cmd_id is CMD_AHRS_HELPER.
+  /// IMU whose attitude to send. Present if cmd_id is CMD_AHRS_HELPER.
   Optional<ImuIndex> imu_type{};
   /// What is not used of the 8 bytes; filled up with zeros.
   BoundedBytes<8> rest{};
@@ -116,7 +116,7 @@ struct RealtimeData3 {
   std::uint8_t cur_profile{};
   /// Power of each motor.
   Axes<std::uint8_t> motor_power{};
-  /// What later firmware appends; kept, and written back.
+  /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<192> tail{};
 
   bool operator==(const RealtimeData3&) const = default;
@@ -221,7 +221,7 @@ struct RealtimeData4 {
   AngleError imu_h_err{};
   /// Reserved; kept as it is.
   Bytes<36> reserved_3{};
-  /// What later firmware appends; kept, and written back.
+  /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<131> tail{};
 
   bool operator==(const RealtimeData4&) const = default;
@@ -270,7 +270,7 @@ struct RealtimeDataCustom {
   /// For rc_data and rc_channels: undefined.
   static constexpr std::int16_t undefined = -32768;
 
-  /// What earlier messages said about the body.
+  /// Facts from earlier messages that the body needs for decoding.
   struct Context {
     /// FLAGS of the request. The response does not repeat them, but they determine its blocks.
     RealtimeDataCustomFlags flags{};
@@ -278,29 +278,29 @@ struct RealtimeDataCustom {
 
   /// Time of the sample. Unit: ms.
   MillisecondClock timestamp_ms{};
-  /// Angles of the main IMU (Euler). Unit: deg. Present when flags has IMU_ANGLES.
+  /// Angles of the main IMU (Euler). Unit: deg. Present if flags has IMU_ANGLES.
   Optional<Axes<Angle14>> imu_angles{};
-  /// Target angles (Euler). Unit: deg. Present when flags has TARGET_ANGLES.
+  /// Target angles (Euler). Unit: deg. Present if flags has TARGET_ANGLES.
   Optional<Axes<Angle14>> target_angles{};
-  /// Target speeds over the Euler axes. Unit: deg/s. Present when flags has TARGET_SPEED.
+  /// Target speeds over the Euler axes. Unit: deg/s. Present if flags has TARGET_SPEED.
   Optional<Axes<GyroRate>> target_speed{};
-  /// Joint angles. Unit: deg. Present when flags has STATOR_ROTOR_ANGLE.
+  /// Joint angles. Unit: deg. Present if flags has STATOR_ROTOR_ANGLE.
   Optional<Axes<Angle14>> stator_rotor_angle{};
-  /// Gyroscope after calibration. Unit: deg/s. Present when flags has GYRO_DATA.
+  /// Gyroscope after calibration. Unit: deg/s. Present if flags has GYRO_DATA.
   Optional<Axes<GyroRate>> gyro_data{};
-  /// RC signals of the inputs ROLL, PITCH, YAW, CMD, FC_ROLL, FC_PITCH. Range: -1 to 1. Present
-  /// when flags has RC_DATA.
+  /// RC signals of the inputs ROLL, PITCH, YAW, CMD, FC_ROLL, FC_PITCH. Range: -1 to 1. Present if
+  /// flags has RC_DATA.
   Optional<std::array<FineRcSignal, 6>> rc_data{};
-  /// Gravity row of the rotation matrix. Range: -1 to 1. Present when flags has Z1_H1_VECTORS.
+  /// Gravity row of the rotation matrix. Range: -1 to 1. Present if flags has Z1_H1_VECTORS.
   Optional<Xyz<float>> z1_vector{};
   /// Heading row of the rotation matrix; the cross product of both rows is the third. Range: -1 to
-  /// 1. Present when flags has Z1_H1_VECTORS.
+  /// 1. Present if flags has Z1_H1_VECTORS.
   Optional<Xyz<float>> h1_vector{};
-  /// All captured RC channels. Range: -1 to 1. Present when flags has RC_CHANNELS.
+  /// All captured RC channels. Range: -1 to 1. Present if flags has RC_CHANNELS.
   Optional<std::array<FineRcSignal, 18>> rc_channels{};
-  /// Accelerometer after calibration. Unit: g. Present when flags has ACC_DATA.
+  /// Accelerometer after calibration. Unit: g. Present if flags has ACC_DATA.
   Optional<Axes<Acceleration>> acc_data{};
-  /// What later firmware appends; kept, and written back.
+  /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<253> tail{};
 
   bool operator==(const RealtimeDataCustom&) const = default;

@@ -14,7 +14,7 @@
 
 namespace sbgc::msg {
 
-static_assert(codec_version == 2, "generated code and runtime do not belong together");
+static_assert(codec_version == 2, "generated code and runtime do not match");
 
 /// Start or stop a script.
 ///
@@ -56,7 +56,7 @@ struct ScriptDebug {
   std::uint16_t cmd_count{};
   /// Error code; unlisted codes are possible.
   FileError err_code{};
-  /// What later firmware appends; kept, and written back.
+  /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<252> tail{};
 
   bool operator==(const ScriptDebug&) const = default;

@@ -14,7 +14,7 @@
 
 namespace sbgc::msg {
 
-static_assert(codec_version == 2, "generated code and runtime do not belong together");
+static_assert(codec_version == 2, "generated code and runtime do not match");
 
 struct EepromRead;
 struct ReadExternalData;
@@ -230,7 +230,7 @@ struct ReadExternalData {
 
   /// The user data.
   Bytes<128> data{};
-  /// What later firmware appends; kept, and written back.
+  /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<127> tail{};
 
   bool operator==(const ReadExternalData&) const = default;

@@ -14,7 +14,7 @@
 
 namespace sbgc::msg {
 
-static_assert(codec_version == 2, "generated code and runtime do not belong together");
+static_assert(codec_version == 2, "generated code and runtime do not match");
 
 struct BoardInfo;
 struct BoardInfo3;
@@ -46,7 +46,7 @@ struct BoardInfo {
   std::uint32_t frw_extra_id{};
   /// Later firmware holds more feature bits, IMU models and a base firmware version here.
   Bytes<7> reserved{};
-  /// What later firmware appends; kept, and written back.
+  /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<237> tail{};
 
   bool operator==(const BoardInfo&) const = default;
@@ -131,9 +131,9 @@ struct Confirm {
 
   /// The confirmed command.
   CommandToBoard cmd{};
-  /// Address of the written block. Present when cmd is CMD_EEPROM_WRITE.
+  /// Address of the written block. Present if cmd is CMD_EEPROM_WRITE.
   Optional<std::uint32_t> addr{};
-  /// Result of the file operation. Present when cmd is CMD_WRITE_FILE or CMD_FS_CLEAR_ALL.
+  /// Result of the file operation. Present if cmd is CMD_WRITE_FILE or CMD_FS_CLEAR_ALL.
   Optional<FileError> err_code{};
   /// Data of other commands; usually empty. At most 5.
   BoundedBytes<254> data{};
@@ -188,7 +188,7 @@ struct ErrorExt {
   BoardErrorCode error_code{};
   /// Details that depend on the code.
   Bytes<4> error_data{};
-  /// What later firmware appends; kept, and written back.
+  /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<249> tail{};
 
   bool operator==(const ErrorExt&) const = default;
@@ -220,7 +220,7 @@ struct BoardInfo3 {
   std::array<ByteCount, 5> script_slot_size{};
   /// Reserved; kept as it is.
   Bytes<34> reserved{};
-  /// What later firmware appends; kept, and written back.
+  /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<186> tail{};
 
   bool operator==(const BoardInfo3&) const = default;
@@ -257,7 +257,7 @@ struct Reset {
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{};
 
-  /// What later firmware appends; kept, and written back.
+  /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<255> tail{};
 
   bool operator==(const Reset&) const = default;

@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// What is known about all messages at run time.
+/// Run-time metadata of all messages.
 #pragma once
 
 #include <sbgc/meta/system.hpp>

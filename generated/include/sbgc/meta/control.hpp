@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// control: what is known about messages and fields at run time.
+/// Run-time metadata of the messages in <sbgc/messages/control.hpp>.
 #pragma once
 
 #include <sbgc/messages/control.hpp>

@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// Names of enum values, flags and parts of packed integers.
+/// Names of enum values, flags and parts of packed values.
 #pragma once
 
 #include <sbgc/meta.hpp>

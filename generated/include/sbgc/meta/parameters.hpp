@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// parameters: what is known about messages and fields at run time.
+/// Run-time metadata of the messages in <sbgc/messages/parameters.hpp>.
 #pragma once
 
 #include <sbgc/messages/parameters.hpp>

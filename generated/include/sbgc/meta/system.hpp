@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// system: what is known about messages and fields at run time.
+/// Run-time metadata of the messages in <sbgc/messages/system.hpp>.
 #pragma once
 
 #include <sbgc/messages/system.hpp>

@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// The adjustable variables: what can be changed on the fly.
+/// The adjustable variables, which can be changed during operation.
 #pragma once
 
 #include <sbgc/meta.hpp>
@@ -220,7 +220,7 @@ inline constexpr VariableInfo variables[] = {
      .unit = {"Hz", 1, 1}},
 };
 
-/// The variable with this id, null if there is none.
+/// Returns the variable with this id; null if there is none.
 constexpr const VariableInfo* find_variable(msg::VariableId id) noexcept {
   for (const VariableInfo& variable : variables) {
     if (variable.id == id) return &variable;

@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// What comes back for every request: `response_policy(request)`.
+/// Response policies of all requests: `response_policy(request)`.
 #pragma once
 
 #include <sbgc/responses/system.hpp>

@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// realtime: what comes back for each request.
+/// Response policies of the requests in <sbgc/messages/realtime.hpp>.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace sbgc::msg {
 
-/// The data stream that the request is about.
+/// Returns the stream change that the request makes.
 constexpr StreamChange stream_change(const DataStreamInterval& request) noexcept {
   StreamChange change;
   change.command = static_cast<std::uint8_t>(request.cmd_id);

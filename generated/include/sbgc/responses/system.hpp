@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// system: what comes back for each request.
+/// Response policies of the requests in <sbgc/messages/system.hpp>.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-/// What a board of some version understands.
+/// Checks whether a board supports a message.
 #pragma once
 
 #include <sbgc/message.hpp>
@@ -6,13 +6,13 @@
 
 namespace sbgc {
 
-/// Whether something that exists since `since` is there on a board with these versions.
+/// Returns true if a board with these versions has a feature that exists since `since`.
 constexpr bool is_available(const Availability& since, const Availability& versions) noexcept {
   return since.firmware <= versions.firmware && since.board <= versions.board;
 }
 
-/// Whether a board with these versions takes the message: not if its firmware is too old for it,
-/// nor if it is so new that another form has taken its place, which is later_form(message) then.
+/// Returns true if a board with these versions accepts the message: its firmware is not too old for
+/// it, nor so new that another form has replaced it. That form is later_form(message).
 template <Message M>
 constexpr bool is_supported(const Availability& versions) noexcept {
   if constexpr (requires { M::until; }) {
@@ -21,7 +21,7 @@ constexpr bool is_supported(const Availability& versions) noexcept {
   return is_available(M::since, versions);
 }
 
-/// Whether the board that has introduced itself so knows the message:
+/// As above, for the board that sent `info`:
 ///     if (is_supported<BeepSound>(board_info)) ...
 template <Message M, class Info>
   requires requires(const Info& info) { versions_of(info); }

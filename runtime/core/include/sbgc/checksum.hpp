@@ -22,13 +22,13 @@ using Bytes16 = std::uint8_t __attribute__((vector_size(16)));
 using Words2 = long long __attribute__((vector_size(16)));
 using Chars16 = char __attribute__((vector_size(16)));
 
-/// Sums of the lower and the upper eight of 16 bytes.
+/// Returns the sums of the lower and the upper eight bytes.
 inline Words2 sum_halves(Bytes16 bytes) noexcept {
   return reinterpret_cast<Words2>(
       __builtin_ia32_psadbw128(reinterpret_cast<Chars16>(bytes), Chars16{}));
 }
 
-/// The uppermost bit of each of 16 bytes.
+/// Returns the highest bit of each byte.
 inline unsigned sign_bits(Bytes16 bytes) noexcept {
   return static_cast<unsigned>(__builtin_ia32_pmovmskb128(reinterpret_cast<Chars16>(bytes)));
 }
@@ -39,12 +39,13 @@ inline Bytes16 load16(const std::uint8_t* bytes) noexcept {
   return value;
 }
 
-/// 16 zeros and 16 ones: read from offset n, it keeps the last n of 16 bytes.
+/// A table of masks: the 16 bytes at offset n keep the last n of 16 bytes.
 inline constexpr std::uint8_t keep_last[32] = {
     0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,
     255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255};
 
-/// For at least 16 bytes: whole blocks, then the last 16 bytes without those already summed.
+/// Sums whole blocks of 16 bytes, and the last 16 bytes without those in a block. Precondition:
+/// size >= 16.
 inline std::uint8_t byte_sum_sse2(const std::uint8_t* bytes, std::size_t size) noexcept {
   const std::uint8_t* const end = bytes + size;
   const std::size_t rest = size % 16;
@@ -57,7 +58,7 @@ inline std::uint8_t byte_sum_sse2(const std::uint8_t* bytes, std::size_t size) n
 
 }  // namespace detail
 
-/// The sum modulo 256 of `size` bytes.
+/// Returns the sum of `size` bytes modulo 256.
 constexpr std::uint8_t byte_sum(const std::uint8_t* bytes, std::size_t size) noexcept {
 #if defined(__SSE2__)
   if (!std::is_constant_evaluated() && size >= 16) return detail::byte_sum_sse2(bytes, size);
@@ -67,10 +68,10 @@ constexpr std::uint8_t byte_sum(const std::uint8_t* bytes, std::size_t size) noe
 
 namespace detail {
 
-/// A sum modulo 256 that is added up from several places; kept in registers, hence the inlining.
+/// Accumulates a sum modulo 256 over several ranges. Inlined to keep it in registers.
 class ByteSum {
  public:
-  /// Adds `size` bytes; to be called with a size that the compiler knows.
+  /// Adds `size` bytes. Fast only if the compiler knows `size`.
   [[gnu::always_inline]] void add(const std::uint8_t* bytes, std::size_t size) noexcept {
 #if defined(__SSE2__)
     if (size >= 16) {
@@ -93,7 +94,7 @@ class ByteSum {
 #endif
   }
 
-  /// Adds a sum of other bytes.
+  /// Adds the sum of other bytes.
   void add(std::uint8_t sum) noexcept { sum_ += sum; }
 
   std::uint8_t value() const noexcept {

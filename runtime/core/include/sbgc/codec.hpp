@@ -1,6 +1,6 @@
-/// Messages from and to the bytes of a body: decode(body, message), encode(message, out).
+/// Converts between messages and bodies: decode(body, message), encode(message, out).
 ///
-/// The generated messages only list their members (see wire_size.hpp); everything else is here.
+/// Generated messages only list their members (see wire_size.hpp); everything else is here.
 #pragma once
 
 #include <cstddef>
@@ -21,19 +21,20 @@
 
 namespace sbgc {
 
-/// Generated code and runtime belong together; generated headers check this number.
+/// Generated headers check this number, because they must match the runtime.
 inline constexpr int codec_version = 2;
 
-/// Who sends a message. `both` describes messages that travel either way, never a frame.
+/// The direction of a message. `both` is for messages that are sent in either direction, never for
+/// a frame.
 enum class Direction : std::uint8_t { to_board, from_board, both };
 
-/// The first versions that have something, as VersionTypes have them; 0: all versions.
+/// The first firmware and board versions that have a feature, encoded as in VersionTypes; 0: all.
 struct Availability {
   std::uint16_t firmware{};
   std::uint8_t board{};
 };
 
-/// What every generated message has.
+/// A generated message.
 template <class M>
 concept Message = requires {
   M::command;
@@ -45,7 +46,7 @@ concept Message = requires {
 
 namespace detail {
 
-/// A message that keeps what later firmware appends.
+/// A message that keeps the bytes that later firmware appends.
 template <class M>
 concept HasTail = requires(M& message) {
   message.tail;
@@ -56,7 +57,7 @@ concept HasTaggedUnions = requires {
   &M::template tagged_unions<M, int>;
 };
 
-/// A message whose body cannot be read without what earlier messages said.
+/// A message whose body cannot be decoded without facts from earlier messages.
 template <class M>
 concept HasContext = requires {
   typename M::Context;
@@ -75,13 +76,13 @@ struct BodyOf<M> {
 template <class M>
 using CodedAs = typename BodyOf<M>::Type;
 
-/// The error for a body of the wrong size.
+/// Returns the error for a body of the wrong size.
 constexpr Status wrong_size(std::size_t size, std::size_t wanted) noexcept {
   return {size < wanted ? Code::too_short : Code::too_long,
           static_cast<std::uint16_t>(size < wanted ? size : wanted)};
 }
 
-/// Keeps what follows the `size` bytes that are known.
+/// Stores the bytes after the first `size` bytes in `tail`.
 template <std::size_t n>
 constexpr Status get_tail(std::span<const std::uint8_t> body, std::size_t size,
                           BoundedBytes<n>& tail) noexcept {
@@ -145,7 +146,7 @@ constexpr WriteResult encode_body([[maybe_unused]] const M& in, std::span<std::u
   }
 }
 
-/// Gives a wider integer, or what is made of one, the value of a narrower one.
+/// Assigns the value of a narrower integer to a wider one. Either may be an enum or RawValue.
 template <class From, class To>
 constexpr void widen(const From& from, To& to) noexcept {
   const auto raw = [&] {
@@ -166,14 +167,14 @@ constexpr void widen(const From& from, To& to) noexcept {
 
 }  // namespace detail
 
-/// Reads a message from the bytes of a body. On failure the message holds what was read so far.
+/// Decodes a message from a body. On failure, `out` holds the members read so far.
 template <Message M>
   requires(!detail::HasContext<M>)
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body, M& out) noexcept {
   return detail::decode_body<detail::CodedAs<M>>(body, out);
 }
 
-/// The same for a message whose body depends on what earlier messages said.
+/// As above, for a message whose body depends on facts from earlier messages.
 template <Message M>
   requires detail::HasContext<M>
 [[nodiscard]] constexpr Status decode(std::span<const std::uint8_t> body, M& out,
@@ -181,8 +182,8 @@ template <Message M>
   return detail::decode_body<detail::CodedAs<M>>(body, out, context);
 }
 
-/// Writes the body of a message into `out`; returns its size, or why it cannot be written.
-/// max_body_size bytes are always enough.
+/// Writes the body of a message into `out`; returns its size or the error. max_body_size bytes are
+/// always enough.
 template <Message M>
 [[nodiscard]] constexpr WriteResult encode(const M& message, std::span<std::uint8_t> out) noexcept {
   if constexpr (detail::HasContext<M>) {

@@ -1,18 +1,19 @@
-/// Where a value is in a message.
+/// The path of a value in a message.
 #pragma once
 
 #include <cstddef>
 
 namespace sbgc {
 
-/// A place in a message: a chain of members and indices, from the inside out, kept on the stack.
+/// A path in a message: a chain of members and indices from the innermost to the outermost, kept on
+/// the stack.
 struct FieldPath {
   const FieldPath* parent{};
   const char* name = "";  ///< of a member, or of an axis
-  std::size_t index{};    ///< of an element, when `name` is ""
+  std::size_t index{};    ///< of an element, if `name` is ""
 
-  /// Writes the path, such as "params[3].param_id", with a final NUL; cut off if it does not fit.
-  /// Returns the length written.
+  /// Writes the path, such as "params[3].param_id", with a final NUL; truncates it if it does not
+  /// fit. Returns the length without the NUL.
   constexpr std::size_t write(char* out, std::size_t space) const noexcept {
     std::size_t length = parent != nullptr ? parent->write(out, space) : 0;
     const auto add = [&](char c) {

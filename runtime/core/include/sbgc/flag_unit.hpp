@@ -1,4 +1,4 @@
-/// Fields whose unit depends on a flag of another field: in `flags`, a flag set or a packed value.
+/// Fields whose unit depends on a flag in another field, `flags`: a flag set or a packed value.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,14 @@ constexpr bool has_bits(const Flags& flags, typename Flags::raw_type mask) noexc
   return (flags.raw() & mask) == mask;
 }
 
-/// The physical value of a field, which is an `Other` if the flag is set.
+/// Returns the physical value of a field, which is an `Other` if the flag is set.
 template <class Other, class Usual, class Flags>
 constexpr double real_in_unit(const Usual& field, const Flags& flags,
                               typename Flags::raw_type mask) noexcept {
   return has_bits(flags, mask) ? Other(field.raw()).real() : field.real();
 }
 
-/// Sets a field and the flag that says its unit.
+/// Sets a field and the flag that selects its unit.
 template <class Usual, class Unit, class Flags>
 constexpr void set_in_unit(Usual& field, Unit value, Flags& flags, typename Flags::raw_type mask,
                            bool on) noexcept {
@@ -26,9 +26,9 @@ constexpr void set_in_unit(Usual& field, Unit value, Flags& flags, typename Flag
   flags = Flags(static_cast<Raw>(on ? flags.raw() | mask : flags.raw() & ~mask));
 }
 
-/// The same for one of several elements with a common flag; `field_of(element)` is the field.
-/// False, and nothing changes, if another element has a value in the other unit. (Its count 0 is
-/// none yet.)
+/// As above, for one of several elements that share a flag; `field_of(element)` is the field.
+/// Returns false and changes nothing if another element has a value in the other unit. (A raw value
+/// of 0 counts as unset.)
 template <class Elements, class FieldOf, class Unit, class Flags>
 constexpr bool set_in_common_unit(Elements& elements, std::size_t index, FieldOf field_of,
                                   Unit value, Flags& flags, typename Flags::raw_type mask,

@@ -1,4 +1,4 @@
-/// Typed sets of bits.
+/// Type-safe flag sets.
 #pragma once
 
 #include <concepts>
@@ -6,11 +6,11 @@
 
 namespace sbgc {
 
-/// True for the enums whose values are bits of a set; generated code says which.
+/// True for enums whose values are flags of a set. Generated code specializes it.
 template <class E>
 inline constexpr bool is_flag = false;
 
-/// A set of the bits that `Flag` names. Bits without a name are kept as they came.
+/// A set of the flags in `Flag`. Unnamed bits are preserved.
 template <class Flag>
 class Flags {
  public:
@@ -22,7 +22,7 @@ class Flags {
   constexpr Flags(Flag flag) noexcept : raw_(static_cast<raw_type>(flag)) {}
   constexpr explicit Flags(raw_type raw) noexcept : raw_(raw) {}
 
-  /// The integer as it stands on the wire.
+  /// Returns the integer on the wire.
   constexpr raw_type raw() const noexcept { return raw_; }
   constexpr bool has(Flag flag) const noexcept {
     const auto bits = static_cast<raw_type>(flag);

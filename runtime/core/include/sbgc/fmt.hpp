@@ -1,5 +1,5 @@
-/// {fmt} prints everything that <sbgc/text.hpp> has a text for: fmt::print("{}\n", angles). Width,
-/// fill and alignment are those of strings. Every message is known; needs {fmt}.
+/// A {fmt} formatter for every type that <sbgc/text.hpp> prints: fmt::print("{}\n", angles). Width,
+/// fill and alignment work as for strings. Includes the tables of all messages; requires {fmt}.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-/// One frame, and how to write one.
+/// Frames, and functions that write them.
 #pragma once
 
 #include <cstddef>
@@ -15,11 +15,11 @@ namespace sbgc {
 struct Frame {
   std::uint8_t id{};                     ///< command id, never 0
   std::span<const std::uint8_t> body{};  ///< a view: valid as long as the bytes it was found in
-  std::uint64_t offset{};                ///< of its start byte, counted from the stream's first
+  std::uint64_t offset{};                ///< of its start byte in the stream
 };
 
-/// Whether a frame with this id and a body of `body_size` bytes can be written into `space`
-/// bytes: ok, or invalid_id, too_long, buffer_too_small.
+/// Returns ok if a frame with this id and a body of `body_size` bytes can be written into `space`
+/// bytes, else invalid_id, too_long or buffer_too_small.
 constexpr Status check_frame(std::uint8_t id, std::size_t body_size, std::size_t space) noexcept {
   if (id == 0) return {Code::invalid_id};
   if (body_size > max_body_size) return {Code::too_long, max_body_size};
@@ -27,20 +27,20 @@ constexpr Status check_frame(std::uint8_t id, std::size_t body_size, std::size_t
   return {};
 }
 
-/// Where the body of the frame at `frame` goes.
+/// Returns the position of the body in the frame at `frame`.
 constexpr std::uint8_t* frame_body(std::uint8_t* frame) noexcept {
   return frame + frame_header_size;
 }
 
-/// Completes a frame whose body already stands at frame_body(frame); returns the frame's size.
-/// The caller has made sure that check_frame() allows it.
+/// Completes a frame whose body is already at frame_body(frame); returns the size of the frame.
+/// Precondition: check_frame() returns ok.
 constexpr std::size_t finish_frame(std::uint8_t* frame, std::uint8_t id,
                                    std::size_t body_size) noexcept {
   return Framing::finish(frame, id, body_size, frame_body(frame));
 }
 
 /// Writes a frame with this id and body into `out`. On failure (see check_frame()) `out` is
-/// untouched. `body` may already stand in its place in `out`, but must not overlap it otherwise.
+/// unchanged. `body` may already be in place in `out`, but must not overlap `out` otherwise.
 constexpr WriteResult write_frame(std::uint8_t id, std::span<const std::uint8_t> body,
                                   std::span<std::uint8_t> out) noexcept {
   if (const Status status = check_frame(id, body.size(), out.size()); !status) return {0, status};
@@ -50,7 +50,7 @@ constexpr WriteResult write_frame(std::uint8_t id, std::span<const std::uint8_t>
   } else if (!body.empty()) {
     __builtin_memmove(place, body.data(), body.size());
   }
-  // A body that stands in its place keeps its bytes; any other is read where it came from.
+  // Summing `body` is correct even if it is in place, where its bytes have not changed.
   return {Framing::finish(out.data(), id, body.size(), body.data()), {}};
 }
 

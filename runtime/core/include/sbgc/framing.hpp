@@ -1,6 +1,6 @@
-/// How frames lie in a byte stream. Only this file knows: the parser asks it what
-/// stands at a position, the writer lets it complete a frame. Another framing (other start byte,
-/// other trailer) is another case in each of these functions.
+/// The framing of the byte stream. Only this file defines it: the parser calls it to inspect a
+/// position, the writer to complete a frame. Another framing (another start byte or trailer) would
+/// be another case in each of its functions.
 #pragma once
 
 #include <bit>
@@ -15,16 +15,16 @@
 
 namespace sbgc {
 
-/// What stands at a position, as far as its bytes are there.
+/// The result of inspecting a position in the stream.
 enum class Verdict : std::uint8_t {
-  frame,       ///< a good frame of `size` bytes
-  incomplete,  ///< cannot be judged before `size` bytes are there
-  no_start,    ///< not a frame: another byte than the start byte
+  frame,       ///< a valid frame of `size` bytes
+  incomplete,  ///< undecided until `size` bytes are available
+  no_start,    ///< not a frame: does not begin with the start byte
   bad_header,  ///< not a frame: the id is 0 or the header checksum is wrong
   bad_body,    ///< not a frame: the body checksum is wrong
 };
 
-/// A verdict and the number of bytes it speaks of (0 without a valid header).
+/// A verdict and the number of bytes it refers to (0 without a valid header).
 struct Candidate {
   Verdict verdict{};
   std::size_t size{};
@@ -42,20 +42,20 @@ constexpr bool are(std::span<const FramePart> parts, std::initializer_list<Frame
 
 static_assert(FrameParts::header_checksum == FrameParts::Checksum::sum8 &&
                   are(FrameParts::header_checksum_covers, {FramePart::id, FramePart::size}),
-              "another header checksum in spec/simplebgc.yaml needs another is_header(), "
+              "another header checksum in spec/simplebgc.yaml requires another is_header(), "
               "skip_blocks() and finish()");
 static_assert(are(FrameParts::trailer, {FramePart::body_checksum}) &&
                   FrameParts::body_checksum == FrameParts::Checksum::sum8 &&
                   are(FrameParts::body_checksum_covers, {FramePart::body}),
-              "another trailer in spec/simplebgc.yaml needs another inspect() and finish(), and "
+              "another trailer in spec/simplebgc.yaml requires another inspect() and finish(), and "
               "another sum where byte_sum() and ByteSum are used");
 
 }  // namespace detail
 
-/// The framing of FrameParts: a start byte, a header of id, body size and their sum in any order,
-/// the body, and its sum.
+/// The framing that FrameParts describes: a start byte, a header of id, body size and their sum in
+/// any order, the body, and its sum.
 struct Framing {
-  /// Judges the bytes from `bytes` on, of which `available` (at least one) are there.
+  /// Inspects the `available` bytes at `bytes`. Precondition: available >= 1.
   static constexpr Candidate inspect(const std::uint8_t* bytes, std::size_t available) noexcept {
     if (bytes[0] != frame_start) return {Verdict::no_start, 0};
     if (available < frame_header_size) return {Verdict::incomplete, frame_header_size};
@@ -64,14 +64,14 @@ struct Framing {
     const std::size_t size = frame_size(body_size);
     if (available < size) return {Verdict::incomplete, size};
     const std::uint8_t* const content = bytes + frame_header_size;
-    // The same size for both, lest it be computed from the checksum: the next frame's checks would
-    // then have to wait for this one's.
+    // Both verdicts have the same size. If it depended on the checksum, inspecting the next frame
+    // would have to wait for this one's.
     if (byte_sum(content, body_size) != content[body_size]) return {Verdict::bad_body, size};
     return {Verdict::frame, size};
   }
 
-  /// The first position in [begin, end) at which inspect() would find neither no_start nor
-  /// bad_header, or `end`. Adds the number of bad headers on the way to `bad_headers`.
+  /// Returns the first position in [begin, end) for which inspect() returns neither no_start nor
+  /// bad_header, or `end`. Adds the number of bad headers before it to `bad_headers`.
   static constexpr const std::uint8_t* find(const std::uint8_t* begin, const std::uint8_t* end,
                                             std::uint64_t& bad_headers) noexcept {
     for (;; ++begin) {
@@ -87,7 +87,7 @@ struct Framing {
     }
   }
 
-  /// The id and the body of a frame that inspect() found good.
+  /// The id and the body of a valid frame.
   static constexpr std::uint8_t id(const std::uint8_t* frame) noexcept {
     return frame[frame_id_offset];
   }
@@ -95,20 +95,20 @@ struct Framing {
     return {frame + frame_header_size, frame[frame_size_offset]};
   }
 
-  /// The size of a whole frame with a body of `body_size` bytes.
+  /// Returns the size of a frame with a body of `body_size` bytes.
   static constexpr std::size_t frame_size(std::size_t body_size) noexcept {
     return frame_header_size + body_size + frame_trailer_size;
   }
 
   /// Writes header and checksum around the `body_size` bytes (at most max_body_size) at
-  /// `frame + frame_header_size`; returns the size of the frame. The checksum is that of `content`,
-  /// the body or what it was copied from: reading bytes just written can stall.
+  /// `frame + frame_header_size`; returns the size of the frame. The checksum is computed from
+  /// `content`, the body or the bytes it was copied from: reading bytes just written can stall.
   static constexpr std::size_t finish(std::uint8_t* frame, std::uint8_t id, std::size_t body_size,
                                       const std::uint8_t* content) noexcept {
     return finish(frame, id, body_size, byte_sum(content, body_size));
   }
 
-  /// As above, for a body whose bytes have already been summed.
+  /// As above, for a body whose checksum `sum` is already known.
   static constexpr std::size_t finish(std::uint8_t* frame, std::uint8_t id, std::size_t body_size,
                                       std::uint8_t sum) noexcept {
     frame[0] = frame_start;
@@ -120,7 +120,7 @@ struct Framing {
   }
 
  private:
-  /// Whether the frame_header_size bytes behind a start byte are a valid header.
+  /// Returns true if the frame_header_size bytes from a start byte on are a valid header.
   static constexpr bool is_header(const std::uint8_t* bytes) noexcept {
     // No command has the id 0, and a start byte followed by zeros would pass both checksums.
     const std::uint8_t id = bytes[frame_id_offset];
@@ -130,9 +130,9 @@ struct Framing {
   }
 
 #if defined(__SSE2__)
-  /// Goes on to where a header checksum holds, or fewer than 16 headers are left, or 255 blocks of
-  /// 16 positions have been passed. In noise, a branch per start byte would often be predicted
-  /// wrongly; one per 16 positions hardly ever is.
+  /// Advances to the next start byte with a valid header checksum. Stops early if fewer than 16
+  /// headers are left, or after 255 blocks of 16 positions. In noise, a branch per start byte would
+  /// often be mispredicted; one per 16 positions hardly ever is.
   static const std::uint8_t* skip_blocks(const std::uint8_t* begin, const std::uint8_t* end,
                                          std::uint64_t& bad_headers) noexcept {
     using detail::Bytes16;
@@ -155,7 +155,7 @@ struct Framing {
         begin += position;
         break;
       }
-      // What compares equal is -1, so a byte overflows behind the 255th block.
+      // Equal bytes compare as -1, so a byte of the counter overflows after 255 blocks.
       starts_passed -= starts;
     }
     const detail::Words2 halves = detail::sum_halves(starts_passed);

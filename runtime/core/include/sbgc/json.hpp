@@ -1,5 +1,5 @@
-/// Messages as JSON and back, with nlohmann_json: to_json(), which is in a header of its own for
-/// programs without exceptions, and from_json().
+/// Conversion between messages and JSON with nlohmann_json: from_json(), and to_json(), which has
+/// its own header for programs without exceptions.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace sbgc {
 
-/// JSON that does not describe the message it should; what() names the field and the reason.
+/// Thrown if JSON does not describe the expected message; what() names the field and the reason.
 class JsonError : public std::runtime_error {
  public:
   JsonError(std::string field, const std::string& reason)
@@ -42,8 +42,8 @@ class JsonReader {
   }
 
  private:
-  /// Reads the members of some object. One type for all objects, and not inlined: what it does with
-  /// a member is compiled once for each type of members, which saves compilers much work.
+  /// Reads the members of an object. To reduce compile time, one type serves all objects, and its
+  /// operator() is not inlined: it is compiled once per member type.
   struct Members {
     const Json& json;
     const std::string& path;
@@ -56,7 +56,7 @@ class JsonReader {
       if (found != nullptr) value(*found, member, join(path, field.name));
     }
 
-    /// What the object says of a field; null if it says nothing.
+    /// Returns the value of a field; null if the field is missing and may be. Throws if it may not.
     const Json* find(const FieldInfo& field, bool may_be_missing) {
       names.push_back(field.name);
       const auto found = json.find(field.name);
@@ -85,8 +85,8 @@ class JsonReader {
     return path + "[" + std::to_string(index) + "]";
   }
 
-  // A counter follows from its list, a tail is the exception. Everything else has to be said:
-  // a setting that is left out by mistake would be overwritten with 0.
+  // Counters are implied by their lists, and tails are rare. Everything else is required: a setting
+  // omitted by mistake would be overwritten with 0.
   template <class T>
   static bool may_be_missing(const FieldInfo&, const Optional<T>&) {
     return true;
@@ -116,7 +116,7 @@ class JsonReader {
     }
   }
   static void value(const Json& json, Counter&, const std::string& path) {
-    // Lists come after their counter, so it is compared when the whole message is there.
+    // A list comes after its counter, so they are compared once the whole message has been read.
     static_cast<void>(integer<std::uint8_t>(json, path));
   }
   static void value(const Json& json, Number& out, const std::string& path) {
@@ -219,7 +219,7 @@ class JsonReader {
   }
 };
 
-/// Compares the counters that the JSON has with their lists.
+/// Compares the counters in the JSON with the sizes of their lists.
 struct CounterCheck {
   const Json& json;
 
@@ -235,10 +235,10 @@ struct CounterCheck {
 
 }  // namespace detail
 
-/// Fills `message` with what `json` says; throws JsonError when it does not describe one.
+/// Reads `message` from `json`. Throws JsonError if `json` does not describe an M.
 ///
-/// Every field has to be there but optional ones, counters of lists and the tail. A counter that is
-/// there must agree with its list.
+/// Every field is required, except optional ones, counters of lists and the tail. A counter that is
+/// present must match its list.
 template <class M>
 void from_json(const Json& json, M& message) {
   M result{};

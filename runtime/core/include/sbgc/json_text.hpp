@@ -1,4 +1,4 @@
-/// How bytes, texts and unusual floats are written in JSON without losing anything.
+/// Lossless JSON representations of bytes, texts and non-finite floats.
 #pragma once
 
 #include <bit>
@@ -13,7 +13,7 @@
 
 namespace sbgc::detail {
 
-/// Lower-case hex, two digits a byte.
+/// Returns lowercase hex, two digits per byte.
 inline std::string to_hex(std::span<const std::uint8_t> bytes) {
   constexpr const char* digits = "0123456789abcdef";
   std::string result;
@@ -25,7 +25,7 @@ inline std::string to_hex(std::span<const std::uint8_t> bytes) {
   return result;
 }
 
-/// The bytes of a string of hex digits, upper or lower case; nothing if it is not one.
+/// Parses hex digits in upper or lower case; returns nullopt if `text` is not pairs of them.
 inline std::optional<std::vector<std::uint8_t>> from_hex(std::string_view text) {
   if (text.size() % 2 != 0) return std::nullopt;
   std::vector<std::uint8_t> result(text.size() / 2);
@@ -37,7 +37,7 @@ inline std::optional<std::vector<std::uint8_t>> from_hex(std::string_view text) 
   return result;
 }
 
-/// Length of the well-formed UTF-8 sequence at the start of `text`, 0 if there is none.
+/// Returns the length of the well-formed UTF-8 sequence at the start of `text`; 0 if there is none.
 inline std::size_t utf8_length(std::string_view text) {
   const auto byte = [&](std::size_t i) {
     return i < text.size() ? static_cast<std::uint8_t>(text[i]) : std::uint8_t{0};
@@ -62,16 +62,16 @@ inline std::size_t utf8_length(std::string_view text) {
   return 0;
 }
 
-// Bytes that are not UTF-8 stand as U+F780 to U+F7FF, in a private area; texts from a board that
-// use those characters themselves have them taken apart byte by byte, so that nothing is ambiguous.
+// Bytes that are not UTF-8 are escaped as U+F780 to U+F7FF, in a private use area. If a text from a
+// board contains these characters itself, their bytes are escaped one by one, to avoid ambiguity.
 
-/// Whether `sequence` is one of the characters that stand for a byte.
+/// Returns true if `sequence` is one of the escape characters.
 inline bool is_escape(std::string_view sequence) {
   return sequence.size() == 3 && sequence[0] == '\xEF' &&
          (sequence[1] == '\x9E' || sequence[1] == '\x9F');
 }
 
-/// Well-formed UTF-8 for any bytes.
+/// Converts any bytes to well-formed UTF-8.
 inline std::string to_utf8(std::string_view bytes) {
   std::string result;
   while (!bytes.empty()) {
@@ -90,7 +90,7 @@ inline std::string to_utf8(std::string_view bytes) {
   return result;
 }
 
-/// The bytes that to_utf8() has written so.
+/// The inverse of to_utf8().
 inline std::string from_utf8(std::string_view text) {
   std::string result;
   while (!text.empty()) {
@@ -108,7 +108,8 @@ inline std::string from_utf8(std::string_view text) {
   return result;
 }
 
-/// A number; JSON has none for infinities and NaN, which become "inf", "-inf" and "nan:<hex bits>".
+/// Converts a float to a number. JSON has no infinities and NaN; they become "inf", "-inf" and
+/// "nan:<hex bits>".
 template <class Json>
 Json float_to_json(float value) {
   if (std::isfinite(value)) return value;
@@ -119,7 +120,8 @@ Json float_to_json(float value) {
   return "nan:" + digits;
 }
 
-/// What float_to_json() has written, or any number that a float can hold.
+/// The inverse of float_to_json(). Also accepts any other number in the range of float; returns
+/// nullopt for anything else.
 template <class Json>
 std::optional<float> float_from_json(const Json& json) {
   if (json.is_number()) {

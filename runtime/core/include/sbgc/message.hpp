@@ -1,4 +1,4 @@
-/// Messages in frames.
+/// Encodes messages as frames.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace sbgc {
 
 namespace detail {
 
-/// Whether the bytes of a message are the same in memory and on the wire, but for its tail.
+/// True if the bytes of a message, apart from its tail, are the same in memory and on the wire.
 template <class M>
 inline constexpr bool is_same_in_memory =
     layout<M>.only_blocks && !HasVaryingMembers<M> && !HasTaggedUnions<M>;
@@ -31,8 +31,8 @@ template <class M, std::size_t... i>
   (sum.add(bytes + block(i).memory, block(i).block), ...);
 }
 
-/// The sum of the bytes of a message, without reading back what has just been written, which is
-/// slow.
+/// Returns the sum of the bytes of a message. It reads the message, because reading back bytes just
+/// written to a frame can stall.
 template <class M>
   requires is_same_in_memory<M>
 inline std::uint8_t sum_in_memory(const M& message) noexcept {
@@ -46,8 +46,8 @@ inline std::uint8_t sum_in_memory(const M& message) noexcept {
 
 }  // namespace detail
 
-/// Writes a message with its frame around it into `out`; returns the size of the frame, or why it
-/// could not be written. max_frame_size bytes are always enough.
+/// Writes `message` as a frame into `out`; returns the size of the frame or the error.
+/// max_frame_size bytes are always enough.
 template <Message M>
 [[nodiscard]] constexpr WriteResult encode_frame(const M& message,
                                                  std::span<std::uint8_t> out) noexcept {

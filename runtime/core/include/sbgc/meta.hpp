@@ -1,5 +1,5 @@
-/// What is known about messages and their fields at run time: names, limits, meanings.
-/// The tables themselves are generated: include <sbgc/meta/all.hpp> or one family of it.
+/// Run-time metadata of messages and their fields: names, limits, meanings.
+/// The tables themselves are generated: include <sbgc/meta/all.hpp> or the header of one family.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace sbgc {
 
-/// A value with a meaning outside the ordinary range.
+/// A sentinel: a raw value with a meaning of its own.
 struct Special {
   std::int64_t value{};
   const char* meaning = "";
@@ -34,7 +34,7 @@ struct EnumInfo {
   bool is_flags{};
 };
 
-/// A part of a packed integer: ((raw & mask) >> shift) / divide % modulo, where 0 is no modulo.
+/// A part of a packed value: ((raw & mask) >> shift) / divide % modulo, without % if modulo is 0.
 struct PartInfo {
   const char* name = "";
   std::uint32_t mask{};
@@ -44,7 +44,7 @@ struct PartInfo {
   const EnumInfo* values{};
 };
 
-/// A packed integer; `display` has {part} for each part, or is empty.
+/// A packed value; `display` contains {part} for each part, or is empty.
 struct PackedInfo {
   const char* name = "";
   const char* display = "";
@@ -58,25 +58,25 @@ struct Range {
   double highest{};
 };
 
-/// What a raw value stands for.
+/// The unit and scale of a raw value.
 struct UnitInfo {
   const char* name = "";  ///< "deg"; "" for a number without a unit
   double numerator = 1;
   double denominator = 1;
   double offset{};
 
-  /// The value in the unit.
+  /// Returns the value in the unit.
   constexpr double real(double raw) const noexcept {
     return raw * numerator / denominator + offset;
   }
-  /// Whether the raw value says as much.
+  /// Returns true if the value equals the raw value and has no unit.
   constexpr bool is_plain() const noexcept {
     return *name == '\0' && numerator == denominator && offset == 0;
   }
 };
 
-/// Another unit of the same raw value, in force when the field `of` of the message has the bits
-/// `mask`. If that field has an index (an axis), the index of the value applies to it.
+/// An alternative unit of a raw value, in effect if the field `of` of the message has the bits
+/// `mask`. If that field has one element per axis, the one for the axis of the value counts.
 struct AlternativeUnit {
   const char* of = "";
   std::uint32_t mask{};
@@ -92,29 +92,29 @@ struct VariableInfo {
   UnitInfo unit{};
 };
 
-/// What a field is among the settings that a message holds.
+/// The role of a field in a message that holds settings.
 enum class FieldRole : std::uint8_t {
-  setting,  ///< one of them, or no field of settings at all
-  general,  ///< one of the whole board, the same in all copies of the settings
-  copy,     ///< says which of several copies of the settings these are, from 0 on
-  state,    ///< the state of the board, no setting: written back as it was read
+  setting,  ///< a setting, or any field of a message without settings
+  general,  ///< a setting of the whole board, the same in all copies of the settings
+  copy,     ///< the index of the copy of the settings, from 0
+  state,    ///< state of the board, not a setting; written back as it was read
 };
 
 /// One member of a message or struct.
 struct FieldInfo {
   const char* name = "";
-  const char* spec_name = "";  ///< the protocol's own; {AXIS} stands for the index
+  const char* spec_name = "";  ///< the name in the specification; {AXIS} stands for the index
   const char* summary = "";
   const UnitInfo* unit{};  ///< of a quantity
   const Range* range{};
   std::span<const Special> special{};
   std::uint16_t min_count{};  ///< of a list
-  std::uint16_t max_count{};  ///< of a list; 0: what fits
+  std::uint16_t max_count{};  ///< of a list; 0: limited only by the body
   std::uint16_t align = 1;    ///< the value, or the length of a list of bytes, is a multiple of it
   FieldRole role{};
-  bool is_variable_value{};  ///< of the adjustable variable whose VariableId stands before it
+  bool is_variable_value{};  ///< of the adjustable variable that the last VariableId names
   bool reserved{};
-  bool optional{};  ///< may be left out of JSON
+  bool optional{};  ///< may be omitted in JSON
   Availability since{};
   const AlternativeUnit* alternative{};
 };
@@ -122,12 +122,12 @@ struct FieldInfo {
 /// What a request does to the board. A request can have several effects, some of them only with
 /// certain values in its fields.
 enum class Effect : std::uint8_t {
-  reads = 0x01,     ///< it changes nothing
-  sets = 0x02,      ///< what it changes is lost when the board restarts
-  stores = 0x04,    ///< what it changes lasts
+  reads = 0x01,     ///< changes nothing
+  sets = 0x02,      ///< makes changes that are lost when the board restarts
+  stores = 0x04,    ///< makes changes that survive a restart
   moves = 0x08,     ///< the camera can move, or the motors gain or lose power
-  restarts = 0x10,  ///< the board, whose motors have no power until it is up again
-  erases = 0x20,    ///< what is stored
+  restarts = 0x10,  ///< restarts the board; its motors have no power until it is up again
+  erases = 0x20,    ///< erases stored data
   unknown = 0x40,   ///< the specification only names the command
 };
 using Effects = Flags<Effect>;
@@ -142,22 +142,22 @@ struct MessageInfo {
   std::size_t min_size{};
   std::size_t max_size{};
   Availability since{};
-  Availability until{};  ///< these versions and later ones no longer take it; 0: all do
-  /// Names of the messages that answer it; what else is known of that, response_policy() knows.
+  Availability until{};  ///< these versions and later ones no longer accept it; 0: all do
+  /// Names of the response messages. response_policy() returns the rest of the policy.
   std::span<const char* const> answers{};
   const char* stores = "";  ///< the message whose settings it writes, or ""
-  Effects effects{};        ///< none of a message from the board
+  Effects effects{};        ///< empty for a message from the board
 };
 
-/// The number of elements of a list, where the protocol has a field for it. It is not stored in
-/// the message: the list knows its size.
+/// The element count of a list, for which the protocol has a field. Messages do not store it: the
+/// list knows its size.
 struct Counter {
   std::size_t count{};
 };
 
-/// The `tail` member of messages that later firmware may lengthen.
+/// The `tail` member of messages that later firmware may extend.
 inline constexpr FieldInfo tail_field{
-    .name = "tail", .summary = "What later firmware appends.", .optional = true};
+    .name = "tail", .summary = "Bytes appended by later firmware.", .optional = true};
 
 /// The tables of one message or struct: `fields`, `visit(message, visitor)`, and for messages
 /// `info`. Generated.
@@ -196,7 +196,7 @@ struct UnitMeta;
 template <class E>
 struct EnumMeta;
 
-/// The parts of a packed integer. Generated.
+/// The parts of a packed value. Generated.
 template <class P>
 struct PackedMeta;
 

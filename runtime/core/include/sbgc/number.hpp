@@ -9,10 +9,10 @@
 
 namespace sbgc {
 
-/// The numbers of the wire.
+/// The number types of the wire.
 enum class NumberType : std::uint8_t { none, u8, i8, u16, i16, u32, i32, f32 };
 
-/// Bytes that a number of this type takes; 0 for none.
+/// Returns the size of a number of this type in bytes; 0 for none.
 constexpr std::size_t size_of(NumberType type) noexcept {
   switch (type) {
     case NumberType::none: return 0;
@@ -27,7 +27,7 @@ constexpr std::size_t size_of(NumberType type) noexcept {
   return 0;
 }
 
-/// The name of a type, e.g. "i16".
+/// Returns the name of a type, e.g. "i16".
 constexpr const char* name(NumberType type) noexcept {
   switch (type) {
     case NumberType::none: return "none";
@@ -42,7 +42,7 @@ constexpr const char* name(NumberType type) noexcept {
   return "none";
 }
 
-/// A number together with its type; `bits` is what stands on the wire, without a sign.
+/// A number with its type; `bits` is its wire representation, not sign-extended.
 struct Number {
   NumberType type{};
   std::uint32_t bits{};
@@ -58,7 +58,7 @@ struct Number {
   }
   /// Precondition: the type is f32.
   constexpr float real() const noexcept { return std::bit_cast<float>(bits); }
-  /// The value, whatever the type.
+  /// Returns the value of a number of any type.
   constexpr double value() const noexcept {
     return type == NumberType::f32 ? static_cast<double>(real()) : static_cast<double>(integer());
   }
@@ -71,8 +71,8 @@ using NumberTypes = BoundedArray<NumberType, 255>;
 
 namespace detail {
 
-/// Adds `count` numbers of a type, at least one, as far as there is room. False if the type is not
-/// known, so that nothing can be said of what follows.
+/// Adds `count` numbers of a type, at least one, up to the capacity. Returns false if the type is
+/// unknown, because the numbers after it cannot be located then.
 constexpr bool announce(NumberTypes& types, NumberType type, std::size_t count) noexcept {
   if (type == NumberType::none) return false;
   do {

@@ -1,5 +1,5 @@
-/// Streams print everything that <sbgc/text.hpp> has a text for: std::cout << angles. Every message
-/// is known.
+/// operator<< for every type that <sbgc/text.hpp> prints: std::cout << angles. Includes the tables
+/// of all messages.
 #pragma once
 
 #include <ostream>
@@ -14,7 +14,7 @@ requires is_printable<T> std::ostream& operator<<(std::ostream& stream, const T&
   return stream << to_string(value);
 }
 
-// For calls that find it by the namespace of the value.
+// For argument-dependent lookup.
 namespace msg {
 using sbgc::operator<<;
 }  // namespace msg

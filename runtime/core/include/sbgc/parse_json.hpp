@@ -1,9 +1,9 @@
-/// JSON text from outside, read within limits.
+/// Parses untrusted JSON text within limits.
 ///
 /// Json::parse() of nlohmann_json copies the members of an object when it grows, keeps the first of
-/// two equal keys, stops at a zero byte, and builds values so deep that to copy one overflows the
-/// stack. Text that anybody may have written is read with parse_json() instead: in linear time, and
-/// as a value that is safe to copy, compare and print.
+/// two equal keys, stops at a NUL byte, and builds values so deep that copying one overflows the
+/// stack. parse_json() parses untrusted text in linear time, into a value that is safe to copy,
+/// compare and print.
 #pragma once
 
 #include <algorithm>
@@ -19,26 +19,26 @@
 
 namespace sbgc {
 
-/// What JSON text may have at most.
+/// The limits of JSON text.
 struct JsonLimits {
-  std::size_t size = std::size_t{16} << 20U;  ///< bytes: 16 MiB
-  std::size_t depth = 64;                     ///< objects and lists inside each other
+  std::size_t size = std::size_t{16} << 20U;  ///< in bytes: 16 MiB
+  std::size_t depth = 64;                     ///< nested objects and lists
 };
 
-/// Why text is not accepted.
+/// The reason why text is rejected.
 struct JsonProblem {
   std::size_t line{};    ///< from 1
   std::size_t column{};  ///< in bytes, from 1
-  std::string reason{};  ///< such as "the key 'id' is there twice"
+  std::string reason{};  ///< such as "the key 'id' occurs twice"
 };
 
-/// "the key 'id' is there twice (line 3, column 7)".
+/// Formats a problem: "the key 'id' occurs twice (line 3, column 7)".
 inline std::string to_string(const JsonProblem& problem) {
   return problem.reason + " (line " + std::to_string(problem.line) + ", column " +
          std::to_string(problem.column) + ")";
 }
 
-/// A value, or the problem because of which there is none.
+/// A value, or the problem that prevented parsing one.
 struct ParsedJson {
   Json value{};
   std::optional<JsonProblem> problem{};
@@ -48,7 +48,7 @@ struct ParsedJson {
 
 namespace detail {
 
-/// Reads text and tells `place` how far it has got.
+/// An iterator over text that stores its position in `place` when it advances.
 class WatchedCharacter {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -76,8 +76,8 @@ class WatchedCharacter {
   const char** place_;
 };
 
-/// Builds a value out of the events of nlohmann_json's parser, from the leaves up: each value is
-/// moved to its place when it is complete. The parser itself does not recurse.
+/// Builds a value bottom-up from the events of nlohmann_json's parser: each value is moved into
+/// place when it is complete. The parser itself does not recurse.
 class JsonBuilder {
  public:
   JsonBuilder(std::string_view text, const JsonLimits& limits)
@@ -90,14 +90,14 @@ class JsonBuilder {
     const char* const end = text_.data() + text_.size();
     const bool complete =
         Json::sax_parse(WatchedCharacter(read_, &read_), WatchedCharacter(end, &read_), this);
-    // The parser takes a zero byte for the end.
+    // The parser treats a NUL byte as the end.
     const std::size_t zero = text_.find('\0');
     if (complete && zero != std::string_view::npos) fail(zero, not_json);
     if (problem_) return {{}, std::move(problem_)};
     return {std::move(result_), {}};
   }
 
-  // The events. Each says whether to go on.
+  // The events. Each returns true to continue.
 
   bool null() { return add(Json()); }
   bool boolean(bool value) { return add(Json(value)); }
@@ -105,7 +105,7 @@ class JsonBuilder {
   bool number_unsigned(Json::number_unsigned_t value) { return add(Json(value)); }
   bool number_float(Json::number_float_t value, const std::string&) { return add(Json(value)); }
   bool string(std::string& value) { return add(Json(std::move(value))); }
-  bool binary(Json::binary_t&) { return false; }  // not in text
+  bool binary(Json::binary_t&) { return false; }  // never occurs in text
 
   bool start_object(std::size_t) { return open(true); }
   bool start_array(std::size_t) { return open(false); }
@@ -123,9 +123,9 @@ class JsonBuilder {
     levels_.pop_back();
     if (const Member* const twice = repeated(members); twice != nullptr) {
       return fail(key_start(twice->key_end),
-                  "the key '" + shortened(twice->key) + "' is there twice");
+                  "the key '" + shortened(twice->key) + "' occurs twice");
     }
-    // Not through the object's own functions, which compare each new key with all before.
+    // Bypasses the object's own insertion, which compares each new key with all earlier ones.
     Json::object_t object;
     object.reserve(members.size());
     for (Member& member : members) {
@@ -136,31 +136,31 @@ class JsonBuilder {
 
   template <class Exception>
   bool parse_error(std::size_t position, const std::string&, const Exception& error) {
-    constexpr int out_of_range = 400;  // and the codes behind it
+    constexpr int out_of_range = 400;  // and the codes above it
     const std::size_t at = std::max<std::size_t>(position, 1) - 1;
     if (error.id > out_of_range) return fail(at, "a number that is too large for JSON");
     if (position > text_.size())
-      return fail(text_.size(), "this is no JSON, or only its beginning");
+      return fail(text_.size(), "this is not JSON, or only its beginning");
     return fail(at, not_json);
   }
 
  private:
-  static constexpr const char* not_json = "this is no JSON";
+  static constexpr const char* not_json = "this is not JSON";
 
   struct Member {
     std::string key;
     Json value;
-    std::size_t key_end;  ///< the offset behind its closing quote
+    std::size_t key_end;  ///< the offset after its closing quote
   };
 
-  /// An object or a list that is not complete yet; of the last member, the value may be missing.
+  /// An incomplete object or list. The value of its last member may be missing.
   struct Level {
     bool is_object;
     std::vector<Member> members{};
     Json::array_t elements{};
   };
 
-  /// How many bytes have been read.
+  /// Returns the number of bytes read.
   std::size_t offset() const { return static_cast<std::size_t>(read_ - text_.data()); }
 
   bool open(bool is_object) {
@@ -182,7 +182,7 @@ class JsonBuilder {
     return true;
   }
 
-  /// The first member whose key is that of an earlier one; null if there is none.
+  /// Returns the first member whose key repeats that of an earlier one; null if there is none.
   static const Member* repeated(const std::vector<Member>& members) {
     std::vector<const Member*> sorted(members.size());
     std::transform(members.begin(), members.end(), sorted.begin(),
@@ -199,7 +199,8 @@ class JsonBuilder {
     return first;
   }
 
-  /// Where the key begins that ends before `end`: at the next quote that no backslash escapes.
+  /// Returns the start of the key that ends before `end`: the nearest earlier quote that is not
+  /// escaped.
   std::size_t key_start(std::size_t end) const {
     for (std::size_t at = end - 2;; --at) {
       if (text_[at] != '"') continue;
@@ -208,7 +209,7 @@ class JsonBuilder {
     }
   }
 
-  /// What a message can show of a key: one line, not too long.
+  /// Returns a key as shown in a message: on one line, truncated if long.
   static std::string shortened(const std::string& key) {
     constexpr std::size_t longest = 40;
     std::size_t size = std::min(key.size(), longest);
@@ -232,7 +233,7 @@ class JsonBuilder {
 
   std::string_view text_;
   JsonLimits limits_;
-  const char* read_;  // up to here
+  const char* read_;  // the end of the bytes read
   std::vector<Level> levels_{};
   Json result_{};
   std::optional<JsonProblem> problem_{};
@@ -240,8 +241,8 @@ class JsonBuilder {
 
 }  // namespace detail
 
-/// Reads one JSON value, which has to be all of `text`. An object that has a key twice is a
-/// problem, as is text beyond the limits.
+/// Parses one JSON value, which must be all of `text`. Repeated keys in an object and text beyond
+/// the limits are problems.
 inline ParsedJson parse_json(std::string_view text, const JsonLimits& limits = {}) {
   return detail::JsonBuilder(text, limits).run();
 }

@@ -1,4 +1,4 @@
-/// Finds the frames in a byte stream that arrives in pieces.
+/// A streaming parser that finds the frames in a byte stream.
 #pragma once
 
 #include <cstddef>
@@ -11,41 +11,41 @@
 
 namespace sbgc {
 
-/// What a parser has seen since its construction or reset().
+/// The counters of a parser since its construction or reset().
 struct ParserCounters {
-  std::uint64_t frames{};         ///< delivered
-  std::uint64_t skipped_bytes{};  ///< that ended up in no delivered frame
-  std::uint64_t header_errors{};  ///< start bytes without a valid header behind them
-  std::uint64_t body_errors{};    ///< valid headers whose body checksum was wrong
-  std::uint64_t incomplete{};     ///< candidates that flush() gave up
+  std::uint64_t frames{};         ///< delivered frames
+  std::uint64_t skipped_bytes{};  ///< bytes in no delivered frame
+  std::uint64_t header_errors{};  ///< start bytes not followed by a valid header
+  std::uint64_t body_errors{};    ///< valid headers with a wrong body checksum
+  std::uint64_t incomplete{};     ///< candidates discarded by flush()
 
   bool operator==(const ParserCounters&) const = default;
 };
 
-/// The streaming parser. It delivers the same frames whichever way the stream is cut into chunks:
-/// a candidate whose checks fail gives up its start byte only, and the search goes on behind it. A
-/// candidate that is still incomplete waits for more bytes, until flush() declares it false.
+/// The streaming parser. It delivers the same frames however the stream is split into chunks: if
+/// the checks of a candidate fail, only its start byte is skipped, and the search continues after
+/// it. An incomplete candidate waits for more bytes until flush() discards it.
 ///
-/// Frames go to a sink: anything that can be called with a `const Frame&`. The body is a view,
-/// into the chunk if the frame lies whole inside it, else into the parser; the latter is valid
-/// during the call only.
+/// Frames go to a sink: anything callable with a `const Frame&`. The body is a view into the chunk
+/// if the chunk contains the whole frame, else into the parser; the latter is valid only during the
+/// call.
 ///
 /// A sink must not feed, flush or reset the parser that calls it. If it throws, the exception
-/// passes through, and the bytes behind that frame, in the chunk and in the parser, are skipped.
+/// propagates, and the bytes after that frame, in the chunk and in the parser, are skipped.
 ///
-/// No heap, no locks, constant size. Work is bounded per byte whatever the input: each byte of the
-/// stream is judged at most once as the start of a complete candidate, which costs at most the
-/// length of one frame, and a few times more by its header alone.
+/// No heap, no locks, constant size. The work per byte is bounded for any input: each byte of the
+/// stream is inspected at most once as the start of a complete candidate, which costs at most the
+/// length of one frame, and a few more times by its header alone.
 ///
-/// `Rules` says what a frame is. Use `Parser`; tests have rules that count operations.
+/// `Rules` defines the framing. Use `Parser`; tests have rules that count operations.
 template <class Rules>
 class BasicParser {
  public:
-  /// Takes the next bytes of the stream and calls `sink` for each frame that they complete.
+  /// Consumes the next bytes of the stream and calls `sink` for each frame that they complete.
   template <class Sink>
   [[gnu::always_inline]] void feed(std::span<const std::uint8_t> chunk, Sink&& sink) noexcept(
       std::is_nothrow_invocable_v<Sink&, const Frame&>) {
-    // Most small chunks end here: they do not complete what is waiting.
+    // The fast path: most small chunks do not complete the waiting candidate.
     if (chunk.size() < sizeof buffer_ && held_ + chunk.size() < needed_) {
       copy(buffer_ + held_, chunk.data(), chunk.size());
       held_ += chunk.size();
@@ -54,8 +54,8 @@ class BasicParser {
     }
   }
 
-  /// Says that nothing will complete what is waiting, because the line is idle or the stream has
-  /// ended: the candidate is false, and `sink` gets the frames among the bytes it had swallowed.
+  /// Discards the waiting candidate and calls `sink` for each frame among its bytes. Call it when
+  /// nothing will complete the candidate, because the line is idle or the stream has ended.
   template <class Sink>
   void flush(Sink&& sink) noexcept(std::is_nothrow_invocable_v<Sink&, const Frame&>) {
     const std::uint8_t* begin = buffer_;
@@ -67,16 +67,16 @@ class BasicParser {
     }
   }
 
-  /// What has been seen so far. Waiting bytes do not count as skipped. (Asked by a sink, all that
-  /// lies behind its frame does.)
+  /// Returns the counters. Waiting bytes do not count as skipped. (During a call of the sink, all
+  /// bytes after its frame do.)
   ParserCounters counters() const noexcept {
     return {frames_, taken_ - delivered_, header_errors_, body_errors_, incomplete_};
   }
 
-  /// The number of bytes that wait for the rest of their frame.
+  /// Returns the number of bytes that wait for the rest of their frame.
   std::size_t waiting_bytes() const noexcept { return held_; }
 
-  /// Forgets everything, as if newly constructed.
+  /// Returns the parser to its initial state.
   void reset() noexcept { *this = BasicParser{}; }
 
  private:
@@ -84,8 +84,8 @@ class BasicParser {
     return Rules::inspect(begin, static_cast<std::size_t>(end - begin));
   }
 
-  /// feed() for a chunk [begin, end) that decides something. Not inlined, so that feed() stays
-  /// small wherever bytes come in.
+  /// The slow path of feed(), for a chunk [begin, end) that can decide a candidate. Not inlined, to
+  /// keep feed() small at each call.
   template <class Sink>
   [[gnu::noinline]] void search(const std::uint8_t* begin, const std::uint8_t* end, Sink& sink) {
     taken_ += static_cast<std::size_t>(end - begin);
@@ -94,13 +94,13 @@ class BasicParser {
     if (begin != end) hold(begin, end, 0, inspect(begin, end).size);
   }
 
-  /// Delivers the frames in [begin, end), the last bytes taken. Returns the start of the first
-  /// incomplete candidate, or `end`.
+  /// Delivers the frames in [begin, end), which are the last bytes taken. Returns the start of the
+  /// first incomplete candidate, or `end`.
   template <class Sink>
   const std::uint8_t* scan(const std::uint8_t* begin, const std::uint8_t* end, Sink& sink) {
     const std::uint64_t end_offset = taken_;
     while (begin != end) {
-      // Frames mostly follow each other: look before searching.
+      // Frames are usually adjacent: inspect before searching.
       const Candidate candidate = inspect(begin, end);
       if (candidate.verdict == Verdict::frame) {
         deliver(begin, candidate.size, end_offset - static_cast<std::size_t>(end - begin), sink);
@@ -114,8 +114,8 @@ class BasicParser {
     return end;
   }
 
-  /// Judges every candidate among the held bytes, with the help of the chunk [begin, end).
-  /// Returns where to go on in the chunk; `end` if a candidate still waits.
+  /// Inspects every candidate among the held bytes, completed with bytes of the chunk [begin, end).
+  /// Returns where to continue in the chunk, or `end` if a candidate is still incomplete.
   template <class Sink>
   const std::uint8_t* settle_held(const std::uint8_t* begin, const std::uint8_t* end, Sink& sink) {
     const auto fresh = static_cast<std::size_t>(end - begin);
@@ -130,7 +130,7 @@ class BasicParser {
           hold(begin, end, held, candidate.size);
           return end;
         }
-        // Borrowed, not taken: if the candidate is false, these bytes are judged in the chunk.
+        // Copied, but not taken: if the candidate fails, these bytes are inspected in the chunk.
         copy(buffer_ + held, begin, lacking);
         candidate = Rules::inspect(buffer_, candidate.size);
       }
@@ -150,8 +150,8 @@ class BasicParser {
     }
   }
 
-  /// Keeps [begin, end) behind the first `held` bytes of the buffer; nothing can be said about
-  /// them before there are `needed` bytes.
+  /// Stores [begin, end) after the first `held` bytes of the buffer. The candidate is undecided
+  /// until `needed` bytes are available.
   void hold(const std::uint8_t* begin, const std::uint8_t* end, std::size_t held,
             std::size_t needed) noexcept {
     const auto size = static_cast<std::size_t>(end - begin);
@@ -161,7 +161,7 @@ class BasicParser {
     taken_ -= held_;
   }
 
-  /// Takes the held bytes out of the buffer, where they stay readable.
+  /// Removes the held bytes from the buffer, where they stay readable.
   void release() noexcept {
     taken_ += held_;
     held_ = needed_ = 0;
@@ -190,8 +190,8 @@ class BasicParser {
   std::uint64_t header_errors_{};
   std::uint64_t body_errors_{};
   std::uint64_t incomplete_{};
-  std::size_t held_{};    // bytes in the buffer, all of them before the next chunk
-  std::size_t needed_{};  // bytes without which the candidate at buffer_[0] cannot be judged
+  std::size_t held_{};    // bytes in the buffer, which precede the next chunk
+  std::size_t needed_{};  // bytes needed to decide the candidate at buffer_[0]
   std::uint8_t buffer_[max_frame_size]{};
 };
 

@@ -1,4 +1,4 @@
-/// Literals of physical values, such as 45_deg: the number and the unit are in the type.
+/// Literals of physical values, such as 45_deg, whose type holds the number and the unit.
 #pragma once
 
 #include <concepts>
@@ -7,8 +7,8 @@
 
 namespace sbgc {
 
-/// `numerator / denominator` in the unit. It converts to every quantity in that unit that can hold
-/// it; whether one can is known while compiling.
+/// The value `numerator / denominator` in `Unit`. Converts to every quantity in that unit; a value
+/// that does not fit is a compile error.
 template <class Unit, std::int64_t numerator, std::int64_t denominator = 1>
 struct Physical {
   static constexpr double real() noexcept {
@@ -28,7 +28,8 @@ struct Physical {
 
 namespace detail {
 
-/// A number as source code writes it. It is exact, and so is its quotient as a double.
+/// A number as written in source code. Numerator and denominator are exact as doubles, so their
+/// quotient is correctly rounded.
 struct Decimal {
   std::int64_t numerator = 0;
   std::int64_t denominator = 1;
@@ -45,7 +46,7 @@ struct Decimal {
   }
 };
 
-/// Reads "45", "12.6", "1'000" and "2.5e-3".
+/// Parses "45", "12.6", "1'000" and "2.5e-3".
 template <std::size_t n>
 constexpr Decimal read_decimal(const char (&text)[n]) noexcept {
   Decimal result{};
@@ -64,7 +65,7 @@ constexpr Decimal read_decimal(const char (&text)[n]) noexcept {
       result.is_decimal = false;
     }
   }
-  // To C++ a whole number that begins with 0 is octal.
+  // In C++, an integer that begins with 0 is octal.
   if (n > 1 && text[0] == '0' && at == n && !is_fraction) result.is_decimal = false;
   if (at == n) return result;
   const bool is_negative = text[++at] == '-';
@@ -79,7 +80,7 @@ constexpr Decimal read_decimal(const char (&text)[n]) noexcept {
   return result;
 }
 
-/// What a literal of the unit is.
+/// Returns the value of a literal of the unit.
 template <class Unit, char... text>
 constexpr auto physical() noexcept {
   constexpr char characters[] = {text...};

@@ -1,10 +1,10 @@
-/// Which types <sbgc/fmt.hpp> and <sbgc/ostream.hpp> print.
+/// The types that <sbgc/fmt.hpp> and <sbgc/ostream.hpp> print.
 #pragma once
 
 namespace sbgc {
 
-/// True for the types that are printed as to_string() writes them. <sbgc/text.hpp> says so of what
-/// the protocol consists of; other headers say so of their own types.
+/// True for types that are printed with to_string(). <sbgc/text.hpp> specializes it for the types
+/// of the protocol; other headers specialize it for their own types.
 template <class T>
 inline constexpr bool is_printable = false;
 

@@ -1,4 +1,4 @@
-/// Physical quantities as strong types over the exact integer of the wire.
+/// Physical quantities as strong types over the exact number on the wire.
 #pragma once
 
 #include <compare>
@@ -12,13 +12,13 @@ namespace detail {
 template <class>
 inline constexpr bool always_false = false;
 
-/// Where a number that does not fit is used untested: a constant expression ends here with an
-/// error, a program stops.
+/// Called if a number that does not fit is used without a test: a compile error in a constant
+/// expression, a trap at run time.
 [[noreturn]] inline void the_number_does_not_fit_into_the_quantity() noexcept { __builtin_trap(); }
 
 }  // namespace detail
 
-/// A number known at run time as a quantity, unless it does not fit:
+/// The conversion of a run-time number to a quantity, which it may not fit:
 ///     if (const auto angle = Angle14::from_degrees(x)) use(*angle);
 template <class Q>
 class [[nodiscard]] Conversion {
@@ -26,16 +26,16 @@ class [[nodiscard]] Conversion {
   constexpr Conversion() = default;
   constexpr explicit Conversion(Q value) noexcept : value_(value), fits_(true) {}
 
-  /// Whether the number fits.
+  /// Returns true if the number fits.
   constexpr explicit operator bool() const noexcept { return fits_; }
-  /// The nearest quantity. The program stops if the number does not fit.
+  /// Returns the nearest quantity. Traps if the number does not fit.
   constexpr Q operator*() const noexcept {
     if (!fits_) detail::the_number_does_not_fit_into_the_quantity();
     return value_;
   }
   constexpr Q value_or(Q other) const noexcept { return fits_ ? value_ : other; }
 
-  /// Never compiles; says what to write instead.
+  /// Never compiles; the error explains what to write instead.
   template <std::same_as<Q> To>
   constexpr operator To() const noexcept {  // NOLINT(google-explicit-constructor): see above
     static_assert(
@@ -57,7 +57,7 @@ constexpr double ratio(std::int64_t numerator, std::int64_t denominator) noexcep
   return static_cast<double>(numerator) / static_cast<double>(denominator);
 }
 
-/// What all quantities share: real value = raw * numerator / denominator + offset, in `Unit`.
+/// The base of all quantities: real value = raw * numerator / denominator + offset, in `Unit`.
 template <class Self, class Raw, class Unit, std::int64_t numerator, std::int64_t denominator,
           std::int64_t offset_numerator = 0, std::int64_t offset_denominator = 1>
   requires std::integral<Raw> || std::floating_point<Raw>
@@ -69,7 +69,7 @@ class Quantity {
 
   constexpr Quantity() = default;
   constexpr explicit Quantity(Raw raw) noexcept : raw_(raw) {}
-  /// Never compiles; says what to write instead.
+  /// Never compiles; the error explains what to write instead.
   template <std::floating_point Real>
     requires std::integral<Raw>
   constexpr explicit Quantity(Real) noexcept {
@@ -78,27 +78,27 @@ class Quantity {
         "this constructor takes the whole number of the wire: write a physical value as a "
         "literal, such as 45_deg, or with a function such as Angle14::from_degrees(x)");
   }
-  /// The number as it stands on the wire.
+  /// Returns the number on the wire.
   constexpr Raw raw() const noexcept { return raw_; }
-  /// The physical value in the quantity's unit.
+  /// Returns the physical value in the quantity's unit.
   constexpr double real() const noexcept {
     return static_cast<double>(raw_) * static_cast<double>(numerator) /
                static_cast<double>(denominator) +
            ratio(offset_numerator, offset_denominator);
   }
-  /// The nearest quantity to a physical value.
+  /// Returns the quantity nearest to a physical value.
   static constexpr Conversion<Self> from_real(double value) noexcept {
     const double exact = (value - ratio(offset_numerator, offset_denominator)) *
                          static_cast<double>(denominator) / static_cast<double>(numerator);
     constexpr auto lowest = static_cast<double>(std::numeric_limits<Raw>::lowest());
     constexpr auto highest = static_cast<double>(std::numeric_limits<Raw>::max());
-    // Written so that NaN fails, too.
+    // Written so that NaN also fails.
     if constexpr (std::floating_point<Raw>) {
       if (!(exact >= lowest && exact <= highest)) return {};
       return Conversion<Self>(Self(static_cast<Raw>(exact)));
     } else {
       if (!(exact > lowest - 0.5 && exact < highest + 0.5)) return {};
-      // The remainder is exact, which exact + 0.5 would not be.
+      // The remainder is exact; exact + 0.5 would not be.
       const auto whole = static_cast<std::int64_t>(exact);
       const double rest = exact - static_cast<double>(whole);
       const std::int64_t step = rest >= 0.5 ? 1 : rest <= -0.5 ? -1 : 0;

@@ -1,4 +1,4 @@
-/// What the `Response` of a request is made of. It says which messages of the board answer:
+/// The `Response` type of a request: the messages with which the board answers.
 ///
 ///     using Response = BoardInfo;                           // this one
 ///     using Response = TypeList<ReadFile, ReadFileError>;   // one of these
@@ -10,7 +10,7 @@
 
 namespace sbgc {
 
-/// Whether `Response`, a message or a TypeList, comes depends on what the request says.
+/// The board sends `Response`, a message or a TypeList, only for some contents of the request.
 template <class Response>
 struct Maybe {};
 

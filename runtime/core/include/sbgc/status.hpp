@@ -1,4 +1,4 @@
-/// What an operation on untrusted bytes or values reports: a code, and where.
+/// The status of an operation on untrusted bytes or values.
 #pragma once
 
 #include <cstddef>
@@ -6,22 +6,22 @@
 
 namespace sbgc {
 
-/// Every way in which framing, decoding or encoding can end.
+/// The possible results of framing, decoding and encoding.
 enum class Code : std::uint8_t {
   ok,
   too_short,           ///< the body ends before a field
-  too_long,            ///< the body is longer than the message, or a frame, allows
+  too_long,            ///< the body is longer than the message or a frame allows
   unknown_command,     ///< no command has this id in this direction
   unknown_form,        ///< the command has no form with a body of this size
-  buffer_too_small,    ///< the output does not fit into the space given
-  count_mismatch,      ///< a counting field and the number of elements disagree
-  value_out_of_range,  ///< a value does not fit into its place on the wire
-  presence_mismatch,   ///< a conditional field is there against its condition, or missing
+  buffer_too_small,    ///< the output does not fit into the buffer
+  count_mismatch,      ///< a count field and the number of elements disagree
+  value_out_of_range,  ///< a value does not fit into its field
+  presence_mismatch,   ///< a conditional field is present or missing contrary to its condition
   text_too_long,       ///< a text does not fit into its field
   invalid_id,          ///< no command has the id 0
 };
 
-/// The name of a code as it stands in JSON, e.g. "too_short".
+/// Returns the name of a code as used in JSON, e.g. "too_short".
 constexpr const char* name(Code code) noexcept {
   switch (code) {
     case Code::ok: return "ok";
@@ -39,10 +39,10 @@ constexpr const char* name(Code code) noexcept {
   return "unknown_code";
 }
 
-/// A sentence about a code for a person.
+/// Returns a sentence that describes a code.
 constexpr const char* text(Code code) noexcept {
   switch (code) {
-    case Code::ok: return "Everything is in order.";
+    case Code::ok: return "No error.";
     case Code::too_short: return "The body ends before this field does.";
     case Code::too_long: return "The body is longer than allowed.";
     case Code::unknown_command: return "No known command has this id in this direction.";
@@ -58,16 +58,16 @@ constexpr const char* text(Code code) noexcept {
   return "The status code is unknown.";
 }
 
-/// How an operation ended; true in a condition when all went well.
+/// The status of an operation; true in a condition if the operation succeeded.
 struct Status {
-  Code code{};             ///< what went wrong, or Code::ok
-  std::uint16_t offset{};  ///< the byte of the body it concerns
-  const char* field = "";  ///< the path of the field it concerns, "" when none; never null
+  Code code{};             ///< the error, or Code::ok
+  std::uint16_t offset{};  ///< the offset of the error in the body
+  const char* field = "";  ///< the path of the field in error, or ""; never null
 
   constexpr explicit operator bool() const noexcept { return code == Code::ok; }
 };
 
-/// What writing into a buffer reports: the bytes written (0 on failure) and how it ended.
+/// The result of writing into a buffer: the number of bytes written (0 on failure) and the status.
 struct WriteResult {
   std::size_t size{};
   Status status{};

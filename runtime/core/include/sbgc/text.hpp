@@ -1,16 +1,16 @@
-/// Everything of the protocol as text for people: `to_string(value)`.
+/// Human-readable text of protocol values: `to_string(value)`.
 ///
 ///     Angle14, Milliseconds …    "-30 deg", "500 ms"
-///     enum values                "MODE_ANGLE"; "200" if it has no name
+///     enum values                "MODE_ANGLE"; "200" without a name
 ///     flag sets                  "CONNECTION_USB | 0x40"; "0" without flags
-///     packed integers            "2.43b9", "RC_MODE_ANGLE, inverted 1"
+///     packed values              "2.43b9", "RC_MODE_ANGLE, inverted 1"
 ///     messages                   "GetAngles{axes.roll.imu_angle = -30 deg, …}"
 ///     statuses, violations       "params: The body ends before this field does",
 ///                                "axes.pitch.angle: 800 deg is above 720 deg"
 ///
-/// The text of a message has every value in wire order, but reserved bytes that are 0 and the
-/// counts of lists. Include the tables of the messages to print, <sbgc/meta/control.hpp> or
-/// <sbgc/meta/all.hpp>. <sbgc/fmt.hpp> and <sbgc/ostream.hpp> print the same.
+/// The text of a message lists all values in wire order, except reserved bytes that are 0 and the
+/// counts of lists. Include the tables of the messages to print: <sbgc/meta/control.hpp>, for
+/// example, or <sbgc/meta/all.hpp>. <sbgc/fmt.hpp> and <sbgc/ostream.hpp> print the same text.
 #pragma once
 
 #include <string>
@@ -51,7 +51,7 @@ inline std::string or_number(std::string text, std::int64_t raw) {
   return text.empty() ? std::to_string(raw) : text;
 }
 
-/// A raw value or limit in its unit.
+/// Returns a raw value or limit in its unit.
 inline std::string limit_text(double raw, const UnitInfo* unit) {
   return unit != nullptr && !unit->is_plain() ? unit_text(unit->real(raw), *unit)
                                               : number_text(raw);
@@ -94,7 +94,7 @@ std::string to_string(Q quantity) {
                            UnitMeta<Q>::info);
 }
 
-/// A message, or a part of one, which has no name in front of the brace.
+/// Returns the text of a message or of a struct in it. Only a message begins with its name.
 template <detail::AnyStruct T>
 std::string to_string(const T& message) {
   std::string result;
@@ -112,7 +112,7 @@ std::string to_string(const T& message) {
 
 inline std::string to_string(Rule rule) { return name(rule); }
 
-/// What is wrong with a value, to be read after the value: "is above 720 deg".
+/// Returns the predicate of a sentence about the value: "is above 720 deg".
 inline std::string objection_text(const Violation& violation) {
   const std::string limit = detail::limit_text(violation.limit, violation.unit);
   const auto version = static_cast<std::uint16_t>(violation.limit);
@@ -141,7 +141,7 @@ inline std::string to_string(const Violation& violation) {
 }
 
 namespace msg {
-using sbgc::to_string;  // for calls without a namespace
+using sbgc::to_string;  // for argument-dependent lookup
 }  // namespace msg
 
 }  // namespace sbgc

@@ -1,8 +1,9 @@
-/// Messages as JSON, with nlohmann_json. Throws nothing of its own and builds without exceptions.
+/// Converts messages to JSON with nlohmann_json. Throws no exceptions of its own and compiles
+/// without them.
 ///
-/// The JSON nests as the C++ struct does. Integers are raw wire values, bytes are lower-case hex,
-/// texts are strings, missing optional members are left out. Nothing is lost: from_json(to_json(m))
-/// (see json.hpp) encodes to the same bytes.
+/// The JSON is nested like the C++ struct. Integers are raw values, bytes are lowercase hex, texts
+/// are strings, missing optional members are omitted. The conversion is lossless:
+/// from_json(to_json(m)) (see json.hpp) encodes to the same bytes.
 #pragma once
 
 #include <array>
@@ -18,7 +19,7 @@
 
 namespace sbgc {
 
-/// JSON with its keys in the order of the wire.
+/// JSON with its keys in wire order.
 using Json = nlohmann::ordered_json;
 
 namespace detail {
@@ -33,7 +34,7 @@ class JsonWriter {
   }
 
  private:
-  // Not a lambda, which would be another type for each T.
+  // Not a lambda: that would be a distinct type for each T.
   struct Adder {
     Json& object;
 
@@ -53,7 +54,7 @@ class JsonWriter {
   }
   template <std::size_t n>
   static void add(Json& object, const char* name, const BoundedBytes<n>& member) {
-    // A tail is an exception; it would only be noise where there is none.
+    // Tails are rare; an empty one is omitted.
     if (std::string_view(name) == tail_field.name && member.empty()) return;
     object[name] = value(member);
   }
@@ -113,7 +114,7 @@ class JsonWriter {
 
 }  // namespace detail
 
-/// The fields of a message.
+/// Returns a JSON object with the fields of a message.
 template <class M>
 Json to_json(const M& message) {
   return detail::JsonWriter::members(message);

@@ -1,11 +1,11 @@
-/// Types handed around as values.
+/// Types as values, and lists of types.
 #pragma once
 
 #include <type_traits>
 
 namespace sbgc {
 
-/// A type handed over as a value.
+/// A type as a value.
 template <class T>
 struct Type {
   using type = T;
@@ -14,11 +14,11 @@ struct Type {
 /// A list of types.
 template <class... T>
 struct TypeList {
-  /// Whether U is one of them.
+  /// True if U is in the list.
   template <class U>
   static constexpr bool contains = (std::is_same_v<U, T> || ...);
 
-  /// Calls `use(Type<T>{})` for each, in order.
+  /// Calls `use(Type<T>{})` for each type, in order.
   template <class Use>
   static constexpr void for_each(Use&& use) {
     (use(Type<T>{}), ...);

@@ -1,5 +1,5 @@
-/// The small value types that messages are made of. All of them are plain values: no heap, no
-/// pointers, usable at compile time.
+/// The value types of message members. They use no heap and no pointers and are usable at compile
+/// time.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace sbgc {
 
-/// One value for each axis of the gimbal, in the order of the wire.
+/// One value for each axis of the gimbal, in wire order.
 template <class T>
 struct Axes {
   T roll{};
@@ -30,7 +30,7 @@ struct Axes {
   friend constexpr bool operator==(const Axes&, const Axes&) = default;
 };
 
-/// One value for each direction of space, in the order of the wire.
+/// One value for each direction of space, in wire order.
 template <class T>
 struct Xyz {
   T x{};
@@ -50,7 +50,7 @@ struct Xyz {
   friend constexpr bool operator==(const Xyz&, const Xyz&) = default;
 };
 
-/// A fixed number of bytes without a meaning as numbers.
+/// A fixed number of opaque bytes.
 template <std::size_t n>
 struct Bytes : std::array<std::uint8_t, n> {
   friend constexpr bool operator==(const Bytes&, const Bytes&) = default;
@@ -78,15 +78,15 @@ class BoundedArray {
 
   constexpr void clear() noexcept { size_ = 0; }
 
-  /// False, and nothing changes, when it is full.
+  /// Returns false and changes nothing if it is full.
   constexpr bool push_back(const T& value) noexcept {
     if (size_ == n) return false;
     items_[size_++] = value;
     return true;
   }
 
-  /// Makes it `size` elements long; elements that come back keep what they held before. False, and
-  /// nothing changes, when that is more than the capacity.
+  /// Sets the size. Elements added by it have the values that they held last. Returns false and
+  /// changes nothing if `size` exceeds the capacity.
   constexpr bool resize(std::size_t size) noexcept {
     if (size > n) return false;
     size_ = static_cast<std::uint8_t>(size);
@@ -109,19 +109,19 @@ class BoundedArray {
   std::array<T, n> items_{};
 };
 
-/// Up to `n` bytes without a meaning as numbers, stored in place.
+/// Up to `n` opaque bytes, stored in place.
 template <std::size_t n>
 class BoundedBytes : public BoundedArray<std::uint8_t, n> {
  public:
   friend constexpr bool operator==(const BoundedBytes&, const BoundedBytes&) = default;
 };
 
-/// UTF-8 text in a field of `n` bytes, padded with NUL. All `n` bytes are kept as they came.
+/// UTF-8 text in a field of `n` bytes, padded with NUL. All `n` bytes are preserved.
 template <std::size_t n>
 struct Text {
   std::array<char, n> bytes{};
 
-  /// Bytes up to the padding.
+  /// Returns the number of bytes before the padding.
   [[nodiscard]] constexpr std::size_t size() const noexcept {
     std::size_t length = n;
     while (length > 0 && bytes[length - 1] == '\0') --length;
@@ -130,8 +130,8 @@ struct Text {
   constexpr const char* data() const noexcept { return bytes.data(); }
   static constexpr std::size_t capacity() noexcept { return n; }
 
-  /// Takes anything with data() and size(), such as std::string_view. False, and nothing changes,
-  /// when it is too long.
+  /// Assigns anything with data() and size(), such as std::string_view. Returns false and changes
+  /// nothing if it is too long.
   template <class String>
   constexpr bool assign(const String& text) noexcept {
     if (text.size() > n) return false;
@@ -143,7 +143,7 @@ struct Text {
   friend constexpr bool operator==(const Text&, const Text&) = default;
 };
 
-/// Text of up to `n` bytes behind a byte that counts them.
+/// Text of up to `n` bytes, preceded by a length byte on the wire.
 template <std::size_t n>
 class BoundedText {
  public:
@@ -152,7 +152,7 @@ class BoundedText {
   static constexpr std::size_t capacity() noexcept { return n; }
 
   constexpr void clear() noexcept { chars_.clear(); }
-  /// False, and nothing changes, when it is full.
+  /// Returns false and changes nothing if it is full.
   constexpr bool push_back(char value) noexcept { return chars_.push_back(value); }
 
   /// As Text::assign().
@@ -178,7 +178,7 @@ class Optional {
   constexpr Optional() = default;
   // NOLINTNEXTLINE(google-explicit-constructor): a value is an optional value
   constexpr Optional(const T& value) noexcept : value_(value), present_(true) {}
-  /// Of what converts to a value, such as a literal of a quantity.
+  /// From anything that converts to T, such as the literal of a quantity.
   template <class U>
     requires(!std::is_arithmetic_v<U> && std::convertible_to<const U&, T>)
   // NOLINTNEXTLINE(google-explicit-constructor): see above
@@ -187,14 +187,14 @@ class Optional {
   [[nodiscard]] constexpr bool has_value() const noexcept { return present_; }
   constexpr explicit operator bool() const noexcept { return present_; }
 
-  /// Precondition for the access to the value: has_value().
+  /// Precondition of access to the value: has_value().
   constexpr T& operator*() noexcept { return value_; }
   constexpr const T& operator*() const noexcept { return value_; }
   constexpr T* operator->() noexcept { return &value_; }
   constexpr const T* operator->() const noexcept { return &value_; }
 
   constexpr void reset() noexcept { present_ = false; }
-  /// Makes it present; the value is what it held last.
+  /// Makes the value present and returns it; it is the value held last.
   constexpr T& emplace() noexcept {
     present_ = true;
     return value_;

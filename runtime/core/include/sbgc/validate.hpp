@@ -1,7 +1,8 @@
-/// Checks the values of a message against what the specification allows.
+/// Validates the values of a message against the specification.
 ///
-/// Decoding never rejects a value for its range; this does, and names every violation. Include the
-/// tables of the messages to check, <sbgc/meta/control.hpp> or <sbgc/meta/all.hpp>.
+/// Decoding never rejects a value for its range; validate() does, and reports every violation.
+/// Include the tables of the messages to validate: <sbgc/meta/control.hpp>, for example, or
+/// <sbgc/meta/all.hpp>.
 #pragma once
 
 #include <cstddef>
@@ -15,17 +16,17 @@
 
 namespace sbgc {
 
-/// What a value violates.
+/// The rule that a value violates.
 enum class Rule : std::uint8_t {
   minimum,    ///< below `limit`
   maximum,    ///< above `limit`
-  alignment,  ///< no multiple of `limit`
-  count,      ///< more than `limit` elements
-  firmware,   ///< exists only since the firmware version `limit`, such as 2590
-  board,      ///< exists only since the board version `limit`, such as 30
+  alignment,  ///< not a multiple of `limit`
+  count,      ///< fewer or more than `limit` elements
+  firmware,   ///< exists only since firmware version `limit`, such as 2590
+  board,      ///< exists only since board version `limit`, such as 30
 };
 
-/// The name of a rule, e.g. "minimum".
+/// Returns the name of a rule, e.g. "minimum".
 constexpr const char* name(Rule rule) noexcept {
   switch (rule) {
     case Rule::minimum: return "minimum";
@@ -38,21 +39,21 @@ constexpr const char* name(Rule rule) noexcept {
   return "unknown_rule";
 }
 
-/// One value that the specification does not allow. `path` is valid during the report only.
-/// to_string() of <sbgc/text.hpp> makes a sentence of it.
+/// A value that the specification does not allow. `path` is valid only during the report.
+/// to_string() of <sbgc/text.hpp> formats it as a sentence.
 struct Violation {
   const FieldPath& path;
   const FieldInfo& field;
   double value{};  ///< raw, as on the wire
   double limit{};
   Rule rule{};
-  const UnitInfo* unit{};    ///< of `value`; null if it has none, or one that depends on a flag
+  const UnitInfo* unit{};    ///< of `value`; null if it has none or if it depends on a flag
   const ValueInfo* named{};  ///< the enum value or flag that does not exist yet, or null
 };
 
 namespace detail {
 
-/// Walks over a value and reports what its field's limits do not allow.
+/// Visits a value and reports violations of the limits of its field.
 template <class Report>
 class Validator {
  public:
@@ -67,11 +68,11 @@ class Validator {
   }
 
  private:
-  /// Looks at the members of some struct. Not a lambda, which would be another type for each T.
+  /// Validates the members of a struct. Not a lambda: that would be a distinct type for each T.
   struct Members {
     Validator& validator;
-    const FieldPath* parent = nullptr;       ///< of the struct itself
-    const VariableInfo* variable = nullptr;  ///< that the last member has named
+    const FieldPath* parent = nullptr;       ///< the path of the struct itself
+    const VariableInfo* variable = nullptr;  ///< the one that the last VariableId names, or null
 
     template <class Member>
     constexpr void operator()(const FieldInfo& field, const Member& member) {
@@ -190,7 +191,7 @@ class Validator {
     }
   }
 
-  /// A named value that came with a later version.
+  /// Reports a named value that a later version introduced.
   constexpr void named(const EnumInfo& info, std::int64_t raw, const FieldInfo& field,
                        const FieldPath& path) {
     for (const ValueInfo& known : info.values) {
@@ -233,15 +234,15 @@ class Validator {
 
 }  // namespace detail
 
-/// Versions that know everything.
+/// Versions that support everything.
 inline constexpr Availability newest{0xFFFF, 0xFF};
 
-/// Calls `report(const Violation&)` for everything in `message` that the specification does not
-/// allow on a board with these versions (see versions_of()); true if there was nothing.
+/// Calls `report(const Violation&)` for every value in `message` that the specification does not
+/// allow on a board with these versions (see versions_of()). Returns true if there is none.
 ///
-/// Special values are allowed; reserved bytes, unknown flags and unknown enum values are not looked
-/// at, because later firmware gives them a meaning. What came with a later version is reported when
-/// it is used, that is not 0. The message as a whole is the matter of is_supported().
+/// Sentinels are allowed. Reserved bytes, unknown flags and unknown enum values are not checked,
+/// because later firmware gives them a meaning. A value that a later version introduced is reported
+/// if it is not 0. To check the message as a whole, use is_supported().
 template <class M, class Report>
 constexpr bool validate(const M& message, const Availability& versions, Report&& report) {
   detail::Validator<std::remove_reference_t<Report>> validator(versions, report);

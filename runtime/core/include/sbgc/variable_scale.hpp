@@ -1,4 +1,4 @@
-/// How an adjustable variable's value becomes that of the setting it stands for, and back.
+/// Converts between the value of an adjustable variable and the setting that it controls.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,16 @@
 
 namespace sbgc::detail {
 
-/// The setting's count is (the variable's * numerator + addend) / denominator. Nothing overflows,
-/// and every result fits: the generator has checked it for each variable.
+/// The setting's raw value is (variable * numerator + addend) / denominator. The generator has
+/// checked for each variable that nothing overflows and that every result fits.
 struct VariableScale {
   std::int64_t numerator;
   std::int64_t addend;
   std::int64_t denominator;
 };
 
-/// The nearest integer to a fraction; a half goes away from 0. Precondition: denominator > 0.
+/// Returns the integer nearest to a fraction; rounds halves away from 0. Precondition:
+/// denominator > 0.
 constexpr std::int64_t nearest(std::int64_t numerator, std::int64_t denominator) noexcept {
   const std::int64_t whole = numerator / denominator;
   const std::int64_t rest = numerator % denominator;
@@ -48,8 +49,8 @@ constexpr std::int32_t variable_value(const VariableScale& scale, const T& setti
       nearest(count_of(setting) * scale.denominator - scale.addend, scale.numerator));
 }
 
-/// Counts in `special` have a meaning of their own, such as "disabled". One is only that of a value
-/// that is it exactly: others get the step beside it.
+/// Raw values in `special` have a meaning of their own, such as "disabled". Only a value that
+/// converts to one of them exactly sets it; other values get the adjacent raw value.
 template <class T>
 constexpr void set_variable(const VariableScale& scale, T& setting, std::int32_t value,
                             std::initializer_list<std::int64_t> special = {}) noexcept {
@@ -70,7 +71,8 @@ constexpr std::int32_t switch_value(const T& setting) noexcept {
   return count_of(setting) != 0 ? 1 : 0;
 }
 
-/// What is on already stays as it is when it is switched on.
+/// Leaves the setting unchanged if the switch already has the value: switching on keeps any setting
+/// that is not 0.
 template <class T>
 constexpr void set_switch(T& setting, std::int32_t value) noexcept {
   if (switch_value(setting) != value) set_count(setting, value);

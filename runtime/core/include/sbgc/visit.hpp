@@ -1,4 +1,4 @@
-/// From a frame to a typed message.
+/// Decodes a frame into a typed message.
 #pragma once
 
 #include <concepts>
@@ -11,13 +11,13 @@
 
 namespace sbgc {
 
-/// Decodes a body and calls `visitor(message)` with the message it is, if the visitor accepts that:
+/// Decodes a body and calls `visitor(message)` with the typed message, if the visitor accepts it:
 ///     visit(id, body, direction, [](const msg::Control& control) { ... });
 ///
-/// `direction` says who sent it: some ids mean one thing in one direction and another in the
-/// other. `contexts` is what earlier messages have told (see Contexts). The status is that of
-/// decoding, or unknown_command or unknown_form; the visitor is called only when it is ok. A
-/// message that the visitor does not accept is not decoded either: its status is ok.
+/// `direction` is required because some ids have a different meaning in each direction. `contexts`
+/// holds facts from earlier messages (see Contexts). Returns the status of decoding, or
+/// unknown_command or unknown_form; calls the visitor only if the status is ok. A message that the
+/// visitor does not accept is not decoded; its status is ok.
 template <class Visitor>
 constexpr Status visit(std::uint8_t id, std::span<const std::uint8_t> body, Direction direction,
                        Visitor&& visitor, const Contexts& contexts = {}) {
@@ -41,7 +41,7 @@ constexpr Status visit(std::uint8_t id, std::span<const std::uint8_t> body, Dire
   return code == Code::ok ? status : Status{code};
 }
 
-/// As above, for a frame that the parser has found.
+/// As above, for a frame found by the parser.
 template <class Visitor>
 constexpr Status visit(const Frame& frame, Direction direction, Visitor&& visitor,
                        const Contexts& contexts = {}) {

@@ -1,4 +1,4 @@
-/// Which messages a visitor accepts.
+/// Determines the messages that a visitor accepts.
 #pragma once
 
 #include <concepts>
@@ -8,7 +8,7 @@
 
 namespace sbgc {
 
-/// Several functions as one; overload resolution decides which of them runs.
+/// Combines several functions into one; overload resolution selects the one that runs.
 template <class... Functions>
 struct overloaded : Functions... {  // NOLINT(readability-identifier-naming): its usual name
   using Functions::operator()...;
@@ -28,7 +28,8 @@ concept HasOneParameter = requires {
   parameter(&Visitor::operator());
 };
 
-/// What a function accepts that may have several parameters' types, such as a generic lambda.
+/// The messages accepted by a function that may have several parameter types, such as a generic
+/// lambda.
 template <class Function>
 struct Accepted {
   template <class M>
@@ -42,8 +43,8 @@ struct Accepted {
   }
 };
 
-/// A plain lambda takes its parameter's type only. (Some messages are derived from another one with
-/// the same body, and would convert to it.)
+/// A plain lambda accepts exactly its parameter type. (Some messages derive from another one with
+/// the same body and would otherwise convert to it.)
 template <class Function>
   requires HasOneParameter<std::remove_const_t<Function>>
 struct Accepted<Function> {
@@ -58,7 +59,7 @@ struct Accepted<Function> {
   }
 };
 
-/// Each function has to be of some use.
+/// Each function must accept at least one message.
 template <class... Functions>
 struct Accepted<overloaded<Functions...>> {
   template <class M>

@@ -9,7 +9,7 @@
 
 namespace sbgc::wire {
 
-/// A number with its own representation on the wire.
+/// A number type of the wire.
 template <class T>
 concept Number = std::same_as<T, std::uint8_t> || std::same_as<T, std::int8_t> ||
     std::same_as<T, std::uint16_t> || std::same_as<T, std::int16_t> ||
@@ -24,7 +24,7 @@ template <Number T>
 using Bits = std::conditional_t<sizeof(T) == 1, std::uint8_t,
                                 std::conditional_t<sizeof(T) == 2, std::uint16_t, std::uint32_t>>;
 
-/// True where the bytes of memory already are the bytes of the wire.
+/// True if numbers have the same bytes in memory and on the wire.
 template <std::endian host>
 inline constexpr bool same_order = host == std::endian::little;
 

@@ -1,4 +1,4 @@
-/// How many bytes a value takes on the wire.
+/// The size of values on the wire.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace sbgc {
 
-/// A type over one integer of the wire: quantities, flag sets, packed integers.
+/// A type that wraps one number of the wire: a quantity, flag set or packed value.
 template <class T>
 concept RawValue = requires(const T value) {
   typename T::raw_type;
@@ -20,8 +20,8 @@ concept RawValue = requires(const T value) {
   T(value.raw());
 };
 
-/// The members of a generated struct or message that have a fixed place on the wire, in its order.
-/// The type has it as FixedMembers.
+/// The fixed-offset members of a generated struct or message: those whose wire offset is a
+/// constant, in wire order. Generated types declare them as FixedMembers.
 template <auto... member>
 struct Members {};
 
@@ -32,15 +32,15 @@ concept HasFixedMembers = requires {
   typename T::FixedMembers;
 };
 
-/// A generated struct or message with members that have no fixed place:
-/// varying_members(self, cursor) reads or writes them, and a message may need its Context, too.
+/// A generated struct or message with members whose wire offset varies.
+/// varying_members(self, cursor) reads or writes them; a message may also need its Context.
 template <class T>
 concept HasVaryingMembers = requires {
   &T::template varying_members<T, int>;
 };
 
-/// A tagged union takes `wire_size` bytes. The message around it knows what they hold:
-/// tagged_unions(self, cursor) reads or writes them.
+/// A tagged union of `wire_size` bytes. The message that contains it determines its layout and
+/// reads or writes it in tagged_unions(self, cursor).
 template <class T>
 concept TaggedUnion = requires {
   T::wire_size;
@@ -54,7 +54,7 @@ constexpr TypeList<decltype(type_of_member(member))...> types_of(Members<member.
   return {};
 }
 
-/// The types of the members with a fixed place.
+/// The types of the fixed-offset members.
 template <class T>
 inline constexpr TypeList<> fixed_types{};
 template <HasFixedMembers T>
@@ -65,7 +65,7 @@ constexpr std::size_t size_of_struct() noexcept;
 
 }  // namespace detail
 
-/// Bytes that a type takes on the wire; 0 if that varies.
+/// The size of a type on the wire; 0 if it varies.
 template <class T>
 inline constexpr std::size_t wire_size = detail::size_of_struct<T>();
 template <class T>
@@ -91,7 +91,7 @@ constexpr std::size_t size_of_all(TypeList<T...>) noexcept {
   return (std::size_t{0} + ... + wire_size<T>);
 }
 
-/// Bytes of the members with a fixed place.
+/// The total size of the fixed-offset members.
 template <class T>
 inline constexpr std::size_t fixed_size = size_of_all(fixed_types<T>);
 

@@ -1,5 +1,5 @@
-/// Finds the baud rate and parity of a board, without I/O: time and bytes are handed in, what to do
-/// next comes out.
+/// Detection of the baud rate and parity of a board, without I/O: the caller passes in time and
+/// bytes and gets back the next step.
 #pragma once
 
 #include <array>
@@ -17,36 +17,36 @@
 
 namespace sbgc {
 
-/// How patient a search is.
+/// Options of a detection. A line here is a combination of baud rate and parity.
 struct DetectorOptions {
-  std::uint8_t rounds = 3;  ///< visits of each line; each waits longer than the one before
-  std::uint8_t probes = 2;  ///< questions in each visit
-  /// Further questions where the board was heard, though it did not answer: it sends other
-  /// messages.
+  std::uint8_t rounds = 3;  ///< visits of each line; each waits longer than the previous one
+  std::uint8_t probes = 2;  ///< requests per visit
+  /// Further requests per visit on a line where the board sends frames, but has not answered.
   std::uint8_t more_probes = 3;
-  Duration settle = milliseconds(10);  ///< between setting a line and the first question
-  /// For the answer in the first round, beside the time on the line; n times as long in round n.
+  Duration settle = milliseconds(10);  ///< between setting a line and the first request
+  /// The timeout of a response in the first round, plus its time on the line; n times that in
+  /// round n.
   Duration patience = milliseconds(60);
 };
 
-/// What was tried on one line, and what came of it.
+/// The attempts on one line, and their results.
 struct Trial {
   LineSettings line{};
-  std::uint16_t probes{};       ///< questions asked
-  std::uint32_t bytes{};        ///< heard
-  std::uint32_t good_frames{};  ///< among them; the introduction, too
-  std::uint32_t bad_frames{};   ///< that looked like a frame, but a checksum was wrong
-  bool is_refused{};            ///< the port can not be set so
+  std::uint16_t probes{};       ///< requests sent
+  std::uint32_t bytes{};        ///< received
+  std::uint32_t good_frames{};  ///< received, including the introduction
+  std::uint32_t bad_frames{};   ///< candidates with a wrong checksum
+  bool is_refused{};            ///< the port does not support these settings
 };
 
-/// What the owner of the line is to do, before it asks again.
+/// What the caller must do before it calls next() again.
 struct DetectorStep {
   enum class Kind : std::uint8_t {
-    set_line,  ///< change to `line`, discard what was received before; or call refuse()
+    set_line,  ///< change to `line` and discard bytes received before, or call refuse()
     write,     ///< write `bytes`
-    wait,      ///< until `until`, unless bytes come
-    found,     ///< nothing: `line` is right, and introduction() is there
-    failed,    ///< nothing: there is no board, or it does not answer; see trials()
+    wait,      ///< wait until `until` or until bytes arrive
+    found,     ///< done: `line` is correct, and introduction() is available
+    failed,    ///< done: there is no board, or it does not answer; see trials()
   };
   Kind kind{};
   LineSettings line{};
@@ -54,20 +54,20 @@ struct DetectorStep {
   Instant until = Instant::never;
 };
 
-/// Asks for the introduction of a board at every baud rate and parity in use, the most likely
-/// first, until it answers.
+/// Requests the introduction of a board at every baud rate and parity in use, the most likely
+/// first, until the board answers.
 ///
-/// Every line is visited once, quickly; then again, with more patience. A search in which not one
-/// byte was heard ends behind the second round. Garbage does no harm: it is counted.
+/// Visits every line once, quickly; then again, with longer timeouts. Ends after the second round
+/// if no byte has been received. Ignores and counts garbage.
 ///
 /// No heap, no clock. A Detector takes about 1.6 KB.
 class Detector {
  public:
-  /// The number of lines that are tried.
+  /// The number of lines to try.
   static constexpr std::size_t lines = baud_rates.size() * parities.size();
 
   constexpr explicit Detector(const DetectorOptions& options = {}) noexcept : options_(options) {
-    // All rates that the protocol names come before the others, whatever the parity.
+    // All rates that the protocol names come before the others, for any parity.
     std::size_t next = 0;
     for (const bool named : {true, false}) {
       for (const Parity parity : parities) {
@@ -79,7 +79,7 @@ class Detector {
     if (lines == 0 || options_.rounds == 0) phase_ = Phase::failed;
   }
 
-  /// What to do now.
+  /// Returns the next step.
   DetectorStep next(Instant now) noexcept {
     now_ = later(now_, now);
     if (phase_ == Phase::set_line) {
@@ -111,7 +111,7 @@ class Detector {
     }
   }
 
-  /// Takes bytes that have come over the line; next() knows what follows from them.
+  /// Processes received bytes; call next() afterwards.
   void feed(std::span<const std::uint8_t> bytes) noexcept {
     if (phase_ == Phase::found || phase_ == Phase::failed || phase_ == Phase::set_line) return;
     trial().bytes += static_cast<std::uint32_t>(bytes.size());
@@ -119,20 +119,21 @@ class Detector {
     count_bad_frames();
   }
 
-  /// Says that the line could not be set as the last step wanted it; it is not tried again.
+  /// Rejects the settings of the last step, which the port does not support. They are not tried
+  /// again.
   void refuse() noexcept {
     if (phase_ != Phase::settle) return;
     trial().is_refused = true;
     leave_line();
   }
 
-  /// What the board has said about itself; id 0 before it is found. A view into this object.
+  /// Returns the introduction of the board; id 0 before it is found. A view into this object.
   Frame introduction() const noexcept {
     if (phase_ != Phase::found) return {};
     return {introduction_id_, {introduction_.data(), introduction_size_}, 0};
   }
 
-  /// What was tried, in the order of trying.
+  /// Returns the lines in the order in which they are tried.
   std::span<const Trial, lines> trials() const noexcept { return trials_; }
 
  private:
@@ -172,7 +173,7 @@ class Detector {
     phase_ = Phase::found;
   }
 
-  /// The parser counts since the line was set.
+  /// Adds the errors that the parser has counted since the last call.
   void count_bad_frames() noexcept {
     const ParserCounters counters = parser_.counters();
     const std::uint64_t bad = counters.header_errors + counters.body_errors;

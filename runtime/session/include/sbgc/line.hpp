@@ -1,4 +1,4 @@
-/// How bytes travel over a serial line.
+/// The settings and timing of a serial line.
 #pragma once
 
 #include <cstddef>
@@ -11,25 +11,25 @@ namespace sbgc {
 /// The parity bit of each byte.
 enum class Parity : std::uint8_t { none, even };
 
-/// The settings of a serial line: 8 data bits, 1 stop bit, and these.
+/// The settings of a serial line with 8 data bits and 1 stop bit.
 struct LineSettings {
-  std::uint32_t baud_rate{};  ///< bits per second; 0: not limited, as over USB or TCP
+  std::uint32_t baud_rate{};  ///< bits per second; 0: unlimited, as over USB or TCP
   Parity parity{};
 
   constexpr bool operator==(const LineSettings&) const = default;
 };
 
-/// Bits that one byte takes on the line: start bit, data, parity, stop bit.
+/// Returns the number of bits of a byte on the line: start bit, data, parity, stop bit.
 constexpr std::uint32_t bits_per_byte(Parity parity) noexcept {
   return parity == Parity::none ? 10 : 11;
 }
 
-/// Bytes that fit through the line in a second; 0: not limited.
+/// Returns the bandwidth of the line in bytes per second; 0: unlimited.
 constexpr std::uint32_t bytes_per_second(const LineSettings& line) noexcept {
   return line.baud_rate / bits_per_byte(line.parity);
 }
 
-/// How long `bytes` take on the line, rounded up; nothing when it is not limited.
+/// Returns the time that `bytes` bytes take on the line, rounded up; 0 if it is unlimited.
 constexpr Duration wire_time(const LineSettings& line, std::size_t bytes) noexcept {
   if (line.baud_rate == 0) return {};
   const std::uint64_t bits = std::uint64_t{bytes} * bits_per_byte(line.parity);

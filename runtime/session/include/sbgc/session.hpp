@@ -1,5 +1,5 @@
-/// The host's side of the conversation with a board, without I/O: time and bytes are handed in,
-/// events and bytes to write come out.
+/// The host side of the conversation with a board, without I/O: the caller passes in time and bytes
+/// and gets back events and bytes to write.
 #pragma once
 
 #include <array>
@@ -22,30 +22,28 @@
 
 namespace sbgc {
 
-/// What a session can hold.
+/// The capacity of a session.
 struct SessionCapacity {
   std::size_t requests = 8;       ///< queued and in flight
   std::size_t late_replies = 12;  ///< kinds of requests that are in flight or may get late replies
   std::size_t streams = roles::stream_limit;  ///< data streams
 };
 
-/// Sends requests one after the other, finds out which response belongs to which, and reports the
-/// outcome of each.
+/// Sends requests in order, matches responses to them, and reports the outcome of each.
 ///
 ///     const auto sent = session.send(msg::ReadParams3Request{.profile_id = 0});
 ///     const Output output = session.poll(now, sink);    // write output.bytes, if any
 ///     session.feed(received, now, sink);                // sink(const Event&)
 ///
-/// - Every request that send() takes completes with exactly one event, whatever happens.
-/// - Requests go out in order, with the pauses that the protocol asks for. A request waits while
-/// its
-///   response could be taken for that of another one in flight; unrelated ones overtake it.
-/// - When a request is over and its response may still come, a later request that this response
-///   would fit waits as well. So a late reply is never taken for the response to the next request.
-/// - The sink may call send(), cancel(), set_line(), statistics() and the like, but not feed(),
-///   poll(), written() or abandon(). It must not throw. The session reports an event when its state
-///   is up to date: a request that the sink sends belongs to what comes next.
-/// - Time may jump forward. If it runs backwards, it counts as standing still.
+/// - Every request that send() accepts completes with exactly one event.
+/// - Requests are sent in order, with the pauses that the protocol requires. A request waits while
+///   its response could be confused with that of a request in flight; unrelated ones overtake it.
+/// - If a request has ended but its response may still arrive, a later request that this response
+///   would match also waits. So a late reply is never matched to the next request.
+/// - The sink may call send(), cancel(), set_line() and the const functions, but not feed(),
+///   poll(), written() or abandon(). It must not throw. When the session reports an event, its
+///   state is up to date: the event does not affect a request that the sink sends.
+/// - Time may jump forward. If it runs backwards, the session keeps its latest time.
 ///
 /// No heap, no clock, no locks. A Session takes about 6 KB. See detail::RequestState for the states
 /// of a request.
@@ -55,8 +53,8 @@ class BasicSession {
   constexpr explicit BasicSession(const SessionOptions& options = {}) noexcept
       : options_(options) {}
 
-  /// Takes a request; needs the header of its family in <sbgc/responses/>. A later poll() returns
-  /// its frame.
+  /// Queues a request; a later poll() returns its frame. Requires the header of its family in
+  /// <sbgc/responses/>.
   template <Message M>
   SendResult send(const M& request, const SendOptions& options = {}) noexcept {
     constexpr bool is_request = M::direction != Direction::from_board;
@@ -75,7 +73,7 @@ class BasicSession {
     }
   }
 
-  /// Takes a request whose body is already encoded; `policy` is that of the message it is.
+  /// Queues a request whose body is already encoded; `policy` is the policy of its message.
   SendResult send(std::uint8_t id, std::span<const std::uint8_t> body, const ResponsePolicy& policy,
                   const SendOptions& options = {}) noexcept {
     Request* const slot = free_slot();
@@ -85,7 +83,7 @@ class BasicSession {
     return accept(*slot, written.size, policy, options);
   }
 
-  /// Takes bytes that have come over the line, which may complete requests.
+  /// Processes received bytes, which may complete requests.
   template <class Sink>
   void feed(std::span<const std::uint8_t> bytes, Instant now, Sink&& sink) {
     advance(now);
@@ -95,9 +93,10 @@ class BasicSession {
     parser_.feed(bytes, [&](const Frame& frame) { take(frame, sink); });
   }
 
-  /// Reports what is over by now, and returns the frame to write, if one is due: at most one, which
-  /// counts as being written from `now` on. If there is none, the deadline is later than `now`.
-  /// send(), feed() and cancel() can make it earlier: call poll() after them.
+  /// Reports requests that have ended by `now`, and returns the frame to write, if one is due: at
+  /// most one, whose transmission is assumed to start at `now`. If there is none, the deadline is
+  /// later than `now`. send(), feed() and cancel() can make the deadline earlier: call poll() after
+  /// them.
   template <class Sink>
   [[nodiscard]] Output poll(Instant now, Sink&& sink) {
     advance(now);
@@ -112,8 +111,8 @@ class BasicSession {
     return {{out_.data(), size}, size != 0 ? next : later(next, now_ + microseconds(1))};
   }
 
-  /// For links on which a write can take long: the frame of the last poll() leaves only now, and
-  /// the time for its response begins here. Call it before the next poll().
+  /// For links on which a write can take long: states that the frame of the last poll() is written
+  /// only now, so that the timeout of its response starts at `now`. Call it before the next poll().
   void written(Instant now) noexcept {
     advance(now);
     next_send_ = later(next_send_, now_ + sent_.pause);
@@ -128,8 +127,8 @@ class BasicSession {
                           now_ + sent_.response_time + sent_.finish + options_.late);
   }
 
-  /// Ends a request with the outcome `cancelled`; false if it is already over. The board may still
-  /// respond to what has been sent.
+  /// Completes a request with `cancelled`; returns false if it has already ended. The board may
+  /// still respond to frames already sent.
   template <class Sink>
   bool cancel(Handle handle, Sink&& sink) {
     for (Request& request : requests_) {
@@ -140,18 +139,18 @@ class BasicSession {
     return false;
   }
 
-  /// The link is gone: every request completes with `link_lost`, and all that was known about the
-  /// board's state is forgotten. The session can go on with another link.
+  /// To be called when the link is lost: completes every request with `link_lost` and discards the
+  /// known state of the board. The session can continue on another link.
   template <class Sink>
   void abandon(Sink&& sink) {
     parser_.flush([](const Frame&) {});
     forget_streams();
     next_send_ = now_;
     complete_all(Outcome::link_lost, sink, Handle{last_handle_});
-    late_replies_.clear();  // those of the requests that have just ended, too
+    late_replies_.clear();  // including those of the requests that have just ended
   }
 
-  /// The line is another one, or has other settings.
+  /// Sets the line settings, after a change of the line or its settings.
   void set_line(const LineSettings& line) noexcept { options_.line = line; }
 
   const SessionOptions& options() const noexcept { return options_; }
@@ -162,10 +161,10 @@ class BasicSession {
     return result;
   }
 
-  /// How much of the line the data streams take, including those that are being started.
+  /// Returns the bandwidth that the data streams use, including streams being started.
   StreamUsage stream_usage() const noexcept { return {streams_.used(), stream_limit()}; }
 
-  /// Requests that are queued or in flight.
+  /// Returns the number of requests that are queued or in flight.
   std::size_t open_requests() const noexcept {
     std::size_t count = 0;
     for (const Request& request : requests_) count += request.is_open() ? 1U : 0U;
@@ -176,7 +175,7 @@ class BasicSession {
   using Request = detail::SessionRequest;
   using State = detail::RequestState;
 
-  // Taking requests
+  // Accepting requests
 
   Request* free_slot() noexcept {
     for (Request& request : requests_) {
@@ -211,7 +210,7 @@ class BasicSession {
 
   // Sending
 
-  /// The oldest request that may be sent, or null.
+  /// Returns the oldest request that may be sent, or null.
   Request* next_request() noexcept {
     Request* next = nullptr;
     for (Request& request : requests_) {
@@ -238,7 +237,7 @@ class BasicSession {
     return !responses.are_possible() || late_replies_.has_room(responses, in_flight);
   }
 
-  /// Puts the frame of a request into `out_`; returns its size.
+  /// Copies the frame of a request to `out_`; returns its size.
   template <class Sink>
   std::size_t transmit(Request& request, Sink& sink) {
     const std::size_t size = request.size;
@@ -261,7 +260,7 @@ class BasicSession {
     return size;
   }
 
-  /// The size of the frame that comes back, the largest if it varies.
+  /// Returns the size of the response frame; the largest one if it varies.
   static std::size_t response_size(const Responses& responses) noexcept {
     std::size_t size = responses.confirmed != Confirmed::never ? roles::confirmation_size : 0;
     for (std::size_t i = 0; i < responses.form_count; ++i) {
@@ -274,7 +273,8 @@ class BasicSession {
 
   void advance(Instant now) noexcept { now_ = later(now_, now); }
 
-  /// After a silence, what could still become a frame is none; it may hide one.
+  /// Flushes the parser after a silence: an incomplete candidate is not a frame, but may contain
+  /// one.
   template <class Sink>
   void flush_after_silence(Sink& sink) {
     if (parser_.waiting_bytes() == 0 || now_ < last_byte_ + options_.idle) return;
@@ -283,7 +283,7 @@ class BasicSession {
 
   template <class Sink>
   void end_overdue(Sink& sink) {
-    const Handle newest{last_handle_};  // what the sink sends from here on is not looked at
+    const Handle newest{last_handle_};  // excludes requests that the sink sends in this loop
     for (Request& request : requests_) {
       if (!request.is_open() || newest < request.handle) continue;
       if (request.deadline <= now_) {
@@ -306,7 +306,7 @@ class BasicSession {
              sink);
   }
 
-  /// When poll() has something to do next.
+  /// Returns the time at which poll() next has something to do.
   Instant deadline() noexcept {
     Instant next = Instant::never;
     if (parser_.waiting_bytes() != 0) next = last_byte_ + options_.idle;
@@ -324,7 +324,7 @@ class BasicSession {
     return is_blocked ? earlier(next, late_replies_.next_end()) : next;
   }
 
-  // What the board says
+  // Receiving
 
   template <class Sink>
   void take(const Frame& frame, Sink& sink) {
@@ -358,7 +358,8 @@ class BasicSession {
            sink);
   }
 
-  /// The form in which the frame answers a request in flight, or null.
+  /// Returns the response form of `request` that the frame matches. Null if it matches none, if it
+  /// is a sample of a stream, or if the request is not in flight.
   const ResponseForm* awaited_form(const Request& request, const Frame& frame) const noexcept {
     if (!request.is_in_flight()) return nullptr;
     const ResponseForm* const form = request.policy.responses.form_of(frame);
@@ -376,7 +377,7 @@ class BasicSession {
       if (!policy.responses.is_confirmed_by(command, frame)) continue;
       if (request.confirmations != 0 && line_repeats_frames() &&
           now_ < request.confirmed_at + options_.duplicates) {
-        break;  // the last one again
+        break;  // a duplicate of the last one
       }
       ++request.confirmations;
       request.confirmed_at = now_;
@@ -392,7 +393,7 @@ class BasicSession {
       if (policy.result.is_failure(frame.body)) {
         complete(request, Outcome::failed, frame, sink);
       } else if (policy.response_required) {
-        // The message that answers comes as well.
+        // A response message is still to come.
       } else if (request.confirmations >= policy.confirmations) {
         complete(request, Outcome::confirmed, frame, sink);
       } else {
@@ -408,7 +409,7 @@ class BasicSession {
         sink);
   }
 
-  /// An error belongs to a request in flight if no other can be meant.
+  /// Matches an error to a request in flight if that is the only one it can refer to.
   template <class Sink>
   void take_error(const Frame& frame, Sink& sink) {
     ++statistics_.board_errors;
@@ -444,11 +445,11 @@ class BasicSession {
     }
     report({.kind = EventKind::reset, .command = frame.id, .frame = frame}, sink);
     complete_all(Outcome::reset, sink, newest);
-    // Until it restarts, the board may go on answering.
+    // The board may continue to respond until it restarts.
     late_replies_.limit(now_ + milliseconds(roles::reset_delay_ms) + options_.late);
   }
 
-  /// Whether a frame may come twice.
+  /// Returns true if the line may deliver a frame twice.
   bool line_repeats_frames() const noexcept { return options_.duplicates > Duration{}; }
 
   template <class Fits>
@@ -459,16 +460,16 @@ class BasicSession {
     return is_late;
   }
 
-  // Ends
+  // Completing requests
 
-  /// No stream runs any more, and no change that has been asked for will be made. Not after an
-  /// event of the same occurrence: the sink may have asked for another stream.
+  /// Forgets all streams and requested changes: no stream runs any more. Must be called before any
+  /// event of the same occurrence is reported, because the sink may request another stream.
   void forget_streams() noexcept {
     streams_.clear();
     for (Request& request : requests_) request.policy.stream = {};
   }
 
-  /// Completes the requests up to `newest`: not what the sink sends meanwhile.
+  /// Completes the requests up to `newest`, which excludes requests that the sink sends meanwhile.
   template <class Sink>
   void complete_all(Outcome outcome, Sink& sink, Handle newest) {
     for (Request& request : requests_) {
@@ -512,7 +513,7 @@ class BasicSession {
         end = later(end, now_ + options_.duplicates);
       }
     }
-    // Even if it is over by now: the frame may still be stuck, see written().
+    // Even if `end` has passed: the frame may not have been written yet, see written().
     if (expected != 0) late_replies_.add(policy.responses, expected, end);
   }
 
@@ -535,7 +536,7 @@ class BasicSession {
   std::array<std::uint8_t, max_frame_size> out_{};
 };
 
-/// A session with room for what a host usually does.
+/// A session with a capacity that suits most hosts.
 using Session = BasicSession<SessionCapacity{}>;
 
 static_assert(sizeof(Session) <= 6144, "a session must fit into a small microcontroller");

@@ -1,4 +1,5 @@
-/// Time as it is handed in: the library has no clock of its own. (<chrono> is not freestanding.)
+/// Points in time and durations, passed in by the caller: the library has no clock. (<chrono> is
+/// not freestanding.)
 #pragma once
 
 #include <compare>
@@ -9,7 +10,7 @@ namespace sbgc {
 
 namespace detail {
 
-/// a + b, held at the ends of the type.
+/// Returns a + b, saturated to the range of the type.
 constexpr std::int64_t add_saturating(std::int64_t a, std::int64_t b) noexcept {
   std::int64_t sum = 0;
   if (!__builtin_add_overflow(a, b, &sum)) return sum;
@@ -17,7 +18,7 @@ constexpr std::int64_t add_saturating(std::int64_t a, std::int64_t b) noexcept {
                : std::numeric_limits<std::int64_t>::max();
 }
 
-/// a - b, held at the ends of the type.
+/// Returns a - b, saturated to the range of the type.
 constexpr std::int64_t subtract_saturating(std::int64_t a, std::int64_t b) noexcept {
   std::int64_t difference = 0;
   if (!__builtin_sub_overflow(a, b, &difference)) return difference;
@@ -27,7 +28,7 @@ constexpr std::int64_t subtract_saturating(std::int64_t a, std::int64_t b) noexc
 
 }  // namespace detail
 
-/// A length of time in microseconds. Arithmetic stops at the ends of the type, it never wraps.
+/// A duration in microseconds. Arithmetic saturates; it never wraps.
 struct Duration {
   std::int64_t us{};
 
@@ -52,11 +53,11 @@ constexpr Duration microseconds(std::int64_t n) noexcept { return {n}; }
 constexpr Duration milliseconds(std::int64_t n) noexcept { return {n * 1000}; }
 constexpr Duration seconds(std::int64_t n) noexcept { return {n * 1'000'000}; }
 
-/// A moment: microseconds since an arbitrary beginning, the same for all calls of one object.
+/// A point in time: microseconds since an arbitrary epoch, the same for all calls of one object.
 struct Instant {
   std::int64_t us{};
 
-  /// Later than any moment that can be reached.
+  /// Later than any reachable point in time.
   static const Instant never;
 
   // NOLINTNEXTLINE(modernize-use-nullptr): a false alarm of clang-tidy 14

@@ -1,4 +1,4 @@
-/// The CRC-32 of zip, PNG and Ethernet.
+/// CRC-32 as used by zip, PNG and Ethernet.
 #pragma once
 
 #include <array>

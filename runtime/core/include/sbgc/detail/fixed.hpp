@@ -1,4 +1,4 @@
-/// Reading and writing what has a fixed size.
+/// Reads and writes values of fixed size.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 #include <sbgc/wire.hpp>
 #include <sbgc/wire_size.hpp>
 
-// Not standard, but what all compilers call it.
+// Nonstandard, but supported under this name by all major compilers.
 #define SBGC_RESTRICT __restrict
 
 namespace sbgc::detail {
@@ -25,8 +25,8 @@ constexpr void copy(const std::uint8_t* from, std::uint8_t* to, std::size_t size
   }
 }
 
-/// get() reads a value from the wire_size bytes at `from`, put() writes it to those at `to`. The
-/// caller has checked that they are there. A class, so that each overload sees all others.
+/// get() reads a value from the wire_size bytes at `from`; put() writes one to those at `to`.
+/// Precondition: the buffer has that many bytes. A class, so that each overload sees all others.
 struct Fixed {
   template <wire::Number T>
   static constexpr void get(const std::uint8_t* from, T& value) noexcept {
@@ -117,7 +117,7 @@ struct Fixed {
     put(to, value.bytes);
   }
 
-  // The members of a generated struct or message that have a fixed place.
+  // The fixed-offset members of a generated struct or message.
 
   template <HasFixedMembers T>
   static constexpr void get(const std::uint8_t* from, T& out) noexcept {
@@ -143,7 +143,7 @@ struct Fixed {
     (put_member<layout<M>.in_blocks, layout<M>.places[i]>(to, in, in.*member), ...);
   }
 
-  // In blocks, the first member of each stands for the whole block.
+  // If members are copied in blocks, the first member of each block copies the whole block.
 
   template <bool in_blocks, Place place, class M, class T>
   static constexpr void get_member(const std::uint8_t* from, M& out, T& member) noexcept {

@@ -1,4 +1,4 @@
-/// Where members lie in memory beside where they lie on the wire.
+/// The offsets of members in memory and on the wire.
 #pragma once
 
 #include <array>
@@ -11,24 +11,25 @@
 
 namespace sbgc::detail {
 
-/// A member with a fixed place on the wire.
+/// The offsets of one fixed-offset member.
 struct Place {
   std::size_t wire{};    ///< its offset in the body
   std::size_t memory{};  ///< its offset in the struct
-  /// Bytes of the block that begins with it: of the members that follow each other in memory as
-  /// they do on the wire. 0 inside a block, and for a member that looks different in memory.
+  /// The size of the block that begins with this member: a run of members laid out in memory as on
+  /// the wire. 0 inside a block, and for a member whose bytes differ in memory.
   std::size_t block{};
-  bool same{};  ///< whether its bytes are the same in memory and on the wire
+  bool same{};  ///< true if its bytes are the same in memory and on the wire
 };
 
-/// The places of `n` members, and whether to copy them in blocks, which a compiler seldom finds.
+/// The offsets of `n` members, and whether to copy them in blocks. Compilers seldom merge the
+/// copies themselves.
 template <std::size_t n>
 struct Layout {
   std::array<Place, n> places{};
   bool in_blocks{};
-  bool only_blocks{};         ///< no member differs
-  std::size_t block_count{};  ///< the blocks begin with the first members of `blocks`
-  std::array<std::size_t, n> blocks{};
+  bool only_blocks{};                   ///< true if every member is in a block
+  std::size_t block_count{};            ///< used elements of `blocks`
+  std::array<std::size_t, n> blocks{};  ///< the index of the first member of each block
 };
 
 template <class M, class... T>
@@ -37,7 +38,7 @@ constexpr auto layout_of(TypeList<T...>) noexcept {
   constexpr std::array<std::size_t, count> sizes{sizeof(T)...};
   constexpr std::array<std::size_t, count> alignments{alignof(T)...};
   constexpr std::array<std::size_t, count> wire_sizes{wire_size<T>...};
-  // Types without padding, in which no part is larger than on the wire.
+  // Equal sizes imply equal bytes: no type has padding or a part that is larger than on the wire.
   constexpr std::array<bool, count> same{(sizeof(T) == wire_size<T> && !TaggedUnion<T>)...};
   Layout<count> layout;
   std::size_t memory = 0;
@@ -68,7 +69,7 @@ constexpr auto layout_of(TypeList<T...>) noexcept {
   return layout;
 }
 
-/// The layout of the members with a fixed place; all other members follow them.
+/// The layout of the fixed-offset members, which precede all others.
 template <class M>
 inline constexpr auto layout = layout_of<M>(fixed_types<M>);
 

@@ -1,4 +1,4 @@
-/// Limits of fields at compile time, from the tables of the specification.
+/// Compile-time field limits from the metadata tables.
 #pragma once
 
 #include <cstddef>
@@ -14,20 +14,21 @@ consteval bool is_same_text(const char* a, const char* b) noexcept {
   return false;
 }
 
-/// Not constexpr: a call in a constant expression is an error with this name.
+/// Deliberately not constexpr: calling it in a constant expression is a compile error that names
+/// the problem.
 void no_field_has_this_name();
 
-/// The table of a field of M. Does not compile if there is none.
+/// Returns the metadata of the field `name` of M. Does not compile if M has no such field.
 template <class M>
 consteval const FieldInfo& field_info(const char* name) {
   for (const FieldInfo& field : Meta<M>::fields) {
     if (is_same_text(field.name, name)) return field;
   }
-  no_field_has_this_name();  // stops the compiler
+  no_field_has_this_name();  // a compile error
   return Meta<M>::fields[0];
 }
 
-/// The highest value of a field, as a size.
+/// Returns the highest raw value of a field.
 template <class M>
 consteval std::size_t highest(const char* name) {
   return static_cast<std::size_t>(field_info<M>(name).range->highest);

@@ -1,4 +1,4 @@
-/// Reading what has no fixed place on the wire.
+/// Reads members whose wire offset varies.
 #pragma once
 
 #include <cstddef>
@@ -14,11 +14,11 @@
 
 namespace sbgc::detail {
 
-/// Reads members in the order of the wire. It remembers the first failure; later calls then do
-/// nothing. Writer has the same functions, so that varying_members() serves both.
+/// Reads members in wire order. After the first failure, further calls do nothing. Writer has the
+/// same interface, so that one varying_members() works with both.
 class Reader {
  public:
-  /// Starts at `at` of a body that has at least as many bytes.
+  /// Starts at offset `at` of the body. Precondition: at <= body.size().
   constexpr Reader(std::span<const std::uint8_t> body, std::size_t at) noexcept
       : body_(body), at_(at) {}
 
@@ -42,7 +42,7 @@ class Reader {
     }
   }
 
-  // Several values whose size varies.
+  // Aggregates of values whose size varies.
   template <class T>
     requires(wire_size<T> == 0)
   constexpr void value(Axes<T>& out, const char* field) noexcept {
@@ -59,7 +59,7 @@ class Reader {
     for (T& element : out) value(element, field);
   }
 
-  /// A value that is there if `condition` holds.
+  /// Reads a value that is present if `condition` holds.
   template <class T>
   constexpr void when(bool condition, Optional<T>& out, const char* field) noexcept {
     out.reset();
@@ -67,23 +67,23 @@ class Reader {
     value(out.emplace(), field);
     if (!status_) out.reset();
   }
-  /// The same, but the body may also end before it.
+  /// As above, but the body may end before the value.
   template <class T>
   constexpr void when_or_missing(bool condition, Optional<T>& out, const char* field) noexcept {
     when(condition && body_.size() - at_ >= wire_size<T>, out, field);
   }
-  /// A value that is there if the context says so.
+  /// Reads a value that is present if `condition`, taken from the context, holds.
   template <class T>
   constexpr void when_context(bool condition, Optional<T>& out, const char* field) noexcept {
     when(condition, out, field);
   }
 
-  /// The number of elements that a list has later in the body.
+  /// Reads the element count of a list that comes later in the body.
   template <class T, class List>
   constexpr void count(T& out, const List& /*list*/, const char* field) noexcept {
     value(out, field);
   }
-  /// A list with so many elements.
+  /// Reads a list of `count` elements.
   template <class T, std::size_t n>
   constexpr void counted(BoundedArray<T, n>& out, std::size_t count, const char* field,
                          std::size_t /*least*/ = 0) noexcept {
@@ -98,7 +98,7 @@ class Reader {
     if (!status_) out.clear();
   }
 
-  /// Numbers of announced types, as many as there are bytes for.
+  /// Reads numbers of the announced types, as many as the remaining bytes hold.
   template <std::size_t n>
   constexpr void numbers(BoundedArray<Number, n>& out, const NumberTypes& types,
                          const char* /*field*/) noexcept {
@@ -115,8 +115,8 @@ class Reader {
     }
   }
 
-  /// Everything up to the end of the body, which must be a whole number of elements and at least
-  /// `least` of them.
+  /// Reads elements up to the end of the body. Fails if the remaining bytes are not a whole number
+  /// of elements or hold fewer than `least`.
   template <class T, std::size_t n>
   constexpr void rest(BoundedArray<T, n>& out, const char* field, std::size_t least = 0) noexcept {
     constexpr std::size_t element = wire_size<T>;
@@ -130,20 +130,21 @@ class Reader {
     counted(out, count, field);
   }
 
-  /// Goes to a tagged union, of which the body has all bytes.
+  /// Restricts reading to the tagged union of `size` bytes at `at`. Precondition: the body contains
+  /// all of them.
   constexpr void enter(std::size_t at, std::size_t size) noexcept {
     body_ = {body_.data(), at + size};
     at_ = at;
   }
   constexpr void leave() noexcept {}
 
-  /// The status of the whole body, of which nothing may be left.
+  /// Returns the status of the whole body; fails on trailing bytes.
   constexpr Status end() noexcept {
     if (status_ && at_ != body_.size()) fail(Code::too_long, "");
     return status_;
   }
 
-  /// The status of the whole body; what is left goes to `tail`.
+  /// Returns the status of the whole body; stores trailing bytes in `tail`.
   template <std::size_t n>
   constexpr Status end(BoundedBytes<n>& tail) noexcept {
     rest(tail, "tail");

@@ -1,4 +1,4 @@
-/// Writing what has no fixed place on the wire.
+/// Writes members whose wire offset varies.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@
 
 namespace sbgc::detail {
 
-/// Writes members in the order of the wire; see Reader.
+/// Writes members in wire order; see Reader.
 class Writer {
  public:
-  /// Starts at `at` of a buffer that has at least as many bytes.
+  /// Starts at offset `at` of the buffer. Precondition: at <= out.size().
   constexpr Writer(std::span<std::uint8_t> out, std::size_t at) noexcept : out_(out), at_(at) {}
 
   template <class T>
@@ -37,7 +37,7 @@ class Writer {
     }
   }
 
-  // Several values whose size varies.
+  // Aggregates of values whose size varies.
   template <class T>
     requires(wire_size<T> == 0)
   constexpr void value(const Axes<T>& in, const char* field) noexcept {
@@ -54,14 +54,14 @@ class Writer {
     for (const T& element : in) value(element, field);
   }
 
-  /// A value that must be there if, and only if, `condition` holds. Otherwise a reader would take
-  /// the bytes for something else.
+  /// Writes a value that must be present if and only if `condition` holds. Otherwise a reader would
+  /// misinterpret the bytes.
   template <class T>
   constexpr void when(bool condition, const Optional<T>& in, const char* field) noexcept {
     if (status_ && in.has_value() != condition) return fail(Code::presence_mismatch, field);
     if (in) value(*in, field);
   }
-  /// The same, but the body may also end before it.
+  /// As above, but the body may end before the value.
   template <class T>
   constexpr void when_or_missing(bool condition, const Optional<T>& in,
                                  const char* field) noexcept {
@@ -73,19 +73,19 @@ class Writer {
       missing_field_ = field;
     }
   }
-  /// A value that is there if the context says so, which only a reader knows.
+  /// Writes a value whose presence depends on the context, which only a reader knows.
   template <class T>
   constexpr void when_context(bool /*condition*/, const Optional<T>& in,
                               const char* field) noexcept {
     if (in) value(*in, field);
   }
 
-  /// The number of elements of a list, in a field of type T.
+  /// Writes the element count of a list as a T.
   template <class T, class List>
   constexpr void count(T /*unused*/, const List& list, const char* field) noexcept {
     value(static_cast<T>(list.size()), field);
   }
-  /// A list whose elements have been counted before.
+  /// Writes a list whose element count has already been written.
   template <class T, std::size_t n>
   constexpr void counted(const BoundedArray<T, n>& in, std::size_t /*count*/, const char* field,
                          std::size_t least = 0) noexcept {
@@ -117,19 +117,20 @@ class Writer {
     }
   }
 
-  /// Goes to a tagged union, for which the buffer has room.
+  /// Restricts writing to the tagged union of `size` bytes at `at`. Precondition: the buffer
+  /// contains all of them.
   constexpr void enter(std::size_t at, std::size_t size) noexcept {
     if (!status_) return;
     out_ = {out_.data(), at + size};
     at_ = at;
   }
-  /// Fills what is left of it with zeros.
+  /// Fills the rest of the tagged union with zeros.
   constexpr void leave() noexcept {
     while (status_ && at_ < out_.size()) out_[at_++] = 0;
   }
 
-  /// The size of the body. A value that is missing, followed by so much that a reader would take
-  /// that for it, is a failure.
+  /// Returns the size of the body. Fails if a missing value is followed by enough bytes for a
+  /// reader to mistake them for it.
   constexpr WriteResult end() noexcept {
     if (status_ && at_ >= missing_end_) {
       at_ = missing_at_;

@@ -1,5 +1,5 @@
-/// The single values of a message, one after the other, with all that the tables know about each.
-/// Needs a hosted standard library.
+/// Iterates over the values of a message, each with its metadata. Requires a hosted standard
+/// library.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ namespace sbgc {
 
 enum class LeafKind : std::uint8_t { integer, real, bytes, text, counter };
 
-/// One value of a message. All views are valid during the call only.
+/// One value of a message. All views are valid only during the call.
 struct Leaf {
   const FieldPath& path;
   const FieldInfo& field;
@@ -30,17 +30,17 @@ struct Leaf {
   float real{};                           ///< of a real number
   std::span<const std::uint8_t> bytes{};  ///< of bytes without a meaning as numbers
   std::string_view text{};                ///< of a text
-  // What the value means; at most one of these is there.
-  const UnitInfo* unit{};      ///< the one in force, where a flag or a variable decides
+  // The meaning of the value; at most one of these is set.
+  const UnitInfo* unit{};      ///< the unit in effect, which a flag or a variable may select
   const EnumInfo* names{};     ///< of enum values or flags
-  const PackedInfo* packed{};  ///< of a packed integer
+  const PackedInfo* packed{};  ///< of a packed value
   NumberType announced{};      ///< of a number whose type another message has announced
-  // Its place in the body, as the protocol lays it out.
+  // The position in the body.
   std::size_t offset{};
   std::size_t size{};
 };
 
-/// Whether it is reserved and 0, as it should be.
+/// Returns true if the leaf is reserved and 0, as it should be.
 inline bool is_unused(const Leaf& leaf) {
   if (!leaf.field.reserved) return false;
   for (const std::uint8_t byte : leaf.bytes) {
@@ -49,7 +49,7 @@ inline bool is_unused(const Leaf& leaf) {
   return leaf.integer == 0;
 }
 
-/// The value as on the wire: "-1365", "0.5", "00ff", "\"Drone\"".
+/// Returns the raw value: "-1365", "0.5", "00ff", "\"Drone\"".
 inline std::string raw_text(const Leaf& leaf) {
   switch (leaf.kind) {
     case LeafKind::integer:
@@ -61,7 +61,7 @@ inline std::string raw_text(const Leaf& leaf) {
   return "";
 }
 
-/// The meaning of a value outside the ordinary range, null if it has none.
+/// Returns the meaning of a sentinel; null for any other value.
 inline const char* special_meaning(const Leaf& leaf) {
   if (leaf.kind != LeafKind::integer) return nullptr;
   for (const Special& special : leaf.field.special) {
@@ -70,8 +70,8 @@ inline const char* special_meaning(const Leaf& leaf) {
   return nullptr;
 }
 
-/// What the raw value means: "-30 deg", "MODE_ANGLE", "2.43b9", "use the current profile"; "" if it
-/// says all there is.
+/// Returns the meaning of the raw value: "-30 deg", "MODE_ANGLE", "2.43b9", "use the current
+/// profile"; "" if the number itself is the meaning.
 inline std::string meaning_text(const Leaf& leaf) {
   if (const char* const special = special_meaning(leaf)) return special;
   const auto bits = static_cast<std::uint32_t>(leaf.integer);
@@ -89,8 +89,8 @@ inline std::string meaning_text(const Leaf& leaf) {
   return leaf.announced == NumberType::none ? "" : name(leaf.announced);
 }
 
-/// The value in one piece: its meaning if there is one, else as on the wire. Special values stand
-/// with their meaning in parentheses, as in "21000 (pause)".
+/// Returns the meaning of the value if it has one, else the raw value. A sentinel is followed by
+/// its meaning in parentheses: "21000 (pause)".
 inline std::string value_text(const Leaf& leaf) {
   std::string meaning = meaning_text(leaf);
   if (meaning.empty() || leaf.announced != NumberType::none) return raw_text(leaf);
@@ -98,7 +98,7 @@ inline std::string value_text(const Leaf& leaf) {
   return meaning.find(", ") == std::string::npos ? meaning : '(' + meaning + ')';
 }
 
-/// The path of a value, such as "params[3].param_id".
+/// Returns the path of a value, such as "params[3].param_id".
 inline std::string to_string(const FieldPath& path) {
   char buffer[128];
   return {buffer, path.write(buffer, sizeof buffer)};
@@ -106,8 +106,9 @@ inline std::string to_string(const FieldPath& path) {
 
 namespace detail {
 
-/// Goes through the values in wire order. Built so that the compiler makes a function for each type
-/// of member, not for each member of each message or each use: the reference site downloads it.
+/// Iterates over the values in wire order. Instantiates functions per type of member, not per
+/// member of each message or per use, because code size matters: the reference site downloads this
+/// code.
 class LeafWalk {
  public:
   using Use = void (*)(void* user, const Leaf& leaf);
@@ -122,8 +123,8 @@ class LeafWalk {
  private:
   struct Members {
     LeafWalk& walk;
-    const FieldPath* parent = nullptr;       ///< of the struct itself
-    const VariableInfo* variable = nullptr;  ///< that the last member has named
+    const FieldPath* parent = nullptr;       ///< the path of the struct itself
+    const VariableInfo* variable = nullptr;  ///< the one that the last VariableId names, or null
 
     template <class T>
     void operator()(const FieldInfo& field, const T& member) {
@@ -138,7 +139,7 @@ class LeafWalk {
     }
   };
 
-  /// What an integer means.
+  /// The meaning of an integer.
   struct Meaning {
     const UnitInfo* unit = nullptr;
     const EnumInfo* names = nullptr;
@@ -276,10 +277,10 @@ class LeafWalk {
     use_(user_, leaf);
   }
 
-  /// A number of the message itself, which may decide the unit of a later one.
+  /// A number of the message that may select the unit of a later one.
   struct Remembered {
     const char* name;
-    const char* axis;  ///< "" without one
+    const char* axis;  ///< "" if it has none
     std::int64_t raw;
   };
 
@@ -318,8 +319,8 @@ void call_user(void* user, const Leaf& leaf) {
 
 }  // namespace detail
 
-/// Calls `use(const Leaf&)` for every value of a message or struct, in wire order. A missing member
-/// and an empty tail have none.
+/// Calls `use(const Leaf&)` for every value of a message or struct, in wire order. Skips missing
+/// members and an empty tail.
 template <class T, class User>
 void for_each_leaf(const T& message, User&& use) {
   detail::LeafWalk walk(detail::call_user<std::remove_reference_t<User>>, &use);

@@ -1,4 +1,4 @@
-/// Statuses as text for people. Needs a hosted standard library.
+/// Human-readable text of statuses. Requires a hosted standard library.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ inline constexpr bool is_printable<Status> = true;
 
 inline std::string to_string(Code code) { return name(code); }
 
-/// "note_length: The value does not fit into the field", without a full stop.
+/// Formats a status without a final period: "note_length: The value does not fit into the field".
 inline std::string to_string(const Status& status) {
   std::string sentence = text(status.code);
   sentence.pop_back();

@@ -1,4 +1,4 @@
-/// Single values as text: numbers, units, names. Needs a hosted standard library.
+/// Text of single values: numbers, units, names. Requires a hosted standard library.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 
 namespace sbgc::detail {
 
-/// As printf does with "%.*g", but with a point whatever the locale. (std::to_chars would add a
-/// third to the size of the WebAssembly decoder.)
+/// Formats as printf("%.*g"), but with a decimal point in any locale. (std::to_chars would enlarge
+/// the WebAssembly decoder by a third.)
 inline std::string general_text(double value, int digits) {
   char buffer[32];
   std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
@@ -27,14 +27,14 @@ inline std::string general_text(double value, int digits) {
   return result;
 }
 
-/// A number: integers in full, others with six digits.
+/// Formats a number: integers in full, others with six significant digits.
 inline std::string number_text(double value) {
   const bool is_integer = value > -1e15 && value < 1e15 &&
                           value == static_cast<double>(static_cast<std::int64_t>(value));
   return is_integer ? std::to_string(static_cast<std::int64_t>(value)) : general_text(value, 6);
 }
 
-/// A float of the wire, with as many digits as are needed to tell it from its neighbours.
+/// Formats a float with as many digits as needed to distinguish it from its neighbors.
 inline std::string float_text(float value) {
   for (int digits = 6; digits < 9; ++digits) {
     char buffer[32];
@@ -45,20 +45,20 @@ inline std::string float_text(float value) {
   return general_text(static_cast<double>(value), 9);
 }
 
-/// "-30 deg": a value in its unit, with six digits.
+/// Formats a value in its unit with six significant digits: "-30 deg".
 inline std::string unit_text(double value, const UnitInfo& unit) {
   const std::string number = general_text(value, 6);
   return *unit.name == '\0' ? number : number + ' ' + unit.name;
 }
 
-/// "0x1f".
+/// Formats an integer: "0x1f".
 inline std::string hex_text(std::uint32_t value) {
   char buffer[16];
   std::snprintf(buffer, sizeof buffer, "0x%lx", static_cast<unsigned long>(value));
   return buffer;
 }
 
-/// The name of a value, or "" if it has none.
+/// Returns the name of a value, or "" if it has none.
 inline std::string_view value_name(const EnumInfo& info, std::int64_t value) {
   for (const ValueInfo& known : info.values) {
     if (known.value == value) return known.name;
@@ -66,7 +66,7 @@ inline std::string_view value_name(const EnumInfo& info, std::int64_t value) {
   return "";
 }
 
-/// "NAME | NAME | 0x40"; "" for no bits.
+/// Formats a flag set: "NAME | NAME | 0x40"; "" if no bit is set.
 inline std::string flag_names(const EnumInfo& info, std::uint32_t bits) {
   std::string result;
   const auto add = [&](std::string_view name) {
@@ -89,8 +89,8 @@ inline std::int64_t part_value(const PartInfo& part, std::uint32_t raw) {
   return part.modulo != 0 ? digits % part.modulo : digits;
 }
 
-/// A piece of the display text of a packed integer, with {part} and {part:02} replaced. Says in
-/// `is_zero` whether every part in it is 0.
+/// Replaces {part} and {part:02} in `pattern`, a section of the display text of a packed value.
+/// Sets `is_zero` to true if every part in it is 0.
 inline std::string filled_in(const PackedInfo& info, std::uint32_t raw, std::string_view pattern,
                              bool& is_zero) {
   std::string result;
@@ -119,9 +119,8 @@ inline std::string filled_in(const PackedInfo& info, std::uint32_t raw, std::str
   return result;
 }
 
-/// The display text of a packed integer. What stands in brackets is left out if it holds zeros
-/// only:
-/// "{major}.{minor:02}[b{beta}]" makes 2.43b9, but 2.59 where beta is 0.
+/// Returns the display text of a packed value. A section in brackets is omitted if all its parts
+/// are 0: "{major}.{minor:02}[b{beta}]" yields 2.43b9, but 2.59 if beta is 0.
 inline std::string displayed(const PackedInfo& info, std::uint32_t raw) {
   std::string result;
   std::string_view pattern = info.display;
@@ -139,7 +138,7 @@ inline std::string displayed(const PackedInfo& info, std::uint32_t raw) {
   return result;
 }
 
-/// "RC_MODE_ANGLE", "inverted 1", or "" for an unnamed 0 of an enum.
+/// Formats a part: "RC_MODE_ANGLE", "inverted 1", or "" for an unnamed 0 of an enum.
 inline std::string part_text(const PartInfo& part, std::uint32_t raw) {
   const std::int64_t value = part_value(part, raw);
   const auto plain = [&] { return std::string(part.name) + ' ' + std::to_string(value); };
@@ -150,7 +149,7 @@ inline std::string part_text(const PartInfo& part, std::uint32_t raw) {
   return named.empty() && value != 0 ? plain() : named;
 }
 
-/// A packed integer: "2.43b9", "RC_MODE_ANGLE, inverted 0".
+/// Formats a packed value: "2.43b9", "RC_MODE_ANGLE, inverted 0".
 inline std::string packed_text(const PackedInfo& info, std::uint32_t raw) {
   if (*info.display != '\0') return displayed(info, raw);
   if (info.names != nullptr) {
@@ -166,14 +165,14 @@ inline std::string packed_text(const PackedInfo& info, std::uint32_t raw) {
   return result;
 }
 
-/// A text in quotes, with nothing in it that a terminal would take for a command.
+/// Returns text in quotes, with control characters escaped so that no terminal interprets them.
 inline std::string quoted(std::string_view bytes) {
   const std::string text = to_utf8(bytes);
   std::string result = "\"";
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto c = static_cast<std::uint8_t>(text[i]);
     const auto next = static_cast<std::uint8_t>(i + 1 < text.size() ? text[i + 1] : '\0');
-    const bool is_c1 = c == 0xC2 && next < 0xA0;  // a control character of two bytes
+    const bool is_c1 = c == 0xC2 && next < 0xA0;  // a two-byte control character
     if (c == '"' || c == '\\') {
       result += '\\';
       result += text[i];

@@ -1,29 +1,28 @@
-/// Captures: files that keep what was said on a line, by whom and when.
+/// Captures: files of recorded traffic with times and directions.
 ///
-/// A capture is a sequence of sessions, each a header and then records. It only ever grows: a
-/// record is one write at the end of the file, and who goes on with an existing file adds a
-/// session. So a program that is killed leaves everything but possibly the last record; a torn
-/// record is noticed, and does no harm to a session behind it. Two captures put together are a
-/// capture.
+/// A capture is a sequence of sessions, each a header followed by records. It is append-only: a
+/// record is one write at the end of the file, and continuing an existing file adds a session. If
+/// the writing program is killed, only the last record can be lost. A torn record is detected and
+/// does not affect a later session. The concatenation of two captures is a capture.
 ///
-/// All numbers are little-endian, all checksums CRC-32 (that of zip and PNG).
+/// All numbers are little-endian, all checksums CRC-32 (as in zip and PNG).
 ///
-///     session header, 24 bytes (in later versions, too)
+///     session header, 24 bytes (also in later versions)
 ///       0   8  89 53 42 47 43 0D 0A 1A  (which a transfer as text would damage)
 ///       8   2  version, 1
 ///       10  2  0
-///       12  8  when it began: microseconds since 1970-01-01 UTC
+///       12  8  start time: microseconds since 1970-01-01 UTC
 ///       20  4  checksum of bytes 0 to 19
 ///
 ///     record, 16 + n bytes
 ///       0   1  A5
-///       1   1  kind: 1 from the board, 2 to the board, 3 note; others are to be skipped
+///       1   1  kind: 1 from the board, 2 to the board, 3 note; skip others
 ///       2   2  n
-///       4   8  when: microseconds since the session began, by a clock that never jumps
-///       12  n  the bytes as they were read or written in one go; of a note: UTF-8
+///       4   8  time: microseconds since the start of the session, by a monotonic clock
+///       12  n  the bytes of one read or write; UTF-8 in a note
 ///       12+n 4 checksum of bytes 0 to 11+n
 ///
-/// What is not in a session is damaged, and skipped up to the next session header.
+/// Bytes outside a session are damaged and skipped up to the next session header.
 #pragma once
 
 #include <chrono>
@@ -42,10 +41,10 @@ namespace sbgc::io {
 
 enum class CaptureKind : std::uint8_t { from_board = 1, to_board = 2, note = 3 };
 
-/// Time since the session began.
+/// Time since the start of the session.
 using CaptureTime = std::chrono::microseconds;
 
-/// A session begins.
+/// The start of a session.
 struct CaptureSession {
   std::chrono::sys_time<std::chrono::microseconds> start{};
   std::uint64_t offset{};  ///< of the header in the file
@@ -54,19 +53,19 @@ struct CaptureSession {
 };
 
 struct CaptureRecord {
-  CaptureKind kind{};  ///< may have other values than the named ones
+  CaptureKind kind{};  ///< may have unnamed values
   CaptureTime time{};
   std::span<const std::uint8_t> bytes{};
   std::uint64_t offset{};  ///< of the record in the file
 };
 
-/// Bytes of the file that are neither.
+/// Bytes of the file that are neither a session header nor a record.
 struct CaptureDamage {
   enum class Reason : std::uint8_t {
-    not_a_capture,  ///< the file does not begin as a capture; nothing else follows
-    newer_version,  ///< a session of a version that this program does not know
+    not_a_capture,  ///< the file does not begin as a capture; it is the only item
+    newer_version,  ///< a session of a newer version than this program supports
     torn,           ///< the file ends within a record or header
-    damaged,        ///< a checksum is wrong, or there is something else
+    damaged,        ///< a checksum is wrong, or the bytes are something else
   };
 
   Reason reason{};
@@ -76,28 +75,29 @@ struct CaptureDamage {
   bool operator==(const CaptureDamage&) const = default;
 };
 
-/// "The last 7 bytes are a record that was not completely written."
+/// Returns a sentence: "7 bytes from offset 24 are damaged."
 std::string to_string(const CaptureDamage& damage);
 
 using CaptureItem = std::variant<CaptureSession, CaptureRecord, CaptureDamage>;
 
 inline constexpr std::size_t capture_magic_size = 8;
 
-/// Whether a file that begins with these bytes, at least capture_magic_size, is a capture.
+/// Returns true if a file that begins with these bytes is a capture. Needs at least
+/// capture_magic_size bytes to return true.
 bool is_capture(std::span<const std::uint8_t> begin) noexcept;
-/// Whether these bytes are too few to tell.
+/// Returns true if these bytes are a proper prefix of a capture's magic, so that more are needed.
 bool may_become_capture(std::span<const std::uint8_t> begin) noexcept;
 
-/// Reads a capture that arrives in pieces. Keeps no more than one record and what was fed last;
-/// every byte is looked at a bounded number of times.
+/// An incremental parser of captures. Buffers at most one record and the bytes fed last, and reads
+/// every byte a bounded number of times.
 class CaptureParser {
  public:
-  /// Takes the next bytes of the file.
+  /// Adds the next bytes of the file.
   void feed(std::span<const std::uint8_t> bytes);
-  /// Says that there are no more.
+  /// Marks the end of the file.
   void finish() noexcept { finished_ = true; }
-  /// The next item; nothing if more bytes are needed, or at the end. Its bytes are valid until the
-  /// next call of anything.
+  /// Returns the next item; nullopt if more bytes are needed or at the end. Its bytes are valid
+  /// until the next call of any member.
   std::optional<CaptureItem> next();
 
  private:
@@ -116,10 +116,10 @@ class CaptureParser {
   }
 
   std::vector<std::uint8_t> buffer_;
-  std::size_t position_ = 0;  // of what is next, in the buffer
-  std::uint64_t offset_ = 0;  // and in the file
+  std::size_t position_ = 0;  // of the next byte in the buffer
+  std::uint64_t offset_ = 0;  // of the next byte in the file
   bool finished_ = false;
-  std::optional<CaptureDamage> damage_;  // while a session is looked for
+  std::optional<CaptureDamage> damage_;  // set while searching for a session
 };
 
 /// Writes a capture.
@@ -134,22 +134,22 @@ class CaptureWriter {
   CaptureWriter& operator=(const CaptureWriter&) = delete;
   ~CaptureWriter();
 
-  /// Begins a session at the time `now`, in a new file or at the end of a capture. Errc::busy if
-  /// another program writes it, Errc::not_a_capture for a file with anything else in it, or the
+  /// Begins a session at time `now`, in a new file or at the end of a capture. Returns Errc::busy
+  /// if another program is writing it, Errc::not_a_capture if the file has other content, or the
   /// error of the system.
   Error open(const std::string& path, Clock::time_point now = Clock::now());
 
-  /// Begins a session on a descriptor that is open for writing, such as the standard output; the
-  /// caller keeps it. `name` is what errors call it. A write that waits for a reader fails when a
+  /// Begins a session on a descriptor that is open for writing, such as standard output; the caller
+  /// keeps ownership. Error messages contain `name`. A write that waits for a reader fails if a
   /// signal interrupts it.
   Error open(int descriptor, const std::string& name, Clock::time_point now = Clock::now());
 
-  /// Adds what was read or written at `now`; what is longer than 65535 bytes becomes several
-  /// records. After the first failure nothing is written any more, and its error is returned.
+  /// Adds the bytes read or written at `now`; more than 65535 bytes become several records. After
+  /// the first failure, writes nothing and returns that error.
   const Error& write(CaptureKind kind, std::span<const std::uint8_t> bytes, Clock::time_point now);
   const Error& write_note(std::string_view text, Clock::time_point now);
 
-  /// The first failure, if there was one.
+  /// Returns the first failure, if there was one.
   const Error& error() const noexcept { return error_; }
 
  private:

@@ -1,4 +1,4 @@
-/// The clock of this machine, for what has its time handed in.
+/// The clock of this machine, converted to the time types of the library.
 #pragma once
 
 #include <chrono>
@@ -17,7 +17,7 @@ constexpr Instant from_chrono(Clock::time_point time) noexcept {
   return {from_chrono(time.time_since_epoch()).us};
 }
 
-/// What lies beyond the clock's range becomes the end of its range.
+/// Saturates to the range of the clock.
 constexpr Clock::duration to_chrono(Duration duration) noexcept {
   using std::chrono::microseconds;
   constexpr Duration least = {std::chrono::ceil<microseconds>(Clock::duration::min()).count()};

@@ -13,7 +13,7 @@ using sbgc::default_line;
 using sbgc::LineSettings;
 using sbgc::Parity;
 
-/// "115200 8N1".
+/// Formats line settings: "115200 8N1".
 std::string to_string(const LineSettings& settings);
 
 /// Control over the line of a transport that has one. Calls do not block.
@@ -24,15 +24,15 @@ class LineControl {
   LineControl& operator=(const LineControl&) = delete;
   virtual ~LineControl() = default;
 
-  /// Changes the settings, reads them back and discards what has been received but not read.
-  /// Bytes that are still being sent may be garbled. Errc::line_refused if the port does something
-  /// else than was asked for; the settings are then those of current().
+  /// Changes the settings, reads them back and discards bytes received but not read. Bytes still
+  /// being sent may be garbled. Returns Errc::line_refused if the port uses other settings than
+  /// requested; they are then those of current().
   virtual Error set(const LineSettings& settings) = 0;
 
-  /// The settings that are in force, as last read from the device.
+  /// Returns the current settings, as last read from the device.
   virtual LineSettings current() const = 0;
 
-  /// Discards what has been received but not read, and what was written but not sent.
+  /// Discards bytes received but not read, and bytes written but not sent.
   virtual Error flush() = 0;
 };
 

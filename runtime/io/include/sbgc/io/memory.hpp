@@ -1,4 +1,4 @@
-/// Two transports that are connected to each other in memory.
+/// Two transports connected in memory.
 #pragma once
 
 #include <cstddef>
@@ -15,34 +15,34 @@
 
 namespace sbgc::io {
 
-/// What a receiver gets of bytes that were sent back to back with other line settings than its own.
+/// Returns the bytes that a receiver gets if they were sent back to back with different line
+/// settings.
 using LineMismatch = std::function<std::vector<std::uint8_t>(
     std::span<const std::uint8_t> bytes, const LineSettings& sender, const LineSettings& receiver)>;
 
 struct MemoryOptions {
-  /// Bytes each way that may be written but not read; a write completes when all its bytes are
-  /// among them. At least 1.
+  /// The number of bytes that may be buffered in each direction; a write completes when all its
+  /// bytes are buffered. At least 1.
   std::size_t capacity = 65536;
-  /// The most bytes that one read delivers. At least 1.
+  /// The maximum number of bytes that one read delivers. At least 1.
   std::size_t max_read = std::numeric_limits<std::size_t>::max();
   /// Both ends have a LineControl.
   bool with_line = false;
-  /// What arrives of bytes written while the settings of the two ends differ; without it, nothing
-  /// does.
+  /// Maps bytes written while the line settings of the two ends differ; if empty, none arrive.
   LineMismatch mismatch{};
 };
 
-/// What one end writes, the other reads. When an end is closed, the other reads what was written
-/// before, then Errc::end_of_stream; its writes end with Errc::end_of_stream at once.
+/// Each end reads what the other writes. When an end is closed, the other reads the bytes written
+/// before, then Errc::end_of_stream; its writes fail with Errc::end_of_stream immediately.
 struct MemoryPair {
   std::unique_ptr<Transport> first;
   std::unique_ptr<Transport> second;
 };
 
-/// Both ends on one executor: on a single thread everything happens in the same order each time.
+/// Both ends on one executor: on a single thread, the order of events is deterministic.
 MemoryPair make_memory_pair(const asio::any_io_executor& executor,
                             const MemoryOptions& options = {});
-/// Each end on an executor of its own; they may run on different threads.
+/// Each end on its own executor; they may run on different threads.
 MemoryPair make_memory_pair(const asio::any_io_executor& first, const asio::any_io_executor& second,
                             const MemoryOptions& options = {});
 

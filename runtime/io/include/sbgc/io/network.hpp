@@ -1,4 +1,4 @@
-/// Gimbals behind a network: a serial server, or a radio link that speaks UDP.
+/// Transports over a network, such as a serial server or a radio link that uses UDP.
 #pragma once
 
 #include <chrono>
@@ -11,16 +11,15 @@
 
 namespace sbgc::io {
 
-/// Connects within `timeout`, which includes looking up the name; blocks until then. Small writes
-/// go out at once.
+/// Connects to a host. Blocks for at most `timeout`, including the name lookup. Small writes are
+/// sent immediately (TCP_NODELAY).
 OpenResult open_tcp(const asio::any_io_executor& executor, const std::string& host,
                     std::uint16_t port,
                     std::chrono::milliseconds timeout = std::chrono::seconds(5));
 
-/// A socket that talks to one peer only. Datagrams are taken for a stream of bytes: what is lost on
-/// the way is missing in it. Nothing is sent to open it, so that a peer that is not there shows
-/// later only: as Errc::refused if its machine says so, else as silence. Blocks while the name is
-/// looked up.
+/// Opens a socket that communicates with one peer. Datagrams are treated as a byte stream: lost
+/// ones are missing in it. Opening sends nothing, so an absent peer is noticed only later: as
+/// Errc::refused if its machine reports it, else as silence. Blocks during the name lookup.
 OpenResult open_udp(const asio::any_io_executor& executor, const std::string& host,
                     std::uint16_t port,
                     std::chrono::milliseconds timeout = std::chrono::seconds(5));

@@ -1,4 +1,4 @@
-/// Addresses of gimbals as people write them.
+/// Addresses of gimbals as text.
 #pragma once
 
 #include <chrono>
@@ -38,7 +38,7 @@ struct UdpAddress {
   bool operator==(const UdpAddress&) const = default;
 };
 
-/// "pty:", a new pseudo-terminal that stays open; description() tells its path.
+/// "pty:", a new pseudo-terminal that stays open; description() contains its path.
 struct PtyAddress {
   bool operator==(const PtyAddress&) const = default;
 };
@@ -59,15 +59,16 @@ struct AddressResult {
   explicit operator bool() const noexcept { return !error; }
 };
 
-/// Errc::bad_address if it is malformed; the message says what is wrong and what is right.
+/// Parses an address. Returns Errc::bad_address if it is malformed; the message explains the error
+/// and the correct syntax.
 AddressResult parse_address(std::string_view text);
 
 struct OpenOptions {
-  /// For looking up names and connecting.
+  /// For name lookups and connecting.
   std::chrono::milliseconds timeout = std::chrono::seconds(5);
 };
 
-/// Opens what the address names. Blocks, no longer than options.timeout; never throws.
+/// Opens the transport at `address`. Blocks for at most options.timeout; never throws.
 OpenResult open(const asio::any_io_executor& executor, std::string_view address,
                 const OpenOptions& options = {});
 OpenResult open(const asio::any_io_executor& executor, const Address& address,

@@ -10,7 +10,7 @@
 
 namespace sbgc::io {
 
-/// What a USB device says about itself; texts are empty if it says nothing.
+/// The description that a USB device reports; texts it does not report are empty.
 struct UsbInfo {
   std::uint16_t vendor_id{};
   std::uint16_t product_id{};
@@ -20,14 +20,14 @@ struct UsbInfo {
 };
 
 struct PortInfo {
-  std::string name;            ///< what open_serial() takes: "/dev/ttyUSB0"
-  std::string description;     ///< for people, may be empty
-  std::optional<UsbInfo> usb;  ///< only of ports behind USB
+  std::string name;            ///< for open_serial(): "/dev/ttyUSB0"
+  std::string description;     ///< for the user, may be empty
+  std::optional<UsbInfo> usb;  ///< only of USB ports
 };
 
 struct PortList {
   std::vector<PortInfo> ports;  ///< sorted by name, numbers by value
-  Error error;                  ///< if the system does not tell
+  Error error;                  ///< if the system cannot list its ports
 };
 
 PortList list_ports();

@@ -1,4 +1,4 @@
-/// Pseudo-terminals: a serial port that a program plays.
+/// Pseudo-terminals: serial ports simulated by a program.
 #pragma once
 
 #include <memory>
@@ -12,19 +12,20 @@
 
 namespace sbgc::io {
 
-/// The playing side. The other side is opened by path(), like any serial port.
+/// The simulating side. The other side is opened by path(), like any serial port.
 class PseudoTerminal : public Transport {
  public:
-  /// What the other side opens, e.g. "/dev/pts/7".
+  /// Returns the path that the other side opens, e.g. "/dev/pts/7".
   virtual std::string path() const = 0;
 
-  /// The settings of the other side. Nothing on the way depends on them, and there is no parity.
+  /// Returns the settings of the other side. They do not affect the transfer, and there is no
+  /// parity.
   virtual std::optional<LineSettings> other_line() const = 0;
 };
 
 struct PseudoTerminalOptions {
-  /// false: when the other side closes, reads and writes end with Errc::device_lost. true: programs
-  /// may come and go, and bytes that nobody reads are lost, as on a real line.
+  /// false: when the other side closes, reads and writes fail with Errc::device_lost. true:
+  /// programs may open and close it, and bytes that no program reads are lost, as on a real line.
   bool stays_open = false;
 };
 
@@ -35,7 +36,7 @@ struct PseudoTerminalResult {
   explicit operator bool() const noexcept { return transport != nullptr; }
 };
 
-/// Makes a new pseudo-terminal, transparent for bytes from the start.
+/// Opens a new pseudo-terminal in raw mode.
 PseudoTerminalResult open_pseudo_terminal(const asio::any_io_executor& executor,
                                           const PseudoTerminalOptions& options = {});
 

@@ -1,4 +1,4 @@
-/// Records a conversation while it goes on.
+/// Records the traffic of a transport.
 #pragma once
 
 #include <chrono>
@@ -11,15 +11,16 @@
 namespace sbgc::io {
 
 struct RecorderOptions {
-  /// Called once if the file can not be written any more. The conversation goes on regardless.
+  /// Called once if writing the file fails. The transport continues without recording.
   std::function<void(const Error&)> on_error{};
   std::function<CaptureWriter::Clock::time_point()> now = [] {
     return CaptureWriter::Clock::now();
   };
 };
 
-/// `inner`, with everything that passes written to `file`: what is read when it arrives, what is
-/// written when it is handed over, and as notes what it is, changes of the line, and how it ends.
+/// Returns a transport that forwards to `inner` and records its traffic in `file`: bytes read when
+/// they arrive, bytes written when they are passed in, and as notes the description, line changes
+/// and final errors.
 std::unique_ptr<Transport> record(std::unique_ptr<Transport> inner, CaptureWriter file,
                                   RecorderOptions options = {});
 

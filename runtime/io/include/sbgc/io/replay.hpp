@@ -1,4 +1,4 @@
-/// Plays a capture as if the board were there.
+/// Replays a capture in place of a board.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 namespace sbgc::io {
 
 enum class ReplayTiming : std::uint8_t {
-  original,  ///< as long after the first read as it was after the start; no pause between sessions
+  original,  ///< at the recorded time after the first read; no pause between sessions
   fast,      ///< as fast as it is read
 };
 
-/// What the board said, in the pieces in which it was received. What is written is ignored. The end
-/// of the file is Errc::end_of_stream, and so is what can not be read. A file that is no capture is
-/// taken for raw bytes of the board.
+/// Opens a transport that delivers the bytes from the board in the recorded pieces and ignores
+/// writes. At the end of the file, or at a read error, reads fail with Errc::end_of_stream. A file
+/// that is not a capture is treated as raw bytes from the board.
 OpenResult open_replay(const asio::any_io_executor& executor, const std::string& path,
                        ReplayTiming timing = ReplayTiming::original);
 

@@ -12,20 +12,20 @@
 
 namespace sbgc::io {
 
-/// Opens a serial port for this program alone, transparent for bytes, and discards what has been
-/// received before. Settings are verified by reading them back. The transport's line() changes
-/// them; a device that goes away is Errc::device_lost. Does not block.
+/// Opens a serial port exclusively in raw mode, and discards bytes received before. Verifies the
+/// settings by reading them back; the transport's line() changes them. A device that is unplugged
+/// is Errc::device_lost. Does not block.
 OpenResult open_serial(const asio::any_io_executor& executor, const std::string& path,
                        const LineSettings& settings = default_line);
 
-/// Who may open a device, for permission_error().
+/// The permissions of a device, for permission_error().
 struct DeviceOwner {
   std::string group;            ///< the owning group, e.g. "dialout"
   bool group_may_open = false;  ///< the group may read and write
-  bool is_member = false;       ///< the user is in the group, although this program may not be yet
+  bool is_member = false;       ///< the user is in the group, even if this login session is not
 };
 
-/// The error for a device that may not be opened, with what to do about it.
+/// Returns the error for a device that the user may not open, including a remedy.
 Error permission_error(const std::string& path, const DeviceOwner& owner);
 
 }  // namespace sbgc::io

@@ -1,4 +1,4 @@
-/// What a session is told and what it reports.
+/// The options, results and events of a session.
 #pragma once
 
 #include <compare>
@@ -15,80 +15,80 @@
 
 namespace sbgc {
 
-/// Stands for one request of a session, from send() to its `completed` event. Never used again.
+/// Identifies a request of a session, from send() to its `completed` event. Never reused.
 struct Handle {
-  std::uint64_t number{};  ///< 0: no request; later ones have greater numbers
+  std::uint64_t number{};  ///< 0: no request; later requests have greater numbers
 
   // NOLINTNEXTLINE(modernize-use-nullptr): a false alarm of clang-tidy 14
   constexpr auto operator<=>(const Handle&) const = default;
   constexpr explicit operator bool() const noexcept { return number != 0; }
 };
 
-/// How a request ended.
+/// The outcome of a request.
 enum class Outcome : std::uint8_t {
-  none,         ///< not yet: the event completes nothing
-  answered,     ///< the answer is in the event
-  confirmed,    ///< every confirmation has come; the last one is in the event
-  sent,         ///< written; the board need not say anything
-  unconfirmed,  ///< written; the confirmation that was hoped for has not come
-  failed,       ///< the board answered or confirmed that it failed; see the event's frame
+  none,         ///< the event does not complete a request
+  answered,     ///< the board answered; the event has the response
+  confirmed,    ///< all confirmations arrived; the event has the last one
+  sent,         ///< written; no response is required
+  unconfirmed,  ///< written; the expected but optional confirmation did not arrive
+  failed,       ///< a response or confirmation reports failure; see the event's frame
   board_error,  ///< the board reported an error instead; see the event's frame
-  timeout,      ///< nothing came in time, after all attempts; or the request's own deadline passed
+  timeout,      ///< no response in time after all attempts, or the request's deadline passed
   reset,        ///< the board announced a restart first
   cancelled,    ///< by cancel()
   link_lost,    ///< by abandon()
 };
 
-/// What happened.
+/// The kind of an event.
 enum class EventKind : std::uint8_t {
-  completed,     ///< a request is over: once for every request that send() took
+  completed,     ///< a request has ended; once for every request that send() accepted
   confirmation,  ///< a confirmation; for a request with `handle`, the last one just before it
                  ///< completes
-  board_error,   ///< an error that cannot be assigned to a request
+  board_error,   ///< an error that cannot be matched to a request
   stream,        ///< a sample of a data stream that this session has started
   unsolicited,   ///< any other message that no request waits for
   reset,         ///< the board is about to restart; the requests complete right after
 };
 
-/// One thing that happened. `frame` is a view, valid during the call.
+/// An event of a session. `frame` is a view, valid only during the call.
 struct Event {
   EventKind kind{};
-  Handle handle{};              ///< the request it is about, if any
+  Handle handle{};              ///< the request that it concerns, if any
   Outcome outcome{};            ///< of `completed`
   std::uint8_t command{};       ///< id of the request's command, or of the one that the board names
-  std::uint8_t confirmation{};  ///< of `confirmation`: which one it is, from 1
-  std::uint8_t confirmations{};  ///< of `confirmation`: how many there will be
-  bool is_late{};                ///< it belongs to a request that is over
-  bool may_be_sample{};          ///< of `completed`: a stream of the same message is running, too
-  Frame frame{};                 ///< what the board said; id 0 if nothing
+  std::uint8_t confirmation{};  ///< of `confirmation`: its number, from 1
+  std::uint8_t confirmations{};  ///< of `confirmation`: the expected number of them
+  bool is_late{};                ///< a late reply
+  bool may_be_sample{};          ///< of `completed`: a stream of the same message is also running
+  Frame frame{};                 ///< from the board; id 0 if there is none
 };
 
-/// Whether send() took a request.
+/// The status of send().
 enum class SendStatus : std::uint8_t {
   ok,
-  queue_full,        ///< there are as many requests as the session can hold
+  queue_full,        ///< the session has no room for another request
   not_encodable,     ///< see the result's `encoding`
-  over_budget,       ///< the data stream would take too much of the line
-  too_many_streams,  ///< the board, or the session, has no room for another data stream
+  over_budget,       ///< the data stream would use too much of the line's bandwidth
+  too_many_streams,  ///< the board or the session has no room for another data stream
 };
 
-/// What send() reports: a handle if the status is ok.
+/// The result of send(): a handle if the status is ok.
 struct SendResult {
   Handle handle{};
   SendStatus status{};
-  Status encoding{};  ///< why it was not_encodable
+  Status encoding{};  ///< the reason for not_encodable
 
   constexpr explicit operator bool() const noexcept { return status == SendStatus::ok; }
 };
 
-/// How one request is to be treated.
+/// Options of one request.
 struct SendOptions {
-  /// Wait for a confirmation that need not come: `confirmed` or `unconfirmed` instead of `sent`.
+  /// Wait for an optional confirmation: complete with `confirmed` or `unconfirmed`, not `sent`.
   bool expect_confirmation = false;
-  bool ignore_budget = false;         ///< start a data stream whatever it takes of the line
-  std::uint8_t attempts = 0;          ///< most transmissions, if a retry is safe; 0: as the session
-  Duration timeout{};                 ///< of each transmission; 0: as the specification says
-  Instant deadline = Instant::never;  ///< completes with `timeout` at this moment, sent or not
+  bool ignore_budget = false;  ///< start a data stream regardless of its bandwidth
+  std::uint8_t attempts = 0;   ///< maximum transmissions if a retry is safe; 0: the session's
+  Duration timeout{};          ///< of each transmission; 0: that of the response policy
+  Instant deadline = Instant::never;  ///< completes with `timeout` at this time, sent or not
 };
 
 /// The pause after each command, so that the board's input buffer does not overflow.
@@ -97,38 +97,38 @@ struct PacingOptions {
   Duration longest = milliseconds(longest_pause_ms);    ///< after the largest
 };
 
-/// How a session works. The defaults are right for a serial line whose speed is not known.
+/// Options of a session. The defaults suit a serial line of unknown speed.
 struct SessionOptions {
-  LineSettings line{};                ///< what sending and receiving take; 0 baud: no time
+  LineSettings line{};                ///< for transmission times; at 0 baud, these are 0
   PacingOptions pacing{};             ///< both 0: none
-  std::uint8_t attempts = 3;          ///< most transmissions of a request whose retry is safe
-  Duration late = milliseconds(500);  ///< how late a response may still come
-  Duration duplicates{};              ///< how long a frame may come again (UDP); 0: never
+  std::uint8_t attempts = 3;          ///< maximum transmissions of a request whose retry is safe
+  Duration late = milliseconds(500);  ///< how late a response may still arrive
+  Duration duplicates{};              ///< how long a duplicate frame may arrive (UDP); 0: never
   Duration idle = milliseconds(100);  ///< silence that ends an incomplete frame
-  std::uint8_t stream_percent = 80;   ///< of the line, that data streams may take
+  std::uint8_t stream_percent = 80;   ///< the share of the line that data streams may use
 };
 
-/// Counts since the construction of a session.
+/// Counters of a session since its construction.
 struct SessionStatistics {
   ParserCounters parser{};      ///< frames and noise received
   std::uint64_t sent_frames{};  ///< retries included
   std::uint64_t sent_bytes{};
   std::uint64_t retries{};
   std::uint64_t timeouts{};      ///< transmissions without a response
-  std::uint64_t late_replies{};  ///< responses to requests that were over
+  std::uint64_t late_replies{};  ///< responses to requests that had ended
   std::uint64_t unsolicited{};
   std::uint64_t board_errors{};
   std::uint64_t resets{};
-  std::uint64_t refused{};  ///< requests that send() did not take
+  std::uint64_t refused{};  ///< requests that send() did not accept
 };
 
-/// How much of the line the data streams take, in bytes a second.
+/// The bandwidth used by data streams, in bytes per second.
 struct StreamUsage {
   std::uint32_t used{};
-  std::uint32_t limit{};  ///< 0: not limited
+  std::uint32_t limit{};  ///< 0: unlimited
 };
 
-/// What poll() wants: these bytes written now, and the next call at `deadline` at the latest.
+/// The result of poll(): write these bytes now, and call poll() again at `deadline` at the latest.
 struct Output {
   std::span<const std::uint8_t> bytes{};  ///< a view, valid until the next poll()
   Instant deadline = Instant::never;

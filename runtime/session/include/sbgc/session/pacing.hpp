@@ -1,4 +1,4 @@
-/// When the next command may be sent.
+/// Pauses between commands.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,9 @@
 
 namespace sbgc::detail {
 
-/// The pause after a command with these frame sizes: longer for larger ones, as the protocol asks,
-/// and never shorter than the response takes on the line, lest the board's output buffer fill up.
+/// Returns the pause after a command with these frame sizes: longer for larger frames, as the
+/// protocol requires, and never shorter than the response takes on the line, so that the board's
+/// output buffer does not overflow.
 constexpr Duration pause_after(const SessionOptions& options, std::size_t request_size,
                                std::size_t response_size) noexcept {
   const auto [shortest, longest] = options.pacing;

@@ -12,39 +12,40 @@
 
 namespace sbgc::detail {
 
-///             send()          poll()               all has come, or its time is over
+///             send()          poll()               all responses received, or timed out
 ///     free ----------> queued ------> in_flight ------------------------------------> free
 ///                                      |     ^
 ///          the attempt has timed out   v     |   poll()
 ///                                      resend
 ///
-/// Cancelling, a deadline, a reset of the board and the loss of the link free a request from any
-/// state. What was sent and may still be answered then becomes a late reply.
+/// Cancellation, a deadline, a reset of the board and the loss of the link free a request from any
+/// state. Responses to a request that was already sent then become late replies.
 enum class RequestState : std::uint8_t { free, queued, in_flight, resend };
 
 struct SessionRequest {
   RequestState state{};
-  Handle handle{};          // none when free
+  Handle handle{};          // 0 if free
   ResponsePolicy policy{};  // its `stream` is a change that the session has noted, or none
-  bool awaits_response{};   // else it ends when it is sent
+  bool awaits_response{};   // false: completes when it is sent
   std::uint8_t attempts{};  // transmissions left
   std::uint8_t transmissions{};
   std::uint8_t confirmations{};
   std::uint16_t size{};  // of the frame
   Duration timeout{};
-  Duration finish{};       // for the last confirmation
-  Instant sent_at{};       // when the response could have come over the line
-  Instant confirmed_at{};  // last
+  Duration finish{};       // timeout of the last confirmation
+  Instant sent_at{};       // when the response could have arrived over the line
+  Instant confirmed_at{};  // the last confirmation
   Instant attempt_end = Instant::never;
   Instant deadline = Instant::never;
   std::array<std::uint8_t, max_frame_size> frame{};
 
   constexpr bool is_open() const noexcept { return state != RequestState::free; }
 
-  /// Whether it has been sent, so that a response can belong to it.
+  /// Returns true if the request has been sent, so that a response can match it.
   constexpr bool is_in_flight() const noexcept { return state >= RequestState::in_flight; }
 
-  /// Queues the request whose frame is in `frame`; `most_attempts` if the options say nothing else.
+  /// Queues the request whose frame is in `frame`. `most_attempts` applies unless the options
+  /// override it.
   constexpr void open(Handle new_handle, std::size_t frame_size, const ResponsePolicy& new_policy,
                       const SendOptions& options, std::uint8_t most_attempts) noexcept {
     state = RequestState::queued;
@@ -54,7 +55,7 @@ struct SessionRequest {
     const bool may_be_confirmed = policy.responses.confirmed != Confirmed::never;
     awaits_response = is_certain || (options.expect_confirmation && may_be_confirmed);
     if (options.attempts != 0) most_attempts = options.attempts;
-    // A confirmation that is only possible may be missing: that is no reason to send again.
+    // A merely possible confirmation may be missing, which is no reason to resend.
     attempts = is_certain && policy.retry_is_safe && most_attempts != 0 ? most_attempts : 1;
     transmissions = confirmations = 0;
     size = static_cast<std::uint16_t>(frame_size);
@@ -75,7 +76,7 @@ struct SessionRequest {
 struct Transmission {
   Handle handle{};
   Responses responses{};
-  Duration pause{};          // after it
+  Duration pause{};          // after the frame
   Duration response_time{};  // of the response on the line
   Duration finish{};
 };

@@ -1,4 +1,4 @@
-/// The data streams that a session has started, and what they take of the line.
+/// The data streams that a session has started, and their bandwidth.
 #pragma once
 
 #include <array>
@@ -12,7 +12,8 @@
 
 namespace sbgc::detail {
 
-/// Bytes a second that a stream takes, frames included, rounded up; 0 for one that ends.
+/// Returns the bandwidth of a stream in bytes per second, including framing, rounded up; 0 for one
+/// that ends.
 constexpr std::uint32_t stream_load(const StreamChange& stream) noexcept {
   if (stream.interval_us == 0) return 0;
   const std::uint64_t bytes = Framing::frame_size(stream.size) * std::uint64_t{1'000'000};
@@ -21,27 +22,27 @@ constexpr std::uint32_t stream_load(const StreamChange& stream) noexcept {
   return static_cast<std::uint32_t>(load < most ? load : most);
 }
 
-/// The streams by command and config. A change counts from the moment it is asked for, with what it
-/// takes before or after, whichever is more, until settle() says whether it was made.
+/// The streams by command and config. From ask() until settle(), a change counts with the larger of
+/// the bandwidths before and after it.
 template <std::size_t capacity>
 class Streams {
  public:
-  /// Whether a change fits: ok, over_budget or too_many_streams. `limit` 0 is none.
+  /// Returns ok if a change fits, else over_budget or too_many_streams. `limit` 0 means no limit.
   constexpr SendStatus check(const StreamChange& change, std::uint32_t limit) const noexcept {
     const std::uint32_t load = stream_load(change);
     if (load == 0) return SendStatus::ok;
     const std::size_t place = find(change);
     if (place == capacity) return SendStatus::too_many_streams;
     const std::uint32_t before = place < size_ ? streams_[place].taken() : 0;
-    // Less than before always fits.
+    // A decrease always fits.
     if (limit != 0 && load > before && std::uint64_t{used()} - before + load > limit) {
       return SendStatus::over_budget;
     }
     return SendStatus::ok;
   }
 
-  /// Notes a change that check() allows and that has been asked for. False, and nothing is to be
-  /// settled, if there is no room: it ends a stream that is not known.
+  /// Records a requested change that check() allows. Returns false if there is no room, because the
+  /// change ends an unknown stream; settle() must not be called for it then.
   constexpr bool ask(const StreamChange& change) noexcept {
     const std::size_t place = find(change);
     if (place == capacity) return false;
@@ -56,7 +57,7 @@ class Streams {
     return true;
   }
 
-  /// Says whether the board has made a change that ask() has noted.
+  /// Completes a change recorded by ask(); `done` is true if the board has made it.
   constexpr void settle(const StreamChange& change, bool done) noexcept {
     const std::size_t place = find(change);
     if (place == size_) return;
@@ -67,7 +68,7 @@ class Streams {
     if (stream.load == 0) stream = streams_[--size_];
   }
 
-  /// Whether a running stream, or one that is being started, consists of this message.
+  /// Returns true if a stream that is running or being started consists of this message.
   constexpr bool has(std::uint8_t command) const noexcept {
     for (std::size_t i = 0; i < size_; ++i) {
       if (streams_[i].command == command) return true;
@@ -75,7 +76,7 @@ class Streams {
     return false;
   }
 
-  /// Whether the frame has just the size of a stream's samples.
+  /// Returns true if the frame has exactly the size of a stream's samples.
   constexpr bool has_size_of_sample(const Frame& frame) const noexcept {
     for (std::size_t i = 0; i < size_; ++i) {
       if (streams_[i].command == frame.id && streams_[i].size == frame.body.size()) return true;
@@ -83,7 +84,7 @@ class Streams {
     return false;
   }
 
-  /// Bytes a second that all of them take.
+  /// Returns the total bandwidth in bytes per second.
   constexpr std::uint32_t used() const noexcept {
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < size_; ++i) sum += streams_[i].taken();
@@ -91,7 +92,7 @@ class Streams {
     return static_cast<std::uint32_t>(sum < most ? sum : most);
   }
 
-  /// The board runs none any more, but may still make the changes that are not settled.
+  /// Stops all streams. The board may still make the changes that are not settled.
   constexpr void stop() noexcept {
     for (std::size_t i = size_; i-- > 0;) {
       streams_[i].load = 0;
@@ -99,7 +100,7 @@ class Streams {
     }
   }
 
-  /// Forgets the changes that are not settled, too.
+  /// Removes all streams, including changes that are not settled.
   constexpr void clear() noexcept { size_ = 0; }
 
  private:
@@ -107,14 +108,14 @@ class Streams {
     std::uint8_t command{};
     std::uint8_t size{};
     std::array<std::uint8_t, max_stream_config> config{};
-    std::uint32_t load{};     // as the board has confirmed it
-    std::uint32_t asked{};    // the most of the changes that are not settled
-    std::uint32_t changes{};  // not settled
+    std::uint32_t load{};     // confirmed by the board
+    std::uint32_t asked{};    // the maximum of the changes not settled
+    std::uint32_t changes{};  // the number of changes not settled
 
     constexpr std::uint32_t taken() const noexcept { return load < asked ? asked : load; }
   };
 
-  /// The place of the stream that a change is about, else the first free one.
+  /// Returns the index of the stream that a change concerns, else the first free one.
   constexpr std::size_t find(const StreamChange& change) const noexcept {
     std::size_t i = 0;
     while (i < size_ &&

@@ -1,4 +1,4 @@
-/// Whatever Asio can read and write as a stream, as a Transport.
+/// A Transport over any Asio stream.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,8 @@
 
 namespace sbgc::io::detail {
 
-/// `translate` turns an error of the system into what Transport promises. `Interface` is Transport
-/// or derived from it.
+/// `translate` maps system errors to those that Transport specifies. `Interface` is Transport or
+/// derived from it.
 template <class Stream, class Interface = Transport>
 class StreamTransport : public Interface {
  public:
@@ -46,7 +46,7 @@ class StreamTransport : public Interface {
   asio::any_io_executor executor() override { return state_->stream.get_executor(); }
 
  protected:
-  /// Outlives the transport while something is under way.
+  /// Outlives the transport while an operation is pending.
   struct State : std::enable_shared_from_this<State> {
     State(Stream s, Translate t) : stream(std::move(s)), translate(t) {}
 
@@ -59,7 +59,7 @@ class StreamTransport : public Interface {
     auto finisher(Handler handler) {
       return [self = this->shared_from_this(), handler = std::move(handler)](std::error_code error,
                                                                              std::size_t size) {
-        // A write that was half done when it was closed finds a closed stream.
+        // A partial write fails on the closed stream with another error.
         if (error && self->closed) {
           error = asio::error::operation_aborted;
         } else if (error) {
@@ -74,7 +74,7 @@ class StreamTransport : public Interface {
     bool closed = false;
   };
 
-  /// Whether the transport is closed; the handler has then been taken.
+  /// Returns true if the transport is closed; the handler has then been moved from.
   bool refuse(Handler& handler) {
     if (!state_->closed) return false;
     asio::post(state_->stream.get_executor(),
@@ -89,7 +89,8 @@ class StreamTransport : public Interface {
   std::shared_ptr<State> state_;
 };
 
-/// For terminals: the other side of a pseudo-terminal is closed, or the device is unplugged.
+/// Translates errors of terminals: the other side of a pseudo-terminal is closed, or the device is
+/// unplugged.
 inline std::error_code translate_device(std::error_code error) {
   const int value = error.value();
   const bool system = error.category() == asio::error::get_system_category();
