@@ -53,13 +53,13 @@ int diff(sbgc::Client& client, const char* file) {
   return 0;
 }
 
-int restore(sbgc::Client& client, const char* file, const char* present, bool is_agreed) {
+int restore(sbgc::Client& client, const char* file, const char* present, bool is_accepted) {
   const auto backup = sbgc::load_backup(file);
   if (!backup) return fail(backup.error());
-  if (!careful::may_move(is_agreed, "The parameters take effect at once; the gimbal may move."))
+  if (!careful::may_move(is_accepted, "The parameters take effect at once; the gimbal may move."))
     return 1;
   const sbgc::WriteReport report =
-      client.restore(*backup, {.save_present = sbgc::save_to(present), .progress = show});
+      client.restore(*backup, {.save_current = sbgc::save_to(present), .progress = show});
   std::printf("%s", to_text(report).c_str());
   return report ? 0 : 1;
 }
@@ -67,7 +67,7 @@ int restore(sbgc::Client& client, const char* file, const char* present, bool is
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool is_agreed = careful::take_yes(argc, argv);
+  const bool is_accepted = careful::take_yes_flag(argc, argv);
   const bool is_restore = argc == 5 && std::strcmp(argv[2], "restore") == 0;
   const bool is_diff = argc == 4 && std::strcmp(argv[2], "diff") == 0;
   const bool is_save = argc == 4 && std::strcmp(argv[2], "save") == 0;
@@ -81,5 +81,5 @@ int main(int argc, char** argv) {
   if (!client) return fail(client.error());
   if (is_save) return save(*client, argv[3]);
   if (is_diff) return diff(*client, argv[3]);
-  return restore(*client, argv[3], argv[4], is_agreed);
+  return restore(*client, argv[3], argv[4], is_accepted);
 }

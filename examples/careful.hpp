@@ -16,8 +16,8 @@
 namespace careful {
 
 /// Returns true if moving is already confirmed, or the user types "yes".
-inline bool may_move(bool is_agreed, const char* what) {
-  if (is_agreed) return true;
+inline bool may_move(bool is_accepted, const char* what) {
+  if (is_accepted) return true;
   std::printf("%s\nIs the gimbal fastened and balanced, and its range free? Type yes to continue: ",
               what);
   std::fflush(stdout);
@@ -29,10 +29,10 @@ inline bool may_move(bool is_agreed, const char* what) {
 }
 
 /// Removes a last argument --yes. Returns true if it was present.
-inline bool take_yes(int& argc, char** argv) {
-  const bool is_there = argc > 1 && std::strcmp(argv[argc - 1], "--yes") == 0;
-  if (is_there) --argc;
-  return is_there;
+inline bool take_yes_flag(int& argc, char** argv) {
+  const bool exists = argc > 1 && std::strcmp(argv[argc - 1], "--yes") == 0;
+  if (exists) --argc;
+  return exists;
 }
 
 inline volatile std::sig_atomic_t signalled = 0;

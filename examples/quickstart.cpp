@@ -28,7 +28,7 @@ int fail(const sbgc::ClientError& error) {
 int main(int argc, char** argv) {
   using namespace sbgc::literals;
   using namespace std::chrono_literals;
-  const bool yes = careful::take_yes(argc, argv);
+  const bool yes = careful::take_yes_flag(argc, argv);
   if (argc != 2) {
     std::fprintf(stderr,
                  "usage: quickstart ADDRESS [--yes], e.g. /dev/ttyUSB0 or tcp:gimbal.local:5000\n");

@@ -107,7 +107,7 @@ sbgc::Result<void> measure(sbgc::Client& client, std::chrono::milliseconds time)
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool yes = careful::take_yes(argc, argv);
+  const bool yes = careful::take_yes_flag(argc, argv);
   if (argc != 4) {
     std::fprintf(stderr, "usage: tour ADDRESS CAPTURE BACKUP [--yes]\n");
     return 2;

@@ -79,7 +79,7 @@ void print_counters(const char* whose, const ParserCounters& counters) {
 
 /// True if bytes without a frame were probably intended as frames: in noise, most start bytes are
 /// not followed by a valid header.
-bool seems_meant(const ParserCounters& counters) {
+bool looks_intended(const ParserCounters& counters) {
   const std::uint64_t with_header = counters.body_errors + counters.incomplete;
   return with_header != 0 && with_header >= counters.header_errors;
 }
@@ -126,7 +126,7 @@ class RawDecoder {
     const std::vector<RejectedCandidate> rejected = stop();
     if (parser_.counters().frames != 0 || size_ == 0) return success;
     std::string guess = guess_input(begin_, is_hex_);
-    const bool is_meant = seems_meant(parser_.counters());
+    const bool is_meant = looks_intended(parser_.counters());
     if (guess.empty() && !is_meant) guess = line_may_be_wrong;
     const bool explains = jsonl_ && is_meant;
     return no_frame(size_, guess,
@@ -188,8 +188,8 @@ class CaptureDecoder final : private CaptureListener {
     flush_output();
     if (!problems_.empty()) throw InputError(problems_);
     if (found_ != 0 || skipped_ == 0) return success;
-    const bool is_meant = seems_meant(frames_.counters(Direction::to_board)) ||
-                          seems_meant(frames_.counters(Direction::from_board));
+    const bool is_meant = looks_intended(frames_.counters(Direction::to_board)) ||
+                          looks_intended(frames_.counters(Direction::from_board));
     const bool explains = jsonl_ && is_meant;
     return no_frame(skipped_, is_meant ? "" : line_may_be_wrong,
                     explains ? std::span<const RejectedCandidate>(rejected_)

@@ -62,7 +62,7 @@ struct RowCollector {
     const std::string path = to_string(violation.path);
     for (Row& row : rows) {
       if (row.path != path) continue;
-      row.objection += (row.objection.empty() ? "" : ", ") + objection_text(violation);
+      row.objection += (row.objection.empty() ? "" : ", ") + violation_text(violation);
     }
   }
 };

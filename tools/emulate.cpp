@@ -45,7 +45,7 @@ struct EmulateOptions {
 
 const char* to_text(emulator::Outcome outcome) {
   switch (outcome) {
-    case emulator::Outcome::carried_out: return "carried out";
+    case emulator::Outcome::executed: return "executed";
     case emulator::Outcome::refused: return "refused";
     case emulator::Outcome::unknown: return "not supported";
     case emulator::Outcome::malformed: return "malformed";
@@ -55,7 +55,7 @@ const char* to_text(emulator::Outcome outcome) {
   return "?";
 }
 
-/// For example "    1.2340  host 0 > CMD_BOARD_INFO (86), 0 bytes  carried out", with `>` for
+/// For example "    1.2340  host 0 > CMD_BOARD_INFO (86), 0 bytes  executed", with `>` for
 /// frames to the board and `<` for frames from it.
 std::string describe_frame(const emulator::Board::Traffic& traffic) {
   const Direction direction = traffic.outcome ? Direction::to_board : Direction::from_board;
@@ -70,7 +70,7 @@ std::string describe_frame(const emulator::Board::Traffic& traffic) {
 }
 
 /// True if closing the terminal ends the program; false under nohup.
-bool heeds_hangup() {
+bool exits_on_hangup() {
   struct sigaction action {};
   return sigaction(SIGHUP, nullptr, &action) == 0 && action.sa_handler != SIG_IGN;
 }
@@ -85,15 +85,15 @@ void allow_many_files() {
 
 int serve(const EmulateOptions& options) {
   // Standard output then carries the bytes of the host.
-  const bool tells_on_stderr = options.service.stdio;
+  const bool logs_to_stderr = options.service.stdio;
   // Serving hosts must not depend on readers of the log: slow or closed readers and full disks are
   // tolerated.
   serving::NonblockingLines problems(STDERR_FILENO);
   std::optional<serving::NonblockingLines> events;
-  if (!tells_on_stderr) events.emplace(STDOUT_FILENO);
+  if (!logs_to_stderr) events.emplace(STDOUT_FILENO);
   serving::ServiceLogs logs;
   // These lines are required by readers; a failure to write them shows in the exit status.
-  logs.endpoint = [out = tells_on_stderr ? stderr : stdout](const std::string& text) {
+  logs.endpoint = [out = logs_to_stderr ? stderr : stdout](const std::string& text) {
     std::fputs((text + "\n").c_str(), out);
     std::fflush(out);
   };
@@ -107,7 +107,7 @@ int serve(const EmulateOptions& options) {
   std::signal(SIGPIPE, SIG_IGN);  // a closed reader must not kill the process
   asio::io_context context(1);
   asio::signal_set signals(context, SIGINT, SIGTERM);
-  if (heeds_hangup()) signals.add(SIGHUP);
+  if (exits_on_hangup()) signals.add(SIGHUP);
   signals.async_wait([&](std::error_code error, int) {
     if (!error) context.stop();
   });

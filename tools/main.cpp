@@ -69,7 +69,7 @@ std::string unknown_word(const CLI::App& app, const CLI::App& command, const std
       near.empty() ? "; use " + alternatives(command_names(app), false) : did_you_mean(near));
 }
 
-int complain(const CLI::App& app, const CLI::ParseError& error) {
+int report_usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   const CLI::App& command = chosen.empty() ? app : *chosen.back();
   const std::vector<std::string> unknown = command.remaining();
@@ -101,12 +101,12 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked_for) {  // help or version
-    if (!app.remaining().empty()) return complain(app, asked_for);
+    if (!app.remaining().empty()) return report_usage_error(app, asked_for);
     std::ostringstream text;
     app.exit(asked_for, text, text);
     fmt::print("{}", text.str());
   } catch (const CLI::ParseError& error) {
-    return complain(app, error);
+    return report_usage_error(app, error);
   }
   return status;
 }

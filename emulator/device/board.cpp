@@ -4,8 +4,8 @@
 #include <sbgc/availability.hpp>
 #include <sbgc/dispatch.hpp>
 #include <sbgc/emulator/board.hpp>
+#include <sbgc/parameters.hpp>
 #include <sbgc/responses/all.hpp>
-#include <sbgc/settings.hpp>
 
 #include "device/default_response.hpp"
 #include "device/device.hpp"
@@ -75,9 +75,9 @@ class Board::Core {
 
   void close(std::size_t port) {
     device.streams.forget(device, port, clock_);
-    device.calibrations.forget_port(port);
-    device.auto_tuning.forget_port(port);
-    device.scripts.forget_port(port);
+    device.calibrations.drop_port(port);
+    device.auto_tuning.drop_port(port);
+    device.scripts.drop_port(port);
     device.ports.close(port);
     request_times_[port] = idle_times_[port] = Instant::never;
   }
@@ -139,7 +139,7 @@ class Board::Core {
     for (std::size_t port = 0; port < idle_times_.size(); ++port) {
       if (idle_times_[port] > now) continue;
       idle_times_[port] = Instant::never;
-      device.ports.give_up_frame(port, device.restarts.is_listening());
+      device.ports.drop_frame(port, device.restarts.is_listening());
       plan_request(port);
     }
     for (std::size_t port = 0; port < request_times_.size(); ++port) {

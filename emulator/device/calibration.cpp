@@ -6,7 +6,7 @@
 #include <optional>
 
 #include <sbgc/meta/calibration.hpp>
-#include <sbgc/settings.hpp>
+#include <sbgc/parameters.hpp>
 
 #include "device/device.hpp"
 #include "device/handlers.hpp"
@@ -43,7 +43,7 @@ Outcome begin_silently(RequestContext& context, Kind kind) {
   if (!context.device.calibrations.start(context.device, kind, 0, requester, context.now)) {
     return context.refuse(msg::BoardErrorCode::wrong_state);
   }
-  return Outcome::carried_out;
+  return Outcome::executed;
 }
 
 Outcome restart(RequestContext& context) {
@@ -199,7 +199,7 @@ Outcome handle(RequestContext& context, const msg::AutoPidRequest& request) {
   const msg::AutoPidFlags flags = request.cfg_flags;
   const bool names_axis = flags.has(msg::AutoPidFlag::roll) || flags.has(msg::AutoPidFlag::pitch) ||
                           flags.has(msg::AutoPidFlag::yaw);
-  if (request.profile_id >= SettingsOf<msg::ReadParams3>::copies || !names_axis) {
+  if (request.profile_id >= ParametersOf<msg::ReadParams3>::copies || !names_axis) {
     return context.refuse(msg::BoardErrorCode::wrong_params);
   }
   if (!device.auto_tuning.start(device, request.profile_id, flags, request.gain_vs_stability,

@@ -5,7 +5,7 @@
 #include <optional>
 #include <type_traits>
 
-#include <sbgc/settings.hpp>
+#include <sbgc/parameters.hpp>
 
 #include "device/device.hpp"
 #include "device/request_context.hpp"
@@ -20,9 +20,9 @@ template <class M, class... Others>
 inline constexpr bool is_one_of<M, TypeList<Others...>> = (std::is_same_v<M, Others> || ...);
 
 template <class Request, class Parameters>
-inline constexpr bool reads = is_one_of<Request, typename SettingsOf<Parameters>::Readers>;
+inline constexpr bool reads = is_one_of<Request, typename ParametersOf<Parameters>::Readers>;
 template <class Request, class Parameters>
-inline constexpr bool writes = is_one_of<Request, typename SettingsOf<Parameters>::Writers>;
+inline constexpr bool writes = is_one_of<Request, typename ParametersOf<Parameters>::Writers>;
 
 template <class Request, class List>
 inline constexpr bool accesses_one = false;
@@ -33,12 +33,12 @@ inline constexpr bool accesses_one<Request, TypeList<Parameters...>> =
 /// Returns the copy that a request selects; nothing if there is no such copy.
 template <class S, class Request>
 std::optional<std::uint8_t> copy_of(const Device& device, const Request& request) {
-  if constexpr (SettingsOf<S>::copies == 1) {
+  if constexpr (ParametersOf<S>::copies == 1) {
     return std::uint8_t{0};
   } else {
-    const std::uint8_t copy = SettingsOf<S>::copy(request);
+    const std::uint8_t copy = ParametersOf<S>::copy(request);
     if (copy == Request::active_profile) return device.parameters.profile();
-    if (copy < SettingsOf<S>::copies) return copy;
+    if (copy < ParametersOf<S>::copies) return copy;
     return {};
   }
 }
@@ -56,14 +56,14 @@ void fill_state(const Device& device, S& parameters) {
 
 /// True if a request reads or writes parameters.
 template <class Request>
-inline constexpr bool accesses_parameters = detail::accesses_one<Request, StoredMessages>;
+inline constexpr bool accesses_parameters = detail::accesses_one<Request, ParameterMessages>;
 
 /// Handles such a request. Stores any values: the specification does not say that the board checks
 /// them, and it must keep values that it does not understand.
 template <class Request>
 Outcome access_parameters(RequestContext& context, const Request& request) {
   Outcome outcome = Outcome::refused;
-  StoredMessages::for_each([&]<class S>(Type<S>) {
+  ParameterMessages::for_each([&]<class S>(Type<S>) {
     if constexpr (detail::reads<Request, S> || detail::writes<Request, S>) {
       Device& device = context.device;
       const auto copy = detail::copy_of<S>(device, request);

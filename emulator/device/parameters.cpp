@@ -15,7 +15,7 @@ Outcome handle(RequestContext& context, const msg::UseDefaults& request) {
   if (request.profile_id == msg::UseDefaults::erase_eeprom) {
     context.device.parameters.erase();
     context.device.forget_calibrations();
-  } else if (request.profile_id < SettingsOf<msg::ReadParams3>::copies) {
+  } else if (request.profile_id < ParametersOf<msg::ReadParams3>::copies) {
     context.device.parameters.use_defaults(request.profile_id);
   } else {
     return context.refuse(msg::BoardErrorCode::wrong_params, request.profile_id);

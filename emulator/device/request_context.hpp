@@ -44,14 +44,14 @@ class RequestContext {
   template <Message M>
   Outcome answer(const M& message) {
     if (is_supported<M>(versions())) send(message);
-    return Outcome::carried_out;
+    return Outcome::executed;
   }
   /// The same, even if this board does not support the message otherwise: old requests have the
   /// responses of newer ones (E020, E120).
   template <Message M>
   Outcome answer_anyway(const M& message) {
     send(message);
-    return Outcome::carried_out;
+    return Outcome::executed;
   }
   /// Sends CMD_CONFIRM for the request with these data. Assumption: sends nothing if the model
   /// considers a confirmation unlikely.

@@ -9,7 +9,7 @@ namespace {
 
 Outcome confirm_result(RequestContext& context, msg::FileError error) {
   static_cast<void>(context.confirm({.err_code = error}));
-  return error == msg::FileError::no_error ? Outcome::carried_out : Outcome::refused;
+  return error == msg::FileError::no_error ? Outcome::executed : Outcome::refused;
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ Outcome introduce(RequestContext& context) {
 Outcome restart(RequestContext& context, bool notify, msg::Milliseconds delay, bool to_bootloader) {
   if (notify) static_cast<void>(context.answer(roles::Reset{}));
   context.device.restarts.schedule(context.now + milliseconds(delay.raw()), to_bootloader);
-  return Outcome::carried_out;
+  return Outcome::executed;
 }
 
 }  // namespace

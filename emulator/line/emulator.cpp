@@ -119,7 +119,7 @@ void Emulator::step(Instant now) {
 }
 
 void Emulator::pump(std::size_t number, Port& port, Instant now) {
-  if (!port.has_room()) port.to_host.leave_out_text(now);
+  if (!port.has_room()) port.to_host.skip_text(now);
   port.to_host.receive(now, port.arrived);
   while (port.has_room()) {
     const std::span<const std::uint8_t> waiting = board_.output(number);
@@ -147,7 +147,7 @@ void Emulator::follow_restarts() {
   const std::uint64_t lost = board_.counters().outputs_lost;
   if (std::exchange(outputs_lost_, lost) == lost) return;
   for (std::optional<Port>& port : ports_) {
-    if (port) port->to_host.break_off_frame();
+    if (port) port->to_host.abort_frame();
   }
 }
 

@@ -196,7 +196,7 @@ void Line::plan_text(Instant after) {
   text_due_ = beginning_ + Duration{((after - beginning_).us / every.us + 1) * every.us};
 }
 
-void Line::leave_out_text(Instant now) {
+void Line::skip_text(Instant now) {
   if (is_text_due(now)) plan_text(now);
 }
 

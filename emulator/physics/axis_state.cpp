@@ -47,23 +47,23 @@ double angle_of(Followed followed, const AxisOrders& orders, const AxisSurroundi
 
 }  // namespace
 
-void AxisState::stay() {
+void AxisState::hold_position() {
   own = {motion.angle, 0};
   follow = {};
   follows = Followed::nothing;
 }
 
-void AxisState::obey(const AxisOrders& orders, bool has_power, bool is_new,
-                     const AxisSurroundings& around) {
+void AxisState::apply_orders(const AxisOrders& orders, bool has_power, bool is_new,
+                             const AxisSurroundings& around) {
   const AxisMode mode = orders.command.mode;
   const bool was_held = is_held;
   is_held = has_power && orders.gains.strength >= 1;
   if (!is_held) {
-    stay();
+    hold_position();
     return;
   }
   if (!was_held) {
-    stay();
+    hold_position();
     motion.integral = 0;
     is_new = true;
   }
@@ -140,12 +140,12 @@ void AxisState::move_own(const AxisOrders& orders, double acceleration, double s
 
 void AxisState::move_follow(const AxisOrders& orders, double to, double acceleration,
                             double seconds) {
-  constexpr double eagerness = 4;  // 1/s
+  constexpr double follow_gain = 4;  // 1/s
   const double off = to - follow.position;
   const double excess = std::abs(off) - within(orders.tuning.follow_deadband, 0, top_angle);
   double speed = 0;
   if (excess > 0) {
-    speed = std::min({within(orders.tuning.follow_speed, 0, top_speed), eagerness * excess,
+    speed = std::min({within(orders.tuning.follow_speed, 0, top_speed), follow_gain * excess,
                       std::sqrt(acceleration * excess)});
   }
   if (speed < 1e-3) speed = 0;  // so that it comes to rest
@@ -222,7 +222,7 @@ void AxisState::skip(const AxisOrders& orders, const AxisSurroundings& around, d
     }
   }
   motion.stick(around);
-  if (!is_held) stay();
+  if (!is_held) hold_position();
 }
 
 void AxisState::place(double angle, const AxisSurroundings& around) {
@@ -232,14 +232,14 @@ void AxisState::place(double angle, const AxisSurroundings& around) {
   motion.joint_speed = -around.frame_speed - around.error_speed;
   if (!is_held || motion.is_jammed) motion.stick(around);
   is_starting = false;
-  stay();
+  hold_position();
 }
 
 void AxisState::push(double degrees) {
   if (motion.is_jammed) return;
   motion.angle += degrees;
   motion.joint += degrees;
-  if (!is_held) stay();
+  if (!is_held) hold_position();
 }
 
 void AxisState::restart(const AxisSurroundings& around) {
@@ -248,7 +248,7 @@ void AxisState::restart(const AxisSurroundings& around) {
   motion.integral = 0;
   is_held = false;
   is_starting = true;
-  stay();
+  hold_position();
 }
 
 }  // namespace sbgc::emulator

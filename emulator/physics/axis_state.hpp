@@ -39,7 +39,8 @@ struct AxisState {
 
   /// Applies the orders from now on. `has_power`: the motors are on. `is_new`: the command is new,
   /// and its reference angles are determined again.
-  void obey(const AxisOrders& orders, bool has_power, bool is_new, const AxisSurroundings& around);
+  void apply_orders(const AxisOrders& orders, bool has_power, bool is_new,
+                    const AxisSurroundings& around);
   /// Advances by one step of `seconds`; `around` is the state at its end.
   void step(const AxisOrders& orders, const AxisSurroundings& around, double seconds);
   /// Skips a long time in which only the frame has changed.
@@ -52,7 +53,7 @@ struct AxisState {
 
  private:
   /// Sets the target to the current camera angle.
-  void stay();
+  void hold_position();
   /// Moves the target by one step.
   void move(const AxisOrders& orders, const AxisSurroundings& around, double seconds);
   void move_own(const AxisOrders& orders, double acceleration, double seconds);

@@ -57,7 +57,7 @@ void Gimbal::tune(const Tuning& tuning, Instant now) {
   for (std::size_t i = 0; i < 3; ++i) {
     mechanics.orders[i].tuning = tuning.axes[i];
     mechanics.orders[i].gains = gains_of(tuning.axes[i]);
-    mechanics.obey(i, false);
+    mechanics.apply_orders(i, false);
   }
   mechanics.check_battery();
 }
@@ -67,7 +67,7 @@ void Gimbal::set_motors(bool on, Instant now) {
   mechanics.advance(now);
   mechanics.is_on = on;
   if (on) mechanics.is_stopped = false;
-  for (std::size_t i = 0; i < 3; ++i) mechanics.obey(i, false);
+  for (std::size_t i = 0; i < 3; ++i) mechanics.apply_orders(i, false);
   mechanics.check_battery();
 }
 
@@ -80,7 +80,7 @@ void Gimbal::command(std::size_t axis, const AxisCommand& command, Instant now) 
   mechanics.orders[axis].command = {command.mode, within(command.speed, -top_speed, top_speed),
                                     within(command.angle, -top_angle, top_angle),
                                     within(command.signal, -1, 1)};
-  mechanics.obey(axis, true);
+  mechanics.apply_orders(axis, true);
 }
 
 const AxisCommand& Gimbal::command(std::size_t axis) const {
@@ -92,7 +92,7 @@ void Gimbal::set_remote(std::size_t axis, std::optional<double> signal, Instant 
   mechanics.advance(now);
   if (signal) signal = within(*signal, -1, 1);
   mechanics.orders[axis].remote = signal;
-  mechanics.obey(axis, false);
+  mechanics.apply_orders(axis, false);
 }
 
 void Gimbal::set_followed(std::size_t axis, std::optional<double> angle, Instant now) {
@@ -100,7 +100,7 @@ void Gimbal::set_followed(std::size_t axis, std::optional<double> angle, Instant
   mechanics.advance(now);
   if (angle) angle = within(*angle, -top_angle, top_angle);
   mechanics.orders[axis].followed = angle;
-  mechanics.obey(axis, false);
+  mechanics.apply_orders(axis, false);
 }
 
 void Gimbal::help(Instant now) {
@@ -121,8 +121,8 @@ void Gimbal::correct(const Attitude& attitude, Instant now) {
   const Axes<double> off = minus(angles_of(*reported, mechanics.order, estimate), estimate);
   const Axes<double> error = plus(imu.error(), off);
   const auto refer = [&](Imu& to) {
-    to.refer(error, attitude.up.has_value(), attitude.north.has_value(),
-             mechanics.step + refer_steps);
+    to.set_reference(error, attitude.up.has_value(), attitude.north.has_value(),
+                     mechanics.step + refer_steps);
   };
   // The joints are known exactly, so the error is the same for both IMUs.
   if (attitude.translates) refer(other);
@@ -133,7 +133,7 @@ void Gimbal::correct(const Attitude& attitude, Instant now) {
     if (!attitude.of_frame) {
       for (std::size_t i = 0; i < 3; ++i) {
         mechanics.axes[i].motion.angle += off[i];
-        mechanics.obey(i, false);
+        mechanics.apply_orders(i, false);
       }
     }
   }
@@ -179,7 +179,7 @@ void Gimbal::place(const Axes<double>& angles, Instant now) {
   for (std::size_t i = 0; i < 3; ++i) {
     mechanics.orders[i].command = {};
     mechanics.axes[i].place(within(angles[i], -top_angle, top_angle), mechanics.around(i));
-    mechanics.obey(i, false);
+    mechanics.apply_orders(i, false);
   }
 }
 

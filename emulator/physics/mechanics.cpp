@@ -47,7 +47,7 @@ Mechanics::Mechanics(const Gimbal::Options& options, Instant at)
   for (std::size_t i = 0; i < 3; ++i) {
     imbalance[i] = -imbalance_strength * within(options.imbalance[i], -1, 1);
     axes[i].motion.stick(around(i));
-    axes[i].obey(orders[i], false, true, around(i));
+    axes[i].apply_orders(orders[i], false, true, around(i));
   }
   update_slow(0);
 }
@@ -129,11 +129,11 @@ void Mechanics::check_battery() {
   if (!is_on || battery_stop < 0 || battery.voltage(current(axes)) >= battery_stop) return;
   is_on = false;
   is_stopped = true;
-  for (std::size_t i = 0; i < 3; ++i) obey(i, false);
+  for (std::size_t i = 0; i < 3; ++i) apply_orders(i, false);
 }
 
-void Mechanics::obey(std::size_t axis, bool is_new) {
-  axes[axis].obey(orders[axis], is_on, is_new, around(axis));
+void Mechanics::apply_orders(std::size_t axis, bool is_new) {
+  axes[axis].apply_orders(orders[axis], is_on, is_new, around(axis));
 }
 
 Axes<double> Mechanics::estimate() const {

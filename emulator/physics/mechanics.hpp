@@ -22,7 +22,7 @@ struct Mechanics {
   /// Executes all steps until `now`.
   void advance(Instant now);
   /// Applies the orders of an axis from now on. `is_new`: there is a new command.
-  void obey(std::size_t axis, bool is_new);
+  void apply_orders(std::size_t axis, bool is_new);
   /// Updates the slow quantities; `seconds` is the time since the last update.
   void update_slow(double seconds);
   /// Turns the motors off if the battery voltage is too low.

@@ -29,18 +29,18 @@ void go(Path& path, double goal, double fastest, double acceleration, double sec
   const double sign = goal < path.position ? -1 : 1;
   const double distance = (goal - path.position) * sign;
   const double speed = path.speed * sign;
-  const double way_to_stop = speed * seconds / 2;
+  const double stopping_distance = speed * seconds / 2;
   const bool can_stop = std::abs(speed) <= change * (1 + 1e-6);
-  if (can_stop && (distance <= arrived || (speed > 0 && distance <= way_to_stop))) {
+  if (can_stop && (distance <= arrived || (speed > 0 && distance <= stopping_distance))) {
     path = {goal, 0};
     return;
   }
   // The speed after this step at which braking ends exactly at the goal:
   // distance - (speed + next) / 2 * seconds = next^2 / (2 * acceleration).
   double next = 0;
-  if (distance > way_to_stop) {
+  if (distance > stopping_distance) {
     next = acceleration *
-           (std::sqrt(seconds * seconds / 4 + 2 * (distance - way_to_stop) / acceleration) -
+           (std::sqrt(seconds * seconds / 4 + 2 * (distance - stopping_distance) / acceleration) -
             seconds / 2);
   }
   next = std::clamp(std::min(next, fastest), speed - change, speed + change);

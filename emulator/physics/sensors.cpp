@@ -92,7 +92,8 @@ void Imu::replace(const Axes<double>& error, std::int64_t until) {
   replaced_until_ = until;
 }
 
-void Imu::refer(const Axes<double>& error, bool has_up, bool has_heading, std::int64_t until) {
+void Imu::set_reference(const Axes<double>& error, bool has_up, bool has_heading,
+                        std::int64_t until) {
   reference_ = error;
   refers_up_ = has_up;
   refers_heading_ = has_heading;

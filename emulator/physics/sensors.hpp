@@ -37,7 +37,7 @@ class Imu {
   bool is_replaced(std::int64_t step) const { return step < replaced_until_; }
   /// Sets a reference for the error that replaces gravity until the step `until`. `has_up` applies
   /// to roll and pitch, `has_heading` to yaw.
-  void refer(const Axes<double>& error, bool has_up, bool has_heading, std::int64_t until);
+  void set_reference(const Axes<double>& error, bool has_up, bool has_heading, std::int64_t until);
   void correct_gyro(const Vector& offset, double heading);
   void calibrate();
   void restart();

@@ -76,7 +76,7 @@ class DatagramHosts {
   std::optional<Host> remove_first(Matches&& matches) {
     auto first = hosts_.end();
     for (auto host = hosts_.begin(); host != hosts_.end(); ++host) {
-      if (matches(*host) && (first == hosts_.end() || goes_before(*host, *first))) first = host;
+      if (matches(*host) && (first == hosts_.end() || has_priority(*host, *first))) first = host;
     }
     if (first == hosts_.end()) return std::nullopt;
     const Host removed = *first;
@@ -84,7 +84,7 @@ class DatagramHosts {
     return removed;
   }
 
-  static bool goes_before(const Host& one, const Host& other) {
+  static bool has_priority(const Host& one, const Host& other) {
     return one.is_known == other.is_known ? one.heard < other.heard : other.is_known;
   }
 

@@ -27,7 +27,7 @@ std::shared_ptr<Host> Host::connect(LiveBoard& board, std::unique_ptr<io::Transp
   if (board.between) transport = board.between(std::move(transport));
   std::shared_ptr<Host> host(new Host(board, std::move(transport)));
   const auto port = board.connect(false, [weak = std::weak_ptr(host)] {
-    if (const auto self = weak.lock()) self->poke();
+    if (const auto self = weak.lock()) self->wake();
   });
   if (!port) return nullptr;
   host->port_ = *port;
@@ -35,9 +35,9 @@ std::shared_ptr<Host> Host::connect(LiveBoard& board, std::unique_ptr<io::Transp
   return host;
 }
 
-void Host::start() { poke(); }
+void Host::start() { wake(); }
 
-void Host::poke() {
+void Host::wake() {
   read();
   write();
 }
@@ -54,7 +54,7 @@ void Host::read() {
                            if (error) return self->finish_reading(error);
                            if (self->before_bytes) self->before_bytes(self->port_);
                            self->board_.receive(self->port_, std::span(self->input_).first(size));
-                           self->poke();
+                           self->wake();
                          });
 }
 
@@ -73,7 +73,7 @@ void Host::write() {
     self->written_at_ = io::Clock::now();
     if (self->is_closed_) return;
     if (error) return self->end(error);
-    self->poke();
+    self->wake();
   });
 }
 

@@ -39,7 +39,7 @@ class Host : public std::enable_shared_from_this<Host> {
  private:
   Host(LiveBoard& board, std::unique_ptr<io::Transport> transport);
 
-  void poke();
+  void wake();
   void read();
   void write();
   void finish_reading(std::error_code error);

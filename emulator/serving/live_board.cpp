@@ -36,16 +36,16 @@ void LiveBoard::skip(Duration time) {
   settle();
 }
 
-std::optional<std::size_t> LiveBoard::connect(bool is_usb, std::function<void()> poke) {
+std::optional<std::size_t> LiveBoard::connect(bool is_usb, std::function<void()> wake) {
   const auto port = emulator_.connect(is_usb, now());
-  if (port) pokes_[*port] = std::move(poke);
+  if (port) wakes_[*port] = std::move(wake);
   settle_soon();
   return port;
 }
 
 void LiveBoard::disconnect(std::size_t port) {
   emulator_.disconnect(port, now());
-  pokes_[port] = nullptr;
+  wakes_[port] = nullptr;
   settle();
 }
 
@@ -85,8 +85,8 @@ void LiveBoard::settle() {
   is_settling_ = true;
   // Each call takes time, and may create new output for hosts notified before.
   while (std::exchange(is_unsettled_, false)) {
-    for (const auto& poke : pokes_) {
-      if (poke) poke();
+    for (const auto& wake : wakes_) {
+      if (wake) wake();
     }
   }
   is_settling_ = false;

@@ -26,8 +26,8 @@ class LiveBoard {
   LiveBoard(const asio::any_io_executor& executor, const emulator::EmulatorOptions& options,
             emulator::Memory memory);
 
-  /// Calls `poke`, but never from inside connect(), when there may be output or room.
-  std::optional<std::size_t> connect(bool is_usb, std::function<void()> poke);
+  /// Calls `wake`, but never from inside connect(), when there may be output or room.
+  std::optional<std::size_t> connect(bool is_usb, std::function<void()> wake);
   void disconnect(std::size_t port);
   void end_input(std::size_t port);
   void set_host_line(std::size_t port, const std::optional<LineSettings>& settings);
@@ -66,7 +66,7 @@ class LiveBoard {
 
   io::Clock::time_point beginning_;
   emulator::Emulator emulator_;
-  std::array<std::function<void()>, emulator::Board::max_ports> pokes_{};
+  std::array<std::function<void()>, emulator::Board::max_ports> wakes_{};
   asio::steady_timer timer_;
   Instant timer_at_ = Instant::never;
   std::uint32_t revision_;

@@ -15,8 +15,8 @@
 #include <sbgc/client/atomic_file.hpp>
 #include <sbgc/detail/crc32.hpp>
 #include <sbgc/json_text.hpp>
+#include <sbgc/parameters.hpp>
 #include <sbgc/parse_json.hpp>
-#include <sbgc/settings.hpp>
 #include <sbgc/to_json.hpp>
 
 namespace sbgc::serving {
@@ -145,7 +145,7 @@ class Reader {
       use("eeprom", saved.memory.eeprom);
       use("crc32", checksum);
     });
-    constexpr unsigned profiles = SettingsOf<msg::ReadParams3>::copies;
+    constexpr unsigned profiles = ParametersOf<msg::ReadParams3>::copies;
     if (saved.memory.profile >= profiles) {
       fail("profile", fmt::format("expected a number below {}", profiles));
     }

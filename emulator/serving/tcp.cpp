@@ -27,7 +27,7 @@ constexpr auto wait_after_failure = std::chrono::milliseconds(200);
 /// Enables keep-alive, so that a silent host whose computer or network has failed does not keep its
 /// port. With data in transit, the system gives up later, after its retransmissions. Errors are
 /// ignored: a host is accepted without keep-alive, too.
-void ask_for_life(tcp::socket& socket) {
+void enable_keep_alive(tcp::socket& socket) {
   constexpr int quiet_seconds = 10;
   constexpr int seconds_between = 5;
   constexpr int times = 4;
@@ -94,7 +94,7 @@ class TcpEndpoint final : public Endpoint {
     const tcp::endpoint peer = socket.remote_endpoint(error);
     if (error) return;  // already closed
     socket.set_option(tcp::no_delay(true), error);
-    ask_for_life(socket);
+    enable_keep_alive(socket);
     const std::string name = "tcp:" + place_of(peer);
     std::shared_ptr<Host> host;
     if (hosts_.size() < places_) {

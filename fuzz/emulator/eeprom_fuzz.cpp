@@ -24,8 +24,8 @@
 namespace {
 
 namespace msg = sbgc::msg;
-using sbgc::SettingsOf;
-using sbgc::StoredMessages;
+using sbgc::ParameterMessages;
+using sbgc::ParametersOf;
 using sbgc::Type;
 using sbgc::emulator::Eeprom;
 using sbgc::emulator::FileSystem;
@@ -70,7 +70,8 @@ class Player {
       case 2: return write_record();
       case 3: return write_table();
       case 4: return restart();
-      case 5: return settings_->select_profile(byte() % SettingsOf<sbgc::msg::ReadParams3>::copies);
+      case 5:
+        return settings_->select_profile(byte() % ParametersOf<sbgc::msg::ReadParams3>::copies);
       case 6: return set_variable();
       case 7: return write_parameters();
       case 8: return write_file();
@@ -124,12 +125,12 @@ class Player {
   void write_parameters() {
     const std::uint8_t which = byte() % 6, copy = byte();
     std::uint8_t number = 0;
-    StoredMessages::for_each([&]<class M>(Type<M>) {
-      if (number++ != which || copy >= SettingsOf<M>::copies) return;
+    ParameterMessages::for_each([&]<class M>(Type<M>) {
+      if (number++ != which || copy >= ParametersOf<M>::copies) return;
       M message{};
       if (!sbgc::decode(bytes(M::min_size + byte() % 16), message)) return;
       require(settings_->write(copy, message));
-      if constexpr (SettingsOf<M>::copies > 1) SettingsOf<M>::copy(message) = copy;
+      if constexpr (ParametersOf<M>::copies > 1) ParametersOf<M>::copy(message) = copy;
       require(settings_->template read<M>(copy) == message);
       require(Parameters(memory_).template read<M>(copy) == message);
     });
@@ -159,17 +160,17 @@ class Player {
   }
   void reset() {
     const std::uint8_t what = byte();
-    if (what < SettingsOf<sbgc::msg::ReadParams3>::copies) return settings_->use_defaults(what);
+    if (what < ParametersOf<sbgc::msg::ReadParams3>::copies) return settings_->use_defaults(what);
     if (what % 2 == 0) return settings_->erase();
     FileSystem files(memory_);
     require(files.clear() == msg::FileError::no_error);
     require(files.read(0, 0, 1).error == msg::FileError::file_not_found);
   }
   void read_all() {
-    StoredMessages::for_each([&]<class M>(Type<M>) {
-      for (std::uint8_t copy = 0; copy < SettingsOf<M>::copies; ++copy) {
+    ParameterMessages::for_each([&]<class M>(Type<M>) {
+      for (std::uint8_t copy = 0; copy < ParametersOf<M>::copies; ++copy) {
         const M message = settings_->template read<M>(copy);
-        if constexpr (SettingsOf<M>::copies > 1) require(SettingsOf<M>::copy(message) == copy);
+        if constexpr (ParametersOf<M>::copies > 1) require(ParametersOf<M>::copy(message) == copy);
       }
     });
     for (const sbgc::VariableInfo& variable : sbgc::variables) {

@@ -76,10 +76,10 @@ class Player {
     const std::uint8_t choice = byte();
     result.line = {rates[choice & 3], (choice & 4) != 0 ? sbgc::Parity::even : sbgc::Parity::none};
     if ((choice & 8) != 0) result.pacing = {{}, {}};
-    if ((choice & 16) != 0) result.duplicates = sbgc::milliseconds(50);
+    if ((choice & 16) != 0) result.duplicate_window = sbgc::milliseconds(50);
     if ((choice & 32) != 0) result.late = {};
     if ((choice & 64) != 0) result.idle = {};
-    is_lively_ = (choice & 128) != 0;
+    sink_calls_back_ = (choice & 128) != 0;
     return result;
   }
 
@@ -105,16 +105,16 @@ class Player {
       case 8: now_ = now_ + sbgc::microseconds(std::int64_t{1} << (byte() % 40)); break;
       case 9: now_ = now_ - sbgc::milliseconds(byte()); break;
       case 10: now_ = poll(); break;
-      default: give_up(code); break;
+      default: cancel_something(code); break;
     }
     require(session_.open_requests() == open_.size());
     if (code >= 64) static_cast<void>(poll());
   }
 
-  void give_up(std::uint8_t code) {
+  void cancel_something(std::uint8_t code) {
     if (code > 240) {
       session_.abandon(sink());
-      require(open_.empty() || is_lively_);
+      require(open_.empty() || sink_calls_back_);
     } else if (!open_.empty()) {
       require(session_.cancel(*open_.begin(), sink()));
     } else {
@@ -188,13 +188,13 @@ class Player {
     if (event.handle) require(open_.contains(event.handle));
     if (event.kind == EventKind::completed) {
       require(open_.erase(event.handle) == 1);
-      if (is_lively_ && lively_left_ > 0) {
+      if (sink_calls_back_ && lively_left_ > 0) {
         --lively_left_;
         send(86);
       }
     } else if (event.kind == EventKind::confirmation && event.handle) {
       require(event.confirmation != 0);
-      if (is_lively_ && (event.confirmation & 1) != 0) {
+      if (sink_calls_back_ && (event.confirmation & 1) != 0) {
         require(session_.cancel(event.handle, sink()));
       }
     } else {
@@ -203,7 +203,7 @@ class Player {
   }
 
   std::span<const std::uint8_t> input_;
-  bool is_lively_{};  // the sink sends and cancels requests
+  bool sink_calls_back_{};  // the sink sends and cancels requests
   int lively_left_ = 50;
   Session session_;
   Instant now_{};

@@ -41,7 +41,7 @@ def load_protocol(spec_dir: Path) -> Protocol:
     if not found.found:
         check_syntax(spec, found)
     if found.found:
-        _look_behind(spec, found)
+        _report_hidden_mistakes(spec, found)
         found.raise_if_any()
     layout = _checked(spec, found)
     found.raise_if_any()
@@ -68,7 +68,7 @@ def check(spec: Spec, layout: Layout, found: Diagnostics) -> None:
         target.lint(spec, layout, found)
 
 
-def _look_behind(spec: Spec, found: Diagnostics) -> None:
+def _report_hidden_mistakes(spec: Spec, found: Diagnostics) -> None:
     """Report mistakes that those found so far hide, so that one run reports both of a line."""
     if found.any_of(("SBGC001",)):
         return  # a file or value could not be read

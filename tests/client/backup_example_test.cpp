@@ -1,13 +1,10 @@
 // Tests examples/backup.cpp as a user runs it: over a serial port, here a pseudo-terminal.
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
-#include <sys/wait.h>
-
+#include "run_program.hpp"
 #include "task_test.hpp"
 #include "temporary_folder.hpp"
 
@@ -16,27 +13,12 @@ namespace {
 
 using ::testing::HasSubstr;
 
-struct Finished {
-  int status{};
-  std::string output{};
-};
-
 class BackupExample : public TaskTest {
  protected:
   std::string file(const char* name) const { return (folder_.path() / name).string(); }
 
-  Finished backup(const std::string& arguments) const {
-    const std::string command =
-        std::string(SBGC_EXAMPLE_BACKUP) + " " + port_ + " " + arguments + " 2>&1";
-    Finished run;
-    std::FILE* const pipe = ::popen(command.c_str(), "r");
-    std::array<char, 4096> block{};
-    for (std::size_t size = 1; size > 0;) {
-      size = std::fread(block.data(), 1, block.size(), pipe);
-      run.output.append(block.data(), size);
-    }
-    run.status = WEXITSTATUS(::pclose(pipe));
-    return run;
+  ProgramResult backup(const std::string& arguments) const {
+    return run_program(std::string(SBGC_EXAMPLE_BACKUP) + " " + port_ + " " + arguments);
   }
 
  private:
@@ -46,7 +28,7 @@ class BackupExample : public TaskTest {
 
 TEST_F(BackupExample, SavesComparesAndRestores) {
   const auto original = board.all_settings<msg::ReadParams3>();
-  Finished run = backup("save " + file("a.json"));
+  ProgramResult run = backup("save " + file("a.json"));
   ASSERT_EQ(run.status, 0) << run.output;
   EXPECT_THAT(run.output,
               HasSubstr("saved the parameters of 18 messages of a board 3.0 with firmware 2.59"));
@@ -73,7 +55,7 @@ TEST_F(BackupExample, RestoresNothingUnlessThatIsAgreed) {
   const auto edited = board.all_settings<msg::ReadParams3>();
   std::ofstream(file("no")) << "no\n";
   for (const std::string& input : {file("no"), std::string("/dev/null")}) {
-    const Finished run =
+    const ProgramResult run =
         backup("restore " + file("a.json") + " " + file("before.json") + " <" + input);
     EXPECT_EQ(run.status, 1) << run.output;
     EXPECT_THAT(run.output, HasSubstr("Type yes"));

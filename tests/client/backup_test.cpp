@@ -272,7 +272,7 @@ TEST_F(BackupTest, RestoringBringsEverythingBack) {
 
   const Result<Backup> changed = client().make_backup();
   const WriteReport report =
-      client().restore(backup, {.save_present = save_to(file("present.json"))});
+      client().restore(backup, {.save_current = save_to(file("present.json"))});
   ASSERT_TRUE(report) << to_text(report);
   EXPECT_EQ(settings(), original);
   const Result<Backup> saved = load_backup(file("present.json"));
@@ -287,7 +287,7 @@ TEST_F(BackupTest, AnErasedBoardGetsBackEveryBitOfItsSettings) {
   board.write(msg::UseDefaults{.profile_id = msg::UseDefaults::erase_eeprom});
   ASSERT_THAT(board.memory().eeprom, ::testing::Each(0xFF));
 
-  WriteReport report = client().restore(backup, {.save_present = save_to(file("present.json"))});
+  WriteReport report = client().restore(backup, {.save_current = save_to(file("present.json"))});
   ASSERT_TRUE(report) << to_text(report);
   EXPECT_EQ(settings(), original);
   EXPECT_EQ(make().parameters, backup.parameters);
@@ -297,7 +297,7 @@ TEST_F(BackupTest, AnErasedBoardGetsBackEveryBitOfItsSettings) {
   disconnect();
   board.become(board.options());
   EXPECT_EQ(settings(), original);
-  report = client().restore(backup, {.save_present = save_to(file("again.json"))});
+  report = client().restore(backup, {.save_current = save_to(file("again.json"))});
   ASSERT_TRUE(report);
   EXPECT_EQ(count<msg::WriteParams3>(), 0U);
 }
@@ -306,22 +306,23 @@ TEST_F(BackupTest, AnotherModelOrFirmwareIsRefusedUnlessTold) {
   const Backup backup = make();
   change();
   become(msg::BoardVersion(31));
-  WriteReport report = client().restore(backup, {.save_present = save_to(file("a.json"))});
+  WriteReport report = client().restore(backup, {.save_current = save_to(file("a.json"))});
   ASSERT_FALSE(report);
   EXPECT_EQ(report.outcome.error().code, ErrorCode::incompatible);
   EXPECT_THAT(report.outcome.error().message, HasSubstr("3.1"));
   EXPECT_THAT(files(), IsEmpty());
 
   become(msg::FirmwareVersion(2604));
-  report = client().restore(backup, {.save_present = save_to(file("a.json")), .other_model = true});
+  report = client().restore(backup,
+                            {.save_current = save_to(file("a.json")), .allow_other_model = true});
   ASSERT_FALSE(report);
   EXPECT_THAT(report.outcome.error().message, HasSubstr("2.60b4"));
   EXPECT_EQ(board.settings<msg::ReadParams3>(0).gyro_trust, 1);
   EXPECT_THAT(mismatches(client().identity(), backup.board), SizeIs(2));
 
-  report = client().restore(
-      backup,
-      {.save_present = save_to(file("a.json")), .other_model = true, .other_firmware = true});
+  report = client().restore(backup, {.save_current = save_to(file("a.json")),
+                                     .allow_other_model = true,
+                                     .allow_other_firmware = true});
   EXPECT_TRUE(report) << to_text(report);
   EXPECT_NE(board.settings<msg::ReadParams3>(0).gyro_trust, 1);
 }
@@ -342,7 +343,7 @@ TEST_F(BackupTest, WithoutABackupOfThePresentStateNothingIsRestored) {
   change();
   EXPECT_EQ(client().restore(backup, {}).outcome.error().code, ErrorCode::invalid);
   std::ofstream(file("a.json")) << "precious";
-  EXPECT_FALSE(client().restore(backup, {.save_present = save_to(file("a.json"))}));
+  EXPECT_FALSE(client().restore(backup, {.save_current = save_to(file("a.json"))}));
   EXPECT_EQ(content(file("a.json")), "precious");
   EXPECT_EQ(count<msg::WriteParams3>(), 0U);
   EXPECT_EQ(board.settings<msg::ReadParams3>(0).gyro_trust, 1);

@@ -346,7 +346,7 @@ TEST_F(Call, DoesNotTakeARepeatedAnswerForItsOwn) {
     });
   });
   ConnectOptions options = quick();
-  options.duplicates = milliseconds(1000);
+  options.duplicate_window = milliseconds(1000);
   Client client = connect(options);
   for (int i = 1; i <= 2; ++i) {
     const auto result = client.get_angles({}, {.timeout = std::chrono::seconds(10), .retries = 0});
@@ -384,7 +384,7 @@ TEST_F(Call, SaysThatAnAnswerCannotBeRead) {
   const auto result =
       client.call(request, {.timeout = std::chrono::seconds(10), .validate = false});
   ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().code, ErrorCode::bad_answer) << result.error().message;
+  EXPECT_EQ(result.error().code, ErrorCode::bad_response) << result.error().message;
 }
 
 // Broken and closed connections
@@ -492,7 +492,7 @@ TEST_F(Call, IsRefusedWhenTooManyWait) {
   // A call that waits for its response delays all others of its kind. None of them ends by itself,
   // so the limit is reached eventually, however slowly the threads start.
   ConnectOptions options = quick();
-  options.queue = 3;
+  options.queue_limit = 3;
   Client client = connect(options);
   std::promise<void> refused;
   std::once_flag once;

@@ -22,7 +22,6 @@
 namespace sbgc::test {
 namespace {
 
-using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 using ::testing::AllOf;
 using ::testing::AnyOf;
@@ -103,7 +102,7 @@ TEST_F(Connect, WithThePausesOfTheProtocol) {
   board.answer<msg::GetAnglesRequest>(msg::GetAngles{});
   const auto begin = steady_clock::now();
   for (int i = 0; i < 5; ++i) EXPECT_TRUE(client->get_angles());
-  EXPECT_GE(steady_clock::now() - begin, milliseconds(4 * 10));
+  EXPECT_GE(steady_clock::now() - begin, std::chrono::milliseconds(4 * 10));
 }
 
 TEST_F(Connect, RecordsWhatItIsToldTo) {

@@ -62,7 +62,7 @@ void EmulatedBoard::start(emulator::Memory memory) {
         [this, executor, back_door = running.back_door](const emulator::Board::Traffic& traffic) {
           if (!traffic.outcome || traffic.port == back_door) return;
           asio::post(executor, [this] {
-            if (hooks_.tap != nullptr) hooks_.tap->dealt_with();
+            if (hooks_.tap != nullptr) hooks_.tap->request_executed();
           });
         };
   }

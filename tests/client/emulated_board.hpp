@@ -23,7 +23,7 @@
 #include <sbgc/io/memory.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/messages.hpp>
-#include <sbgc/settings.hpp>
+#include <sbgc/parameters.hpp>
 #include <sbgc/type_list.hpp>
 
 #include "line_kind.hpp"
@@ -114,21 +114,21 @@ class EmulatedBoard {
   /// Returns the board's settings, of one profile or of all.
   template <class M>
   M settings(std::uint8_t copy = 0) {
-    First<typename SettingsOf<M>::Readers> request{};
-    if constexpr (SettingsOf<M>::copies > 1) SettingsOf<M>::copy(request) = copy;
+    First<typename ParametersOf<M>::Readers> request{};
+    if constexpr (ParametersOf<M>::copies > 1) ParametersOf<M>::copy(request) = copy;
     return read<M>(request);
   }
   template <class M>
   std::vector<M> all_settings() {
     std::vector<M> result;
-    for (std::uint8_t copy = 0; copy < SettingsOf<M>::copies; ++copy) {
+    for (std::uint8_t copy = 0; copy < ParametersOf<M>::copies; ++copy) {
       result.push_back(settings<M>(copy));
     }
     return result;
   }
   template <class M>
   void store(const M& settings) {
-    First<typename SettingsOf<M>::Writers> request{};
+    First<typename ParametersOf<M>::Writers> request{};
     static_cast<M&>(request) = settings;
     write(request);
   }

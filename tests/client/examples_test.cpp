@@ -1,17 +1,15 @@
 // Tests the examples as a user runs them: over a serial port, here a pseudo-terminal.
 
-#include <array>
-#include <cstdio>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <sbgc/io/pseudo_terminal.hpp>
 #include <sbgc/messages.hpp>
 
 #include "collector.hpp"
+#include "run_program.hpp"
 #include "scripted_board.hpp"
 
 namespace sbgc::test {
@@ -21,23 +19,6 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-struct Finished {
-  int status{};
-  std::string output{};
-};
-
-Finished run(const std::string& command) {
-  Finished result;
-  std::FILE* const pipe = ::popen((command + " 2>&1").c_str(), "r");
-  std::array<char, 4096> block{};
-  for (std::size_t size = 1; size > 0;) {
-    size = std::fread(block.data(), 1, block.size(), pipe);
-    result.output.append(block.data(), size);
-  }
-  result.status = WEXITSTATUS(::pclose(pipe));
-  return result;
-}
 
 /// A gimbal that moves to its target immediately.
 class Examples : public ::testing::Test {
@@ -88,7 +69,7 @@ class Examples : public ::testing::Test {
 };
 
 TEST_F(Examples, Quickstart) {
-  const Finished result = run(SBGC_EXAMPLE_QUICKSTART " " + port + " --yes");
+  const ProgramResult result = run_program(SBGC_EXAMPLE_QUICKSTART " " + port + " --yes");
   EXPECT_EQ(result.status, 0) << result.output;
   EXPECT_THAT(result.output, AllOf(HasSubstr("board 3.0, firmware 2.59, on serial port " + port),
                                    HasSubstr("roll    0.0  pitch  -30.0  yaw   12.5 degrees\n")));
@@ -98,7 +79,7 @@ TEST_F(Examples, Quickstart) {
 }
 
 TEST_F(Examples, QuickstartLeavesTheMotorsAsTheyWere) {
-  EXPECT_EQ(run(SBGC_EXAMPLE_QUICKSTART " " + port + " --yes").status, 0);
+  EXPECT_EQ(run_program(SBGC_EXAMPLE_QUICKSTART " " + port + " --yes").status, 0);
   EXPECT_THAT(motors.wait_for(2), ElementsAre("on", "off"));
 }
 
@@ -106,31 +87,32 @@ TEST_F(Examples, QuickstartLeavesMotorsOnThatWereOn) {
   msg::RealtimeData4 state;
   state.other_flags = msg::OtherFlag::motors_on;
   board.answer<msg::RealtimeData4Request>(state);
-  EXPECT_EQ(run(SBGC_EXAMPLE_QUICKSTART " " + port + " --yes").status, 0);
+  EXPECT_EQ(run_program(SBGC_EXAMPLE_QUICKSTART " " + port + " --yes").status, 0);
   EXPECT_THAT(motors.wait_for(0), IsEmpty());
 }
 
 TEST_F(Examples, QuickstartMovesNothingUnlessSomebodyAgrees) {
   for (const char* answer : {"echo no", "echo", "true"}) {
-    const Finished result = run(answer + std::string(" | " SBGC_EXAMPLE_QUICKSTART " ") + port);
+    const ProgramResult result =
+        run_program(answer + std::string(" | " SBGC_EXAMPLE_QUICKSTART " ") + port);
     EXPECT_EQ(result.status, 1);
     EXPECT_THAT(result.output, HasSubstr("nothing has been moved"));
   }
   EXPECT_THAT(motors.wait_for(0), IsEmpty());
-  EXPECT_EQ(run("echo yes | " SBGC_EXAMPLE_QUICKSTART " " + port).status, 0);
+  EXPECT_EQ(run_program("echo yes | " SBGC_EXAMPLE_QUICKSTART " " + port).status, 0);
   EXPECT_FALSE(motors.wait_for(0).empty());
 }
 
 TEST_F(Examples, AsyncStream) {
-  const Finished result = run(SBGC_EXAMPLE_ASYNC_STREAM " " + port);
+  const ProgramResult result = run_program(SBGC_EXAMPLE_ASYNC_STREAM " " + port);
   EXPECT_EQ(result.status, 0);
   EXPECT_THAT(result.output, AllOf(HasSubstr("firmware 2.59\n"), HasSubstr("50: yaw    0.0 deg")));
 }
 
 TEST_F(Examples, TellWhatIsWrong) {
   for (const char* program : {SBGC_EXAMPLE_QUICKSTART, SBGC_EXAMPLE_ASYNC_STREAM}) {
-    EXPECT_EQ(run(program).status, 2);
-    const Finished result = run(std::string(program) + " /dev/no-such-port");
+    EXPECT_EQ(run_program(program).status, 2);
+    const ProgramResult result = run_program(std::string(program) + " /dev/no-such-port");
     EXPECT_EQ(result.status, 1);
     EXPECT_THAT(result.output, HasSubstr("/dev/no-such-port"));
   }

@@ -71,8 +71,9 @@ TEST_F(ParametersTest, ReadsEveryBlockOfEveryProfileToTheLastByte) {
   const ParameterSet set = read();
   ASSERT_THAT(set.all(), SizeIs(3 * 5 + 3));
   const auto is_whole = [&]<class M>(Type<M>) {
-    for (std::uint8_t copy = 0; copy < SettingsOf<M>::copies; ++copy) {
-      EXPECT_EQ(set.find({SettingsOf<M>::name, copy})->body, packet(board.settings<M>(copy)).body);
+    for (std::uint8_t copy = 0; copy < ParametersOf<M>::copies; ++copy) {
+      EXPECT_EQ(set.find({ParametersOf<M>::name, copy})->body,
+                packet(board.settings<M>(copy)).body);
     }
   };
   is_whole(Type<msg::ReadParams3>{});

@@ -247,10 +247,10 @@ inline TransportFactory over_line(ScriptedBoard& board) {
 /// pseudo-terminal has none.
 inline ConnectOptions quick() {
   return {.timeout = std::chrono::seconds(60),
-          .find_line = line_kind() == LineKind::memory,
+          .detect_line = line_kind() == LineKind::memory,
           .retries = 9,
           .pacing = false,
-          .patience = std::chrono::seconds(60)};
+          .queue_timeout = std::chrono::seconds(60)};
 }
 
 }  // namespace sbgc::test

@@ -327,7 +327,7 @@ TEST_F(Subscribed, ToMoreThanTheLineCarriesIsRefused) {
     return std::move(pair.first);
   };
   ConnectOptions options = quick();
-  options.find_line = false;
+  options.detect_line = false;
   auto client = connect_over(make, options);
   ASSERT_TRUE(client) << client.error().message;
   auto fits =

@@ -57,7 +57,7 @@ void Tap::deliver(std::span<std::uint8_t> into, Handler& handler) {
   handler({}, size);
 }
 
-void Tap::dealt_with() {
+void Tap::request_executed() {
   if (!is_busy_) return;
   is_busy_ = false;
   if (hooks_.after) hooks_.after(*request_);

@@ -51,7 +51,7 @@ class Tap final : public io::Transport {
   io::LineControl* line() override { return inner_->line(); }
 
   /// Reports that the board has executed the delivered requests. Its responses are sent now.
-  void dealt_with();
+  void request_executed();
   /// Breaks the line.
   void unplug() { inner_->close(); }
 

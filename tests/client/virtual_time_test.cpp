@@ -88,7 +88,7 @@ TEST_F(VirtualTime, ABackupComesBack) {
   ASSERT_TRUE(changed.parameters.set(*params));
   std::vector<Backup> saved;
   RestoreOptions options;
-  options.save_present = [&](const Backup& present) {
+  options.save_current = [&](const Backup& present) {
     saved.push_back(present);
     return Result<void>();
   };
@@ -106,7 +106,7 @@ TEST_F(VirtualTime, NothingIsWrittenIfThePresentStateCannotBeSaved) {
   const auto before = client.run(tasks::make_backup(""));
   ASSERT_TRUE(before);
   RestoreOptions options;
-  options.save_present = [](const Backup&) -> Result<void> {
+  options.save_current = [](const Backup&) -> Result<void> {
     return ClientError{ErrorCode::io, "the disk is full"};
   };
   const WriteReport report = client.run(tasks::restore(*before, options));

@@ -51,7 +51,7 @@ def test_all_cpp_compiles() -> None:
 # Conditions that the functions of the guides must fulfill.
 PROMISES = {
     "1-getting-started": "turn_to(45, frame).size() == 18 && turn_to(800, frame).empty()",
-    "4-framing": "frames_behind_a_broken_one() == 1",
+    "4-framing": "frames_after_a_broken_one() == 1",
     "5-units": "creep(sbgc::msg::FineSpeed(20)).control_mode.yaw.raw() == 0x81",
     "6-parameters": "with_deadband({}, 7).rc_deadband == 7",
     "7-streams": "sbgc::encode_frame(angles_at_50_hz(), frame).size == 26",

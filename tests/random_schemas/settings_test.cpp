@@ -9,7 +9,7 @@
 
 #include <sbgc/json.hpp>
 #include <sbgc/meta/all.hpp>
-#include <sbgc/settings.hpp>
+#include <sbgc/parameters.hpp>
 
 #include "support.hpp"
 
@@ -23,7 +23,7 @@ Json names(TypeList<Messages...>) {
 
 template <class M>
 void check(const Json& line) {
-  using Settings = SettingsOf<M>;
+  using Settings = ParametersOf<M>;
   EXPECT_EQ(Settings::copies, line["copies"]);
   EXPECT_EQ(names(typename Settings::Readers{}), line["readers"]);
   EXPECT_EQ(names(typename Settings::Writers{}), line["writers"]);
@@ -48,13 +48,13 @@ TEST(Settings, AreSharedAsTheModelSays) {
     SCOPED_TRACE("line " + std::to_string(++number) + " of settings.jsonl");
     const Json line = Json::parse(text);
     seen.insert(line["settings"].get<std::string>());
-    StoredMessages::for_each([&]<class M>(Type<M>) {
-      if (line["settings"] != SettingsOf<M>::name) return;
+    ParameterMessages::for_each([&]<class M>(Type<M>) {
+      if (line["settings"] != ParametersOf<M>::name) return;
       ASSERT_NO_THROW(check<M>(line));
     });
   }
-  StoredMessages::for_each([&]<class M>(Type<M>) {
-    EXPECT_TRUE(seen.contains(SettingsOf<M>::name)) << SettingsOf<M>::name;
+  ParameterMessages::for_each([&]<class M>(Type<M>) {
+    EXPECT_TRUE(seen.contains(ParametersOf<M>::name)) << ParametersOf<M>::name;
   });
 }
 

@@ -241,7 +241,7 @@ TEST(Session, SilenceCountsEvenIfPollComesLate) {
 
 TEST(Session, ARepeatedAnswerIsNotThatOfTheNextRequestIfTheLineRepeats) {
   sbgc::SessionOptions options;
-  options.duplicates = milliseconds(300);
+  options.duplicate_window = milliseconds(300);
   Simulation line(options);
   line.board = [&](const Written&) {
     const Body body = body_of(18, {static_cast<int>(line.written.size())});

@@ -223,7 +223,7 @@ TEST(Detector, LeavesOutWhatThePortCanNotDo) {
 
 TEST(Detector, WaitsAsLongAsTheLineNeeds) {
   sbgc::DetectorOptions options;
-  options.patience = Duration{};
+  options.response_timeout = Duration{};
   Detector detector(options);
   Instant now = simulation::start;
   for (;;) {  // up to the first request at 9600 baud

@@ -234,7 +234,7 @@ TEST_P(Schedules, NorOverALineThatRepeats) {
   Weather weather = bad;
   weather.repeated = 30;
   sbgc::SessionOptions options;
-  options.duplicates = milliseconds(100);
+  options.duplicate_window = milliseconds(100);
   Chaos chaos(GetParam(), weather, options);
   chaos.run(300);
   EXPECT_GT(chaos.count(Outcome::answered), 0U);

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include <sbgc/settings.hpp>
+#include <sbgc/parameters.hpp>
 
 #include "device/device.hpp"
 #include "physics/noise.hpp"
@@ -57,11 +57,11 @@ bool AutoTuning::start(Device& device, std::uint8_t profile, msg::AutoPidFlags c
       return 0.8 + 0.4 * random_share(seed_of(device), 4 * axis + counter);
     };
     // Assumption: gains that suit this gimbal; less stability means higher gains.
-    const double courage = 0.6 + 0.8 * gain / 255;
+    const double aggressiveness = 0.6 + 0.8 * gain / 255;
     Gains& goal = run.goal[axis];
-    goal = {15 * courage * random(0), 10 * courage * random(1), 20 * courage * random(2),
-            present.lpf};
-    if (tunes_filter) goal.lpf = std::round(120 * courage * random(3));
+    goal = {15 * aggressiveness * random(0), 10 * aggressiveness * random(1),
+            20 * aggressiveness * random(2), present.lpf};
+    if (tunes_filter) goal.lpf = std::round(120 * aggressiveness * random(3));
     if (!config.has(msg::AutoPidFlag::keep_current)) {
       run.begin[axis] = {goal.p / 4, goal.i / 4, goal.d / 4, tunes_filter ? 60 : present.lpf};
     }
@@ -109,7 +109,7 @@ void AutoTuning::advance(Device& device, Instant now) {
   }
 }
 
-void AutoTuning::forget_port(std::size_t port) {
+void AutoTuning::drop_port(std::size_t port) {
   if (run_ && run_->port == port) run_->port.reset();
 }
 
@@ -158,7 +158,7 @@ void AutoTuning::store(Device& device, const Run& run, Instant now) const {
           msg::Frequency(static_cast<std::uint16_t>(std::lround(frequency)));
     }
   };
-  for (std::uint8_t profile = 0; profile < SettingsOf<msg::ReadParams3>::copies; ++profile) {
+  for (std::uint8_t profile = 0; profile < ParametersOf<msg::ReadParams3>::copies; ++profile) {
     if (profile != run.profile && !run.config.has(msg::AutoPidFlag::all_profiles)) continue;
     // The length does not change, so the bodies fit.
     static_cast<void>(device.parameters.change<msg::ReadParams3>(profile, set_gains));

@@ -30,7 +30,7 @@ class AutoTuning {
   bool is_running() const { return run_.has_value(); }
 
   /// The port closes: sends nothing more to it.
-  void forget_port(std::size_t port);
+  void drop_port(std::size_t port);
 
   Instant next() const;
   void advance(Device& device, Instant now);

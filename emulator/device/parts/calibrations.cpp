@@ -177,7 +177,7 @@ void Calibrations::advance(Device& device, Instant now) {
   }
 }
 
-void Calibrations::forget_port(std::size_t port) {
+void Calibrations::drop_port(std::size_t port) {
   if (run_ && run_->requester && run_->requester->port == port) run_->requester.reset();
 }
 

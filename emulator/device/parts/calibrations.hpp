@@ -60,7 +60,7 @@ class Calibrations {
   static Duration scaled(const BoardOptions& options, Duration length);
 
   /// The port closes: sends nothing more to it.
-  void forget_port(std::size_t port);
+  void drop_port(std::size_t port);
 
   Instant next() const;
   void advance(Device& device, Instant now);

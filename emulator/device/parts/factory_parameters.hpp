@@ -4,11 +4,11 @@
 #include <cstdint>
 
 #include <sbgc/messages.hpp>
-#include <sbgc/settings.hpp>
+#include <sbgc/parameters.hpp>
 
 namespace sbgc::emulator {
 
-/// The StoredMessages of a new board. All values are assumptions: the specification gives none.
+/// The ParameterMessages of a new board. All values are assumptions: the specification gives none.
 /// They suit a typical gimbal with three axes and a battery of four lithium cells, are within all
 /// ranges, and use only features of board version 3.0. Reserved bytes are 0.
 template <class M>

@@ -92,16 +92,16 @@ msg::FileError FileSystem::write(std::uint16_t file, std::uint16_t size, std::ui
   auto files = load();
   if (!files) return msg::FileError::fat;
   auto found = std::ranges::find(*files, file, &File::id);
-  const bool is_there = found != files->end();
+  const bool is_present = found != files->end();
   if (data.empty()) {
-    if (!is_there) return msg::FileError::file_not_found;
+    if (!is_present) return msg::FileError::file_not_found;
     files->erase(found);
     store(*files);
     return msg::FileError::no_error;
   }
   const std::size_t begin = page * page_size;
   if (begin > size || data.size() > size - begin) return msg::FileError::file_size;
-  if (!is_there) {
+  if (!is_present) {
     if (files->size() == most_files) return msg::FileError::fat_is_full;
     found = files->insert(files->end(), File{.id = file, .checksum = checksum({})});
   }

@@ -1,7 +1,7 @@
 #include "device/parts/parameters.hpp"
 
 #include <sbgc/meta/variables.hpp>
-#include <sbgc/variable_settings.hpp>
+#include <sbgc/variable_parameters.hpp>
 
 namespace sbgc::emulator {
 
@@ -9,18 +9,18 @@ Parameters::Parameters(Memory& memory) : memory_(memory), eeprom_(memory) { relo
 
 void Parameters::reload() {
   variables_.clear();
-  StoredMessages::for_each([this]<class M>(Type<M>) { use(stored<M>(copy_in_use<M>())); });
+  ParameterMessages::for_each([this]<class M>(Type<M>) { use(stored<M>(copy_in_use<M>())); });
 }
 
 std::uint8_t Parameters::profile() const {
-  constexpr std::uint8_t profiles = SettingsOf<msg::ReadParams3>::copies;
+  constexpr std::uint8_t profiles = ParametersOf<msg::ReadParams3>::copies;
   return memory_.profile < profiles ? memory_.profile : std::uint8_t{0};
 }
 
 void Parameters::select_profile(std::uint8_t profile) {
   if (memory_.is_unsaved || memory_.profile != profile) ++memory_.revision;
   memory_.profile = profile;
-  StoredMessages::for_each([&]<class M>(Type<M>) {
+  ParameterMessages::for_each([&]<class M>(Type<M>) {
     if constexpr (is_of_profile<M>) use(stored<M>(profile));
   });
 }
@@ -62,7 +62,7 @@ void Parameters::forget_variables() {
 }
 
 void Parameters::save() {
-  StoredMessages::for_each([this]<class M>(Type<M>) {
+  ParameterMessages::for_each([this]<class M>(Type<M>) {
     // Active parameters were stored or loaded before, so they are not too long.
     if constexpr (is_of_profile<M>) static_cast<void>(store(profile(), of<M>()));
   });
@@ -70,7 +70,7 @@ void Parameters::save() {
 }
 
 void Parameters::use_defaults(std::uint8_t profile) {
-  StoredMessages::for_each([&]<class M>(Type<M>) {
+  ParameterMessages::for_each([&]<class M>(Type<M>) {
     if constexpr (is_of_profile<M>) {
       M defaults = factory_parameters<M>(profile);
       share(record<M>(0), defaults);

@@ -16,8 +16,8 @@
 #include <sbgc/meta/adjustable_variables.hpp>
 #include <sbgc/meta/parameters.hpp>
 #include <sbgc/meta/storage.hpp>
+#include <sbgc/parameters.hpp>
 #include <sbgc/response_policy.hpp>
-#include <sbgc/settings.hpp>
 #include <sbgc/type_list.hpp>
 #include <sbgc/types.hpp>
 
@@ -44,8 +44,8 @@ struct OneOfEach<TypeList<Messages...>> {
   }
 };
 
-/// Parameters are bodies of StoredMessages. The board uses those of the active profile. Changes of
-/// the active parameters alone, such as by adjustable variables, differ from the EEPROM until
+/// Parameters are bodies of ParameterMessages. The board uses those of the active profile. Changes
+/// of the active parameters alone, such as by adjustable variables, differ from the EEPROM until
 /// save() or a restart.
 ///
 /// Fields that hold state of the board (FieldRole::state) are stored as received; the handler of a
@@ -74,7 +74,7 @@ class Parameters {
   }
 
   /// Returns the parameters that a request reads: the active ones for the active profile, else
-  /// those in the EEPROM. Precondition: copy < SettingsOf<M>::copies.
+  /// those in the EEPROM. Precondition: copy < ParametersOf<M>::copies.
   template <class M>
   M read(std::uint8_t copy) const {
     return copy == copy_in_use<M>() ? of<M>() : stored<M>(copy);
@@ -143,7 +143,7 @@ class Parameters {
 
   /// True if each profile has a copy of the message; otherwise there is one copy.
   template <class M>
-  static constexpr bool is_of_profile = (SettingsOf<M>::copies > 1);
+  static constexpr bool is_of_profile = (ParametersOf<M>::copies > 1);
 
   template <class M>
   std::uint8_t copy_in_use() const {
@@ -151,20 +151,20 @@ class Parameters {
   }
   template <class M>
   static void set_copy(M& message, std::uint8_t copy) {
-    if constexpr (is_of_profile<M>) SettingsOf<M>::copy(message) = copy;
+    if constexpr (is_of_profile<M>) ParametersOf<M>::copy(message) = copy;
   }
   template <class M>
   static void share([[maybe_unused]] const M& from, [[maybe_unused]] M& to) {
-    if constexpr (is_of_profile<M>) SettingsOf<M>::share(from, to);
+    if constexpr (is_of_profile<M>) ParametersOf<M>::share(from, to);
   }
   /// Returns the address of the record of a copy.
   template <class M>
   static std::size_t place(std::uint8_t copy) {
     std::size_t before = 0;
     bool found = false;
-    StoredMessages::for_each([&]<class Other>(Type<Other>) {
+    ParameterMessages::for_each([&]<class Other>(Type<Other>) {
       found = found || std::is_same_v<M, Other>;
-      if (!found) before += SettingsOf<Other>::copies;
+      if (!found) before += ParametersOf<Other>::copies;
     });
     return layout::parameters + (before + copy) * record_size();
   }
@@ -209,7 +209,7 @@ class Parameters {
 
   Memory& memory_;
   Eeprom eeprom_;
-  OneOfEach<StoredMessages> in_use_{};
+  OneOfEach<ParameterMessages> in_use_{};
   std::map<msg::VariableId, Variable> variables_{};  ///< variables that were set
 };
 

@@ -119,7 +119,7 @@ bool Ports::is_in_frame(std::size_t port) const {
   return is_open(port) && ports_[port].parser.waiting_bytes() != 0;
 }
 
-void Ports::give_up_frame(std::size_t port, bool is_listening) {
+void Ports::drop_frame(std::size_t port, bool is_listening) {
   ports_[port].parser.flush([&](const Frame& frame) { keep(port, frame, is_listening); });
 }
 

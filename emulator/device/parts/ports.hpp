@@ -78,7 +78,7 @@ class Ports {
   /// True if a frame has started but is not complete.
   bool is_in_frame(std::size_t port) const;
   /// Drops the partial frame, because the line was idle.
-  void give_up_frame(std::size_t port, bool is_listening);
+  void drop_frame(std::size_t port, bool is_listening);
   /// True if a request is queued and pending output does not block it.
   bool can_take(std::size_t port) const;
   /// Precondition: can_take(port).

@@ -32,13 +32,13 @@ std::uint16_t count_commands(std::string_view text) {
 
 }  // namespace
 
-bool Scripts::are_known(const Device& device) {
+bool Scripts::are_supported(const Device& device) {
   return device.options.features.has(msg::BoardFeature::scripting);
 }
 
 std::optional<msg::BoardErrorCode> Scripts::start(Device& device, std::uint8_t slot,
                                                   std::optional<std::size_t> port, Instant now) {
-  if (!are_known(device)) return msg::BoardErrorCode::not_supported;
+  if (!are_supported(device)) return msg::BoardErrorCode::not_supported;
   if (slot >= slots) return msg::BoardErrorCode::wrong_params;
   const std::uint16_t size = device.files.size(slot);
   if (size == 0) return msg::BoardErrorCode::operation_failed;
@@ -74,7 +74,7 @@ void Scripts::advance(Device& device, Instant now) {
   }
 }
 
-void Scripts::forget_port(std::size_t port) {
+void Scripts::drop_port(std::size_t port) {
   if (run_ && run_->port == port) run_->port.reset();
 }
 

@@ -24,7 +24,7 @@ class Scripts {
       std::tuple_size_v<decltype(msg::BoardInfo3::script_slot_size)>;
 
   /// True if this board supports scripts.
-  static bool are_known(const Device& device);
+  static bool are_supported(const Device& device);
   /// Starts a script and ends the running one. `port` receives CMD_SCRIPT_DEBUG for each command
   /// and at the end. Returns the reason if it cannot start.
   std::optional<msg::BoardErrorCode> start(Device& device, std::uint8_t slot,
@@ -36,7 +36,7 @@ class Scripts {
   std::uint16_t command() const { return run_ ? run_->command : 0; }
 
   /// The port closes: sends nothing more to it.
-  void forget_port(std::size_t port);
+  void drop_port(std::size_t port);
 
   Instant next() const;
   void advance(Device& device, Instant now);

@@ -22,7 +22,7 @@ class CorrelationField:
 
 
 @dataclass(frozen=True)
-class Growth:
+class OptionalPart:
     """`size` more bytes of a body if `when` holds for the value at `path` of the request.
 
     If that value may be missing (`optional`) and is, the condition does not hold.
@@ -45,7 +45,7 @@ class Response:
     max_size: int
     is_open: bool
     correlation: tuple[CorrelationField, ...] = ()
-    growth: tuple[Growth, ...] = ()
+    growth: tuple[OptionalPart, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -117,7 +117,7 @@ def example_of(message: Message, layout: Layout) -> Example:
     vector_line = json.loads(line(vector, forms_of(layout)))
     framing = layout.framing
     frame = write_frame(framing, message.id, vector.body)
-    taker = _Taker(layout, vector.body, vector.fields)
+    taker = _ValueReader(layout, vector.body, vector.fields)
     pieces = tuple(taker.fields(message.fields, vector.fields, _Place()))
     assert taker.at == len(vector.body), f"{message.name}: {taker.at} of {len(vector.body)} bytes"
     before = tuple(
@@ -165,7 +165,7 @@ class _Place:
         return _Place(f"{self.path}[{i}]", self.leaf + _index(field, i), self.missing)
 
 
-class _Taker:
+class _ValueReader:
     """Takes the values of a body in order."""
 
     def __init__(self, layout: Layout, body: bytes, whole: Fields) -> None:

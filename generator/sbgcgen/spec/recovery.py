@@ -42,7 +42,7 @@ class Recovery:
     spec: Spec
     lost_keys: bool = False
     lost_entries: bool = False
-    _misspelt: list[Map] = field(default_factory=list)  # nodes that had misspelled keys
+    _misspelled: list[Map] = field(default_factory=list)  # nodes that had misspelled keys
     _dropped: list[tuple[Map, str]] = field(default_factory=list)
 
     def report(self, behind: Diagnostics, found: Diagnostics) -> None:
@@ -79,18 +79,18 @@ class Recovery:
 
     def _rename_keys(self, error: ShapeError) -> None:
         node = error.node
-        are_known = True
+        are_supported = True
         for key in error.unknown:
             meant = closest(key, [known for known in error.known if known not in node], _CUTOFF)
             if meant:
                 node[meant] = node[key]
                 node.keys_at[meant] = node.at(key)
             else:
-                are_known = False
+                are_supported = False
                 self.lost_entries = True
             del node[key]
-        if are_known:
-            self._misspelt.append(node)
+        if are_supported:
+            self._misspelled.append(node)
 
     def _drop_key(self, parent: Map, key: str, is_entry: bool) -> None:
         if key not in parent:
@@ -108,7 +108,7 @@ class Recovery:
         if error.validator != "required":
             is_ours = error.parent is not None and self._has_dropped(error.parent, str(error.step))
             return not is_ours and error.validator not in _OF_WHAT_IS_MISSING
-        was_misspelt = any(node is error.node for node in self._misspelt)
+        was_misspelt = any(node is error.node for node in self._misspelled)
         return was_misspelt and not self._has_dropped(error.node, error.missing)
 
     def _has_dropped(self, parent: Map | List, key: str) -> bool:

@@ -85,10 +85,10 @@ def shape_errors(spec: Spec) -> Iterator[ShapeError]:
             continue  # the file could not be read, which has been reported
         rules = {"$ref": f"#/$defs/{kind}", "$defs": schema["$defs"]}
         checker = jsonschema.Draft202012Validator(rules)
-        yield from _meant(checker.iter_errors(content), content)
+        yield from _relevant_errors(checker.iter_errors(content), content)
 
 
-def _meant(errors: Iterable[Any], content: Map) -> Iterator[ShapeError]:
+def _relevant_errors(errors: Iterable[Any], content: Map) -> Iterator[ShapeError]:
     """The errors of one file; of alternatives, those of the best match.
 
     Drops a missing key if the same node has a misspelled one, which may be the missing key.
@@ -100,7 +100,7 @@ def _meant(errors: Iterable[Any], content: Map) -> Iterator[ShapeError]:
             continue
         branch = _closest_branch(error)
         if branch:
-            yield from _meant(branch, content)
+            yield from _relevant_errors(branch, content)
             continue
         node: Any = content
         parent: Any = None

@@ -71,9 +71,9 @@ std::filesystem::path name_beside(const std::filesystem::path& file) {
 /// True if name_beside() can have made the name.
 bool is_beside(std::string_view name, std::string_view file) {
   const auto skip = [&](std::string_view text) {
-    const bool is_there = name.starts_with(text);
-    if (is_there) name.remove_prefix(text.size());
-    return is_there;
+    const bool is_present = name.starts_with(text);
+    if (is_present) name.remove_prefix(text.size());
+    return is_present;
   };
   const auto skip_number = [&] {
     const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
@@ -176,9 +176,9 @@ Result<void> write_file_atomically(const std::filesystem::path& name, std::strin
   if (existing == Existing::replace) keep_rights(opened.number(), file);
   // Some file systems report errors only on close. The lock lasts until the last descriptor is
   // closed.
-  const bool is_there = write_all(opened.number(), content) && ::fsync(opened.number()) == 0 &&
-                        ::close(::dup(opened.number())) == 0;
-  if (!is_there) return io_error("cannot write", path, errno);
+  const bool is_present = write_all(opened.number(), content) && ::fsync(opened.number()) == 0 &&
+                          ::close(::dup(opened.number())) == 0;
+  if (!is_present) return io_error("cannot write", path, errno);
   const bool replaces = existing == Existing::replace;
   const int error = !replaces                                   ? move_without_replacing(path, file)
                     : ::rename(path.c_str(), file.c_str()) == 0 ? 0

@@ -36,7 +36,7 @@ ClientError to_client_error(const io::Error& error) {
     code = ErrorCode::bad_file;
   }
   const bool is_from_system = error.code.category() == std::system_category();
-  return {code, without_stop(error.message), is_from_system ? error.code.value() : 0};
+  return {code, without_period(error.message), is_from_system ? error.code.value() : 0};
 }
 
 /// For example "115200 8N1: 312 bytes, no valid frames".
@@ -85,7 +85,7 @@ class Connector {
   Result<void> open(const Opener& opener) {
     io::OpenResult opened = opener.open(strand_, left());
     if (!opened) return to_client_error(opened.error);
-    has_line_to_find_ = opener.find_line && opened.transport->line() != nullptr;
+    has_line_to_find_ = opener.detect_line && opened.transport->line() != nullptr;
     if (!options_.capture.empty()) {
       io::CaptureWriter file;
       if (const io::Error error = file.open(options_.capture)) return to_client_error(error);
@@ -95,10 +95,10 @@ class Connector {
     return {};
   }
 
-  Result<void> find_line() {
+  Result<void> detect_line() {
     if (!has_line_to_find_) return {};
     const auto waiter = std::make_shared<Waiter<LineSearch::Outcome>>();
-    state_->find_line([waiter](const LineSearch::Outcome& outcome) { waiter->put(outcome); });
+    state_->detect_line([waiter](const LineSearch::Outcome& outcome) { waiter->put(outcome); });
     auto search = waiter->wait_until(io::to_chrono(deadline_));
     if (!search) {
       state_->stop_finding_line();
@@ -139,12 +139,12 @@ class Connector {
   }
 
   template <Message M>
-  Result<CallAnswer<M>> ask(const M& request) {
+  Result<CallResponse<M>> ask(const M& request) {
     Result<Request> prepared = conversation().prepare(request, {});
     if (!prepared) return std::move(prepared).error();
     const auto usual = std::chrono::milliseconds(prepared->policy.timeout_ms);
     const auto all = usual * (options_.retries + 1);
-    return read_answer<M>(
+    return read_response<M>(
         conversation().call(std::move(prepared), {.timeout = std::min(left(), all)}));
   }
 
@@ -179,22 +179,22 @@ Opener opener_of(const std::string& address, const ConnectOptions& options) {
   return {[address](const asio::any_io_executor& executor, std::chrono::milliseconds timeout) {
             return io::open(executor, address, {.timeout = timeout});
           },
-          options.find_line && !says_line};
+          options.detect_line && !says_line};
 }
 
 Opener opener_of(const TransportFactory& make, const ConnectOptions& options) {
   return {[make](const asio::any_io_executor& executor, std::chrono::milliseconds) {
             return io::OpenResult{make(executor), {}};
           },
-          options.find_line};
+          options.detect_line};
 }
 
 Result<Conversation> connect(const asio::any_io_executor& executor, const Opener& opener,
-                             const ConnectOptions& options, const OnBegun& on_begun) {
+                             const ConnectOptions& options, const OnStarted& on_begun) {
   Connector connector(executor, options);
   if (on_begun) on_begun(connector.conversation());
   if (auto opened = connector.open(opener); !opened) return std::move(opened).error();
-  if (auto found = connector.find_line(); !found) return std::move(found).error();
+  if (auto found = connector.detect_line(); !found) return std::move(found).error();
   if (auto known = connector.introduce(); !known) return std::move(known).error();
   connector.finish();
   return connector.conversation();

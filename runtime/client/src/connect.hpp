@@ -19,19 +19,19 @@ struct Opener {
   std::function<io::OpenResult(const asio::any_io_executor& executor,
                                std::chrono::milliseconds timeout)>
       open;
-  bool find_line = false;  ///< only if the transport has a LineControl
+  bool detect_line = false;  ///< only if the transport has a LineControl
 };
 
 Opener opener_of(const std::string& address, const ConnectOptions& options);
 Opener opener_of(const TransportFactory& make, const ConnectOptions& options);
 
 /// Receives the conversation before connect() can block. Closing it ends connect().
-using OnBegun = std::function<void(const Conversation&)>;
+using OnStarted = std::function<void(const Conversation&)>;
 
 /// Opens the line and reads the identity of the board. Blocks for at most options.timeout; another
 /// thread must run the executor meanwhile.
 Result<Conversation> connect(const asio::any_io_executor& executor, const Opener& opener,
-                             const ConnectOptions& options, const OnBegun& on_begun = {});
+                             const ConnectOptions& options, const OnStarted& on_begun = {});
 
 /// Accesses the private members of Client.
 struct ClientMaker {

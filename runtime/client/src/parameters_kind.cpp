@@ -64,7 +64,7 @@ bool with_supported(TypeList<Requests...>, const Availability& versions, Use&& u
 template <class M, class Request>
 Task<Result<std::vector<std::uint8_t>>> read_with(std::uint8_t copy, CallOptions options) {
   Request request{};
-  if constexpr (SettingsOf<M>::copies > 1) SettingsOf<M>::copy(request) = copy;
+  if constexpr (ParametersOf<M>::copies > 1) ParametersOf<M>::copy(request) = copy;
   const Result<M> answer = co_await tasks::call(request, options);
   if (!answer) co_return answer.error();
   co_return bytes_of(*answer);
@@ -75,7 +75,7 @@ Task<Result<std::vector<std::uint8_t>>> read_parameters_of(std::uint8_t copy, Ca
   const TaskMachine& task = co_await tasks::this_task();
   std::optional<Task<Result<std::vector<std::uint8_t>>>> reading;
   with_supported(
-      typename SettingsOf<M>::Readers{}, task.identity().versions(),
+      typename ParametersOf<M>::Readers{}, task.identity().versions(),
       [&]<class Request>(Type<Request>) { reading.emplace(read_with<M, Request>(copy, options)); });
   if (reading) co_return co_await std::move(*reading);
   co_return ClientError{ErrorCode::unsupported,
@@ -91,7 +91,7 @@ template <class M>
 Task<Result<void>> write_parameters_of(std::vector<std::uint8_t> body, CallOptions options) {
   const TaskMachine& task = co_await tasks::this_task();
   std::optional<Task<Result<void>>> writing;
-  with_supported(typename SettingsOf<M>::Writers{}, task.identity().versions(),
+  with_supported(typename ParametersOf<M>::Writers{}, task.identity().versions(),
                  [&]<class Request>(Type<Request>) {
                    writing.emplace(write_with<M, Request>(body, options));
                  });
@@ -107,11 +107,11 @@ std::string problem(Body body, std::uint8_t copy) {
     return fmt::format("{} bytes cannot be a {}: {}", body.size(), Meta<M>::info.name,
                        text(status.code));
   }
-  if (copy >= SettingsOf<M>::copies) {
+  if (copy >= ParametersOf<M>::copies) {
     return fmt::format("there is no copy {} of {}", copy, Meta<M>::info.name);
   }
-  if constexpr (SettingsOf<M>::copies > 1) {
-    const int said = SettingsOf<M>::copy(message);
+  if constexpr (ParametersOf<M>::copies > 1) {
+    const int said = ParametersOf<M>::copy(message);
     if (said != copy) return fmt::format("the body is of profile {}", said + 1);
   }
   return "";
@@ -130,16 +130,16 @@ ParametersKind kind_of() {
   return {
       .name = Meta<M>::info.name,
       .summary = Meta<M>::info.summary,
-      .copies = SettingsOf<M>::copies,
+      .copies = ParametersOf<M>::copies,
       .state_mask = mask_of<M>(FieldRole::state),
       .general_mask = mask_of<M>(FieldRole::general),
       .is_readable =
           [](const Availability& versions) {
-            return with_supported(typename SettingsOf<M>::Readers{}, versions, [](auto) {});
+            return with_supported(typename ParametersOf<M>::Readers{}, versions, [](auto) {});
           },
       .is_writable =
           [](const Availability& versions) {
-            return with_supported(typename SettingsOf<M>::Writers{}, versions, [](auto) {});
+            return with_supported(typename ParametersOf<M>::Writers{}, versions, [](auto) {});
           },
       .read = read_parameters_of<M>,
       .write = write_parameters_of<M>,
@@ -165,7 +165,7 @@ std::uint8_t mixed(std::uint8_t byte, std::uint8_t other, std::uint8_t mask) {
 const std::vector<ParametersKind>& parameters_kinds() {
   static const std::vector<ParametersKind> kinds = [] {
     std::vector<ParametersKind> result;
-    StoredMessages::for_each([&]<class M>(Type<M>) { result.push_back(kind_of<M>()); });
+    ParameterMessages::for_each([&]<class M>(Type<M>) { result.push_back(kind_of<M>()); });
     return result;
   }();
   return kinds;

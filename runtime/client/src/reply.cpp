@@ -8,7 +8,7 @@
 #include <sbgc/dispatch.hpp>
 #include <sbgc/text/status.hpp>
 
-#include "board_words.hpp"
+#include "board_text.hpp"
 
 namespace sbgc::detail {
 
@@ -55,14 +55,14 @@ Result<std::int64_t> stream_interval_count(std::chrono::milliseconds interval, s
 }
 
 ClientError decode_error(Status status, const Reply& reply) {
-  return {ErrorCode::bad_answer, "the response " + command_name(reply.id, Direction::from_board) +
-                                     " cannot be decoded: " + to_string(status)};
+  return {ErrorCode::bad_response, "the response " + command_name(reply.id, Direction::from_board) +
+                                       " cannot be decoded: " + to_string(status)};
 }
 
-ClientError missing_answer(const Reply& reply) {
-  return {ErrorCode::bad_answer, reply.kind == ReplyKind::confirmed
-                                     ? "the board sent only a confirmation"
-                                     : "the board sent no response"};
+ClientError missing_response(const Reply& reply) {
+  return {ErrorCode::bad_response, reply.kind == ReplyKind::confirmed
+                                       ? "the board sent only a confirmation"
+                                       : "the board sent no response"};
 }
 
 }  // namespace sbgc::detail

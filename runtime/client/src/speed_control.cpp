@@ -14,20 +14,20 @@ namespace sbgc {
 using detail::DeadMansSwitch;
 
 /// Owns the thread that drives the task.
-class SpeedControl::Keeper {
+class SpeedControl::Worker {
  public:
-  Keeper(Client& client, const SpeedControlOptions& options)
+  Worker(Client& client, const SpeedControlOptions& options)
       : clock_(options.clock),
         speed_(std::make_shared<detail::HeldSpeed>(DeadMansSwitch(
             milliseconds(options.silence.count()), milliseconds(options.repeat.count())))),
         task_(detail::hold_speed(speed_)),
         driver_(detail::ClientMaker::conversation(client), clock_),
         thread_([this, &machine = task_.begin(client.identity())] { driver_.run(machine); }) {}
-  Keeper(const Keeper&) = delete;
-  Keeper& operator=(const Keeper&) = delete;
-  Keeper(Keeper&&) = delete;
-  Keeper& operator=(Keeper&&) = delete;
-  ~Keeper() {
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+  Worker(Worker&&) = delete;
+  Worker& operator=(Worker&&) = delete;
+  ~Worker() {
     speed_->close();
     driver_.wake();
     thread_.join();
@@ -55,36 +55,36 @@ class SpeedControl::Keeper {
 };
 
 SpeedControl::SpeedControl(Client& client, const SpeedControlOptions& options)
-    : keeper_(std::make_unique<Keeper>(client, options)) {}
+    : io_thread_(std::make_unique<Worker>(client, options)) {}
 
 SpeedControl::~SpeedControl() = default;
 
 Result<void> SpeedControl::set(const Axes<msg::ControlSpeed>& speed) {
-  return keeper_->with([&](DeadMansSwitch& rules) -> Result<void> {
-    rules.set(speed, keeper_->now());
+  return io_thread_->with([&](DeadMansSwitch& rules) -> Result<void> {
+    rules.set(speed, io_thread_->now());
     return {};
   });
 }
 
 Result<void> SpeedControl::refresh() {
-  return keeper_->with([&](DeadMansSwitch& rules) -> Result<void> {
+  return io_thread_->with([&](DeadMansSwitch& rules) -> Result<void> {
     if (rules.state() != State::turning) {
       return ClientError{ErrorCode::cancelled, "the camera has been stopped"};
     }
-    rules.refresh(keeper_->now());
+    rules.refresh(io_thread_->now());
     return {};
   });
 }
 
 Result<void> SpeedControl::stop() {
-  return keeper_->with([](DeadMansSwitch& rules) -> Result<void> {
+  return io_thread_->with([](DeadMansSwitch& rules) -> Result<void> {
     rules.stop();
     return {};
   });
 }
 
-Result<void> SpeedControl::wait() { return keeper_->wait(); }
+Result<void> SpeedControl::wait() { return io_thread_->wait(); }
 
-SpeedControl::State SpeedControl::state() const { return keeper_->state(); }
+SpeedControl::State SpeedControl::state() const { return io_thread_->state(); }
 
 }  // namespace sbgc

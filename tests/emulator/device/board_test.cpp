@@ -141,7 +141,7 @@ TEST(Board, TellsOfTraffic) {
   host.ask(msg::UseDefaults{.profile_id = 99});
   ASSERT_EQ(traffic.size(), 8U);
   EXPECT_FALSE(traffic[0].outcome);
-  EXPECT_EQ(traffic[1].outcome, emulator::Outcome::carried_out);
+  EXPECT_EQ(traffic[1].outcome, emulator::Outcome::executed);
   EXPECT_FALSE(traffic[2].outcome);
   EXPECT_EQ(traffic[3].outcome, emulator::Outcome::unknown);
   EXPECT_FALSE(traffic[4].outcome);

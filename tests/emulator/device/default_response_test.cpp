@@ -27,7 +27,7 @@ void expect_answer_of_model(const Request& request) {
   const auto port = device.ports.open(false).value();
   const ResponsePolicy policy = response_policy(request);
   RequestContext context(device, port, policy.responses.command, policy.responses.confirmed, {});
-  EXPECT_EQ(default_response(context, request), Outcome::carried_out);
+  EXPECT_EQ(default_response(context, request), Outcome::executed);
 
   unsigned answers = 0, confirmations = 0;
   Parser parser;

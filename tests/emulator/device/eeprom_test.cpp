@@ -10,21 +10,16 @@
 #include <gtest/gtest.h>
 
 #include "device/parts/eeprom_records.hpp"
+#include "memory_bytes.hpp"
 
 namespace {
 
 namespace msg = sbgc::msg;
 using sbgc::emulator::Eeprom;
 using sbgc::emulator::Memory;
+using sbgc::test::numbered;
+using sbgc::test::page;
 using ByteVector = std::vector<std::uint8_t>;
-
-constexpr std::uint32_t page = 64;
-
-ByteVector numbered(std::size_t size) {
-  ByteVector result(size);
-  for (std::size_t i = 0; i < size; ++i) result[i] = static_cast<std::uint8_t>(i * 7 + 1);
-  return result;
-}
 
 TEST(Eeprom, HasThePagesOfTheSpecification) { EXPECT_EQ(Eeprom::page_size(), page); }
 

@@ -17,6 +17,8 @@
 #include <sbgc/detail/crc32.hpp>
 #include <sbgc/wire.hpp>
 
+#include "memory_bytes.hpp"
+
 namespace sbgc {
 
 // NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for
@@ -31,15 +33,9 @@ namespace {
 namespace msg = sbgc::msg;
 using sbgc::emulator::FileSystem;
 using sbgc::emulator::Memory;
+using sbgc::test::numbered;
+using sbgc::test::page;
 using ByteVector = std::vector<std::uint8_t>;
-
-constexpr std::size_t page = 64;
-
-ByteVector numbered(std::size_t size, unsigned start = 1) {
-  ByteVector result(size);
-  for (std::size_t i = 0; i < size; ++i) result[i] = static_cast<std::uint8_t>(start + i * 7);
-  return result;
-}
 
 /// Writes a file as a host does: in parts of three pages.
 msg::FileError write_whole(FileSystem& files, std::uint16_t file, const ByteVector& content) {

@@ -22,7 +22,7 @@ namespace {
 using emulator::factory_parameters;
 using emulator::Memory;
 
-constexpr std::uint8_t profiles = SettingsOf<msg::ReadParams3>::copies;
+constexpr std::uint8_t profiles = ParametersOf<msg::ReadParams3>::copies;
 
 template <class M>
 M with_gain(std::uint8_t gain) {
@@ -199,7 +199,7 @@ TEST(Parameters, DefaultsAreOfOneProfile) {
   parameters.use_defaults(4);
   EXPECT_EQ(parameters.profile(), 2);
   for_each_random(4, [&]<class M>(std::uint8_t copy, const M& message) {
-    const bool is_new = SettingsOf<M>::copies > 1 && (copy == 2 || copy == 4);
+    const bool is_new = ParametersOf<M>::copies > 1 && (copy == 2 || copy == 4);
     const M factory = with_general_of(message, factory_parameters<M>(copy));
     EXPECT_EQ(parameters.read<M>(copy), is_new ? factory : message);
   });
@@ -216,16 +216,16 @@ TEST(Parameters, ErasingLeavesNothing) {
   EXPECT_EQ(memory.eeprom, Memory().eeprom);
   EXPECT_NE(memory.revision, revision);
   EXPECT_EQ(parameters.profile(), 0);
-  StoredMessages::for_each([&]<class M>(Type<M>) {
-    for (std::uint8_t copy = 0; copy < SettingsOf<M>::copies; ++copy) {
+  ParameterMessages::for_each([&]<class M>(Type<M>) {
+    for (std::uint8_t copy = 0; copy < ParametersOf<M>::copies; ++copy) {
       EXPECT_EQ(parameters.read<M>(copy), factory_parameters<M>(copy));
     }
   });
 }
 
 TEST(FactorySettings, AreAllowedOnOldBoardsToo) {
-  StoredMessages::for_each([]<class M>(Type<M>) {
-    for (std::uint8_t copy = 0; copy < SettingsOf<M>::copies; ++copy) {
+  ParameterMessages::for_each([]<class M>(Type<M>) {
+    for (std::uint8_t copy = 0; copy < ParametersOf<M>::copies; ++copy) {
       const M message = factory_parameters<M>(copy);
       for (const Availability versions : {newest, Availability{2400, 30}}) {
         validate(message, versions, [&](const Violation& violation) {
@@ -235,8 +235,8 @@ TEST(FactorySettings, AreAllowedOnOldBoardsToo) {
                         << violation.value << " against " << violation.limit;
         });
       }
-      if constexpr (SettingsOf<M>::copies > 1) {
-        EXPECT_EQ(SettingsOf<M>::copy(message), copy);
+      if constexpr (ParametersOf<M>::copies > 1) {
+        EXPECT_EQ(ParametersOf<M>::copy(message), copy);
       }
     }
   });

@@ -64,20 +64,20 @@ TEST(Ports, AnswersWaitForRoomAndRequestsBehindThem) {
   emulator::BoardOptions options;
   options.output_buffer = answer_size + 5;
   Host host(options);
-  int carried_out = 0;
+  int executed = 0;
   host.board.on_traffic = [&](const emulator::Board::Traffic& one) {
-    carried_out += one.outcome ? 1 : 0;
+    executed += one.outcome ? 1 : 0;
   };
   host.send_bytes(times(4, who));
   host.now = host.now + seconds(1);
   host.board.advance(host.now);
-  EXPECT_EQ(carried_out, 2) << "the second answer waits, and the third request for it";
+  EXPECT_EQ(executed, 2) << "the second answer waits, and the third request for it";
   EXPECT_EQ(host.board.output(host.port).size(), options.output_buffer);
   EXPECT_EQ(host.board.next(), Instant::never);
   host.board.sent(host.port, answer_size, host.now);
   host.now = host.now + milliseconds(1);
   host.board.advance(host.now);
-  EXPECT_EQ(carried_out, 3);
+  EXPECT_EQ(executed, 3);
   std::size_t answers = 0;
   for (int i = 0; i < 10; ++i) answers += host.listen(milliseconds(1)).size();
   EXPECT_EQ(answers, 3U) << "nothing is lost";

@@ -25,7 +25,7 @@ ByteVector bytes_of(const M& message) {
 
 template <class M>
 void set_copy(M& message, std::uint8_t copy) {
-  if constexpr (SettingsOf<M>::copies > 1) SettingsOf<M>::copy(message) = copy;
+  if constexpr (ParametersOf<M>::copies > 1) ParametersOf<M>::copy(message) = copy;
 }
 
 /// Returns a message decoded from random bytes with a tail, including reserved bytes and undefined
@@ -44,7 +44,7 @@ M random_message(std::mt19937& random, std::uint8_t copy) {
 /// Returns the message with the general parameters of another.
 template <class M>
 M with_general_of(const M& from, M message) {
-  if constexpr (SettingsOf<M>::copies > 1) SettingsOf<M>::share(from, message);
+  if constexpr (ParametersOf<M>::copies > 1) ParametersOf<M>::share(from, message);
   return message;
 }
 
@@ -52,10 +52,10 @@ M with_general_of(const M& from, M message) {
 template <class Use>
 void for_each_random(unsigned seed, Use&& use) {
   std::mt19937 random(seed);
-  StoredMessages::for_each([&]<class M>(Type<M>) {
+  ParameterMessages::for_each([&]<class M>(Type<M>) {
     const M first = random_message<M>(random, 0);
     use(std::uint8_t{0}, first);
-    for (std::uint8_t copy = 1; copy < SettingsOf<M>::copies; ++copy) {
+    for (std::uint8_t copy = 1; copy < ParametersOf<M>::copies; ++copy) {
       use(copy, with_general_of(first, random_message<M>(random, copy)));
     }
   });

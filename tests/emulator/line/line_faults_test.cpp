@@ -172,13 +172,13 @@ TEST(Faults, TextComesByItself) {
 
 TEST(Faults, TextThatIsLeftOut) {
   Line line({.faults = {.text_every = seconds(1)}}, Way::to_host, start, start);
-  line.leave_out_text(start + milliseconds(2500));
+  line.skip_text(start + milliseconds(2500));
   EXPECT_THAT(received(line, start + milliseconds(2500)), IsEmpty());
   EXPECT_EQ(line.next(), start + seconds(3));
   // Text that is waiting for the end of a frame is not left out.
   const Bytes frame = frames(1);
   line.send(std::span(frame).first(10), start + milliseconds(2900));
-  line.leave_out_text(start + milliseconds(3500));
+  line.skip_text(start + milliseconds(3500));
   line.send(std::span(frame).subspan(10), start + milliseconds(3600));
   EXPECT_GT(received(line, start + milliseconds(3600)).size(), frame.size());
   line.end_text();
@@ -190,7 +190,7 @@ TEST(Faults, TextBehindAFrameThatIsBrokenOff) {
   const Bytes frame = frames(1);
   line.send(std::span(frame).first(10), start);
   EXPECT_EQ(received(line, start + seconds(2)).size(), 10U);
-  line.break_off_frame();
+  line.abort_frame();
   EXPECT_GT(received(line, start + seconds(2)).size(), 0U);
   EXPECT_EQ(line.next(), start + seconds(3));
 }

@@ -13,7 +13,7 @@ namespace {
 using Port = std::optional<std::size_t>;
 
 /// Hosts identified by the number of their UDP port, which is also that of the board's port.
-struct Rig {
+struct HostsRig {
   DatagramHosts hosts{4};
   Instant now{};
 
@@ -30,24 +30,24 @@ struct Rig {
     hosts.add(endpoint(number), number, now);
     return true;
   }
-  bool is_there(std::uint16_t number) const { return hosts.find(endpoint(number)) != nullptr; }
+  bool is_present(std::uint16_t number) const { return hosts.find(endpoint(number)) != nullptr; }
   void wait(Duration time) { now = now + time; }
 };
 
 TEST(DatagramHosts, APasserByMakesRoomSoon) {
-  Rig rig;
+  HostsRig rig;
   for (std::uint16_t number = 1; number <= 4; ++number) EXPECT_TRUE(rig.say(number));
   EXPECT_FALSE(rig.say(5));
   rig.wait(milliseconds(499));
   EXPECT_FALSE(rig.say(5));
   rig.wait(milliseconds(1));
   EXPECT_TRUE(rig.say(5));
-  EXPECT_FALSE(rig.is_there(1)) << "the longest silent one";
-  EXPECT_TRUE(rig.is_there(2));
+  EXPECT_FALSE(rig.is_present(1)) << "the longest silent one";
+  EXPECT_TRUE(rig.is_present(2));
 }
 
 TEST(DatagramHosts, OneThatTalksKeepsItsPlace) {
-  Rig rig;
+  HostsRig rig;
   rig.say(1);
   rig.say(1);
   std::uint16_t other = 100;
@@ -57,13 +57,13 @@ TEST(DatagramHosts, OneThatTalksKeepsItsPlace) {
     if (i % 90 == 89) {
       EXPECT_TRUE(rig.say(1));
     }
-    EXPECT_TRUE(rig.is_there(1)) << i;
+    EXPECT_TRUE(rig.is_present(1)) << i;
     EXPECT_LE(rig.hosts.all().size(), 4U);
   }
 }
 
 TEST(DatagramHosts, TheLongestSilentGoesFirst) {
-  Rig rig;
+  HostsRig rig;
   for (const bool again : {false, true}) {
     for (std::uint16_t number = 1; number <= 4; ++number) {
       if (again) rig.wait(milliseconds(1000));
@@ -75,14 +75,14 @@ TEST(DatagramHosts, TheLongestSilentGoesFirst) {
   EXPECT_FALSE(rig.say(5)) << "all have been heard within 5 s";
   rig.wait(milliseconds(1));
   EXPECT_TRUE(rig.say(5));
-  EXPECT_FALSE(rig.is_there(2));
+  EXPECT_FALSE(rig.is_present(2));
   for (const std::uint16_t number : {std::uint16_t{1}, std::uint16_t{3}, std::uint16_t{4}}) {
-    EXPECT_TRUE(rig.is_there(number)) << number;
+    EXPECT_TRUE(rig.is_present(number)) << number;
   }
 }
 
 TEST(DatagramHosts, PassersByGoBeforeThoseThatTalk) {
-  Rig rig;
+  HostsRig rig;
   for (std::uint16_t number = 1; number <= 3; ++number) {
     rig.say(number);
     rig.say(number);
@@ -91,18 +91,18 @@ TEST(DatagramHosts, PassersByGoBeforeThoseThatTalk) {
   rig.say(4);
   rig.wait(seconds(1));
   EXPECT_TRUE(rig.say(5));
-  EXPECT_FALSE(rig.is_there(4)) << "though the others have been silent for longer";
+  EXPECT_FALSE(rig.is_present(4)) << "though the others have been silent for longer";
   EXPECT_FALSE(rig.say(6)) << "5 is safe, and the others may be listening to streams";
   for (const std::uint16_t number : {std::uint16_t{1}, std::uint16_t{2}, std::uint16_t{3}}) {
-    EXPECT_TRUE(rig.is_there(number)) << number;
+    EXPECT_TRUE(rig.is_present(number)) << number;
   }
   rig.say(5);
   EXPECT_TRUE(rig.say(6)) << "now all are known";
-  EXPECT_FALSE(rig.is_there(1));
+  EXPECT_FALSE(rig.is_present(1));
 }
 
 TEST(DatagramHosts, SilentOnesAreForgotten) {
-  Rig rig;
+  HostsRig rig;
   rig.say(1);
   rig.wait(seconds(30));
   rig.say(2);
@@ -111,7 +111,7 @@ TEST(DatagramHosts, SilentOnesAreForgotten) {
   rig.wait(seconds(1));
   EXPECT_EQ(rig.hosts.forget(rig.now)->port, 1U);
   EXPECT_FALSE(rig.hosts.forget(rig.now));
-  EXPECT_TRUE(rig.is_there(2));
+  EXPECT_TRUE(rig.is_present(2));
 }
 
 }  // namespace

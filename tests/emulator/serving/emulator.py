@@ -39,7 +39,7 @@ def refused(*arguments: str) -> str:
     return result.error
 
 
-def heed_hangup() -> None:
+def restore_sighup() -> None:
     """Restores the default handling of SIGHUP, in case the tests run under nohup."""
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
@@ -53,7 +53,7 @@ class Emulator:
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
-            preexec_fn=heed_hangup,
+            preexec_fn=restore_sighup,
         )
         assert self.process.stdout is not None
         self.places: list[str] = []

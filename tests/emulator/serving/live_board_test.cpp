@@ -29,7 +29,7 @@ void let_time_pass(const LiveBoard& board) {
   }
 }
 
-struct Rig {
+struct LiveBoardRig {
   asio::io_context context{1};
   LiveBoard board{context.get_executor(), {}, {}};
   std::size_t told = 0;  // notifications of output for the first host
@@ -38,7 +38,7 @@ struct Rig {
 };
 
 TEST(LiveBoard, AnotherHostConnectsWhenAnAnswerIsDue) {
-  Rig rig;
+  LiveBoardRig rig;
   rig.context.poll();
   rig.context.restart();
   rig.board.receive(rig.first, request());
@@ -51,7 +51,7 @@ TEST(LiveBoard, AnotherHostConnectsWhenAnAnswerIsDue) {
 }
 
 TEST(LiveBoard, AHostSetsItsLineWhenAnAnswerIsDue) {
-  Rig rig;
+  LiveBoardRig rig;
   rig.context.poll();
   rig.context.restart();
   rig.board.receive(rig.first, request());
@@ -63,7 +63,7 @@ TEST(LiveBoard, AHostSetsItsLineWhenAnAnswerIsDue) {
 }
 
 TEST(LiveBoard, AnAnswerThatComesWhileAnotherHostIsServed) {
-  Rig rig;
+  LiveBoardRig rig;
   bool is_slow = true;
   std::size_t second = 0;
   second = *rig.board.connect(false, [&] {

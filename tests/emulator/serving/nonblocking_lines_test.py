@@ -24,7 +24,7 @@ def test_every_frame_as_a_line() -> None:
         host.ask(BOARD_INFO)
         host.close()
         emulator.end()
-        request = emulator.rest.index("> CMD_BOARD_INFO (86), 0 bytes  carried out")
+        request = emulator.rest.index("> CMD_BOARD_INFO (86), 0 bytes  executed")
         assert request < emulator.rest.index("< CMD_BOARD_INFO (86), 18 bytes")
         assert "> unknown command (200), 0 bytes  not supported" in emulator.rest
         assert "is host 0" in emulator.rest

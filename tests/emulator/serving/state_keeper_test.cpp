@@ -111,7 +111,7 @@ struct Kept {
   std::size_t port;
 };
 
-struct Rig {
+struct KeeperRig {
   asio::io_context context{1};
   asio::thread_pool pool{2};
 
@@ -132,7 +132,7 @@ constexpr auto error = static_cast<std::uint8_t>(msg::ErrorExt::command);
 using Ids = std::vector<std::uint8_t>;
 
 TEST(StateKeeper, OtherBoardsAreServedWhileOneIsSaved) {
-  Rig rig;
+  KeeperRig rig;
   Kept saved(rig.context, rig.pool);
   Kept other(rig.context, rig.pool);
   saved.write(1);
@@ -151,7 +151,7 @@ TEST(StateKeeper, OtherBoardsAreServedWhileOneIsSaved) {
 }
 
 TEST(StateKeeper, WhatChangesMeanwhileIsSavedNextAndAtOnce) {
-  Rig rig;
+  KeeperRig rig;
   Kept kept(rig.context, rig.pool);
   kept.write(1);
   rig.run_until([&] { return kept.disk.begun() == 1; });
@@ -169,7 +169,7 @@ TEST(StateKeeper, WhatChangesMeanwhileIsSavedNextAndAtOnce) {
 }
 
 TEST(StateKeeper, AFailureIsToldAndTriedAgain) {
-  Rig rig;
+  KeeperRig rig;
   Kept kept(rig.context, rig.pool);
   kept.write(1);
   rig.run_until([&] { return kept.disk.begun() == 1; });
@@ -187,7 +187,7 @@ TEST(StateKeeper, AFailureIsToldAndTriedAgain) {
 }
 
 TEST(StateKeeper, TheEndWaitsForWhatIsBeingSaved) {
-  Rig rig;
+  KeeperRig rig;
   Kept kept(rig.context, rig.pool);
   kept.write(1);
   rig.run_until([&] { return kept.disk.begun() == 1; });
@@ -203,7 +203,7 @@ TEST(StateKeeper, TheEndWaitsForWhatIsBeingSaved) {
 }
 
 TEST(StateKeeper, AFileThatCanNotBeWrittenIsToldAtTheBeginning) {
-  Rig rig;
+  KeeperRig rig;
   LiveBoard board(rig.context.get_executor(), options(), {});
   const auto make = [&] {
     StateKeeper(rig.context.get_executor(), rig.pool, board,

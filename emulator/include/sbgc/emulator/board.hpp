@@ -17,7 +17,7 @@ namespace sbgc::emulator {
 
 /// How the board handled a frame from a host.
 enum class Outcome : std::uint8_t {
-  carried_out,
+  executed,
   refused,       ///< answered with CMD_ERROR, or unconfirmed where that signals a refusal
   unknown,       ///< not a command that this board and firmware know
   malformed,     ///< a body of a size that the command does not allow

@@ -89,11 +89,11 @@ class Line {
   /// Appends the bytes that have arrived until `now` to `into`.
   void receive(Instant now, std::vector<std::uint8_t>& into);
   /// Skips the text lines that are due until `now`, because there is no room for them.
-  void leave_out_text(Instant now);
+  void skip_text(Instant now);
   /// Ends the text lines.
   void end_text() { text_due_.reset(); }
   /// Reports that the sender dropped the rest of the current frame.
-  void break_off_frame() { frame_bytes_ = 0; }
+  void abort_frame() { frame_bytes_ = 0; }
   /// The next time at which receive() has something to do; Instant::never if that depends on
   /// send().
   Instant next() const;

@@ -13,7 +13,7 @@ from sbgcgen.model import (
     CorrelationField,
     Enum,
     Field,
-    Growth,
+    OptionalPart,
     Message,
     Position,
     Response,
@@ -220,7 +220,7 @@ def _response(request: Message, message: Message) -> Response:
         when = field.when
         if when and when.from_context and when.source in known and field.size is not None:
             path = known[when.source]
-            growth.append(Growth(path, _is_optional(path, request.fields), when, field.size))
+            growth.append(OptionalPart(path, _is_optional(path, request.fields), when, field.size))
     return Response(
         message=message.name,
         id=message.id,

@@ -76,25 +76,25 @@ void Channel::wake_at(Instant at) {
 
 void Channel::close(std::vector<Frame> last_frames) {
   if (std::exchange(is_closing_, true)) return;
-  if (!transport_) return hang_up();
+  if (!transport_) return close_now();
   last_frames_ = std::move(last_frames);
   // Do not wait forever for a line that blocks.
   timer_->expires_after(longest_closing);
   timer_->async_wait([this, user = user_.lock()](const std::error_code& error) {
-    if (!error) hang_up();
+    if (!error) close_now();
   });
   write_last_frames();
 }
 
 void Channel::write_last_frames() {
   if (is_writing_ || is_hung_up_) return release();
-  if (last_frames_.empty()) return hang_up();
+  if (last_frames_.empty()) return close_now();
   const Frame frame = std::move(last_frames_.back());
   last_frames_.pop_back();
   write(frame);
 }
 
-void Channel::hang_up() {
+void Channel::close_now() {
   is_closing_ = true;
   if (!std::exchange(is_hung_up_, true)) {
     if (timer_) timer_->cancel();

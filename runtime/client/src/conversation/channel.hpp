@@ -67,7 +67,7 @@ class Channel {
   /// Writes the last frames, then closes the line; closes it after a short timeout in any case.
   void close(std::vector<Frame> last_frames);
   /// Closes the line at once.
-  void hang_up();
+  void close_now();
 
  private:
   void read();

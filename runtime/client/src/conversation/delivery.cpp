@@ -4,12 +4,12 @@
 
 namespace sbgc::detail {
 
-std::unique_ptr<Subscription::Hold> Delivery::subscribe(MessageKey key,
-                                                        Conversation::MessageHandler handler) {
+std::unique_ptr<Subscription::Registration> Delivery::subscribe(
+    MessageKey key, Conversation::MessageHandler handler) {
   return messages_->add(key, std::move(handler));
 }
 
-std::unique_ptr<Subscription::Hold> Delivery::on_notice(
+std::unique_ptr<Subscription::Registration> Delivery::on_notice(
     std::function<void(const Notice&)> handler) {
   return notices_->add({}, std::move(handler));
 }

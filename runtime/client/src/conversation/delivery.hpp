@@ -17,9 +17,9 @@ namespace sbgc::detail {
 /// Subscribing is thread-safe. Everything else requires the strand of the conversation.
 class Delivery {
  public:
-  std::unique_ptr<Subscription::Hold> subscribe(MessageKey key,
-                                                Conversation::MessageHandler handler);
-  std::unique_ptr<Subscription::Hold> on_notice(std::function<void(const Notice&)> handler);
+  std::unique_ptr<Subscription::Registration> subscribe(MessageKey key,
+                                                        Conversation::MessageHandler handler);
+  std::unique_ptr<Subscription::Registration> on_notice(std::function<void(const Notice&)> handler);
 
   /// Decodes a message once, if a subscriber or a context needs it.
   void deliver(const Frame& frame);

@@ -7,7 +7,7 @@
 #include <sbgc/roles.hpp>
 #include <sbgc/text/status.hpp>
 
-#include "board_words.hpp"
+#include "board_text.hpp"
 
 namespace sbgc::detail {
 
@@ -23,8 +23,8 @@ std::string milliseconds_text(Duration duration) {
 SessionOptions session_options(const ConnectOptions& options) {
   SessionOptions result;
   if (!options.pacing) result.pacing = {Duration{}, Duration{}};
-  result.duplicates = milliseconds(options.duplicates.count());
-  result.stream_percent = static_cast<std::uint8_t>(std::min(options.stream_share, 100U));
+  result.duplicate_window = milliseconds(options.duplicate_window.count());
+  result.stream_percent = static_cast<std::uint8_t>(std::min(options.stream_share_percent, 100U));
   return result;
 }
 

@@ -31,7 +31,7 @@ class Handlers : public std::enable_shared_from_this<Handlers<Key, Signature>> {
 
   /// Keeps `function` registered as long as the result lives. After that the function is not
   /// running, never runs again, and is destroyed; a function that removes itself runs to its end.
-  std::unique_ptr<Subscription::Hold> add(const Key& key, Function function) {
+  std::unique_ptr<Subscription::Registration> add(const Key& key, Function function) {
     auto entry = std::make_shared<Entry>(key, std::move(function));
     const std::lock_guard lock(mutex_);
     entries_.push_back(entry);
@@ -60,7 +60,7 @@ class Handlers : public std::enable_shared_from_this<Handlers<Key, Signature>> {
   }
 
  private:
-  class Membership : public Subscription::Hold {
+  class Membership : public Subscription::Registration {
    public:
     Membership(std::shared_ptr<Handlers> handlers, std::shared_ptr<Entry> entry)
         : handlers_(std::move(handlers)), entry_(std::move(entry)) {}

@@ -19,7 +19,7 @@ CallPointer make_call(Request request, const CallOptions& options, const Connect
     attempt = Duration{allowed.us / attempts};
   } else {
     allowed =
-        std::max(allowed, milliseconds(policy.finish_ms)) + io::from_chrono(defaults.patience);
+        std::max(allowed, milliseconds(policy.finish_ms)) + io::from_chrono(defaults.queue_timeout);
   }
   auto call = std::make_shared<Call>();
   call->request = std::move(request);

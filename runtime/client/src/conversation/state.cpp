@@ -24,7 +24,7 @@ std::vector<std::uint8_t> frame_of(const Request& request) {
 
 Conversation::State::State(Strand strand, const ConnectOptions& options)
     : options_(options),
-      calls_(options.queue),
+      calls_(options.queue_limit),
       dialogue_(options, calls_, delivery_),
       channel_(std::move(strand)) {}
 
@@ -39,7 +39,7 @@ void Conversation::State::attach(std::unique_ptr<io::Transport> transport) {
       dialogue_.set_line(line->current());
     }
     channel_.open(std::move(*shared), shared_from_this());
-    if (!is_open()) return shut();
+    if (!is_open()) return begin_close();
     advance();
   });
 }
@@ -65,7 +65,7 @@ void Conversation::State::wake() {
 // Calls and subscriptions.
 
 auto Conversation::State::start(Result<Request> request, const CallOptions& options,
-                                ReplyHandler handler) -> Begun {
+                                ReplyHandler handler) -> StartedCall {
   if (request) return begin(*std::move(request), options, std::move(handler));
   calls_.count_failure();
   handler(std::move(request).error());
@@ -73,14 +73,14 @@ auto Conversation::State::start(Result<Request> request, const CallOptions& opti
 }
 
 auto Conversation::State::begin(Request request, const CallOptions& options, ReplyHandler handler)
-    -> Begun {
+    -> StartedCall {
   const CallPointer call =
       make_call(std::move(request), options, options_, io::now(), std::move(handler));
   if (auto refusal = calls_.add(call)) {
     calls_.complete(*call, *std::move(refusal));
     return {};
   }
-  const Begun begun{call->ticket, call->deadline};
+  const StartedCall begun{call->ticket, call->deadline};
   wake();
   return begun;
 }
@@ -104,9 +104,10 @@ Subscription Conversation::State::on_notice(std::function<void(const Notice&)> h
 }
 
 /// Keeps a data stream running as long as it lives.
-class Conversation::State::StreamHold : public Subscription::Hold {
+class Conversation::State::StreamHold : public Subscription::Registration {
  public:
-  StreamHold(std::unique_ptr<Hold> membership, std::weak_ptr<State> state, StreamListeners::Key key)
+  StreamHold(std::unique_ptr<Registration> membership, std::weak_ptr<State> state,
+             StreamListeners::Key key)
       : membership_(std::move(membership)), state_(std::move(state)), key_(std::move(key)) {}
   StreamHold(const StreamHold&) = delete;
   StreamHold& operator=(const StreamHold&) = delete;
@@ -117,14 +118,14 @@ class Conversation::State::StreamHold : public Subscription::Hold {
   }
 
  private:
-  std::unique_ptr<Hold> membership_;
+  std::unique_ptr<Registration> membership_;
   std::weak_ptr<State> state_;
   StreamListeners::Key key_;
 };
 
 auto Conversation::State::start_stream(StreamRequests requests, MessageKey key,
                                        MessageHandler handler, const CallOptions& options,
-                                       StreamHandler done) -> Begun {
+                                       StreamHandler done) -> StartedCall {
   Result<Request>& start = requests.start;
   if (start && start->policy.stream.command == 0) {
     start = ClientError{ErrorCode::invalid,
@@ -192,7 +193,7 @@ void Conversation::State::written() {
   advance();
 }
 
-void Conversation::State::find_line(LineSearch::Done done) {
+void Conversation::State::detect_line(LineSearch::Done done) {
   search_.on_done(std::move(done));
   if (!is_open()) return search_.report({});
   post([this] {
@@ -231,7 +232,7 @@ void Conversation::State::line_failed(const std::error_code& reason) {
     const std::lock_guard lock(mutex_);
     if (phase_ == Phase::open) {
       phase_ = Phase::lost;
-      loss_ = "the connection is lost: " + description_ + ": " + without_stop(reason.message());
+      loss_ = "the connection is lost: " + description_ + ": " + without_period(reason.message());
       loss = loss_;
     }
   }
@@ -241,8 +242,8 @@ void Conversation::State::line_failed(const std::error_code& reason) {
       calls_.complete(*call, ClientError{ErrorCode::link_lost, text});
     }
   }
-  shut();
-  channel_.hang_up();
+  begin_close();
+  channel_.close_now();
   if (!loss.empty()) delivery_.notify({NoticeKind::link_lost, loss});
 }
 
@@ -256,11 +257,11 @@ void Conversation::State::close() {
   // Also report here: the caller may be the thread that runs the strand.
   search_.report({});
   for (const CallPointer& call : ended) calls_.complete(*call, closed_error());
-  post([this] { shut(); });
+  post([this] { begin_close(); });
 }
 
 /// Starts to end all operations of Asio for this conversation.
-void Conversation::State::shut() {
+void Conversation::State::begin_close() {
   if (search_.is_active()) end_search();
   dialogue_.forget_all();
   const bool is_closed = [&] {

@@ -43,7 +43,7 @@ class Conversation::State : public Channel::User,
 
   /// Searches for the line settings at which a board responds, and keeps them. Requires attach()
   /// and a transport with a LineControl; must precede all calls. close() ends the search.
-  void find_line(LineSearch::Done done);
+  void detect_line(LineSearch::Done done);
   /// Ends a running search without success.
   void stop_finding_line();
 
@@ -51,18 +51,18 @@ class Conversation::State : public Channel::User,
   void set_identity(const BoardIdentity& board) { board_ = board; }
   const BoardIdentity& identity() const noexcept { return board_; }
 
-  struct Begun {
+  struct StartedCall {
     Ticket ticket{};
     Instant deadline = Instant::never;  ///< the call ends by then
   };
-  Begun start(Result<Request> request, const CallOptions& options, ReplyHandler handler);
+  StartedCall start(Result<Request> request, const CallOptions& options, ReplyHandler handler);
   /// Ends a call with this error, unless it has already ended.
   void end(Ticket ticket, ClientError error);
 
   Subscription subscribe(MessageKey key, MessageHandler handler);
   Subscription on_notice(std::function<void(const Notice&)> handler);
-  Begun start_stream(StreamRequests requests, MessageKey key, MessageHandler handler,
-                     const CallOptions& options, StreamHandler done);
+  StartedCall start_stream(StreamRequests requests, MessageKey key, MessageHandler handler,
+                           const CallOptions& options, StreamHandler done);
 
   std::string description() const;
   ClientStatistics statistics() const;
@@ -76,7 +76,7 @@ class Conversation::State : public Channel::User,
   class StreamHold;
   enum class Phase : std::uint8_t { open, lost, closed };
 
-  Begun begin(Request request, const CallOptions& options, ReplyHandler handler);
+  StartedCall begin(Request request, const CallOptions& options, ReplyHandler handler);
   void wake();
   void post(std::function<void()> function);
   void leave_stream(const StreamListeners::Key& key);
@@ -89,7 +89,7 @@ class Conversation::State : public Channel::User,
   void line_failed(const std::error_code& reason) override;
   void advance();
   void end_search();
-  void shut();
+  void begin_close();
 
   const ConnectOptions options_;
   BoardIdentity board_;

@@ -38,7 +38,7 @@ class BlockingDriver {
   Clock& clock_;
   std::shared_ptr<TaskInbox> inbox_ = std::make_shared<TaskInbox>();
   Subscription notices_;
-  std::unordered_map<std::uint32_t, Conversation::State::Begun> calls_{};  // running
+  std::unordered_map<std::uint32_t, Conversation::State::StartedCall> calls_{};  // running
 };
 
 }  // namespace sbgc::detail

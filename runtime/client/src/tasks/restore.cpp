@@ -11,13 +11,13 @@ namespace sbgc {
 
 namespace {
 
-std::string other_model(const BoardIdentity& board, const BoardIdentity& backup) {
+std::string allow_other_model(const BoardIdentity& board, const BoardIdentity& backup) {
   if (board.versions().board == backup.versions().board) return "";
   return fmt::format("the board is a {}, the backup is of a {}", board.board_version(),
                      backup.board_version());
 }
 
-std::string other_firmware(const BoardIdentity& board, const BoardIdentity& backup) {
+std::string allow_other_firmware(const BoardIdentity& board, const BoardIdentity& backup) {
   const bool is_other = board.versions().firmware != backup.versions().firmware;
   const bool is_special = board.info.frw_extra_id != backup.info.frw_extra_id;
   if (is_other) {
@@ -32,7 +32,8 @@ std::string other_firmware(const BoardIdentity& board, const BoardIdentity& back
 }  // namespace
 
 std::vector<std::string> mismatches(const BoardIdentity& board, const BoardIdentity& backup) {
-  std::vector<std::string> result{other_model(board, backup), other_firmware(board, backup)};
+  std::vector<std::string> result{allow_other_model(board, backup),
+                                  allow_other_firmware(board, backup)};
   std::erase(result, "");
   return result;
 }
@@ -49,20 +50,21 @@ Task<Result<Backup>> make_backup(std::string created, ReadOptions options) {
 Task<WriteReport> restore(Backup backup, RestoreOptions options) {
   const TaskMachine& task = co_await this_task();
   const detail::Deadline deadline(task, options.timeout);
-  std::string refused = options.other_model ? "" : other_model(task.identity(), backup.board);
-  if (refused.empty() && !options.other_firmware) {
-    refused = other_firmware(task.identity(), backup.board);
+  std::string refused =
+      options.allow_other_model ? "" : allow_other_model(task.identity(), backup.board);
+  if (refused.empty() && !options.allow_other_firmware) {
+    refused = allow_other_firmware(task.identity(), backup.board);
   }
   if (!refused.empty()) co_return ClientError{ErrorCode::incompatible, refused};
   if (!options.dry_run) {
-    if (!options.save_present) {
-      co_return ClientError{ErrorCode::invalid, "restoring requires RestoreOptions::save_present"};
+    if (!options.save_current) {
+      co_return ClientError{ErrorCode::invalid, "restoring requires RestoreOptions::save_current"};
     }
     const std::string saving = "saving the present parameters";
     ReadOptions reading{deadline.left(), options.progress};
     const Result<Backup> present = co_await make_backup("", std::move(reading));
     if (!present) co_return detail::during(saving, present.error());
-    const Result<void> saved = options.save_present(*present);
+    const Result<void> saved = options.save_current(*present);
     if (!saved) co_return detail::during(saving, saved.error());
   }
   WriteOptions writing{.timeout = deadline.left(),

@@ -49,7 +49,7 @@ struct ParsedJson {
 namespace detail {
 
 /// An iterator over text that stores its position in `place` when it advances.
-class WatchedCharacter {
+class TrackingIterator {
  public:
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
@@ -57,19 +57,19 @@ class WatchedCharacter {
   using pointer = const char*;    // NOLINT(readability-identifier-naming): of the standard
   using reference = const char&;  // NOLINT(readability-identifier-naming): of the standard
 
-  WatchedCharacter(const char* at, const char** place) : at_(at), place_(place) {}
+  TrackingIterator(const char* at, const char** place) : at_(at), place_(place) {}
 
   reference operator*() const { return *at_; }
-  WatchedCharacter& operator++() {
+  TrackingIterator& operator++() {
     *place_ = ++at_;
     return *this;
   }
-  WatchedCharacter operator++(int) {
-    WatchedCharacter before = *this;
+  TrackingIterator operator++(int) {
+    TrackingIterator before = *this;
     ++*this;
     return before;
   }
-  bool operator==(const WatchedCharacter& other) const { return at_ == other.at_; }
+  bool operator==(const TrackingIterator& other) const { return at_ == other.at_; }
 
  private:
   const char* at_;
@@ -89,7 +89,7 @@ class JsonBuilder {
     }
     const char* const end = text_.data() + text_.size();
     const bool complete =
-        Json::sax_parse(WatchedCharacter(read_, &read_), WatchedCharacter(end, &read_), this);
+        Json::sax_parse(TrackingIterator(read_, &read_), TrackingIterator(end, &read_), this);
     // The parser treats a NUL byte as the end.
     const std::size_t zero = text_.find('\0');
     if (complete && zero != std::string_view::npos) fail(zero, not_json);

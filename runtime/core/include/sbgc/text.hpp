@@ -113,7 +113,7 @@ std::string to_string(const T& message) {
 inline std::string to_string(Rule rule) { return name(rule); }
 
 /// Returns the predicate of a sentence about the value: "is above 720 deg".
-inline std::string objection_text(const Violation& violation) {
+inline std::string violation_text(const Violation& violation) {
   const std::string limit = detail::limit_text(violation.limit, violation.unit);
   const auto version = static_cast<std::uint16_t>(violation.limit);
   switch (violation.rule) {
@@ -137,7 +137,7 @@ inline std::string to_string(const Violation& violation) {
   std::string value = detail::limit_text(violation.value, violation.unit);
   if (violation.named != nullptr) value = violation.named->name;
   if (violation.rule == Rule::count) value += violation.value == 1 ? " element" : " elements";
-  return to_string(violation.path) + ": " + value + ' ' + objection_text(violation);
+  return to_string(violation.path) + ": " + value + ' ' + violation_text(violation);
 }
 
 namespace msg {

@@ -26,7 +26,7 @@ constexpr std::int64_t nearest(std::int64_t numerator, std::int64_t denominator)
 }
 
 template <class T>
-constexpr std::int64_t count_of(const T& setting) noexcept {
+constexpr std::int64_t raw_of(const T& setting) noexcept {
   if constexpr (RawValue<T>) {
     return setting.raw();
   } else {
@@ -35,7 +35,7 @@ constexpr std::int64_t count_of(const T& setting) noexcept {
 }
 
 template <class T>
-constexpr void set_count(T& setting, std::int64_t count) noexcept {
+constexpr void set_raw(T& setting, std::int64_t count) noexcept {
   if constexpr (RawValue<T>) {
     setting = T(static_cast<typename T::raw_type>(count));
   } else {
@@ -46,7 +46,7 @@ constexpr void set_count(T& setting, std::int64_t count) noexcept {
 template <class T>
 constexpr std::int32_t variable_value(const VariableScale& scale, const T& setting) noexcept {
   return static_cast<std::int32_t>(
-      nearest(count_of(setting) * scale.denominator - scale.addend, scale.numerator));
+      nearest(raw_of(setting) * scale.denominator - scale.addend, scale.numerator));
 }
 
 /// Raw values in `special` have a meaning of their own, such as "disabled". Only a value that
@@ -62,20 +62,20 @@ constexpr void set_variable(const VariableScale& scale, T& setting, std::int32_t
     count += rest > 0 ? 1 : -1;
     break;
   }
-  set_count(setting, count);
+  set_raw(setting, count);
 }
 
 /// A switch is on if its setting is not 0.
 template <class T>
 constexpr std::int32_t switch_value(const T& setting) noexcept {
-  return count_of(setting) != 0 ? 1 : 0;
+  return raw_of(setting) != 0 ? 1 : 0;
 }
 
 /// Leaves the setting unchanged if the switch already has the value: switching on keeps any setting
 /// that is not 0.
 template <class T>
 constexpr void set_switch(T& setting, std::int32_t value) noexcept {
-  if (switch_value(setting) != value) set_count(setting, value);
+  if (switch_value(setting) != value) set_raw(setting, value);
 }
 
 }  // namespace sbgc::detail

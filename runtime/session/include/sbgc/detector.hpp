@@ -26,7 +26,7 @@ struct DetectorOptions {
   Duration settle = milliseconds(10);  ///< between setting a line and the first request
   /// The timeout of a response in the first round, plus its time on the line; n times that in
   /// round n.
-  Duration patience = milliseconds(60);
+  Duration response_timeout = milliseconds(60);
 };
 
 /// The attempts on one line, and their results.
@@ -156,7 +156,7 @@ class Detector {
     ++probes_;
     ++trial().probes;
     const std::size_t bytes = question.size() + Framing::frame_size(roles::introduction_size);
-    until_ = now_ + wire_time(trial().line, bytes) + options_.patience * (round_ + 1);
+    until_ = now_ + wire_time(trial().line, bytes) + options_.response_timeout * (round_ + 1);
     DetectorStep result = step(DetectorStep::Kind::write);
     result.bytes = question;
     return result;

@@ -123,8 +123,8 @@ class BasicSession {
       request.sent_at = sent_at;
       return;
     }
-    late_replies_.prolong(sent_.responses,
-                          now_ + sent_.response_time + sent_.finish + options_.late);
+    late_replies_.extend(sent_.responses,
+                         now_ + sent_.response_time + sent_.finish + options_.late);
   }
 
   /// Completes a request with `cancelled`; returns false if it has already ended. The board may
@@ -376,7 +376,7 @@ class BasicSession {
       if (!request.is_in_flight()) continue;
       if (!policy.responses.is_confirmed_by(command, frame)) continue;
       if (request.confirmations != 0 && line_repeats_frames() &&
-          now_ < request.confirmed_at + options_.duplicates) {
+          now_ < request.confirmed_at + options_.duplicate_window) {
         break;  // a duplicate of the last one
       }
       ++request.confirmations;
@@ -450,12 +450,12 @@ class BasicSession {
   }
 
   /// Returns true if the line may deliver a frame twice.
-  bool line_repeats_frames() const noexcept { return options_.duplicates > Duration{}; }
+  bool line_repeats_frames() const noexcept { return options_.duplicate_window > Duration{}; }
 
   template <class Fits>
   bool take_late_reply(Fits&& fits) noexcept {
     const bool is_late =
-        late_replies_.take(fits, line_repeats_frames(), now_ + options_.duplicates);
+        late_replies_.take(fits, line_repeats_frames(), now_ + options_.duplicate_window);
     statistics_.late_replies += is_late ? 1U : 0U;
     return is_late;
   }
@@ -510,7 +510,7 @@ class BasicSession {
     if (is_answered || outcome == Outcome::confirmed) {
       if (line_repeats_frames()) {
         ++expected;
-        end = later(end, now_ + options_.duplicates);
+        end = later(end, now_ + options_.duplicate_window);
       }
     }
     // Even if `end` has passed: the frame may not have been written yet, see written().

@@ -8,7 +8,7 @@
 
 #include <gmock/gmock.h>
 
-#include <sbgc/settings.hpp>
+#include <sbgc/parameters.hpp>
 #include <sbgc/type_list.hpp>
 
 #include "table.hpp"
@@ -24,8 +24,8 @@ using ::testing::SizeIs;
 void Table::add_parameters() {
   // Every request that reads or writes a message with parameters, for the last copy: all bits that
   // are settings are inverted, written and read back.
-  StoredMessages::for_each([this]<class M>(Type<M>) {
-    using Parameters = SettingsOf<M>;
+  ParameterMessages::for_each([this]<class M>(Type<M>) {
+    using Parameters = ParametersOf<M>;
     constexpr std::uint8_t copy = Parameters::copies - 1;
     const auto read = [](Host& host) {
       M result{};

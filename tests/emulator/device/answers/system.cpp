@@ -78,17 +78,17 @@ void Table::add_storage() {
   file.file_size = msg::ByteCount(3);
   for (const std::uint8_t byte : std::array<std::uint8_t, 3>{1, 2, 3}) file.data.push_back(byte);
   const msg::ReadFileRequest look{.file_id = 300, .max_data_size = msg::ByteCount(100)};
-  const auto is_there = [](Host&, const Packets& packets) {
+  const auto is_present = [](Host&, const Packets& packets) {
     const auto part = all<msg::ReadFile>(packets);
     ASSERT_THAT(part, SizeIs(1));
     EXPECT_EQ(part[0].file_size.raw(), 3);
     EXPECT_THAT(part[0].data, ElementsAre(1, 2, 3));
   };
   add<msg::WriteFile>({.request = file, .after = [=](Host& host, const Packets&) {
-                         is_there(host, host.ask(look));
+                         is_present(host, host.ask(look));
                        }});
   add<msg::ReadFileRequest>(
-      {.request = look, .before = [=](Host& host) { host.ask(file); }, .after = is_there});
+      {.request = look, .before = [=](Host& host) { host.ask(file); }, .after = is_present});
   add<msg::FsClearAll>({.before = [=](Host& host) { host.ask(file); },
                         .after =
                             [=](Host& host, const Packets&) {

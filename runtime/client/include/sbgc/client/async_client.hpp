@@ -82,7 +82,7 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
         token, [&impl = *impl_, request, options](Completion<CallResult<M>> done) -> Stop {
           return begin_call(impl, request, options,
                             [done = std::move(done)](const Result<Reply>& reply) {
-                              done(detail::read_answer<M>(reply));
+                              done(detail::read_response<M>(reply));
                             });
         });
   }

@@ -18,17 +18,18 @@ namespace sbgc {
 template <class Self>
 class AsyncTaskCalls {
   template <class T>
-  using Late = typename detail::Late<Self, T>::type;
+  using Dependent = typename detail::Dependent<Self, T>::type;
 
  public:
   // Motion: <sbgc/client/motion.hpp>
 
   template <class Token>
-  auto async_move_to(const MoveTarget& target, const Late<MoveOptions>& options, Token&& token) {
+  auto async_move_to(const MoveTarget& target, const Dependent<MoveOptions>& options,
+                     Token&& token) {
     return self().async_run(tasks::move_to(target, options), std::forward<Token>(token));
   }
   template <class Token>
-  auto async_stop(const Late<StopOptions>& options, Token&& token) {
+  auto async_stop(const Dependent<StopOptions>& options, Token&& token) {
     return self().async_run(tasks::stop(options), std::forward<Token>(token));
   }
   template <class Token>
@@ -39,30 +40,30 @@ class AsyncTaskCalls {
   // Calibration: <sbgc/client/calibration.hpp>
 
   template <class Token>
-  auto async_calibrate(Sensor sensor, const Late<CalibrationOptions>& options, Token&& token) {
+  auto async_calibrate(Sensor sensor, const Dependent<CalibrationOptions>& options, Token&& token) {
     return self().async_run(tasks::calibrate(sensor, options), std::forward<Token>(token));
   }
 
   // Parameters: <sbgc/client/parameters.hpp>
 
   template <class Token>
-  auto async_read_parameters(const Late<ReadOptions>& options, Token&& token) {
+  auto async_read_parameters(const Dependent<ReadOptions>& options, Token&& token) {
     return self().async_run(tasks::read_parameters(options), std::forward<Token>(token));
   }
   template <class Token>
-  auto async_write_parameters(const Late<ParameterSet>& wanted, const Late<WriteOptions>& options,
-                              Token&& token) {
+  auto async_write_parameters(const Dependent<ParameterSet>& wanted,
+                              const Dependent<WriteOptions>& options, Token&& token) {
     return self().async_run(tasks::write_parameters(wanted, options), std::forward<Token>(token));
   }
 
   // Backups: <sbgc/client/backup.hpp>
 
   template <class Token>
-  auto async_make_backup(const Late<ReadOptions>& options, Token&& token) {
+  auto async_make_backup(const Dependent<ReadOptions>& options, Token&& token) {
     return self().async_run(tasks::make_backup(utc_now(), options), std::forward<Token>(token));
   }
   template <class Token>
-  auto async_restore(const Late<Backup>& backup, const Late<RestoreOptions>& options,
+  auto async_restore(const Dependent<Backup>& backup, const Dependent<RestoreOptions>& options,
                      Token&& token) {
     return self().async_run(tasks::restore(backup, options), std::forward<Token>(token));
   }
@@ -71,13 +72,13 @@ class AsyncTaskCalls {
 
   template <class Token>
   auto async_download_eeprom(std::uint32_t address, std::size_t size,
-                             const Late<TransferOptions>& options, Token&& token) {
+                             const Dependent<TransferOptions>& options, Token&& token) {
     return self().async_run(tasks::download_eeprom(address, size, options),
                             std::forward<Token>(token));
   }
   template <class Token>
   auto async_upload_eeprom(std::uint32_t address, std::vector<std::uint8_t> data,
-                           const Late<TransferOptions>& options, Token&& token) {
+                           const Dependent<TransferOptions>& options, Token&& token) {
     return self().async_run(tasks::upload_eeprom(address, std::move(data), options),
                             std::forward<Token>(token));
   }
@@ -86,13 +87,13 @@ class AsyncTaskCalls {
     return self().async_run(tasks::file_size(file), std::forward<Token>(token));
   }
   template <class Token>
-  auto async_download_file(std::uint16_t file, const Late<TransferOptions>& options,
+  auto async_download_file(std::uint16_t file, const Dependent<TransferOptions>& options,
                            Token&& token) {
     return self().async_run(tasks::download_file(file, options), std::forward<Token>(token));
   }
   template <class Token>
   auto async_upload_file(std::uint16_t file, std::vector<std::uint8_t> data,
-                         const Late<TransferOptions>& options, Token&& token) {
+                         const Dependent<TransferOptions>& options, Token&& token) {
     return self().async_run(tasks::upload_file(file, std::move(data), options),
                             std::forward<Token>(token));
   }
@@ -126,7 +127,7 @@ class AsyncTaskCalls {
                             std::forward<Token>(token));
   }
   template <class Token>
-  auto async_rename_profiles(const Late<ProfileNames>& names, Token&& token) {
+  auto async_rename_profiles(const Dependent<ProfileNames>& names, Token&& token) {
     return self().async_run(tasks::rename_profiles(names), std::forward<Token>(token));
   }
 
@@ -141,7 +142,7 @@ class AsyncTaskCalls {
     return self().async_run(tasks::get_variable(std::move(name)), std::forward<Token>(token));
   }
   template <class Token>
-  auto async_set_variables(std::vector<Late<VariableValue>> values, Token&& token) {
+  auto async_set_variables(std::vector<Dependent<VariableValue>> values, Token&& token) {
     return self().async_run(tasks::set_variables(std::move(values)), std::forward<Token>(token));
   }
   template <class Token>

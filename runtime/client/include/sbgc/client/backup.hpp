@@ -70,12 +70,12 @@ BackupHandler save_to(std::filesystem::path file);
 /// Options of restore().
 struct RestoreOptions {
   /// Stores the current parameters before anything is written. Required unless `dry_run`.
-  BackupHandler save_present{};
+  BackupHandler save_current{};
   /// Only reports what would change.
   bool dry_run = false;
   /// Restore even if the backup is from another board model or firmware.
-  bool other_model = false;
-  bool other_firmware = false;
+  bool allow_other_model = false;
+  bool allow_other_firmware = false;
   /// For the whole operation.
   std::chrono::milliseconds timeout{180'000};
   ProgressHandler progress{};

@@ -44,13 +44,13 @@ struct Delivered<Maybe<Response>> {
 
 /// What a successful call with the request M delivers.
 template <class M>
-using CallAnswer = typename Delivered<typename M::Response>::type;
+using CallResponse = typename Delivered<typename M::Response>::type;
 
 }  // namespace detail
 
 /// The result of a call with the request M: the response; void if the protocol has none; an
 /// optional response if it depends on the values of the request.
 template <class M>
-using CallResult = Result<detail::CallAnswer<M>>;
+using CallResult = Result<detail::CallResponse<M>>;
 
 }  // namespace sbgc

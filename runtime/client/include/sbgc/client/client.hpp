@@ -67,7 +67,7 @@ class Client : public TaskCalls<Client> {
   /// confirmations or nothing.
   template <Message M>
   CallResult<M> call(const M& request, const CallOptions& options = {}) {
-    return detail::read_answer<M>(transact(request, options));
+    return detail::read_response<M>(transact(request, options));
   }
 
   /// Like call(), but also reports how the request ended, and does not decode the response.
@@ -131,9 +131,9 @@ class Client : public TaskCalls<Client> {
   friend struct detail::ClientMaker;
 
   Client(std::shared_ptr<const void> keeper, detail::Conversation conversation) noexcept
-      : keeper_(std::move(keeper)), conversation_(std::move(conversation)) {}
+      : io_thread_(std::move(keeper)), conversation_(std::move(conversation)) {}
 
-  std::shared_ptr<const void> keeper_;  // keeps the I/O thread alive; closes with the client
+  std::shared_ptr<const void> io_thread_;  // keeps the I/O thread alive; closes with the client
   detail::Conversation conversation_;
 };
 

@@ -22,7 +22,7 @@ enum class ErrorCode : std::uint8_t {
   io,             ///< the operating system refused; ClientError::detail is its error number
   not_found,      ///< no such board, port, file or name
   mismatch,       ///< the data read differ from the data written, or have another origin
-  bad_answer,     ///< the response of the board is unexpected or cannot be decoded
+  bad_response,   ///< the response of the board is unexpected or cannot be decoded
   bad_file,       ///< the content of a file is invalid
   incompatible,   ///< made for another board model or firmware
 };
@@ -42,7 +42,7 @@ constexpr const char* name(ErrorCode code) noexcept {
     case ErrorCode::io: return "io";
     case ErrorCode::not_found: return "not_found";
     case ErrorCode::mismatch: return "mismatch";
-    case ErrorCode::bad_answer: return "bad_answer";
+    case ErrorCode::bad_response: return "bad_response";
     case ErrorCode::bad_file: return "bad_file";
     case ErrorCode::incompatible: return "incompatible";
   }

@@ -14,21 +14,21 @@ struct ConnectOptions {
   /// For the whole connection: opening, detecting the baud rate, reading the board's versions.
   std::chrono::milliseconds timeout{20'000};
   /// Detect the baud rate and parity of a serial line if its address does not give them.
-  bool find_line = true;
+  bool detect_line = true;
   /// How often a request is repeated if no response arrives and the protocol allows it.
   unsigned retries = 2;
   /// Keep the pause of 10 to 20 ms between commands that the protocol requires.
   bool pacing = true;
   /// The largest share of a serial line that data streams may use, in percent.
-  unsigned stream_share = 80;
+  unsigned stream_share_percent = 80;
   /// How long a line that duplicates packets, such as UDP, may deliver a frame again. Requests wait
   /// until no such duplicate can be mistaken for their response. 0 means that frames are never
   /// duplicated.
-  std::chrono::milliseconds duplicates{0};
+  std::chrono::milliseconds duplicate_window{0};
   /// How many calls may be queued.
-  std::size_t queue = 1024;
+  std::size_t queue_limit = 1024;
   /// How long a call may be queued, unless it has a timeout of its own.
-  std::chrono::milliseconds patience{10'000};
+  std::chrono::milliseconds queue_timeout{10'000};
   /// Records all traffic to this file, unless empty.
   std::string capture{};
 };
@@ -37,7 +37,7 @@ struct ConnectOptions {
 struct CallOptions {
   /// For the whole call, including its time in the queue and all attempts. By default, each attempt
   /// has the timeout that the protocol specifies for the command, and the queue has
-  /// ConnectOptions::patience.
+  /// ConnectOptions::queue_timeout.
   std::optional<std::chrono::milliseconds> timeout{};
   /// Overrides ConnectOptions::retries. No effect if repeating the request could do harm.
   std::optional<unsigned> retries{};

@@ -19,7 +19,7 @@ using TransportFactory =
 
 /// Like Client::connect(), but over the transport that `make` returns, such as a custom Transport
 /// or one end of an in-memory pair. If the transport has a LineControl, the line settings are
-/// detected unless options.find_line is false.
+/// detected unless options.detect_line is false.
 Result<Client> connect_over(const TransportFactory& make, const ConnectOptions& options = {});
 
 }  // namespace sbgc

@@ -2,7 +2,7 @@
 ///
 /// The specification defines which messages hold parameters, how many copies the board has of each
 /// (one per profile), and which fields hold state of the board instead of parameters; see
-/// <sbgc/settings.hpp>.
+/// <sbgc/parameters.hpp>.
 ///
 /// Volatile and stored parameters: a board works with the parameters of its active profile in
 /// volatile memory. The write messages change them there and also save them to the EEPROM.
@@ -30,14 +30,14 @@
 #include <sbgc/client/progress.hpp>
 #include <sbgc/client/result.hpp>
 #include <sbgc/client/task.hpp>
-#include <sbgc/settings.hpp>
+#include <sbgc/parameters.hpp>
 
 namespace sbgc {
 
 /// A message that holds parameters.
 template <class M>
 concept ParameterMessage = requires {
-  SettingsOf<M>::copies;
+  ParametersOf<M>::copies;
 };
 
 /// Identifies parameters: the name of the message that holds them, and the copy, counted from 0.
@@ -73,8 +73,8 @@ class ParameterSet {
   /// Returns the parameters of copy `copy`. Fails with ErrorCode::not_found if the set has none.
   template <ParameterMessage M>
   Result<M> get(std::uint8_t copy = 0) const {
-    const Parameters* const block = find({SettingsOf<M>::name, copy});
-    if (block == nullptr) return missing({SettingsOf<M>::name, copy});
+    const Parameters* const block = find({ParametersOf<M>::name, copy});
+    if (block == nullptr) return missing({ParametersOf<M>::name, copy});
     M message{};
     static_cast<void>(decode(std::span(block->body), message));  // put() has checked this
     return message;
@@ -84,10 +84,10 @@ class ParameterSet {
   template <ParameterMessage M>
   Result<void> set(const M& message) {
     std::uint8_t copy = 0;
-    if constexpr (SettingsOf<M>::copies > 1) copy = SettingsOf<M>::copy(message);
+    if constexpr (ParametersOf<M>::copies > 1) copy = ParametersOf<M>::copy(message);
     std::vector<std::uint8_t> body(max_body_size);
     body.resize(encode(message, body).size);
-    return put({{SettingsOf<M>::name, copy}, std::move(body)});
+    return put({{ParametersOf<M>::name, copy}, std::move(body)});
   }
 
   bool operator==(const ParameterSet&) const = default;

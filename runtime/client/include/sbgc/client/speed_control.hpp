@@ -67,9 +67,9 @@ class SpeedControl {
   [[nodiscard]] State state() const;
 
  private:
-  class Keeper;
+  class Worker;
 
-  std::unique_ptr<Keeper> keeper_;
+  std::unique_ptr<Worker> io_thread_;
 };
 
 }  // namespace sbgc

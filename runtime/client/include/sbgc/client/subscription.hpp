@@ -14,22 +14,23 @@ namespace sbgc {
 class [[nodiscard]] Subscription {
  public:
   /// A resource that its destructor releases.
-  class Hold {
+  class Registration {
    public:
-    Hold() = default;
-    Hold(const Hold&) = delete;
-    Hold& operator=(const Hold&) = delete;
-    virtual ~Hold() = default;
+    Registration() = default;
+    Registration(const Registration&) = delete;
+    Registration& operator=(const Registration&) = delete;
+    virtual ~Registration() = default;
   };
 
   Subscription() noexcept = default;
-  explicit Subscription(std::unique_ptr<Hold> hold) noexcept : hold_(std::move(hold)) {}
+  explicit Subscription(std::unique_ptr<Registration> registration) noexcept
+      : registration_(std::move(registration)) {}
 
-  void cancel() noexcept { hold_.reset(); }
-  explicit operator bool() const noexcept { return hold_ != nullptr; }
+  void cancel() noexcept { registration_.reset(); }
+  explicit operator bool() const noexcept { return registration_ != nullptr; }
 
  private:
-  std::unique_ptr<Hold> hold_;
+  std::unique_ptr<Registration> registration_;
 };
 
 }  // namespace sbgc

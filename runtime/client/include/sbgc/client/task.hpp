@@ -268,7 +268,7 @@ struct Calling {
     const Result<Reply>* const reply = machine->reply(number);
     CallResult<M> result =
         reply != nullptr
-            ? read_answer<M>(*reply)
+            ? read_response<M>(*reply)
             : CallResult<M>(ClientError{ErrorCode::cancelled, "the call was cancelled"});
     machine->end(number);
     return result;

@@ -20,62 +20,63 @@ namespace sbgc {
 template <class Self>
 class TaskCalls : public Calls<Self> {
   template <class T>
-  using Late = typename detail::Late<Self, T>::type;
+  using Dependent = typename detail::Dependent<Self, T>::type;
 
  public:
   // Motion: <sbgc/client/motion.hpp>
 
-  Result<Late<MoveProgress>> move_to(const MoveTarget& target,
-                                     const Late<MoveOptions>& options = {}) {
+  Result<Dependent<MoveProgress>> move_to(const MoveTarget& target,
+                                          const Dependent<MoveOptions>& options = {}) {
     return self().run(tasks::move_to(target, options));
   }
-  Result<void> stop(const Late<StopOptions>& options = {}) {
+  Result<void> stop(const Dependent<StopOptions>& options = {}) {
     return self().run(tasks::stop(options));
   }
   Result<void> release() { return self().run(tasks::release()); }
 
   // Calibration: <sbgc/client/calibration.hpp>
 
-  Result<void> calibrate(Sensor sensor, const Late<CalibrationOptions>& options = {}) {
+  Result<void> calibrate(Sensor sensor, const Dependent<CalibrationOptions>& options = {}) {
     return self().run(tasks::calibrate(sensor, options));
   }
 
   // Parameters: <sbgc/client/parameters.hpp>
 
-  Result<Late<ParameterSet>> read_parameters(const Late<ReadOptions>& options = {}) {
+  Result<Dependent<ParameterSet>> read_parameters(const Dependent<ReadOptions>& options = {}) {
     return self().run(tasks::read_parameters(options));
   }
-  Late<WriteReport> write_parameters(const Late<ParameterSet>& wanted,
-                                     const Late<WriteOptions>& options = {}) {
+  Dependent<WriteReport> write_parameters(const Dependent<ParameterSet>& wanted,
+                                          const Dependent<WriteOptions>& options = {}) {
     return self().run(tasks::write_parameters(wanted, options));
   }
 
   // Backups: <sbgc/client/backup.hpp>
 
-  Result<Late<Backup>> make_backup(const Late<ReadOptions>& options = {}) {
+  Result<Dependent<Backup>> make_backup(const Dependent<ReadOptions>& options = {}) {
     return self().run(tasks::make_backup(utc_now(), options));
   }
-  Late<WriteReport> restore(const Late<Backup>& backup, const Late<RestoreOptions>& options = {}) {
+  Dependent<WriteReport> restore(const Dependent<Backup>& backup,
+                                 const Dependent<RestoreOptions>& options = {}) {
     return self().run(tasks::restore(backup, options));
   }
 
   // Memory: <sbgc/client/memory.hpp>
 
-  Result<std::vector<std::uint8_t>> download_eeprom(std::uint32_t address, std::size_t size,
-                                                    const Late<TransferOptions>& options = {}) {
+  Result<std::vector<std::uint8_t>> download_eeprom(
+      std::uint32_t address, std::size_t size, const Dependent<TransferOptions>& options = {}) {
     return self().run(tasks::download_eeprom(address, size, options));
   }
   Result<void> upload_eeprom(std::uint32_t address, std::vector<std::uint8_t> data,
-                             const Late<TransferOptions>& options = {}) {
+                             const Dependent<TransferOptions>& options = {}) {
     return self().run(tasks::upload_eeprom(address, std::move(data), options));
   }
   Result<std::size_t> file_size(std::uint16_t file) { return self().run(tasks::file_size(file)); }
   Result<std::vector<std::uint8_t>> download_file(std::uint16_t file,
-                                                  const Late<TransferOptions>& options = {}) {
+                                                  const Dependent<TransferOptions>& options = {}) {
     return self().run(tasks::download_file(file, options));
   }
   Result<void> upload_file(std::uint16_t file, std::vector<std::uint8_t> data,
-                           const Late<TransferOptions>& options = {}) {
+                           const Dependent<TransferOptions>& options = {}) {
     return self().run(tasks::upload_file(file, std::move(data), options));
   }
   Result<void> delete_file(std::uint16_t file) { return self().run(tasks::delete_file(file)); }
@@ -89,11 +90,11 @@ class TaskCalls : public Calls<Self> {
 
   // Profiles: <sbgc/client/profiles.hpp>
 
-  Result<Late<ProfileNames>> profile_names() { return self().run(tasks::profile_names()); }
+  Result<Dependent<ProfileNames>> profile_names() { return self().run(tasks::profile_names()); }
   Result<void> rename_profile(std::size_t profile, std::string name) {
     return self().run(tasks::rename_profile(profile, std::move(name)));
   }
-  Result<void> rename_profiles(const Late<ProfileNames>& names) {
+  Result<void> rename_profiles(const Dependent<ProfileNames>& names) {
     return self().run(tasks::rename_profiles(names));
   }
 
@@ -105,7 +106,7 @@ class TaskCalls : public Calls<Self> {
   Result<double> get_variable(std::string name) {
     return self().run(tasks::get_variable(std::move(name)));
   }
-  Result<void> set_variables(std::vector<Late<VariableValue>> values) {
+  Result<void> set_variables(std::vector<Dependent<VariableValue>> values) {
     return self().run(tasks::set_variables(std::move(values)));
   }
   Result<void> set_variable(std::string name, double value) {

@@ -75,7 +75,7 @@ namespace detail {
 /// T, as a dependent type: it needs to be complete only if the member of Self that names it is
 /// used.
 template <class Self, class T>
-struct Late {
+struct Dependent {
   using type = T;
 };
 

@@ -22,7 +22,7 @@ namespace sbgc {
 namespace detail {
 
 ClientError decode_error(Status status, const Reply& reply);
-ClientError missing_answer(const Reply& reply);
+ClientError missing_response(const Reply& reply);
 /// Converts the interval of a data stream to the counts of the protocol, at most `most`.
 Result<std::int64_t> stream_interval_count(std::chrono::milliseconds interval, std::int64_t most);
 
@@ -47,8 +47,8 @@ Status read(const Reply& reply, std::variant<Ms...>& out) noexcept {
 
 /// Decodes the response to an M from its reply.
 template <class M>
-Result<CallAnswer<M>> read_answer(const Result<Reply>& reply) {
-  using Answer = CallAnswer<M>;
+Result<CallResponse<M>> read_response(const Result<Reply>& reply) {
+  using Answer = CallResponse<M>;
   if (!reply) return reply.error();
   if constexpr (std::is_void_v<Answer>) {
     return {};
@@ -60,7 +60,7 @@ Result<CallAnswer<M>> read_answer(const Result<Reply>& reply) {
       if (!is_answered) return answer;
       status = read(*reply, answer.emplace());
     } else {
-      if (!is_answered) return missing_answer(*reply);
+      if (!is_answered) return missing_response(*reply);
       status = read(*reply, answer);
     }
     if (!status) return decode_error(status, *reply);

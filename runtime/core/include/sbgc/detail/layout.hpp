@@ -63,8 +63,8 @@ constexpr auto layout_of(TypeList<T...>) noexcept {
     memory += sizes[i];
     wire += wire_sizes[i];
   }
-  const bool pays = count > 2 && 2 * (layout.block_count + others) <= count;
-  layout.in_blocks = pays && !is_packed && std::endian::native == std::endian::little;
+  const bool is_worthwhile = count > 2 && 2 * (layout.block_count + others) <= count;
+  layout.in_blocks = is_worthwhile && !is_packed && std::endian::native == std::endian::little;
   layout.only_blocks = layout.in_blocks && others == 0;
   return layout;
 }

@@ -278,7 +278,7 @@ class LeafWalk {
   }
 
   /// A number of the message that may select the unit of a later one.
-  struct Remembered {
+  struct UnitSource {
     const char* name;
     const char* axis;  ///< "" if it has none
     std::int64_t raw;
@@ -294,7 +294,7 @@ class LeafWalk {
   const UnitInfo* unit_in_force(const UnitInfo& usual, const FieldInfo& field,
                                 const FieldPath& path) const {
     if (field.alternative == nullptr) return &usual;
-    for (const Remembered& number : numbers_) {
+    for (const UnitSource& number : numbers_) {
       if (number.name != std::string_view(field.alternative->of)) continue;
       if (*number.axis != '\0' && !leads_through(path, number.axis)) continue;
       if ((number.raw & field.alternative->mask) != 0) return field.alternative->unit;
@@ -308,7 +308,7 @@ class LeafWalk {
 
   Use use_;
   void* user_;
-  std::vector<Remembered> numbers_;
+  std::vector<UnitSource> numbers_;
   std::size_t offset_ = 0;  // in the body
 };
 

@@ -103,7 +103,7 @@ struct SessionOptions {
   PacingOptions pacing{};             ///< both 0: none
   std::uint8_t attempts = 3;          ///< maximum transmissions of a request whose retry is safe
   Duration late = milliseconds(500);  ///< how late a response may still arrive
-  Duration duplicates{};              ///< how long a duplicate frame may arrive (UDP); 0: never
+  Duration duplicate_window{};        ///< how long a duplicate frame may arrive (UDP); 0: never
   Duration idle = milliseconds(100);  ///< silence that ends an incomplete frame
   std::uint8_t stream_percent = 80;   ///< the share of the line that data streams may use
 };

@@ -39,7 +39,7 @@ class LateReplies {
   }
 
   /// Keeps the entry for these responses, if there is one, at least until `until`.
-  constexpr void prolong(const Responses& responses, Instant until) noexcept {
+  constexpr void extend(const Responses& responses, Instant until) noexcept {
     const std::size_t place = find(responses);
     if (place != size_) entries_[place].until = later(entries_[place].until, until);
   }

@@ -68,7 +68,7 @@ const decoderView = (() => {
   }
 
   /** The bytes, with a color for each part. `parts`: [{at, size, part, tint, name}], in order. */
-  function coloured(bytes, parts, describedBy) {
+  function colored(bytes, parts, describedBy) {
     const block = element("p", { class: "bytes", "aria-label": describedBy, role: "group" });
     const run = (from, until, attributes) => {
       if (from >= until) return;
@@ -132,7 +132,7 @@ const decoderView = (() => {
   /** The content of a frame. */
   function insideFrame(answer) {
     const { frame, rows } = answer;
-    const result = [coloured(answer.bytes, partsOf(answer), "Bytes of the frame")];
+    const result = [colored(answer.bytes, partsOf(answer), "Bytes of the frame")];
     const page = messagePages[frame.message]?.page;
     if (frame.error) {
       const where = frame.error.field === "" ? "" : ` Field: ${frame.error.field}.`;
@@ -161,7 +161,7 @@ const decoderView = (() => {
     }
     const parts = [...starts.keys()].filter((at) => at < shown);
     const result = [
-      coloured(
+      colored(
         answer.bytes.subarray(0, shown),
         parts.map((at) => ({ at, size: 1, part: null, tint: "wrong", name: "start byte" })),
         "Bytes in no frame",

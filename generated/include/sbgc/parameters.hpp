@@ -15,11 +15,11 @@ namespace sbgc {
 /// `copy(message)`, the index of the copy in one of these messages, from 0; `share(from, to)`, which
 /// copies the general settings from one copy to another.
 template <class M>
-struct SettingsOf;
+struct ParametersOf;
 
 /// Parameters of one profile and general parameters.
 template <>
-struct SettingsOf<msg::ReadParams3> {
+struct ParametersOf<msg::ReadParams3> {
   static constexpr const char* name = "ReadParams3";
   using Readers = TypeList<msg::ReadParams3Request, msg::ReadParams>;
   using Writers = TypeList<msg::WriteParams3, msg::WriteParams>;
@@ -54,7 +54,7 @@ struct SettingsOf<msg::ReadParams3> {
 
 /// More parameters of one profile: filters, encoders, magnetometer.
 template <>
-struct SettingsOf<msg::ReadParamsExt> {
+struct ParametersOf<msg::ReadParamsExt> {
   static constexpr const char* name = "ReadParamsExt";
   using Readers = TypeList<msg::ReadParamsExtRequest>;
   using Writers = TypeList<msg::WriteParamsExt>;
@@ -75,7 +75,7 @@ struct SettingsOf<msg::ReadParamsExt> {
 
 /// The third set of parameters of one profile.
 template <>
-struct SettingsOf<msg::ReadParamsExt2> {
+struct ParametersOf<msg::ReadParamsExt2> {
   static constexpr const char* name = "ReadParamsExt2";
   using Readers = TypeList<msg::ReadParamsExt2Request>;
   using Writers = TypeList<msg::WriteParamsExt2>;
@@ -96,7 +96,7 @@ struct SettingsOf<msg::ReadParamsExt2> {
 
 /// Profile names.
 template <>
-struct SettingsOf<msg::ReadProfileNames> {
+struct ParametersOf<msg::ReadProfileNames> {
   static constexpr const char* name = "ReadProfileNames";
   using Readers = TypeList<msg::ReadProfileNamesRequest>;
   using Writers = TypeList<msg::WriteProfileNames>;
@@ -105,7 +105,7 @@ struct SettingsOf<msg::ReadProfileNames> {
 
 /// RC signals that trigger actions or change adjustable variables.
 template <>
-struct SettingsOf<msg::ReadAdjVarsCfg> {
+struct ParametersOf<msg::ReadAdjVarsCfg> {
   static constexpr const char* name = "ReadAdjVarsCfg";
   using Readers = TypeList<msg::ReadAdjVarsCfgRequest>;
   using Writers = TypeList<msg::WriteAdjVarsCfg>;
@@ -114,7 +114,7 @@ struct SettingsOf<msg::ReadAdjVarsCfg> {
 
 /// User data in the EEPROM.
 template <>
-struct SettingsOf<msg::ReadExternalData> {
+struct ParametersOf<msg::ReadExternalData> {
   static constexpr const char* name = "ReadExternalData";
   using Readers = TypeList<msg::ReadExternalDataRequest>;
   using Writers = TypeList<msg::WriteExternalData>;
@@ -122,6 +122,6 @@ struct SettingsOf<msg::ReadExternalData> {
 };
 
 /// The messages that hold settings, in the order of the specification's families.
-using StoredMessages = TypeList<msg::ReadParams3, msg::ReadParamsExt, msg::ReadParamsExt2, msg::ReadProfileNames, msg::ReadAdjVarsCfg, msg::ReadExternalData>;
+using ParameterMessages = TypeList<msg::ReadParams3, msg::ReadParamsExt, msg::ReadParamsExt2, msg::ReadProfileNames, msg::ReadAdjVarsCfg, msg::ReadExternalData>;
 
 }  // namespace sbgc

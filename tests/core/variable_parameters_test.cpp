@@ -10,8 +10,8 @@
 
 #include <sbgc/messages.hpp>
 #include <sbgc/meta/variables.hpp>
-#include <sbgc/settings.hpp>
-#include <sbgc/variable_settings.hpp>
+#include <sbgc/parameters.hpp>
+#include <sbgc/variable_parameters.hpp>
 
 #include "any_message.hpp"
 
@@ -57,7 +57,7 @@ std::vector<std::size_t> differences(const Settings& a, const Settings& b) {
   return places;
 }
 
-bool stands_for_none(msg::VariableId id) {
+bool has_no_setting(msg::VariableId id) {
   return id == msg::VariableId::frame_heading_angle ||
          id == msg::VariableId::gyro_heading_correction;
 }
@@ -80,9 +80,9 @@ TEST(VariableSettings, EveryValueComesBackWithinAStep) {
     const auto high = static_cast<std::int32_t>(info.range.highest);
     for (const std::int32_t value : {low, high, low + (high - low) / 2, low + (high - low) / 3}) {
       Settings settings;
-      EXPECT_EQ(set_variable(settings, info.id, value), !stands_for_none(info.id));
+      EXPECT_EQ(set_variable(settings, info.id, value), !has_no_setting(info.id));
       const auto told = variable_value(settings, info.id);
-      ASSERT_EQ(told.has_value(), !stands_for_none(info.id));
+      ASSERT_EQ(told.has_value(), !has_no_setting(info.id));
       if (!told) continue;
       EXPECT_LE(2 * std::abs(*told - value), step_of(info.id)) << value;
       EXPECT_TRUE(*told == value || (value != low && value != high)) << value;

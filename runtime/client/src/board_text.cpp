@@ -1,5 +1,3 @@
-#include "board_words.hpp"
-
 #include <optional>
 #include <tuple>
 #include <type_traits>
@@ -9,6 +7,8 @@
 #include <sbgc/meta/all.hpp>
 #include <sbgc/roles.hpp>
 #include <sbgc/visit.hpp>
+
+#include "board_text.hpp"
 
 namespace sbgc::detail {
 
