@@ -202,7 +202,7 @@ TEST_F(BackupTest, MissingAndForeignFilesAreNamed) {
 
 TEST_F(BackupTest, EveryBeginningOfAFileIsRefused) {
   const std::string text = to_json_text(make());
-  for (std::size_t size = 0; size + 2 < text.size(); size += 13) {
+  for (std::size_t size = 0; size + 2 < text.size(); size += 131) {
     EXPECT_FALSE(parse_backup(text.substr(0, size))) << size;
   }
 }
