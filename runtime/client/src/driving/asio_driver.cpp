@@ -1,5 +1,6 @@
 #include "driving/asio_driver.hpp"
 
+#include <functional>
 #include <system_error>
 #include <utility>
 
@@ -17,13 +18,14 @@ AsioDriver::AsioDriver(const asio::any_io_executor& executor, Conversation conve
       task_(std::move(task)),
       done_(std::move(done)) {}
 
-template <class Input>
 void AsioDriver::post(Input input) {
-  asio::post(strand_, [self = shared_from_this(), input = std::move(input)] {
-    if (!self->done_) return;
-    input(*self->task_);
-    self->advance();
-  });
+  asio::post(strand_, std::bind_front(&AsioDriver::take, shared_from_this(), std::move(input)));
+}
+
+void AsioDriver::take(const Input& input) {
+  if (!done_) return;
+  input(*task_);
+  advance();
 }
 
 void AsioDriver::start() {

@@ -26,9 +26,12 @@ class AsioDriver : public std::enable_shared_from_this<AsioDriver> {
   void cancel();
 
  private:
-  /// Runs `input(task)` on the strand, then advances the task.
-  template <class Input>
+  using Input = std::function<void(TaskMachine&)>;
+
+  /// Takes an input on the strand.
   void post(Input input);
+  /// Passes the task to `input`, then advances it.
+  void take(const Input& input);
   void advance();
   void begin_call(TaskStep step);
   void cancel_call(std::uint32_t number);

@@ -111,7 +111,8 @@ Task<Result<std::vector<double>>> get_variables(std::vector<std::string> names) 
 }
 
 Task<Result<double>> get_variable(std::string name) {
-  std::vector<std::string> names(1, std::move(name));
+  std::vector<std::string> names;
+  names.push_back(std::move(name));
   const Result<std::vector<double>> values = co_await get_variables(std::move(names));
   if (!values) co_return values.error();
   co_return values->front();

@@ -48,7 +48,8 @@ concept AnyStruct = requires(const T& value) {
 };
 
 inline std::string or_number(std::string text, std::int64_t raw) {
-  return text.empty() ? std::to_string(raw) : text;
+  if (text.empty()) return std::to_string(raw);
+  return text;
 }
 
 /// Returns a raw value or limit in its unit.

@@ -171,8 +171,8 @@ class AsyncClient : public AsyncTaskCalls<AsyncClient> {
                          Completion<Result<Reply>> done) {
     const auto conversation = conversation_of(impl);
     if (!conversation) return done(conversation.error()), Stop{};
-    const auto ticket =
-        conversation->start(conversation->prepare(request, options), options, std::move(done));
+    Result<detail::Request> prepared = conversation->prepare(request, options);
+    const auto ticket = conversation->start(std::move(prepared), options, std::move(done));
     return [conversation = *conversation, ticket] { conversation.cancel(ticket); };
   }
 

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -14,22 +13,18 @@ namespace sbgc {
 
 /// `client.async_move_to(target, options, token)` is shorthand for
 /// `client.async_run(tasks::move_to(target, options), token)`, and likewise for all other tasks.
-/// The headers named below document them; include those you use.
+/// The headers named below document them.
 template <class Self>
 class AsyncTaskCalls {
-  template <class T>
-  using Dependent = typename detail::Dependent<Self, T>::type;
-
  public:
   // Motion: <sbgc/client/motion.hpp>
 
   template <class Token>
-  auto async_move_to(const MoveTarget& target, const Dependent<MoveOptions>& options,
-                     Token&& token) {
+  auto async_move_to(const MoveTarget& target, const MoveOptions& options, Token&& token) {
     return self().async_run(tasks::move_to(target, options), std::forward<Token>(token));
   }
   template <class Token>
-  auto async_stop(const Dependent<StopOptions>& options, Token&& token) {
+  auto async_stop(const StopOptions& options, Token&& token) {
     return self().async_run(tasks::stop(options), std::forward<Token>(token));
   }
   template <class Token>
@@ -40,31 +35,30 @@ class AsyncTaskCalls {
   // Calibration: <sbgc/client/calibration.hpp>
 
   template <class Token>
-  auto async_calibrate(Sensor sensor, const Dependent<CalibrationOptions>& options, Token&& token) {
+  auto async_calibrate(Sensor sensor, const CalibrationOptions& options, Token&& token) {
     return self().async_run(tasks::calibrate(sensor, options), std::forward<Token>(token));
   }
 
   // Parameters: <sbgc/client/parameters.hpp>
 
   template <class Token>
-  auto async_read_parameters(const Dependent<ReadOptions>& options, Token&& token) {
+  auto async_read_parameters(const ReadOptions& options, Token&& token) {
     return self().async_run(tasks::read_parameters(options), std::forward<Token>(token));
   }
   template <class Token>
-  auto async_write_parameters(const Dependent<ParameterSet>& wanted,
-                              const Dependent<WriteOptions>& options, Token&& token) {
+  auto async_write_parameters(const ParameterSet& wanted, const WriteOptions& options,
+                              Token&& token) {
     return self().async_run(tasks::write_parameters(wanted, options), std::forward<Token>(token));
   }
 
   // Backups: <sbgc/client/backup.hpp>
 
   template <class Token>
-  auto async_make_backup(const Dependent<ReadOptions>& options, Token&& token) {
+  auto async_make_backup(const ReadOptions& options, Token&& token) {
     return self().async_run(tasks::make_backup(utc_now(), options), std::forward<Token>(token));
   }
   template <class Token>
-  auto async_restore(const Dependent<Backup>& backup, const Dependent<RestoreOptions>& options,
-                     Token&& token) {
+  auto async_restore(const Backup& backup, const RestoreOptions& options, Token&& token) {
     return self().async_run(tasks::restore(backup, options), std::forward<Token>(token));
   }
 
@@ -72,13 +66,13 @@ class AsyncTaskCalls {
 
   template <class Token>
   auto async_download_eeprom(std::uint32_t address, std::size_t size,
-                             const Dependent<TransferOptions>& options, Token&& token) {
+                             const TransferOptions& options, Token&& token) {
     return self().async_run(tasks::download_eeprom(address, size, options),
                             std::forward<Token>(token));
   }
   template <class Token>
   auto async_upload_eeprom(std::uint32_t address, std::vector<std::uint8_t> data,
-                           const Dependent<TransferOptions>& options, Token&& token) {
+                           const TransferOptions& options, Token&& token) {
     return self().async_run(tasks::upload_eeprom(address, std::move(data), options),
                             std::forward<Token>(token));
   }
@@ -87,13 +81,12 @@ class AsyncTaskCalls {
     return self().async_run(tasks::file_size(file), std::forward<Token>(token));
   }
   template <class Token>
-  auto async_download_file(std::uint16_t file, const Dependent<TransferOptions>& options,
-                           Token&& token) {
+  auto async_download_file(std::uint16_t file, const TransferOptions& options, Token&& token) {
     return self().async_run(tasks::download_file(file, options), std::forward<Token>(token));
   }
   template <class Token>
   auto async_upload_file(std::uint16_t file, std::vector<std::uint8_t> data,
-                         const Dependent<TransferOptions>& options, Token&& token) {
+                         const TransferOptions& options, Token&& token) {
     return self().async_run(tasks::upload_file(file, std::move(data), options),
                             std::forward<Token>(token));
   }
@@ -127,7 +120,7 @@ class AsyncTaskCalls {
                             std::forward<Token>(token));
   }
   template <class Token>
-  auto async_rename_profiles(const Dependent<ProfileNames>& names, Token&& token) {
+  auto async_rename_profiles(const ProfileNames& names, Token&& token) {
     return self().async_run(tasks::rename_profiles(names), std::forward<Token>(token));
   }
 
@@ -142,7 +135,7 @@ class AsyncTaskCalls {
     return self().async_run(tasks::get_variable(std::move(name)), std::forward<Token>(token));
   }
   template <class Token>
-  auto async_set_variables(std::vector<Dependent<VariableValue>> values, Token&& token) {
+  auto async_set_variables(std::vector<VariableValue> values, Token&& token) {
     return self().async_run(tasks::set_variables(std::move(values)), std::forward<Token>(token));
   }
   template <class Token>

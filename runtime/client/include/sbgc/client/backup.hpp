@@ -15,6 +15,8 @@
 /// Restored parameters take effect at once, and the camera can move. See docs/2-safety.md.
 #pragma once
 
+#include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -23,8 +25,9 @@
 
 #include <sbgc/client/board_identity.hpp>
 #include <sbgc/client/parameters.hpp>
+#include <sbgc/client/progress.hpp>
 #include <sbgc/client/result.hpp>
-#include <sbgc/client/tasks.hpp>
+#include <sbgc/client/task.hpp>
 
 namespace sbgc {
 
@@ -34,6 +37,9 @@ struct Backup {
   ParameterSet parameters{};
   std::string created{};  ///< UTC, e.g. "2024-05-01T12:00:00Z"
 };
+
+/// Returns the current time of the host in the format of Backup::created.
+std::string utc_now();
 
 /// Returns the content of a backup file.
 std::string to_json_text(const Backup& backup);

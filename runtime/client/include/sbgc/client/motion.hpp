@@ -4,11 +4,14 @@
 #include <chrono>
 #include <functional>
 
-#include <sbgc/client/tasks.hpp>
+#include <sbgc/client/task.hpp>
 #include <sbgc/types.hpp>
 #include <sbgc/units.hpp>
 
 namespace sbgc {
+
+/// The targets of a move: {.pitch = -30_deg} moves one axis and leaves the others alone.
+using MoveTarget = Axes<Optional<msg::Angle14>>;
 
 /// The progress of a move.
 struct MoveProgress {

@@ -59,7 +59,7 @@ struct TaskStep {
 /// The state of a running task. Not thread-safe.
 class TaskMachine {
  public:
-  explicit TaskMachine(BoardIdentity board) : board_(std::move(board)) {}
+  explicit TaskMachine(const BoardIdentity& board) : board_(board) {}
   TaskMachine(const TaskMachine&) = delete;
   TaskMachine& operator=(const TaskMachine&) = delete;
   ~TaskMachine() = default;

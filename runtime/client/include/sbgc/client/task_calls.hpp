@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -14,69 +13,60 @@
 namespace sbgc {
 
 /// `client.move_to(target, options)` is shorthand for `client.run(tasks::move_to(target,
-/// options))`, and likewise for all other tasks. The headers named below document them; include
-/// those you use. A task hides a command of the protocol with the same name; call() can still send
-/// the command.
+/// options))`, and likewise for all other tasks. The headers named below document them. A task
+/// hides a command of the protocol with the same name; call() can still send the command.
 template <class Self>
 class TaskCalls : public Calls<Self> {
-  template <class T>
-  using Dependent = typename detail::Dependent<Self, T>::type;
-
  public:
   // Motion: <sbgc/client/motion.hpp>
 
-  Result<Dependent<MoveProgress>> move_to(const MoveTarget& target,
-                                          const Dependent<MoveOptions>& options = {}) {
+  Result<MoveProgress> move_to(const MoveTarget& target, const MoveOptions& options = {}) {
     return self().run(tasks::move_to(target, options));
   }
-  Result<void> stop(const Dependent<StopOptions>& options = {}) {
-    return self().run(tasks::stop(options));
-  }
+  Result<void> stop(const StopOptions& options = {}) { return self().run(tasks::stop(options)); }
   Result<void> release() { return self().run(tasks::release()); }
 
   // Calibration: <sbgc/client/calibration.hpp>
 
-  Result<void> calibrate(Sensor sensor, const Dependent<CalibrationOptions>& options = {}) {
+  Result<void> calibrate(Sensor sensor, const CalibrationOptions& options = {}) {
     return self().run(tasks::calibrate(sensor, options));
   }
 
   // Parameters: <sbgc/client/parameters.hpp>
 
-  Result<Dependent<ParameterSet>> read_parameters(const Dependent<ReadOptions>& options = {}) {
+  Result<ParameterSet> read_parameters(const ReadOptions& options = {}) {
     return self().run(tasks::read_parameters(options));
   }
-  Dependent<WriteReport> write_parameters(const Dependent<ParameterSet>& wanted,
-                                          const Dependent<WriteOptions>& options = {}) {
+  WriteReport write_parameters(const ParameterSet& wanted, const WriteOptions& options = {}) {
     return self().run(tasks::write_parameters(wanted, options));
   }
 
   // Backups: <sbgc/client/backup.hpp>
 
-  Result<Dependent<Backup>> make_backup(const Dependent<ReadOptions>& options = {}) {
+  Result<Backup> make_backup(const ReadOptions& options = {}) {
     return self().run(tasks::make_backup(utc_now(), options));
   }
-  Dependent<WriteReport> restore(const Dependent<Backup>& backup,
-                                 const Dependent<RestoreOptions>& options = {}) {
+  WriteReport restore(const Backup& backup, const RestoreOptions& options = {}) {
     return self().run(tasks::restore(backup, options));
   }
 
   // Memory: <sbgc/client/memory.hpp>
 
-  Result<std::vector<std::uint8_t>> download_eeprom(
-      std::uint32_t address, std::size_t size, const Dependent<TransferOptions>& options = {}) {
+  Result<std::vector<std::uint8_t>> download_eeprom(std::uint32_t address, std::size_t size,
+                                                    const TransferOptions& options = {}) {
     return self().run(tasks::download_eeprom(address, size, options));
   }
   Result<void> upload_eeprom(std::uint32_t address, std::vector<std::uint8_t> data,
-                             const Dependent<TransferOptions>& options = {}) {
+                             const TransferOptions& options = {}) {
     return self().run(tasks::upload_eeprom(address, std::move(data), options));
   }
   Result<std::size_t> file_size(std::uint16_t file) { return self().run(tasks::file_size(file)); }
   Result<std::vector<std::uint8_t>> download_file(std::uint16_t file,
-                                                  const Dependent<TransferOptions>& options = {}) {
+                                                  const TransferOptions& options = {}) {
     return self().run(tasks::download_file(file, options));
   }
   Result<void> upload_file(std::uint16_t file, std::vector<std::uint8_t> data,
-                           const Dependent<TransferOptions>& options = {}) {
+                           const TransferOptions& options = {}) {
     return self().run(tasks::upload_file(file, std::move(data), options));
   }
   Result<void> delete_file(std::uint16_t file) { return self().run(tasks::delete_file(file)); }
@@ -90,11 +80,11 @@ class TaskCalls : public Calls<Self> {
 
   // Profiles: <sbgc/client/profiles.hpp>
 
-  Result<Dependent<ProfileNames>> profile_names() { return self().run(tasks::profile_names()); }
+  Result<ProfileNames> profile_names() { return self().run(tasks::profile_names()); }
   Result<void> rename_profile(std::size_t profile, std::string name) {
     return self().run(tasks::rename_profile(profile, std::move(name)));
   }
-  Result<void> rename_profiles(const Dependent<ProfileNames>& names) {
+  Result<void> rename_profiles(const ProfileNames& names) {
     return self().run(tasks::rename_profiles(names));
   }
 
@@ -106,7 +96,7 @@ class TaskCalls : public Calls<Self> {
   Result<double> get_variable(std::string name) {
     return self().run(tasks::get_variable(std::move(name)));
   }
-  Result<void> set_variables(std::vector<Dependent<VariableValue>> values) {
+  Result<void> set_variables(std::vector<VariableValue> values) {
     return self().run(tasks::set_variables(std::move(values)));
   }
   Result<void> set_variable(std::string name, double value) {

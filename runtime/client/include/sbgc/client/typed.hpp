@@ -17,9 +17,7 @@
 #include <sbgc/message.hpp>
 #include <sbgc/roles.hpp>
 
-namespace sbgc {
-
-namespace detail {
+namespace sbgc::detail {
 
 ClientError decode_error(Status status, const Reply& reply);
 ClientError missing_response(const Reply& reply);
@@ -112,6 +110,4 @@ Conversation::MessageHandler typed_handler(std::function<void(const M&)> handler
   };
 }
 
-}  // namespace detail
-
-}  // namespace sbgc
+}  // namespace sbgc::detail
