@@ -165,7 +165,7 @@ class EmulatedBoard {
     if (running_->thread.get_id() == std::this_thread::get_id()) return action();
     std::packaged_task<std::invoke_result_t<Action&>()> task(std::move(action));
     auto done = task.get_future();
-    asio::post(running_->context, std::move(task));
+    asio::post(running_->context, [task = std::move(task)]() mutable { task(); });
     return done.get();
   }
 
