@@ -35,6 +35,7 @@ inline bool take_yes_flag(int& argc, char** argv) {
   return exists;
 }
 
+// NOLINTNEXTLINE(*-avoid-non-const-global-variables): a signal handler needs it
 inline volatile std::sig_atomic_t signalled = 0;
 
 /// Makes Ctrl-C, and closing the terminal, set a flag instead of ending the program, so that it can

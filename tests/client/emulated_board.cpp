@@ -117,7 +117,7 @@ void EmulatedBoard::become(const emulator::BoardOptions& options, emulator::Memo
   start(std::move(memory));
 }
 
-emulator::BoardOptions EmulatedBoard::options() { return options_.board; }
+emulator::BoardOptions EmulatedBoard::options() const { return options_.board; }
 
 emulator::Memory EmulatedBoard::memory() {
   return on_thread([this] { return live().memory(); });

@@ -69,7 +69,7 @@ class EmulatedBoard {
   /// Replaces the board by another one with this memory. Hooks remain; hosts are disconnected.
   void become(const emulator::BoardOptions& options, emulator::Memory memory);
   void become(const emulator::BoardOptions& options) { become(options, memory()); }
-  emulator::BoardOptions options();
+  emulator::BoardOptions options() const;
   emulator::Memory memory();
 
   // Hooks, see TapHooks; they must not refer to objects that the board outlives.
@@ -108,7 +108,7 @@ class EmulatedBoard {
   /// Sends a request. Throws std::runtime_error if the board does not confirm it.
   template <Message Request>
   void write(const Request& request) {
-    const msg::Confirm done = read<msg::Confirm>(request);
+    const auto done = read<msg::Confirm>(request);
     if (done.cmd != Request::command) throw std::runtime_error("another command is confirmed");
   }
   /// Returns the board's settings, of one profile or of all.

@@ -187,7 +187,7 @@ TEST_F(MemoryTest, AnEmptyFileCanBeRead) {
   board.tamper([](Packets& answers) {
     for (Packet& one : answers) {
       if (!is<msg::ReadFile>(one)) continue;
-      msg::ReadFile empty = message<msg::ReadFile>(one);
+      auto empty = message<msg::ReadFile>(one);
       empty.file_size = {};
       empty.data.clear();
       one = packet(empty);

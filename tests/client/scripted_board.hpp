@@ -220,7 +220,7 @@ inline void introduce(ScriptedBoard& board, std::uint16_t firmware = 2590,
 }
 
 /// Returns the factory of a pair in memory with the board at the other end.
-inline TransportFactory over_memory(ScriptedBoard& board, io::MemoryOptions options = {}) {
+inline TransportFactory over_memory(ScriptedBoard& board, const io::MemoryOptions& options = {}) {
   return [&board, options](const asio::any_io_executor& executor) {
     auto pair = io::make_memory_pair(executor, board.executor(), options);
     board.serve(std::move(pair.second));

@@ -17,7 +17,7 @@
 namespace {
 
 /// Bytes allocated since the program started.
-std::size_t allocated = 0;
+std::size_t allocated = 0;  // NOLINT(*-avoid-non-const-global-variables): of operator new
 
 }  // namespace
 

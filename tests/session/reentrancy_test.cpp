@@ -313,6 +313,7 @@ TEST_P(EachCall, FromEachEventDoesWhatItDoesElsewhere) {
 
   Simulation line;
   std::vector<Handle> sent;
+  sent.reserve(static_cast<std::size_t>(others));
   for (int i = 0; i < others; ++i) {  // one is in flight and one is queued
     sent.push_back(
         line.send(sbgc::msg::EepromReadRequest{}, {.attempts = 1, .timeout = seconds(60)}));
@@ -343,7 +344,7 @@ TEST_P(EachCall, FromEachEventDoesWhatItDoesElsewhere) {
   const std::uint32_t stream_3 = occasion.kind == EventKind::stream ? 680 : 0;
   const std::uint32_t stream_4 = call.name == "start_stream" ? load_of_4 : 0;
   EXPECT_EQ(line.session.stream_usage().used, stream_3 + stream_4);
-  for (std::size_t i = static_cast<std::size_t>(others); i < sent.size(); ++i) {
+  for (auto i = static_cast<std::size_t>(others); i < sent.size(); ++i) {
     const bool is_cancelled = call.name == "send_and_cancel";
     const bool is_read = call.name == "send";
     EXPECT_EQ(line.outcome(sent[i]), is_cancelled ? Outcome::cancelled

@@ -22,7 +22,7 @@ emulator::BoardOptions still() {
 }
 
 /// Returns a board with motors off, so that the camera remains where it is placed.
-Host placed(const Axes<double>& angles, emulator::BoardOptions options = still()) {
+Host placed(const Axes<double>& angles, const emulator::BoardOptions& options = still()) {
   Host host(options);
   host.ask(msg::MotorsOff{});
   host.board.gimbal().place(angles, host.now);

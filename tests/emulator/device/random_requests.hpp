@@ -39,7 +39,7 @@ class RandomRequests {
   Bytes next() {
     const Form& form = forms_[up_to(static_cast<std::uint32_t>(forms_.size()) - 1)];
     const std::uint32_t kind = up_to(7);
-    std::uint32_t size = static_cast<std::uint32_t>(form.min_size);
+    auto size = static_cast<std::uint32_t>(form.min_size);
     if (form.max_size > form.min_size && up_to(1) == 0) {
       size += up_to(static_cast<std::uint32_t>(form.max_size - form.min_size));
     }

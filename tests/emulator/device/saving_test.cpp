@@ -176,8 +176,7 @@ TEST(Saving, ChangesNothingButWhen) {
       options.waits_for_saving = waits;
       options.output_buffer = 0;
       emulator::Board board(options, {}, Instant{});
-      std::vector<std::size_t> ports;
-      for (int i = 0; i < 2; ++i) ports.push_back(board.open_port().value());
+      const std::vector<std::size_t> ports{board.open_port().value(), board.open_port().value()};
       heard[waits].resize(ports.size());
       Instant now = Instant{} + seconds(1);
       const auto collect = [&] {

@@ -73,13 +73,15 @@ void expect_error(const std::string& text, ErrorCode code, const std::string& wo
 }
 
 class MemoryFile : public testing::Test {
+ public:
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
  protected:
   MemoryFile() {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
   ~MemoryFile() override { std::filesystem::remove_all(folder_); }
 
   [[nodiscard]] std::string path(const std::string& file) const {
@@ -149,7 +151,7 @@ TEST(MemoryText, SaysWhatIsWrongAndWhere) {
   expect_error("", bad, "not JSON");
   expect_error(std::string(200'000, '[') + std::string(200'000, ']'), bad,
                "nested deeper than 64 levels (line 1, column 65)");
-  expect_error(changed(text, "\"profile\": 0", "\"profile\": 0, \"profile\": 0"), bad,
+  expect_error(changed(text, R"("profile": 0)", R"("profile": 0, "profile": 0)"), bad,
                "the key 'profile' occurs twice (line ");
   expect_error("[]", bad, "not the memory of an emulated board");
   expect_error("{}", bad, "not the memory of an emulated board");
