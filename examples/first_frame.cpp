@@ -1,4 +1,4 @@
-// Encodes a command that turns the camera slowly to 45 degrees, then decodes it.
+// Encodes the angles of a gimbal as a frame, then finds and decodes it again.
 
 #include <array>
 #include <cstdint>
@@ -8,22 +8,16 @@
 #include <sbgc/parser.hpp>
 #include <sbgc/visit.hpp>
 
-using namespace sbgc::literals;
-namespace msg = sbgc::msg;
-
 int main() {
-  // Speed 0 selects the speed in the board's parameters, so every axis gets one.
-  const msg::Control control{.control_mode = msg::ControlMode::angle,
-                             .axes = {.roll = {.speed = 10_deg_per_s},
-                                      .pitch = {.speed = 10_deg_per_s},
-                                      .yaw = {.speed = 10_deg_per_s, .angle = 45_deg}}};
-  std::array<std::uint8_t, sbgc::max_frame_size> frame{};
-  const auto written = sbgc::encode_frame(control, frame);  // send written.size bytes of frame
+  using namespace sbgc;
+  using namespace sbgc::literals;
+  std::array<std::uint8_t, max_frame_size> bytes{};
+  const auto written = encode_frame(msg::GetAngles{.axes = {.yaw = {.imu_angle = 45_deg}}}, bytes);
 
-  sbgc::Parser parser;  // accepts chunks of any size
-  parser.feed({frame.data(), written.size}, [](const sbgc::Frame& found) {
-    sbgc::visit(found, sbgc::Direction::to_board, [](const msg::Control& message) {
-      std::printf("yaw: %g degrees\n", message.axes.yaw.angle.degrees());
+  Parser parser;  // accepts chunks of any size
+  parser.feed({bytes.data(), written.size}, [](const Frame& frame) {
+    visit(frame, Direction::from_board, [](const msg::GetAngles& angles) {
+      std::printf("yaw: %g degrees\n", angles.axes.yaw.imu_angle.degrees());
     });
   });
 }

@@ -52,6 +52,7 @@ class Examples : public ::testing::Test {
 
  private:
   void turn(msg::Angle14 pitch) {
+    moves.add(pitch);
     angles_.axes.pitch.imu_angle = angles_.axes.pitch.rc_target_angle = pitch;
     sample_.angle.pitch = pitch;
     sample_.angle.yaw = 12.5_deg;
@@ -64,6 +65,7 @@ class Examples : public ::testing::Test {
  protected:
   Collector<msg::DataStreamInterval> registrations;
   Collector<std::string> motors;
+  Collector<msg::Angle14> moves;
   ScriptedBoard board;  // declared after the objects that its hooks use
   std::string port;
 };
@@ -101,6 +103,15 @@ TEST_F(Examples, QuickstartMovesNothingUnlessSomebodyAgrees) {
   EXPECT_THAT(motors.wait_for(0), IsEmpty());
   EXPECT_EQ(run_program("echo yes | " SBGC_EXAMPLE_QUICKSTART " " + port).status, 0);
   EXPECT_FALSE(motors.wait_for(0).empty());
+}
+
+TEST_F(Examples, TiltMovesOnlyIfSomebodyAgrees) {
+  const std::string tilt = std::string(SBGC_EXAMPLE_TILT) + " " + port;
+  EXPECT_EQ(run_program("echo no | " + tilt).status, 1);
+  EXPECT_EQ(moves.wait_for(0).size(), 0U);
+  const ProgramResult result = run_program("echo yes | " + tilt);
+  EXPECT_EQ(result.status, 0) << result.output;
+  EXPECT_EQ(moves.wait_for(1).back(), *msg::Angle14::from_degrees(-30));
 }
 
 TEST_F(Examples, AsyncStream) {

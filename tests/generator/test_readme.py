@@ -6,15 +6,18 @@ import re
 import subprocess
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).resolve().parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 LIBRARY = (ROOT / "docs/11-library.md").read_text(encoding="utf-8")
 CONTRIBUTING = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
 
 
-def test_the_example_is_the_one_that_is_built() -> None:
-    example = (ROOT / "examples/first_frame.cpp").read_text(encoding="utf-8")
-    assert f"```cpp\n{example}```" in README
+@pytest.mark.parametrize("name", ["first_frame", "tilt"])
+def test_the_examples_are_those_that_are_built(name: str) -> None:
+    example = (ROOT / f"examples/{name}.cpp").read_text(encoding="utf-8")
+    assert f"`examples/{name}.cpp`" in README and f"```cpp\n{example}```" in README
 
 
 def test_every_header_in_the_table_exists() -> None:
