@@ -165,7 +165,9 @@ class EmulatedBoard {
     if (running_->thread.get_id() == std::this_thread::get_id()) return action();
     std::packaged_task<std::invoke_result_t<Action&>()> task(std::move(action));
     auto done = task.get_future();
-    asio::post(running_->context, std::move(task));
+    // In a lambda, because asio::post() treats a packaged_task differently in files that include
+    // <asio/use_future.hpp>.
+    asio::post(running_->context, [task = std::move(task)]() mutable { task(); });
     return done.get();
   }
 
