@@ -93,8 +93,10 @@ def test_direct_includes() -> None:
     assert not wrong
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
-def test_each_header_alone(compiler: str) -> None:
+def test_each_header_alone() -> None:
+    """One compiler is enough: whether an include is missing does not depend on it."""
+    compiler = COMPILERS[-1]
+
     def check(name: str) -> None:
         compile_text(compiler, f"#include <{name}>\n", "-fsyntax-only")
 

@@ -63,14 +63,14 @@ MISUSES = [
         STREAM,
         wrong="GetAngles",
         right="RealtimeData4",
-        says="the board has no stream of this message",
+        says="the board has no data stream of this message",
     ),
     Misuse(
         "stream_of_a_request",
         STREAM,
         wrong="BoardInfoRequest",
         right="AhrsHelper",
-        says="the board has no stream of this message",
+        says="the board has no data stream of this message",
     ),
 ]
 

@@ -255,7 +255,7 @@ def test_a_host_that_does_not_read() -> None:
 def test_other_machines_only_when_told() -> None:
     with Emulator("--tcp", "0.0.0.0:0") as emulator:
         emulator.end()
-        assert "other machines" in emulator.error
+        assert "open to any other machine" in emulator.error
     with Emulator("--tcp", "localhost:0") as emulator:
         emulator.end()
         assert emulator.error == ""
