@@ -165,6 +165,8 @@ class EmulatedBoard {
     if (running_->thread.get_id() == std::this_thread::get_id()) return action();
     std::packaged_task<std::invoke_result_t<Action&>()> task(std::move(action));
     auto done = task.get_future();
+    // In a lambda, because asio::post() treats a packaged_task differently in files that include
+    // <asio/use_future.hpp>.
     asio::post(running_->context, [task = std::move(task)]() mutable { task(); });
     return done.get();
   }

@@ -1,3 +1,5 @@
+#include "board_text.hpp"
+
 #include <optional>
 #include <tuple>
 #include <type_traits>
@@ -7,8 +9,6 @@
 #include <sbgc/meta/all.hpp>
 #include <sbgc/roles.hpp>
 #include <sbgc/visit.hpp>
-
-#include "board_text.hpp"
 
 namespace sbgc::detail {
 
