@@ -28,14 +28,13 @@ class Misuse:
     says: str
 
 
-SEND = """
-#include <sbgc/messages/control.hpp>
-#include <sbgc/messages/system.hpp>
+# Not sbgc/responses/, whose absence is one of the mistakes.
+HEADERS = """
+#include <sbgc/client/client.hpp>
+#include <sbgc/messages.hpp>
 #include <sbgc/session.hpp>
 """
 STREAM = """
-#include <sbgc/client/client.hpp>
-#include <sbgc/messages.hpp>
 void use(sbgc::Client& client) {
   static_cast<void>(client.stream<sbgc::msg::WRONG>(std::chrono::milliseconds(20), [](const auto&) {}));
 }
@@ -44,15 +43,14 @@ void use(sbgc::Client& client) {
 MISUSES = [
     Misuse(
         "send_without_its_header",
-        SEND + "WRONG\nvoid use(sbgc::Session& session) { session.send(sbgc::msg::MotorsOn{}); }",
+        "WRONG\nvoid use(sbgc::Session& session) { session.send(sbgc::msg::MotorsOn{}); }",
         wrong="",
         right="#include <sbgc/responses/control.hpp>",
         says="include <sbgc/responses/all.hpp>",
     ),
     Misuse(
         "send_what_the_board_sends",
-        SEND
-        + "#include <sbgc/responses/all.hpp>\n"
+        "#include <sbgc/responses/all.hpp>\n"
         + "void use(sbgc::Session& session) { session.send(sbgc::msg::WRONG{}); }",
         wrong="BoardInfo",
         right="BoardInfoRequest",
@@ -75,20 +73,38 @@ MISUSES = [
 ]
 
 
-def errors_of(compiler: str, source: str) -> list[str]:
-    """Compiles `source` and returns the lines with errors."""
-    command = [compiler, "-std=c++20", "-fsyntax-only", *(f"-I{folder}" for folder in INCLUDES)]
-    done = subprocess.run(
-        [*command, "-x", "c++", "-"], input=source, capture_output=True, text=True, check=False
-    )
-    errors = [line for line in done.stderr.splitlines() if "error: " in line]
-    assert (done.returncode != 0) == bool(errors), done.stderr
-    return errors
+class Compiler:
+    """Reads the headers of all cases once."""
+
+    def __init__(self, name: str, folder: Path) -> None:
+        header = folder / "head.hpp"
+        header.write_text(HEADERS, encoding="utf-8")
+        flags = ["-std=c++20", *(f"-I{path}" for path in INCLUDES)]
+        is_clang = name == "clang++"
+        compiled = header.with_suffix(".hpp.pch" if is_clang else ".hpp.gch")
+        subprocess.run([name, *flags, "-x", "c++-header", header, "-o", compiled], check=True)
+        head = ["-include-pch", str(compiled)] if is_clang else ["-include", str(header)]
+        self.command = [name, *flags, *head, "-fsyntax-only", "-x", "c++", "-"]
+
+    def errors_of(self, source: str) -> list[str]:
+        """Compiles `source` and returns the lines with errors."""
+        done = subprocess.run(
+            self.command, input=source, capture_output=True, text=True, check=False
+        )
+        errors = [line for line in done.stderr.splitlines() if "error: " in line]
+        assert (done.returncode != 0) == bool(errors), done.stderr
+        return errors
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.fixture(name="compiler", params=COMPILERS, scope="module")
+def each_compiler(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
+) -> Compiler:
+    return Compiler(request.param, tmp_path_factory.mktemp(request.param))
+
+
 @pytest.mark.parametrize("misuse", MISUSES, ids=lambda misuse: misuse.name)
-def test_the_compiler_says_what_is_wrong(compiler: str, misuse: Misuse) -> None:
-    assert not errors_of(compiler, misuse.code.replace("WRONG", misuse.right))
-    errors = errors_of(compiler, misuse.code.replace("WRONG", misuse.wrong))
+def test_the_compiler_says_what_is_wrong(compiler: Compiler, misuse: Misuse) -> None:
+    assert not compiler.errors_of(misuse.code.replace("WRONG", misuse.right))
+    errors = compiler.errors_of(misuse.code.replace("WRONG", misuse.wrong))
     assert len(errors) == 1 and misuse.says in errors[0], errors

@@ -30,6 +30,7 @@ class Made:
         self.project = project
         self.found = Diagnostics()
         self.layout: Optional[Layout] = None
+        self._rendered: dict[str, dict[str, bytes]] = {}
 
     @cached_property
     def model(self) -> Any:
@@ -52,18 +53,20 @@ class Made:
     @cached_property
     def code(self) -> dict[str, bytes]:
         """The C++ without its comments."""
-        return {path: _COMMENT.sub(b"", text) for path, text in self._files("cpp").items()}
+        return {path: _COMMENT.sub(b"", text) for path, text in self.files("cpp").items()}
 
     @cached_property
     def vectors(self) -> dict[str, bytes]:
         """The test vectors."""
-        return self._files("vectors")
+        return self.files("vectors")
 
-    @cached_property
-    def documentation(self) -> dict[str, bytes]:
-        """C++ with its comments, the reference, and the reference site."""
-        return {**self._files("cpp"), **self._files("docs"), **self._files("site")}
+    def is_documented_like(self, other: Made) -> bool:
+        """True if the C++ with its comments, the reference and the reference site are the same."""
+        return all(self.files(name) == other.files(name) for name in ("cpp", "docs", "site"))
 
-    def _files(self, name: str) -> dict[str, bytes]:
+    def files(self, name: str) -> dict[str, bytes]:
+        """The output of a target."""
         assert self.layout is not None
-        return dict(target(name).files(self.layout, self.project))
+        if name not in self._rendered:
+            self._rendered[name] = dict(target(name).files(self.layout, self.project))
+        return self._rendered[name]
