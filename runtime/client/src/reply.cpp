@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <string>
-#include <tuple>
 #include <type_traits>
 
 #include <sbgc/client/reply.hpp>
@@ -22,21 +21,21 @@ Status decode_in_context(const Reply& reply, M& out) noexcept {
 namespace {
 
 template <class M>
-constexpr auto decoder_of() noexcept {
-  if constexpr (requires { typename M::Context; }) {
-    return std::tuple{&decode_in_context<M>};
-  } else {
-    return std::tuple{};
-  }
-}
+struct Decoder {};
+
+template <class M>
+  requires requires { typename M::Context; }
+struct Decoder<M> {
+  decltype(&decode_in_context<M>) function = &decode_in_context<M>;
+};
 
 template <class... Ms>
-constexpr auto decoders_of(TypeList<Ms...>) noexcept {
-  return std::tuple_cat(decoder_of<Ms>()...);
-}
+struct Decoders : Decoder<Ms>... {
+  explicit Decoders(TypeList<Ms...> /*messages*/) noexcept {}
+};
 
 /// Makes the compiler emit decode_in_context() for every message that needs it.
-[[gnu::used]] const auto decoders = decoders_of(AllMessages{});
+[[gnu::used]] const Decoders decoders(AllMessages{});
 
 }  // namespace
 

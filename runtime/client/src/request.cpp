@@ -1,7 +1,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <tuple>
 
 #include <sbgc/availability.hpp>
 #include <sbgc/client/request.hpp>
@@ -103,21 +102,21 @@ Result<Request> prepare(const M& message, const Availability& versions, bool val
 namespace {
 
 template <class M>
-constexpr auto preparer_of() noexcept {
-  if constexpr (M::direction != Direction::from_board) {
-    return std::tuple{&prepare<M>};
-  } else {
-    return std::tuple{};
-  }
-}
+struct Preparer {};
+
+template <class M>
+  requires(M::direction != Direction::from_board)
+struct Preparer<M> {
+  decltype(&prepare<M>) function = &prepare<M>;
+};
 
 template <class... Ms>
-constexpr auto preparers_of(TypeList<Ms...>) noexcept {
-  return std::tuple_cat(preparer_of<Ms>()...);
-}
+struct Preparers : Preparer<Ms>... {
+  explicit Preparers(TypeList<Ms...> /*messages*/) noexcept {}
+};
 
 /// Makes the compiler emit prepare() for every message to the board.
-[[gnu::used]] const auto preparers = preparers_of(AllMessages{});
+[[gnu::used]] const Preparers preparers(AllMessages{});
 
 }  // namespace
 
