@@ -17,25 +17,25 @@ namespace {
 template <std::size_t size>
 using Array = std::array<std::uint8_t, size>;
 
-constexpr Array<6> read_params{0x3E, 0x52, 0x01, 0x53, 0x01, 0x01};
+constexpr Array<6> whole_frame{0x3E, 0x52, 0x01, 0x53, 0x01, 0x01};
 
 // The specification's example, written and read at compile time.
 static_assert([] {
   Array<6> out{};
   const WriteResult result = write_frame(0x52, Array<1>{0x01}, out);
-  return result && result.size == 6 && out == read_params;
+  return result && result.size == 6 && out == whole_frame;
 }());
 static_assert([] {
   Array<6> out{};
   *frame_body(out.data()) = 0x01;
-  return finish_frame(out.data(), 0x52, 1) == 6 && out == read_params;
+  return finish_frame(out.data(), 0x52, 1) == 6 && out == whole_frame;
 }());
-static_assert(Framing::inspect(read_params.data(), 6).verdict == Verdict::frame);
-static_assert(Framing::inspect(read_params.data(), 6).size == 6);
-static_assert(Framing::inspect(read_params.data(), 5).verdict == Verdict::incomplete);
-static_assert(Framing::inspect(read_params.data(), 5).size == 6);
-static_assert(Framing::inspect(read_params.data(), 3).size == 4);
-static_assert(Framing::inspect(read_params.data() + 1, 5).verdict == Verdict::no_start);
+static_assert(Framing::inspect(whole_frame.data(), 6).verdict == Verdict::frame);
+static_assert(Framing::inspect(whole_frame.data(), 6).size == 6);
+static_assert(Framing::inspect(whole_frame.data(), 5).verdict == Verdict::incomplete);
+static_assert(Framing::inspect(whole_frame.data(), 5).size == 6);
+static_assert(Framing::inspect(whole_frame.data(), 3).size == 4);
+static_assert(Framing::inspect(whole_frame.data() + 1, 5).verdict == Verdict::no_start);
 
 static_assert(noexcept(write_frame(1, {}, {})));
 static_assert(write_frame(0, {}, {}).status.code == Code::invalid_id);
