@@ -170,7 +170,7 @@ def _compare_additions(
             changes.added(label, field.at, f"{form} in reserved bytes")
             continue
         longer = True
-        if at_the_end and (open_ended or field.optional or _may_be_empty(field)):
+        if at_the_end and (open_ended or field.optional or field.appended or _may_be_empty(field)):
             changes.added(label, field.at, f"{form} at the end")
         else:
             where = "at the end, where no tail is accepted" if at_the_end else "in between"
@@ -183,7 +183,7 @@ def _may_be_empty(field: Field) -> bool:
 
 
 def _takes_reserved(field: Field, old: Fields) -> bool:
-    if field.offset is None or field.size is None or field.when is not None:
+    if field.offset is None or field.size is None or field.may_be_absent:
         return False
     end = field.offset + field.size
     return any(

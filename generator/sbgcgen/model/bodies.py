@@ -155,7 +155,8 @@ class Field:
     named elements, at least `min_count`). `offset` is from the start of the struct; None after a
     variable part. `role` is the field's role in a set of settings: "copy" (selects one of several
     copies), "general" (the same in all copies), "state" (not a setting), or "". `typical` is an
-    ordinary value as JSON represents it; None if the spec names none.
+    ordinary value as JSON represents it; None if the spec names none. `appended`: firmware before
+    `since` ends the body before the field.
     """
 
     name: str
@@ -186,12 +187,18 @@ class Field:
     errata: tuple[str, ...]
     role: str = ""
     typical: Any = field(default=None, hash=False)
+    appended: bool = False
     at: Position = field(default=NOWHERE, compare=False, repr=False)
+
+    @property
+    def may_be_absent(self) -> bool:
+        """True if some bodies lack the field."""
+        return self.when is not None or self.appended
 
     @property
     def is_variable(self) -> bool:
         """True if the number of bytes depends on the message."""
-        return self.size is None or self.when is not None
+        return self.size is None or self.may_be_absent
 
 
 @dataclass(frozen=True)

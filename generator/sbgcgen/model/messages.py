@@ -85,7 +85,7 @@ class Message:
                 f
                 for f in self.fields
                 if self.form == "error" and isinstance(f.type, Enum) and f.type.success
-                if f.offset is not None and f.dim == "one" and f.when is None
+                if f.offset is not None and f.dim == "one" and not f.may_be_absent
             ),
             None,
         )

@@ -61,6 +61,10 @@ class Availability:
     def __bool__(self) -> bool:
         return bool(self.firmware or self.board)
 
+    def is_after(self, other: Availability) -> bool:
+        """True if some versions that have the other thing do not have this one."""
+        return self.firmware > other.firmware or self.board > other.board
+
 
 @dataclass(frozen=True)
 class Until:

@@ -54,8 +54,8 @@ class Choice:
 
     Each round uses another edge value at every place, shifted by the place's number so that
     neighbors differ. `forced` has values of fields by path, `lengths` those of lists and texts.
-    Other lists are long enough for all edge values, or minimal if `short`. If `typical`, all values
-    are ordinary, except those in `example` by path.
+    Other lists are long enough for all edge values, or minimal if `short`. The body ends before the
+    field `ends_before`. If `typical`, all values are ordinary, except those in `example` by path.
     """
 
     places: Places
@@ -65,6 +65,7 @@ class Choice:
     lengths: dict[str, int] = field(default_factory=dict)
     short: bool = False
     leave_out: bool = False
+    ends_before: str = ""
     typical: bool = False
     example: Fields = field(default_factory=dict)
     chosen: list[tuple[str, str]] = field(default_factory=list)
@@ -159,13 +160,15 @@ class _Composer:
     def fields(self, fields: tuple[Field, ...], path: str, around: Fields) -> Fields:
         values: Fields = {}
         for member in fields:
+            if path + member.name == self.choice.ends_before:
+                break
             if member.when and not self._is_present(member.when, {**around, **values}):
                 continue
             outside, self.conditional = self.conditional, self.conditional or bool(member.when)
             values[member.name] = self._member(member, fields, path, values)
             self.conditional = outside
         for member in fields:
-            if member.counter:
+            if member.counter and member.name in values:
                 value = values[member.name]
                 values[member.counter] = len(value) // 2 if is_bytes(member) else len(value)
         return values

@@ -61,6 +61,8 @@ def decode(message: Message, body: bytes, context: Fields | None = None) -> Fiel
 def _read_fields(fields: tuple[Field, ...], reader: _Reader, context: Fields) -> Fields:
     values: Fields = {}
     for field in fields:
+        if field.appended and not reader.left():
+            continue
         if field.when:
             known = context if field.when.from_context else values
             if not holds(

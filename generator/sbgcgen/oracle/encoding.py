@@ -38,7 +38,8 @@ def encode(message: Message, fields: Fields, limit: int = 255) -> bytes:
     tail = str(given.pop("tail", "")) if message.keeps_tail else ""
     _write_fields(message.fields, given, writer, "")
     writer.put(_hex(tail, None, "tail", writer), "tail")
-    # The bytes after a missing value must be too few to be decoded as that value.
+    # The bytes after a missing value must be too few to be decoded as that value; after an appended
+    # one, there must be none.
     for end, at, name in sorted(writer.missing, key=lambda entry: entry[0])[:1]:
         if writer.at >= end:
             raise CodecError("presence_mismatch", name, at)
@@ -69,6 +70,8 @@ def _write_fields(
                 _write_field(field, values[field.name], writer, name, values)
         elif present:
             _write_field(field, values[field.name], writer, name, values)
+        elif field.appended:
+            writer.missing.append((writer.at + 1, writer.at, name))
         elif not field.optional:
             raise CodecError("presence_mismatch", name, writer.at)
 

@@ -155,7 +155,7 @@ class _Place:
     def member(self, field: Field) -> _Place:
         dot = "." if self.path else ""
         path = f"{self.path}{dot}{field.name}"
-        missing = (*self.missing, path) if field.when else self.missing
+        missing = (*self.missing, path) if field.may_be_absent else self.missing
         return _Place(path, f"{self.leaf}{dot}{field.name}", missing)
 
     def key(self, key: str) -> _Place:

@@ -125,6 +125,13 @@ class _Maker:
                 self.add(last)
             if any(when.may_be_missing for when in conditions(self.message)):
                 self.add(self.choice(short=True, leave_out=True, **case), "without optional fields")
+        for field in self.message.fields:
+            if field.appended:
+                choice = self.choice(ends_before=field.name)
+                self.add(choice, f"firmware that ends before {field.name}")
+                there = compose(self.message, self.choice())
+                there.pop(field.name)
+                self.add_refused(there, f"{field.name} is missing, what follows it is not")
         if self.message.contexts:
             self.add(self.choice(context=full_context(self.message)))
 

@@ -125,6 +125,10 @@ def _check_varying(field: Field, found: Diagnostics) -> None:
     if field.when is not None and is_list:
         text = f"the list '{field.name}' has a condition"
         found.add(field.at, "SBGC043", text, "make it part of a struct, and give that the 'when'")
+    elif field.appended and (is_list or field.is_counter):
+        text = f"the body may end before '{field.name}', which is part of a list"
+        hint = "make the list and its counter a struct, and give that the 'since'"
+        found.add(field.at, "SBGC043", text, hint)
     elif field.when is not None and field.when.may_be_missing and field.size is None:
         text = f"'{field.name}' varies in size, so a decoder cannot tell whether it is missing"
         found.add(field.at, "SBGC026", text, "leave out 'may_be_missing'")
@@ -155,7 +159,7 @@ def _check_regions(message: Message, found: Diagnostics) -> None:
     for field in message.fields:
         if isinstance(field.type, Struct) and field.type.is_region:
             counts = any(f.is_counter for f in message.fields)
-            if field.dim != "one" or field.offset is None or field.when or counts:
+            if field.dim != "one" or field.offset is None or field.may_be_absent or counts:
                 text = f"'{field.name}', which has its own size, is not always present"
                 hint = "it occurs once, without a condition, in a message without counted lists"
                 found.add(field.at, "SBGC033", text, hint)
@@ -188,7 +192,7 @@ def _counter_problem(counter: Field | None, counted: set[str]) -> str:
         return "it is not an unsigned number"
     if counter.dim != "one":
         return "it is not a single field"
-    return "it is not always present" if counter.when is not None else ""
+    return "it is not always present" if counter.may_be_absent else ""
 
 
 # References to other fields and messages
@@ -278,6 +282,6 @@ def _find(fields: tuple[Field, ...], path: list[str]) -> Field | None:
         if field.name == path[0] and field.dim == "one":
             if len(path) == 1:
                 return field
-            if isinstance(field.type, Struct) and field.when is None:
+            if isinstance(field.type, Struct) and not field.may_be_absent:
                 return _find(field.type.fields, path[1:])
     return None

@@ -221,7 +221,7 @@ def _check_copies(settings: Settings, found: Diagnostics) -> None:
             found.add(message.at, "SBGC037", text, "mark its field with 'role: copy'")
         if field is None:
             continue
-        is_number = isinstance(field.type, Scalar) and field.dim == "one" and field.when is None
+        is_number = isinstance(field.type, Scalar) and field.dim == "one" and not field.may_be_absent
         is_limited = field.maximum is not None and field.maximum < MAX_COPIES
         if not is_number or field.is_counter or field.minimum != 0 or not is_limited:
             text = f"'{field.name}' cannot count the copies of the settings"
@@ -242,7 +242,7 @@ def _check_marked(settings: Settings, found: Diagnostics) -> None:
             continue
         scalar = getattr(field.type, "scalar", field.type)
         is_number = isinstance(scalar, Scalar) and not scalar.is_float
-        if not is_number or field.dim != "one" or field.when is not None:
+        if not is_number or field.dim != "one" or field.may_be_absent:
             text = f"'{field.name}' is not an integer that is always present"
             found.add(field.at, "SBGC037", text, f"only one integer has the role '{field.role}'")
         elif field.is_counter or field.name in shaping:

@@ -172,7 +172,7 @@ def _why_not_repeated(field: Field | None) -> str:
     if field is None:
         return "does not exist"
     scalar = scalar_of(field.type)
-    if field.dim != "one" or scalar is None or scalar.is_float or field.when is not None:
+    if field.dim != "one" or scalar is None or scalar.is_float or field.may_be_absent:
         return "is not an integer that is always present"
     return ""
 
@@ -181,7 +181,7 @@ def _place(field: Field, fields: tuple[Field, ...]) -> int | None:
     """The offset of the response's field with this name and size; None unless always present."""
     for other in fields:
         if (other.spec_name, other.dim, other.size) == (field.spec_name, "one", field.size):
-            return other.offset if other.when is None else None
+            return None if other.may_be_absent else other.offset
     return None
 
 
@@ -191,7 +191,7 @@ def confirmation_data(confirmation: Message, command: str) -> Iterator[tuple[Fie
     names = confirmation.role.parts["command"].name
     offset = 0
     for field in confirmation.fields:
-        if field.size is None:
+        if field.size is None or field.appended:
             return
         if field.when is None:
             offset += field.size
@@ -236,6 +236,6 @@ def _is_optional(path: str, fields: tuple[Field, ...]) -> bool:
     """True if the value at a path may be missing."""
     first, _, rest = path.partition(".")
     field = next((f for f in fields if f.name == first), None)
-    if field is None or field.when is not None:
+    if field is None or field.may_be_absent:
         return True
     return isinstance(field.type, Struct) and _is_optional(rest, field.type.fields)

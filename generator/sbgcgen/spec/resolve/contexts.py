@@ -30,7 +30,10 @@ def announceable_types(announcement: Announcement, fields: tuple[Field, ...]) ->
     """The types that a message can announce; none if it lacks the fields of the announcement."""
 
     def find(name: str, members: tuple[Field, ...], dim: str) -> Type | None:
-        return next((f.type for f in members if (f.name, f.dim, f.when) == (name, dim, None)), None)
+        return next(
+            (f.type for f in members if (f.name, f.dim) == (name, dim) and not f.may_be_absent),
+            None,
+        )
 
     element = find(announcement.list, fields, "counted")
     if not isinstance(element, Struct):

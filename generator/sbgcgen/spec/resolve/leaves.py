@@ -21,7 +21,8 @@ def leaves(
     """The leaves of a list of fields in wire order."""
     for field in fields:
         offset = None if base is None or field.offset is None else base + field.offset
-        yield from _field_leaves(field, path + field.name, offset, word)
+        for leaf in _field_leaves(field, path + field.name, offset, word):
+            yield replace(leaf, optional=True) if field.appended else leaf
 
 
 def _field_leaves(field: Field, path: str, offset: int | None, word: str) -> Iterator[Leaf]:

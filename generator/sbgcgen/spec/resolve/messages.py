@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from sbgcgen.model import (
+    Availability,
     Command,
     Context,
     Effect,
@@ -145,7 +146,12 @@ class MessageResolver:
         contexts = tuple(context_of(c, self.types) for c in draft.get("context", []))
         same_as = str(draft.get("same_as", ""))
         both = (draft.name, _other(draft.direction)) in self.drafts
-        body = self._body(draft, contexts, same_as, both)
+        since = (
+            self.types.availability(draft.node)
+            or self.types.availability(draft.parent)
+            or draft.command.since
+        )
+        body = self._body(draft, contexts, same_as, both, since)
         original = self._original(draft, same_as)
         if original is not None:
             contexts = contexts or original.contexts
@@ -176,9 +182,7 @@ class MessageResolver:
             errata=tuple(
                 dict.fromkeys((*self.types.errata(draft.parent), *self.types.errata(draft.node)))
             ),
-            since=self.types.availability(draft.node)
-            or self.types.availability(draft.parent)
-            or draft.command.since,
+            since=since,
             until=self._until(draft),
             deprecated=self.types.deprecation(draft.node)
             or self.types.deprecation(draft.parent)
@@ -295,7 +299,12 @@ class MessageResolver:
         return self.types.summary(draft.node, draft.at, draft.name)
 
     def _body(
-        self, draft: _Draft, contexts: tuple[Context, ...], same_as: str, both: bool
+        self,
+        draft: _Draft,
+        contexts: tuple[Context, ...],
+        same_as: str,
+        both: bool,
+        since: Availability,
     ) -> Struct:
         at = draft.node.at("same_as") if "same_as" in draft.node else draft.parent.at("same_as")
         fields: tuple[Field, ...] = ()
@@ -310,6 +319,7 @@ class MessageResolver:
             fields = self.fields.fields(
                 draft.node.get("fields", []), draft.name, contexts, include=self._included
             )
+            fields = self._appended(draft, fields, since)
         size = total_size(fields)
         return Struct(
             name=draft.name,
@@ -321,6 +331,32 @@ class MessageResolver:
             at=draft.at,
         )
 
+    def _appended(
+        self, draft: _Draft, fields: tuple[Field, ...], since: Availability
+    ) -> tuple[Field, ...]:
+        """Mark the fields at the end that later versions appended.
+
+        With a `size`, the bytes of such fields were reserved before.
+        """
+        if "size" in draft.node:
+            self._check_size(draft, fields)
+            return fields
+        first = len(fields)
+        while first and fields[first - 1].since.is_after(since) and not fields[first - 1].when:
+            first -= 1
+        return (
+            *fields[:first],
+            *(f if f.dim == "rest" else replace(f, appended=True) for f in fields[first:]),
+        )
+
+    def _check_size(self, draft: _Draft, fields: tuple[Field, ...]) -> None:
+        size = total_size(fields)
+        if size != draft.node["size"]:
+            described = "vary in size" if size is None else f"have {size} bytes"
+            message = f"the fields of {draft.name} {described}"
+            hint = "'size' is that of a body without variable parts"
+            self.found.add(draft.node.at("size"), "SBGC013", message, hint)
+
     def _included(self, node: Map) -> list[Field]:
         message = self._find(str(node["include"]), node.at("include"))
         if message is None:
@@ -329,6 +365,7 @@ class MessageResolver:
             replace(
                 f,
                 name="reserved" if f.reserved and f.spec_name == "RESERVED" else f.name,
+                appended=False,
                 at=node.at("include"),
             )
             for f in message.fields

@@ -37,7 +37,7 @@ def total_size(fields: tuple[Field, ...]) -> int | None:
 
 def min_size(fields: tuple[Field, ...]) -> int:
     """Smallest size of a list of fields."""
-    return sum(_min_field(field) for field in fields if field.when is None)
+    return sum(_min_field(field) for field in fields if not field.may_be_absent)
 
 
 def _min_field(field: Field) -> int:

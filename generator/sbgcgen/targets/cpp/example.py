@@ -122,7 +122,7 @@ class _Builder:
     def _field(self, field: Field, value: Any, path: str) -> Iterator[Step]:
         to = self._access(path)
         is_one = field.dim == "one" and not isinstance(field.type, Struct)
-        if field.when and not is_one:
+        if field.may_be_absent and not is_one:
             yield Step("emplace", to)
             to = f"(*{to})"
         if is_bytes(field):

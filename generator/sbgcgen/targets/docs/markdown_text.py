@@ -51,7 +51,7 @@ def byte_map(message: Message) -> str:
     spans = []
     for number, leaf in enumerate(message.leaves, 1):
         size = leaf.size
-        if leaf.offset is None or size is None or leaf.field.when is not None:
+        if leaf.offset is None or size is None or leaf.field.may_be_absent:
             break
         spans.append((leaf.offset, leaf.offset + size, str(number)))
     is_whole = len(spans) == len(message.leaves)

@@ -72,6 +72,11 @@ class Reader {
   constexpr void when_or_missing(bool condition, Optional<T>& out, const char* field) noexcept {
     when(condition && body_.size() - at_ >= wire_size<T>, out, field);
   }
+  /// Reads a value before which the body of older firmware ends.
+  template <class T>
+  constexpr void appended(Optional<T>& out, const char* field) noexcept {
+    when(at_ < body_.size(), out, field);
+  }
   /// Reads a value that is present if `condition`, taken from the context, holds.
   template <class T>
   constexpr void when_context(bool condition, Optional<T>& out, const char* field) noexcept {

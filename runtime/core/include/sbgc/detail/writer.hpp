@@ -67,10 +67,17 @@ class Writer {
                                  const char* field) noexcept {
     if (in) {
       when(condition, in, field);
-    } else if (condition && at_ + wire_size<T> < missing_end_) {
-      missing_at_ = at_;
-      missing_end_ = at_ + wire_size<T>;
-      missing_field_ = field;
+    } else if (condition) {
+      miss(wire_size<T>, field);
+    }
+  }
+  /// Writes a value before which the body may end. Nothing can follow one that is missing.
+  template <class T>
+  constexpr void appended(const Optional<T>& in, const char* field) noexcept {
+    if (in) {
+      value(*in, field);
+    } else {
+      miss(1, field);
     }
   }
   /// Writes a value whose presence depends on the context, which only a reader knows.
@@ -140,6 +147,13 @@ class Writer {
   }
 
  private:
+  /// Notes that a value is missing, which `size` following bytes would be mistaken for.
+  constexpr void miss(std::size_t size, const char* field) noexcept {
+    if (at_ + size >= missing_end_) return;
+    missing_at_ = at_;
+    missing_end_ = at_ + size;
+    missing_field_ = field;
+  }
   constexpr bool take(std::size_t size, const char* field) noexcept {
     if (!status_) return false;
     if (out_.size() - at_ < size) {
