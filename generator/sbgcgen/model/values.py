@@ -34,9 +34,14 @@ SCALARS: dict[str, Scalar] = {
     "i8": _integer("i8", 1, True),
     "u16": _integer("u16", 2, False),
     "i16": _integer("i16", 2, True),
+    "u24": _integer("u24", 3, False),
+    "i24": _integer("i24", 3, True),
     "u32": _integer("u32", 4, False),
     "i32": _integer("i32", 4, True),
+    "u64": _integer("u64", 8, False),
+    "i64": _integer("i64", 8, True),
     "f32": Scalar("f32", 4, None, None),
+    "f64": Scalar("f64", 8, None, None),
 }
 
 

@@ -15,7 +15,7 @@ from sbgcgen.oracle.codec import (
     keys_of,
     scalar_of,
 )
-from sbgcgen.oracle.json_values import float_from_bits, text_from_bytes
+from sbgcgen.oracle.json_values import float_from_bits, integer_to_json, text_from_bytes
 
 
 class _Reader:
@@ -132,8 +132,9 @@ def _read_value(type_: Type, reader: _Reader, name: str) -> Any:
     scalar = scalar_of(type_)
     data = reader.take(scalar.size, name)
     if scalar.is_float:
-        return float_from_bits(int.from_bytes(data, "little"))
-    return int.from_bytes(data, "little", signed=scalar.name[0] == "i")
+        return float_from_bits(int.from_bytes(data, "little"), scalar.size)
+    value = int.from_bytes(data, "little", signed=scalar.name[0] == "i")
+    return integer_to_json(value, scalar.size)
 
 
 def _read_blob(type_: Blob, reader: _Reader, name: str) -> str:

@@ -154,7 +154,7 @@ def _write_value(type_: Type, value: Any, writer: _Writer, name: str) -> None:
 def _number(scalar: Scalar, value: Any, writer: _Writer, name: str) -> bytes:
     try:
         if scalar.is_float:
-            return float_to_bits(value).to_bytes(4, "little")
+            return float_to_bits(value, scalar.size).to_bytes(scalar.size, "little")
         return int(value).to_bytes(scalar.size, "little", signed=scalar.name[0] == "i")
     except (OverflowError, ValueError):
         raise CodecError("value_out_of_range", name, writer.at) from None

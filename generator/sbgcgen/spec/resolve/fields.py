@@ -157,7 +157,7 @@ class FieldResolver:
             return self.struct(text)
         words = [*SCALARS, "string", *named, *self._nodes]
         hint = type_advice(text) or did_you_mean(text, words)
-        hint = hint or "built-in types: u8 … f32, bytes[N], text[N] and string"
+        hint = hint or "built-in types: u8 … f64, bytes[N], text[N] and string"
         self.found.add(at, "SBGC010", f"unknown type '{text}'", hint)
         return None
 

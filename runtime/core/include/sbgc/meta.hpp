@@ -37,7 +37,7 @@ struct EnumInfo {
 /// A part of a packed value: ((raw & mask) >> shift) / divide % modulo, without % if modulo is 0.
 struct PartInfo {
   const char* name = "";
-  std::uint32_t mask{};
+  std::uint64_t mask{};
   std::uint8_t shift{};
   std::uint16_t divide = 1;
   std::uint16_t modulo{};

@@ -73,6 +73,10 @@ template <class T>
 inline constexpr std::size_t wire_size<T> = sizeof(T);
 template <RawValue T>
 inline constexpr std::size_t wire_size<T> = sizeof(typename T::raw_type);
+template <>
+inline constexpr std::size_t wire_size<U24> = 3;
+template <>
+inline constexpr std::size_t wire_size<I24> = 3;
 template <class T>
 inline constexpr std::size_t wire_size<Axes<T>> = 3 * wire_size<T>;
 template <class T>
