@@ -10,7 +10,6 @@ from sbgcgen.oracle.codec import (
     CodecError,
     Fields,
     fixed_part,
-    holds,
     is_bytes,
     keys_of,
     scalar_of,
@@ -65,8 +64,8 @@ def _read_fields(fields: tuple[Field, ...], reader: _Reader, context: Fields) ->
             continue
         if field.when:
             known = context if field.when.from_context else values
-            if not holds(
-                field.when, known.get(field.when.source, 0 if field.when.from_context else None)
+            if not field.when.holds(
+                known.get(field.when.source, 0 if field.when.from_context else None)
             ):
                 continue
             if field.when.may_be_missing and reader.left() < (field.size or 0):
@@ -151,7 +150,7 @@ def _read_region(type_: Struct, reader: _Reader, around: Fields) -> Fields:
     inner = _Reader(reader.take(type_.size, ""))
     values: Fields = {}
     for field in type_.fields:
-        if field.when and not holds(field.when, around.get(field.when.source)):
+        if field.when and not field.when.holds(around.get(field.when.source)):
             continue
         values[field.name] = _read_field(field, inner, values, {})
     return values

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from sbgcgen.model import SCALARS, Announced, Blob, Field, Message, Scalar, Struct, Type
-from sbgcgen.oracle.codec import LISTS, CodecError, Fields, holds, is_bytes, keys_of, scalar_of
+from sbgcgen.oracle.codec import LISTS, CodecError, Fields, is_bytes, keys_of, scalar_of
 from sbgcgen.oracle.json_values import float_to_bits, text_to_bytes
 
 
@@ -61,7 +61,7 @@ def _write_fields(
         elif field.when:
             # Encoding has no context, so fields that depend on one are written if present.
             if not field.when.from_context:
-                wanted = holds(field.when, conditions.get(field.when.source))
+                wanted = field.when.holds(conditions.get(field.when.source))
                 if present != wanted and (present or not field.when.may_be_missing):
                     raise CodecError("presence_mismatch", name, writer.at)
                 if wanted and not present:

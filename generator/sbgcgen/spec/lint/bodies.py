@@ -192,7 +192,7 @@ def _counter_problem(counter: Field | None, counted: set[str]) -> str:
         return "it is not an unsigned number"
     if counter.dim != "one":
         return "it is not a single field"
-    return "it is not always present" if counter.may_be_absent else ""
+    return "it is not always present" if counter.when is not None else ""
 
 
 # References to other fields and messages
