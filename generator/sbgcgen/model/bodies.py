@@ -174,11 +174,14 @@ class Condition:
         if value is None:
             return False
         if self.is_on_flags:
-            some = _mask(self.any_flags)
+
+            def has(flag: EnumValue) -> bool:
+                return value & flag.value == flag.value
+
             return (
-                value & self.mask == self.mask
-                and (not some or value & some != 0)
-                and not value & _mask(self.no_flags)
+                all(map(has, self.flags))
+                and (not self.any_flags or any(map(has, self.any_flags)))
+                and not any(map(has, self.no_flags))
             )
         return (value in self.numbers) != self.negated
 

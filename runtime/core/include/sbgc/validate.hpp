@@ -80,7 +80,8 @@ class Validator {
       if constexpr (std::is_same_v<Member, msg::VariableId>) variable = find_variable(member);
       if constexpr (std::is_integral_v<Member>) {
         if (field.is_variable_value && variable != nullptr) {
-          return validator.limits(member, variable->range, field, path, &variable->unit);
+          return validator.limits(static_cast<double>(member), variable->range, field, path,
+                                  &variable->unit);
         }
       }
       validator.value(member, field, path);
