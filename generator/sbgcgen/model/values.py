@@ -146,7 +146,11 @@ class Enum:
 
 @dataclass(frozen=True)
 class Part:
-    """A named part of a packed integer: ((raw & mask) >> shift) / divide % modulo."""
+    """A named part of a packed integer: ((raw & mask) >> shift) / divide % modulo.
+
+    `signed`: the bits are a two's complement number. `sign` is the mask of a bit that makes the
+    number negative, or 0. `quantity` has the unit of the number.
+    """
 
     name: str
     mask: int
@@ -156,6 +160,9 @@ class Part:
     enum: Enum | None
     summary: str
     at: Position = field(default=NOWHERE, compare=False, repr=False)
+    signed: bool = False
+    sign: int = 0
+    quantity: Quantity | None = None
 
     @property
     def is_digits(self) -> bool:
@@ -163,8 +170,33 @@ class Part:
         return self.divide != 1 or self.modulo != 0
 
     @property
+    def bits(self) -> int:
+        """The mask of all bits of the part."""
+        return self.mask | self.sign
+
+    @property
+    def limits(self) -> tuple[int, int]:
+        """The lowest and highest number that the bits can hold."""
+        most = self.mask >> self.shift
+        if self.signed:
+            return -(most // 2) - 1, most // 2
+        return (-most if self.sign else 0), most
+
+    @property
+    def is_number(self) -> bool:
+        """True for a number that is more than unsigned bits: with a sign or a unit."""
+        return self.signed or bool(self.sign) or self.quantity is not None
+
+    @property
     def is_bool(self) -> bool:
-        return not self.is_digits and self.enum is None and self.mask == 1 << self.shift
+        is_plain = not self.is_digits and self.enum is None and not self.is_number
+        return is_plain and self.mask == 1 << self.shift
+
+    def bits_of(self, number: int) -> int:
+        """The bits of a number within the limits."""
+        if self.sign and number < 0:
+            return (-number << self.shift) | self.sign
+        return (number << self.shift) & self.mask
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from sbgcgen.oracle.codec import (
     keys_of,
     scalar_of,
 )
-from sbgcgen.oracle.json_values import float_from_bits, integer_to_json, text_from_bytes
+from sbgcgen.oracle.json_values import float_from_bits, integer_of, text_from_bytes
 
 
 class _Reader:
@@ -133,7 +133,7 @@ def _read_value(type_: Type, reader: _Reader, name: str) -> Any:
     if scalar.is_float:
         return float_from_bits(int.from_bytes(data, "little"), scalar.size)
     value = int.from_bytes(data, "little", signed=scalar.name[0] == "i")
-    return integer_to_json(value, scalar.size)
+    return integer_of(value, scalar.size)
 
 
 def _read_blob(type_: Blob, reader: _Reader, name: str) -> str:

@@ -7,7 +7,12 @@ from typing import Any
 
 from sbgcgen.model import Blob, Enum, Field, Packed, Part, Scalar, Type
 from sbgcgen.oracle.codec import scalar_of
-from sbgcgen.oracle.json_values import float_from_bits, float_to_bits, text_from_bytes
+from sbgcgen.oracle.json_values import (
+    float_from_bits,
+    float_to_bits,
+    integer_of,
+    text_from_bytes,
+)
 
 # A readable name, and the value in JSON.
 Edge = tuple[str, Any]
@@ -36,7 +41,8 @@ def edges(field: Field, type_: Type) -> list[Edge]:
     found = _float_edges(field, scalar.size) if scalar.is_float else _integer_edges(field, type_, scalar)
     unique: dict[str, Edge] = {}
     for name, value in found:
-        unique.setdefault(repr(value), (name, value))
+        whole = integer_of(value, scalar.size) if isinstance(value, int) else value
+        unique.setdefault(repr(whole), (name, whole))
     return list(unique.values())
 
 
@@ -71,7 +77,9 @@ def _integer_edges(field: Field, type_: Type, scalar: Scalar) -> list[Edge]:
 
 
 def _part_edges(part: Part) -> list[Edge]:
-    found: list[Edge] = [(f"all bits of {part.name}", part.mask)]
+    found: list[Edge] = [(f"all bits of {part.name}", part.bits)]
+    if part.sign:
+        found.append((f"the sign of {part.name}", part.sign))
     if part.enum:
         found += [(value.name, value.value << part.shift) for value in part.enum.values]
     return found

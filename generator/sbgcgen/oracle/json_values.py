@@ -56,6 +56,19 @@ def float_to_bits(value: Any, size: int = 4) -> int:
         raise ValueError("too large") from error
 
 
-def integer_to_json(value: int, size: int) -> int | str:
-    """An integer of `size` bytes; one of 8 bytes is text, because many readers of JSON round it."""
-    return str(value) if size == 8 else value
+class Wide(int):
+    """An integer of 64 bits, which is text in JSON, because many readers of JSON round it."""
+
+
+def integer_of(value: int, size: int) -> int:
+    """An integer of `size` bytes."""
+    return Wide(value) if size == 8 else value
+
+
+def plain(value: Any) -> Any:
+    """Fields for json.dumps."""
+    if isinstance(value, dict):
+        return {key: plain(inner) for key, inner in value.items()}
+    if isinstance(value, list):
+        return [plain(inner) for inner in value]
+    return str(value) if isinstance(value, Wide) else value

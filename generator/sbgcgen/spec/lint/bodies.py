@@ -165,7 +165,9 @@ def _check_regions(message: Message, found: Diagnostics) -> None:
                 found.add(field.at, "SBGC033", text, hint)
             for when in (inner.when for inner in field.type.fields if inner.when):
                 source = earlier.get(when.source)
-                known = source is not None and source.type == when.enum and source.dim == "one"
+                known = source is not None and source.dim == "one"
+                if source is not None and when.enum is not None:
+                    known = known and source.type == when.enum
                 if when.from_context or not known:
                     text = (
                         f"'{field.name}' depends on '{when.source}', which is not an earlier field"

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include <sbgc/detail/part.hpp>
 #include <sbgc/json_text.hpp>
 #include <sbgc/meta.hpp>
 
@@ -92,9 +93,9 @@ inline std::string flag_names(const EnumInfo& info, std::uint32_t bits) {
 }
 
 inline std::int64_t part_value(const PartInfo& part, std::uint64_t raw) {
-  const std::uint64_t bits = (raw & part.mask) >> part.shift;
-  const std::uint64_t digits = bits / part.divide;
-  return static_cast<std::int64_t>(part.modulo != 0 ? digits % part.modulo : digits);
+  const std::int64_t number = part_number(raw, {part.mask, part.shift, part.sign, part.is_signed});
+  const std::int64_t digits = number / part.divide;
+  return part.modulo != 0 ? digits % part.modulo : digits;
 }
 
 /// Replaces {part} and {part:02} in `pattern`, a section of the display text of a packed value.
@@ -149,7 +150,12 @@ inline std::string displayed(const PackedInfo& info, std::uint64_t raw) {
 /// Formats a part: "RC_MODE_ANGLE", "inverted 1", or "" for an unnamed 0 of an enum.
 inline std::string part_text(const PartInfo& part, std::uint64_t raw) {
   const std::int64_t value = part_value(part, raw);
-  const auto plain = [&] { return std::string(part.name) + ' ' + std::to_string(value); };
+  const auto plain = [&] {
+    const bool has_unit = part.unit != nullptr;
+    return std::string(part.name) + ' ' +
+           (has_unit ? unit_text(part.unit->real(static_cast<double>(value)), *part.unit)
+                     : std::to_string(value));
+  };
   if (part.values == nullptr) return plain();
   std::string named = part.values->is_flags
                           ? flag_names(*part.values, static_cast<std::uint32_t>(value))
