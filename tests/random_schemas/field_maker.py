@@ -64,6 +64,7 @@ class FieldMaker(TypeMaker):
             (0.4, self.add_inline_struct),
             (0.3, self.add_variable_value),
             (0.8, self.add_condition_source),
+            (0.7, self.add_bits_list),
         ]
         weights = [weight for weight, _ in makers]
         for _ in range(count):
@@ -231,8 +232,27 @@ class FieldMaker(TypeMaker):
         if self.chance(0.2):
             self.add_number(scope)
         node = self.said({"name": f"{self.field_name()}[{counter}]", "type": kind.name})
+        if kind.fixed and self.chance(0.2):
+            node["counted_in"] = "bytes"
+        elif self.chance(0.2):
+            node["counted_from"] = 1
         scope.add(node, 0, MAX_BODY // max(1, kind.least) * kind.memory, False)
         scope.has_lists = True
+        return None
+
+    def add_bits_list(self, scope: Scope) -> None:
+        """Adds a list with an element for each bit of a flag set, perhaps with a condition."""
+        here = {f.get("name") for f in scope.fields if "when" not in f}
+        known = [name for name, kind in scope.known if kind.is_flags and name in here]
+        if not known:
+            return self.add_condition_source(scope)
+        kind = self.number_kind()
+        node: Node = {"name": f"{self.field_name()}[{self.random.choice(known)}]"}
+        node["type"] = kind.name
+        when = self.condition(scope) if self.chance(0.5) else None
+        if when is not None:
+            node["when"] = when
+        scope.add(self.said(node), 0, 32 * kind.memory, False)
         return None
 
     def add_inline_struct(self, scope: Scope) -> None:
@@ -318,6 +338,8 @@ class FieldMaker(TypeMaker):
             return
         else:
             kind = self.number_kind() if self.chance(0.6) else self.blob_kind()
+            if self.chance(0.2):
+                kind = Kind(self.random.choice(("string[5]", "string")), 1, 50, fixed=False)
             kind = self.random.choice(structs) if structs and self.chance(0.3) else kind
             node = {"name": node["name"] + "[]", "type": kind.name}
             least = kind.least

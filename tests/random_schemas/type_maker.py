@@ -191,7 +191,7 @@ class TypeMaker:
         """Makes a packed integer of 64 bits."""
         parts: list[Node] = [
             {"bits": "0..18", "sign": 19},
-            {"bits": "20..39", "signed": True, "type": self.random.choice(self.quantities).name},
+            {"bits": "20..39", "signed": True, "type": self.make_quantity("i32").name},
             {"bits": "40..63"},
         ]
         named = [self.said({"name": self.unique("part_"), **part}, False) for part in parts]

@@ -45,7 +45,7 @@ def wire_type(type_: Type) -> Any:
 
 def wire_form(field: Field) -> Any:
     """The layout of a field: its type, number of elements, and condition."""
-    return (wire_type(field.type), _times(field), _condition(field.when))
+    return (wire_type(field.type), _times(field), _condition(field.when), field.counting)
 
 
 def _times(field: Field) -> Any:

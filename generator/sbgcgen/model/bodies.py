@@ -31,8 +31,7 @@ class Identifier:
 class Blob:
     """Bytes, NUL-padded UTF-8 text (kind "text"), or a length-prefixed string (kind "string").
 
-    `size` is None for bytes that take the rest of the body. The size of a string is its largest,
-    including the prefix.
+    `size` is None for bytes that take the rest of the body, and the largest size of a string.
     """
 
     kind: str
@@ -216,7 +215,8 @@ class Field:
     variable part. `role` is the field's role in a set of settings: "copy" (selects one of several
     copies), "general" (the same in all copies), "state" (not a setting), or "". `typical` is an
     ordinary value as JSON represents it; None if the spec names none. `appended`: firmware before
-    `since` ends the body before the field.
+    `since` ends the body before the field. `counting` is how the counter of a list counts:
+    "elements", "bytes", "bits" (the list has an element for each bit that is set) or "minus_1".
     """
 
     name: str
@@ -248,12 +248,18 @@ class Field:
     role: str = ""
     typical: Any = field(default=None, hash=False)
     appended: bool = False
+    counting: str = "elements"
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
     @property
     def may_be_absent(self) -> bool:
         """True if some bodies lack the field."""
         return self.when is not None or self.appended
+
+    @property
+    def has_hidden_counter(self) -> bool:
+        """True if the size of the list implies its counter, which is no member then."""
+        return bool(self.counter) and self.counting != "bits"
 
     @property
     def is_variable(self) -> bool:

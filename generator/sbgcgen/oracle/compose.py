@@ -21,7 +21,7 @@ from sbgcgen.model import (
 )
 from sbgcgen.oracle.codec import LISTS, CodecError, Fields, is_bytes, keys_of
 from sbgcgen.oracle.edges import Edge, counting, edges
-from sbgcgen.oracle.encoding import encode
+from sbgcgen.oracle.encoding import counter_of, encode
 from sbgcgen.oracle.typical import typical
 
 
@@ -174,9 +174,8 @@ class _Composer:
             values[member.name] = self._member(member, fields, path, values)
             self.conditional = outside
         for member in fields:
-            if member.counter and member.name in values:
-                value = values[member.name]
-                values[member.counter] = len(value) // 2 if is_bytes(member) else len(value)
+            if member.has_hidden_counter and member.name in values:
+                values[member.counter] = max(0, counter_of(member, values[member.name]))
         return values
 
     def _is_present(self, when: Condition, values: Fields) -> bool:
@@ -203,6 +202,8 @@ class _Composer:
         if isinstance(member.type, Announced):
             return self._announced(member, member.type, name)
         count = member.count if member.dim == "fixed" else self._length(member, fields, name)
+        if member.counting == "bits":
+            count = bin(int(values[member.counter])).count("1")
         if is_bytes(member):
             return counting(count).hex()
         if member.dim == "fixed":

@@ -103,6 +103,8 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
         result["value_of_variable"] = field.variable
     if field.counter:
         result["counted_by"] = field.counter
+    if field.counting != "elements":
+        result["counted_in"] = field.counting
     if field.when:
         result["when"] = _condition(field.when)
     if field.alternative:

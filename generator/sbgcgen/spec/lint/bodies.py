@@ -15,8 +15,10 @@ from sbgcgen.model import (
     Quantity,
     Scalar,
     Struct,
+    Type,
 )
 from sbgcgen.model.names import is_name, parse_lines
+from sbgcgen.spec.resolve.sizes import min_size_of, size_of
 
 
 def lint_bodies(layout: Layout, found: Diagnostics) -> None:
@@ -105,7 +107,7 @@ def _check_list(fields: tuple[Field, ...], found: Diagnostics) -> None:
                 hint = "such a struct occurs once, and last"
                 found.add(field.at, "SBGC027", text, hint)
         if field.counter:
-            problem = _counter_problem(by_name.get(field.counter), counted)
+            problem = _counter_problem(by_name.get(field.counter), field, counted)
             if problem:
                 text = f"'{field.counter}' cannot count '{field.name}': {problem}"
                 hint = "a counter is a single u8, u16 or u32 in the same list of fields"
@@ -119,10 +121,10 @@ def _check_varying(field: Field, found: Diagnostics) -> None:
     varies = field.type.size is None if isinstance(field.type, (Blob, Struct)) else False
     varies = varies or (isinstance(field.type, Blob) and field.type.kind == "string")
     is_bytes = isinstance(field.type, Blob) and field.type.kind == "bytes"
-    if field.dim == "rest" and varies and not is_bytes:
-        text = f"the elements of '{field.name}', which takes the rest of the body, vary in size"
+    if field.dim == "rest" and varies and not is_bytes and not _has_end(field.type):
+        text = f"the elements of '{field.name}', which takes the rest of the body, have no end"
         found.add(field.at, "SBGC043", text, "put a counter before it: NAME[COUNT]")
-    if field.when is not None and is_list:
+    if field.when is not None and field.has_hidden_counter:
         text = f"the list '{field.name}' has a condition"
         found.add(field.at, "SBGC043", text, "make it part of a struct, and give that the 'when'")
     elif field.appended and (is_list or field.is_counter):
@@ -135,6 +137,13 @@ def _check_varying(field: Field, found: Diagnostics) -> None:
     if isinstance(field.type, Announced) and field.dim != "rest":
         text = f"'{field.name}' is announced, but does not take the rest of the body"
         found.add(field.at, "SBGC043", text, "write NAME[]; the announcement determines the count")
+
+
+def _has_end(type_: Type) -> bool:
+    """True if a decoder finds the end of a value that varies in size."""
+    if isinstance(type_, Struct):
+        return min_size_of(type_) > 0 and not _takes_rest(type_)
+    return isinstance(type_, Blob) and type_.kind == "string"
 
 
 # Regions
@@ -185,9 +194,15 @@ def _takes_rest(struct: Struct) -> bool:
     return last.dim == "rest" or (isinstance(last.type, Struct) and _takes_rest(last.type))
 
 
-def _counter_problem(counter: Field | None, counted: set[str]) -> str:
+def _counter_problem(counter: Field | None, field: Field, counted: set[str]) -> str:
     if counter is None:
         return "it is not in the same list"
+    if field.counting == "bits":
+        if counter.dim != "one":
+            return "it is not a single field"
+        return "it is not always present" if counter.may_be_absent else ""
+    if field.counting == "bytes" and size_of(field.type) is None:
+        return "the elements vary in size"
     if counter.name in counted:
         return "it counts another list"
     if not isinstance(counter.type, Scalar) or counter.type.minimum != 0:

@@ -330,7 +330,7 @@ class TypeResolver(Entries):
                 message = f"{value.name} = {value.value} does not fit into the bits of '{name}'"
                 hint = "use 'mask' for values in place, 'bits' for shifted ones"
                 self.found.add(node.at("type"), "SBGC016", message, hint)
-        return Part(
+        part = Part(
             name=name,
             mask=mask,
             shift=shift,
@@ -343,6 +343,11 @@ class TypeResolver(Entries):
             sign=sign,
             quantity=quantity,
         )
+        if quantity is not None and not _holds(quantity.scalar, part.limits):
+            text = f"'{name}' has numbers from {part.limits[0]} to {part.limits[1]}"
+            hint = f"which {quantity.name} cannot hold: its type is {quantity.scalar.name}"
+            self.found.add(node.at("type"), "SBGC016", text, hint)
+        return part
 
     def _sign_of(self, node: Map, name: str, mask: int, whole: int) -> int:
         """The mask of the sign bit of a part; 0 if it has none."""
@@ -388,3 +393,10 @@ def parse_bits(value: Any) -> tuple[int, int]:
     """3 -> (3, 3) and "0..2" -> (0, 2)."""
     first, _, last = str(value).partition("..")
     return int(first), int(last or first)
+
+
+def _holds(scalar: Scalar, limits: tuple[int, int]) -> bool:
+    """True if all integers within the limits are numbers of the type."""
+    if scalar.minimum is None or scalar.maximum is None:
+        return False
+    return scalar.minimum <= limits[0] and limits[1] <= scalar.maximum
