@@ -185,11 +185,13 @@ class _Mutator:
         if isinstance(value, list) and isinstance(member.type, Announced):
             self.random.shuffle(value)
         elif is_bytes(member):
-            values.pop(member.counter, None)
+            if member.has_hidden_counter:
+                values.pop(member.counter, None)
             size = self.random.randint(0, member.capacity)
             values[member.name] = self.random.randbytes(size).hex()
         elif member.dim in ("counted", "rest") and self.random.random() < 0.5:
-            values.pop(member.counter, None)
+            if member.has_hidden_counter:
+                values.pop(member.counter, None)
             self.resize(value, member.capacity)
         elif isinstance(value, list):
             for place in range(len(value)):

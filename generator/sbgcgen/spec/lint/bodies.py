@@ -15,10 +15,9 @@ from sbgcgen.model import (
     Quantity,
     Scalar,
     Struct,
-    Type,
 )
 from sbgcgen.model.names import is_name, parse_lines
-from sbgcgen.spec.resolve.sizes import min_size_of, size_of
+from sbgcgen.spec.resolve.sizes import size_of
 
 
 def lint_bodies(layout: Layout, found: Diagnostics) -> None:
@@ -118,12 +117,6 @@ def _check_list(fields: tuple[Field, ...], found: Diagnostics) -> None:
 def _check_varying(field: Field, found: Diagnostics) -> None:
     """Report fields whose end a decoder cannot determine."""
     is_list = field.dim in ("counted", "rest")
-    varies = field.type.size is None if isinstance(field.type, (Blob, Struct)) else False
-    varies = varies or (isinstance(field.type, Blob) and field.type.kind == "string")
-    is_bytes = isinstance(field.type, Blob) and field.type.kind == "bytes"
-    if field.dim == "rest" and varies and not is_bytes and not _has_end(field.type):
-        text = f"the elements of '{field.name}', which takes the rest of the body, have no end"
-        found.add(field.at, "SBGC043", text, "put a counter before it: NAME[COUNT]")
     if field.when is not None and field.has_hidden_counter:
         text = f"the list '{field.name}' has a condition"
         found.add(field.at, "SBGC043", text, "make it part of a struct, and give that the 'when'")
@@ -137,13 +130,6 @@ def _check_varying(field: Field, found: Diagnostics) -> None:
     if isinstance(field.type, Announced) and field.dim != "rest":
         text = f"'{field.name}' is announced, but does not take the rest of the body"
         found.add(field.at, "SBGC043", text, "write NAME[]; the announcement determines the count")
-
-
-def _has_end(type_: Type) -> bool:
-    """True if a decoder finds the end of a value that varies in size."""
-    if isinstance(type_, Struct):
-        return min_size_of(type_) > 0 and not _takes_rest(type_)
-    return isinstance(type_, Blob) and type_.kind == "string"
 
 
 # Regions
