@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any, Union
@@ -20,14 +21,6 @@ from sbgcgen.model.values import (
 
 
 @dataclass(frozen=True)
-class Identifier:
-    """A word that becomes a name in code, and its position in the spec."""
-
-    name: str
-    at: Position = field(default=NOWHERE, compare=False, repr=False)
-
-
-@dataclass(frozen=True)
 class Blob:
     """Bytes, NUL-padded UTF-8 text (kind "text"), or a length-prefixed string (kind "string").
 
@@ -36,6 +29,16 @@ class Blob:
 
     kind: str
     size: int | None
+
+
+@dataclass(frozen=True)
+class FieldRule:
+    """A rule that the field `low` is not above the field `high`, or if `is_strict` below it."""
+
+    low: str
+    high: str
+    is_strict: bool
+    at: Position = field(default=NOWHERE, compare=False, repr=False)
 
 
 @dataclass(frozen=True)
@@ -54,6 +57,7 @@ class Struct:
     family: str
     is_region: bool = False
     kind: str = "struct"
+    rules: tuple[FieldRule, ...] = ()
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
 
@@ -216,7 +220,9 @@ class Field:
     copies), "general" (the same in all copies), "state" (not a setting), or "". `typical` is an
     ordinary value as JSON represents it; None if the spec names none. `appended`: firmware before
     `since` ends the body before the field. `counting` is how the counter of a list counts:
-    "elements", "bytes", "bits" (the list has an element for each bit that is set) or "minus_1".
+    "elements", "bytes", "bits" (the list has an element for each bit that is set) or "minus_1". `default` is the
+    raw value in a new message; it is the only valid one of a `constant`. `aliases` are former names.
+    An `unconfirmed` field comes from a single source or is contradicted by another.
     """
 
     name: str
@@ -249,6 +255,10 @@ class Field:
     typical: Any = field(default=None, hash=False)
     appended: bool = False
     counting: str = "elements"
+    default: int = 0
+    constant: bool = False
+    aliases: tuple[Identifier, ...] = ()
+    unconfirmed: bool = False
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
     @property
@@ -265,6 +275,15 @@ class Field:
     def is_variable(self) -> bool:
         """True if the number of bytes depends on the message."""
         return self.size is None or self.may_be_absent
+
+
+def field_rules(struct: Struct, path: str = "") -> Iterator[tuple[str, FieldRule]]:
+    """The rules of a body and the structs in it, each with the path of its level."""
+    for rule in struct.rules:
+        yield path, rule
+    for member in struct.fields:
+        if isinstance(member.type, Struct):
+            yield from field_rules(member.type, f"{path}{member.name}.")
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from sbgcgen.model.position import NOWHERE, Position
 from sbgcgen.model.answers import Answer, Role
 from sbgcgen.model.bodies import Condition, Context, Field, Leaf, Struct
 from sbgcgen.model.effects import Effect
-from sbgcgen.model.values import Availability, Deprecation, Enum, Until
+from sbgcgen.model.values import Availability, Deprecation, Enum, Identifier, Until
 from sbgcgen.model.names import form_suffix, snake_case
 
 # The enum of command ids of each direction.
@@ -55,6 +55,7 @@ class Message:
     leaves: tuple[Leaf, ...]
     effect: Effect | None = None
     example: dict[str, Any] = field(default_factory=dict, hash=False)
+    unconfirmed: bool = False
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
     @property
@@ -108,6 +109,8 @@ class Command:
     errata: tuple[str, ...]
     since: Availability
     undocumented: bool
+    aliases: tuple[Identifier, ...] = ()
+    unconfirmed: bool = False
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from sbgcgen.model.position import NOWHERE, Position
-from sbgcgen.model.bodies import Identifier
+from sbgcgen.model.values import Identifier
 from sbgcgen.model.framing import Framing
 from sbgcgen.model.messages import Command, Family, Message, Settings
 from sbgcgen.model.revisions import Revision

@@ -9,6 +9,14 @@ from sbgcgen.model.position import NOWHERE, Position
 
 
 @dataclass(frozen=True)
+class Identifier:
+    """A word that becomes a name in code, and its position in the spec."""
+
+    name: str
+    at: Position = field(default=NOWHERE, compare=False, repr=False)
+
+
+@dataclass(frozen=True)
 class Scalar:
     """A number on the wire, little-endian."""
 
@@ -106,11 +114,20 @@ class Quantity:
 
 
 @dataclass(frozen=True)
+class Former:
+    """What something meant before a firmware."""
+
+    firmware: Availability
+    summary: str
+
+
+@dataclass(frozen=True)
 class EnumValue:
     """One named value; `name` is the protocol's own unless `ours`.
 
     If the value names a type, `wire` is that wire type. `number` is any other number that the value
-    stands for, such as a baud rate.
+    stands for, such as a baud rate. `aliases` are former names. An `unconfirmed` fact comes from a
+    single source or is contradicted by another.
     """
 
     name: str
@@ -123,6 +140,9 @@ class EnumValue:
     errata: tuple[str, ...]
     at: Position = field(default=NOWHERE, compare=False, repr=False)
     number: int | None = None
+    aliases: tuple[Identifier, ...] = ()
+    unconfirmed: bool = False
+    former: Former | None = None
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from sbgcgen.model import Layout
+from sbgcgen.model import Command, Layout
 from sbgcgen.model.export.messages import message_json
 from sbgcgen.model.export.types import enum_json, packed_json, quantity_json, variable_json, version
 
@@ -57,19 +57,7 @@ def export(layout: Layout) -> dict[str, Any]:
             {"name": family.name, "summary": family.summary} for family in layout.families
         ],
         "timeouts": {"errata": list(layout.timeout_errata)},
-        "commands": [
-            {
-                "name": command.name,
-                "id": command.id,
-                "family": command.family,
-                "summary": command.summary,
-                "source": command.source,
-                "errata": list(command.errata),
-                "since": version(command.since),
-                "documented": not command.undocumented,
-            }
-            for command in layout.commands
-        ],
+        "commands": [_command(command) for command in layout.commands],
         "messages": [message_json(message) for message in layout.messages],
         "enums": [enum_json(enum) for enum in layout.enums],
         "packed": [packed_json(packed) for packed in layout.packed],
@@ -87,3 +75,21 @@ def export(layout: Layout) -> dict[str, Any]:
             for erratum in layout.errata
         ],
     }
+
+
+def _command(command: Command) -> dict[str, Any]:
+    result: dict[str, Any] = {
+        "name": command.name,
+        "id": command.id,
+        "family": command.family,
+        "summary": command.summary,
+        "source": command.source,
+        "errata": list(command.errata),
+        "since": version(command.since),
+        "documented": not command.undocumented,
+    }
+    if command.aliases:
+        result["formerly"] = [alias.name for alias in command.aliases]
+    if command.unconfirmed:
+        result["unconfirmed"] = True
+    return result

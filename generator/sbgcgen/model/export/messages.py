@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from sbgcgen.model import (
+    field_rules,
     Announced,
     Answer,
     AnswerCase,
@@ -121,6 +122,14 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
         result["typical"] = element_of(field.typical, leaf.path)
     if field.deprecated:
         result["deprecated"] = deprecation(field.deprecated)
+    if field.default:
+        result["default"] = field.default
+    if field.constant:
+        result["constant"] = field.default
+    if field.aliases:
+        result["formerly"] = [alias.name for alias in field.aliases]
+    if field.unconfirmed:
+        result["unconfirmed"] = True
     if field.errata:
         result["errata"] = list(field.errata)
     if leaf.cases:
@@ -225,7 +234,7 @@ def _form(name: str | None) -> str | None:
 
 def message_json(message: Message) -> dict[str, Any]:
     """A message as plain data."""
-    return {
+    result = {
         "name": message.name,
         "command": message.command,
         "id": message.id,
@@ -251,3 +260,12 @@ def message_json(message: Message) -> dict[str, Any]:
         "response": _answer(message.answer),
         "layout": [_leaf(leaf) for leaf in message.leaves],
     }
+    if message.unconfirmed:
+        result["unconfirmed"] = True
+    rules = [
+        f"{path}{rule.low} {'<' if rule.is_strict else '<='} {path}{rule.high}"
+        for path, rule in field_rules(message.body)
+    ]
+    if rules:
+        result["rules"] = rules
+    return result

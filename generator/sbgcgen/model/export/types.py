@@ -5,7 +5,15 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from sbgcgen.model.values import Availability, Deprecation, Enum, Packed, Part, Quantity
+from sbgcgen.model.values import (
+    Availability,
+    Deprecation,
+    Enum,
+    EnumValue,
+    Packed,
+    Part,
+    Quantity,
+)
 from sbgcgen.model.variables import Variable
 
 
@@ -30,6 +38,27 @@ def deprecation(mark: Deprecation | None) -> dict[str, Any] | None:
     return {"since": version(mark.since), "replaced_by": mark.replaced_by or None}
 
 
+def _value(value: EnumValue) -> dict[str, Any]:
+    result: dict[str, Any] = {
+        "name": value.name,
+        "value": value.value,
+        "identifier": value.identifier,
+        "named_by_specification": not value.ours,
+        "summary": value.summary,
+        "since": version(value.since),
+        "errata": list(value.errata),
+        "number": value.number,
+        "number_type": value.wire or None,
+    }
+    if value.aliases:
+        result["formerly"] = [alias.name for alias in value.aliases]
+    if value.unconfirmed:
+        result["unconfirmed"] = True
+    if value.former:
+        result["before"] = {**(version(value.former.firmware) or {}), "summary": value.former.summary}
+    return result
+
+
 def enum_json(enum: Enum) -> dict[str, Any]:
     """An enum or flag set as plain data."""
     return {
@@ -41,20 +70,7 @@ def enum_json(enum: Enum) -> dict[str, Any]:
         "source": enum.source,
         "errata": list(enum.errata),
         "success": enum.success.name if enum.success else None,
-        "values": [
-            {
-                "name": value.name,
-                "value": value.value,
-                "identifier": value.identifier,
-                "named_by_specification": not value.ours,
-                "summary": value.summary,
-                "since": version(value.since),
-                "errata": list(value.errata),
-                "number": value.number,
-                "number_type": value.wire or None,
-            }
-            for value in enum.values
-        ],
+        "values": [_value(value) for value in enum.values],
     }
 
 

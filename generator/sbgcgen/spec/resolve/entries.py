@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from sbgcgen.model import Availability, Deprecation, Identifier, Position
-from sbgcgen.model.names import is_name
+from sbgcgen.model.names import is_name, snake_case
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import List, Map, Spec
 from sbgcgen.spec.resolve.versions import KINDS, VersionReader
@@ -66,6 +66,15 @@ class Entries:
             hint = "name the section and lines, as in 'Variables L1005-L1009'"
             self.found.add(at, "SBGC020", f"{what} has no source", hint)
         return text
+
+    def aliases(self, node: Map, prefix: str = "") -> tuple[Identifier, ...]:
+        """The identifiers of former names."""
+        names = node.get("was", [])
+        at = node.at("was")
+        return tuple(
+            Identifier(self.identifier(snake_case(str(name).removeprefix(prefix)), at), at)
+            for name in (names if isinstance(names, list) else [names])
+        )
 
     def identifier(self, name: str, at: Position) -> str:
         """Returns `name`; reports one that is not a valid identifier."""

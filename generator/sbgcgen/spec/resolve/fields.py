@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import replace
+from fractions import Fraction
 from typing import Any
 
 from sbgcgen.model import (
@@ -15,9 +16,12 @@ from sbgcgen.model import (
     Context,
     Enum,
     Field,
+    FieldRule,
     Position,
+    Scalar,
     Struct,
     Type,
+    scalar_of,
 )
 from sbgcgen.model.names import FieldName, parse_field_name, snake_case, type_advice
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
@@ -83,9 +87,35 @@ class FieldResolver:
                 min_size=size if size is not None else min_size(fields),
                 family=family,
                 is_region=is_region,
+                rules=self.rules(node, fields),
                 at=at,
             )
         return self.structs[name]
+
+    def rules(self, node: Map, fields: tuple[Field, ...]) -> tuple[FieldRule, ...]:
+        """The rules across fields of a struct or message."""
+        by_name = {f.spec_name: f for f in fields}
+        result = []
+        for text, at in zip(node.get("rules", []), getattr(node.get("rules"), "items_at", [])):
+            low, sign, high = str(text).split()
+            unknown = [name for name in (low, high) if name not in by_name]
+            for name in unknown:
+                hint = did_you_mean(name, by_name) or "name two fields at the same level"
+                self.found.add(at, "SBGC026", f"'{name}' is not a field here", hint)
+            if unknown:
+                continue
+            first, second = by_name[low], by_name[high]
+            scalar = scalar_of(first.type)
+            if scalar is None or (first.type, first.dim, first.count) != (
+                second.type,
+                second.dim,
+                second.count,
+            ):
+                hint = "a rule compares numbers of the same type, one or several each"
+                self.found.add(at, "SBGC026", f"'{low}' and '{high}' are not alike", hint)
+                continue
+            result.append(FieldRule(first.name, second.name, sign == "<", at))
+        return tuple(result)
 
     def all_structs(self) -> list[Struct]:
         """All structs, including those not used so far."""
@@ -279,9 +309,38 @@ class FieldResolver:
             errata=self.types.errata(node),
             role=str(node.get("role", "")),
             counting=counting,
+            default=self._default(node, type_, text),
+            constant="constant" in node,
+            aliases=self.types.aliases(node),
+            unconfirmed=bool(node.get("unconfirmed", False)),
             at=at,
         )
+        if field.constant:
+            value = Fraction(field.default)
+            field = replace(field, minimum=value, maximum=value)
         return self._with_typical(field, node)
+
+    def _default(self, node: Map, type_: Type, text: str) -> int:
+        """The raw value in a new message."""
+        key = "constant" if "constant" in node else "default"
+        if key not in node:
+            return 0
+        said = node[key]
+        scalar = scalar_of(type_)
+        value: int | None = said if isinstance(said, int) else None
+        if isinstance(type_, Enum) and not isinstance(said, int):
+            by_name = {v.name: v.value for v in type_.values}
+            names = said if isinstance(said, list) else [said]
+            if all(name in by_name for name in names):
+                value = sum(by_name[name] for name in names)
+        if scalar is None or value is None or not _fits(scalar, value):
+            hint = "give a raw integer, or names of the field's enum or flag set"
+            self.found.add(node.at(key), "SBGC017", f"the {key} of {text} is not a value", hint)
+            return 0
+        if "constant" in node and "default" in node:
+            hint = "'constant' is the default as well"
+            self.found.add(node.at("default"), "SBGC017", f"{text} has a constant", hint)
+        return value
 
     def _counting(self, node: Map, counter: str, earlier: list[Field]) -> str:
         """How the counter of a list counts."""
@@ -389,3 +448,9 @@ def _number_reserved(fields: list[Field]) -> list[Field]:
 def _mark_counters(fields: list[Field]) -> list[Field]:
     counters = {f.counter for f in fields if f.has_hidden_counter}
     return [replace(f, is_counter=True) if f.name in counters else f for f in fields]
+
+
+def _fits(scalar: Scalar, value: int) -> bool:
+    if scalar.minimum is None or scalar.maximum is None:
+        return True
+    return scalar.minimum <= value <= scalar.maximum

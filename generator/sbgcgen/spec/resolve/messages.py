@@ -206,6 +206,7 @@ class MessageResolver:
                 **(original.example if original else {}),
                 **self.fields.examples.example(body.fields, draft.get("example"), draft.name),
             },
+            unconfirmed=bool(draft.get("unconfirmed", False)) or draft.command.unconfirmed,
             leaves=tuple(leaves(body.fields)) if body.min_size <= limit else (),
             at=draft.at,
         )
@@ -328,6 +329,7 @@ class MessageResolver:
             size=size,
             min_size=size if size is not None else min_size(fields),
             family=draft.command.family,
+            rules=self.fields.rules(draft.node, fields),
             at=draft.at,
         )
 

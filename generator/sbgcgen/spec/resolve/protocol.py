@@ -115,6 +115,8 @@ class _Resolver:
             errata=self.types.errata(node),
             since=self.types.availability(node),
             undocumented=bool(node.get("undocumented", False)),
+            aliases=self.types.aliases(node, "CMD_"),
+            unconfirmed=bool(node.get("unconfirmed", False)),
             at=at,
         )
 

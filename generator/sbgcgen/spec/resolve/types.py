@@ -13,6 +13,7 @@ from sbgcgen.model import (
     Availability,
     Enum,
     EnumValue,
+    Former,
     Packed,
     Part,
     Position,
@@ -110,7 +111,18 @@ class TypeResolver(Entries):
             identifier = self.identifier(snake_case(name.removeprefix("CMD_")), at)
             summary = str(value.get("summary", ""))
             values.append(
-                EnumValue(name, identifier, value["id"], summary, False, "", Availability(), (), at)
+                EnumValue(
+                    name,
+                    identifier,
+                    value["id"],
+                    summary,
+                    ours=False,
+                    wire="",
+                    since=Availability(),
+                    errata=(),
+                    at=at,
+                    aliases=self.aliases(value, "CMD_"),
+                )
             )
         return Enum(
             name=COMMAND_IDS[direction],
@@ -201,7 +213,18 @@ class TypeResolver(Entries):
             errata=self.errata(content),
             at=at,
             number=content.get("number"),
+            aliases=self.aliases(content, prefix),
+            unconfirmed=bool(content.get("unconfirmed", False)),
+            former=self._former(content),
         )
+
+    def _former(self, content: Map) -> Former | None:
+        """What the value meant before some firmware."""
+        before = content.get("before")
+        if not isinstance(before, Map):
+            return None
+        summary = self.summary(before, before.position, "the former meaning")
+        return Former(self.availability(content, "before"), summary)
 
     def _check_values(self, name: str, kind: str, scalar: Scalar, values: list[EnumValue]) -> None:
         assert scalar.minimum is not None and scalar.maximum is not None

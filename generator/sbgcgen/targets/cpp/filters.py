@@ -42,6 +42,8 @@ def statement(text: str, indent: int) -> str:
 def narrow_range(field: Field) -> str:
     """The range of a field in its unit, if it is narrower than that of its type: '-90 to 90 deg'."""
     scalar = scalar_of(field.type)
+    if field.constant:
+        return ""
     if field.minimum is None or field.maximum is None or scalar is None:
         return ""
     if field.minimum == scalar.minimum and field.maximum == scalar.maximum:
@@ -75,4 +77,5 @@ FILTERS: dict[str, Callable[..., Any]] = {
     "flag_units": flag_units,
     "constants": constants,
     "copy_field": copy_field,
+    "index_of": lambda values, value: values.index(value),
 }

@@ -126,6 +126,9 @@ inline std::string violation_text(const Violation& violation) {
       const std::string verb = violation.value == 1 ? "is " : "are ";
       return verb + (violation.value < violation.limit ? "fewer than " : "more than ") + limit;
     }
+    case Rule::order:
+      return (violation.value > violation.limit ? "is above " : "is not below ") + limit + " of " +
+             violation.other->name;
     case Rule::firmware: return "needs firmware " + to_string(VersionTypes::Firmware(version));
     case Rule::board:
       return "needs board " + to_string(VersionTypes::Board(static_cast<std::uint8_t>(version)));

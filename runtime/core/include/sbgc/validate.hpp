@@ -22,6 +22,7 @@ enum class Rule : std::uint8_t {
   maximum,    ///< above `limit`
   alignment,  ///< not a multiple of `limit`
   count,      ///< fewer or more than `limit` elements
+  order,      ///< above the field `other`, which is `limit`, or equal to it
   firmware,   ///< exists only since firmware version `limit`, such as 2590
   board,      ///< exists only since board version `limit`, such as 30
 };
@@ -33,6 +34,7 @@ constexpr const char* name(Rule rule) noexcept {
     case Rule::maximum: return "maximum";
     case Rule::alignment: return "alignment";
     case Rule::count: return "count";
+    case Rule::order: return "order";
     case Rule::firmware: return "firmware";
     case Rule::board: return "board";
   }
@@ -49,6 +51,7 @@ struct Violation {
   Rule rule{};
   const UnitInfo* unit{};    ///< of `value`; null if it has none or if it depends on a flag
   const ValueInfo* named{};  ///< the enum value or flag that does not exist yet, or null
+  const FieldInfo* other{};  ///< the field that the value must not exceed, or null
 };
 
 namespace detail {
@@ -65,6 +68,9 @@ class Validator {
   template <class T>
   constexpr void members(const T& value, const FieldPath* parent) {
     Meta<T>::visit(value, Members{*this, parent});
+    if constexpr (requires { Meta<T>::rules(value, Order{*this, parent}); }) {
+      Meta<T>::rules(value, Order{*this, parent});
+    }
   }
 
  private:
@@ -85,6 +91,42 @@ class Validator {
         }
       }
       validator.value(member, field, path);
+    }
+  };
+
+  /// Checks rules across fields.
+  struct Order {
+    Validator& validator;
+    const FieldPath* parent = nullptr;
+
+    template <class T>
+    constexpr void operator()(const FieldInfo& field, const T& low, const FieldInfo& other,
+                              const T& high, bool is_strict) {
+      compare(field, FieldPath{parent, field.name}, low, other, high, is_strict);
+    }
+
+   private:
+    template <class T>
+    constexpr void compare(const FieldInfo& field, const FieldPath& path, const T& low,
+                           const FieldInfo& other, const T& high, bool is_strict) {
+      if constexpr (RawValue<T>) {
+        compare(field, path, low.raw(), other, high.raw(), is_strict);
+      } else if constexpr (std::is_arithmetic_v<T>) {
+        if (low < high || (low == high && !is_strict)) return;
+        validator.valid_ = false;
+        const UnitInfo* const unit = field.alternative == nullptr ? field.unit : nullptr;
+        validator.report_(Violation{path, field, static_cast<double>(low),
+                                    static_cast<double>(high), Rule::order, unit, nullptr, &other});
+      } else if constexpr (requires { Meta<T>::fields; }) {  // one for each axis
+        for (std::size_t i = 0; i < low.size(); ++i) {
+          compare(field, FieldPath{&path, Meta<T>::fields[i].name}, low[i], other, high[i],
+                  is_strict);
+        }
+      } else {
+        for (std::size_t i = 0; i < low.size(); ++i) {
+          compare(field, FieldPath{&path, "", i}, low[i], other, high[i], is_strict);
+        }
+      }
     }
   };
 
