@@ -236,7 +236,8 @@ class FieldMaker(TypeMaker):
             node["counted_in"] = "bytes"
         elif self.chance(0.2):
             node["counted_from"] = 1
-        scope.add(node, 0, MAX_BODY // max(1, kind.least) * kind.memory, False)
+        least = kind.least if "counted_from" in node else 0
+        scope.add(node, least, MAX_BODY // max(1, kind.least) * kind.memory, False)
         scope.has_lists = True
         return None
 
