@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Optional
+from typing import Any, Optional
 
-from spec_parts import INTEGERS, MAX_BODY, MAX_MEMORY, SIZES, UNSIGNED, Kind, Node, Scope
+from spec_parts import INTEGERS, MAX_BODY, MAX_MEMORY, SIZES, UNSIGNED, WIDE, Kind, Node, Scope
 from type_maker import TypeMaker
 
 
@@ -18,6 +18,7 @@ class FieldMaker(TypeMaker):
     def number_kind(self) -> Kind:
         """Returns a type with a number on the wire."""
         scalars = [Kind(n, s, s, number=n) for n, s in SIZES.items()]
+        scalars += [Kind(n, least, memory) for n, (least, memory) in WIDE.items()]
         ids = ("CommandToBoard", "CommandFromBoard", "VariableId")
         named = [Kind(name, 1, 1, number="u8") for name in ids]
         pools = (scalars, self.quantities, self.enums, self.flag_sets, self.packed, named)
@@ -63,6 +64,7 @@ class FieldMaker(TypeMaker):
             (0.4, self.add_inline_struct),
             (0.3, self.add_variable_value),
             (0.8, self.add_condition_source),
+            (0.7, self.add_bits_list),
         ]
         weights = [weight for weight, _ in makers]
         for _ in range(count):
@@ -103,7 +105,7 @@ class FieldMaker(TypeMaker):
             if self.chance(0.2):
                 lowest = str(node.get("range", INTEGERS[kind.number][1])).partition("..")[0]
                 node["typical"] = int(lowest)
-        if self.chance(0.1):
+        if self.chance(0.1) and not scope.in_message:  # in a message, it would be appended
             node["since"] = self.since()
         if self.chance(0.1):
             node["deprecated"] = self.random.choice((True, {"since": self.since()}))
@@ -135,7 +137,8 @@ class FieldMaker(TypeMaker):
 
     def add_condition_source(self, scope: Scope) -> None:
         """Adds an enum or flag set that other fields may depend on."""
-        kind = self.random.choice(self.enums + self.flag_sets)
+        integers = [Kind(n, SIZES[n], SIZES[n], number=n) for n in ("u8", "i16")]
+        kind = self.random.choice(self.enums + self.flag_sets + integers)
         name = self.field_name()
         scope.add(self.said({"name": name, "type": kind.name}), kind.least, kind.memory, True)
         self.depend_on(scope, name, kind)
@@ -169,10 +172,22 @@ class FieldMaker(TypeMaker):
         if kind.is_flags:
             flags = [flag for flag, mask in kind.values if mask]
             chosen = self.random.sample(flags, self.random.randint(1, min(2, len(flags))))
-            return {key: name, "has": chosen if len(chosen) > 1 else chosen[0]}
-        names = [value for value, _ in kind.values]
+            word = self.random.choice(("has", "has", "any"))
+            when = {key: name, word: chosen if len(chosen) > 1 else chosen[0]}
+            masks = dict(kind.values)
+            used = 0
+            for flag in chosen:
+                used |= masks[flag]
+            others = [flag for flag in flags if not masks[flag] & used]
+            if others and self.chance(0.3):
+                when["has_not"] = self.random.choice(others)
+            return when
+        names: list[Any] = [value for value, _ in kind.values]
+        if not names:  # an integer
+            names = [0, 1, 2, 100]
         chosen = self.random.sample(names, self.random.randint(1, min(3, len(names))))
-        return {key: name, "is": chosen if len(chosen) > 1 else chosen[0]}
+        word = "is_not" if self.chance(0.2) else "is"
+        return {key: name, word: chosen if len(chosen) > 1 else chosen[0]}
 
     def add_conditional(self, scope: Scope) -> None:
         """Adds a field that is present only under a condition on another field."""
@@ -191,6 +206,17 @@ class FieldMaker(TypeMaker):
             scope.known.append((name, kind))
         return None
 
+    def add_appended(self, scope: Scope) -> None:
+        """Adds fields before which the body of older firmware ends."""
+        for _ in range(self.random.randint(1, 3)):
+            kind = self.element_kind(scope)
+            dim, count = self.dimension(scope, kind)
+            node: Node = {"name": self.field_name() + dim, "type": kind.name}
+            node["since"] = {"firmware": self.random.choice(("2.90", "2.91"))}
+            scope.budget -= kind.least * count
+            scope.add(self.said(node), 0, kind.memory * count + 4, False)
+        scope.takes_rest = True
+
     def add_list(self, scope: Scope) -> None:
         """Adds a list and the counter before it."""
         kind = self.element_kind(scope)
@@ -206,8 +232,27 @@ class FieldMaker(TypeMaker):
         if self.chance(0.2):
             self.add_number(scope)
         node = self.said({"name": f"{self.field_name()}[{counter}]", "type": kind.name})
+        if kind.fixed and self.chance(0.2):
+            node["counted_in"] = "bytes"
+        elif self.chance(0.2):
+            node["counted_from"] = 1
         scope.add(node, 0, MAX_BODY // max(1, kind.least) * kind.memory, False)
         scope.has_lists = True
+        return None
+
+    def add_bits_list(self, scope: Scope) -> None:
+        """Adds a list with an element for each bit of a flag set, perhaps with a condition."""
+        here = {f.get("name") for f in scope.fields if "when" not in f}
+        known = [name for name, kind in scope.known if kind.is_flags and name in here]
+        if not known:
+            return self.add_condition_source(scope)
+        kind = self.number_kind()
+        node: Node = {"name": f"{self.field_name()}[{self.random.choice(known)}]"}
+        node["type"] = kind.name
+        when = self.condition(scope) if self.chance(0.5) else None
+        if when is not None:
+            node["when"] = when
+        scope.add(self.said(node), 0, 32 * kind.memory, False)
         return None
 
     def add_inline_struct(self, scope: Scope) -> None:
@@ -293,6 +338,8 @@ class FieldMaker(TypeMaker):
             return
         else:
             kind = self.number_kind() if self.chance(0.6) else self.blob_kind()
+            if self.chance(0.2):
+                kind = Kind(self.random.choice(("string[5]", "string")), 1, 50, fixed=False)
             kind = self.random.choice(structs) if structs and self.chance(0.3) else kind
             node = {"name": node["name"] + "[]", "type": kind.name}
             least = kind.least

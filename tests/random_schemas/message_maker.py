@@ -40,6 +40,8 @@ class MessageMaker(FieldMaker):
             self.make_fields(scope, self.random.choice((0, 3)))
         if rest and self.chance(0.35):
             self.add_rest(scope)
+        elif rest and self.chance(0.3):
+            self.add_appended(scope)
         return scope
 
     def new_command(self, *directions: str, family: str = "") -> tuple[str, str, Node]:

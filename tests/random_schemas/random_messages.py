@@ -19,6 +19,7 @@ from sbgcgen.oracle.decoding import decode
 from sbgcgen.oracle.encoding import encode
 from sbgcgen.oracle.frames import choose_message, forms_of
 from sbgcgen.oracle.vector_line import line
+from sbgcgen.oracle.json_values import integer_of
 from sbgcgen.oracle.vectors import Vector
 
 MAX_BODY = 255
@@ -118,6 +119,7 @@ class RandomMessages:
             lengths={path: length for path, length in lengths.items() if length <= MAX_BODY},
             short=self.random.random() < 0.3,
             leave_out=self.random.random() < 0.3,
+            ends_before=self.end(),
         )
         # Many choices exceed the size of a body.
         fields = compose(self.message, choice)
@@ -127,6 +129,11 @@ class RandomMessages:
             choice.short, choice.lengths = True, {}
             fields = compose(self.message, choice)
         return copy.deepcopy(fields)
+
+    def end(self) -> str:
+        """Returns a field before which the body of some firmware ends, or ""."""
+        appended = [field.name for field in self.message.fields if field.appended]
+        return self.random.choice(appended) if appended and self.random.random() < 0.5 else ""
 
     def mutated(self, body: bytes) -> tuple[bytes, str]:
         """Returns a body with or without damage, and a description of it."""
@@ -165,11 +172,11 @@ class _Mutator:
         if not members:
             return
         member = self.random.choice(members)
-        if member.when and member.name in values and self.random.random() < 0.5:
+        if member.may_be_absent and member.name in values and self.random.random() < 0.5:
             del values[member.name]
             return
         if member.name not in values:
-            if not member.when or member.dim != "one":
+            if not member.may_be_absent or member.dim != "one":
                 return
             if not isinstance(member.type, (Struct, Blob, Announced)):
                 values[member.name] = self.number(member.type)
@@ -178,11 +185,13 @@ class _Mutator:
         if isinstance(value, list) and isinstance(member.type, Announced):
             self.random.shuffle(value)
         elif is_bytes(member):
-            values.pop(member.counter, None)
+            if member.has_hidden_counter:
+                values.pop(member.counter, None)
             size = self.random.randint(0, member.capacity)
             values[member.name] = self.random.randbytes(size).hex()
         elif member.dim in ("counted", "rest") and self.random.random() < 0.5:
-            values.pop(member.counter, None)
+            if member.has_hidden_counter:
+                values.pop(member.counter, None)
             self.resize(value, member.capacity)
         elif isinstance(value, list):
             for place in range(len(value)):
@@ -220,10 +229,11 @@ class _Mutator:
         """Returns a number of a type, often one with a name."""
         scalar = scalar_of(type_)
         if scalar.minimum is None or scalar.maximum is None:
-            return self.random.choice((0.0, -0.0, 1.5, "inf", "nan:7fc00001", 16777216.0))
+            nan = "nan:7fc00001" if scalar.size == 4 else "nan:7ff8000000000001"
+            return self.random.choice((0.0, -0.0, 1.5, "inf", nan, 16777216.0))
         if isinstance(type_, Enum) and type_.values and self.random.random() < 0.7:
             return self.random.choice(type_.values).value
-        return self.random.choice(
+        number = self.random.choice(
             (
                 0,
                 1,
@@ -232,3 +242,4 @@ class _Mutator:
                 self.random.randint(scalar.minimum, scalar.maximum),
             )
         )
+        return integer_of(number, scalar.size)

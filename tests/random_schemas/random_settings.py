@@ -18,6 +18,7 @@ from random_messages import RandomMessages
 from sbgcgen.model import Layout, Settings, copy_field
 from sbgcgen.oracle.codec import Fields
 from sbgcgen.oracle.encoding import encode
+from sbgcgen.oracle.json_values import plain
 
 
 def lines_of(layout: Layout, seed: int, count: int) -> Iterator[str]:
@@ -26,7 +27,7 @@ def lines_of(layout: Layout, seed: int, count: int) -> Iterator[str]:
     for settings in layout.settings:
         maker = RandomMessages(settings.message, chosen)
         for _ in range(count):
-            yield json.dumps(_line(settings, _fields(maker), _fields(maker))) + "\n"
+            yield json.dumps(plain(_line(settings, _fields(maker), _fields(maker)))) + "\n"
 
 
 def _fields(maker: RandomMessages) -> Fields:

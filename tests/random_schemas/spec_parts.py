@@ -17,6 +17,8 @@ INTEGERS = {
 }
 SIZES = {"u8": 1, "i8": 1, "u16": 2, "i16": 2, "u32": 4, "i32": 4, "f32": 4}
 UNSIGNED = ("u8", "u16", "u32")
+# Numbers that only fields have: sizes on the wire and in C++.
+WIDE = {"u24": (3, 4), "i24": (3, 4), "u64": (8, 8), "i64": (8, 8), "f64": (8, 8)}
 MAX_BODY = 255
 MAX_MEMORY = 100_000
 

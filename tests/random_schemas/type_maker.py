@@ -100,6 +100,7 @@ class TypeMaker:
         for number in UNSIGNED:
             self.flag_sets.append(self.make_flags(number))
             self.packed += [self.make_packed(number)] if self.chance(0.7) else []
+        self.packed.append(self.make_wide_packed())
         self.packed.append(self.make_digits())
         self.make_versions()
 
@@ -186,6 +187,19 @@ class TypeMaker:
             node["main"] = self.random.choice(named)
         return self.add_packed(number, node)
 
+    def make_wide_packed(self) -> Kind:
+        """Makes a packed integer of 64 bits."""
+        parts: list[Node] = [
+            {"bits": "0..18", "sign": 19},
+            {"bits": "20..39", "signed": True, "type": self.make_quantity("i32").name},
+            {"bits": "40..63"},
+        ]
+        named = [self.said({"name": self.unique("part_"), **part}, False) for part in parts]
+        name = self.unique("Packed")
+        node = self.sourced({"type": "u64", "parts": named})
+        self.section(self.any_family(), "packed")[name] = node
+        return Kind(name, 8, 8)
+
     def make_part(self, number: str, bit: int, width: int) -> Node:
         """Makes a part of an integer, `width` bits from `bit` on."""
         part: Node = {"name": self.unique("part_")}
@@ -201,6 +215,11 @@ class TypeMaker:
             part["type"] = self.make_flags(number, width).name
         elif what < 0.5:
             part["type"] = self.make_flags_in_place(number, bit, width).name
+        elif what < 0.6 and not in_place:
+            part["signed"] = True
+        elif what < 0.7 and not in_place and width > 1:
+            part["bits"] = f"{bit}..{bit + width - 2}" if width > 2 else bit
+            part["sign"] = bit + width - 1
         return self.said(part, False)
 
     def make_flags_in_place(self, number: str, bit: int, width: int) -> Kind:

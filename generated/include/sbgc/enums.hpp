@@ -7,6 +7,7 @@
 #include <compare>
 #include <cstdint>
 
+#include <sbgc/detail/part.hpp>
 #include <sbgc/flags.hpp>
 #include <sbgc/number.hpp>
 

@@ -341,8 +341,7 @@ def _condition_words(case: AnswerCase | EffectCase) -> str:
     when = case.when
     if when is None:
         return "else"
-    word = "has" if when.flags else "is"
-    return f"{when.source} {word} {' '.join(v.name for v in when.flags or when.values)}"
+    return f"{when.source} {when.words}"
 
 
 def _compare_roles(what: str, old: Message, new: Message, changes: Changes) -> None:

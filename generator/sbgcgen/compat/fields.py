@@ -45,7 +45,7 @@ def wire_type(type_: Type) -> Any:
 
 def wire_form(field: Field) -> Any:
     """The layout of a field: its type, number of elements, and condition."""
-    return (wire_type(field.type), _times(field), _condition(field.when))
+    return (wire_type(field.type), _times(field), _condition(field.when), field.counting)
 
 
 def _times(field: Field) -> Any:
@@ -55,8 +55,12 @@ def _times(field: Field) -> Any:
 def _condition(when: Condition | None) -> Any:
     if when is None:
         return None
-    numbers = sorted(value.value for value in when.values)
-    return (when.from_context, when.mask, numbers, when.may_be_missing)
+    masks = [
+        sorted(flag.value for flag in flags)
+        for flags in (when.flags, when.any_flags, when.no_flags)
+    ]
+    numbers = (when.negated, sorted(when.numbers))
+    return (when.from_context, masks, numbers, when.may_be_missing)
 
 
 def places(fields: Fields) -> list[Place]:
@@ -295,9 +299,22 @@ def _compare_conditions(
 def _when_text(when: Condition | None) -> str:
     if when is None:
         return "always"
-    names = [f"{v.name} ({v.value:#x})" for v in (*when.flags, *when.values)]
     missing = ", may be missing" if when.may_be_missing else ""
-    return f"{when.source} has {' '.join(names)}{missing}"
+    return f"{when.source} {_accepted(when)}{missing}"
+
+
+def _accepted(when: Condition) -> str:
+    """For example "has FLAG_A (0x1), not FLAG_B (0x2)"."""
+    if not when.is_on_flags:
+        names = {v.value: f"{v.name} ({v.value:#x})" for v in when.values}
+        words = " ".join(names.get(number, f"{number:#x}") for number in when.numbers)
+        return f"is not {words}" if when.negated else f"has {words}"
+    parts = (("has", when.flags), ("any of", when.any_flags), ("not", when.no_flags))
+    return ", ".join(
+        f"{word} {' '.join(f'{f.name} ({f.value:#x})' for f in flags)}"
+        for word, flags in parts
+        if flags
+    )
 
 
 def _compare_limits(label: str, old: Field, new: Field, changes: Changes) -> None:

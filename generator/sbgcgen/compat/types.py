@@ -133,15 +133,16 @@ def _cuts(packed: Packed) -> list[tuple[object, ...]]:
     return [(p.name, *_cut(p), p.enum.name if p.enum else None) for p in packed.parts]
 
 
-def _cut(part: Part) -> tuple[int, int, int, int]:
-    return (part.mask, part.shift, part.divide, part.modulo)
+def _cut(part: Part) -> tuple[int, ...]:
+    return (part.mask, part.shift, part.divide, part.modulo, part.signed, part.sign)
 
 
 def _cut_text(part: Part) -> str:
     if part.is_digits:
         modulo = f" % {part.modulo}" if part.modulo else ""
         return f"value / {part.divide}{modulo}"
-    return f"(value & {part.mask:#x}) >> {part.shift}"
+    sign = ", signed" if part.signed else f", negative if {part.sign:#x} is set" if part.sign else ""
+    return f"(value & {part.mask:#x}) >> {part.shift}{sign}"
 
 
 def compare_packed(old: Packed, new: Packed, changes: Changes) -> None:

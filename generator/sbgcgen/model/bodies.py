@@ -31,8 +31,7 @@ class Identifier:
 class Blob:
     """Bytes, NUL-padded UTF-8 text (kind "text"), or a length-prefixed string (kind "string").
 
-    `size` is None for bytes that take the rest of the body. The size of a string is its largest,
-    including the prefix.
+    `size` is None for bytes that take the rest of the body, and the largest size of a string.
     """
 
     kind: str
@@ -120,17 +119,77 @@ def constants(fields: tuple[Field, ...]) -> tuple[Constant, ...]:
 class Condition:
     """A condition on the flags or the value of a context or an earlier field.
 
+    For flags: all of `flags`, at least one of `any_flags`, and none of `no_flags` are set. For other
+    numbers: the value is one of `numbers`, or if `negated` none of them; `values` are their names.
     If the earlier field is missing (see `source_may_be_missing`), the condition does not hold.
     """
 
     source: str
     from_context: bool
-    mask: int
-    values: tuple[EnumValue, ...]
-    flags: tuple[EnumValue, ...]
-    enum: Enum
-    may_be_missing: bool
+    enum: Enum | None  # None for a plain integer
+    flags: tuple[EnumValue, ...] = ()
+    any_flags: tuple[EnumValue, ...] = ()
+    no_flags: tuple[EnumValue, ...] = ()
+    numbers: tuple[int, ...] = ()
+    values: tuple[EnumValue, ...] = ()
+    negated: bool = False
+    may_be_missing: bool = False
     source_may_be_missing: bool = False
+
+    @property
+    def is_on_flags(self) -> bool:
+        return self.enum is not None and self.enum.kind == "flags"
+
+    @property
+    def mask(self) -> int:
+        """The flags that must all be set."""
+        return _mask(self.flags)
+
+    @property
+    def clauses(self) -> tuple[tuple[str, str, tuple[Any, ...]], ...]:
+        """The parts that must all hold: a verb, a conjunction, and values or numbers.
+
+        For example ("has", "and", (FLAG_A, FLAG_B)), ("lacks", "and", (FLAG_C,)).
+        """
+        if not self.is_on_flags:
+            return (("is not" if self.negated else "is", "or", self.values or self.numbers),)
+        clauses = (
+            ("has", "and", self.flags),
+            ("has", "or", self.any_flags),
+            ("lacks", "and", self.no_flags),
+        )
+        return tuple(clause for clause in clauses if clause[2])
+
+    @property
+    def words(self) -> str:
+        """The clauses in words, such as "has FLAG_A and FLAG_B, and lacks FLAG_C"."""
+        return ", and ".join(
+            f"{verb} " + f" {join} ".join(str(getattr(v, "name", v)) for v in values)
+            for verb, join, values in self.clauses
+        )
+
+    def holds(self, value: int | None) -> bool:
+        """True if the condition holds for a value of its source, which is None if missing."""
+        if value is None:
+            return False
+        if self.is_on_flags:
+
+            def has(flag: EnumValue) -> bool:
+                return value & flag.value == flag.value
+
+            return (
+                all(map(has, self.flags))
+                and (not self.any_flags or any(map(has, self.any_flags)))
+                and not any(map(has, self.no_flags))
+            )
+        return (value in self.numbers) != self.negated
+
+
+def _mask(flags: tuple[EnumValue, ...]) -> int:
+    mask = 0
+    for flag in flags:
+        mask |= flag.value
+    return mask
 
 
 @dataclass(frozen=True)
@@ -156,7 +215,8 @@ class Field:
     variable part. `role` is the field's role in a set of settings: "copy" (selects one of several
     copies), "general" (the same in all copies), "state" (not a setting), or "". `typical` is an
     ordinary value as JSON represents it; None if the spec names none. `appended`: firmware before
-    `since` ends the body before the field.
+    `since` ends the body before the field. `counting` is how the counter of a list counts:
+    "elements", "bytes", "bits" (the list has an element for each bit that is set) or "minus_1".
     """
 
     name: str
@@ -188,12 +248,18 @@ class Field:
     role: str = ""
     typical: Any = field(default=None, hash=False)
     appended: bool = False
+    counting: str = "elements"
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
     @property
     def may_be_absent(self) -> bool:
         """True if some bodies lack the field."""
         return self.when is not None or self.appended
+
+    @property
+    def has_hidden_counter(self) -> bool:
+        """True if the size of the list implies its counter, which is no member then."""
+        return bool(self.counter) and self.counting != "bits"
 
     @property
     def is_variable(self) -> bool:

@@ -13,6 +13,10 @@ _GROUP = re.compile(r"\[([^]]*)\]")
 def part_of(part: Part, raw: int) -> int:
     """The value of a part of a packed integer."""
     number = ((raw & part.mask) >> part.shift) // part.divide
+    if part.signed and number > part.limits[1]:
+        return number - (part.mask >> part.shift) - 1
+    if part.sign & raw:
+        return -number
     return number % part.modulo if part.modulo else number
 
 

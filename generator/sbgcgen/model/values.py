@@ -34,9 +34,14 @@ SCALARS: dict[str, Scalar] = {
     "i8": _integer("i8", 1, True),
     "u16": _integer("u16", 2, False),
     "i16": _integer("i16", 2, True),
+    "u24": _integer("u24", 3, False),
+    "i24": _integer("i24", 3, True),
     "u32": _integer("u32", 4, False),
     "i32": _integer("i32", 4, True),
+    "u64": _integer("u64", 8, False),
+    "i64": _integer("i64", 8, True),
     "f32": Scalar("f32", 4, None, None),
+    "f64": Scalar("f64", 8, None, None),
 }
 
 
@@ -141,7 +146,11 @@ class Enum:
 
 @dataclass(frozen=True)
 class Part:
-    """A named part of a packed integer: ((raw & mask) >> shift) / divide % modulo."""
+    """A named part of a packed integer: ((raw & mask) >> shift) / divide % modulo.
+
+    `signed`: the bits are a two's complement number. `sign` is the mask of a bit that makes the
+    number negative, or 0. `quantity` has the unit of the number.
+    """
 
     name: str
     mask: int
@@ -151,6 +160,9 @@ class Part:
     enum: Enum | None
     summary: str
     at: Position = field(default=NOWHERE, compare=False, repr=False)
+    signed: bool = False
+    sign: int = 0
+    quantity: Quantity | None = None
 
     @property
     def is_digits(self) -> bool:
@@ -158,8 +170,33 @@ class Part:
         return self.divide != 1 or self.modulo != 0
 
     @property
+    def bits(self) -> int:
+        """The mask of all bits of the part."""
+        return self.mask | self.sign
+
+    @property
+    def limits(self) -> tuple[int, int]:
+        """The lowest and highest number that the bits can hold."""
+        most = self.mask >> self.shift
+        if self.signed:
+            return -(most // 2) - 1, most // 2
+        return (-most if self.sign else 0), most
+
+    @property
+    def is_number(self) -> bool:
+        """True for a number that is more than unsigned bits: with a sign or a unit."""
+        return self.signed or bool(self.sign) or self.quantity is not None
+
+    @property
     def is_bool(self) -> bool:
-        return not self.is_digits and self.enum is None and self.mask == 1 << self.shift
+        is_plain = not self.is_digits and self.enum is None and not self.is_number
+        return is_plain and self.mask == 1 << self.shift
+
+    def bits_of(self, number: int) -> int:
+        """The bits of a number within the limits."""
+        if self.sign and number < 0:
+            return (-number << self.shift) | self.sign
+        return (number << self.shift) & self.mask
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from sbgcgen.model import Blob, Condition, Enum, Field, Packed, Quantity, Scalar, Type
+from sbgcgen.model import Blob, Enum, Field, Packed, Quantity, Scalar, Type
 
 Fields = dict[str, Any]
 
@@ -44,15 +44,6 @@ def is_bytes(field: Field) -> bool:
 def keys_of(field: Field) -> tuple[str, ...]:
     """The keys of a value with one element per axis: roll, pitch, yaw."""
     return tuple(word.lower() for word in field.index)
-
-
-def holds(when: Condition, value: int | None) -> bool:
-    """True if a condition holds for the value of its source, which is None if missing."""
-    if value is None:
-        return False
-    if when.mask:
-        return value & when.mask == when.mask
-    return value in [v.value for v in when.values]
 
 
 def fixed_part(fields: tuple[Field, ...]) -> tuple[Field, ...]:

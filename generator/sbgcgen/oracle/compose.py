@@ -19,9 +19,9 @@ from sbgcgen.model import (
     conditions,
     element_of,
 )
-from sbgcgen.oracle.codec import LISTS, CodecError, Fields, holds, is_bytes, keys_of
+from sbgcgen.oracle.codec import LISTS, CodecError, Fields, is_bytes, keys_of
 from sbgcgen.oracle.edges import Edge, counting, edges
-from sbgcgen.oracle.encoding import encode
+from sbgcgen.oracle.encoding import counter_of, encode
 from sbgcgen.oracle.typical import typical
 
 
@@ -106,7 +106,8 @@ def full_context(message: Message) -> Fields:
     for when in conditions(message):
         if when.from_context:
             known = context.get(when.source, 0)
-            context[when.source] = known | when.mask if when.mask else satisfying(when)[0]
+            wanted = satisfying(when)[0]
+            context[when.source] = known | wanted if when.is_on_flags else wanted
     context.update({c.name: all_types(c) for c in message.contexts if c.announced})
     return context
 
@@ -115,14 +116,19 @@ def typical_context(message: Message) -> Fields:
     """A context with some of the flags that fields depend on and all types announced."""
     context: Fields = {}
     for when in conditions(message):
-        if when.from_context and when.mask and bin(context.get(when.source, 0)).count("1") < 2:
-            context[when.source] = context.get(when.source, 0) | when.mask
+        known = context.get(when.source, 0)
+        if when.from_context and when.is_on_flags and bin(known).count("1") < 2:
+            context[when.source] = known | satisfying(when)[0]
     return {**full_context(message), **context}
 
 
 def satisfying(when: Condition) -> list[int]:
-    """The values that satisfy a condition, without other bits."""
-    return [when.mask] if when.mask else [v.value for v in when.values]
+    """Values that satisfy a condition, without other bits; for a negated one, the smallest."""
+    if when.is_on_flags:
+        return [when.mask | flag.value for flag in when.any_flags] or [when.mask]
+    if when.negated:
+        return [next(value for value in range(256) if when.holds(value))]
+    return list(when.numbers)
 
 
 def variable_parts(
@@ -168,16 +174,15 @@ class _Composer:
             values[member.name] = self._member(member, fields, path, values)
             self.conditional = outside
         for member in fields:
-            if member.counter and member.name in values:
-                value = values[member.name]
-                values[member.counter] = len(value) // 2 if is_bytes(member) else len(value)
+            if member.has_hidden_counter and member.name in values:
+                values[member.counter] = max(0, counter_of(member, values[member.name]))
         return values
 
     def _is_present(self, when: Condition, values: Fields) -> bool:
         known = self.choice.context if when.from_context else values
         if when.may_be_missing and self.choice.leave_out:
             return False
-        return holds(when, known.get(when.source, 0 if when.from_context else None))
+        return when.holds(known.get(when.source, 0 if when.from_context else None))
 
     def _member(self, member: Field, fields: tuple[Field, ...], path: str, values: Fields) -> Any:
         name = path + member.name
@@ -197,6 +202,8 @@ class _Composer:
         if isinstance(member.type, Announced):
             return self._announced(member, member.type, name)
         count = member.count if member.dim == "fixed" else self._length(member, fields, name)
+        if member.counting == "bits":
+            count = bin(int(values[member.counter])).count("1")
         if is_bytes(member):
             return counting(count).hex()
         if member.dim == "fixed":

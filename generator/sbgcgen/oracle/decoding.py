@@ -10,12 +10,12 @@ from sbgcgen.oracle.codec import (
     CodecError,
     Fields,
     fixed_part,
-    holds,
     is_bytes,
     keys_of,
     scalar_of,
 )
-from sbgcgen.oracle.json_values import float_from_bits, text_from_bytes
+from sbgcgen.oracle.json_values import float_from_bits, integer_of, text_from_bytes
+from sbgcgen.spec.resolve.sizes import size_of
 
 
 class _Reader:
@@ -65,8 +65,8 @@ def _read_fields(fields: tuple[Field, ...], reader: _Reader, context: Fields) ->
             continue
         if field.when:
             known = context if field.when.from_context else values
-            if not holds(
-                field.when, known.get(field.when.source, 0 if field.when.from_context else None)
+            if not field.when.holds(
+                known.get(field.when.source, 0 if field.when.from_context else None)
             ):
                 continue
             if field.when.may_be_missing and reader.left() < (field.size or 0):
@@ -97,23 +97,50 @@ def _read_field(field: Field, reader: _Reader, values: Fields, context: Fields) 
     count = _count(field, reader, values)
     if is_bytes(field):
         return reader.take(count, field.name).hex()
+    if count < 0:
+        return _read_to_the_end(field, reader)
     return [_read_value(field.type, reader, field.name) for _ in range(count)]
+
+
+def _read_to_the_end(field: Field, reader: _Reader) -> list[Any]:
+    elements: list[Any] = []
+    while reader.left():
+        if len(elements) == field.capacity:
+            raise CodecError("too_long", field.name, reader.at)
+        elements.append(_read_value(field.type, reader, field.name))
+    if len(elements) < field.min_count:
+        raise CodecError("too_short", field.name, reader.at)
+    return elements
 
 
 def _count(field: Field, reader: _Reader, values: Fields) -> int:
     if field.dim == "fixed":
         return field.count
     if field.dim == "counted":
-        count = int(values[field.counter])
+        count = _counted(field, int(values[field.counter]), reader)
         if count > field.capacity:  # no body has room for this many elements
             raise CodecError("too_short", field.name, reader.at)
         return count
+    if not is_bytes(field) and size_of(field.type) is None:
+        return -1  # elements that end by themselves
     size = 1 if is_bytes(field) else _size_of(field.type)
     if reader.left() % size or reader.left() // size < field.min_count:
         raise CodecError("too_short", field.name, len(reader.body))
     if reader.left() // size > field.capacity:
         raise CodecError("too_long", field.name, reader.at)
     return reader.left() // size
+
+
+def _counted(field: Field, counter: int, reader: _Reader) -> int:
+    """The number of elements for the value of a counter."""
+    if field.counting == "bits":
+        return bin(counter).count("1")
+    if field.counting == "bytes":
+        size = 1 if is_bytes(field) else _size_of(field.type)
+        if counter % size:
+            raise CodecError("count_mismatch", field.name, reader.at)
+        return counter // size
+    return counter + 1 if field.counting == "minus_1" else counter
 
 
 def _size_of(type_: Type) -> int:
@@ -132,13 +159,17 @@ def _read_value(type_: Type, reader: _Reader, name: str) -> Any:
     scalar = scalar_of(type_)
     data = reader.take(scalar.size, name)
     if scalar.is_float:
-        return float_from_bits(int.from_bytes(data, "little"))
-    return int.from_bytes(data, "little", signed=scalar.name[0] == "i")
+        return float_from_bits(int.from_bytes(data, "little"), scalar.size)
+    value = int.from_bytes(data, "little", signed=scalar.name[0] == "i")
+    return integer_of(value, scalar.size)
 
 
 def _read_blob(type_: Blob, reader: _Reader, name: str) -> str:
     if type_.kind == "string":
-        return text_from_bytes(reader.take(reader.take(1, name)[0], name))
+        text = reader.take(reader.take(1, name)[0], name)
+        if len(text) > (type_.size or 0):
+            raise CodecError("text_too_long", name, reader.at)
+        return text_from_bytes(text)
     assert type_.size is not None, "bytes without a size are the rest of a body"
     data = reader.take(type_.size, name)
     return text_from_bytes(data.rstrip(b"\0")) if type_.kind == "text" else data.hex()
@@ -150,7 +181,7 @@ def _read_region(type_: Struct, reader: _Reader, around: Fields) -> Fields:
     inner = _Reader(reader.take(type_.size, ""))
     values: Fields = {}
     for field in type_.fields:
-        if field.when and not holds(field.when, around.get(field.when.source)):
+        if field.when and not field.when.holds(around.get(field.when.source)):
             continue
         values[field.name] = _read_field(field, inner, values, {})
     return values

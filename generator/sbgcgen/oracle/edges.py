@@ -7,16 +7,28 @@ from typing import Any
 
 from sbgcgen.model import Blob, Enum, Field, Packed, Part, Scalar, Type
 from sbgcgen.oracle.codec import scalar_of
-from sbgcgen.oracle.json_values import float_from_bits, float_to_bits, text_from_bytes
+from sbgcgen.oracle.json_values import (
+    float_from_bits,
+    float_to_bits,
+    integer_of,
+    text_from_bytes,
+)
 
 # A readable name, and the value in JSON.
 Edge = tuple[str, Any]
 
 # Zeros of both signs, ordinary, largest, smallest, infinite; NaN quiet, signaling and negative.
-_FLOAT_BITS = (
-    *(0x00000000, 0x80000000, 0x3FC00000, 0xC0490FDB, 0x7F7FFFFF, 0xFF7FFFFF, 0x00000001),
-    *(0x7F800000, 0xFF800000, 0x7FC00000, 0x7F800001, 0xFFC12345),
-)
+_FLOAT_BITS = {
+    4: (
+        *(0x00000000, 0x80000000, 0x3FC00000, 0xC0490FDB, 0x7F7FFFFF, 0xFF7FFFFF, 0x00000001),
+        *(0x7F800000, 0xFF800000, 0x7FC00000, 0x7F800001, 0xFFC12345),
+    ),
+    8: (
+        *(0x0000000000000000, 0x8000000000000000, 0x3FF8000000000000, 0xC00921FB54442D18),
+        *(0x7FEFFFFFFFFFFFFF, 0xFFEFFFFFFFFFFFFF, 0x0000000000000001, 0x7FF0000000000000),
+        *(0xFFF0000000000000, 0x7FF8000000000000, 0x7FF0000000000001, 0xFFF8123456789ABC),
+    ),
+}
 # Empty, ASCII, multi-byte, invalid UTF-8, an embedded NUL, a character like an escaped byte.
 _TEXTS = (b"", b"A", "\u00e9\u20ac\U0001f4f7".encode(), b"a\xff\xc3", b"a\0b", "\uf7ff".encode())
 
@@ -26,21 +38,22 @@ def edges(field: Field, type_: Type) -> list[Edge]:
     if isinstance(type_, Blob):
         return _blob_edges(type_)
     scalar = scalar_of(type_)
-    found = _float_edges(field) if scalar.is_float else _integer_edges(field, type_, scalar)
+    found = _float_edges(field, scalar.size) if scalar.is_float else _integer_edges(field, type_, scalar)
     unique: dict[str, Edge] = {}
     for name, value in found:
-        unique.setdefault(repr(value), (name, value))
+        whole = integer_of(value, scalar.size) if isinstance(value, int) else value
+        unique.setdefault(repr(whole), (name, whole))
     return list(unique.values())
 
 
-def _float_edges(field: Field) -> list[Edge]:
+def _float_edges(field: Field, size: int) -> list[Edge]:
     limits = [("min", field.minimum), ("max", field.maximum)]
     found: list[Edge] = [
-        (name, float_from_bits(float_to_bits(float(value))))
+        (name, float_from_bits(float_to_bits(float(value), size), size))
         for name, value in limits
         if value is not None
     ]
-    values = [float_from_bits(bits) for bits in _FLOAT_BITS]
+    values = [float_from_bits(bits, size) for bits in _FLOAT_BITS[size]]
     return found + [(str(value), value) for value in values]
 
 
@@ -64,7 +77,9 @@ def _integer_edges(field: Field, type_: Type, scalar: Scalar) -> list[Edge]:
 
 
 def _part_edges(part: Part) -> list[Edge]:
-    found: list[Edge] = [(f"all bits of {part.name}", part.mask)]
+    found: list[Edge] = [(f"all bits of {part.name}", part.bits)]
+    if part.sign:
+        found.append((f"the sign of {part.name}", part.sign))
     if part.enum:
         found += [(value.name, value.value << part.shift) for value in part.enum.values]
     return found

@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from sbgcgen.model import SCALARS, Announced, Blob, Field, Message, Scalar, Struct, Type
-from sbgcgen.oracle.codec import LISTS, CodecError, Fields, holds, is_bytes, keys_of, scalar_of
+from sbgcgen.oracle.codec import LISTS, CodecError, Fields, is_bytes, keys_of, scalar_of
 from sbgcgen.oracle.json_values import float_to_bits, text_to_bytes
+from sbgcgen.spec.resolve.sizes import size_of
 
 
 class _Writer:
@@ -61,7 +62,7 @@ def _write_fields(
         elif field.when:
             # Encoding has no context, so fields that depend on one are written if present.
             if not field.when.from_context:
-                wanted = holds(field.when, conditions.get(field.when.source))
+                wanted = field.when.holds(conditions.get(field.when.source))
                 if present != wanted and (present or not field.when.may_be_missing):
                     raise CodecError("presence_mismatch", name, writer.at)
                 if wanted and not present:
@@ -79,17 +80,31 @@ def _write_fields(
 def _write_counter(
     fields: tuple[Field, ...], counter: Field, values: Fields, writer: _Writer, name: str
 ) -> None:
-    counted = next(f for f in fields if f.counter == counter.name)
+    counted = next(f for f in fields if f.counter == counter.name and f.has_hidden_counter)
     if counted.name not in values:
         raise CodecError("presence_mismatch", counted.name, writer.at)
     value = values[counted.name]
-    count = len(value) // 2 if isinstance(value, str) else len(value)
+    count = counter_of(counted, value)
+    if count < 0:
+        raise CodecError("count_mismatch", name, writer.at)
     if values.get(counter.name, count) != count:
         raise CodecError("count_mismatch", name, writer.at)
     _write_value(counter.type, count, writer, name)
 
 
+def counter_of(counted: Field, value: Any) -> int:
+    """The value of the hidden counter of a list; -1 if it can have none."""
+    count = len(value) // 2 if isinstance(value, str) else len(value)
+    if counted.counting == "bytes":
+        return count * (1 if is_bytes(counted) else size_of(counted.type) or 1)
+    return count - 1 if counted.counting == "minus_1" else count
+
+
 def _write_field(field: Field, value: Any, writer: _Writer, name: str, around: Fields) -> None:
+    if field.counting == "bits":
+        count = len(value) // 2 if is_bytes(field) else len(value)
+        if count != bin(int(around[field.counter])).count("1"):
+            raise CodecError("count_mismatch", name, writer.at)
     if field.dim == "one":
         if isinstance(field.type, Struct) and field.type.is_region:
             _write_region(field.type, value, writer, name, around)
@@ -154,7 +169,7 @@ def _write_value(type_: Type, value: Any, writer: _Writer, name: str) -> None:
 def _number(scalar: Scalar, value: Any, writer: _Writer, name: str) -> bytes:
     try:
         if scalar.is_float:
-            return float_to_bits(value).to_bytes(4, "little")
+            return float_to_bits(value, scalar.size).to_bytes(scalar.size, "little")
         return int(value).to_bytes(scalar.size, "little", signed=scalar.name[0] == "i")
     except (OverflowError, ValueError):
         raise CodecError("value_out_of_range", name, writer.at) from None

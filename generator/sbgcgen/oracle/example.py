@@ -25,6 +25,7 @@ from sbgcgen.model import (
     Type,
 )
 from sbgcgen.model.packed_text import part_of, text_of
+from sbgcgen.oracle.json_values import plain
 from sbgcgen.oracle.codec import LISTS, Fields, is_bytes, keys_of, scalar_of
 from sbgcgen.oracle.frames import forms_of, write_frame
 from sbgcgen.oracle.json_values import text_to_bytes
@@ -62,7 +63,7 @@ class Piece:
     def raw(self) -> str:
         """The raw value as `sbgc decode` prints it."""
         if isinstance(self.type, Blob) and self.type.kind in ("text", "string"):
-            return json.dumps(self.value, ensure_ascii=False)
+            return json.dumps(plain(self.value), ensure_ascii=False)
         if isinstance(self.value, float):
             return f"{self.value:g}"
         return str(self.value)
@@ -107,7 +108,7 @@ class Example:
     def json_line(self) -> str:
         """The input from which `sbgc encode` makes the frame."""
         names = {"message": self.message.name, "direction": self.message.direction}
-        return json.dumps({**names, "fields": self.fields})
+        return json.dumps({**names, "fields": plain(self.fields)})
 
 
 def example_of(message: Message, layout: Layout) -> Example:
@@ -316,6 +317,9 @@ def _packed_text(packed: Packed, raw: int) -> str:
 
 def _part_text(part: Part, raw: int) -> str:
     value = part_of(part, raw)
+    if part.quantity is not None:
+        unit = f" {part.quantity.unit}" if part.quantity.unit else ""
+        return f"{part.name} {float(real(value, part.quantity)):g}{unit}"
     if part.enum is None:
         return f"{part.name} {value}"
     if part.enum.kind == "flags":

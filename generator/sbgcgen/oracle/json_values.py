@@ -31,23 +31,44 @@ def text_to_bytes(text: str) -> bytes:
     )
 
 
-def float_from_bits(bits: int) -> float | str:
-    """A number, or "inf", "-inf" or "nan:<bits>", which JSON has no numbers for."""
-    value = float(struct.unpack("<f", bits.to_bytes(4, "little"))[0])
+_FORMATS = {4: "<f", 8: "<d"}
+
+
+def float_from_bits(bits: int, size: int = 4) -> float | str:
+    """A number of `size` bytes, or "inf", "-inf" or "nan:<bits>", which JSON has no numbers for."""
+    value = float(struct.unpack(_FORMATS[size], bits.to_bytes(size, "little"))[0])
     if math.isfinite(value):
         return value
     if math.isinf(value):
         return "inf" if value > 0 else "-inf"
-    return f"nan:{bits:08x}"
+    return f"nan:{bits:0{2 * size}x}"
 
 
-def float_to_bits(value: Any) -> int:
+def float_to_bits(value: Any, size: int = 4) -> int:
     """The inverse of float_from_bits(). Raises ValueError for any other value."""
     if isinstance(value, str) and value.startswith("nan:"):
         return int(value[4:], 16)
     if value not in ("inf", "-inf") and not isinstance(value, (int, float)):
         raise ValueError("no number")
     try:
-        return int.from_bytes(struct.pack("<f", float(value)), "little")
+        return int.from_bytes(struct.pack(_FORMATS[size], float(value)), "little")
     except OverflowError as error:
         raise ValueError("too large") from error
+
+
+class Wide(int):
+    """An integer of 64 bits, which is text in JSON, because many readers of JSON round it."""
+
+
+def integer_of(value: int, size: int) -> int:
+    """An integer of `size` bytes."""
+    return Wide(value) if size == 8 else value
+
+
+def plain(value: Any) -> Any:
+    """Fields for json.dumps."""
+    if isinstance(value, dict):
+        return {key: plain(inner) for key, inner in value.items()}
+    if isinstance(value, list):
+        return [plain(inner) for inner in value]
+    return str(value) if isinstance(value, Wide) else value

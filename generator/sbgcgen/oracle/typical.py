@@ -12,6 +12,7 @@ from typing import Any
 from sbgcgen.oracle.edges import counting
 from sbgcgen.model import Blob, Enum, EnumValue, Field, Packed, Part, Quantity, Scalar, Type
 from sbgcgen.oracle.codec import scalar_of
+from sbgcgen.oracle.json_values import integer_of
 
 _WORDS = ("Studio", "Tripod", "Handheld", "Crane", "Car", "Drone", "Walking")
 
@@ -25,12 +26,14 @@ def typical(field: Field, type_: Type, place: int) -> Any:
         return _WORDS[place % len(_WORDS)][: type_.size]
     if isinstance(type_, Enum):
         return _enum(type_, place, field)
-    if isinstance(type_, Packed):
-        return _packed(type_, place)
     scalar = scalar_of(type_)
+    if isinstance(type_, Packed):
+        return integer_of(_packed(type_, place), scalar.size)
     if field.role == "copy" and field.minimum is not None:
         return int(field.minimum)
-    return _float(field, place) if scalar.is_float else _integer(field, type_, scalar, place)
+    if scalar.is_float:
+        return _float(field, place)
+    return integer_of(_integer(field, type_, scalar, place), scalar.size)
 
 
 def _enum(type_: Enum, place: int, field: Field | None = None) -> int:

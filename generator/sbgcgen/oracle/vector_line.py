@@ -21,6 +21,7 @@ from sbgcgen.oracle.codec import CodecError
 from sbgcgen.oracle.compose import Choice, Places, compose
 from sbgcgen.oracle.encoding import encode
 from sbgcgen.oracle.frames import Forms, choose_message
+from sbgcgen.oracle.json_values import plain
 from sbgcgen.oracle.vectors import Vector
 
 
@@ -46,7 +47,7 @@ def line(vector: Vector, forms: Forms) -> str:
         if chosen is not message:
             result["chosen"] = chosen.name if chosen else None
     if vector.fields is not None:
-        result["fields"] = vector.fields
+        result["fields"] = plain(vector.fields)
     if vector.error:
         result["error"] = error_words(vector.error)
     result["why"] = vector.why

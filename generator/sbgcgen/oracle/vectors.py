@@ -5,10 +5,10 @@ from __future__ import annotations
 import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Optional
 
 from sbgcgen.model import Message, conditions
-from sbgcgen.oracle.codec import CodecError, Fields, holds
+from sbgcgen.oracle.codec import CodecError, Fields
 from sbgcgen.oracle.compose import (
     Choice,
     Places,
@@ -203,6 +203,8 @@ class _Maker:
         for case in self.cases():
             for source, value in case.get("forced", {}).items():
                 other = self.value_of_no_condition(source)
+                if other is None:
+                    continue
                 there = compose(self.message, self.choice(**case))
                 self.add_refused({**there, source: other}, f"with another {source}")
                 absent = compose(self.message, self.choice(forced={source: other}))
@@ -210,10 +212,11 @@ class _Maker:
 
     # Inputs
 
-    def value_of_no_condition(self, source: str) -> int:
-        """A value of a field that satisfies no condition on it."""
+    def value_of_no_condition(self, source: str) -> Optional[int]:
+        """A value of a field that satisfies no condition on it; None if there is none."""
         asked = [when for when in conditions(self.message) if when.source == source]
-        return next(value for value in range(128) if not any(holds(w, value) for w in asked))
+        values = (value for value in range(128) if not any(w.holds(value) for w in asked))
+        return next(values, None)
 
     def choice(self, **options: Any) -> Choice:
         """A choice for this message."""

@@ -155,7 +155,7 @@ def _check_field(field: Map, max_body: int, found: Diagnostics) -> None:
         at, problem = field.at("struct"), "a struct, but no fields"
         hint = "refer to a struct defined elsewhere with 'type'"
     elif "type" not in field and "fields" not in field:
-        problem, hint = "no type", "u8 … f32, bytes[N], text[N], or a name from the spec"
+        problem, hint = "no type", "u8 … f64, bytes[N], text[N], or a name from the spec"
     elif "size" in field and "fields" not in field:
         at, problem = field.at("size"), "a size of its own"
         hint = "'size' belongs beside 'fields'; bytes have theirs in the type: bytes[8]"

@@ -404,7 +404,7 @@ struct AutoPidRequest {
   using Response = void;
 
   /// For cfg_flags: stops the tuning.
-  static constexpr std::uint8_t stop_tuning = 0;
+  static constexpr std::uint8_t stop_tuning{0};
 
   /// Profile to switch to first. Range: 0 to 4.
   std::uint8_t profile_id{};

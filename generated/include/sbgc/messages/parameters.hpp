@@ -86,11 +86,11 @@ struct ReadParams3 {
   static constexpr Availability since{.board = 30};
 
   /// For profile_id: the active profile.
-  static constexpr std::uint8_t active_profile = 255;
+  static constexpr std::uint8_t active_profile{255};
   /// For acc_limiter_all: disabled.
-  static constexpr std::uint8_t acc_limiter_disabled = 0;
+  static constexpr std::uint8_t acc_limiter_disabled{0};
   /// For servo_out: disabled.
-  static constexpr std::uint8_t servo_disabled = 0;
+  static constexpr std::uint8_t servo_disabled{0};
 
   /// Profile of the parameters. Range: 0 to 4.
   std::uint8_t profile_id{};
@@ -263,7 +263,7 @@ struct ReadParams3Request {
   using Response = ReadParams3;
 
   /// For profile_id: the active profile.
-  static constexpr std::uint8_t active_profile = 255;
+  static constexpr std::uint8_t active_profile{255};
 
   /// Profile to read. Range: 0 to 4.
   std::uint8_t profile_id{};
@@ -286,7 +286,7 @@ struct ReadParams {
   using Response = ReadParams3;
 
   /// For profile_id: the active profile.
-  static constexpr std::uint8_t active_profile = 255;
+  static constexpr std::uint8_t active_profile{255};
 
   /// Profile to read. Range: 0 to 4.
   std::uint8_t profile_id{};
@@ -308,7 +308,7 @@ struct ReadParamsExt {
   static constexpr Availability since{.board = 30};
 
   /// For profile_id: the active profile.
-  static constexpr std::uint8_t active_profile = 255;
+  static constexpr std::uint8_t active_profile{255};
 
   /// Profile of the parameters. Range: 0 to 4.
   std::uint8_t profile_id{};
@@ -403,7 +403,7 @@ struct ReadParamsExtRequest {
   using Response = ReadParamsExt;
 
   /// For profile_id: the active profile.
-  static constexpr std::uint8_t active_profile = 255;
+  static constexpr std::uint8_t active_profile{255};
 
   /// Profile to read. Range: 0 to 4.
   std::uint8_t profile_id{};
@@ -425,9 +425,9 @@ struct ReadParamsExt2 {
   static constexpr Availability since{.board = 30};
 
   /// For profile_id: the active profile.
-  static constexpr std::uint8_t active_profile = 255;
+  static constexpr std::uint8_t active_profile{255};
   /// For acc_limiter3: disabled.
-  static constexpr std::uint8_t acc_limiter3_disabled = 0;
+  static constexpr std::uint8_t acc_limiter3_disabled{0};
 
   /// Profile of the parameters. Range: 0 to 4.
   std::uint8_t profile_id{};
@@ -471,7 +471,7 @@ struct ReadParamsExt2Request {
   using Response = ReadParamsExt2;
 
   /// For profile_id: the active profile.
-  static constexpr std::uint8_t active_profile = 255;
+  static constexpr std::uint8_t active_profile{255};
 
   /// Profile to read. Range: 0 to 4.
   std::uint8_t profile_id{};
@@ -548,7 +548,7 @@ struct UseDefaults {
   using Response = void;
 
   /// For profile_id: erases the EEPROM.
-  static constexpr std::uint8_t erase_eeprom = 253;
+  static constexpr std::uint8_t erase_eeprom{253};
 
   /// Profile to reset. Range: 0 to 4.
   std::uint8_t profile_id{};

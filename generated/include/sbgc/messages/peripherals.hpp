@@ -32,9 +32,9 @@ struct BeepSound {
   using Response = void;
 
   /// For decay_factor: no envelope.
-  static constexpr std::uint8_t no_envelope = 0;
+  static constexpr std::uint8_t no_envelope{0};
   /// For note_freq_hz: pause, then the envelope starts again.
-  static constexpr std::uint16_t pause = 21000;
+  static constexpr std::uint16_t pause{21000};
 
   /// Sound to play.
   BeepModes mode{};
@@ -97,9 +97,9 @@ struct ServoOut {
   using Response = void;
 
   /// For servo_time: the pin is set free and floats.
-  static constexpr std::int16_t floating = -1;
+  static constexpr std::int16_t floating{-1};
   /// For servo_time: the pin is low all the time.
-  static constexpr std::int16_t low = 0;
+  static constexpr std::int16_t low{0};
 
   /// Pulse of each output. Range: -1 to 20000 us.
   std::array<ServoPulse, 8> servo_time{};
@@ -199,7 +199,7 @@ struct ApiVirtChControl {
   using Response = void;
 
   /// For val_ch: undefined, as if the signal were lost.
-  static constexpr std::int16_t undefined = -10000;
+  static constexpr std::int16_t undefined{-10000};
 
   /// Signal of each channel, starting with the first; the board clips values beyond the range.
   /// Range: -1 to 1. At least 1. At most 32.

@@ -74,7 +74,7 @@ struct RealtimeData3 {
   static constexpr Availability since{.board = 30};
 
   /// For ext_fc_roll and ext_fc_pitch: the input serves RC control or commands.
-  static constexpr std::int16_t ext_fc_unused = 0;
+  static constexpr std::int16_t ext_fc_unused{0};
 
   /// Sensors of each axis.
   Axes<AxisSensors> axes{};
@@ -158,7 +158,7 @@ struct RealtimeData4 {
   static constexpr Availability since{.board = 30};
 
   /// For ext_fc_roll and ext_fc_pitch: the input serves RC control or commands.
-  static constexpr std::int16_t ext_fc_unused = 0;
+  static constexpr std::int16_t ext_fc_unused{0};
 
   /// Sensors of each axis.
   Axes<AxisSensors> axes{};
@@ -268,7 +268,7 @@ struct RealtimeDataCustom {
   static constexpr Availability since{.firmware = 2590, .board = 30};
 
   /// For rc_data and rc_channels: undefined.
-  static constexpr std::int16_t undefined = -32768;
+  static constexpr std::int16_t undefined{-32768};
 
   /// Facts from earlier messages that the body needs for decoding.
   struct Context {
@@ -370,9 +370,9 @@ struct DataStreamInterval {
   using Response = void;
 
   /// For interval_ms: ends the stream.
-  static constexpr std::uint16_t end_stream = 0;
+  static constexpr std::uint16_t end_stream{0};
   /// For interval_ms: a sample in every cycle, 0.8 ms.
-  static constexpr std::uint16_t every_cycle = 1;
+  static constexpr std::uint16_t every_cycle{1};
 
   /// Message to send.
   CommandFromBoard cmd_id{};

@@ -208,7 +208,7 @@ struct BoardInfo3 {
   static constexpr Availability since{.board = 30};
 
   /// For script_slot_size: the slot is empty.
-  static constexpr std::uint16_t empty_slot = 0;
+  static constexpr std::uint16_t empty_slot{0};
 
   /// Identifies the board.
   Bytes<9> device_id{};

@@ -855,8 +855,8 @@ struct EnumMeta<msg::DebugVarFlag> {
 template <>
 struct PackedMeta<msg::BoardVersion> {
   static constexpr PartInfo parts[] = {
-      {"major", 0xFF, 0, 10, 0},
-      {"minor", 0xFF, 0, 1, 10},
+      {.name = "major", .mask = 0xFF, .shift = 0, .divide = 10},
+      {.name = "minor", .mask = 0xFF, .shift = 0, .modulo = 10},
   };
   static constexpr PackedInfo info{"BoardVersion", "{major}.{minor}", nullptr, parts};
 };
@@ -864,9 +864,9 @@ struct PackedMeta<msg::BoardVersion> {
 template <>
 struct PackedMeta<msg::FirmwareVersion> {
   static constexpr PartInfo parts[] = {
-      {"major", 0xFFFF, 0, 1000, 0},
-      {"minor", 0xFFFF, 0, 10, 100},
-      {"beta", 0xFFFF, 0, 1, 10},
+      {.name = "major", .mask = 0xFFFF, .shift = 0, .divide = 1000},
+      {.name = "minor", .mask = 0xFFFF, .shift = 0, .divide = 10, .modulo = 100},
+      {.name = "beta", .mask = 0xFFFF, .shift = 0, .modulo = 10},
   };
   static constexpr PackedInfo info{"FirmwareVersion", "{major}.{minor:02}[b{beta}]", nullptr, parts};
 };
@@ -874,8 +874,8 @@ struct PackedMeta<msg::FirmwareVersion> {
 template <>
 struct PackedMeta<msg::RcMode> {
   static constexpr PartInfo parts[] = {
-      {"mode", 0x07, 0, 1, 0, &EnumMeta<msg::RcModeKind>::info},
-      {"inverted", 0x08, 3, 1, 0},
+      {.name = "mode", .mask = 0x07, .shift = 0, .values = &EnumMeta<msg::RcModeKind>::info},
+      {.name = "inverted", .mask = 0x08, .shift = 3},
   };
   static constexpr PackedInfo info{"RcMode", "", nullptr, parts};
 };
@@ -883,8 +883,8 @@ struct PackedMeta<msg::RcMode> {
 template <>
 struct PackedMeta<msg::RcMap> {
   static constexpr PartInfo parts[] = {
-      {"channel", 0x1F, 0, 1, 0},
-      {"source", 0xE0, 0, 1, 0, &EnumMeta<msg::RcSource>::info},
+      {.name = "channel", .mask = 0x1F, .shift = 0},
+      {.name = "source", .mask = 0xE0, .shift = 0, .values = &EnumMeta<msg::RcSource>::info},
   };
   static constexpr PackedInfo info{"RcMap", "", &EnumMeta<msg::RcInput>::info, parts};
 };
@@ -892,8 +892,8 @@ struct PackedMeta<msg::RcMap> {
 template <>
 struct PackedMeta<msg::RcMix> {
   static constexpr PartInfo parts[] = {
-      {"rate", 0x3F, 0, 1, 0},
-      {"target", 0xC0, 6, 1, 0, &EnumMeta<msg::MixTarget>::info},
+      {.name = "rate", .mask = 0x3F, .shift = 0},
+      {.name = "target", .mask = 0xC0, .shift = 6, .values = &EnumMeta<msg::MixTarget>::info},
   };
   static constexpr PackedInfo info{"RcMix", "", nullptr, parts};
 };
@@ -901,8 +901,8 @@ struct PackedMeta<msg::RcMix> {
 template <>
 struct PackedMeta<msg::EncoderType> {
   static constexpr PartInfo parts[] = {
-      {"model", 0x0F, 0, 1, 0, &EnumMeta<msg::EncoderModel>::info},
-      {"flags", 0xF0, 0, 1, 0, &EnumMeta<msg::EncoderFlag>::info},
+      {.name = "model", .mask = 0x0F, .shift = 0, .values = &EnumMeta<msg::EncoderModel>::info},
+      {.name = "flags", .mask = 0xF0, .shift = 0, .values = &EnumMeta<msg::EncoderFlag>::info},
   };
   static constexpr PackedInfo info{"EncoderType", "", nullptr, parts};
 };
@@ -910,8 +910,8 @@ struct PackedMeta<msg::EncoderType> {
 template <>
 struct PackedMeta<msg::ControlMode> {
   static constexpr PartInfo parts[] = {
-      {"mode", 0x0F, 0, 1, 0, &EnumMeta<msg::ControlModeKind>::info},
-      {"flags", 0xF0, 0, 1, 0, &EnumMeta<msg::ControlFlag>::info},
+      {.name = "mode", .mask = 0x0F, .shift = 0, .values = &EnumMeta<msg::ControlModeKind>::info},
+      {.name = "flags", .mask = 0xF0, .shift = 0, .values = &EnumMeta<msg::ControlFlag>::info},
   };
   static constexpr PackedInfo info{"ControlMode", "", nullptr, parts};
 };
@@ -919,8 +919,8 @@ struct PackedMeta<msg::ControlMode> {
 template <>
 struct PackedMeta<msg::I2cDevice> {
   static constexpr PartInfo parts[] = {
-      {"port", 0x01, 0, 1, 0, &EnumMeta<msg::I2cPort>::info},
-      {"address", 0xFE, 1, 1, 0},
+      {.name = "port", .mask = 0x01, .shift = 0, .values = &EnumMeta<msg::I2cPort>::info},
+      {.name = "address", .mask = 0xFE, .shift = 1},
   };
   static constexpr PackedInfo info{"I2cDevice", "", nullptr, parts};
 };
@@ -928,9 +928,9 @@ struct PackedMeta<msg::I2cDevice> {
 template <>
 struct PackedMeta<msg::DebugVarType> {
   static constexpr PartInfo parts[] = {
-      {"kind", 0x0F, 0, 1, 0, &EnumMeta<msg::DebugVarKind>::info},
-      {"axis", 0x30, 0, 1, 0, &EnumMeta<msg::DebugVarAxis>::info},
-      {"flags", 0xC0, 0, 1, 0, &EnumMeta<msg::DebugVarFlag>::info},
+      {.name = "kind", .mask = 0x0F, .shift = 0, .values = &EnumMeta<msg::DebugVarKind>::info},
+      {.name = "axis", .mask = 0x30, .shift = 0, .values = &EnumMeta<msg::DebugVarAxis>::info},
+      {.name = "flags", .mask = 0xC0, .shift = 0, .values = &EnumMeta<msg::DebugVarFlag>::info},
   };
   static constexpr PackedInfo info{"DebugVarType", "", nullptr, parts};
 };

@@ -40,12 +40,23 @@ def _enum_name(field: Field) -> str | None:
 def _condition(when: Condition | None) -> dict[str, Any] | None:
     if when is None:
         return None
-    return {
+    result: dict[str, Any] = {
         "context" if when.from_context else "field": when.source,
         "has": [f.name for f in when.flags],
-        "is": [v.name for v in when.values],
+        "is": [] if when.negated else _accepted(when),
         "may_be_missing": when.may_be_missing,
     }
+    if when.any_flags:
+        result["any"] = [f.name for f in when.any_flags]
+    if when.no_flags:
+        result["has_not"] = [f.name for f in when.no_flags]
+    if when.negated:
+        result["is_not"] = _accepted(when)
+    return result
+
+
+def _accepted(when: Condition) -> list[Any]:
+    return [v.name for v in when.values] if when.enum else list(when.numbers)
 
 
 def _leaf(leaf: Leaf) -> dict[str, Any]:
@@ -92,6 +103,8 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
         result["value_of_variable"] = field.variable
     if field.counter:
         result["counted_by"] = field.counter
+    if field.counting != "elements":
+        result["counted_in"] = field.counting
     if field.when:
         result["when"] = _condition(field.when)
     if field.alternative:

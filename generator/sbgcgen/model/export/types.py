@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from sbgcgen.model.values import Availability, Deprecation, Enum, Packed, Quantity
+from sbgcgen.model.values import Availability, Deprecation, Enum, Packed, Part, Quantity
 from sbgcgen.model.variables import Variable
 
 
@@ -69,19 +69,27 @@ def packed_json(packed: Packed) -> dict[str, Any]:
         "names": packed.names.name if packed.names else None,
         "display": packed.display or None,
         "main": packed.main.name if packed.main else None,
-        "parts": [
-            {
-                "name": part.name,
-                "mask": None if part.is_digits else part.mask,
-                "shift": None if part.is_digits else part.shift,
-                "divide": part.divide if part.is_digits else None,
-                "modulo": part.modulo if part.is_digits else None,
-                "enum": part.enum.name if part.enum else None,
-                "summary": part.summary,
-            }
-            for part in packed.parts
-        ],
+        "parts": [_part(part) for part in packed.parts],
     }
+
+
+def _part(part: Part) -> dict[str, Any]:
+    result: dict[str, Any] = {
+        "name": part.name,
+        "mask": None if part.is_digits else part.mask,
+        "shift": None if part.is_digits else part.shift,
+        "divide": part.divide if part.is_digits else None,
+        "modulo": part.modulo if part.is_digits else None,
+        "enum": part.enum.name if part.enum else None,
+        "summary": part.summary,
+    }
+    if part.signed:
+        result["signed"] = True
+    if part.sign:
+        result["sign"] = part.sign
+    if part.quantity:
+        result["quantity"] = part.quantity.name
+    return result
 
 
 def quantity_json(q: Quantity) -> dict[str, Any]:

@@ -17,6 +17,7 @@ from sbgcgen.model import (
     Struct,
 )
 from sbgcgen.model.names import is_name, parse_lines
+from sbgcgen.spec.resolve.sizes import size_of
 
 
 def lint_bodies(layout: Layout, found: Diagnostics) -> None:
@@ -105,7 +106,7 @@ def _check_list(fields: tuple[Field, ...], found: Diagnostics) -> None:
                 hint = "such a struct occurs once, and last"
                 found.add(field.at, "SBGC027", text, hint)
         if field.counter:
-            problem = _counter_problem(by_name.get(field.counter), counted)
+            problem = _counter_problem(by_name.get(field.counter), field, counted)
             if problem:
                 text = f"'{field.counter}' cannot count '{field.name}': {problem}"
                 hint = "a counter is a single u8, u16 or u32 in the same list of fields"
@@ -116,13 +117,7 @@ def _check_list(fields: tuple[Field, ...], found: Diagnostics) -> None:
 def _check_varying(field: Field, found: Diagnostics) -> None:
     """Report fields whose end a decoder cannot determine."""
     is_list = field.dim in ("counted", "rest")
-    varies = field.type.size is None if isinstance(field.type, (Blob, Struct)) else False
-    varies = varies or (isinstance(field.type, Blob) and field.type.kind == "string")
-    is_bytes = isinstance(field.type, Blob) and field.type.kind == "bytes"
-    if field.dim == "rest" and varies and not is_bytes:
-        text = f"the elements of '{field.name}', which takes the rest of the body, vary in size"
-        found.add(field.at, "SBGC043", text, "put a counter before it: NAME[COUNT]")
-    if field.when is not None and is_list:
+    if field.when is not None and field.has_hidden_counter:
         text = f"the list '{field.name}' has a condition"
         found.add(field.at, "SBGC043", text, "make it part of a struct, and give that the 'when'")
     elif field.appended and (is_list or field.is_counter):
@@ -165,7 +160,9 @@ def _check_regions(message: Message, found: Diagnostics) -> None:
                 found.add(field.at, "SBGC033", text, hint)
             for when in (inner.when for inner in field.type.fields if inner.when):
                 source = earlier.get(when.source)
-                known = source is not None and source.type == when.enum and source.dim == "one"
+                known = source is not None and source.dim == "one"
+                if source is not None and when.enum is not None:
+                    known = known and source.type == when.enum
                 if when.from_context or not known:
                     text = (
                         f"'{field.name}' depends on '{when.source}', which is not an earlier field"
@@ -183,16 +180,22 @@ def _takes_rest(struct: Struct) -> bool:
     return last.dim == "rest" or (isinstance(last.type, Struct) and _takes_rest(last.type))
 
 
-def _counter_problem(counter: Field | None, counted: set[str]) -> str:
+def _counter_problem(counter: Field | None, field: Field, counted: set[str]) -> str:
     if counter is None:
         return "it is not in the same list"
+    if field.counting == "bits":
+        if counter.dim != "one":
+            return "it is not a single field"
+        return "it is not always present" if counter.may_be_absent else ""
+    if field.counting == "bytes" and size_of(field.type) is None:
+        return "the elements vary in size"
     if counter.name in counted:
         return "it counts another list"
     if not isinstance(counter.type, Scalar) or counter.type.minimum != 0:
         return "it is not an unsigned number"
     if counter.dim != "one":
         return "it is not a single field"
-    return "it is not always present" if counter.may_be_absent else ""
+    return "it is not always present" if counter.when is not None else ""
 
 
 # References to other fields and messages

@@ -254,9 +254,11 @@ def _part(part: Part, node: Any) -> int:
         if value < 0 or (part.modulo and value >= part.modulo):
             raise _Unfit(f"does not fit into the digits of '{part.name}'", "give a smaller number")
         return value * part.divide
-    if value < 0 or (value << part.shift) & ~part.mask:
+    lowest, highest = part.limits
+    fits = lowest <= value <= highest if part.is_number else value >= 0
+    if not fits or (not part.is_number and (value << part.shift) & ~part.mask):
         raise _Unfit(f"does not fit into the bits of '{part.name}'", "give a smaller number")
-    return value << part.shift
+    return part.bits_of(value)
 
 
 def _number(type_: Type, scalar: Scalar, node: Any) -> int | float:

@@ -13,6 +13,7 @@ from sbgcgen.model import (
     Availability,
     Blob,
     Context,
+    Enum,
     Field,
     Position,
     Struct,
@@ -28,6 +29,7 @@ from sbgcgen.spec.resolve.sizes import min_size, min_size_of, size_of, total_siz
 from sbgcgen.spec.resolve.types import TypeResolver, parse_bits
 
 _BLOB = re.compile(r"(bytes|text(?=\[[0-9]))\[([1-9][0-9]{0,5})?\]$")
+_STRING = re.compile(r"string\[([1-9][0-9]{0,2})\]$")
 _ANNOUNCED = re.compile(r"announced\(([A-Z][A-Z0-9_]*)\)$")
 
 
@@ -142,6 +144,9 @@ class FieldResolver:
             return Blob(blob[1], int(blob[2]) if blob[2] else None)
         if text == "string":
             return Blob("string", self.max_body)
+        string = _STRING.match(text)
+        if string:
+            return Blob("string", min(int(string[1]), self.max_body))
         announced = _ANNOUNCED.match(text)
         if announced:
             return Announced(snake_case(announced[1]))
@@ -157,7 +162,7 @@ class FieldResolver:
             return self.struct(text)
         words = [*SCALARS, "string", *named, *self._nodes]
         hint = type_advice(text) or did_you_mean(text, words)
-        hint = hint or "built-in types: u8 … f32, bytes[N], text[N] and string"
+        hint = hint or "built-in types: u8 … f64, bytes[N], text[N], string and string[N]"
         self.found.add(at, "SBGC010", f"unknown type '{text}'", hint)
         return None
 
@@ -230,6 +235,7 @@ class FieldResolver:
             return None
         is_reserved = shorthand or bool(node.get("reserved", False))
         dim, count, index, counter = self._dimension(name, at, earlier, in_struct)
+        counting = self._counting(node, counter, earlier)
         size = size_of(type_)
         if isinstance(type_, Blob) and size is None and type_.kind != "string":
             dim = "rest"
@@ -257,7 +263,7 @@ class FieldResolver:
             minimum=minimum,
             maximum=maximum,
             special=special,
-            min_count=int(node.get("min_count", 0)),
+            min_count=int(node.get("min_count", counting == "minus_1")),
             max_count=max_count,
             variable=self.references.variable(node, earlier),
             align=int(node.get("align", 1)),
@@ -272,9 +278,26 @@ class FieldResolver:
             else self.types.summary(node, at, f"{text} of {owner}"),
             errata=self.types.errata(node),
             role=str(node.get("role", "")),
+            counting=counting,
             at=at,
         )
         return self._with_typical(field, node)
+
+    def _counting(self, node: Map, counter: str, earlier: list[Field]) -> str:
+        """How the counter of a list counts."""
+        words = [key for key in ("counted_in", "counted_from") if key in node]
+        by_name = {f.name: f for f in earlier}
+        type_ = by_name[counter].type if counter in by_name else None
+        is_flags = isinstance(type_, Enum) and type_.kind == "flags"
+        if words and (not counter or is_flags or len(words) > 1):
+            text = f"'{words[-1]}' is not possible here"
+            hint = "it is for a list with a number as its counter: NAME[COUNT]"
+            self.found.add(node.at(words[-1]), "SBGC043", text, hint)
+        if is_flags:
+            return "bits"
+        if not words:
+            return "elements"
+        return "bytes" if words[0] == "counted_in" else "minus_1"
 
     def _check_broken(self, node: Map, at: Position, text: str, owner: str) -> None:
         """Check the other keys of a field without a valid name or type."""
@@ -364,5 +387,5 @@ def _number_reserved(fields: list[Field]) -> list[Field]:
 
 
 def _mark_counters(fields: list[Field]) -> list[Field]:
-    counters = {f.counter for f in fields if f.counter}
+    counters = {f.counter for f in fields if f.has_hidden_counter}
     return [replace(f, is_counter=True) if f.name in counters else f for f in fields]

@@ -4,11 +4,26 @@ from __future__ import annotations
 
 from typing import Any
 
-from sbgcgen.model import Alternative, Condition, Context, Enum, Field, Type
+from sbgcgen.model import Alternative, Condition, Context, Enum, Field, Scalar, Type
 from sbgcgen.model.names import snake_case
 from sbgcgen.spec.diagnostics import Diagnostics, did_you_mean
 from sbgcgen.spec.load import Map
 from sbgcgen.spec.resolve.types import VARIABLE_ID, TypeResolver
+
+
+# The words of conditions on each kind of value.
+_WORDS = {
+    "a flag set": ("has", "any", "has_not"),
+    "an enum": ("is", "is_not"),
+    "an integer": ("is", "is_not"),
+}
+_ALL = tuple(dict.fromkeys(word for words in _WORDS.values() for word in words))
+
+
+def _kind(type_: Type | None) -> str:
+    if isinstance(type_, Enum):
+        return "a flag set" if type_.kind == "flags" else "an enum"
+    return "an integer" if isinstance(type_, Scalar) and not type_.is_float else ""
 
 
 class ReferenceResolver:
@@ -33,7 +48,7 @@ class ReferenceResolver:
             {c.name.upper(): (c.name, c.type, False) for c in contexts if c.type is not None}
             if from_context
             else {
-                f.spec_name: (f.name, f.type, f.when is not None) for f in earlier if f.dim == "one"
+                f.spec_name: (f.name, f.type, f.may_be_absent) for f in earlier if f.dim == "one"
             }
         )
         unknown = {c.name.upper() for c in contexts if c.type is None and c.announced is None}
@@ -44,29 +59,52 @@ class ReferenceResolver:
             self.found.add(when.at(key), "SBGC026", f"'{wanted}' is not an earlier {key}", hint)
             return None
         source, type_, conditional = found[wanted]
-        if not isinstance(type_, Enum):
-            message = f"'{wanted}' is neither an enum nor a flag set"
-            self.found.add(when.at(key), "SBGC026", message, "a condition needs named values")
+        kind = _kind(type_)
+        words = [word for words in _WORDS.values() for word in words if word in when]
+        if not kind:
+            message = f"'{wanted}' is neither an integer nor a flag set"
+            self.found.add(when.at(key), "SBGC026", message, "a condition needs values or flags")
             return None
-        word = "has" if type_.kind == "flags" else "is"
-        if word not in when:
-            message = f"'{wanted}' is {'a flag set' if word == 'has' else 'an enum'}"
-            self.found.add(when.position, "SBGC026", message, f"use '{word}' for it")
+        if not words:
+            message = f"the condition on '{wanted}' names no value"
+            self.found.add(when.position, "SBGC026", message, f"use '{_WORDS[kind][0]}' for it")
             return None
-        flags, values = (
-            self._values(type_, when, word) if word in when else () for word in ("has", "is")
+        if any(word not in _WORDS[kind] for word in words):
+            message = f"'{wanted}' is {kind}"
+            hint = f"use '{_WORDS[kind][0]}' for it"
+            self.found.add(when.position, "SBGC026", message, hint)
+            return None
+        enum = type_ if isinstance(type_, Enum) else None
+        chosen = {word: self._values(enum, when, word) if word in when else () for word in _ALL}
+        for word in words:
+            if kind == "a flag set" and chosen[word] and not any(v.value for v in chosen[word]):
+                message = f"{chosen[word][0].name} has no bits, so it is always set"
+                hint = "a condition needs bits to look at"
+                self.found.add(when.at(word), "SBGC026", message, hint)
+        values = chosen["is"] or chosen["is_not"]
+        return Condition(
+            source,
+            from_context,
+            enum,
+            flags=chosen["has"],
+            any_flags=chosen["any"],
+            no_flags=chosen["has_not"],
+            numbers=tuple(v if isinstance(v, int) else v.value for v in values),
+            values=values if enum else (),
+            negated="is_not" in when,
+            may_be_missing=bool(when.get("may_be_missing", False)),
+            source_may_be_missing=conditional,
         )
-        mask = 0
-        for flag in flags:
-            mask |= flag.value
-        if flags and not mask:
-            message = f"{flags[0].name} has no bits, so it is always set"
-            self.found.add(when.at("has"), "SBGC026", message, "a condition needs bits to look at")
-        missing = bool(when.get("may_be_missing", False))
-        return Condition(source, from_context, mask, values, flags, type_, missing, conditional)
 
-    def _values(self, enum: Enum, node: Map, key: str) -> tuple[Any, ...]:
+    def _values(self, enum: Enum | None, node: Map, key: str) -> tuple[Any, ...]:
         names = node[key] if isinstance(node[key], list) else [node[key]]
+        if enum is None:
+            for name in names:
+                if not isinstance(name, int):
+                    message = f"'{name}' is not an integer"
+                    hint = f"'{node.get('field')}' has no named values"
+                    self.found.add(node.at(key), "SBGC026", message, hint)
+            return tuple(name for name in names if isinstance(name, int))
         by_name = {v.name: v for v in enum.values}
         for name in names:
             if name not in by_name:

@@ -246,10 +246,10 @@ class TypeResolver(Entries):
             seen.add(part.name)
             if part.is_digits:
                 continue
-            if used & part.mask:
+            if used & part.bits:
                 message = f"part '{part.name}' of {name} overlaps an earlier one"
                 self.found.add(part.at, "SBGC015", message, "each bit belongs to one part")
-            used |= part.mask
+            used |= part.bits
         display = str(node.get("display", ""))
         literal = re.sub(r"\{\w+(:[0-9]+)?\}", "", display)
         if not re.fullmatch(r"[^][{}]*(\[[^][{}]*\][^][{}]*)*", literal):
@@ -263,11 +263,11 @@ class TypeResolver(Entries):
                 self.found.add(node.at("display"), "SBGC025", message, hint)
         names = self.enum_named(node["names"], node.at("names")) if "names" in node else None
         main = self._main_part(name, node, parts)
-        wanted = [
+        wanted: list[tuple[str, Map, object]] = [
             ("names", node, names),
-            *(("type", n, p.enum) for n, p in zip(node["parts"], parts)),
+            *(("type", n, p.enum or p.quantity) for n, p in zip(node["parts"], parts)),
         ]
-        if any(key in owner and enum is None for key, owner, enum in wanted):
+        if any(key in owner and type_ is None for key, owner, type_ in wanted):
             self.broken.add(name)
         return Packed(
             name=name,
@@ -320,13 +320,17 @@ class TypeResolver(Entries):
                 at, "SBGC016", message, f"they are counted from 0 to {8 * scalar.size - 1}"
             )
             mask &= whole
-        enum = self.enum_named(node["type"], node.at("type")) if "type" in node else None
+        quantity = self.types.quantities.get(str(node.get("type", "")))
+        enum = None
+        if "type" in node and quantity is None:
+            enum = self.enum_named(node["type"], node.at("type"))
+        sign = self._sign_of(node, name, mask, whole)
         for value in enum.values if enum else ():
             if value.value < 0 or (value.value << shift) & ~mask:
                 message = f"{value.name} = {value.value} does not fit into the bits of '{name}'"
                 hint = "use 'mask' for values in place, 'bits' for shifted ones"
                 self.found.add(node.at("type"), "SBGC016", message, hint)
-        return Part(
+        part = Part(
             name=name,
             mask=mask,
             shift=shift,
@@ -335,7 +339,34 @@ class TypeResolver(Entries):
             enum=enum,
             summary=self.summary(node, node.position, f"part '{name}'"),
             at=node.position,
+            signed=bool(node.get("signed", False)),
+            sign=sign,
+            quantity=quantity,
         )
+        if quantity is not None and not _holds(quantity.scalar, part.limits):
+            text = f"'{name}' has numbers from {part.limits[0]} to {part.limits[1]}"
+            hint = f"which {quantity.name} cannot hold: its type is {quantity.scalar.name}"
+            self.found.add(node.at("type"), "SBGC016", text, hint)
+        return part
+
+    def _sign_of(self, node: Map, name: str, mask: int, whole: int) -> int:
+        """The mask of the sign bit of a part; 0 if it has none."""
+        if "sign" not in node:
+            return 0
+        sign = 1 << int(node["sign"])
+        problem = ""
+        if sign & ~whole:
+            problem = "is outside the integer"
+        elif sign & mask:
+            problem = "is one of its own bits"
+        elif "signed" in node or "type" in node and node["type"] not in self.types.quantities:
+            problem = "is not possible here"
+        if problem:
+            text = f"the sign bit of '{name}' {problem}"
+            hint = "'sign' is another bit; 'signed' is for two's complement"
+            self.found.add(node.at("sign"), "SBGC016", text, hint)
+            return 0
+        return sign
 
     def _check_unique_names(self) -> None:
         seen: dict[str, Position] = {}
@@ -362,3 +393,10 @@ def parse_bits(value: Any) -> tuple[int, int]:
     """3 -> (3, 3) and "0..2" -> (0, 2)."""
     first, _, last = str(value).partition("..")
     return int(first), int(last or first)
+
+
+def _holds(scalar: Scalar, limits: tuple[int, int]) -> bool:
+    """True if all integers within the limits are numbers of the type."""
+    if scalar.minimum is None or scalar.maximum is None:
+        return False
+    return scalar.minimum <= limits[0] and limits[1] <= scalar.maximum

@@ -36,7 +36,14 @@ _SHOWN = 8
 _SINGLE_BYTES = 8
 _WIDTH = 100
 # How printf prints what is no int.
-_FORMS = {"u32": "%u", "f32": "%g"}
+_FORMS = {
+    "u24": "%u",
+    "u32": "%u",
+    "u64": "%llu",
+    "i64": "%lld",
+    "f32": "%g",
+    "f64": "%g",
+}
 
 
 @dataclass(frozen=True)

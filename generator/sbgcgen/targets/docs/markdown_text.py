@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from sbgcgen.model import Message, Packed
+from sbgcgen.model import EnumValue, Message, Packed
 
 # Bytes in a row of a byte map, and characters per byte.
 _ROW = 16
@@ -145,6 +145,11 @@ def listed(values: Sequence[str], last: str = "or") -> str:
     return ", ".join(values[:-1]) + f" {last} {values[-1]}"
 
 
+def name_or_number(value: EnumValue | int) -> str:
+    """The name of a value, or a number without a name."""
+    return str(value) if isinstance(value, int) else value.name
+
+
 def short(value: Fraction) -> str:
     """A number with at most six digits: 0.0219727, 100."""
     return f"{float(value):.6g}"
@@ -163,6 +168,7 @@ FILTERS: dict[str, Callable[..., str]] = {
     "bit_map": bit_map,
     "bits": bits_of,
     "listed": listed,
+    "name_or_number": name_or_number,
     "short": short,
     "spaced": spaced,
 }

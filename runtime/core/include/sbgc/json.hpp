@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
@@ -100,7 +101,7 @@ class JsonReader {
   template <class T>
   static void value(const Json& json, T& out, const std::string& path) {
     if constexpr (std::is_floating_point_v<T>) {
-      const auto number = float_from_json(json);
+      const auto number = float_from_json<T>(json);
       if (!number) throw JsonError(path, "a number is needed");
       out = *number;
     } else if constexpr (std::is_enum_v<T>) {
@@ -110,6 +111,7 @@ class JsonReader {
     } else if constexpr (RawValue<T>) {
       typename T::raw_type raw{};
       value(json, raw, path);
+      if constexpr (requires { T::highest; }) check(json, raw, T::lowest, T::highest, path);
       out = T(raw);
     } else {
       members(json, out, path);
@@ -186,18 +188,38 @@ class JsonReader {
   template <class T>
   static T integer(const Json& json, const std::string& path) {
     using Limits = std::numeric_limits<T>;
-    return static_cast<T>(integer(json, Limits::min(), Limits::max(), path));
+    if constexpr (sizeof(T) == 8) {
+      return decimal<T>(json, path);
+    } else {
+      return static_cast<T>(integer(json, Limits::min(), Limits::max(), path));
+    }
+  }
+  /// Reads an integer of 64 bits, which is text.
+  template <class T>
+  static T decimal(const Json& json, const std::string& path) {
+    if (json.is_string()) {
+      const auto& text = json.get_ref<const std::string&>();
+      T number{};
+      const char* const all = text.data() + text.size();
+      const auto [end, error] = std::from_chars(text.data(), all, number);
+      if (error == std::errc{} && end == all) return number;
+    }
+    throw JsonError(path, "a string with an integer of 64 bits is needed");
+  }
+  static void check(const Json& json, std::int64_t number, std::int64_t lowest,
+                    std::int64_t highest, const std::string& path) {
+    if (number >= lowest && number <= highest) return;
+    throw JsonError(path, json.dump() + " does not fit: " + std::to_string(lowest) + " to " +
+                              std::to_string(highest));
   }
   static std::int64_t integer(const Json& json, std::int64_t lowest, std::int64_t highest,
                               const std::string& path) {
     if (!json.is_number_integer()) throw JsonError(path, "an integer is needed");
     const bool huge = json.is_number_unsigned() &&
                       json.get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max();
-    const std::int64_t number = huge ? 0 : json.get<std::int64_t>();
-    if (huge || number < lowest || number > highest) {
-      throw JsonError(path, json.dump() + " does not fit: " + std::to_string(lowest) + " to " +
-                                std::to_string(highest));
-    }
+    const std::int64_t number =
+        huge ? std::numeric_limits<std::int64_t>::max() : json.get<std::int64_t>();
+    check(json, number, lowest, highest, path);
     return number;
   }
 

@@ -5,10 +5,12 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace sbgc::detail {
@@ -108,36 +110,43 @@ inline std::string from_utf8(std::string_view text) {
   return result;
 }
 
-/// Converts a float to a number. JSON has no infinities and NaN; they become "inf", "-inf" and
-/// "nan:<hex bits>".
-template <class Json>
-Json float_to_json(float value) {
+/// The unsigned integer with the bits of a float or double.
+template <class Float>
+using FloatBits = std::conditional_t<sizeof(Float) == 4, std::uint32_t, std::uint64_t>;
+
+/// Converts a float or double to a number. JSON has no infinities and NaN; they become "inf",
+/// "-inf" and "nan:<hex bits>".
+template <class Json, class Float>
+Json float_to_json(Float value) {
   if (std::isfinite(value)) return value;
   if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
-  const auto bits = std::bit_cast<std::uint32_t>(value);
-  std::string digits(8, '0');
-  for (std::size_t i = 0; i < 8; ++i) digits[i] = "0123456789abcdef"[bits >> (28 - 4 * i) & 15];
+  auto bits = std::bit_cast<FloatBits<Float>>(value);
+  std::string digits(2 * sizeof(Float), '0');
+  for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit, bits >>= 4U) {
+    *digit = "0123456789abcdef"[bits & 15U];
+  }
   return "nan:" + digits;
 }
 
-/// The inverse of float_to_json(). Also accepts any other number in the range of float; returns
+/// The inverse of float_to_json(). Also accepts any other number in the range of Float; returns
 /// nullopt for anything else.
-template <class Json>
-std::optional<float> float_from_json(const Json& json) {
+template <class Float, class Json>
+std::optional<Float> float_from_json(const Json& json) {
   if (json.is_number()) {
     const auto value = json.template get<double>();
-    const auto narrowed = static_cast<float>(value);
+    const auto narrowed = static_cast<Float>(value);
     return std::isfinite(narrowed) ? std::optional(narrowed) : std::nullopt;
   }
   if (!json.is_string()) return std::nullopt;
   const auto& text = json.template get_ref<const std::string&>();
-  if (text == "inf") return std::numeric_limits<float>::infinity();
-  if (text == "-inf") return -std::numeric_limits<float>::infinity();
-  if (!text.starts_with("nan:") || text.size() != 12) return std::nullopt;
-  std::uint32_t bits = 0;
-  const auto [end, error] = std::from_chars(text.data() + 4, text.data() + 12, bits, 16);
-  const auto value = std::bit_cast<float>(bits);
-  if (error != std::errc{} || end != text.data() + 12 || !std::isnan(value)) return std::nullopt;
+  if (text == "inf") return std::numeric_limits<Float>::infinity();
+  if (text == "-inf") return -std::numeric_limits<Float>::infinity();
+  if (!text.starts_with("nan:") || text.size() != 4 + 2 * sizeof(Float)) return std::nullopt;
+  FloatBits<Float> bits = 0;
+  const char* const all = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data() + 4, all, bits, 16);
+  const auto value = std::bit_cast<Float>(bits);
+  if (error != std::errc{} || end != all || !std::isnan(value)) return std::nullopt;
   return value;
 }
 

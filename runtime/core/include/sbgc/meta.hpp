@@ -34,14 +34,19 @@ struct EnumInfo {
   bool is_flags{};
 };
 
+struct UnitInfo;
+
 /// A part of a packed value: ((raw & mask) >> shift) / divide % modulo, without % if modulo is 0.
 struct PartInfo {
   const char* name = "";
-  std::uint32_t mask{};
+  std::uint64_t mask{};
   std::uint8_t shift{};
   std::uint16_t divide = 1;
   std::uint16_t modulo{};
+  std::uint64_t sign{};  ///< a bit that makes the number negative
+  bool is_signed{};      ///< two's complement
   const EnumInfo* values{};
+  const UnitInfo* unit{};  ///< of the number
 };
 
 /// A packed value; `display` contains {part} for each part, or is empty.

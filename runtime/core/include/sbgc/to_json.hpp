@@ -65,6 +65,8 @@ class JsonWriter {
       return float_to_json<Json>(value);
     } else if constexpr (std::is_enum_v<T>) {
       return static_cast<std::underlying_type_t<T>>(value);
+    } else if constexpr (std::is_arithmetic_v<T> && sizeof(T) == 8) {
+      return std::to_string(value);  // as text, because many readers of JSON round it
     } else if constexpr (std::is_arithmetic_v<T>) {
       return value;
     } else if constexpr (RawValue<T>) {

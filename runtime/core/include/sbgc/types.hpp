@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -49,6 +50,31 @@ struct Xyz {
 
   friend constexpr bool operator==(const Xyz&, const Xyz&) = default;
 };
+
+/// A 24-bit integer of the wire.
+template <class Raw>
+class Integer24 {
+ public:
+  using raw_type = Raw;
+  static constexpr auto lowest = static_cast<Raw>(std::is_signed_v<Raw> ? -0x800000 : 0);
+  static constexpr auto highest = static_cast<Raw>(std::is_signed_v<Raw> ? 0x7FFFFF : 0xFFFFFF);
+
+  constexpr Integer24() = default;
+  /// Traps if the number does not fit; in a constant expression, it does not compile.
+  constexpr explicit Integer24(Raw raw) noexcept : raw_(raw) {
+    if (raw < lowest || raw > highest) __builtin_trap();
+  }
+  constexpr Raw raw() const noexcept { return raw_; }
+
+  friend constexpr bool operator==(const Integer24&, const Integer24&) = default;
+  // NOLINTNEXTLINE(modernize-use-nullptr): a false alarm of clang-tidy 14
+  friend constexpr auto operator<=>(const Integer24&, const Integer24&) = default;
+
+ private:
+  Raw raw_{};
+};
+using U24 = Integer24<std::uint32_t>;
+using I24 = Integer24<std::int32_t>;
 
 /// A fixed number of opaque bytes.
 template <std::size_t n>

@@ -80,7 +80,8 @@ class Validator {
       if constexpr (std::is_same_v<Member, msg::VariableId>) variable = find_variable(member);
       if constexpr (std::is_integral_v<Member>) {
         if (field.is_variable_value && variable != nullptr) {
-          return validator.limits(member, variable->range, field, path, &variable->unit);
+          return validator.limits(static_cast<double>(member), variable->range, field, path,
+                                  &variable->unit);
         }
       }
       validator.value(member, field, path);
@@ -101,11 +102,11 @@ class Validator {
       number(value.raw(), field, path);
       for (const PartInfo& part : PackedMeta<T>::parts) {
         if (part.values == nullptr) continue;
-        const auto bits = static_cast<std::uint32_t>(value.raw()) & part.mask;
+        const auto bits = static_cast<std::uint64_t>(value.raw()) & part.mask;
         if (part.values->is_flags) {
-          flags(*part.values, bits, field, path);
+          flags(*part.values, static_cast<std::uint32_t>(bits), field, path);
         } else {
-          named(*part.values, bits >> part.shift, field, path);
+          named(*part.values, static_cast<std::int64_t>(bits >> part.shift), field, path);
         }
       }
     } else if constexpr (RawValue<T>) {
@@ -174,7 +175,7 @@ class Validator {
       if (value == static_cast<double>(special.value)) return;
     }
     if constexpr (std::is_integral_v<T>) {
-      if (static_cast<std::uint32_t>(raw) % field.align != 0) {
+      if (static_cast<std::uint64_t>(raw) % field.align != 0) {
         fail(field, path, value, field.align, Rule::alignment);
       }
     }

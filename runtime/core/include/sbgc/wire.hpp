@@ -13,16 +13,24 @@ namespace sbgc::wire {
 template <class T>
 concept Number = std::same_as<T, std::uint8_t> || std::same_as<T, std::int8_t> ||
     std::same_as<T, std::uint16_t> || std::same_as<T, std::int16_t> ||
-    std::same_as<T, std::uint32_t> || std::same_as<T, std::int32_t> || std::same_as<T, float>;
+    std::same_as<T, std::uint32_t> || std::same_as<T, std::int32_t> ||
+    std::same_as<T, std::uint64_t> || std::same_as<T, std::int64_t> || std::same_as<T, float> ||
+    std::same_as<T, double>;
 
-static_assert(sizeof(float) == 4, "the wire carries IEEE 754 single precision");
+static_assert(sizeof(float) == 4 && sizeof(double) == 8, "the wire carries IEEE 754 numbers");
 
 namespace detail {
 
 /// The unsigned integer with the size of T.
 template <Number T>
-using Bits = std::conditional_t<sizeof(T) == 1, std::uint8_t,
-                                std::conditional_t<sizeof(T) == 2, std::uint16_t, std::uint32_t>>;
+using Bits = std::conditional_t<
+    sizeof(T) == 1, std::uint8_t,
+    std::conditional_t<sizeof(T) == 2, std::uint16_t,
+                       std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>>>;
+
+/// The unsigned integer for shifts of a T: at least 32 bits.
+template <Number T>
+using Shifted = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
 
 /// True if numbers have the same bytes in memory and on the wire.
 template <std::endian host>
@@ -39,9 +47,9 @@ constexpr T load(const std::uint8_t* bytes) noexcept {
     __builtin_memcpy(&value, bytes, sizeof value);
     return value;
   }
-  std::uint32_t bits = 0;
+  detail::Shifted<T> bits = 0;
   for (std::size_t i = 0; i < sizeof(T); ++i) {
-    bits |= static_cast<std::uint32_t>(bytes[i]) << (8 * i);
+    bits |= static_cast<detail::Shifted<T>>(bytes[i]) << (8 * i);
   }
   return std::bit_cast<T>(static_cast<detail::Bits<T>>(bits));
 }
@@ -54,7 +62,7 @@ constexpr void store(std::uint8_t* bytes, T value) noexcept {
     return;
   }
   // NOLINTNEXTLINE(modernize-use-auto): widened, so that the shifts below are defined
-  const std::uint32_t bits = std::bit_cast<detail::Bits<T>>(value);
+  const detail::Shifted<T> bits = std::bit_cast<detail::Bits<T>>(value);
   for (std::size_t i = 0; i < sizeof(T); ++i) {
     bytes[i] = static_cast<std::uint8_t>(bits >> (8 * i));
   }

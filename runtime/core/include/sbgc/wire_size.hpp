@@ -73,6 +73,10 @@ template <class T>
 inline constexpr std::size_t wire_size<T> = sizeof(T);
 template <RawValue T>
 inline constexpr std::size_t wire_size<T> = sizeof(typename T::raw_type);
+template <>
+inline constexpr std::size_t wire_size<U24> = 3;
+template <>
+inline constexpr std::size_t wire_size<I24> = 3;
 template <class T>
 inline constexpr std::size_t wire_size<Axes<T>> = 3 * wire_size<T>;
 template <class T>
@@ -84,7 +88,20 @@ inline constexpr std::size_t wire_size<Bytes<n>> = n;
 template <std::size_t n>
 inline constexpr std::size_t wire_size<Text<n>> = n;
 
+/// How the counter of a list counts: bytes, or elements but one.
+enum class Counting : unsigned char { bytes, minus_1 };
+
 namespace detail {
+
+/// Returns the value of the counter of a list, which is not empty if it counts all elements but one.
+template <Counting counting, class List>
+constexpr std::size_t counter_of(const List& list) noexcept {
+  if constexpr (counting == Counting::bytes) {
+    return list.size() * wire_size<typename List::value_type>;
+  } else {
+    return list.size() - (list.empty() ? 0 : 1);
+  }
+}
 
 template <class... T>
 constexpr std::size_t size_of_all(TypeList<T...>) noexcept {

@@ -64,6 +64,20 @@ struct Fixed {
     wire::store(to, value.raw());
   }
 
+  template <class Raw>
+  static constexpr void get(const std::uint8_t* from, Integer24<Raw>& value) noexcept {
+    const std::uint32_t bits = wire::load<std::uint16_t>(from) | static_cast<std::uint32_t>(from[2])
+                                                                     << 16;
+    // Shifted to the top and back, which extends the sign.
+    value = Integer24<Raw>(static_cast<Raw>(bits << 8) >> 8);
+  }
+  template <class Raw>
+  static constexpr void put(std::uint8_t* to, Integer24<Raw> value) noexcept {
+    const auto bits = static_cast<std::uint32_t>(value.raw());
+    wire::store(to, static_cast<std::uint16_t>(bits));
+    to[2] = static_cast<std::uint8_t>(bits >> 16);
+  }
+
   template <class T>
   static constexpr void get(const std::uint8_t* from, Axes<T>& value) noexcept {
     get(from, value.roll);

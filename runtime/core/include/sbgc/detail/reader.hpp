@@ -83,6 +83,15 @@ class Reader {
     when(condition, out, field);
   }
 
+  /// As above, for a value that the caller reads if the result is true.
+  template <class T>
+  constexpr bool present(bool condition, Optional<T>& out, const char* /*field*/) noexcept {
+    out.reset();
+    if (!condition || !status_) return false;
+    out.emplace();
+    return true;
+  }
+
   /// Reads the element count of a list that comes later in the body.
   template <class T, class List>
   constexpr void count(T& out, const List& /*list*/, const char* field) noexcept {
@@ -101,6 +110,28 @@ class Reader {
       for (std::size_t i = 0; i < count && status_; ++i) value(out[i], field);
     }
     if (!status_) out.clear();
+  }
+
+  /// Reads a list with an element for each bit that is set in `flags`.
+  template <class T, std::size_t n, class Flags>
+  constexpr void counted_by_bits(BoundedArray<T, n>& out, const Flags& flags,
+                                 const char* field) noexcept {
+    counted(out, count_bits(flags.raw()), field);
+  }
+  /// As count() and counted(), for a counter that does not hold the number of elements.
+  template <Counting, class T, class List>
+  constexpr void count_as(T& out, const List& list, const char* field) noexcept {
+    count(out, list, field);
+  }
+  template <Counting counting, class T, std::size_t n>
+  constexpr void counted_as(BoundedArray<T, n>& out, std::size_t count, const char* field,
+                            std::size_t least = 0) noexcept {
+    if constexpr (counting == Counting::bytes) {
+      if (status_ && count % wire_size<T> != 0) fail(Code::count_mismatch, field);
+      counted(out, count / wire_size<T>, field, least);
+    } else {
+      counted(out, count + 1, field, least);
+    }
   }
 
   /// Reads numbers of the announced types, as many as the remaining bytes hold.
@@ -125,14 +156,18 @@ class Reader {
   template <class T, std::size_t n>
   constexpr void rest(BoundedArray<T, n>& out, const char* field, std::size_t least = 0) noexcept {
     constexpr std::size_t element = wire_size<T>;
-    const std::size_t left = body_.size() - at_;
-    if (status_ && (left % element != 0 || left / element < least)) {
-      at_ = body_.size();
-      fail(Code::too_short, field);
+    if constexpr (element == 0) {
+      rest_that_ends(out, field, least);
+    } else {
+      const std::size_t left = body_.size() - at_;
+      if (status_ && (left % element != 0 || left / element < least)) {
+        at_ = body_.size();
+        fail(Code::too_short, field);
+      }
+      const std::size_t count = status_ ? left / element : 0;
+      if (count > n) fail(Code::too_long, field);
+      counted(out, count, field);
     }
-    const std::size_t count = status_ ? left / element : 0;
-    if (count > n) fail(Code::too_long, field);
-    counted(out, count, field);
   }
 
   /// Restricts reading to the tagged union of `size` bytes at `at`. Precondition: the body contains
@@ -157,6 +192,26 @@ class Reader {
   }
 
  private:
+  /// Reads elements whose size varies, up to the end of the body.
+  template <class T, std::size_t n>
+  constexpr void rest_that_ends(BoundedArray<T, n>& out, const char* field,
+                                std::size_t least) noexcept {
+    out.clear();
+    while (status_ && at_ < body_.size()) {
+      if (!out.resize(out.size() + 1)) return fail(Code::too_long, field);
+      value(out[out.size() - 1], field);
+    }
+    if (status_ && out.size() < least) fail(Code::too_short, field);
+    if (!status_) out.clear();
+  }
+
+  template <class Bits>
+  static constexpr std::size_t count_bits(Bits bits) noexcept {
+    std::size_t count = 0;
+    for (; bits != 0; bits = static_cast<Bits>(bits & (bits - 1))) ++count;
+    return count;
+  }
+
   constexpr bool take(std::size_t size, const char* field) noexcept {
     if (!status_) return false;
     if (body_.size() - at_ < size) {

@@ -87,6 +87,13 @@ class Writer {
     if (in) value(*in, field);
   }
 
+  /// As when(), for a value that the caller writes if the result is true.
+  template <class T>
+  constexpr bool present(bool condition, const Optional<T>& in, const char* field) noexcept {
+    if (status_ && in.has_value() != condition) fail(Code::presence_mismatch, field);
+    return status_ && in.has_value();
+  }
+
   /// Writes the element count of a list as a T.
   template <class T, class List>
   constexpr void count(T /*unused*/, const List& list, const char* field) noexcept {
@@ -109,6 +116,32 @@ class Writer {
     } else {
       for (std::size_t i = 0; i < in.size() && status_; ++i) value(in[i], field);
     }
+  }
+
+  /// Writes a list with an element for each bit that is set in `flags`.
+  template <class T, std::size_t n, class Flags>
+  constexpr void counted_by_bits(const BoundedArray<T, n>& in, const Flags& flags,
+                                 const char* field) noexcept {
+    std::size_t count = 0;
+    for (auto bits = flags.raw(); bits != 0;
+         bits = static_cast<decltype(bits)>(bits & (bits - 1))) {
+      ++count;
+    }
+    if (status_ && in.size() != count) return fail(Code::count_mismatch, field);
+    rest(in, field);
+  }
+  /// As count() and counted(), for a counter that does not hold the number of elements.
+  template <Counting counting, class T, class List>
+  constexpr void count_as(T /*unused*/, const List& list, const char* field) noexcept {
+    if (counting == Counting::minus_1 && status_ && list.empty()) {
+      return fail(Code::count_mismatch, field);
+    }
+    value(static_cast<T>(counter_of<counting>(list)), field);
+  }
+  template <Counting, class T, std::size_t n>
+  constexpr void counted_as(const BoundedArray<T, n>& in, std::size_t /*count*/, const char* field,
+                            std::size_t least = 0) noexcept {
+    rest(in, field, least);
   }
 
   template <std::size_t n>

@@ -27,7 +27,8 @@ struct Leaf {
   const FieldInfo& field;
   LeafKind kind{};
   std::int64_t integer{};                 ///< of an integer or a counter, as on the wire
-  float real{};                           ///< of a real number
+  bool is_u64{};                          ///< `integer` holds the bits of an unsigned number
+  double real{};                          ///< of a real number
   std::span<const std::uint8_t> bytes{};  ///< of bytes without a meaning as numbers
   std::string_view text{};                ///< of a text
   // The meaning of the value; at most one of these is set.
@@ -53,8 +54,10 @@ inline bool is_unused(const Leaf& leaf) {
 inline std::string raw_text(const Leaf& leaf) {
   switch (leaf.kind) {
     case LeafKind::integer:
-    case LeafKind::counter: return std::to_string(leaf.integer);
-    case LeafKind::real: return detail::float_text(leaf.real);
+    case LeafKind::counter:
+      return leaf.is_u64 ? std::to_string(static_cast<std::uint64_t>(leaf.integer))
+                         : std::to_string(leaf.integer);
+    case LeafKind::real: return detail::real_text(leaf.real, leaf.size);
     case LeafKind::bytes: return detail::to_hex(leaf.bytes);
     case LeafKind::text: return detail::quoted(leaf.text);
   }
@@ -74,18 +77,20 @@ inline const char* special_meaning(const Leaf& leaf) {
 /// profile"; "" if the number itself is the meaning.
 inline std::string meaning_text(const Leaf& leaf) {
   if (const char* const special = special_meaning(leaf)) return special;
-  const auto bits = static_cast<std::uint32_t>(leaf.integer);
   if (leaf.unit != nullptr) {
     if (leaf.unit->is_plain()) return "";
-    const double raw = leaf.kind == LeafKind::real ? static_cast<double>(leaf.real)
-                                                   : static_cast<double>(leaf.integer);
+    const double raw = leaf.kind == LeafKind::real ? leaf.real : static_cast<double>(leaf.integer);
     return detail::unit_text(leaf.unit->real(raw), *leaf.unit);
   }
   if (leaf.names != nullptr) {
-    return leaf.names->is_flags ? detail::flag_names(*leaf.names, bits)
-                                : std::string(detail::value_name(*leaf.names, leaf.integer));
+    return leaf.names->is_flags
+               ? detail::flag_names(*leaf.names, static_cast<std::uint32_t>(leaf.integer))
+               : std::string(detail::value_name(*leaf.names, leaf.integer));
   }
-  if (leaf.packed != nullptr) return detail::packed_text(*leaf.packed, bits);
+  if (leaf.packed != nullptr) {
+    return detail::packed_text(
+        *leaf.packed, detail::low_bits(static_cast<std::uint64_t>(leaf.integer), leaf.size));
+  }
   return leaf.announced == NumberType::none ? "" : name(leaf.announced);
 }
 
@@ -144,6 +149,7 @@ class LeafWalk {
     const UnitInfo* unit = nullptr;
     const EnumInfo* names = nullptr;
     const PackedInfo* packed = nullptr;
+    bool is_u64 = false;
   };
 
   template <class T>
@@ -152,16 +158,21 @@ class LeafWalk {
       integer(static_cast<std::underlying_type_t<T>>(value), field, path, wire_size<T>,
               {.names = &EnumMeta<T>::info});
     } else if constexpr (std::is_floating_point_v<T>) {
-      real(value, field, path, nullptr);
+      real(value, field, path, nullptr, wire_size<T>);
     } else if constexpr (std::is_arithmetic_v<T>) {
-      integer(value, field, path, wire_size<T>, {});
+      integer(static_cast<std::int64_t>(value), field, path, wire_size<T>,
+              {.is_u64 = std::is_same_v<T, std::uint64_t>});
     } else if constexpr (requires { UnitMeta<T>::info; }) {
       quantity(value, field, path);
     } else if constexpr (requires { typename T::flag_type; }) {
       integer(value.raw(), field, path, wire_size<T>,
               {.names = &EnumMeta<typename T::flag_type>::info});
     } else if constexpr (requires { PackedMeta<T>::info; }) {
-      integer(value.raw(), field, path, wire_size<T>, {.packed = &PackedMeta<T>::info});
+      integer(static_cast<std::int64_t>(value.raw()), field, path, wire_size<T>,
+              {.packed = &PackedMeta<T>::info,
+               .is_u64 = std::is_same_v<typename T::raw_type, std::uint64_t>});
+    } else if constexpr (RawValue<T>) {
+      integer(value.raw(), field, path, wire_size<T>, {});
     } else {
       members(value, &path);
     }
@@ -179,7 +190,7 @@ class LeafWalk {
          .field = field,
          .kind = is_real ? LeafKind::real : LeafKind::integer,
          .integer = is_real ? 0 : number.integer(),
-         .real = is_real ? number.real() : 0,
+         .real = is_real ? static_cast<double>(number.real()) : 0,
          .announced = number.type,
          .size = size_of(number.type)});
   }
@@ -234,7 +245,7 @@ class LeafWalk {
   void quantity(Q value, const FieldInfo& field, const FieldPath& path) {
     const UnitInfo* const unit = unit_in_force(UnitMeta<Q>::info, field, path);
     if constexpr (std::is_floating_point_v<typename Q::raw_type>) {
-      real(value.raw(), field, path, unit);
+      real(value.raw(), field, path, unit, wire_size<Q>);
     } else {
       integer(value.raw(), field, path, wire_size<Q>, {.unit = unit});
     }
@@ -247,18 +258,20 @@ class LeafWalk {
          .field = field,
          .kind = LeafKind::integer,
          .integer = raw,
+         .is_u64 = meaning.is_u64,
          .unit = meaning.unit,
          .names = meaning.names,
          .packed = meaning.packed,
          .size = size});
   }
-  void real(float raw, const FieldInfo& field, const FieldPath& path, const UnitInfo* unit) {
+  void real(double raw, const FieldInfo& field, const FieldPath& path, const UnitInfo* unit,
+            std::size_t size) {
     add({.path = path,
          .field = field,
          .kind = LeafKind::real,
          .real = raw,
          .unit = unit,
-         .size = wire_size<float>});
+         .size = size});
   }
   void bytes(std::span<const std::uint8_t> bytes, const FieldInfo& field, const FieldPath& path) {
     add({.path = path,

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include <sbgc/detail/part.hpp>
 #include <sbgc/json_text.hpp>
 #include <sbgc/meta.hpp>
 
@@ -34,15 +35,23 @@ inline std::string number_text(double value) {
   return is_integer ? std::to_string(static_cast<std::int64_t>(value)) : general_text(value, 6);
 }
 
-/// Formats a float with as many digits as needed to distinguish it from its neighbors.
-inline std::string float_text(float value) {
-  for (int digits = 6; digits < 9; ++digits) {
+/// Formats a float (`size` 4) or double with as many digits as needed to distinguish it from its
+/// neighbors.
+inline std::string real_text(double value, std::size_t size) {
+  const int most = size == sizeof(float) ? 9 : 17;
+  for (int digits = 6; digits < most; ++digits) {
     char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.*g", digits, static_cast<double>(value));
-    if (std::strtof(buffer, nullptr) == value)
-      return general_text(static_cast<double>(value), digits);
+    std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
+    const double again = size == sizeof(float) ? static_cast<double>(std::strtof(buffer, nullptr))
+                                               : std::strtod(buffer, nullptr);
+    if (again == value) return general_text(value, digits);
   }
-  return general_text(static_cast<double>(value), 9);
+  return general_text(value, most);
+}
+
+/// Returns the bits of a number of `size` bytes, without the extension of its sign.
+constexpr std::uint64_t low_bits(std::uint64_t bits, std::size_t size) noexcept {
+  return size >= sizeof bits ? bits : bits & ((std::uint64_t{1} << (8 * size)) - 1);
 }
 
 /// Formats a value in its unit with six significant digits: "-30 deg".
@@ -83,15 +92,15 @@ inline std::string flag_names(const EnumInfo& info, std::uint32_t bits) {
   return result;
 }
 
-inline std::int64_t part_value(const PartInfo& part, std::uint32_t raw) {
-  const std::uint32_t bits = (raw & part.mask) >> part.shift;
-  const std::uint32_t digits = bits / part.divide;
+inline std::int64_t part_value(const PartInfo& part, std::uint64_t raw) {
+  const std::int64_t number = part_number(raw, {part.mask, part.shift, part.sign, part.is_signed});
+  const std::int64_t digits = number / part.divide;
   return part.modulo != 0 ? digits % part.modulo : digits;
 }
 
 /// Replaces {part} and {part:02} in `pattern`, a section of the display text of a packed value.
 /// Sets `is_zero` to true if every part in it is 0.
-inline std::string filled_in(const PackedInfo& info, std::uint32_t raw, std::string_view pattern,
+inline std::string filled_in(const PackedInfo& info, std::uint64_t raw, std::string_view pattern,
                              bool& is_zero) {
   std::string result;
   is_zero = true;
@@ -121,7 +130,7 @@ inline std::string filled_in(const PackedInfo& info, std::uint32_t raw, std::str
 
 /// Returns the display text of a packed value. A section in brackets is omitted if all its parts
 /// are 0: "{major}.{minor:02}[b{beta}]" yields 2.43b9, but 2.59 if beta is 0.
-inline std::string displayed(const PackedInfo& info, std::uint32_t raw) {
+inline std::string displayed(const PackedInfo& info, std::uint64_t raw) {
   std::string result;
   std::string_view pattern = info.display;
   bool is_zero = false;
@@ -139,9 +148,14 @@ inline std::string displayed(const PackedInfo& info, std::uint32_t raw) {
 }
 
 /// Formats a part: "RC_MODE_ANGLE", "inverted 1", or "" for an unnamed 0 of an enum.
-inline std::string part_text(const PartInfo& part, std::uint32_t raw) {
+inline std::string part_text(const PartInfo& part, std::uint64_t raw) {
   const std::int64_t value = part_value(part, raw);
-  const auto plain = [&] { return std::string(part.name) + ' ' + std::to_string(value); };
+  const auto plain = [&] {
+    const bool has_unit = part.unit != nullptr;
+    return std::string(part.name) + ' ' +
+           (has_unit ? unit_text(part.unit->real(static_cast<double>(value)), *part.unit)
+                     : std::to_string(value));
+  };
   if (part.values == nullptr) return plain();
   std::string named = part.values->is_flags
                           ? flag_names(*part.values, static_cast<std::uint32_t>(value))
@@ -150,10 +164,11 @@ inline std::string part_text(const PartInfo& part, std::uint32_t raw) {
 }
 
 /// Formats a packed value: "2.43b9", "RC_MODE_ANGLE, inverted 0".
-inline std::string packed_text(const PackedInfo& info, std::uint32_t raw) {
+inline std::string packed_text(const PackedInfo& info, std::uint64_t raw) {
   if (*info.display != '\0') return displayed(info, raw);
   if (info.names != nullptr) {
-    if (const std::string_view named = value_name(*info.names, raw); !named.empty()) {
+    if (const std::string_view named = value_name(*info.names, static_cast<std::int64_t>(raw));
+        !named.empty()) {
       return std::string(named);
     }
   }
