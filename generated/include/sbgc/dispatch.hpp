@@ -28,6 +28,10 @@ using AllMessages = TypeList<
     msg::ResetRequestExt,
     msg::BootMode3,
     msg::BootMode3Ext,
+    msg::ReadStateVars,
+    msg::ReadStateVarsRequest,
+    msg::SignMessage,
+    msg::SignMessageRequest,
     msg::QueueParamsInfo3,
     msg::QueueParamsInfo3Request,
     msg::SystemState,
@@ -36,6 +40,9 @@ using AllMessages = TypeList<
     msg::MavlinkInfoRequest,
     msg::MavlinkDebug,
     msg::MavlinkDebugRequest,
+    msg::ExtLicenseInfo,
+    msg::ExtLicenseInfoRequest,
+    msg::WriteStateVars,
     msg::ReadParams3,
     msg::ReadParams3Request,
     msg::ReadParams,
@@ -43,8 +50,10 @@ using AllMessages = TypeList<
     msg::ReadParamsExtRequest,
     msg::ReadParamsExt2,
     msg::ReadParamsExt2Request,
+    msg::WriteParamsSet,
     msg::ReadProfileNames,
     msg::ReadProfileNamesRequest,
+    msg::ProfileSet,
     msg::SaveParams3,
     msg::UseDefaults,
     msg::WriteParams3,
@@ -52,6 +61,9 @@ using AllMessages = TypeList<
     msg::WriteParamsExt,
     msg::WriteParamsExt2,
     msg::WriteProfileNames,
+    msg::ReadParamsExt3,
+    msg::ReadParamsExt3Request,
+    msg::WriteParamsExt3,
     msg::RealtimeData,
     msg::RealtimeData3,
     msg::RealtimeData3Request,
@@ -60,8 +72,24 @@ using AllMessages = TypeList<
     msg::RealtimeDataCustom,
     msg::RealtimeDataCustomRequest,
     msg::DataStreamInterval,
+    msg::CanDrvTelemetry,
+    msg::CanDrvState,
+    msg::CanDrvStateRequest,
+    msg::RealtimeDataCanDrv,
+    msg::RealtimeDataCanDrvRequest,
     msg::Control,
     msg::ControlExt,
+    msg::ControlExtCommand,
+    msg::ControlConfig,
+    msg::ControlQuatDisabled,
+    msg::ControlQuatSpeed,
+    msg::ControlQuatAttitude,
+    msg::ControlQuatAttitudePacked,
+    msg::ControlQuatSpeedAttitude,
+    msg::ControlQuatSpeedAttitudePacked,
+    msg::ControlQuatStatus,
+    msg::ControlQuatStatusRequest,
+    msg::ControlQuatConfig,
     msg::GetAngles,
     msg::GetAnglesRequest,
     msg::GetAnglesExt,
@@ -69,15 +97,23 @@ using AllMessages = TypeList<
     msg::MotorsOn,
     msg::MotorsOff,
     msg::MotorsOffExt,
+    msg::SyncMotors,
+    msg::Event,
     msg::ExecuteMenu,
     msg::ExecuteMenuExt,
     msg::HelperData,
     msg::HelperDataExt,
+    msg::ExtMotorsAction,
+    msg::ExtMotorsControl,
+    msg::ExtMotorsControlConfig,
+    msg::ExtMotorsState,
+    msg::ExtMotorsStateRequest,
     msg::CalibAcc,
     msg::CalibAccExt,
     msg::CalibGyro,
     msg::CalibGyroExt,
     msg::CalibMag,
+    msg::CalibMagExt,
     msg::CalibExtGain,
     msg::CalibPoles,
     msg::CalibOffset,
@@ -90,21 +126,73 @@ using AllMessages = TypeList<
     msg::EncodersCalibFldOffset4,
     msg::AutoPid,
     msg::AutoPidRequest,
+    msg::AutoPid2,
+    msg::CalibOrientCorr,
+    msg::CalibCogging,
+    msg::CalibAccExtRef,
+    msg::BodeTestStartStop,
+    msg::BodeTestStartStopRequest,
+    msg::BodeTestData,
+    msg::BodeTestDataRequest,
+    msg::CoggingCalibInfo,
+    msg::CoggingCalibInfoRequest,
+    msg::CanDrvHardParams,
+    msg::CanDrvHardParamsRequest,
+    msg::CanDrvCalibrate,
+    msg::CanDrvCalibrateRequest,
+    msg::CalibEncoderLut,
+    msg::CalibEncoderLutRequest,
+    msg::CalibEncoderLutRes,
+    msg::CalibEncoderLutResRequest,
+    msg::CalibCurSens,
+    msg::CalibCurSensRequest,
+    msg::EncIntCalib,
+    msg::EncIntCalibRequest,
+    msg::VibrationTestStartStop,
+    msg::VibrationTestStartStopRequest,
+    msg::VibrationTestData,
+    msg::VibrationTestDataRequest,
     msg::SelectImu3,
     msg::SelectImu3Ext,
+    msg::SelectImu3Calibrate,
     msg::AhrsHelper,
     msg::AhrsHelperRequest,
     msg::AhrsHelperRequestWide,
     msg::AhrsHelperRequestExt,
     msg::AhrsHelperRequestExtWide,
     msg::GyroCorrection,
+    msg::ExtImuDebugInfo,
+    msg::ExtImuDebugInfoRequest,
+    msg::ExtImuCmd,
+    msg::ExtSensCmd,
+    msg::ExtSensCmdRequest,
+    msg::ImuAdvancedCalib,
+    msg::ImuAdvancedCalibRequest,
     msg::BeepSound,
     msg::TriggerPin,
     msg::ServoOut,
+    msg::ServoOutExt,
     msg::I2cWriteRegBuf,
     msg::I2cReadRegBuf,
     msg::I2cReadRegBufRequest,
+    msg::I2cReadRegBufRequestNoRegister,
+    msg::I2cReadRegBufRequestWideRegister,
     msg::ApiVirtChControl,
+    msg::ApiVirtChHighRes,
+    msg::ReadRcInputs,
+    msg::ReadRcInputsRequest,
+    msg::ModuleList,
+    msg::ModuleListRequest,
+    msg::CanDeviceScan,
+    msg::CanDeviceScanRequest,
+    msg::TransparentSapi,
+    msg::TransparentSapiRequest,
+    msg::UartBypass,
+    msg::UartBypassRequest,
+    msg::SetDeviceAddr,
+    msg::SetDeviceAddrRequest,
+    msg::SerialProxy,
+    msg::SerialProxyRequest,
     msg::SetAdjVarsVal,
     msg::GetAdjVarsVal,
     msg::ReadAdjVarsCfg,
@@ -112,6 +200,11 @@ using AllMessages = TypeList<
     msg::AdjVarsState,
     msg::AdjVarsStateRequest,
     msg::AdjVarsStateRequestExt,
+    msg::AdjVarsInfo,
+    msg::AdjVarsInfoRequest,
+    msg::AdjVarsInfoRequestAll,
+    msg::SetAdjVarsValF,
+    msg::GetAdjVarsValF,
     msg::WriteAdjVarsCfg,
     msg::EepromWrite,
     msg::ReadFile,
@@ -129,15 +222,22 @@ using AllMessages = TypeList<
     msg::DebugVarsInfo3,
     msg::DebugVarsInfo3Request,
     msg::DebugVars3,
-    msg::DebugVars3Request>;
+    msg::DebugVars3Request,
+    msg::DebugVars3RequestSelected,
+    msg::SetDebugPort,
+    msg::SetDebugPortRequest>;
 
 /// Facts from earlier messages of a conversation that later bodies need for decoding.
 struct Contexts {
   msg::RealtimeDataCustom::Context realtime_data_custom{};
+  msg::CanDrvTelemetry::Context can_drv_telemetry{};
   msg::DebugVars3::Context debug_vars3{};
 
   constexpr const msg::RealtimeDataCustom::Context& of(const msg::RealtimeDataCustom&) const noexcept {
     return realtime_data_custom;
+  }
+  constexpr const msg::CanDrvTelemetry::Context& of(const msg::CanDrvTelemetry&) const noexcept {
+    return can_drv_telemetry;
   }
   constexpr const msg::DebugVars3::Context& of(const msg::DebugVars3&) const noexcept {
     return debug_vars3;
@@ -147,6 +247,7 @@ struct Contexts {
   }
   constexpr void learn(const msg::DataStreamInterval& message) noexcept {
     detail::learn(message.config.flags, realtime_data_custom.flags);
+    detail::learn(message.config.telemetry_flags, can_drv_telemetry.flags);
   }
   constexpr void learn(const msg::DebugVarsInfo3& message) noexcept {
     debug_vars3.types.clear();
@@ -193,6 +294,10 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
         return use(Type<msg::ReadParamsExt>{}), Code::ok;
       case 35:  // CMD_AUTO_PID
         return use(Type<msg::AutoPid>{}), Code::ok;
+      case 37:  // CMD_BODE_TEST_START_STOP
+        return use(Type<msg::BodeTestStartStop>{}), Code::ok;
+      case 38:  // CMD_BODE_TEST_DATA
+        return use(Type<msg::BodeTestData>{}), Code::ok;
       case 40:  // CMD_I2C_READ_REG_BUF
         return use(Type<msg::I2cReadRegBuf>{}), Code::ok;
       case 42:  // CMD_READ_EXTERNAL_DATA
@@ -205,6 +310,8 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
         return use(Type<msg::EepromRead>{}), Code::ok;
       case 49:  // CMD_CALIB_INFO
         return use(Type<msg::CalibInfo>{}), Code::ok;
+      case 50:  // CMD_SIGN_MESSAGE
+        return use(Type<msg::SignMessage>{}), Code::ok;
       case 52:  // CMD_SYSTEM_STATE
         return use(Type<msg::SystemState>{}), Code::ok;
       case 53:  // CMD_READ_FILE
@@ -215,6 +322,8 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
         return use(Type<msg::AhrsHelper>{}), Code::ok;
       case 58:  // CMD_SCRIPT_DEBUG
         return use(Type<msg::ScriptDebug>{}), Code::ok;
+      case 60:  // CMD_UART_BYPASS
+        return use(Type<msg::UartBypass>{}), Code::ok;
       case 61:  // CMD_GET_ANGLES_EXT
         return use(Type<msg::GetAnglesExt>{}), Code::ok;
       case 62:  // CMD_READ_PARAMS_EXT2
@@ -225,12 +334,74 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
         return use(Type<msg::GetAngles>{}), Code::ok;
       case 74:  // CMD_CALIB_MOTOR_MAG_LINK
         return use(Type<msg::CalibMotorMagLink>{}), Code::ok;
+      case 76:  // CMD_MODULE_LIST
+        return use(Type<msg::ModuleList>{}), Code::ok;
       case 86:  // CMD_BOARD_INFO
         return use(Type<msg::BoardInfo>{}), Code::ok;
       case 88:  // CMD_REALTIME_DATA_CUSTOM
         return use(Type<msg::RealtimeDataCustom>{}), Code::ok;
+      case 92:  // CMD_COGGING_CALIB_INFO
+        return use(Type<msg::CoggingCalibInfo>{}), Code::ok;
+      case 96:  // CMD_CAN_DEVICE_SCAN
+        return use(Type<msg::CanDeviceScan>{}), Code::ok;
+      case 97:  // CMD_CAN_DRV_HARD_PARAMS
+        return use(Type<msg::CanDrvHardParams>{}), Code::ok;
+      case 98:  // CMD_CAN_DRV_STATE
+        return use(Type<msg::CanDrvState>{}), Code::ok;
+      case 99:  // CMD_CAN_DRV_CALIBRATE
+        return use(Type<msg::CanDrvCalibrate>{}), Code::ok;
+      case 100:  // CMD_READ_RC_INPUTS
+        return use(Type<msg::ReadRcInputs>{}), Code::ok;
+      case 101:  // CMD_REALTIME_DATA_CAN_DRV
+        return use(Type<msg::RealtimeDataCanDrv>{}), Code::ok;
+      case 102:  // CMD_EVENT
+        return use(Type<msg::Event>{}), Code::ok;
+      case 104:  // CMD_READ_PARAMS_EXT3
+        return use(Type<msg::ReadParamsExt3>{}), Code::ok;
+      case 106:  // CMD_EXT_IMU_DEBUG_INFO
+        return use(Type<msg::ExtImuDebugInfo>{}), Code::ok;
+      case 107:  // CMD_SET_DEVICE_ADDR
+        return use(Type<msg::SetDeviceAddr>{}), Code::ok;
+      case 110:  // CMD_EXT_IMU_CMD
+        return use(Type<msg::ExtImuCmd>{}), Code::ok;
+      case 111:  // CMD_READ_STATE_VARS
+        return use(Type<msg::ReadStateVars>{}), Code::ok;
+      case 113:  // CMD_SERIAL_PROXY
+        return use(Type<msg::SerialProxy>{}), Code::ok;
       case 114:  // CMD_RESET
         return use(Type<msg::Reset>{}), Code::ok;
+      case 115:  // CMD_IMU_ADVANCED_CALIB
+        return use(Type<msg::ImuAdvancedCalib>{}), Code::ok;
+      case 117:  // CMD_CALIB_ENCODER_LUT
+        return use(Type<msg::CalibEncoderLut>{}), Code::ok;
+      case 118:  // CMD_CALIB_ENCODER_LUT_RES
+        return use(Type<msg::CalibEncoderLutRes>{}), Code::ok;
+      case 120:  // CMD_CALIB_CUR_SENS
+        return use(Type<msg::CalibCurSens>{}), Code::ok;
+      case 122:  // CMD_ENC_INT_CALIB
+        return use(Type<msg::EncIntCalib>{}), Code::ok;
+      case 124:  // CMD_EXT_LICENSE_INFO
+        return use(Type<msg::ExtLicenseInfo>{}), Code::ok;
+      case 125:  // CMD_VIBRATION_TEST_START_STOP
+        return use(Type<msg::VibrationTestStartStop>{}), Code::ok;
+      case 126:  // CMD_VIBRATION_TEST_DATA
+        return use(Type<msg::VibrationTestData>{}), Code::ok;
+      case 127:  // CMD_CAN_DRV_TELEMETRY
+        return use(Type<msg::CanDrvTelemetry>{}), Code::ok;
+      case 131:  // CMD_EXT_MOTORS_STATE
+        return use(Type<msg::ExtMotorsState>{}), Code::ok;
+      case 132:  // CMD_ADJ_VARS_INFO
+        return use(Type<msg::AdjVarsInfo>{}), Code::ok;
+      case 134:  // CMD_SET_ADJ_VARS_VAL_F
+        return use(Type<msg::SetAdjVarsValF>{}), Code::ok;
+      case 141:  // CMD_CONTROL_QUAT_STATUS
+        return use(Type<msg::ControlQuatStatus>{}), Code::ok;
+      case 150:  // CMD_EXT_SENS_CMD
+        return use(Type<msg::ExtSensCmd>{}), Code::ok;
+      case 151:  // CMD_TRANSPARENT_SAPI
+        return use(Type<msg::TransparentSapi>{}), Code::ok;
+      case 249:  // CMD_SET_DEBUG_PORT
+        return use(Type<msg::SetDebugPort>{}), Code::ok;
       case 250:  // CMD_MAVLINK_INFO
         return use(Type<msg::MavlinkInfo>{}), Code::ok;
       case 251:  // CMD_MAVLINK_DEBUG
@@ -257,7 +428,8 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
         return use(Type<msg::RealtimeData3Request>{}), Code::ok;
       case 24:  // CMD_SELECT_IMU_3
         if (size == 1) return use(Type<msg::SelectImu3>{}), Code::ok;
-        if (size >= 2) return use(Type<msg::SelectImu3Ext>{}), Code::ok;
+        if (size >= 2 && size <= 11) return use(Type<msg::SelectImu3Ext>{}), Code::ok;
+        if (size == 12) return use(Type<msg::SelectImu3Calibrate>{}), Code::ok;
         return Code::unknown_form;
       case 25:  // CMD_REALTIME_DATA_4
         return use(Type<msg::RealtimeData4Request>{}), Code::ok;
@@ -283,10 +455,17 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
         return use(Type<msg::AutoPidRequest>{}), Code::ok;
       case 36:  // CMD_SERVO_OUT
         return use(Type<msg::ServoOut>{}), Code::ok;
+      case 37:  // CMD_BODE_TEST_START_STOP
+        return use(Type<msg::BodeTestStartStopRequest>{}), Code::ok;
+      case 38:  // CMD_BODE_TEST_DATA
+        return use(Type<msg::BodeTestDataRequest>{}), Code::ok;
       case 39:  // CMD_I2C_WRITE_REG_BUF
         return use(Type<msg::I2cWriteRegBuf>{}), Code::ok;
       case 40:  // CMD_I2C_READ_REG_BUF
-        return use(Type<msg::I2cReadRegBufRequest>{}), Code::ok;
+        if (size == 2) return use(Type<msg::I2cReadRegBufRequestNoRegister>{}), Code::ok;
+        if (size == 3) return use(Type<msg::I2cReadRegBufRequest>{}), Code::ok;
+        if (size == 4) return use(Type<msg::I2cReadRegBufRequestWideRegister>{}), Code::ok;
+        return Code::unknown_form;
       case 41:  // CMD_WRITE_EXTERNAL_DATA
         return use(Type<msg::WriteExternalData>{}), Code::ok;
       case 42:  // CMD_READ_EXTERNAL_DATA
@@ -307,6 +486,8 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
         return use(Type<msg::EepromReadRequest>{}), Code::ok;
       case 49:  // CMD_CALIB_INFO
         return use(Type<msg::CalibInfoRequest>{}), Code::ok;
+      case 50:  // CMD_SIGN_MESSAGE
+        return use(Type<msg::SignMessageRequest>{}), Code::ok;
       case 51:  // CMD_BOOT_MODE_3
         if (size == 0) return use(Type<msg::BootMode3>{}), Code::ok;
         if (size == 3) return use(Type<msg::BootMode3Ext>{}), Code::ok;
@@ -328,7 +509,11 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
       case 57:  // CMD_RUN_SCRIPT
         return use(Type<msg::RunScript>{}), Code::ok;
       case 59:  // CMD_CALIB_MAG
-        return use(Type<msg::CalibMag>{}), Code::ok;
+        if (size == 0) return use(Type<msg::CalibMag>{}), Code::ok;
+        if (size == 12) return use(Type<msg::CalibMagExt>{}), Code::ok;
+        return Code::unknown_form;
+      case 60:  // CMD_UART_BYPASS
+        return use(Type<msg::UartBypassRequest>{}), Code::ok;
       case 61:  // CMD_GET_ANGLES_EXT
         return use(Type<msg::GetAnglesExtRequest>{}), Code::ok;
       case 62:  // CMD_READ_PARAMS_EXT2
@@ -367,6 +552,8 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
         return use(Type<msg::CalibMotorMagLinkRequest>{}), Code::ok;
       case 75:  // CMD_GYRO_CORRECTION
         return use(Type<msg::GyroCorrection>{}), Code::ok;
+      case 76:  // CMD_MODULE_LIST
+        return use(Type<msg::ModuleListRequest>{}), Code::ok;
       case 77:  // CMD_MOTORS_ON
         return use(Type<msg::MotorsOn>{}), Code::ok;
       case 79:  // CMD_CALIB_OFFSET
@@ -390,18 +577,120 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
         return use(Type<msg::RealtimeDataCustomRequest>{}), Code::ok;
       case 89:  // CMD_BEEP_SOUND
         return use(Type<msg::BeepSound>{}), Code::ok;
+      case 90:  // CMD_CONTROL_CONFIG
+        return use(Type<msg::ControlConfig>{}), Code::ok;
+      case 91:  // CMD_CALIB_ORIENT_CORR
+        return use(Type<msg::CalibOrientCorr>{}), Code::ok;
+      case 92:  // CMD_COGGING_CALIB_INFO
+        return use(Type<msg::CoggingCalibInfoRequest>{}), Code::ok;
+      case 93:  // CMD_CALIB_COGGING
+        return use(Type<msg::CalibCogging>{}), Code::ok;
+      case 94:  // CMD_CALIB_ACC_EXT_REF
+        return use(Type<msg::CalibAccExtRef>{}), Code::ok;
+      case 95:  // CMD_PROFILE_SET
+        return use(Type<msg::ProfileSet>{}), Code::ok;
+      case 96:  // CMD_CAN_DEVICE_SCAN
+        return use(Type<msg::CanDeviceScanRequest>{}), Code::ok;
+      case 97:  // CMD_CAN_DRV_HARD_PARAMS
+        return use(Type<msg::CanDrvHardParamsRequest>{}), Code::ok;
+      case 98:  // CMD_CAN_DRV_STATE
+        return use(Type<msg::CanDrvStateRequest>{}), Code::ok;
+      case 99:  // CMD_CAN_DRV_CALIBRATE
+        return use(Type<msg::CanDrvCalibrateRequest>{}), Code::ok;
+      case 100:  // CMD_READ_RC_INPUTS
+        return use(Type<msg::ReadRcInputsRequest>{}), Code::ok;
+      case 101:  // CMD_REALTIME_DATA_CAN_DRV
+        return use(Type<msg::RealtimeDataCanDrvRequest>{}), Code::ok;
       case 103:  // CMD_CALIB_GYRO
         if (size == 0) return use(Type<msg::CalibGyro>{}), Code::ok;
         if (size == 12) return use(Type<msg::CalibGyroExt>{}), Code::ok;
         return Code::unknown_form;
+      case 104:  // CMD_READ_PARAMS_EXT3
+        return use(Type<msg::ReadParamsExt3Request>{}), Code::ok;
+      case 105:  // CMD_WRITE_PARAMS_EXT3
+        return use(Type<msg::WriteParamsExt3>{}), Code::ok;
+      case 106:  // CMD_EXT_IMU_DEBUG_INFO
+        return use(Type<msg::ExtImuDebugInfoRequest>{}), Code::ok;
+      case 107:  // CMD_SET_DEVICE_ADDR
+        return use(Type<msg::SetDeviceAddrRequest>{}), Code::ok;
+      case 108:  // CMD_AUTO_PID2
+        return use(Type<msg::AutoPid2>{}), Code::ok;
       case 109:  // CMD_MOTORS_OFF
         if (size == 0) return use(Type<msg::MotorsOff>{}), Code::ok;
         if (size == 1) return use(Type<msg::MotorsOffExt>{}), Code::ok;
         return Code::unknown_form;
+      case 110:  // CMD_EXT_IMU_CMD
+        return use(Type<msg::ExtImuCmd>{}), Code::ok;
+      case 111:  // CMD_READ_STATE_VARS
+        return use(Type<msg::ReadStateVarsRequest>{}), Code::ok;
+      case 112:  // CMD_WRITE_STATE_VARS
+        return use(Type<msg::WriteStateVars>{}), Code::ok;
+      case 113:  // CMD_SERIAL_PROXY
+        return use(Type<msg::SerialProxyRequest>{}), Code::ok;
       case 114:  // CMD_RESET
         if (size == 0) return use(Type<msg::ResetRequest>{}), Code::ok;
         if (size == 3) return use(Type<msg::ResetRequestExt>{}), Code::ok;
         return Code::unknown_form;
+      case 115:  // CMD_IMU_ADVANCED_CALIB
+        return use(Type<msg::ImuAdvancedCalibRequest>{}), Code::ok;
+      case 116:  // CMD_API_VIRT_CH_HIGH_RES
+        return use(Type<msg::ApiVirtChHighRes>{}), Code::ok;
+      case 117:  // CMD_CALIB_ENCODER_LUT
+        return use(Type<msg::CalibEncoderLutRequest>{}), Code::ok;
+      case 118:  // CMD_CALIB_ENCODER_LUT_RES
+        return use(Type<msg::CalibEncoderLutResRequest>{}), Code::ok;
+      case 119:  // CMD_WRITE_PARAMS_SET
+        return use(Type<msg::WriteParamsSet>{}), Code::ok;
+      case 120:  // CMD_CALIB_CUR_SENS
+        return use(Type<msg::CalibCurSensRequest>{}), Code::ok;
+      case 121:  // CMD_CONTROL_EXT
+        return use(Type<msg::ControlExtCommand>{}), Code::ok;
+      case 122:  // CMD_ENC_INT_CALIB
+        return use(Type<msg::EncIntCalibRequest>{}), Code::ok;
+      case 123:  // CMD_SYNC_MOTORS
+        return use(Type<msg::SyncMotors>{}), Code::ok;
+      case 124:  // CMD_EXT_LICENSE_INFO
+        return use(Type<msg::ExtLicenseInfoRequest>{}), Code::ok;
+      case 125:  // CMD_VIBRATION_TEST_START_STOP
+        return use(Type<msg::VibrationTestStartStopRequest>{}), Code::ok;
+      case 126:  // CMD_VIBRATION_TEST_DATA
+        return use(Type<msg::VibrationTestDataRequest>{}), Code::ok;
+      case 128:  // CMD_EXT_MOTORS_ACTION
+        return use(Type<msg::ExtMotorsAction>{}), Code::ok;
+      case 129:  // CMD_EXT_MOTORS_CONTROL
+        return use(Type<msg::ExtMotorsControl>{}), Code::ok;
+      case 130:  // CMD_EXT_MOTORS_CONTROL_CONFIG
+        return use(Type<msg::ExtMotorsControlConfig>{}), Code::ok;
+      case 131:  // CMD_EXT_MOTORS_STATE
+        return use(Type<msg::ExtMotorsStateRequest>{}), Code::ok;
+      case 132:  // CMD_ADJ_VARS_INFO
+        if (size == 0) return use(Type<msg::AdjVarsInfoRequestAll>{}), Code::ok;
+        if (size == 1) return use(Type<msg::AdjVarsInfoRequest>{}), Code::ok;
+        return Code::unknown_form;
+      case 133:  // CMD_SERVO_OUT_EXT
+        return use(Type<msg::ServoOutExt>{}), Code::ok;
+      case 134:  // CMD_SET_ADJ_VARS_VAL_F
+        return use(Type<msg::SetAdjVarsValF>{}), Code::ok;
+      case 135:  // CMD_GET_ADJ_VARS_VAL_F
+        return use(Type<msg::GetAdjVarsValF>{}), Code::ok;
+      case 140:  // CMD_CONTROL_QUAT
+        if (size == 2) return use(Type<msg::ControlQuatDisabled>{}), Code::ok;
+        if (size == 10) return use(Type<msg::ControlQuatAttitudePacked>{}), Code::ok;
+        if (size == 14) return use(Type<msg::ControlQuatSpeed>{}), Code::ok;
+        if (size == 18) return use(Type<msg::ControlQuatAttitude>{}), Code::ok;
+        if (size == 22) return use(Type<msg::ControlQuatSpeedAttitudePacked>{}), Code::ok;
+        if (size == 30) return use(Type<msg::ControlQuatSpeedAttitude>{}), Code::ok;
+        return Code::unknown_form;
+      case 141:  // CMD_CONTROL_QUAT_STATUS
+        return use(Type<msg::ControlQuatStatusRequest>{}), Code::ok;
+      case 142:  // CMD_CONTROL_QUAT_CONFIG
+        return use(Type<msg::ControlQuatConfig>{}), Code::ok;
+      case 150:  // CMD_EXT_SENS_CMD
+        return use(Type<msg::ExtSensCmdRequest>{}), Code::ok;
+      case 151:  // CMD_TRANSPARENT_SAPI
+        return use(Type<msg::TransparentSapiRequest>{}), Code::ok;
+      case 249:  // CMD_SET_DEBUG_PORT
+        return use(Type<msg::SetDebugPortRequest>{}), Code::ok;
       case 250:  // CMD_MAVLINK_INFO
         return use(Type<msg::MavlinkInfoRequest>{}), Code::ok;
       case 251:  // CMD_MAVLINK_DEBUG
@@ -409,7 +698,9 @@ constexpr Code select(Direction direction, std::uint8_t id, [[maybe_unused]] std
       case 253:  // CMD_DEBUG_VARS_INFO_3
         return use(Type<msg::DebugVarsInfo3Request>{}), Code::ok;
       case 254:  // CMD_DEBUG_VARS_3
-        return use(Type<msg::DebugVars3Request>{}), Code::ok;
+        if (size == 0) return use(Type<msg::DebugVars3Request>{}), Code::ok;
+        if (size >= 4) return use(Type<msg::DebugVars3RequestSelected>{}), Code::ok;
+        return Code::unknown_form;
       default: return Code::unknown_command;
     }
   }

@@ -10,6 +10,7 @@
 #include <sbgc/detail/part.hpp>
 #include <sbgc/flags.hpp>
 #include <sbgc/number.hpp>
+#include <sbgc/units.hpp>
 
 namespace sbgc::msg {
 
@@ -55,6 +56,11 @@ enum class CommandToBoard : std::uint8_t {
   auto_pid = 35,
   /// CMD_SERVO_OUT: Send PWM signals to servos.
   servo_out = 36,
+  /// CMD_BODE_TEST_START_STOP: Undocumented; by its name, starts or stops the recording of a
+  /// frequency response.
+  bode_test_start_stop = 37,
+  /// CMD_BODE_TEST_DATA: Undocumented; by its name, data of a recorded frequency response.
+  bode_test_data = 38,
   /// CMD_I2C_WRITE_REG_BUF: Write to a device on an I2C bus.
   i2c_write_reg_buf = 39,
   /// CMD_I2C_READ_REG_BUF: Data from a device on an I2C bus.
@@ -79,6 +85,9 @@ enum class CommandToBoard : std::uint8_t {
   eeprom_read = 48,
   /// CMD_CALIB_INFO: Calibration status for display.
   calib_info = 49,
+  /// CMD_SIGN_MESSAGE: Signature of a message.
+  sign_message = 50,
+  sign_message_3 = sign_message,  ///< former name
   /// CMD_BOOT_MODE_3: Enter the bootloader to load new firmware.
   boot_mode_3 = 51,
   /// CMD_SYSTEM_STATE: Undocumented; by its name, the state of the system.
@@ -95,6 +104,8 @@ enum class CommandToBoard : std::uint8_t {
   run_script = 57,
   /// CMD_CALIB_MAG: Calibrate the magnetometer.
   calib_mag = 59,
+  /// CMD_UART_BYPASS: Undocumented; by its name, connects two serial ports of the board.
+  uart_bypass = 60,
   /// CMD_GET_ANGLES_EXT: Camera angles, targets and joint angles.
   get_angles_ext = 61,
   /// CMD_READ_PARAMS_EXT2: The third set of parameters of one profile.
@@ -127,6 +138,8 @@ enum class CommandToBoard : std::uint8_t {
   /// CMD_GYRO_CORRECTION: Correct the zero of a gyroscope manually; the camera drifts if the
   /// correction is wrong.
   gyro_correction = 75,
+  /// CMD_MODULE_LIST: Modules connected to the board.
+  module_list = 76,
   /// CMD_MOTORS_ON: Turn the motors on.
   motors_on = 77,
   /// CMD_CALIB_OFFSET: Calibrate the follow mode offset.
@@ -148,12 +161,111 @@ enum class CommandToBoard : std::uint8_t {
   realtime_data_custom = 88,
   /// CMD_BEEP_SOUND: Play a melody through the motors, or a standard sound.
   beep_sound = 89,
+  /// CMD_CONTROL_CONFIG: Configure serial control until the next start.
+  control_config = 90,
+  /// CMD_CALIB_ORIENT_CORR: Calibrate the orientation of the IMU.
+  calib_orient_corr = 91,
+  /// CMD_COGGING_CALIB_INFO: Undocumented; by its name, the state of the calibration of the
+  /// cogging.
+  cogging_calib_info = 92,
+  /// CMD_CALIB_COGGING: Calibrate the cogging of the motors, or delete this calibration.
+  calib_cogging = 93,
+  /// CMD_CALIB_ACC_EXT_REF: Calibrate the accelerometer with an external reference.
+  calib_acc_ext_ref = 94,
+  /// CMD_PROFILE_SET: Save, clear or load a profile set.
+  profile_set = 95,
+  /// CMD_CAN_DEVICE_SCAN: Devices on the CAN bus.
+  can_device_scan = 96,
+  /// CMD_CAN_DRV_HARD_PARAMS: Undocumented; by its name, hardware parameters of a CAN motor driver.
+  can_drv_hard_params = 97,
+  /// CMD_CAN_DRV_STATE: Undocumented; by its name, the state of a CAN motor driver.
+  can_drv_state = 98,
+  /// CMD_CAN_DRV_CALIBRATE: Undocumented; by its name, calibrates a CAN motor driver.
+  can_drv_calibrate = 99,
+  /// CMD_READ_RC_INPUTS: RC signals of selected inputs.
+  read_rc_inputs = 100,
+  /// CMD_REALTIME_DATA_CAN_DRV: Undocumented; by its name, live data of a CAN motor driver.
+  realtime_data_can_drv = 101,
   /// CMD_CALIB_GYRO: Calibrate a gyroscope.
   calib_gyro = 103,
+  /// CMD_READ_PARAMS_EXT3: The fourth set of parameters of one profile.
+  read_params_ext3 = 104,
+  /// CMD_WRITE_PARAMS_EXT3: Store the fourth set of parameters of one profile.
+  write_params_ext3 = 105,
+  /// CMD_EXT_IMU_DEBUG_INFO: State of the attitude estimation and of the external IMU.
+  ext_imu_debug_info = 106,
+  /// CMD_SET_DEVICE_ADDR: Undocumented; by its name, sets the address of a device.
+  set_device_addr = 107,
+  /// CMD_AUTO_PID2: Tune the PID controllers automatically, in later firmware.
+  auto_pid2 = 108,
   /// CMD_MOTORS_OFF: Turn the motors off.
   motors_off = 109,
+  /// CMD_EXT_IMU_CMD: A command of the external IMU's own protocol.
+  ext_imu_cmd = 110,
+  /// CMD_READ_STATE_VARS: Statistics of the board's whole life.
+  read_state_vars = 111,
+  /// CMD_WRITE_STATE_VARS: Store the statistics of the board's whole life.
+  write_state_vars = 112,
+  /// CMD_SERIAL_PROXY: Undocumented; by its name, passes data on to a serial port.
+  serial_proxy = 113,
   /// CMD_RESET: The board restarts.
   reset = 114,
+  /// CMD_IMU_ADVANCED_CALIB: Undocumented; by its name, calibrates an IMU in an advanced way.
+  imu_advanced_calib = 115,
+  /// CMD_API_VIRT_CH_HIGH_RES: Set the host's virtual RC channels in high resolution; they can
+  /// control the camera and more.
+  api_virt_ch_high_res = 116,
+  /// CMD_CALIB_ENCODER_LUT: Undocumented; by its name, calibrates the correction table of an
+  /// encoder.
+  calib_encoder_lut = 117,
+  /// CMD_CALIB_ENCODER_LUT_RES: Undocumented; by its name, the result of the calibration of an
+  /// encoder's correction table.
+  calib_encoder_lut_res = 118,
+  /// CMD_WRITE_PARAMS_SET: Begin or end a series of commands that store parameters.
+  write_params_set = 119,
+  /// CMD_CALIB_CUR_SENS: Undocumented; by its name, calibrates the current sensors.
+  calib_cur_sens = 120,
+  /// CMD_CONTROL_EXT: Move the camera, with the data that each axis needs.
+  control_ext = 121,
+  /// CMD_ENC_INT_CALIB: Undocumented; by its name, calibrates an encoder internally.
+  enc_int_calib = 122,
+  /// CMD_SYNC_MOTORS: Power one motor as a synchronous motor for some time, then turn the motors
+  /// off.
+  sync_motors = 123,
+  /// CMD_EXT_LICENSE_INFO: Undocumented; by its name, information about extended licenses.
+  ext_license_info = 124,
+  /// CMD_VIBRATION_TEST_START_STOP: Undocumented; by its name, starts or stops a vibration test.
+  vibration_test_start_stop = 125,
+  /// CMD_VIBRATION_TEST_DATA: Undocumented; by its name, data of a vibration test.
+  vibration_test_data = 126,
+  /// CMD_EXT_MOTORS_ACTION: Turn external motors on or off, or move them to their home position.
+  ext_motors_action = 128,
+  /// CMD_EXT_MOTORS_CONTROL: Set targets of external motors.
+  ext_motors_control = 129,
+  /// CMD_EXT_MOTORS_CONTROL_CONFIG: Configure external motors.
+  ext_motors_control_config = 130,
+  /// CMD_EXT_MOTORS_STATE: State of an external motor.
+  ext_motors_state = 131,
+  /// CMD_ADJ_VARS_INFO: Names, ranges and values of adjustable variables.
+  adj_vars_info = 132,
+  /// CMD_SERVO_OUT_EXT: Send PWM signals to servos of the board and of its CAN motor drivers.
+  servo_out_ext = 133,
+  /// CMD_SET_ADJ_VARS_VAL_F: Values of adjustable variables in floating point.
+  set_adj_vars_val_f = 134,
+  /// CMD_GET_ADJ_VARS_VAL_F: Request the values of adjustable variables in floating point.
+  get_adj_vars_val_f = 135,
+  /// CMD_CONTROL_QUAT: Move the camera, with attitude and speed in space.
+  control_quat = 140,
+  /// CMD_CONTROL_QUAT_STATUS: State of the control with quaternions.
+  control_quat_status = 141,
+  /// CMD_CONTROL_QUAT_CONFIG: Configure the control with quaternions.
+  control_quat_config = 142,
+  /// CMD_EXT_SENS_CMD: A message of an external sensor's own protocol.
+  ext_sens_cmd = 150,
+  /// CMD_TRANSPARENT_SAPI: Data from a serial port of a device on the CAN bus.
+  transparent_sapi = 151,
+  /// CMD_SET_DEBUG_PORT: Copy of a message on another port of the board.
+  set_debug_port = 249,
   /// CMD_MAVLINK_INFO: Undocumented; by its name, information about a MAVLink connection.
   mavlink_info = 250,
   /// CMD_MAVLINK_DEBUG: Undocumented; by its name, debugging of a MAVLink connection.
@@ -187,6 +299,11 @@ enum class CommandFromBoard : std::uint8_t {
   read_params_ext = 33,
   /// CMD_AUTO_PID: Tune the PID controllers automatically.
   auto_pid = 35,
+  /// CMD_BODE_TEST_START_STOP: Undocumented; by its name, starts or stops the recording of a
+  /// frequency response.
+  bode_test_start_stop = 37,
+  /// CMD_BODE_TEST_DATA: Undocumented; by its name, data of a recorded frequency response.
+  bode_test_data = 38,
   /// CMD_I2C_READ_REG_BUF: Data from a device on an I2C bus.
   i2c_read_reg_buf = 40,
   /// CMD_READ_EXTERNAL_DATA: User data in the EEPROM.
@@ -199,6 +316,9 @@ enum class CommandFromBoard : std::uint8_t {
   eeprom_read = 48,
   /// CMD_CALIB_INFO: Calibration status for display.
   calib_info = 49,
+  /// CMD_SIGN_MESSAGE: Signature of a message.
+  sign_message = 50,
+  sign_message_3 = sign_message,  ///< former name
   /// CMD_SYSTEM_STATE: Undocumented; by its name, the state of the system.
   system_state = 52,
   /// CMD_READ_FILE: Part of a file.
@@ -207,6 +327,8 @@ enum class CommandFromBoard : std::uint8_t {
   ahrs_helper = 56,
   /// CMD_SCRIPT_DEBUG: Progress of a script started with debugging.
   script_debug = 58,
+  /// CMD_UART_BYPASS: Undocumented; by its name, connects two serial ports of the board.
+  uart_bypass = 60,
   /// CMD_GET_ANGLES_EXT: Camera angles, targets and joint angles.
   get_angles_ext = 61,
   /// CMD_READ_PARAMS_EXT2: The third set of parameters of one profile.
@@ -218,12 +340,77 @@ enum class CommandFromBoard : std::uint8_t {
   /// CMD_CALIB_MOTOR_MAG_LINK: Undocumented; by its name, calibrates the magnetic linkage of the
   /// motors.
   calib_motor_mag_link = 74,
+  /// CMD_MODULE_LIST: Modules connected to the board.
+  module_list = 76,
   /// CMD_BOARD_INFO: Board version and features.
   board_info = 86,
   /// CMD_REALTIME_DATA_CUSTOM: Live data of the requested blocks.
   realtime_data_custom = 88,
+  /// CMD_COGGING_CALIB_INFO: Undocumented; by its name, the state of the calibration of the
+  /// cogging.
+  cogging_calib_info = 92,
+  /// CMD_CAN_DEVICE_SCAN: Devices on the CAN bus.
+  can_device_scan = 96,
+  /// CMD_CAN_DRV_HARD_PARAMS: Undocumented; by its name, hardware parameters of a CAN motor driver.
+  can_drv_hard_params = 97,
+  /// CMD_CAN_DRV_STATE: Undocumented; by its name, the state of a CAN motor driver.
+  can_drv_state = 98,
+  /// CMD_CAN_DRV_CALIBRATE: Undocumented; by its name, calibrates a CAN motor driver.
+  can_drv_calibrate = 99,
+  /// CMD_READ_RC_INPUTS: RC signals of selected inputs.
+  read_rc_inputs = 100,
+  /// CMD_REALTIME_DATA_CAN_DRV: Undocumented; by its name, live data of a CAN motor driver.
+  realtime_data_can_drv = 101,
+  /// CMD_EVENT: An event, if the host has requested such events with CMD_DATA_STREAM_INTERVAL.
+  event = 102,
+  /// CMD_READ_PARAMS_EXT3: The fourth set of parameters of one profile.
+  read_params_ext3 = 104,
+  /// CMD_EXT_IMU_DEBUG_INFO: State of the attitude estimation and of the external IMU.
+  ext_imu_debug_info = 106,
+  /// CMD_SET_DEVICE_ADDR: Undocumented; by its name, sets the address of a device.
+  set_device_addr = 107,
+  /// CMD_EXT_IMU_CMD: A command of the external IMU's own protocol.
+  ext_imu_cmd = 110,
+  /// CMD_READ_STATE_VARS: Statistics of the board's whole life.
+  read_state_vars = 111,
+  /// CMD_SERIAL_PROXY: Undocumented; by its name, passes data on to a serial port.
+  serial_proxy = 113,
   /// CMD_RESET: The board restarts.
   reset = 114,
+  /// CMD_IMU_ADVANCED_CALIB: Undocumented; by its name, calibrates an IMU in an advanced way.
+  imu_advanced_calib = 115,
+  /// CMD_CALIB_ENCODER_LUT: Undocumented; by its name, calibrates the correction table of an
+  /// encoder.
+  calib_encoder_lut = 117,
+  /// CMD_CALIB_ENCODER_LUT_RES: Undocumented; by its name, the result of the calibration of an
+  /// encoder's correction table.
+  calib_encoder_lut_res = 118,
+  /// CMD_CALIB_CUR_SENS: Undocumented; by its name, calibrates the current sensors.
+  calib_cur_sens = 120,
+  /// CMD_ENC_INT_CALIB: Undocumented; by its name, calibrates an encoder internally.
+  enc_int_calib = 122,
+  /// CMD_EXT_LICENSE_INFO: Undocumented; by its name, information about extended licenses.
+  ext_license_info = 124,
+  /// CMD_VIBRATION_TEST_START_STOP: Undocumented; by its name, starts or stops a vibration test.
+  vibration_test_start_stop = 125,
+  /// CMD_VIBRATION_TEST_DATA: Undocumented; by its name, data of a vibration test.
+  vibration_test_data = 126,
+  /// CMD_CAN_DRV_TELEMETRY: Live data of a CAN motor driver.
+  can_drv_telemetry = 127,
+  /// CMD_EXT_MOTORS_STATE: State of an external motor.
+  ext_motors_state = 131,
+  /// CMD_ADJ_VARS_INFO: Names, ranges and values of adjustable variables.
+  adj_vars_info = 132,
+  /// CMD_SET_ADJ_VARS_VAL_F: Values of adjustable variables in floating point.
+  set_adj_vars_val_f = 134,
+  /// CMD_CONTROL_QUAT_STATUS: State of the control with quaternions.
+  control_quat_status = 141,
+  /// CMD_EXT_SENS_CMD: A message of an external sensor's own protocol.
+  ext_sens_cmd = 150,
+  /// CMD_TRANSPARENT_SAPI: Data from a serial port of a device on the CAN bus.
+  transparent_sapi = 151,
+  /// CMD_SET_DEBUG_PORT: Copy of a message on another port of the board.
+  set_debug_port = 249,
   /// CMD_MAVLINK_INFO: Undocumented; by its name, information about a MAVLink connection.
   mavlink_info = 250,
   /// CMD_MAVLINK_DEBUG: Undocumented; by its name, debugging of a MAVLink connection.
@@ -301,9 +488,10 @@ enum class VariableId : std::uint8_t {
   /// RC_EXPO_RATE: Expo rate of the RC signals.
   rc_expo_rate = 29,
   /// FOLLOW_MODE: What the camera follows: 0 nothing, 1 the flight controller, 2 pitch and roll of
-  /// the frame.
+  /// the frame. Later firmware calls it FOLLOW_PITCH, from 0 to 1.
   follow_mode = 30,
-  /// RC_FOLLOW_YAW: 1 if yaw follows the frame, otherwise 0.
+  /// RC_FOLLOW_YAW: 1 if yaw follows the frame, otherwise 0. Later firmware calls it
+  /// RC_FOLLOW_YAW_PITCH, from 0 to 2.
   rc_follow_yaw = 31,
   /// FOLLOW_DEADBAND: Dead band of the follow mode.
   follow_deadband = 32,
@@ -315,7 +503,7 @@ enum class VariableId : std::uint8_t {
   follow_roll_mix_range = 35,
   /// GYRO_TRUST: Trust in the gyroscope relative to the accelerometer.
   gyro_trust = 36,
-  /// FRAME_HEADING_ANGLE: Heading of the frame.
+  /// FRAME_HEADING_ANGLE: Heading of the frame; in later firmware 32767 has a special meaning.
   frame_heading_angle = 37,
   /// GYRO_HEADING_CORRECTION: Gyroscope correction about the vertical.
   gyro_heading_correction = 38,
@@ -337,6 +525,114 @@ enum class VariableId : std::uint8_t {
   lpf_freq_pitch = 46,
   /// LPF_FREQ_YAW: Low-pass filter of yaw.
   lpf_freq_yaw = 47,
+  /// TIMELAPSE_TIME: Duration of a time lapse.
+  timelapse_time = 48,
+  /// MAV_CTRL_MODE: What MAVLink controls: 0 nothing, 1 roll and pitch, 2 all axes.
+  mav_ctrl_mode = 49,
+  /// H_CORR_FACTOR: Strength of the heading correction.
+  h_corr_factor = 50,
+  /// SW_LIM_MIN_ROLL: Lowest angle of the roll joint.
+  sw_lim_min_roll = 51,
+  /// SW_LIM_MAX_ROLL: Highest angle of the roll joint.
+  sw_lim_max_roll = 52,
+  /// SW_LIM_MIN_PITCH: Lowest angle of the pitch joint.
+  sw_lim_min_pitch = 53,
+  /// SW_LIM_MAX_PITCH: Highest angle of the pitch joint.
+  sw_lim_max_pitch = 54,
+  /// SW_LIM_MIN_YAW: Lowest angle of the yaw joint.
+  sw_lim_min_yaw = 55,
+  /// SW_LIM_MAX_YAW: Highest angle of the yaw joint.
+  sw_lim_max_yaw = 56,
+  /// FOLLOW_RANGE_ROLL: Range of the follow mode of roll.
+  follow_range_roll = 57,
+  /// FOLLOW_RANGE_PITCH: Range of the follow mode of pitch.
+  follow_range_pitch = 58,
+  /// FOLLOW_RANGE_YAW: Range of the follow mode of yaw.
+  follow_range_yaw = 59,
+  /// AUTO_PID_TARGET: Target of the automatic PID tuning.
+  auto_pid_target = 60,
+  /// RC_MODE_ROLL: What the RC signal of roll controls, as in RC_MODE.
+  rc_mode_roll = 61,
+  /// RC_MODE_PITCH: What the RC signal of pitch controls, as in RC_MODE.
+  rc_mode_pitch = 62,
+  /// RC_MODE_YAW: What the RC signal of yaw controls, as in RC_MODE.
+  rc_mode_yaw = 63,
+  /// EULER_ORDER: Order of the Euler angles.
+  euler_order = 64,
+  /// FOLLOW_IN_DBAND: How much to follow inside the follow mode's dead band.
+  follow_in_dband = 65,
+  /// RC_LIMIT_MIN_ROLL: Angle of roll at the lowest RC signal.
+  rc_limit_min_roll = 66,
+  /// RC_LIMIT_MAX_ROLL: Angle of roll at the highest RC signal.
+  rc_limit_max_roll = 67,
+  /// RC_LIMIT_MIN_PITCH: Angle of pitch at the lowest RC signal.
+  rc_limit_min_pitch = 68,
+  /// RC_LIMIT_MAX_PITCH: Angle of pitch at the highest RC signal.
+  rc_limit_max_pitch = 69,
+  /// RC_LIMIT_MIN_YAW: Angle of yaw at the lowest RC signal.
+  rc_limit_min_yaw = 70,
+  /// RC_LIMIT_MAX_YAW: Angle of yaw at the highest RC signal.
+  rc_limit_max_yaw = 71,
+  /// RC_DEADBAND_PITCH: Dead band around the center of the RC signal of pitch.
+  rc_deadband_pitch = 72,
+  /// RC_DEADBAND_YAW: Dead band around the center of the RC signal of yaw.
+  rc_deadband_yaw = 73,
+  /// RC_EXPO_RATE_PITCH: Expo rate of the RC signal of pitch.
+  rc_expo_rate_pitch = 74,
+  /// RC_EXPO_RATE_YAW: Expo rate of the RC signal of yaw.
+  rc_expo_rate_yaw = 75,
+  /// SHAKE_AMP_ROLL: Amplitude of the shake generator in roll.
+  shake_amp_roll = 76,
+  /// SHAKE_AMP_TILT: Amplitude of the shake generator in tilt.
+  shake_amp_tilt = 77,
+  /// SHAKE_AMP_PAN: Amplitude of the shake generator in pan.
+  shake_amp_pan = 78,
+  /// SHAKE_FREQ: Base frequency of the shake generator.
+  shake_freq = 79,
+  /// SHAKE_FREQ_RANGE: Frequency range of the shake generator.
+  shake_freq_range = 80,
+  /// SHAKE_PAUSE_PERIOD: Period of the pauses of the shake generator.
+  shake_pause_period = 81,
+  /// SHAKE_PAUSE_BALANCE: Share of the pauses of the shake generator.
+  shake_pause_balance = 82,
+  /// SHAKE_PAUSE_RANDOMNESS: Randomness of the pauses of the shake generator.
+  shake_pause_randomness = 83,
+  /// SHAKE_RESONANCE_GAIN_ROLL: Gain of the shake generator's resonance in roll.
+  shake_resonance_gain_roll = 84,
+  /// SHAKE_RESONANCE_GAIN_TILT: Gain of the shake generator's resonance in tilt.
+  shake_resonance_gain_tilt = 85,
+  /// SHAKE_RESONANCE_GAIN_PAN: Gain of the shake generator's resonance in pan.
+  shake_resonance_gain_pan = 86,
+  /// SHAKE_FREQ_SHIFT_ROLL: Shift of the shake generator's frequency in roll.
+  shake_freq_shift_roll = 87,
+  /// SHAKE_FREQ_SHIFT_TILT: Shift of the shake generator's frequency in tilt.
+  shake_freq_shift_tilt = 88,
+  /// SHAKE_FREQ_SHIFT_PAN: Shift of the shake generator's frequency in pan.
+  shake_freq_shift_pan = 89,
+  /// SHAKE_MASTER_GAIN: Gain of the shake generator in all directions.
+  shake_master_gain = 90,
+  /// OUTER_P_ROLL: Proportional gain of the outer loop of roll.
+  outer_p_roll = 91,
+  /// OUTER_P_PITCH: Proportional gain of the outer loop of pitch.
+  outer_p_pitch = 92,
+  /// OUTER_P_YAW: Proportional gain of the outer loop of yaw.
+  outer_p_yaw = 93,
+  /// D_LPF_FREQ_ROLL: Low-pass filter of the derivative term of roll.
+  d_lpf_freq_roll = 94,
+  /// D_LPF_FREQ_PITCH: Low-pass filter of the derivative term of pitch.
+  d_lpf_freq_pitch = 95,
+  /// D_LPF_FREQ_YAW: Low-pass filter of the derivative term of yaw.
+  d_lpf_freq_yaw = 96,
+  /// IMU_ANGLE_CORR_ROLL: Correction of the roll angle of the IMU.
+  imu_angle_corr_roll = 97,
+  /// IMU_ANGLE_CORR_PITCH: Correction of the pitch angle of the IMU.
+  imu_angle_corr_pitch = 98,
+  /// SW_LIM_WIDTH_ROLL: Width of the soft limits of the roll joint.
+  sw_lim_width_roll = 99,
+  /// SW_LIM_WIDTH_PITCH: Width of the soft limits of the pitch joint.
+  sw_lim_width_pitch = 100,
+  /// SW_LIM_WIDTH_YAW: Width of the soft limits of the yaw joint.
+  sw_lim_width_yaw = 101,
 };
 
 /// Reason that the board did not execute a command.
@@ -346,8 +642,12 @@ enum class BoardErrorCode : std::uint8_t {
   cmd_size = 1,
   /// A value is invalid.
   wrong_params = 2,
+  /// GET_DEVICE_ID: The board cannot read its device id. Unconfirmed.
+  get_device_id = 3,
   /// A key or signature check failed.
   crypto = 4,
+  /// CALIBRATE_BAT: The calibration of the battery voltage failed. Unconfirmed.
+  calibrate_bat = 5,
   /// The board does not know the command.
   unknown_command = 6,
   /// Not possible in the current state.
@@ -393,6 +693,8 @@ enum class SerialSpeed : std::uint8_t {
   baud_19200 = 3,
   /// 9600 baud.
   baud_9600 = 4,
+  /// 256000 baud.
+  baud_256000 = 5,
 };
 
 /// Returns the number that a value denotes; 0 for unknown values.
@@ -403,6 +705,7 @@ constexpr std::uint32_t number_of(SerialSpeed value) noexcept {
     case SerialSpeed::baud_38400: return 38400;
     case SerialSpeed::baud_19200: return 19200;
     case SerialSpeed::baud_9600: return 9600;
+    case SerialSpeed::baud_256000: return 256000;
   }
   return 0;
 }
@@ -443,8 +746,9 @@ enum class RcInput : std::uint8_t {
   adc2 = 34,
   /// ADC3: Analog input 3; EXT_FC_INPUT_ROLL on older boards. Since board 3.0.
   adc3 = 35,
-  /// Analog signal at the FC_PITCH pin of boards before 3.0.
-  ext_fc_input_pitch_analog = 36,
+  /// ADC4: Analog input 4; EXT_FC_INPUT_PITCH on older boards.
+  adc4 = 36,
+  ext_fc_input_pitch_analog = adc4,  ///< former name
 };
 
 /// Kind of signal selected by RC_MAP.
@@ -458,6 +762,8 @@ enum class RcSource : std::uint8_t {
   serial = 64,
   /// A virtual channel that CMD_API_VIRT_CH_CONTROL sets.
   api = 128,
+  /// STEP_SIGNAL: A step signal, 1 to 6.
+  step_signal = 160,
 };
 
 /// RC channel into which a flight controller's signal is mixed.
@@ -584,6 +890,16 @@ enum class MenuCommand : std::uint8_t {
   run_script4 = 26,
   /// MENU_CMD_RUN_SCRIPT5: Run script 5.
   run_script5 = 27,
+  /// MENU_CMD_RUN_SCRIPT6: Run script 6. Unconfirmed.
+  run_script6 = 28,
+  /// MENU_CMD_RUN_SCRIPT7: Run script 7. Unconfirmed.
+  run_script7 = 29,
+  /// MENU_CMD_RUN_SCRIPT8: Run script 8. Unconfirmed.
+  run_script8 = 30,
+  /// MENU_CMD_RUN_SCRIPT9: Run script 9. Unconfirmed.
+  run_script9 = 31,
+  /// MENU_CMD_RUN_SCRIPT10: Run script 10. Unconfirmed.
+  run_script10 = 32,
   /// MENU_CMD_CALIB_MAG: Calibrate the magnetometer.
   calib_mag = 33,
   /// MENU_CMD_LEVEL_ROLL_PITCH: Level roll and pitch.
@@ -594,6 +910,96 @@ enum class MenuCommand : std::uint8_t {
   untwist_cables = 36,
   /// MENU_CMD_SET_ANGLE_NO_SAVE: Make the current angle the initial angle, without saving it.
   set_angle_no_save = 37,
+  /// MENU_CMD_HOME_POSITION_SHORTEST: Return the camera to its home position by the shortest way.
+  home_position_shortest = 38,
+  /// MENU_CMD_CENTER_YAW_SHORTEST: Center yaw by the shortest way.
+  center_yaw_shortest = 39,
+  /// MENU_CMD_ROTATE_YAW_180: Turn yaw by half a turn.
+  rotate_yaw_180 = 40,
+  /// MENU_CMD_ROTATE_YAW_180_FRAME_REL: Turn yaw by half a turn relative to the frame.
+  rotate_yaw_180_frame_rel = 41,
+  /// MENU_CMD_SWITCH_YAW_180_FRAME_REL: Switch yaw between forwards and backwards relative to the
+  /// frame.
+  switch_yaw_180_frame_rel = 42,
+  /// MENU_CMD_SWITCH_POS_ROLL_90: Switch roll between two positions 90 degrees apart.
+  switch_pos_roll_90 = 43,
+  /// MENU_CMD_START_TIMELAPSE: Start a time-lapse motion.
+  start_timelapse = 44,
+  /// MENU_CMD_CALIB_MOMENTUM: Calibrate the momentum of the axes.
+  calib_momentum = 45,
+  /// MENU_CMD_LEVEL_ROLL: Level roll.
+  level_roll = 46,
+  /// MENU_CMD_REPEAT_TIMELAPSE: Repeat the time-lapse motion.
+  repeat_timelapse = 47,
+  /// MENU_CMD_LOAD_PROFILE_SET1: Load profile set 1.
+  load_profile_set1 = 48,
+  /// MENU_CMD_LOAD_PROFILE_SET2: Load profile set 2.
+  load_profile_set2 = 49,
+  /// MENU_CMD_LOAD_PROFILE_SET3: Load profile set 3.
+  load_profile_set3 = 50,
+  /// MENU_CMD_LOAD_PROFILE_SET4: Load profile set 4.
+  load_profile_set4 = 51,
+  /// MENU_CMD_LOAD_PROFILE_SET5: Load profile set 5.
+  load_profile_set5 = 52,
+  /// MENU_CMD_LOAD_PROFILE_SET_BACKUP: Load the backup profile set.
+  load_profile_set_backup = 53,
+  /// MENU_CMD_INVERT_RC_ROLL: Invert the RC signal of roll.
+  invert_rc_roll = 54,
+  /// MENU_CMD_INVERT_RC_PITCH: Invert the RC signal of pitch.
+  invert_rc_pitch = 55,
+  /// MENU_CMD_INVERT_RC_YAW: Invert the RC signal of yaw.
+  invert_rc_yaw = 56,
+  /// MENU_CMD_SNAP_TO_FIXED_POSITION: Move to the nearest fixed position.
+  snap_to_fixed_position = 57,
+  /// MENU_CMD_CAMERA_REC_PHOTO_EVENT: Send a CMD_EVENT for the camera, to record a video or take a
+  /// photo.
+  camera_rec_photo_event = 58,
+  /// MENU_CMD_CAMERA_PHOTO_EVENT: Send a CMD_EVENT for the camera, to take a photo.
+  camera_photo_event = 59,
+  /// MENU_CMD_MOTORS_SAFE_STOP: Stop the motors safely, then turn them off.
+  motors_safe_stop = 60,
+  /// MENU_CMD_CALIB_ACC_AUTO: Calibrate the accelerometer automatically.
+  calib_acc_auto = 61,
+  /// MENU_CMD_RESET_IMU: Reset the IMU.
+  reset_imu = 62,
+  /// MENU_CMD_FORCED_FOLLOW_TOGGLE: Turn the forced follow mode on or off.
+  forced_follow_toggle = 63,
+  /// MENU_CMD_AUTO_PID_GAIN_ONLY: Tune the PID controllers, but only their gain.
+  auto_pid_gain_only = 64,
+  /// MENU_CMD_LEVEL_PITCH: Level pitch.
+  level_pitch = 65,
+  /// MENU_CMD_MOTORS_SAFE_TOGGLE: Turn the motors on, or stop them safely and turn them off.
+  motors_safe_toggle = 66,
+  /// MENU_CMD_TIMELAPSE_STEP1: Do the first step of a time-lapse motion.
+  timelapse_step1 = 67,
+  /// MENU_CMD_EXT_GYRO_ONLINE_CALIB: Calibrate the external gyroscope during operation.
+  ext_gyro_online_calib = 68,
+  /// MENU_CMD_DISABLE_FOLLOW_TOGGLE: Turn the follow mode off or on again.
+  disable_follow_toggle = 69,
+  /// MENU_CMD_SET_CUR_POS_AS_HOME: Make the current position the home position.
+  set_cur_pos_as_home = 70,
+  /// MENU_CMD_STOP_SCRIPT: Stop the running script.
+  stop_script = 71,
+  /// MENU_CMD_TRIPOD_MODE_OFF: Turn the tripod mode off.
+  tripod_mode_off = 72,
+  /// MENU_CMD_TRIPOD_MODE_ON: Turn the tripod mode on.
+  tripod_mode_on = 73,
+  /// MENU_CMD_SET_RC_TRIM: Set the RC trim to the current signals.
+  set_rc_trim = 74,
+  /// MENU_CMD_HOME_POSITION_MOTORS: Return the motors to their home positions.
+  home_position_motors = 75,
+  /// MENU_CMD_RETRACTED_POSITION: Move to the retracted position.
+  retracted_position = 76,
+  /// MENU_CMD_SHAKE_GENERATOR_OFF: Turn the shake generator off.
+  shake_generator_off = 77,
+  /// MENU_CMD_SHAKE_GENERATOR_ON: Turn the shake generator on.
+  shake_generator_on = 78,
+  /// MENU_CMD_SERVO_MODE_ON: Turn the servo mode on.
+  servo_mode_on = 79,
+  /// MENU_CMD_SERVO_MODE_OFF: Turn the servo mode off.
+  servo_mode_off = 80,
+  /// MENU_CMD_SERVO_MODE_TOGGLE: Turn the servo mode on or off.
+  servo_mode_toggle = 81,
 };
 
 /// Motor output that drives an axis.
@@ -607,6 +1013,14 @@ enum class MotorOutput : std::uint8_t {
   pitch = 2,
   /// YAW: The YAW output.
   yaw = 3,
+  /// I2C_DRV1: The first motor driver on the I2C bus.
+  i2c_drv1 = 4,
+  /// I2C_DRV2: The second motor driver on the I2C bus.
+  i2c_drv2 = 5,
+  /// I2C_DRV3: The third motor driver on the I2C bus.
+  i2c_drv3 = 6,
+  /// I2C_DRV4: The fourth motor driver on the I2C bus.
+  i2c_drv4 = 7,
 };
 
 /// Which IMU is selected.
@@ -661,14 +1075,27 @@ enum class EulerOrder : std::uint8_t {
   pitch_roll_yaw = 0,
   /// ROLL_PITCH_YAW: Roll, pitch, yaw.
   roll_pitch_yaw = 1,
-  /// LOCAL_ROLL: Local, roll; for two-axis systems.
+  /// LOCAL_ROLL: Local, roll; for two-axis systems. Later: pitch of the motor, roll, yaw of the
+  /// motor.
   local_roll = 2,
-  /// ROLL_LOCAL: Roll, local; for two-axis systems.
+  /// ROLL_LOCAL: Roll, local; for two-axis systems. Later: roll, pitch of the motor, yaw of the
+  /// motor.
   roll_local = 3,
   /// YAW_ROLL_PITCH: Yaw, roll, pitch.
   yaw_roll_pitch = 4,
   /// YAW_PITCH_ROLL: Yaw, pitch, roll.
   yaw_pitch_roll = 5,
+};
+
+/// Operation on a profile set.
+/// Source: Later firmware.
+enum class ProfileSetAction : std::uint8_t {
+  /// SAVE: Save the parameters in use as a profile set.
+  save = 1,
+  /// CLEAR: Clear the profile set.
+  clear = 2,
+  /// LOAD: Load the profile set.
+  load = 3,
 };
 
 /// Kind of encoder.
@@ -700,6 +1127,10 @@ enum class EncoderModel : std::uint8_t {
   as5600_pwm = 12,
   /// ENC_TYPE_AS5600_I2C: AS5600, over I2C.
   as5600_i2c = 13,
+  /// ENC_TYPE_RLS_ORBIS: RLS Orbis.
+  rls_orbis = 14,
+  /// ENC_TYPE_RLS_ORBIS_PWM: RLS Orbis, over PWM.
+  rls_orbis_pwm = 15,
 };
 
 /// Clock of an SPI encoder; for an I2C driver, the kind of encoder in it.
@@ -715,8 +1146,209 @@ enum class EncoderConfig : std::uint8_t {
   spi_500_khz = 3,
 };
 
+/// Serial port of the board.
+/// Source: Later firmware.
+enum class BoardPort : std::uint8_t {
+  /// DISABLED: None.
+  disabled = 0,
+  /// UART1: UART 1.
+  uart1 = 1,
+  /// RC_SERIAL: The serial RC input.
+  rc_serial = 2,
+  /// UART2: UART 2.
+  uart2 = 3,
+  /// USB_VCP: The virtual port of the USB connection.
+  usb_vcp = 4,
+};
+
+/// Axes that a MAVLink host controls.
+/// Source: Later firmware.
+enum class MavControlMode : std::uint8_t {
+  /// DISABLED: None.
+  disabled = 0,
+  /// ROLL_PITCH: Roll and pitch.
+  roll_pitch = 1,
+  /// ALL_AXES: All.
+  all_axes = 2,
+};
+
+/// Axis that a motor stabilizes.
+/// Source: Later firmware.
+enum class StabilizedAxis : std::uint8_t {
+  /// STAB_AXIS_DEFAULT: The axis of the motor.
+  default_axis = 0,
+  /// STAB_AXIS_ROLL: Roll.
+  roll = 1,
+  /// STAB_AXIS_PITCH: Pitch.
+  pitch = 2,
+  /// STAB_AXIS_YAW: Yaw.
+  yaw = 3,
+};
+
+/// Distance between the fixed positions of an axis.
+/// Source: Later firmware.
+enum class SnapAngle : std::uint8_t {
+  /// SNAP_ANGLE_0: 0 degrees.
+  snap_angle_0 = 0,
+  /// SNAP_ANGLE_45: 45 degrees.
+  snap_angle_45 = 1,
+  /// SNAP_ANGLE_90: 90 degrees.
+  snap_angle_90 = 2,
+  /// SNAP_ANGLE_180: 180 degrees.
+  snap_angle_180 = 3,
+};
+
+/// Number of steps of a step signal.
+/// Source: Later firmware.
+enum class StepCount : std::uint8_t {
+  /// 2 steps.
+  steps_2 = 0,
+  /// 3 steps.
+  steps_3 = 1,
+  /// 5 steps.
+  steps_5 = 2,
+  /// 10 steps.
+  steps_10 = 3,
+  /// 15 steps.
+  steps_15 = 4,
+  /// 25 steps.
+  steps_25 = 5,
+  /// 50 steps.
+  steps_50 = 6,
+  /// 100 steps.
+  steps_100 = 7,
+};
+
+/// Returns the number that a value denotes; 0 for unknown values.
+constexpr std::uint32_t number_of(StepCount value) noexcept {
+  switch (value) {
+    case StepCount::steps_2: return 2;
+    case StepCount::steps_3: return 3;
+    case StepCount::steps_5: return 5;
+    case StepCount::steps_10: return 10;
+    case StepCount::steps_15: return 15;
+    case StepCount::steps_25: return 25;
+    case StepCount::steps_50: return 50;
+    case StepCount::steps_100: return 100;
+  }
+  return 0;
+}
+
+/// Level of an RC signal that triggers a step.
+/// Source: Later firmware.
+enum class StepTrigger : std::uint8_t {
+  /// LEVEL_LOW: Low.
+  level_low = 0,
+  /// LEVEL_HIGH: High.
+  level_high = 1,
+  /// LEVEL_LOW_HIGH: Low and high.
+  level_low_high = 2,
+};
+
+/// Begin or end of a series of writes.
+/// Source: Later firmware.
+enum class WriteParamsAction : std::uint8_t {
+  /// FINISH: The series ends.
+  finish = 0,
+  /// START: The series begins.
+  start = 1,
+};
+
+/// Model of the external IMU.
+/// Source: Later firmware.
+enum class ExtImuModel : std::uint8_t {
+  /// MAVLINK1: Any, over MAVLink 1.
+  mavlink1 = 1,
+  /// MAVLINK2: Any, over MAVLink 2.
+  mavlink2 = 2,
+  /// VECTORNAV_VN200: VectorNav VN-200.
+  vectornav_vn200 = 3,
+  /// INERTIALSENSE_UAHRS: Inertial Sense uAHRS.
+  inertialsense_uahrs = 4,
+};
+
+/// Location of the external IMU.
+/// Source: Later firmware.
+enum class ExtImuPosition : std::uint8_t {
+  /// BELOW_OUTER: Below the outer motor.
+  below_outer = 1,
+  /// ABOVE_OUTER: Above the outer motor.
+  above_outer = 2,
+  /// BELOW_MIDDLE: Below the middle motor.
+  below_middle = 8,
+  /// MAIN_IMU: At the main IMU.
+  main_imu = 9,
+};
+
+/// Direction of an axis of the external IMU.
+/// Source: Later firmware.
+enum class ExtImuAxis : std::uint8_t {
+  /// X: X axis.
+  x = 0,
+  /// Y: Y axis.
+  y = 1,
+  /// Z: Z axis.
+  z = 2,
+  /// -X: Against the X axis.
+  minus_x = 3,
+  /// -Y: Against the Y axis.
+  minus_y = 4,
+  /// -Z: Against the Z axis.
+  minus_z = 5,
+};
+
+/// Number of bits in which an encoder counts its turns.
+/// Source: Later firmware.
+enum class MultiTurn : std::uint8_t {
+  /// It does not count turns.
+  multi_turn_no = 0,
+  /// 12 bits.
+  multi_turn_12 = 1,
+  /// 16 bits.
+  multi_turn_16 = 2,
+  /// 20 bits.
+  multi_turn_20 = 3,
+  /// 24 bits.
+  multi_turn_24 = 4,
+};
+
+/// External sensor of the CAN IMU.
+/// Source: Later firmware.
+enum class CanImuSensor : std::uint8_t {
+  /// DISABLED: None.
+  disabled = 0,
+  /// KVH_1725: KVH 1725.
+  kvh_1725 = 1,
+  /// KVH_1750_ACC_2G: KVH 1750, accelerometer up to 2 g.
+  kvh_1750_acc_2g = 2,
+  /// KVH_1750_ACC_10G: KVH 1750, accelerometer up to 10 g.
+  kvh_1750_acc_10g = 3,
+  /// KVH_1750_ACC_30G: KVH 1750, accelerometer up to 30 g.
+  kvh_1750_acc_30g = 4,
+  /// KVH_1775_ACC_10G: KVH 1775, accelerometer up to 10 g.
+  kvh_1775_acc_10g = 5,
+  /// KVH_1775_ACC_25G: KVH 1775, accelerometer up to 25 g.
+  kvh_1775_acc_25g = 6,
+  /// KVH_1760: KVH 1760.
+  kvh_1760 = 7,
+  /// ADXRS453: ADXRS453.
+  adxrs453 = 8,
+  /// ADIS16460: ADIS16460.
+  adis16460 = 9,
+  /// STIM210: STIM210.
+  stim210 = 10,
+  /// STIM300: STIM300.
+  stim300 = 11,
+  /// SCHA63X: SCHA63x.
+  scha63x = 12,
+  /// VECTORNAV_VN100_200_UART: VectorNav VN-100 or VN-200, over a UART.
+  vectornav_vn100_200_uart = 64,
+  /// VECTORNAV_VN100_200_SPI: VectorNav VN-100 or VN-200, over SPI.
+  vectornav_vn100_200_spi = 65,
+};
+
 /// Reason for an emergency stop.
-/// Source: Variables L1131.
+/// Source: Variables L1131; Later firmware.
 enum class SystemSubError : std::uint8_t {
   /// No emergency stop.
   none = 0,
@@ -742,8 +1374,215 @@ enum class SystemSubError : std::uint8_t {
   not_enough_memory = 10,
   /// SUB_ERR_IMU_SENSOR_NOT_RESPONDING: The IMU sensor does not respond.
   imu_sensor_not_responding = 11,
+  /// SUB_ERR_CAN_HARD: The hardware of the CAN bus failed.
+  can_hard = 12,
   /// SUB_ERR_MOTOR_OVERHEAT_PROTECTION: A motor overheated.
   motor_overheat_protection = 13,
+  /// SUB_ERR_MOTOR_IS_LOCKED: A motor cannot turn.
+  motor_is_locked = 14,
+  /// SUB_ERR_BAD_IMU_HEALTH: The IMU sensor is unreliable.
+  bad_imu_health = 15,
+  /// SUB_ERR_INFINITE_RESET: The board restarts again and again.
+  infinite_reset = 16,
+  /// SUB_ERR_WRONG_INITIAL_POSITION: The position at start-up is wrong.
+  wrong_initial_position = 17,
+  /// SUB_ERR_MOTOR_LOAD_TIME_EXCEEDED: A motor was overloaded for too long.
+  motor_load_time_exceeded = 18,
+  /// SUB_ERR_CAN_DRV_OVERCURRENT: Overcurrent in a CAN motor driver.
+  can_drv_overcurrent = 19,
+  /// SUB_ERR_CAN_DRV_UNDERVOLTAGE: Undervoltage in a CAN motor driver.
+  can_drv_undervoltage = 20,
+  /// SUB_ERR_CAN_DRV_EMERGENCY_PIN: The emergency pin of a CAN motor driver is active.
+  can_drv_emergency_pin = 21,
+  /// SUB_ERR_CAN_DRV_FOC_DURATION: The motor control of a CAN motor driver takes too long.
+  can_drv_foc_duration = 22,
+  /// SUB_ERR_CAN_DRV_MCU_OVERHEAT: The microcontroller of a CAN motor driver overheated.
+  can_drv_mcu_overheat = 23,
+  /// SUB_ERR_CAN_DRV_MOTOR_OVERHEAT: A motor of a CAN motor driver overheated.
+  can_drv_motor_overheat = 24,
+  /// SUB_ERR_CAN_DRV_OVERCURRENT_SOFT: The software of a CAN motor driver detected an overcurrent.
+  can_drv_overcurrent_soft = 25,
+  /// SUB_ERR_CAN_DRV_SEVERAL: Several CAN motor drivers failed.
+  can_drv_several = 26,
+  /// SUB_ERR_CAN_EXT_BUS_OFF: The external CAN bus is off.
+  can_ext_bus_off = 27,
+  /// SUB_ERR_CAN_INT_BUS_OFF: The internal CAN bus is off.
+  can_int_bus_off = 28,
+  /// SUB_ERR_ENCODER_NOT_FOUND: An encoder is missing.
+  encoder_not_found = 29,
+  /// SUB_ERR_CAN_DRV_NOT_RESPONDING: A CAN motor driver does not respond.
+  can_drv_not_responding = 30,
+  /// SUB_ERR_CAN_DRV_WRONG_PARAMS: Parameters of a CAN motor driver are wrong.
+  can_drv_wrong_params = 31,
+  /// SUB_ERR_OVERCURRENT: Overcurrent.
+  overcurrent = 32,
+  /// SUB_ERR_UNSAFE_VOLTAGE: The supply voltage is unsafe.
+  unsafe_voltage = 33,
+  /// SUB_ERR_WRONG_FULL_BAT_VOLTAGE_PARAM: The parameter for the voltage of a full battery is
+  /// wrong.
+  wrong_full_bat_voltage_param = 34,
+  /// SUB_ERR_EEPROM_PARAMS_CORRUPTED: The parameters in the EEPROM are damaged.
+  eeprom_params_corrupted = 35,
+  /// SUB_ERR_ENCODER_UNSUPPORTED_TYPE: The kind of encoder is not supported.
+  encoder_unsupported_type = 36,
+  /// SUB_ERR_EXT_IMU_UNSUPPORTED_TYPE: The kind of external IMU is not supported.
+  ext_imu_unsupported_type = 37,
+  /// SUB_ERR_EXT_IMU_SENSOR_NOT_RESPONDING: The external IMU does not respond.
+  ext_imu_sensor_not_responding = 38,
+  /// SUB_ERR_EXT_IMU_WRONG_PARAMS: Parameters of the external IMU are wrong.
+  ext_imu_wrong_params = 39,
+  /// SUB_ERR_DRIVER_INIT: A motor driver cannot be initialized.
+  driver_init = 40,
+  /// SUB_ERR_EEPROM_VARS_OUT_OF_BORDERS: Variables in the EEPROM are out of range.
+  eeprom_vars_out_of_borders = 41,
+  /// SUB_ERR_IWDG_RESET: The watchdog restarted the board.
+  iwdg_reset = 42,
+  /// SUB_ERR_ADC_WAIT: The analog-to-digital converter does not respond.
+  adc_wait = 43,
+  /// SUB_ERR_CALIB_MOTOR_OFF: The motors were off during a calibration.
+  calib_motor_off = 44,
+  /// SUB_ERR_TIMEOUT: Timeout.
+  timeout = 45,
+  /// SUB_ERR_CAN_DRV_CALIB_UNEXPECTED_RES: The calibration of a CAN motor driver had an unexpected
+  /// result.
+  can_drv_calib_unexpected_res = 46,
+  /// SUB_ERR_MAG_SENSOR_NOT_RESPONDING: The magnetometer does not respond.
+  mag_sensor_not_responding = 47,
+  /// SUB_ERR_CAN_DRV_OVERSPEED: A motor of a CAN motor driver is too fast.
+  can_drv_overspeed = 48,
+  /// SUB_ERR_ENC_SELF_CALIB_FAILED: The self-calibration of an encoder failed.
+  enc_self_calib_failed = 49,
+  /// SUB_ERR_CAN_VERSION_MISMATCH: The firmware of a CAN device does not match.
+  can_version_mismatch = 50,
+  /// SUB_ERR_CAN_SERIAL_INIT: The serial port over CAN cannot be initialized.
+  can_serial_init = 51,
+  /// SUB_ERR_CAN_SERIAL_CONFLICT: Serial ports over CAN conflict.
+  can_serial_conflict = 52,
+  /// SUB_ERR_CAN_DRV_INIT_STAGE: The start-up of a CAN motor driver failed.
+  can_drv_init_stage = 53,
+  /// SUB_ERR_ENCODER_DATA_TIMEOUT: An encoder sends no data.
+  encoder_data_timeout = 54,
+  /// SUB_ERR_CAN_CONNECTION_LOST: The connection to a CAN device is lost.
+  can_connection_lost = 55,
+  /// SUB_ERR_HSE_START_FAIL: The external oscillator does not start.
+  hse_start_fail = 56,
+  /// SUB_ERR_FRAME_IMU_SENSOR_NOT_RESPONDING: The sensor of the frame IMU does not respond.
+  frame_imu_sensor_not_responding = 57,
+  /// SUB_ERR_PARAMETERS_MODIFIED: The parameters were modified.
+  parameters_modified = 58,
+  /// SUB_ERR_NOT_NORMAL_POSITION: The camera is not in its normal position.
+  not_normal_position = 59,
+  /// SUB_ERR_CAN_DRV_LIMIT_EXCEED: There are more CAN motor drivers than allowed.
+  can_drv_limit_exceed = 60,
+};
+
+/// Calibration or other task that is running.
+/// Source: Later firmware.
+enum class CalibMode : std::uint8_t {
+  /// NONE: None.
+  none = 0,
+  /// EXT_GAIN: The gains of a flight controller's signals.
+  ext_gain = 1,
+  /// SET_ANGLE_AND_SAVE: Make the current angle the initial angle and save it.
+  set_angle_and_save = 2,
+  /// POLES: The poles and directions of the motors.
+  poles = 3,
+  /// ACC: The accelerometer.
+  acc = 4,
+  /// GYRO: The gyroscope.
+  gyro = 5,
+  /// ENCODER_OFFSET: The offsets of the encoders.
+  encoder_offset = 6,
+  /// ENCODER_FLD_OFFSET: The offsets between encoders and magnetic fields.
+  encoder_fld_offset = 7,
+  /// AUTO_PID: Automatic tuning of the PID controllers.
+  auto_pid = 8,
+  /// BODE_TEST: Recording a frequency response.
+  bode_test = 9,
+  /// GYRO_TEMP: The gyroscope over temperature.
+  gyro_temp = 10,
+  /// ACC_TEMP: The accelerometer over temperature.
+  acc_temp = 11,
+  /// MAG: The magnetometer.
+  mag = 12,
+  /// SET_ANGLE: Make the current angle the initial angle.
+  set_angle = 13,
+  /// SYSTEM_IDENT: Identification of the system.
+  system_ident = 14,
+  /// MOTOR_MAG_LINK: The magnetic linkage of the motors.
+  motor_mag_link = 15,
+  /// SEARCH_LIMITS: Searching the mechanical limits.
+  search_limits = 16,
+  /// SET_OPERATION_POS: Moving to the operating position.
+  set_operation_pos = 17,
+  /// IMU_ORIENTATION_CORR: The orientation of the IMU.
+  imu_orientation_corr = 18,
+  /// TIMELAPSE: A time-lapse motion.
+  timelapse = 19,
+  /// MOMENTUM: The moment of inertia.
+  momentum = 20,
+  /// MOMENTUM_AUTO: The moment of inertia, automatically.
+  momentum_auto = 21,
+  /// COGGING: The cogging of the motors.
+  cogging = 22,
+  /// ACC_EXT_REF: The accelerometer, by an external reference.
+  acc_ext_ref = 23,
+  /// SAFE_STOP: A safe stop.
+  safe_stop = 24,
+  /// ACC_SPHERE: The accelerometer on a sphere.
+  acc_sphere = 25,
+  /// GYRO_AXES_ALIGNMENT: The alignment of the gyroscope's axes.
+  gyro_axes_alignment = 26,
+  /// EXT_IMU_GYRO: The gyroscope of the external IMU.
+  ext_imu_gyro = 27,
+  /// EXT_IMU_ALIGN: The alignment of the external IMU.
+  ext_imu_align = 28,
+  /// ACC_GYRO_MULTIPOINT: Accelerometer and gyroscope in several positions.
+  acc_gyro_multipoint = 34,
+  /// ENCODER_LUT: The correction tables of the encoders.
+  encoder_lut = 35,
+  /// WRITE_PARAMS: Writing parameters.
+  write_params = 36,
+  /// CUR_SENS: The current sensors.
+  cur_sens = 37,
+  /// MOVE_HOME_MOTORS: Moving the motors to their home positions.
+  move_home_motors = 38,
+  /// ENCODER_INT: The internal calibration of the encoders.
+  encoder_int = 39,
+  /// VIBRATION_TEST: A vibration test.
+  vibration_test = 40,
+  /// RETRACTED_POSITION: Moving to the retracted position.
+  retracted_position = 41,
+  /// RETRACTED_POSITION_RC_CONTROL: Moving to or from the retracted position by RC.
+  retracted_position_rc_control = 42,
+};
+
+/// State of the motor power.
+/// Source: Later firmware.
+enum class PowerState : std::int8_t {
+  /// ON_FROM_BACKUP: On, after a restart.
+  on_from_backup = -2,
+  /// STARTUP: The board is starting.
+  startup = -1,
+  /// OFF: Off.
+  off = 0,
+  /// ON: On.
+  on = 1,
+  /// OFF_TEMPORARY: Temporarily off.
+  off_temporary = 2,
+  /// OFF_PARKING: Off, in the parking position.
+  off_parking = 3,
+  /// ON_SAFE_STOP: On, until a safe stop is complete.
+  on_safe_stop = 4,
+};
+
+/// Event that triggers the samples of a data stream.
+/// Source: Later firmware.
+enum class StreamSync : std::uint8_t {
+  /// OFF: None; the samples follow the clock.
+  off = 0,
+  /// A new attitude of the IMU.
+  imu_attitude = 1,
 };
 
 /// Meaning of SPEED and ANGLE in a control command.
@@ -760,21 +1599,30 @@ enum class ControlModeKind : std::uint8_t {
   /// MODE_SPEED_ANGLE: Follow the given speed while the controller holds the given angle; the most
   /// precise mode.
   speed_angle = 3,
-  /// MODE_RC: The angle replaces the RC signal, -500 to 500; the speed is ignored.
+  /// MODE_RC: The angle replaces the RC signal, -500 to 500, or -10000 for a lost signal; firmware
+  /// before 2.61 ignores the speed.
   rc = 4,
   /// MODE_ANGLE_REL_FRAME: Go to the given angle relative to the frame's neutral point; undoes full
   /// turns, so it untwists cables. Speed 0 selects the speed from the parameters.
   angle_rel_frame = 5,
+  /// MODE_RC_HIGH_RES: Like MODE_RC, with a finer signal: -16384 to 16384, or -32768 for a lost
+  /// signal. Since firmware 2.66b2.
+  rc_high_res = 6,
+  /// MODE_IGNORE: The axis keeps its state; its speed and angle are ignored. Since firmware 2.70b4.
+  ignore = 7,
+  /// MODE_ANGLE_SHORTEST: Like MODE_ANGLE, but by the shortest way that the software limits leave
+  /// open. Since firmware 2.70b7.
+  angle_shortest = 8,
 };
 
 /// How to turn the motors off.
 /// Source: Later firmware.
 enum class MotorsOffMode : std::uint8_t {
-  /// They turn freely, without current.
+  /// NORMAL: They turn freely, without current.
   normal = 0,
-  /// They brake.
+  /// BRAKE: They brake.
   brake = 1,
-  /// They stop safely.
+  /// SAFE_STOP: Their power falls until they stand still, then they are off.
   safe_stop = 2,
 };
 
@@ -784,6 +1632,126 @@ enum class CoordinateSystem : std::uint8_t {
   /// COORD_SYS_GROUND_YAW_ROTATED: Ground coordinates rotated with the camera about Z: Z points up,
   /// X right, Y forward. The default.
   ground_yaw_rotated = 1,
+  /// COORD_SYS_GROUND_END: Ground coordinates: X points east, Y north, Z down.
+  ground_end = 2,
+  /// COORD_SYS_FRAME: Coordinates of the frame.
+  frame = 3,
+};
+
+/// Order of the Euler angles to change to.
+/// Source: Later firmware.
+enum class EulerOrderChange : std::uint8_t {
+  /// The order does not change.
+  keep = 0,
+  /// PITCH_ROLL_YAW: Pitch, roll, yaw.
+  pitch_roll_yaw = 1,
+  /// ROLL_PITCH_YAW: Roll, pitch, yaw.
+  roll_pitch_yaw = 2,
+  /// LOCAL_ROLL: Pitch of the motor, roll, yaw of the motor.
+  local_roll = 3,
+  /// ROLL_LOCAL: Roll, pitch of the motor, yaw of the motor.
+  roll_local = 4,
+  /// YAW_ROLL_PITCH: Yaw, roll, pitch.
+  yaw_roll_pitch = 5,
+  /// YAW_PITCH_ROLL: Yaw, pitch, roll. Unconfirmed.
+  yaw_pitch_roll = 6,
+};
+
+/// Meaning of attitude and speed in CMD_CONTROL_QUAT.
+/// Source: Later firmware.
+enum class ControlQuatMode : std::uint8_t {
+  /// DISABLED: Control with quaternions ends.
+  disabled = 0,
+  /// SPEED: Turn at the given speed, without a motion profile.
+  speed = 1,
+  /// ATTITUDE: Go to the given attitude with the configured motion profile.
+  attitude = 2,
+  /// SPEED_ATTITUDE: Turn at the given speed and correct deviations from the given attitude.
+  speed_attitude = 5,
+  /// SPEED_LIMITED: Turn at the given speed, reached with the configured motion profile.
+  speed_limited = 9,
+};
+
+/// Component of a quaternion.
+/// Source: Later firmware.
+enum class QuaternionComponent : std::uint8_t {
+  /// W: The scalar component.
+  w = 0,
+  /// X: The X component.
+  x = 1,
+  /// Y: The Y component.
+  y = 2,
+  /// Z: The Z component.
+  z = 3,
+};
+
+/// Motor of CMD_SYNC_MOTORS.
+/// Source: Later firmware.
+enum class SyncMotorAxis : std::uint8_t {
+  /// ROLL: Roll.
+  roll = 0,
+  /// PITCH: Pitch.
+  pitch = 1,
+  /// YAW: Yaw.
+  yaw = 2,
+};
+
+/// What has happened.
+/// Source: Later firmware.
+enum class EventId : std::uint8_t {
+  /// MENU_BUTTON: The menu button was pressed or released.
+  menu_button = 1,
+  /// MOTOR_STATE: The motors were turned on or off.
+  motor_state = 2,
+  /// EMERGENCY_STOP: An emergency stop began or ended.
+  emergency_stop = 3,
+  /// CAMERA: The camera is to record or to take a photo.
+  camera = 4,
+  /// SCRIPT: A script started or ended. Since firmware 2.68b8.
+  script = 5,
+  /// RETRACTED_POSITION: The retracted position was reached or left. Since firmware 2.73b1.
+  retracted_position = 6,
+};
+
+/// What external motors do.
+/// Source: Later firmware.
+enum class ExtMotorActionKind : std::uint8_t {
+  /// OFF_FLOATING: Turn off and rotate freely.
+  off_floating = 1,
+  /// OFF_BRAKE: Turn off and brake.
+  off_brake = 2,
+  /// OFF_SAFE: Slow down against external forces, then turn off and brake.
+  off_safe = 3,
+  /// ON: Turn on.
+  on = 4,
+  /// HOME_POSITION: Move to the home position.
+  home_position = 5,
+  /// SEARCH_HOME: Search the home position of a geared motor, or of one that makes several turns.
+  search_home = 6,
+};
+
+/// What the setpoint of an external motor controls.
+/// Source: Later firmware.
+enum class ExtMotorMode : std::uint8_t {
+  /// POSITION: Its angle.
+  position = 0,
+  /// SPEED: Its speed.
+  speed = 1,
+  /// TORQUE: Its torque.
+  torque = 2,
+};
+
+/// Whether an external motor has power.
+/// Source: Later firmware.
+enum class ExtMotorPower : std::uint8_t {
+  /// OFF_BRAKE: It is off and brakes.
+  off_brake = 0,
+  /// ON: It is on.
+  on = 1,
+  /// OFF_FLOATING: It is off and rotates freely.
+  off_floating = 2,
+  /// OFF_SAFE_STOP: It is off after a safe stop.
+  off_safe_stop = 3,
 };
 
 /// IMU to calibrate.
@@ -816,6 +1784,43 @@ enum class CalibAction : std::uint8_t {
   store_in_sensor = 7,
 };
 
+/// Motor whose encoder to calibrate.
+/// Source: Later firmware.
+enum class CalibMotor : std::uint8_t {
+  /// The roll motor.
+  roll = 0,
+  /// The pitch motor.
+  pitch = 1,
+  /// The yaw motor.
+  yaw = 2,
+  /// All motors.
+  all = 255,
+};
+
+/// Operation of CMD_AUTO_PID2.
+/// Source: Later firmware.
+enum class AutoPid2Action : std::uint8_t {
+  /// START: Start the tuning with this configuration.
+  start = 1,
+  /// START_SAVE: Save this configuration and start the tuning.
+  start_save = 2,
+  /// SAVE: Save this configuration.
+  save = 3,
+  /// STOP: Stop the tuning.
+  stop = 5,
+  /// READ: Read the saved configuration.
+  read = 6,
+};
+
+/// Operation of CMD_CALIB_COGGING.
+/// Source: Later firmware.
+enum class CoggingAction : std::uint8_t {
+  /// Calibrate the motors.
+  calibrate = 1,
+  /// Delete the calibration of the motors.
+  erase = 2,
+};
+
 /// IMU, counted from 0.
 /// Source: Variables L1199, L1207.
 enum class ImuIndex : std::uint8_t {
@@ -823,6 +1828,71 @@ enum class ImuIndex : std::uint8_t {
   main = 0,
   /// The IMU on the frame.
   frame = 1,
+};
+
+/// Reference that corrects an estimate of the attitude.
+/// Source: Later firmware.
+enum class AhrsReference : std::uint8_t {
+  /// None.
+  none = 0,
+  /// The board's own sensor.
+  internal = 1,
+  /// An external sensor.
+  external = 2,
+  /// The other IMU, translated by the motor angles.
+  translate = 3,
+};
+
+/// State of the external IMU.
+/// Source: Later firmware.
+enum class ExtImuState : std::uint8_t {
+  /// Disabled.
+  disabled = 0,
+  /// Not connected.
+  not_connected = 1,
+  /// Unknown.
+  unknown = 2,
+  /// It reports an error.
+  error = 3,
+  /// Its data are bad.
+  bad = 4,
+  /// Its data are coarse.
+  coarse = 5,
+  /// Its data are good.
+  good = 6,
+  /// Its data are precise.
+  fine = 7,
+};
+
+/// Commands of the GPS_IMU sensor's own protocol.
+/// Source: Later firmware.
+enum class ExtSensCommand : std::uint8_t {
+  /// CONFIRM: Confirmation.
+  confirm = 1,
+  /// RESET: Restart the sensor.
+  reset = 2,
+  /// RESET_NOTIFY: The sensor restarts.
+  reset_notify = 3,
+  /// GET_DEVICE_INFO: Request information about the sensor.
+  get_device_info = 4,
+  /// DEVICE_INFO: Information about the sensor.
+  device_info = 5,
+  /// GET_DATA: Request data.
+  get_data = 6,
+  /// GET_DATA_STREAM: Request a stream of data.
+  get_data_stream = 7,
+  /// DATA: Data.
+  data = 8,
+  /// CALIB: Calibrate the sensor.
+  calib = 9,
+  /// BOOT_MODE: Enter the bootloader of the sensor.
+  boot_mode = 10,
+  /// USER_DATA_LOG: Log the user's data.
+  user_data_log = 11,
+  /// GET_USER_CONF_LOG: Request the configuration of the log.
+  get_user_conf_log = 12,
+  /// USER_CONF_LOG: Configuration of the log.
+  user_conf_log = 13,
 };
 
 /// Pins that a host can switch.
@@ -857,6 +1927,8 @@ enum class PinState : std::uint8_t {
   low = 0,
   /// HIGH: High; supplies up to 40 mA.
   high = 1,
+  /// FLOATING: Floating. Since firmware 2.66.
+  floating = 2,
 };
 
 /// I2C bus of the board.
@@ -866,6 +1938,104 @@ enum class I2cPort : std::uint8_t {
   main = 0,
   /// The bus of the EEPROM.
   second = 1,
+};
+
+/// Module of CMD_MODULE_LIST.
+/// Source: Later firmware.
+enum class ModuleId : std::uint8_t {
+  /// IMU_MAIN: Main IMU.
+  imu_main = 1,
+  /// IMU_FRAME: Frame IMU.
+  imu_frame = 2,
+  /// CAN_DRV1: CAN motor driver 1.
+  can_drv1 = 3,
+  /// CAN_DRV2: CAN motor driver 2.
+  can_drv2 = 4,
+  /// CAN_DRV3: CAN motor driver 3.
+  can_drv3 = 5,
+  /// CAN_DRV4: CAN motor driver 4.
+  can_drv4 = 6,
+  /// CAN_DRV5: CAN motor driver 5.
+  can_drv5 = 7,
+  /// CAN_DRV6: CAN motor driver 6.
+  can_drv6 = 8,
+  /// CAN_DRV7: CAN motor driver 7.
+  can_drv7 = 9,
+  /// GPS_IMU: GPS_IMU.
+  gps_imu = 10,
+  /// CAN_HUB_GNSS: CAN hub with a GNSS receiver.
+  can_hub_gnss = 11,
+  /// CAN_HUB1: CAN hub 1.
+  can_hub1 = 12,
+  /// CAN_HUB2: CAN hub 2.
+  can_hub2 = 13,
+};
+
+/// Id of a device on the CAN bus.
+/// Source: Later firmware.
+enum class CanDeviceId : std::uint8_t {
+  /// NOT_ASSIGNED: None assigned.
+  not_assigned = 0,
+  /// CAN_IMU_MAIN: Main IMU.
+  can_imu_main = 5,
+  /// CAN_IMU_FRAME: Frame IMU.
+  can_imu_frame = 6,
+  /// GPS_IMU_MAIN: GPS_IMU as the main IMU.
+  gps_imu_main = 7,
+  /// CAN_DRV1: CAN motor driver 1.
+  can_drv1 = 17,
+  /// CAN_DRV2: CAN motor driver 2.
+  can_drv2 = 18,
+  /// CAN_DRV3: CAN motor driver 3.
+  can_drv3 = 19,
+  /// CAN_DRV4: CAN motor driver 4.
+  can_drv4 = 20,
+  /// CAN_DRV5: CAN motor driver 5.
+  can_drv5 = 21,
+  /// CAN_DRV6: CAN motor driver 6.
+  can_drv6 = 22,
+  /// CAN_DRV7: CAN motor driver 7.
+  can_drv7 = 23,
+  /// CAN_IMU_MAIN_OLD: Main IMU of an older kind.
+  can_imu_main_old = 28,
+  /// CAN_IMU_FRAME_OLD: Frame IMU of an older kind.
+  can_imu_frame_old = 29,
+};
+
+/// Kind of a device on the CAN bus.
+/// Source: Later firmware.
+enum class CanDeviceKind : std::uint8_t {
+  /// MOTOR_DRIVER: Motor driver.
+  motor_driver = 1,
+  /// IMU: IMU.
+  imu = 2,
+};
+
+/// Device at the far end of a transparent connection.
+/// Source: Later firmware.
+enum class TransparentDevice : std::uint8_t {
+  /// SBGC32: The board itself.
+  sbgc32 = 1,
+  /// GPS_IMU: GPS_IMU.
+  gps_imu = 2,
+  /// CAN_IMU_MAIN: Main IMU.
+  can_imu_main = 3,
+  /// CAN_IMU_FRAME: Frame IMU.
+  can_imu_frame = 4,
+  /// GPS_SPLIT_RCVR: Split GPS receiver.
+  gps_split_rcvr = 5,
+  /// CAN_SERIAL_HUB1: CAN hub 1.
+  can_serial_hub1 = 6,
+  /// CAN_SERIAL_HUB2: CAN hub 2.
+  can_serial_hub2 = 7,
+  /// CAN_DRV1: CAN motor driver 1.
+  can_drv1 = 8,
+  /// CAN_DRV2: CAN motor driver 2.
+  can_drv2 = 9,
+  /// CAN_DRV3: CAN motor driver 3.
+  can_drv3 = 10,
+  /// CAN_DRV4: CAN motor driver 4.
+  can_drv4 = 11,
 };
 
 /// Result of an operation on the board's file system.
@@ -893,6 +2063,27 @@ enum class FileError : std::uint8_t {
   file_corrupted = 9,
   /// A value of the request is invalid.
   wrong_params = 10,
+};
+
+/// Kind of content of a file.
+/// Source: Later firmware.
+enum class FileType : std::uint8_t {
+  /// SCRIPT: A user script.
+  script = 1,
+  /// IMU_CALIB: Calibrations of an IMU.
+  imu_calib = 3,
+  /// COGGING_CORRECTION: Correction of the cogging of a motor.
+  cogging_correction = 4,
+  /// ADJ_VAR_LUT: Lookup table of an adjustable variable.
+  adj_var_lut = 5,
+  /// PROFILE_SET: Profile set.
+  profile_set = 6,
+  /// PARAMS: Parameters.
+  params = 7,
+  /// TUNE: Results of tuning.
+  tune = 8,
+  /// CANDRV: Data of a CAN motor driver.
+  candrv = 10,
 };
 
 /// Operation on a script.
@@ -952,6 +2143,15 @@ enum class DebugVarAxis : std::uint8_t {
   yaw = 48,
 };
 
+/// Operation on the debug port.
+/// Source: Later firmware.
+enum class DebugPortAction : std::uint8_t {
+  /// STOP: Stop copying messages.
+  stop = 0,
+  /// START: Copy messages to this port.
+  start = 1,
+};
+
 /// Features of the board's hardware and firmware.
 /// Source: Variables L1008.
 enum class BoardFeature : std::uint16_t {
@@ -967,8 +2167,108 @@ enum class BoardFeature : std::uint16_t {
   scripting = 0x0010,
   /// BOARD_FEATURE_CURRENT_SENSOR: Measures the supply current.
   current_sensor = 0x0020,
+  /// BOARD_FEATURE_MAG_SENSOR: Supports a magnetometer.
+  mag_sensor = 0x0040,
+  /// BOARD_FEATURE_ORDER_OF_AXES_LETUS: Supports the order of axes of a Letus gimbal.
+  order_of_axes_letus = 0x0080,
+  /// BOARD_FEATURE_IMU_EEPROM: The main IMU has an EEPROM.
+  imu_eeprom = 0x0100,
+  /// BOARD_FEATURE_FRAME_IMU_EEPROM: The frame IMU has an EEPROM.
+  frame_imu_eeprom = 0x0200,
+  /// BOARD_FEATURE_CAN_PORT: Has a CAN bus.
+  can_port = 0x0400,
+  /// BOARD_FEATURE_MOMENTUM: Compensates the moment of inertia.
+  momentum = 0x0800,
+  /// BOARD_FEATURE_COGGING_CORRECTION: Corrects the cogging of motors.
+  cogging_correction = 0x1000,
+  /// BOARD_FEATURE_MOTOR4_CONTROL: Drives a fourth motor.
+  motor4_control = 0x2000,
+  /// BOARD_FEATURE_ACC_AUTO_CALIB: Calibrates the accelerometer automatically.
+  acc_auto_calib = 0x4000,
+  /// BOARD_FEATURE_BIG_FLASH: Has a large flash memory.
+  big_flash = 0x8000,
 };
 using BoardFeatures = Flags<BoardFeature>;
+
+/// More features of the board's hardware and firmware.
+/// Source: Later firmware.
+enum class BoardFeaturesExtBit : std::uint16_t {
+  /// EXT_IMU: Supports an external IMU.
+  ext_imu = 0x0001,
+  /// STATE_VARS: Keeps statistics; see CMD_READ_STATE_VARS.
+  state_vars = 0x0004,
+  /// POWER_MANAGEMENT: Manages its power supply.
+  power_management = 0x0008,
+  /// GYRO_ADVANCED_CALIB: Has an advanced calibration of the gyroscope.
+  gyro_advanced_calib = 0x0010,
+  /// LIMITED_VERSION: Has a limited set of functions.
+  limited_version = 0x0020,
+  /// REACTION: Has a feature of this name, which no source explains.
+  reaction = 0x0040,
+  /// ENCODER_LUT: Corrects encoders with a lookup table.
+  encoder_lut = 0x0080,
+};
+using BoardFeaturesExt = Flags<BoardFeaturesExtBit>;
+
+/// Features of the board from firmware 2.73 on.
+/// Source: Later firmware.
+enum class BoardFeaturesExt2Bit : std::uint32_t {
+  /// PLUS_VER: The firmware is a "plus" version.
+  plus_ver = 0x00000001,
+  /// SHAKE_GENERATOR: Can shake the camera on purpose.
+  shake_generator = 0x00000002,
+  /// EXT_MOTORS: Drives auxiliary motors.
+  ext_motors = 0x00000004,
+  /// QUAT_CONTROL: Can be controlled with quaternions.
+  quat_control = 0x00000008,
+  /// ADC4: Has a fourth analog input.
+  adc4 = 0x00000010,
+};
+using BoardFeaturesExt2 = Flags<BoardFeaturesExt2Bit>;
+
+/// State of the board.
+/// Source: Later firmware.
+enum class BoardStateFlag : std::uint8_t {
+  /// DEBUG_MODE: A host should show its debug output.
+  debug_mode = 0x01,
+  /// IS_FRAME_INVERTED: The frame is upside down.
+  is_frame_inverted = 0x02,
+  /// INIT_STEP1_DONE: The first step of the start-up is done.
+  init_step1_done = 0x04,
+  /// INIT_STEP2_DONE: The second step of the start-up is done.
+  init_step2_done = 0x08,
+  /// STARTUP_AUTO_ROUTINE_DONE: The automatic actions at start-up are done.
+  startup_auto_routine_done = 0x10,
+  /// POWER_MANAGER_ENABLED: Power management is on.
+  power_manager_enabled = 0x20,
+};
+using BoardStateFlags = Flags<BoardStateFlag>;
+
+/// Hardware on the board.
+/// Source: Later firmware.
+enum class HardwareFlag : std::uint16_t {
+  /// ONE_WIRE_CRYPTO_IC: A one-wire crypto chip is installed.
+  one_wire_crypto_ic = 0x0001,
+};
+using HardwareFlags = Flags<HardwareFlag>;
+
+/// Profile sets in the board's memory.
+/// Source: Later firmware.
+enum class StoredProfileSet : std::uint8_t {
+  /// PROFILE_SET1: Profile set 1.
+  set1 = 0x01,
+  /// PROFILE_SET2: Profile set 2.
+  set2 = 0x02,
+  /// PROFILE_SET3: Profile set 3.
+  set3 = 0x04,
+  /// PROFILE_SET4: Profile set 4.
+  set4 = 0x08,
+  /// PROFILE_SET5: Profile set 5.
+  set5 = 0x10,
+  /// PROFILE_SET_BACKUP: The backup.
+  set_backup = 0x20,
+};
+using StoredProfileSets = Flags<StoredProfileSet>;
 
 /// How the host is connected to the board.
 /// Source: Variables L1009.
@@ -983,6 +2283,8 @@ using ConnectionFlags = Flags<ConnectionFlag>;
 enum class ResetOption : std::uint8_t {
   /// Send CMD_RESET back first.
   notify = 0x01,
+  /// RESTORE_STATE: Keep the state and restore it after the restart; not for CMD_BOOT_MODE_3.
+  restore_state = 0x02,
 };
 using ResetOptions = Flags<ResetOption>;
 
@@ -1059,8 +2361,63 @@ enum class GeneralFlag : std::uint16_t {
   overheat_stop_motors = 0x0080,
   /// CENTER_YAW_AT_STARTUP: Center yaw at start-up.
   center_yaw_at_startup = 0x0100,
+  /// SWAP_RC_SERIAL_UART_B: Swap the serial RC input and UART B.
+  swap_rc_serial_uart_b = 0x0200,
+  /// UART_B_SERIAL_API: UART B speaks this protocol.
+  uart_b_serial_api = 0x0400,
+  /// BLINK_BAT_LEVEL: Blink the battery level.
+  blink_bat_level = 0x0800,
+  /// ADAPTIVE_GYRO_TRUST: Adapt the trust in the gyroscope.
+  adaptive_gyro_trust = 0x1000,
+  /// IS_UPSIDE_DOWN: The frame is upside down. Since firmware 2.66.
+  is_upside_down = 0x2000,
+  /// UART_3_SERIAL_API: UART 3 speaks this protocol. Since firmware 2.66.
+  uart_3_serial_api = 0x4000,
+  /// FRAME_INV_RC_INV: Invert the RC signals while the frame is upside down. Since firmware 2.66.
+  frame_inv_rc_inv = 0x8000,
 };
 using GeneralFlags = Flags<GeneralFlag>;
+
+/// More options of the whole board.
+/// Source: Later firmware.
+enum class GeneralFlags2Bit : std::uint16_t {
+  /// SEARCH_LIMIT_ROLL: Search the mechanical limits of roll at start-up. Since firmware 2.61.
+  search_limit_roll = 0x0001,
+  /// SEARCH_LIMIT_PITCH: Search the mechanical limits of pitch at start-up. Since firmware 2.61.
+  search_limit_pitch = 0x0002,
+  /// SEARCH_LIMIT_YAW: Search the mechanical limits of yaw at start-up. Since firmware 2.61.
+  search_limit_yaw = 0x0004,
+  /// AUTO_CALIBRATE_MOMENTUM: Calibrate the momentum automatically. Since firmware 2.62b7.
+  auto_calibrate_momentum = 0x0008,
+  /// USE_MOMENTUM_FEED_FORWARD: Feed forward from the momentum. Since firmware 2.62b7.
+  use_momentum_feed_forward = 0x0010,
+  /// MOTORS_OFF_AT_STARTUP: Leave the motors off at start-up. Since firmware 2.62b7.
+  motors_off_at_startup = 0x0020,
+  /// FC_BELOW_OUTER: The flight controller is below the outer motor. Since firmware 2.62b7.
+  fc_below_outer = 0x0040,
+  /// DO_NOT_CHECK_ENCODER_LIMITS: Do not check the limits of the encoders. Since firmware 2.66.
+  do_not_check_encoder_limits = 0x0080,
+  /// AUTO_SAVE_BACKUP_SLOT: Save the profiles to the backup slot automatically. Since firmware
+  /// 2.66.
+  auto_save_backup_slot = 0x0100,
+  /// FC_BELOW_MIDDLE: The flight controller is below the middle motor. Since firmware 2.66.
+  fc_below_middle = 0x0200,
+  /// ENVIRONMENT_TEMP_UNKNOWN: The temperature of the environment is unknown. Since firmware
+  /// 2.67b2.
+  environment_temp_unknown = 0x0400,
+  /// LPF_EXTENDED_RANGE: The low-pass filters of RC signals range to 255, not 15. Since firmware
+  /// 2.67b2.
+  lpf_extended_range = 0x0800,
+  /// SAVE_SYSTEM_STAT: Save statistics of the system. Since firmware 2.67b2.
+  save_system_stat = 0x1000,
+  /// DISABLE_ACC: Do not use the accelerometer. Since firmware 2.67b2.
+  disable_acc = 0x2000,
+  /// DISABLE_POWER_MANAGER: Do not use the power manager. Since firmware 2.67b2.
+  disable_power_manager = 0x4000,
+  /// ALLOW_ONBOARD_IMU_AS_MAIN: The IMU on the board may be the main IMU. Since firmware 2.67b2.
+  allow_onboard_imu_as_main = 0x8000,
+};
+using GeneralFlags2 = Flags<GeneralFlags2Bit>;
 
 /// Options of one profile.
 /// Source: Variables L1074.
@@ -1081,8 +2438,209 @@ enum class ProfileFlag : std::uint16_t {
   follow_lock_offset_correction = 0x0080,
   /// START_NEUTRAL_POSITION: Start in the neutral position.
   start_neutral_position = 0x0100,
+  /// MENU_BUTTON_DISABLE_FOLLOW: The menu button suspends the follow mode.
+  menu_button_disable_follow = 0x0200,
+  /// TIMELAPSE_FRAME_FIXED: The frame does not move during a time lapse.
+  timelapse_frame_fixed = 0x0400,
+  /// RC_KEEP_MIX_RATE: Keep the mix rate of the RC channels.
+  rc_keep_mix_rate = 0x0800,
+  /// RC_KEEP_CUR_POS_ON_INIT: Keep the current position when RC control starts.
+  rc_keep_cur_pos_on_init = 0x1000,
+  /// OUTER_MOTOR_LIMIT_FREE_ROTATION: Limit the free rotation of the outer motor. Since firmware
+  /// 2.66.
+  outer_motor_limit_free_rotation = 0x2000,
+  /// EULER_ORDER_AUTO: Select the order of the Euler angles automatically. Since firmware 2.67b1.
+  /// Unconfirmed.
+  euler_order_auto = 0x4000,
+  /// CAM_UPSIDE_DOWN_WORKING: The camera may work upside down. Unconfirmed.
+  cam_upside_down_working = 0x8000,
 };
 using ProfileFlags = Flags<ProfileFlag>;
+
+/// Limits at which an axis parks.
+/// Source: Later firmware.
+enum class ParkingBorder : std::uint8_t {
+  /// ROLL_NEG: The lower limit of roll.
+  roll_neg = 0x01,
+  /// ROLL_POS: The upper limit of roll.
+  roll_pos = 0x02,
+  /// PITCH_NEG: The lower limit of pitch.
+  pitch_neg = 0x04,
+  /// PITCH_POS: The upper limit of pitch.
+  pitch_pos = 0x08,
+  /// YAW_NEG: The lower limit of yaw.
+  yaw_neg = 0x10,
+  /// YAW_POS: The upper limit of yaw.
+  yaw_pos = 0x20,
+};
+using ParkingBorders = Flags<ParkingBorder>;
+
+/// Options of the order of the Euler angles.
+/// Source: Later firmware.
+enum class EulerOrderFlag : std::uint8_t {
+  /// CONTROL_LOCAL_XYZ: Control commands turn the camera about its own axes; not for LOCAL_ROLL and
+  /// ROLL_LOCAL.
+  control_local_xyz = 0x10,
+  /// STAB_CONTROL_LOCAL_XYZ: Stabilization and control use the camera's own axes; not for
+  /// LOCAL_ROLL and ROLL_LOCAL. Since firmware 2.74.
+  stab_control_local_xyz = 0x20,
+};
+using EulerOrderFlags = Flags<EulerOrderFlag>;
+
+/// Use of the external IMU.
+/// Source: Later firmware.
+enum class ExtImuFlag : std::uint16_t {
+  /// ACC_COMP_ONLY: Only compensate linear accelerations.
+  acc_comp_only = 0x0002,
+  /// REPLACE: Replace the attitude of the internal IMU.
+  replace = 0x0004,
+  /// Z: Correct the vertical.
+  z = 0x0008,
+  /// H: Correct the heading.
+  h = 0x0010,
+  /// FRAME_UPSIDE_DOWN_UPDATE: Take into account that the frame is upside down.
+  frame_upside_down_update = 0x0020,
+  /// AS_FRAME_IMU: Use it as the frame IMU.
+  as_frame_imu = 0x0040,
+  /// GYRO_CORR: Correct the gyroscope. Since firmware 2.68b7.
+  gyro_corr = 0x0080,
+};
+using ExtImuFlags = Flags<ExtImuFlag>;
+
+/// Still more options of the whole board.
+/// Source: Later firmware.
+enum class GeneralFlags3Bit : std::uint32_t {
+  /// ENC_LUT_EN_ROLL: Use the look-up table of the roll encoder.
+  enc_lut_en_roll = 0x00000001,
+  /// ENC_LUT_EN_PITCH: Use the look-up table of the pitch encoder.
+  enc_lut_en_pitch = 0x00000002,
+  /// ENC_LUT_EN_YAW: Use the look-up table of the yaw encoder.
+  enc_lut_en_yaw = 0x00000004,
+  /// MAVLINK_YAW_ABSOLUTE: The yaw of MAVLink commands is absolute.
+  mavlink_yaw_absolute = 0x00000008,
+  /// EXT_SENS_AS_REFERENCE: Use the external sensor as a reference.
+  ext_sens_as_reference = 0x00000010,
+  /// DISABLE_BT: Turn Bluetooth off.
+  disable_bt = 0x00000020,
+  /// ALLOW_SENSOR_RECOVERY: Try to recover a sensor that fails.
+  allow_sensor_recovery = 0x00000040,
+  /// UART2_ALT: Use the alternative pins of UART 2.
+  uart2_alt = 0x00000080,
+  /// PASS_LIMIT_ROLL: Roll may pass its limits.
+  pass_limit_roll = 0x00000100,
+  /// PASS_LIMIT_PITCH: Pitch may pass its limits.
+  pass_limit_pitch = 0x00000200,
+  /// PASS_LIMIT_YAW: Yaw may pass its limits.
+  pass_limit_yaw = 0x00000400,
+  /// DONT_PUSH_SOFT_LIMITS_ROLL: Do not push roll away from its software limits.
+  dont_push_soft_limits_roll = 0x00000800,
+  /// DONT_PUSH_SOFT_LIMITS_PITCH: Do not push pitch away from its software limits.
+  dont_push_soft_limits_pitch = 0x00001000,
+  /// DONT_PUSH_SOFT_LIMITS_YAW: Do not push yaw away from its software limits.
+  dont_push_soft_limits_yaw = 0x00002000,
+  /// TRIPOD_MODE_AUTO: Start the tripod mode automatically.
+  tripod_mode_auto = 0x00004000,
+  /// TRIPOD_MODE_GYRO_ONLINE_CALIB: Calibrate the gyroscope in tripod mode.
+  tripod_mode_gyro_online_calib = 0x00008000,
+  /// RETRACTED_POSITION_MOTORS_OFF: Turn the motors off in the retracted position.
+  retracted_position_motors_off = 0x00010000,
+  /// CAN_IMU_THERMOSTAT_ENABLE: The CAN IMU keeps its temperature constant.
+  can_imu_thermostat_enable = 0x00020000,
+  /// RETRACTED_POSITION_SHORTEST: Take the shortest path to the retracted position.
+  retracted_position_shortest = 0x00040000,
+  /// RETRACTED_POSITION_RC_CONTROL: RC controls the retracted position.
+  retracted_position_rc_control = 0x00080000,
+  /// ACC_LIMIT_EXT_RANGE: The acceleration limits have a wider range.
+  acc_limit_ext_range = 0x00100000,
+  /// MOVE_SHORT_PATH_ROLL: Roll moves on the shortest path.
+  move_short_path_roll = 0x00200000,
+  /// MOVE_SHORT_PATH_PITCH: Pitch moves on the shortest path.
+  move_short_path_pitch = 0x00400000,
+  /// MOVE_SHORT_PATH_YAW: Yaw moves on the shortest path.
+  move_short_path_yaw = 0x00800000,
+  /// FRAME_INV_SOFT_LIMIT_MIDDLE: An upside-down frame changes the software limits of the middle
+  /// motor.
+  frame_inv_soft_limit_middle = 0x01000000,
+  /// FRAME_INV_SOFT_LIMIT_OUTER: An upside-down frame changes the software limits of the outer
+  /// motor.
+  frame_inv_soft_limit_outer = 0x02000000,
+  /// CAN_IMU_SERVO1_DUTY_MODE: Servo output 1 of the CAN IMU sets the duty cycle.
+  can_imu_servo1_duty_mode = 0x04000000,
+  /// CAN_IMU_SERVO2_DUTY_MODE: Servo output 2 of the CAN IMU sets the duty cycle.
+  can_imu_servo2_duty_mode = 0x08000000,
+};
+using GeneralFlags3 = Flags<GeneralFlags3Bit>;
+
+/// The last options of the whole board.
+/// Source: Later firmware.
+enum class GeneralFlags4Bit : std::uint32_t {
+  /// ACC_LIMIT_BY_MOMENTUM: The momentum determines the acceleration limits.
+  acc_limit_by_momentum = 0x00000001,
+  /// CALIB_MOMENTUM_IN_NORMAL_POS: Calibrate the momentum in the normal position.
+  calib_momentum_in_normal_pos = 0x00000002,
+  /// EULER_MIDDLE_AXIS: The middle axis determines the initial Euler angles. Unconfirmed.
+  euler_middle_axis = 0x00000004,
+  /// EULER_MATCH_MOTOR_ROTATION: The rotation of the motors determines the initial Euler angles.
+  /// Unconfirmed.
+  euler_match_motor_rotation = 0x00000008,
+};
+using GeneralFlags4 = Flags<GeneralFlags4Bit>;
+
+/// More options of one profile.
+/// Source: Later firmware.
+enum class ProfileFlags2Bit : std::uint16_t {
+  /// FOLLOW_PITCH_DISABLED: Pitch does not follow the frame.
+  follow_pitch_disabled = 0x0001,
+  /// LOW_ANGLE_PRIOR_ROLL: Roll prefers small angles.
+  low_angle_prior_roll = 0x0002,
+  /// LOW_ANGLE_PRIOR_PITCH: Pitch prefers small angles.
+  low_angle_prior_pitch = 0x0004,
+  /// LOW_ANGLE_PRIOR_YAW: Yaw prefers small angles.
+  low_angle_prior_yaw = 0x0008,
+  /// HEADING_TRIPOD_MODE: The tripod mode applies to the heading.
+  heading_tripod_mode = 0x0010,
+  /// MOT_ROLL_DISABLED: The roll motor is off.
+  mot_roll_disabled = 0x0020,
+  /// MOT_PITCH_DISABLED: The pitch motor is off.
+  mot_pitch_disabled = 0x0040,
+  /// MOT_YAW_DISABLED: The yaw motor is off.
+  mot_yaw_disabled = 0x0080,
+  /// RC_OUT_DUTY1: Servo output 1 sets the duty cycle.
+  rc_out_duty1 = 0x0100,
+  /// RC_OUT_DUTY2: Servo output 2 sets the duty cycle.
+  rc_out_duty2 = 0x0200,
+  /// RC_OUT_DUTY3: Servo output 3 sets the duty cycle.
+  rc_out_duty3 = 0x0400,
+  /// RC_OUT_DUTY4: Servo output 4 sets the duty cycle.
+  rc_out_duty4 = 0x0800,
+  /// DISABLE_FOLLOW_STARTUP: Do not follow at start-up.
+  disable_follow_startup = 0x1000,
+  /// SERVO_MODE: Servo mode.
+  servo_mode = 0x2000,
+  /// RC_EXPO_DEADBAND_SPLIT: Pitch and yaw have their own RC dead band and expo rate.
+  rc_expo_deadband_split = 0x4000,
+};
+using ProfileFlags2 = Flags<ProfileFlags2Bit>;
+
+/// Still more options of one profile.
+/// Source: Later firmware.
+enum class ProfileFlags3Bit : std::uint32_t {
+  /// ACC_LIMIT_AUTO_R: The board determines the acceleration limit of roll.
+  acc_limit_auto_r = 0x00000001,
+  /// ACC_LIMIT_AUTO_P: The board determines the acceleration limit of pitch.
+  acc_limit_auto_p = 0x00000002,
+  /// ACC_LIMIT_AUTO_Y: The board determines the acceleration limit of yaw.
+  acc_limit_auto_y = 0x00000004,
+  /// SHAKE_GENERATOR_ENABLED: The shake generator runs.
+  shake_generator_enabled = 0x00000008,
+  /// ERR_CORR_LONG_R: Correct long errors of roll.
+  err_corr_long_r = 0x00000010,
+  /// ERR_CORR_LONG_P: Correct long errors of pitch.
+  err_corr_long_p = 0x00000020,
+  /// ERR_CORR_LONG_Y: Correct long errors of yaw.
+  err_corr_long_y = 0x00000040,
+};
+using ProfileFlags3 = Flags<ProfileFlags3Bit>;
 
 /// Errors detected by the board.
 /// Source: Variables L1128-L1130.
@@ -1123,7 +2681,7 @@ enum class OtherFlag : std::uint8_t {
 using OtherFlags = Flags<OtherFlag>;
 
 /// Data blocks of CMD_REALTIME_DATA_CUSTOM.
-/// Source: Variables L1209.
+/// Source: Variables L1209; Later firmware.
 enum class RealtimeDataCustomFlag : std::uint32_t {
   /// Angles of the main IMU.
   imu_angles = 0x00000001,
@@ -1143,16 +2701,493 @@ enum class RealtimeDataCustomFlag : std::uint32_t {
   rc_channels = 0x00000080,
   /// Accelerometer of the IMU.
   acc_data = 0x00000100,
+  /// MOTOR4_CONTROL: Control of a fourth motor.
+  motor4_control = 0x00000200,
+  /// AHRS_DEBUG_INFO: State of the attitude estimation.
+  ahrs_debug_info = 0x00000400,
+  /// ENCODER_RAW24: Raw values of the encoders. Since firmware 2.68.
+  encoder_raw24 = 0x00000800,
+  /// IMU_ANGLES_RAD: Angles of the main IMU in radians. Since firmware 2.68b7.
+  imu_angles_rad = 0x00001000,
+  /// SCRIPT_VARS_FLOAT: Floating-point variables of the script.
+  script_vars_float = 0x00002000,
+  /// SCRIPT_VARS_INT16: Integer variables of the script.
+  script_vars_int16 = 0x00004000,
+  /// SYSTEM_POWER_STATE: State of the motors and of the supply. Since firmware 2.70b6.
+  system_power_state = 0x00008000,
+  /// FRAME_CAM_RATE: Speed of the camera relative to the frame. Since firmware 2.70b6.
+  frame_cam_rate = 0x00010000,
+  /// IMU_ANGLES_20: Angles of the main IMU in high resolution.
+  imu_angles_20 = 0x00020000,
+  /// TARGET_ANGLES_20: Target angles in high resolution. Since firmware 2.70b8.
+  target_angles_20 = 0x00040000,
+  /// COMM_ERRORS: Counters of communication errors. Since firmware 2.72.
+  comm_errors = 0x00080000,
+  /// SYSTEM_STATE: State of the system. Since firmware 2.73.
+  system_state = 0x00100000,
+  /// IMU_QUAT: Attitude of the main IMU as a quaternion. Since firmware 2.73.
+  imu_quat = 0x00200000,
+  /// TARGET_QUAT: Target attitude as a quaternion. Since firmware 2.73.
+  target_quat = 0x00400000,
+  /// IMU_TO_FRAME_QUAT: Rotation from the main IMU to the frame as a quaternion. Since firmware
+  /// 2.73.
+  imu_to_frame_quat = 0x00800000,
+  /// ADC_CH_RAW: Raw values of the analog inputs. Since firmware 2.73.
+  adc_ch_raw = 0x01000000,
+  /// SW_LIMITS_DIST: Distances to the software limits. Since firmware 2.73b8.
+  sw_limits_dist = 0x02000000,
+  /// FOLLOW_DIST: Distance in follow mode. Since firmware 2.73b8.
+  follow_dist = 0x04000000,
+  /// Limits of an external target. Since firmware 2.73b8.
+  ext_target_limit = 0x08000000,
 };
 using RealtimeDataCustomFlags = Flags<RealtimeDataCustomFlag>;
+
+/// State of the system.
+/// Source: Later firmware.
+enum class StateFlag : std::uint32_t {
+  /// DEBUG_MODE: A host should show its debug output.
+  debug_mode = 0x00000001,
+  /// IS_FRAME_INVERTED: The frame is upside down.
+  is_frame_inverted = 0x00000002,
+  /// INIT_STEP1_DONE: The first step of the start-up is done.
+  init_step1_done = 0x00000004,
+  /// INIT_STEP2_DONE: The second step of the start-up is done.
+  init_step2_done = 0x00000008,
+  /// STARTUP_AUTO_ROUTINE_DONE: The automatic actions at start-up are done.
+  startup_auto_routine_done = 0x00000010,
+  /// POWER_MANAGER_ENABLED: Power management is on.
+  power_manager_enabled = 0x00000020,
+  /// SHAKE_GEN_ENABLED: The shake generator is enabled.
+  shake_gen_enabled = 0x00000100,
+  /// SERVO_MODE_ENABLED: The servo mode is enabled.
+  servo_mode_enabled = 0x00000200,
+  /// FOLLOW_MODE_ROLL: Roll is in follow mode.
+  follow_mode_roll = 0x00000400,
+  /// FOLLOW_MODE_PITCH: Pitch is in follow mode.
+  follow_mode_pitch = 0x00000800,
+  /// FOLLOW_MODE_YAW: Yaw is in follow mode.
+  follow_mode_yaw = 0x00001000,
+  /// TRIPOD_MODE_ENABLED: The tripod mode is enabled. Since firmware 2.73b9.
+  tripod_mode_enabled = 0x00002000,
+  /// RETRACTED_POSITION: The camera is in its retracted position. Since firmware 2.74.
+  retracted_position = 0x00004000,
+};
+using StateFlags = Flags<StateFlag>;
+
+/// State of a motor.
+/// Source: Later firmware.
+enum class MotorPowerFlag : std::uint16_t {
+  /// SW_LIMIT_VIOLATED: The motor is beyond a software limit.
+  sw_limit_violated = 0x0001,
+  /// CURRENT_EXCEEDS_LIMIT: The current exceeds its limit.
+  current_exceeds_limit = 0x0002,
+  /// DRIVER_ENABLED: The driver is enabled.
+  driver_enabled = 0x0004,
+};
+using MotorPowerFlags = Flags<MotorPowerFlag>;
+
+/// Problems with the motors or their drivers.
+/// Source: Later firmware.
+enum class SystemPowerFlag : std::uint16_t {
+  /// SW_LIMIT_VIOLATED: A motor is beyond a software limit.
+  sw_limit_violated = 0x0001,
+  /// OVERHEAT_WARNING: A motor or a driver is too warm.
+  overheat_warning = 0x0002,
+  /// DRIVER_OTW: A motor driver reports an overtemperature warning. Unconfirmed.
+  driver_otw = 0x0004,
+  /// DRIVER_FAULT: A motor driver failed. Unconfirmed.
+  driver_fault = 0x0008,
+};
+using SystemPowerFlags = Flags<SystemPowerFlag>;
+
+/// State of the CAN bus.
+/// Source: Later firmware.
+enum class CanErrorFlag : std::uint8_t {
+  /// WARN: The number of errors exceeds the warning level.
+  warn = 0x01,
+  /// PASSIVE: The controller is error-passive.
+  passive = 0x02,
+  /// BUS_OFF: The controller has left the bus.
+  bus_off = 0x04,
+};
+using CanErrorFlags = Flags<CanErrorFlag>;
+
+/// Data of CMD_CAN_DRV_TELEMETRY.
+/// Source: Later firmware.
+enum class CanDrvTelemetryFlag : std::uint32_t {
+  /// CAN_BUS_FLAGS: State of the CAN bus.
+  can_bus_flags = 0x00000001,
+  /// CAN_BUS_ERR_CNT: Errors of the CAN bus.
+  can_bus_err_cnt = 0x00000002,
+  /// TEMP_BOARD: Temperature of the driver.
+  temp_board = 0x00000004,
+  /// TEMP_MOTOR: Temperature of the motor.
+  temp_motor = 0x00000008,
+  /// AVG_CURRENT: Average current.
+  avg_current = 0x00000010,
+  /// BUS_VOLTAGE: Supply voltage.
+  bus_voltage = 0x00000020,
+  /// PIN_STATE: State of the pins.
+  pin_state = 0x00000040,
+  /// PHASE_CURRENT: Current of each phase.
+  phase_current = 0x00000080,
+  /// ENCODER_ERROR_CNT: Errors of the encoder.
+  encoder_error_cnt = 0x00000100,
+  /// Currents that make torque and field.
+  iq_id_current = 0x00000200,
+  /// MOTOR_SPEED: Speed of the motor.
+  motor_speed = 0x00000400,
+  /// PID_POS_ERR: Error of the position controller.
+  pid_pos_err = 0x00000800,
+  /// PID_SPEED_ERR: Error of the speed controller.
+  pid_speed_err = 0x00001000,
+  /// IQ_REF: Target of the torque current.
+  iq_ref = 0x00002000,
+  /// PID_CURRENT_ERR: Error of the current controller.
+  pid_current_err = 0x00004000,
+};
+using CanDrvTelemetryFlags = Flags<CanDrvTelemetryFlag>;
+
+/// Pins of a CAN motor driver.
+/// Source: Later firmware.
+enum class CanDrvPin : std::uint8_t {
+  /// LIMIT: Limit switch.
+  limit = 0x01,
+  /// INDEX: Index of the encoder.
+  index = 0x02,
+  /// EMERGENCY: Emergency stop.
+  emergency = 0x04,
+  /// AUX1: The AUX1 pin.
+  aux1 = 0x08,
+  /// AUX2: The AUX2 pin.
+  aux2 = 0x10,
+  /// AUX3: The AUX3 pin.
+  aux3 = 0x20,
+  /// HALF_BRIDGE_ENABLE: Enables the half bridges.
+  half_bridge_enable = 0x40,
+  /// ENCODER_SPI_CS: Selects the encoder on the SPI bus.
+  encoder_spi_cs = 0x80,
+};
+using CanDrvPins = Flags<CanDrvPin>;
 
 /// Options in the upper half of a control mode byte.
 /// Source: Variables L1148.
 enum class ControlFlag : std::uint8_t {
-  /// CONTROL_FLAG_HIGH_RES_SPEED: Speeds are in 0.001 deg/s. Since firmware 2.59.
+  /// CONTROL_FLAG_MIX_FOLLOW: The motion is added to that of the follow mode instead of replacing
+  /// it; for MODE_SPEED, MODE_ANGLE, MODE_ANGLE_SHORTEST and MODE_RC. Since firmware 2.70b5.
+  mix_follow = 0x10,
+  /// CONTROL_FLAG_TARGET_PRECISE: The motion does not slow down near its target; for MODE_ANGLE,
+  /// MODE_ANGLE_SHORTEST and MODE_ANGLE_REL_FRAME. Since firmware 2.70b1.
+  target_precise = 0x20,
+  /// CONTROL_FLAG_AUTO_TASK: In MODE_ANGLE and MODE_ANGLE_REL_FRAME, move as fast as automatic
+  /// tasks do, and confirm when the target is reached. In MODE_RC the bit is
+  /// CONTROL_FLAG_FORCE_RC_SPEED: the signal controls the speed, whatever the parameters say. Since
+  /// firmware 2.62b7.
+  auto_task = 0x40,
+  /// CONTROL_FLAG_HIGH_RES_SPEED: Speeds are in 0.001 deg/s. Since firmware 2.59. Before firmware
+  /// 2.59: A flag UNTWIST, which is not described.
   high_res_speed = 0x80,
 };
 using ControlFlags = Flags<ControlFlag>;
+
+/// Data of CMD_CONTROL_EXT: five bits for each axis, the last of which is not used.
+/// Source: Later firmware.
+enum class ControlExtField : std::uint16_t {
+  /// ROLL_SPEED: The speed of roll is given.
+  roll_speed = 0x0001,
+  /// ROLL_ANGLE: The angle of roll is given.
+  roll_angle = 0x0002,
+  /// The angle of roll has 32 bits.
+  roll_angle_32bit = 0x0004,
+  /// The speed of roll has 32 bits. Since firmware 2.72.
+  roll_speed_32bit = 0x0008,
+  /// PITCH_SPEED: The speed of pitch is given.
+  pitch_speed = 0x0020,
+  /// PITCH_ANGLE: The angle of pitch is given.
+  pitch_angle = 0x0040,
+  /// The angle of pitch has 32 bits.
+  pitch_angle_32bit = 0x0080,
+  /// The speed of pitch has 32 bits. Since firmware 2.72.
+  pitch_speed_32bit = 0x0100,
+  /// YAW_SPEED: The speed of yaw is given.
+  yaw_speed = 0x0400,
+  /// YAW_ANGLE: The angle of yaw is given.
+  yaw_angle = 0x0800,
+  /// The angle of yaw has 32 bits.
+  yaw_angle_32bit = 0x1000,
+  /// The speed of yaw has 32 bits. Since firmware 2.72.
+  yaw_speed_32bit = 0x2000,
+};
+using ControlExtFields = Flags<ControlExtField>;
+
+/// Further options of the motion of an axis.
+/// Source: Later firmware.
+enum class ControlExtFlag : std::uint8_t {
+  /// DISABLE_ANGLE_ERR_CORR: Do not correct deviations from the target angle, as with an OUTER_P of
+  /// 0.
+  disable_angle_err_corr = 0x01,
+};
+using ControlExtFlags = Flags<ControlExtFlag>;
+
+/// Options of serial control.
+/// Source: Later firmware.
+enum class ControlConfigFlag : std::uint16_t {
+  /// CONTROL_CONFIG_FLAG_NO_CONFIRM: Do not confirm control commands.
+  no_confirm = 0x0001,
+  /// CONTROL_CONFIG_FLAG_SERVO_MODE_ENABLE: Turn the servo mode on, in which angles are those of
+  /// the motors. Since firmware 2.72.
+  servo_mode_enable = 0x0002,
+  /// CONTROL_CONFIG_FLAG_SERVO_MODE_DISABLE: Turn the servo mode off. Since firmware 2.72.
+  servo_mode_disable = 0x0004,
+  /// CONTROL_CONFIG_FLAG_LPF_EXT_RANGE: The filters have an extended range. Since firmware 2.72b3.
+  lpf_ext_range = 0x0008,
+};
+using ControlConfigFlags = Flags<ControlConfigFlag>;
+
+/// Options of CMD_CONTROL_QUAT.
+/// Source: Later firmware.
+enum class ControlQuatFlag : std::uint8_t {
+  /// CONFIRM: Confirm the command.
+  confirm = 0x01,
+  /// ATTITUDE_PACKED: The attitude is packed into 8 bytes.
+  attitude_packed = 0x02,
+  /// ATTITUDE_LIMITED_180: Attitudes are within half a turn, and each is reached from the last one
+  /// by the shortest way.
+  attitude_limited_180 = 0x04,
+  /// ATT_REMOVE_ABSENT_AXES: Undocumented. Unconfirmed.
+  att_remove_absent_axes = 0x08,
+  /// AUTO_TASK: For ATTITUDE: move as fast as automatic tasks do, and confirm when the attitude is
+  /// reached within 1 degree. The motion ends after 10 s in any case.
+  auto_task = 0x40,
+};
+using ControlQuatFlags = Flags<ControlQuatFlag>;
+
+/// Options of the current control with quaternions.
+/// Source: Later firmware.
+enum class ControlQuatStatusFlag : std::uint16_t {
+  /// CONFIRM: Commands are confirmed.
+  confirm = 0x0001,
+  /// ATTITUDE_PACKED: Attitudes are packed into 8 bytes.
+  attitude_packed = 0x0002,
+  /// ATTITUDE_LIMITED_180: Attitudes are within half a turn.
+  attitude_limited_180 = 0x0004,
+  /// ATT_REMOVE_ABSENT_AXES: Undocumented. Unconfirmed.
+  att_remove_absent_axes = 0x0008,
+  /// AUTO_TASK: The motion is an automatic task.
+  auto_task = 0x0040,
+};
+using ControlQuatStatusFlags = Flags<ControlQuatStatusFlag>;
+
+/// Data of CMD_CONTROL_QUAT_STATUS.
+/// Source: Later firmware.
+enum class ControlQuatStatusField : std::uint32_t {
+  /// MODE: Mode and flags.
+  mode = 0x00000001,
+  /// TARGET_ATTITUDE: Attitude of the last command.
+  target_attitude = 0x00000002,
+  /// SETPOINT_ATTITUDE: Attitude that the board stabilizes.
+  setpoint_attitude = 0x00000004,
+  /// ACTUAL_ATTITUDE: Measured attitude.
+  actual_attitude = 0x00000008,
+  /// TARGET_SPEED: Speed of the last command.
+  target_speed = 0x00000010,
+  /// SETPOINT_SPEED: Speed that the board stabilizes.
+  setpoint_speed = 0x00000020,
+  /// ACTUAL_SPEED: Measured speed.
+  actual_speed = 0x00000040,
+  /// TARGET_ATTITUDE_PACKED: Attitude of the last command, packed.
+  target_attitude_packed = 0x00000080,
+  /// SETPOINT_ATTITUDE_PACKED: Attitude that the board stabilizes, packed.
+  setpoint_attitude_packed = 0x00000100,
+  /// ACTUAL_ATTITUDE_PACKED: Measured attitude, packed.
+  actual_attitude_packed = 0x00000200,
+};
+using ControlQuatStatusFields = Flags<ControlQuatStatusField>;
+
+/// Data of CMD_CONTROL_QUAT_CONFIG.
+/// Source: Later firmware.
+enum class ControlQuatConfigField : std::uint16_t {
+  /// MAX_SPEED: Speed limits.
+  max_speed = 0x0001,
+  /// ACC_LIMIT: Acceleration limits.
+  acc_limit = 0x0002,
+  /// JERK_SLOPE: Times in which the acceleration rises.
+  jerk_slope = 0x0004,
+  /// FLAGS: Options.
+  flags = 0x0008,
+  /// ATTITUDE_LPF_FREQ: Low-pass filter of the attitude.
+  attitude_lpf_freq = 0x0010,
+  /// SPEED_LPF_FREQ: Low-pass filter of the speed.
+  speed_lpf_freq = 0x0020,
+};
+using ControlQuatConfigFields = Flags<ControlQuatConfigField>;
+
+/// Options of the motion profile of CMD_CONTROL_QUAT.
+/// Source: Later firmware.
+enum class ControlQuatConfigFlag : std::uint16_t {
+  /// MOTION_PROFILE_SPLIT_XYZ: Each axis has its own profile. Otherwise the profile of X applies
+  /// along the shortest way.
+  motion_profile_split_xyz = 0x0001,
+};
+using ControlQuatConfigFlags = Flags<ControlQuatConfigFlag>;
+
+/// Options of CMD_HELPER_DATA.
+/// Source: Later firmware.
+enum class HelperDataFlag : std::uint8_t {
+  /// EULER_ORDER_ROLL_PITCH_YAW: The tilt is given in the Euler order roll, pitch, yaw. Since
+  /// firmware 2.70b7.
+  euler_order_roll_pitch_yaw = 0x40,
+  /// USE_FRAME_HEADING: The heading of the frame is given. Since firmware 2.62b7.
+  use_frame_heading = 0x80,
+};
+using HelperDataFlags = Flags<HelperDataFlag>;
+
+/// Confirmations of CMD_EXECUTE_MENU.
+/// Source: Later firmware.
+enum class ExecuteMenuFlag : std::uint8_t {
+  /// CONFIRM: Confirm the start of the action.
+  confirm = 0x01,
+  /// CONFIRM_ON_FINISH: Confirm the end of the action.
+  confirm_on_finish = 0x02,
+};
+using ExecuteMenuFlags = Flags<ExecuteMenuFlag>;
+
+/// Kind of an event.
+/// Source: Later firmware.
+enum class EventType : std::uint8_t {
+  /// OFF: It ended; for CAMERA, REC_PHOTO: record a video or take a photo.
+  off = 0x01,
+  /// ON: It began; for CAMERA, PHOTO: take a photo.
+  on = 0x02,
+  /// HOLD: It continues.
+  hold = 0x04,
+};
+using EventTypes = Flags<EventType>;
+
+/// External motors.
+/// Source: Later firmware.
+enum class ExtMotor : std::uint8_t {
+  /// MOTOR1: Motor 1.
+  motor1 = 0x01,
+  /// MOTOR2: Motor 2.
+  motor2 = 0x02,
+  /// MOTOR3: Motor 3.
+  motor3 = 0x04,
+  /// MOTOR4: Motor 4.
+  motor4 = 0x08,
+  /// MOTOR5: Motor 5.
+  motor5 = 0x10,
+  /// MOTOR6: Motor 6.
+  motor6 = 0x20,
+  /// MOTOR7: Motor 7.
+  motor7 = 0x40,
+};
+using ExtMotors = Flags<ExtMotor>;
+
+/// External motors of a command, and whether to confirm it.
+/// Source: Later firmware.
+enum class ExtMotorTarget : std::uint8_t {
+  /// MOTOR1: Motor 1.
+  motor1 = 0x01,
+  /// MOTOR2: Motor 2.
+  motor2 = 0x02,
+  /// MOTOR3: Motor 3.
+  motor3 = 0x04,
+  /// MOTOR4: Motor 4.
+  motor4 = 0x08,
+  /// MOTOR5: Motor 5.
+  motor5 = 0x10,
+  /// MOTOR6: Motor 6.
+  motor6 = 0x20,
+  /// MOTOR7: Motor 7.
+  motor7 = 0x40,
+  /// CONFIRM: Confirm the command.
+  confirm = 0x80,
+};
+using ExtMotorTargets = Flags<ExtMotorTarget>;
+
+/// Format of CMD_EXT_MOTORS_CONTROL.
+/// Source: Later firmware.
+enum class ExtMotorsControlField : std::uint8_t {
+  /// SETPOINT_32BIT: Setpoints have 32 bits, otherwise 16.
+  setpoint_32bit = 0x01,
+  /// PARAM1_16BIT: A parameter follows each setpoint, with 16 bits.
+  param1_16bit = 0x02,
+  /// PARAM1_32BIT: A parameter follows each setpoint, with 32 bits.
+  param1_32bit = 0x04,
+};
+using ExtMotorsControlFields = Flags<ExtMotorsControlField>;
+
+/// Data of CMD_EXT_MOTORS_CONTROL_CONFIG.
+/// Source: Later firmware.
+enum class ExtMotorsControlConfigField : std::uint16_t {
+  /// MODE: Mode.
+  mode = 0x0001,
+  /// MAX_SPEED: Speed limit.
+  max_speed = 0x0002,
+  /// MAX_ACCELERATION: Acceleration limit.
+  max_acceleration = 0x0004,
+  /// JERK_SLOPE: Time in which the acceleration rises.
+  jerk_slope = 0x0008,
+  /// MAX_TORQUE: Torque limit.
+  max_torque = 0x0010,
+};
+using ExtMotorsControlConfigFields = Flags<ExtMotorsControlConfigField>;
+
+/// Data of CMD_EXT_MOTORS_STATE.
+/// Source: Later firmware.
+enum class ExtMotorsStateField : std::uint32_t {
+  /// CONTROL_MODE: Mode.
+  control_mode = 0x00000001,
+  /// TORQUE: Torque.
+  torque = 0x00000002,
+  /// TORQUE_SETPOINT: Target torque.
+  torque_setpoint = 0x00000004,
+  /// SPEED16: Speed, 16 bits.
+  speed16 = 0x00000008,
+  /// SPEED16_SETPOINT: Target speed, 16 bits.
+  speed16_setpoint = 0x00000010,
+  /// SPEED32: Speed, 32 bits.
+  speed32 = 0x00000020,
+  /// SPEED32_SETPOINT: Target speed, 32 bits.
+  speed32_setpoint = 0x00000040,
+  /// ANGLE16: Angle, 16 bits.
+  angle16 = 0x00000080,
+  /// ANGLE16_SETPOINT: Target angle, 16 bits.
+  angle16_setpoint = 0x00000100,
+  /// ANGLE32: Angle, 32 bits.
+  angle32 = 0x00000200,
+  /// ANGLE32_SETPOINT: Target angle, 32 bits.
+  angle32_setpoint = 0x00000400,
+  /// STATE_FLAGS: State.
+  state_flags = 0x00000800,
+  /// MAX_SPEED: Speed limit.
+  max_speed = 0x00001000,
+  /// MAX_ACCELERATION: Acceleration limit.
+  max_acceleration = 0x00002000,
+  /// JERK_SLOPE: Time in which the acceleration rises.
+  jerk_slope = 0x00004000,
+  /// MAX_TORQUE: Torque limit.
+  max_torque = 0x00008000,
+  /// CURRENT: Current.
+  current = 0x00010000,
+  /// BATTERY_VOLTAGE: Supply voltage.
+  battery_voltage = 0x00020000,
+  /// MOTOR_TEMPERATURE: Temperature of the motor.
+  motor_temperature = 0x00040000,
+  /// DRIVER_TEMPERATURE: Temperature of the driver.
+  driver_temperature = 0x00080000,
+};
+using ExtMotorsStateFields = Flags<ExtMotorsStateField>;
+
+/// Pins of the driver of an external motor.
+/// Source: Later firmware.
+enum class ExtMotorPin : std::uint16_t {
+  /// INDEX_PIN_STATE: The index pin is active. Unconfirmed.
+  index_pin_state = 0x0004,
+};
+using ExtMotorPins = Flags<ExtMotorPin>;
 
 /// Options of automatic PID tuning.
 /// Source: Variables L1179-L1181.
@@ -1194,6 +3229,76 @@ enum class CalibratedLimit : std::uint8_t {
 };
 using CalibratedLimits = Flags<CalibratedLimit>;
 
+/// Checks that the calibration of field offsets omits.
+/// Source: Later firmware.
+enum class FieldOffsetFlag : std::uint16_t {
+  /// IGNORE_IMU_CHECK: Do not compare with the IMU.
+  ignore_imu_check = 0x0001,
+  /// IGNORE_ENCODER_CHECK: Do not check the encoder.
+  ignore_encoder_check = 0x0002,
+};
+using FieldOffsetFlags = Flags<FieldOffsetFlag>;
+
+/// Motors whose cogging to calibrate.
+/// Source: Later firmware.
+enum class CoggingAxe : std::uint8_t {
+  /// ROLL: The roll motor.
+  roll = 0x01,
+  /// PITCH: The pitch motor.
+  pitch = 0x02,
+  /// YAW: The yaw motor.
+  yaw = 0x04,
+};
+using CoggingAxes = Flags<CoggingAxe>;
+
+/// Options of CMD_AUTO_PID2.
+/// Source: Later firmware.
+enum class AutoPid2CommandFlag : std::uint16_t {
+  /// Send the configuration when the tuning ends.
+  send_config = 0x0001,
+};
+using AutoPid2CommandFlags = Flags<AutoPid2CommandFlag>;
+
+/// Options of the automatic tuning of later firmware.
+/// Source: Later firmware.
+enum class AutoPid2Flag : std::uint16_t {
+  /// START_FROM_CURRENT: Start from the current parameters.
+  start_from_current = 0x0001,
+  /// ALL_PROFILES: Store the result in all profiles.
+  all_profiles = 0x0002,
+  /// TUNE_GAIN_ONLY: Tune the gains only.
+  tune_gain_only = 0x0004,
+  /// AUTOSAVE: Save the result.
+  autosave = 0x0010,
+  /// RUN_AT_START_ALL: Tune everything at each start-up.
+  run_at_start_all = 0x4000,
+  /// RUN_AT_START_GAIN: Tune the gains at each start-up.
+  run_at_start_gain = 0x8000,
+};
+using AutoPid2Flags = Flags<AutoPid2Flag>;
+
+/// Positions in which to tune.
+/// Source: Later firmware.
+enum class TuningPosition : std::uint8_t {
+  /// Position 1.
+  position1 = 0x01,
+  /// Position 2.
+  position2 = 0x02,
+  /// Position 3.
+  position3 = 0x04,
+  /// Position 4.
+  position4 = 0x08,
+};
+using TuningPositions = Flags<TuningPosition>;
+
+/// Options of CMD_EXT_SENS_CMD.
+/// Source: Later firmware.
+enum class ExtSensOption : std::uint8_t {
+  /// Forward the command before others.
+  high_priority = 0x01,
+};
+using ExtSensOptions = Flags<ExtSensOption>;
+
 /// Operation of CMD_AHRS_HELPER. Without SET it is a query, in which only FRAME_IMU matters.
 /// Source: Variables L1193-L1195.
 enum class AhrsHelperModeBit : std::uint8_t {
@@ -1233,6 +3338,10 @@ enum class AhrsHelperWideModeBit : std::uint16_t {
   translate_z1_only = 0x0040,
   /// Translate H1_VECTOR only.
   translate_h1_only = 0x0080,
+  /// The sensor is on the frame, whatever the place of the frame IMU.
+  on_frame = 0x0100,
+  /// The sensor is below the outer motor.
+  below_outer = 0x0200,
   /// Turn the correction off. Since firmware 2.70b1.
   disable_correction = 0x0400,
 };
@@ -1258,6 +3367,56 @@ enum class BeepMode : std::uint16_t {
 };
 using BeepModes = Flags<BeepMode>;
 
+/// Servo outputs of the board and of its CAN motor drivers.
+/// Source: Later firmware.
+enum class ServoOutput : std::uint32_t {
+  /// SERVO1: The FC_ROLL pin.
+  servo1 = 0x00000001,
+  /// SERVO2: The FC_PITCH pin.
+  servo2 = 0x00000002,
+  /// SERVO3: The RC_PITCH pin.
+  servo3 = 0x00000004,
+  /// SERVO4: The AUX1 pin.
+  servo4 = 0x00000008,
+  /// CAN_DRV1_SERVO1: First pin of CAN motor driver 1.
+  can_drv1_servo1 = 0x00000010,
+  /// CAN_DRV1_SERVO2: Second pin of CAN motor driver 1.
+  can_drv1_servo2 = 0x00000020,
+  /// CAN_DRV2_SERVO1: First pin of CAN motor driver 2.
+  can_drv2_servo1 = 0x00000040,
+  /// CAN_DRV2_SERVO2: Second pin of CAN motor driver 2.
+  can_drv2_servo2 = 0x00000080,
+  /// CAN_DRV3_SERVO1: First pin of CAN motor driver 3.
+  can_drv3_servo1 = 0x00000100,
+  /// CAN_DRV3_SERVO2: Second pin of CAN motor driver 3.
+  can_drv3_servo2 = 0x00000200,
+  /// CAN_DRV4_SERVO1: First pin of CAN motor driver 4.
+  can_drv4_servo1 = 0x00000400,
+  /// CAN_DRV4_SERVO2: Second pin of CAN motor driver 4.
+  can_drv4_servo2 = 0x00000800,
+  /// CAN_DRV5_SERVO1: First pin of CAN motor driver 5.
+  can_drv5_servo1 = 0x00001000,
+  /// CAN_DRV5_SERVO2: Second pin of CAN motor driver 5.
+  can_drv5_servo2 = 0x00002000,
+  /// CAN_DRV6_SERVO1: First pin of CAN motor driver 6.
+  can_drv6_servo1 = 0x00004000,
+  /// CAN_DRV6_SERVO2: Second pin of CAN motor driver 6.
+  can_drv6_servo2 = 0x00008000,
+  /// CAN_DRV7_SERVO1: First pin of CAN motor driver 7.
+  can_drv7_servo1 = 0x00010000,
+  /// CAN_DRV7_SERVO2: Second pin of CAN motor driver 7.
+  can_drv7_servo2 = 0x00020000,
+};
+using ServoOutputs = Flags<ServoOutput>;
+
+/// Options of CMD_READ_RC_INPUTS.
+/// Source: Later firmware.
+enum class RcInputOption : std::uint16_t {
+  /// INIT_IF_NEEDED: Initialize each input that is not in use yet.
+  init_if_needed = 0x0001,
+};
+using RcInputOptions = Flags<RcInputOption>;
+
 /// Properties of a debug variable.
 /// Source: Variables L1188.
 enum class DebugVarFlag : std::uint8_t {
@@ -1265,6 +3424,42 @@ enum class DebugVarFlag : std::uint8_t {
   angle14 = 0x40,
 };
 using DebugVarFlags = Flags<DebugVarFlag>;
+
+/// Frequent messages to filter on the debug port.
+/// Source: Later firmware.
+enum class DebugPortCommand : std::uint32_t {
+  /// REALTIME_DATA_3: CMD_REALTIME_DATA_3.
+  realtime_data_3 = 0x00000001,
+  /// REALTIME_DATA_4: CMD_REALTIME_DATA_4.
+  realtime_data_4 = 0x00000002,
+  /// REALTIME_DATA_CUSTOM: CMD_REALTIME_DATA_CUSTOM.
+  realtime_data_custom = 0x00000004,
+  /// DEBUG_VARS_3: CMD_DEBUG_VARS_3.
+  debug_vars_3 = 0x00000008,
+  /// MAVLINK_DEBUG: CMD_MAVLINK_DEBUG.
+  mavlink_debug = 0x00000010,
+  /// GET_ANGLES: CMD_GET_ANGLES.
+  get_angles = 0x00000020,
+  /// GET_ANGLES_EXT: CMD_GET_ANGLES_EXT.
+  get_angles_ext = 0x00000040,
+  /// BODE_TEST_DATA: CMD_BODE_TEST_DATA.
+  bode_test_data = 0x00000080,
+  /// HELPER_DATA: CMD_HELPER_DATA.
+  helper_data = 0x00000100,
+  /// AHRS_HELPER: CMD_AHRS_HELPER.
+  ahrs_helper = 0x00000200,
+  /// GYRO_CORRECTION: CMD_GYRO_CORRECTION.
+  gyro_correction = 0x00000400,
+  /// CONTROL: CMD_CONTROL.
+  control = 0x00000800,
+  /// SET_ADJ_VARS_VAL: CMD_SET_ADJ_VARS_VAL.
+  set_adj_vars_val = 0x00001000,
+  /// API_VIRT_CH_CONTROL: CMD_API_VIRT_CH_CONTROL.
+  api_virt_ch_control = 0x00002000,
+  /// API_VIRT_CH_HIGH_RES: CMD_API_VIRT_CH_HIGH_RES.
+  api_virt_ch_high_res = 0x00004000,
+};
+using DebugPortCommands = Flags<DebugPortCommand>;
 
 /// Hardware version as a two-digit decimal number: 31 is 3.1.
 /// Source: Variables L1006.
@@ -1357,6 +3552,53 @@ class FirmwareVersion {
     const std::uint64_t raw = raw_ + (std::uint64_t{value} - old) * divide;
     if ((modulo != 0 && value >= modulo) || raw > raw_type(-1)) return false;
     raw_ = static_cast<raw_type>(raw);
+    return true;
+  }
+
+  raw_type raw_{};
+};
+
+/// Order of the Euler angles with its options.
+/// Source: Variables L1079.
+class EulerOrderSetting {
+ public:
+  using raw_type = std::uint8_t;
+
+  constexpr EulerOrderSetting() = default;
+  constexpr explicit EulerOrderSetting(raw_type raw) noexcept : raw_(raw) {}
+  /// A value of the part `order` converts to the whole, with 0 in the other parts.
+  using enum EulerOrder;
+  constexpr EulerOrderSetting(EulerOrder value) noexcept
+      : raw_(static_cast<raw_type>(static_cast<unsigned>(value) & 0x0FU)) {}
+
+  /// Returns the integer on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// The order.
+  constexpr EulerOrder order() const noexcept {
+    return static_cast<EulerOrder>(raw_ & 0x0F);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_order(EulerOrder value) noexcept {
+    return set(static_cast<raw_type>(value), 0x0F, 0);
+  }
+
+  /// Options.
+  constexpr EulerOrderFlags flags() const noexcept {
+    return static_cast<EulerOrderFlags>(raw_ & 0x30);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_flags(EulerOrderFlags value) noexcept {
+    return set(value.raw(), 0x30, 0);
+  }
+
+  friend constexpr bool operator==(const EulerOrderSetting&, const EulerOrderSetting&) = default;
+  friend constexpr auto operator<=>(const EulerOrderSetting&, const EulerOrderSetting&) = default;
+
+ private:
+  constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {
+    if (((value << shift) & ~mask) != 0) return false;
+    raw_ = static_cast<raw_type>((raw_ & ~mask) | (value << shift));
     return true;
   }
 
@@ -1546,6 +3788,481 @@ class EncoderType {
   raw_type raw_{};
 };
 
+/// Settings of a MAVLink channel.
+/// Source: Later firmware.
+class MavConfig {
+ public:
+  using raw_type = std::uint8_t;
+
+  constexpr MavConfig() = default;
+  constexpr explicit MavConfig(raw_type raw) noexcept : raw_(raw) {}
+
+  /// Returns the integer on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// Baud rate.
+  constexpr SerialSpeed baud() const noexcept {
+    return static_cast<SerialSpeed>(raw_ & 0x07);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_baud(SerialSpeed value) noexcept {
+    return set(static_cast<raw_type>(value), 0x07, 0);
+  }
+
+  /// The parity is even.
+  constexpr bool parity_even() const noexcept { return (raw_ & 0x08) != 0; }
+  constexpr MavConfig& set_parity_even(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x08U : raw_ & ~0x08U);
+    return *this;
+  }
+
+  /// Send heartbeats.
+  constexpr bool heartbeat() const noexcept { return (raw_ & 0x10) != 0; }
+  constexpr MavConfig& set_heartbeat(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x10U : raw_ & ~0x10U);
+    return *this;
+  }
+
+  /// Debug the channel.
+  constexpr bool debug() const noexcept { return (raw_ & 0x20) != 0; }
+  constexpr MavConfig& set_debug(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x20U : raw_ & ~0x20U);
+    return *this;
+  }
+
+  /// Take RC signals from the channel.
+  constexpr bool rc() const noexcept { return (raw_ & 0x40) != 0; }
+  constexpr MavConfig& set_rc(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x40U : raw_ & ~0x40U);
+    return *this;
+  }
+
+  friend constexpr bool operator==(const MavConfig&, const MavConfig&) = default;
+  friend constexpr auto operator<=>(const MavConfig&, const MavConfig&) = default;
+
+ private:
+  constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {
+    if (((value << shift) & ~mask) != 0) return false;
+    raw_ = static_cast<raw_type>((raw_ & ~mask) | (value << shift));
+    return true;
+  }
+
+  raw_type raw_{};
+};
+
+/// Axis that a motor stabilizes.
+/// Source: Later firmware.
+class StabAxis {
+ public:
+  using raw_type = std::uint8_t;
+
+  constexpr StabAxis() = default;
+  constexpr explicit StabAxis(raw_type raw) noexcept : raw_(raw) {}
+  /// A value of the part `axis` converts to the whole, with 0 in the other parts.
+  using enum StabilizedAxis;
+  constexpr StabAxis(StabilizedAxis value) noexcept
+      : raw_(static_cast<raw_type>(static_cast<unsigned>(value) & 0x03U)) {}
+
+  /// Returns the integer on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// The axis.
+  constexpr StabilizedAxis axis() const noexcept {
+    return static_cast<StabilizedAxis>(raw_ & 0x03);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_axis(StabilizedAxis value) noexcept {
+    return set(static_cast<raw_type>(value), 0x03, 0);
+  }
+
+  /// The board may select roll.
+  constexpr bool automatic_roll() const noexcept { return (raw_ & 0x04) != 0; }
+  constexpr StabAxis& set_automatic_roll(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x04U : raw_ & ~0x04U);
+    return *this;
+  }
+
+  /// The board may select pitch.
+  constexpr bool automatic_pitch() const noexcept { return (raw_ & 0x08) != 0; }
+  constexpr StabAxis& set_automatic_pitch(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x08U : raw_ & ~0x08U);
+    return *this;
+  }
+
+  /// The board may select yaw.
+  constexpr bool automatic_yaw() const noexcept { return (raw_ & 0x10) != 0; }
+  constexpr StabAxis& set_automatic_yaw(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x10U : raw_ & ~0x10U);
+    return *this;
+  }
+
+  friend constexpr bool operator==(const StabAxis&, const StabAxis&) = default;
+  friend constexpr auto operator<=>(const StabAxis&, const StabAxis&) = default;
+
+ private:
+  constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {
+    if (((value << shift) & ~mask) != 0) return false;
+    raw_ = static_cast<raw_type>((raw_ & ~mask) | (value << shift));
+    return true;
+  }
+
+  raw_type raw_{};
+};
+
+/// Action at start-up and its condition.
+/// Source: Later firmware.
+class StartupAction {
+ public:
+  using raw_type = std::uint8_t;
+
+  constexpr StartupAction() = default;
+  constexpr explicit StartupAction(raw_type raw) noexcept : raw_(raw) {}
+  /// A value of the part `action` converts to the whole, with 0 in the other parts.
+  using enum MenuCommand;
+  constexpr StartupAction(MenuCommand value) noexcept
+      : raw_(static_cast<raw_type>(static_cast<unsigned>(value) & 0x7FU)) {}
+
+  /// Returns the integer on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// The action.
+  constexpr MenuCommand action() const noexcept {
+    return static_cast<MenuCommand>(raw_ & 0x7F);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_action(MenuCommand value) noexcept {
+    return set(static_cast<raw_type>(value), 0x7F, 0);
+  }
+
+  /// Only while the menu button is pressed.
+  constexpr bool button_pressed() const noexcept { return (raw_ & 0x80) != 0; }
+  constexpr StartupAction& set_button_pressed(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x80U : raw_ & ~0x80U);
+    return *this;
+  }
+
+  friend constexpr bool operator==(const StartupAction&, const StartupAction&) = default;
+  friend constexpr auto operator<=>(const StartupAction&, const StartupAction&) = default;
+
+ private:
+  constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {
+    if (((value << shift) & ~mask) != 0) return false;
+    raw_ = static_cast<raw_type>((raw_ & ~mask) | (value << shift));
+    return true;
+  }
+
+  raw_type raw_{};
+};
+
+/// When and how an axis snaps to a fixed position.
+/// Source: Later firmware.
+class ForcePositionConfig {
+ public:
+  using raw_type = std::uint8_t;
+
+  constexpr ForcePositionConfig() = default;
+  constexpr explicit ForcePositionConfig(raw_type raw) noexcept : raw_(raw) {}
+  /// A value of the part `snap` converts to the whole, with 0 in the other parts.
+  using enum SnapAngle;
+  constexpr ForcePositionConfig(SnapAngle value) noexcept
+      : raw_(static_cast<raw_type>(static_cast<unsigned>(value) & 0x07U)) {}
+
+  /// Returns the integer on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// Distance between the positions.
+  constexpr SnapAngle snap() const noexcept {
+    return static_cast<SnapAngle>(raw_ & 0x07);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_snap(SnapAngle value) noexcept {
+    return set(static_cast<raw_type>(value), 0x07, 0);
+  }
+
+  /// When the menu button is pressed.
+  constexpr bool on_button() const noexcept { return (raw_ & 0x10) != 0; }
+  constexpr ForcePositionConfig& set_on_button(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x10U : raw_ & ~0x10U);
+    return *this;
+  }
+
+  /// At start-up.
+  constexpr bool at_startup() const noexcept { return (raw_ & 0x20) != 0; }
+  constexpr ForcePositionConfig& set_at_startup(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x20U : raw_ & ~0x20U);
+    return *this;
+  }
+
+  /// Even beyond the limits of the axis.
+  constexpr bool ignore_limits() const noexcept { return (raw_ & 0x40) != 0; }
+  constexpr ForcePositionConfig& set_ignore_limits(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x40U : raw_ & ~0x40U);
+    return *this;
+  }
+
+  /// The position can be adjusted finely.
+  constexpr bool fine_adjust() const noexcept { return (raw_ & 0x80) != 0; }
+  constexpr ForcePositionConfig& set_fine_adjust(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x80U : raw_ & ~0x80U);
+    return *this;
+  }
+
+  friend constexpr bool operator==(const ForcePositionConfig&, const ForcePositionConfig&) = default;
+  friend constexpr auto operator<=>(const ForcePositionConfig&, const ForcePositionConfig&) = default;
+
+ private:
+  constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {
+    if (((value << shift) & ~mask) != 0) return false;
+    raw_ = static_cast<raw_type>((raw_ & ~mask) | (value << shift));
+    return true;
+  }
+
+  raw_type raw_{};
+};
+
+/// Steps of a step signal, and what triggers them.
+/// Source: Later firmware.
+class StepSignalConfig {
+ public:
+  using raw_type = std::uint8_t;
+
+  constexpr StepSignalConfig() = default;
+  constexpr explicit StepSignalConfig(raw_type raw) noexcept : raw_(raw) {}
+
+  /// Returns the integer on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// Number of steps.
+  constexpr StepCount steps() const noexcept {
+    return static_cast<StepCount>(raw_ & 0x07);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_steps(StepCount value) noexcept {
+    return set(static_cast<raw_type>(value), 0x07, 0);
+  }
+
+  /// Only while the menu button is pressed.
+  constexpr bool button_pressed() const noexcept { return (raw_ & 0x08) != 0; }
+  constexpr StepSignalConfig& set_button_pressed(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x08U : raw_ & ~0x08U);
+    return *this;
+  }
+
+  /// The signal starts at 0.
+  constexpr bool start_at_zero() const noexcept { return (raw_ & 0x20) != 0; }
+  constexpr StepSignalConfig& set_start_at_zero(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x20U : raw_ & ~0x20U);
+    return *this;
+  }
+
+  /// Level that triggers a step.
+  constexpr StepTrigger trigger() const noexcept {
+    return static_cast<StepTrigger>((raw_ & 0xC0) >> 6);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_trigger(StepTrigger value) noexcept {
+    return set(static_cast<raw_type>(value), 0xC0, 6);
+  }
+
+  friend constexpr bool operator==(const StepSignalConfig&, const StepSignalConfig&) = default;
+  friend constexpr auto operator<=>(const StepSignalConfig&, const StepSignalConfig&) = default;
+
+ private:
+  constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {
+    if (((value << shift) & ~mask) != 0) return false;
+    raw_ = static_cast<raw_type>((raw_ & ~mask) | (value << shift));
+    return true;
+  }
+
+  raw_type raw_{};
+};
+
+/// Pin that signals an event to other devices.
+/// Source: Later firmware.
+class InterruptConfig {
+ public:
+  using raw_type = std::uint16_t;
+
+  constexpr InterruptConfig() = default;
+  constexpr explicit InterruptConfig(raw_type raw) noexcept : raw_(raw) {}
+
+  /// Returns the integer on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// Number of the pin, as in CMD_TRIGGER_PIN.
+  constexpr raw_type pin() const noexcept {
+    return static_cast<raw_type>(raw_ & 0x1F);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_pin(raw_type value) noexcept {
+    return set(static_cast<raw_type>(value), 0x1F, 0);
+  }
+
+  /// On an emergency stop.
+  constexpr bool on_emergency_stop() const noexcept { return (raw_ & 0x20) != 0; }
+  constexpr InterruptConfig& set_on_emergency_stop(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x20U : raw_ & ~0x20U);
+    return *this;
+  }
+
+  /// On reaching the parking position.
+  constexpr bool on_parking() const noexcept { return (raw_ & 0x40) != 0; }
+  constexpr InterruptConfig& set_on_parking(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x40U : raw_ & ~0x40U);
+    return *this;
+  }
+
+  friend constexpr bool operator==(const InterruptConfig&, const InterruptConfig&) = default;
+  friend constexpr auto operator<=>(const InterruptConfig&, const InterruptConfig&) = default;
+
+ private:
+  constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {
+    if (((value << shift) & ~mask) != 0) return false;
+    raw_ = static_cast<raw_type>((raw_ & ~mask) | (value << shift));
+    return true;
+  }
+
+  raw_type raw_{};
+};
+
+/// Orientation of the external IMU.
+/// Source: Later firmware.
+class ExtImuOrientation {
+ public:
+  using raw_type = std::uint8_t;
+
+  constexpr ExtImuOrientation() = default;
+  constexpr explicit ExtImuOrientation(raw_type raw) noexcept : raw_(raw) {}
+
+  /// Returns the integer on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// Axis that points up.
+  constexpr ExtImuAxis top() const noexcept {
+    return static_cast<ExtImuAxis>(raw_ & 0x07);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_top(ExtImuAxis value) noexcept {
+    return set(static_cast<raw_type>(value), 0x07, 0);
+  }
+
+  /// Axis that points right.
+  constexpr ExtImuAxis right() const noexcept {
+    return static_cast<ExtImuAxis>((raw_ & 0x38) >> 3);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_right(ExtImuAxis value) noexcept {
+    return set(static_cast<raw_type>(value), 0x38, 3);
+  }
+
+  friend constexpr bool operator==(const ExtImuOrientation&, const ExtImuOrientation&) = default;
+  friend constexpr auto operator<=>(const ExtImuOrientation&, const ExtImuOrientation&) = default;
+
+ private:
+  constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {
+    if (((value << shift) & ~mask) != 0) return false;
+    raw_ = static_cast<raw_type>((raw_ & ~mask) | (value << shift));
+    return true;
+  }
+
+  raw_type raw_{};
+};
+
+/// Pin of an additional button.
+/// Source: Later firmware.
+class ExtraButton {
+ public:
+  using raw_type = std::uint8_t;
+
+  constexpr ExtraButton() = default;
+  constexpr explicit ExtraButton(raw_type raw) noexcept : raw_(raw) {}
+  /// A value of the part `pin` converts to the whole, with 0 in the other parts.
+  using enum OutputPin;
+  constexpr ExtraButton(OutputPin value) noexcept
+      : raw_(static_cast<raw_type>(static_cast<unsigned>(value) & 0x3FU)) {}
+
+  /// Returns the integer on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// The pin.
+  constexpr OutputPin pin() const noexcept {
+    return static_cast<OutputPin>(raw_ & 0x3F);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_pin(OutputPin value) noexcept {
+    return set(static_cast<raw_type>(value), 0x3F, 0);
+  }
+
+  /// The button latches.
+  constexpr bool latching() const noexcept { return (raw_ & 0x40) != 0; }
+  constexpr ExtraButton& set_latching(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x40U : raw_ & ~0x40U);
+    return *this;
+  }
+
+  /// The signal is inverted.
+  constexpr bool inverted() const noexcept { return (raw_ & 0x80) != 0; }
+  constexpr ExtraButton& set_inverted(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x80U : raw_ & ~0x80U);
+    return *this;
+  }
+
+  friend constexpr bool operator==(const ExtraButton&, const ExtraButton&) = default;
+  friend constexpr auto operator<=>(const ExtraButton&, const ExtraButton&) = default;
+
+ private:
+  constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {
+    if (((value << shift) & ~mask) != 0) return false;
+    raw_ = static_cast<raw_type>((raw_ & ~mask) | (value << shift));
+    return true;
+  }
+
+  raw_type raw_{};
+};
+
+/// Resolution and turns of an encoder.
+/// Source: Later firmware.
+class EncoderConfigExt {
+ public:
+  using raw_type = std::uint16_t;
+
+  constexpr EncoderConfigExt() = default;
+  constexpr explicit EncoderConfigExt(raw_type raw) noexcept : raw_(raw) {}
+
+  /// Returns the integer on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// Bits of resolution, less 12.
+  constexpr raw_type resolution() const noexcept {
+    return static_cast<raw_type>(raw_ & 0x1F);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_resolution(raw_type value) noexcept {
+    return set(static_cast<raw_type>(value), 0x1F, 0);
+  }
+
+  /// Bits that count turns.
+  constexpr MultiTurn multi_turn() const noexcept {
+    return static_cast<MultiTurn>((raw_ & 0xE0) >> 5);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_multi_turn(MultiTurn value) noexcept {
+    return set(static_cast<raw_type>(value), 0xE0, 5);
+  }
+
+  friend constexpr bool operator==(const EncoderConfigExt&, const EncoderConfigExt&) = default;
+  friend constexpr auto operator<=>(const EncoderConfigExt&, const EncoderConfigExt&) = default;
+
+ private:
+  constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {
+    if (((value << shift) & ~mask) != 0) return false;
+    raw_ = static_cast<raw_type>((raw_ & ~mask) | (value << shift));
+    return true;
+  }
+
+  raw_type raw_{};
+};
+
 /// Control mode and options, for one axis or for all.
 /// Source: Variables L1148.
 class ControlMode {
@@ -1593,6 +4310,369 @@ class ControlMode {
   raw_type raw_{};
 };
 
+/// Order of the Euler angles of serial control.
+/// Source: Later firmware.
+class EulerOrderChoice {
+ public:
+  using raw_type = std::uint8_t;
+
+  constexpr EulerOrderChoice() = default;
+  constexpr explicit EulerOrderChoice(raw_type raw) noexcept : raw_(raw) {}
+  /// A value of the part `order` converts to the whole, with 0 in the other parts.
+  using enum EulerOrderChange;
+  constexpr EulerOrderChoice(EulerOrderChange value) noexcept
+      : raw_(static_cast<raw_type>(static_cast<unsigned>(value) & 0x0FU)) {}
+
+  /// Returns the integer on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// The order.
+  constexpr EulerOrderChange order() const noexcept {
+    return static_cast<EulerOrderChange>(raw_ & 0x0F);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_order(EulerOrderChange value) noexcept {
+    return set(static_cast<raw_type>(value), 0x0F, 0);
+  }
+
+  /// Options.
+  constexpr EulerOrderFlags flags() const noexcept {
+    return static_cast<EulerOrderFlags>(raw_ & 0x30);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_flags(EulerOrderFlags value) noexcept {
+    return set(value.raw(), 0x30, 0);
+  }
+
+  friend constexpr bool operator==(const EulerOrderChoice&, const EulerOrderChoice&) = default;
+  friend constexpr auto operator<=>(const EulerOrderChoice&, const EulerOrderChoice&) = default;
+
+ private:
+  constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {
+    if (((value << shift) & ~mask) != 0) return false;
+    raw_ = static_cast<raw_type>((raw_ & ~mask) | (value << shift));
+    return true;
+  }
+
+  raw_type raw_{};
+};
+
+/// Coordinate system and options of CMD_HELPER_DATA.
+/// Source: Variables L1250.
+class HelperCoordinates {
+ public:
+  using raw_type = std::uint8_t;
+
+  constexpr HelperCoordinates() = default;
+  constexpr explicit HelperCoordinates(raw_type raw) noexcept : raw_(raw) {}
+  /// A value of the part `system` converts to the whole, with 0 in the other parts.
+  using enum CoordinateSystem;
+  constexpr HelperCoordinates(CoordinateSystem value) noexcept
+      : raw_(static_cast<raw_type>(static_cast<unsigned>(value) & 0x07U)) {}
+
+  /// Returns the integer on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// Coordinate system of all the vectors.
+  constexpr CoordinateSystem system() const noexcept {
+    return static_cast<CoordinateSystem>(raw_ & 0x07);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_system(CoordinateSystem value) noexcept {
+    return set(static_cast<raw_type>(value), 0x07, 0);
+  }
+
+  /// Options.
+  constexpr HelperDataFlags flags() const noexcept {
+    return static_cast<HelperDataFlags>(raw_ & 0xC0);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_flags(HelperDataFlags value) noexcept {
+    return set(value.raw(), 0xC0, 0);
+  }
+
+  friend constexpr bool operator==(const HelperCoordinates&, const HelperCoordinates&) = default;
+  friend constexpr auto operator<=>(const HelperCoordinates&, const HelperCoordinates&) = default;
+
+ private:
+  constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {
+    if (((value << shift) & ~mask) != 0) return false;
+    raw_ = static_cast<raw_type>((raw_ & ~mask) | (value << shift));
+    return true;
+  }
+
+  raw_type raw_{};
+};
+
+/// Attitude as a quaternion of length 1 without its largest component, which follows from the
+/// others.
+/// Source: Later firmware.
+class PackedQuaternion {
+ public:
+  using raw_type = std::uint64_t;
+
+  constexpr PackedQuaternion() = default;
+  constexpr explicit PackedQuaternion(raw_type raw) noexcept : raw_(raw) {}
+
+  /// Returns the integer on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// The first of the other three components, in the order W, X, Y, Z.
+  constexpr QuaternionPart a() const noexcept {
+    return QuaternionPart(static_cast<QuaternionPart::raw_type>(detail::part_number(raw_, {0x7FFFF, 0, 0x80000, false})));
+  }
+  /// Returns false and changes nothing if the number does not fit into its bits.
+  constexpr bool set_a(QuaternionPart value) noexcept {
+    return detail::set_part_number(raw_, value.raw(), {0x7FFFF, 0, 0x80000, false});
+  }
+
+  /// The second one.
+  constexpr QuaternionPart b() const noexcept {
+    return QuaternionPart(static_cast<QuaternionPart::raw_type>(detail::part_number(raw_, {0x7FFFF00000, 20, 0x8000000000, false})));
+  }
+  /// Returns false and changes nothing if the number does not fit into its bits.
+  constexpr bool set_b(QuaternionPart value) noexcept {
+    return detail::set_part_number(raw_, value.raw(), {0x7FFFF00000, 20, 0x8000000000, false});
+  }
+
+  /// The third one.
+  constexpr QuaternionPart c() const noexcept {
+    return QuaternionPart(static_cast<QuaternionPart::raw_type>(detail::part_number(raw_, {0x7FFFF0000000000, 40, 0x800000000000000, false})));
+  }
+  /// Returns false and changes nothing if the number does not fit into its bits.
+  constexpr bool set_c(QuaternionPart value) noexcept {
+    return detail::set_part_number(raw_, value.raw(), {0x7FFFF0000000000, 40, 0x800000000000000, false});
+  }
+
+  /// The omitted component.
+  constexpr QuaternionComponent largest() const noexcept {
+    return static_cast<QuaternionComponent>((raw_ & 0x3000000000000000) >> 60);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_largest(QuaternionComponent value) noexcept {
+    return set(static_cast<raw_type>(value), 0x3000000000000000, 60);
+  }
+
+  /// 1 if the omitted component is negative.
+  constexpr bool largest_sign() const noexcept { return (raw_ & 0x4000000000000000) != 0; }
+  constexpr PackedQuaternion& set_largest_sign(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x4000000000000000U : raw_ & ~0x4000000000000000U);
+    return *this;
+  }
+
+  friend constexpr bool operator==(const PackedQuaternion&, const PackedQuaternion&) = default;
+  friend constexpr auto operator<=>(const PackedQuaternion&, const PackedQuaternion&) = default;
+
+ private:
+  constexpr bool set(std::uint64_t value, std::uint64_t mask, unsigned shift) noexcept {
+    if (((value << shift) & ~mask) != 0) return false;
+    raw_ = static_cast<raw_type>((raw_ & ~mask) | (value << shift));
+    return true;
+  }
+
+  raw_type raw_{};
+};
+
+/// State of an external motor.
+/// Source: Later firmware.
+class ExtMotorStatus {
+ public:
+  using raw_type = std::uint16_t;
+
+  constexpr ExtMotorStatus() = default;
+  constexpr explicit ExtMotorStatus(raw_type raw) noexcept : raw_(raw) {}
+  /// A value of the part `power` converts to the whole, with 0 in the other parts.
+  using enum ExtMotorPower;
+  constexpr ExtMotorStatus(ExtMotorPower value) noexcept
+      : raw_(static_cast<raw_type>(static_cast<unsigned>(value) & 0x03U)) {}
+
+  /// Returns the integer on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// Whether it has power.
+  constexpr ExtMotorPower power() const noexcept {
+    return static_cast<ExtMotorPower>(raw_ & 0x03);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_power(ExtMotorPower value) noexcept {
+    return set(static_cast<raw_type>(value), 0x03, 0);
+  }
+
+  /// Pins of its driver.
+  constexpr ExtMotorPins pins() const noexcept {
+    return static_cast<ExtMotorPins>(raw_ & 0xFFFC);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_pins(ExtMotorPins value) noexcept {
+    return set(value.raw(), 0xFFFC, 0);
+  }
+
+  friend constexpr bool operator==(const ExtMotorStatus&, const ExtMotorStatus&) = default;
+  friend constexpr auto operator<=>(const ExtMotorStatus&, const ExtMotorStatus&) = default;
+
+ private:
+  constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {
+    if (((value << shift) & ~mask) != 0) return false;
+    raw_ = static_cast<raw_type>((raw_ & ~mask) | (value << shift));
+    return true;
+  }
+
+  raw_type raw_{};
+};
+
+/// What to tune on an axis.
+/// Source: Later firmware.
+class AxisTuningOptions {
+ public:
+  using raw_type = std::uint8_t;
+
+  constexpr AxisTuningOptions() = default;
+  constexpr explicit AxisTuningOptions(raw_type raw) noexcept : raw_(raw) {}
+
+  /// Returns the integer on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// Tune the axis.
+  constexpr bool enabled() const noexcept { return (raw_ & 0x01) != 0; }
+  constexpr AxisTuningOptions& set_enabled(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x01U : raw_ & ~0x01U);
+    return *this;
+  }
+
+  /// Tune its low-pass filter.
+  constexpr bool tune_lpf() const noexcept { return (raw_ & 0x02) != 0; }
+  constexpr AxisTuningOptions& set_tune_lpf(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x02U : raw_ & ~0x02U);
+    return *this;
+  }
+
+  /// Number of notch filters to tune, 0 to 3.
+  constexpr raw_type notch_filters() const noexcept {
+    return static_cast<raw_type>((raw_ & 0x0C) >> 2);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_notch_filters(raw_type value) noexcept {
+    return set(static_cast<raw_type>(value), 0x0C, 2);
+  }
+
+  friend constexpr bool operator==(const AxisTuningOptions&, const AxisTuningOptions&) = default;
+  friend constexpr auto operator<=>(const AxisTuningOptions&, const AxisTuningOptions&) = default;
+
+ private:
+  constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {
+    if (((value << shift) & ~mask) != 0) return false;
+    raw_ = static_cast<raw_type>((raw_ & ~mask) | (value << shift));
+    return true;
+  }
+
+  raw_type raw_{};
+};
+
+/// What corrects the estimated attitude of an IMU.
+/// Source: Later firmware.
+class AhrsReferences {
+ public:
+  using raw_type = std::uint8_t;
+
+  constexpr AhrsReferences() = default;
+  constexpr explicit AhrsReferences(raw_type raw) noexcept : raw_(raw) {}
+
+  /// Returns the integer on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// Reference of the attitude.
+  constexpr AhrsReference attitude() const noexcept {
+    return static_cast<AhrsReference>(raw_ & 0x07);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_attitude(AhrsReference value) noexcept {
+    return set(static_cast<raw_type>(value), 0x07, 0);
+  }
+
+  /// Reference of the heading.
+  constexpr AhrsReference heading() const noexcept {
+    return static_cast<AhrsReference>((raw_ & 0x38) >> 3);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_heading(AhrsReference value) noexcept {
+    return set(static_cast<raw_type>(value), 0x38, 3);
+  }
+
+  /// The internal sensor is connected and used.
+  constexpr bool internal_used() const noexcept { return (raw_ & 0x40) != 0; }
+  constexpr AhrsReferences& set_internal_used(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x40U : raw_ & ~0x40U);
+    return *this;
+  }
+
+  /// The estimation is enabled.
+  constexpr bool enabled() const noexcept { return (raw_ & 0x80) != 0; }
+  constexpr AhrsReferences& set_enabled(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x80U : raw_ & ~0x80U);
+    return *this;
+  }
+
+  friend constexpr bool operator==(const AhrsReferences&, const AhrsReferences&) = default;
+  friend constexpr auto operator<=>(const AhrsReferences&, const AhrsReferences&) = default;
+
+ private:
+  constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {
+    if (((value << shift) & ~mask) != 0) return false;
+    raw_ = static_cast<raw_type>((raw_ & ~mask) | (value << shift));
+    return true;
+  }
+
+  raw_type raw_{};
+};
+
+/// State of the external IMU.
+/// Source: Later firmware.
+class ExtImuStatus {
+ public:
+  using raw_type = std::uint8_t;
+
+  constexpr ExtImuStatus() = default;
+  constexpr explicit ExtImuStatus(raw_type raw) noexcept : raw_(raw) {}
+
+  /// Returns the integer on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// State of the external IMU.
+  constexpr ExtImuState state() const noexcept {
+    return static_cast<ExtImuState>(raw_ & 0x07);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_state(ExtImuState value) noexcept {
+    return set(static_cast<raw_type>(value), 0x07, 0);
+  }
+
+  /// Its magnetometer is unreliable.
+  constexpr bool bad_mag() const noexcept { return (raw_ & 0x40) != 0; }
+  constexpr ExtImuStatus& set_bad_mag(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x40U : raw_ & ~0x40U);
+    return *this;
+  }
+
+  /// It receives no GPS signal.
+  constexpr bool no_gps_signal() const noexcept { return (raw_ & 0x80) != 0; }
+  constexpr ExtImuStatus& set_no_gps_signal(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x80U : raw_ & ~0x80U);
+    return *this;
+  }
+
+  friend constexpr bool operator==(const ExtImuStatus&, const ExtImuStatus&) = default;
+  friend constexpr auto operator<=>(const ExtImuStatus&, const ExtImuStatus&) = default;
+
+ private:
+  constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {
+    if (((value << shift) & ~mask) != 0) return false;
+    raw_ = static_cast<raw_type>((raw_ & ~mask) | (value << shift));
+    return true;
+  }
+
+  raw_type raw_{};
+};
+
 /// A device on one of the I2C buses.
 /// Source: Outgoing commands L828-L830.
 class I2cDevice {
@@ -1625,6 +4705,229 @@ class I2cDevice {
 
   friend constexpr bool operator==(const I2cDevice&, const I2cDevice&) = default;
   friend constexpr auto operator<=>(const I2cDevice&, const I2cDevice&) = default;
+
+ private:
+  constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {
+    if (((value << shift) & ~mask) != 0) return false;
+    raw_ = static_cast<raw_type>((raw_ & ~mask) | (value << shift));
+    return true;
+  }
+
+  raw_type raw_{};
+};
+
+/// Version as a decimal number: 120 is 1.20.
+/// Source: Later firmware.
+class ModuleVersion {
+ public:
+  using raw_type = std::uint16_t;
+
+  constexpr ModuleVersion() = default;
+  constexpr explicit ModuleVersion(raw_type raw) noexcept : raw_(raw) {}
+
+  /// Returns the integer on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// Major version.
+  constexpr raw_type major() const noexcept {
+    return static_cast<raw_type>(raw_ / 100);
+  }
+  /// Returns false and changes nothing if the number does not fit.
+  constexpr bool set_major(unsigned value) noexcept {
+    return set_digits(major(), value, 100, 0);
+  }
+
+  /// Minor version.
+  constexpr raw_type minor() const noexcept {
+    return static_cast<raw_type>(raw_ % 100);
+  }
+  /// Returns false and changes nothing if the number does not fit.
+  constexpr bool set_minor(unsigned value) noexcept {
+    return set_digits(minor(), value, 1, 100);
+  }
+
+  friend constexpr bool operator==(const ModuleVersion&, const ModuleVersion&) = default;
+  friend constexpr auto operator<=>(const ModuleVersion&, const ModuleVersion&) = default;
+
+ private:
+  constexpr bool set_digits(unsigned old, unsigned value, unsigned divide, unsigned modulo) noexcept {
+    const std::uint64_t raw = raw_ + (std::uint64_t{value} - old) * divide;
+    if ((modulo != 0 && value >= modulo) || raw > raw_type(-1)) return false;
+    raw_ = static_cast<raw_type>(raw);
+    return true;
+  }
+
+  raw_type raw_{};
+};
+
+/// Kind of a device on the CAN bus, and how it got its id.
+/// Source: Later firmware.
+class CanDeviceType {
+ public:
+  using raw_type = std::uint8_t;
+
+  constexpr CanDeviceType() = default;
+  constexpr explicit CanDeviceType(raw_type raw) noexcept : raw_(raw) {}
+  /// A value of the part `kind` converts to the whole, with 0 in the other parts.
+  using enum CanDeviceKind;
+  constexpr CanDeviceType(CanDeviceKind value) noexcept
+      : raw_(static_cast<raw_type>(static_cast<unsigned>(value) & 0x7FU)) {}
+
+  /// Returns the integer on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// Kind of the device.
+  constexpr CanDeviceKind kind() const noexcept {
+    return static_cast<CanDeviceKind>(raw_ & 0x7F);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_kind(CanDeviceKind value) noexcept {
+    return set(static_cast<raw_type>(value), 0x7F, 0);
+  }
+
+  /// The hardware of the device determines its id.
+  constexpr bool hardware_assigned() const noexcept { return (raw_ & 0x80) != 0; }
+  constexpr CanDeviceType& set_hardware_assigned(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x80U : raw_ & ~0x80U);
+    return *this;
+  }
+
+  friend constexpr bool operator==(const CanDeviceType&, const CanDeviceType&) = default;
+  friend constexpr auto operator<=>(const CanDeviceType&, const CanDeviceType&) = default;
+
+ private:
+  constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {
+    if (((value << shift) & ~mask) != 0) return false;
+    raw_ = static_cast<raw_type>((raw_ & ~mask) | (value << shift));
+    return true;
+  }
+
+  raw_type raw_{};
+};
+
+/// Far end of a transparent connection.
+/// Source: Later firmware.
+class TransparentTarget {
+ public:
+  using raw_type = std::uint8_t;
+
+  constexpr TransparentTarget() = default;
+  constexpr explicit TransparentTarget(raw_type raw) noexcept : raw_(raw) {}
+
+  /// Returns the integer on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// Serial port of the device.
+  constexpr raw_type port() const noexcept {
+    return static_cast<raw_type>(raw_ & 0x03);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_port(raw_type value) noexcept {
+    return set(static_cast<raw_type>(value), 0x03, 0);
+  }
+
+  /// The device.
+  constexpr TransparentDevice device() const noexcept {
+    return static_cast<TransparentDevice>((raw_ & 0x3C) >> 2);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_device(TransparentDevice value) noexcept {
+    return set(static_cast<raw_type>(value), 0x3C, 2);
+  }
+
+  /// 1 waits until the port is free, 0 drops the data if it is not.
+  constexpr bool wait() const noexcept { return (raw_ & 0x40) != 0; }
+  constexpr TransparentTarget& set_wait(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x40U : raw_ & ~0x40U);
+    return *this;
+  }
+
+  friend constexpr bool operator==(const TransparentTarget&, const TransparentTarget&) = default;
+  friend constexpr auto operator<=>(const TransparentTarget&, const TransparentTarget&) = default;
+
+ private:
+  constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {
+    if (((value << shift) & ~mask) != 0) return false;
+    raw_ = static_cast<raw_type>((raw_ & ~mask) | (value << shift));
+    return true;
+  }
+
+  raw_type raw_{};
+};
+
+/// Identifies a file.
+/// Source: Later firmware.
+class FileId {
+ public:
+  using raw_type = std::uint16_t;
+
+  constexpr FileId() = default;
+  constexpr explicit FileId(raw_type raw) noexcept : raw_(raw) {}
+
+  /// Returns the integer on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// Kind of content.
+  constexpr FileType type() const noexcept {
+    return static_cast<FileType>(raw_ & 0xFF);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_type(FileType value) noexcept {
+    return set(static_cast<raw_type>(value), 0xFF, 0);
+  }
+
+  /// Its meaning depends on the type.
+  constexpr raw_type subtype() const noexcept {
+    return static_cast<raw_type>((raw_ & 0xFF00) >> 8);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_subtype(raw_type value) noexcept {
+    return set(static_cast<raw_type>(value), 0xFF00, 8);
+  }
+
+  friend constexpr bool operator==(const FileId&, const FileId&) = default;
+  friend constexpr auto operator<=>(const FileId&, const FileId&) = default;
+
+ private:
+  constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {
+    if (((value << shift) & ~mask) != 0) return false;
+    raw_ = static_cast<raw_type>((raw_ & ~mask) | (value << shift));
+    return true;
+  }
+
+  raw_type raw_{};
+};
+
+/// Where a copied message was seen.
+/// Source: Later firmware.
+class DebugPortLine {
+ public:
+  using raw_type = std::uint8_t;
+
+  constexpr DebugPortLine() = default;
+  constexpr explicit DebugPortLine(raw_type raw) noexcept : raw_(raw) {}
+
+  /// Returns the integer on the wire.
+  constexpr raw_type raw() const noexcept { return raw_; }
+
+  /// Index of the port.
+  constexpr raw_type port() const noexcept {
+    return static_cast<raw_type>(raw_ & 0x7F);
+  }
+  /// Returns false and changes nothing if the value does not fit into its bits.
+  constexpr bool set_port(raw_type value) noexcept {
+    return set(static_cast<raw_type>(value), 0x7F, 0);
+  }
+
+  /// Direction of the message.
+  constexpr bool direction() const noexcept { return (raw_ & 0x80) != 0; }
+  constexpr DebugPortLine& set_direction(bool on) noexcept {
+    raw_ = static_cast<raw_type>(on ? raw_ | 0x80U : raw_ & ~0x80U);
+    return *this;
+  }
+
+  friend constexpr bool operator==(const DebugPortLine&, const DebugPortLine&) = default;
+  friend constexpr auto operator<=>(const DebugPortLine&, const DebugPortLine&) = default;
 
  private:
   constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {
@@ -1705,6 +5008,16 @@ struct VersionTypes {
 template <>
 inline constexpr bool is_flag<msg::BoardFeature> = true;
 template <>
+inline constexpr bool is_flag<msg::BoardFeaturesExtBit> = true;
+template <>
+inline constexpr bool is_flag<msg::BoardFeaturesExt2Bit> = true;
+template <>
+inline constexpr bool is_flag<msg::BoardStateFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::HardwareFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::StoredProfileSet> = true;
+template <>
 inline constexpr bool is_flag<msg::ConnectionFlag> = true;
 template <>
 inline constexpr bool is_flag<msg::ResetOption> = true;
@@ -1719,7 +5032,23 @@ inline constexpr bool is_flag<msg::AdaptivePidAxe> = true;
 template <>
 inline constexpr bool is_flag<msg::GeneralFlag> = true;
 template <>
+inline constexpr bool is_flag<msg::GeneralFlags2Bit> = true;
+template <>
 inline constexpr bool is_flag<msg::ProfileFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::ParkingBorder> = true;
+template <>
+inline constexpr bool is_flag<msg::EulerOrderFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::ExtImuFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::GeneralFlags3Bit> = true;
+template <>
+inline constexpr bool is_flag<msg::GeneralFlags4Bit> = true;
+template <>
+inline constexpr bool is_flag<msg::ProfileFlags2Bit> = true;
+template <>
+inline constexpr bool is_flag<msg::ProfileFlags3Bit> = true;
 template <>
 inline constexpr bool is_flag<msg::SystemError> = true;
 template <>
@@ -1727,11 +5056,69 @@ inline constexpr bool is_flag<msg::OtherFlag> = true;
 template <>
 inline constexpr bool is_flag<msg::RealtimeDataCustomFlag> = true;
 template <>
+inline constexpr bool is_flag<msg::StateFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::MotorPowerFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::SystemPowerFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::CanErrorFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::CanDrvTelemetryFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::CanDrvPin> = true;
+template <>
 inline constexpr bool is_flag<msg::ControlFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::ControlExtField> = true;
+template <>
+inline constexpr bool is_flag<msg::ControlExtFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::ControlConfigFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::ControlQuatFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::ControlQuatStatusFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::ControlQuatStatusField> = true;
+template <>
+inline constexpr bool is_flag<msg::ControlQuatConfigField> = true;
+template <>
+inline constexpr bool is_flag<msg::ControlQuatConfigFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::HelperDataFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::ExecuteMenuFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::EventType> = true;
+template <>
+inline constexpr bool is_flag<msg::ExtMotor> = true;
+template <>
+inline constexpr bool is_flag<msg::ExtMotorTarget> = true;
+template <>
+inline constexpr bool is_flag<msg::ExtMotorsControlField> = true;
+template <>
+inline constexpr bool is_flag<msg::ExtMotorsControlConfigField> = true;
+template <>
+inline constexpr bool is_flag<msg::ExtMotorsStateField> = true;
+template <>
+inline constexpr bool is_flag<msg::ExtMotorPin> = true;
 template <>
 inline constexpr bool is_flag<msg::AutoPidFlag> = true;
 template <>
 inline constexpr bool is_flag<msg::CalibratedLimit> = true;
+template <>
+inline constexpr bool is_flag<msg::FieldOffsetFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::CoggingAxe> = true;
+template <>
+inline constexpr bool is_flag<msg::AutoPid2CommandFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::AutoPid2Flag> = true;
+template <>
+inline constexpr bool is_flag<msg::TuningPosition> = true;
+template <>
+inline constexpr bool is_flag<msg::ExtSensOption> = true;
 template <>
 inline constexpr bool is_flag<msg::AhrsHelperModeBit> = true;
 template <>
@@ -1739,6 +5126,12 @@ inline constexpr bool is_flag<msg::AhrsHelperWideModeBit> = true;
 template <>
 inline constexpr bool is_flag<msg::BeepMode> = true;
 template <>
+inline constexpr bool is_flag<msg::ServoOutput> = true;
+template <>
+inline constexpr bool is_flag<msg::RcInputOption> = true;
+template <>
 inline constexpr bool is_flag<msg::DebugVarFlag> = true;
+template <>
+inline constexpr bool is_flag<msg::DebugPortCommand> = true;
 
 }  // namespace sbgc

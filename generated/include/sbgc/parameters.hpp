@@ -91,7 +91,15 @@ struct ParametersOf<msg::ReadParamsExt2> {
     return message.profile_id;
   }
 
-  static constexpr void share(const msg::ReadParamsExt2&, msg::ReadParamsExt2&) noexcept {}
+  static constexpr void share(const msg::ReadParamsExt2& from, msg::ReadParamsExt2& to) noexcept {
+    to.general_flags2 = from.general_flags2;
+    to.outer_mot_tilt_angle = from.outer_mot_tilt_angle;
+    to.ext_led_pin_id = from.ext_led_pin_id;
+    to.interrupt_cfg = from.interrupt_cfg;
+    to.rc_serial_speed = from.rc_serial_speed;
+    to.uart2_speed = from.uart2_speed;
+    to.middle_mot_tilt_angle = from.middle_mot_tilt_angle;
+  }
 };
 
 /// Profile names.
@@ -101,6 +109,41 @@ struct ParametersOf<msg::ReadProfileNames> {
   using Readers = TypeList<msg::ReadProfileNamesRequest>;
   using Writers = TypeList<msg::WriteProfileNames>;
   static constexpr std::uint8_t copies = 1;
+};
+
+/// The fourth set of parameters of one profile.
+template <>
+struct ParametersOf<msg::ReadParamsExt3> {
+  static constexpr const char* name = "ReadParamsExt3";
+  using Readers = TypeList<msg::ReadParamsExt3Request>;
+  using Writers = TypeList<msg::WriteParamsExt3>;
+  static constexpr std::uint8_t copies = 5;
+
+  static constexpr auto& copy(msg::ReadParamsExt3& message) noexcept { return message.profile_id; }
+  static constexpr const auto& copy(const msg::ReadParamsExt3& message) noexcept {
+    return message.profile_id;
+  }
+
+  static constexpr auto& copy(msg::ReadParamsExt3Request& message) noexcept { return message.profile_id; }
+  static constexpr const auto& copy(const msg::ReadParamsExt3Request& message) noexcept {
+    return message.profile_id;
+  }
+
+  static constexpr void share(const msg::ReadParamsExt3& from, msg::ReadParamsExt3& to) noexcept {
+    to.ext_imu_type = from.ext_imu_type;
+    to.ext_imu_port = from.ext_imu_port;
+    to.ext_imu_position = from.ext_imu_position;
+    to.ext_imu_orientation = from.ext_imu_orientation;
+    to.ext_imu_flags = from.ext_imu_flags;
+    to.can_imu_ext_sens_type = from.can_imu_ext_sens_type;
+    to.general_flags3 = from.general_flags3;
+    to.imu_model_main = from.imu_model_main;
+    to.imu_model_frame = from.imu_model_frame;
+    to.ext_buzzer_pin = from.ext_buzzer_pin;
+    to.default_profile = from.default_profile;
+    to.ext_pwr_sw_shunt_r = from.ext_pwr_sw_shunt_r;
+    to.general_flags4 = from.general_flags4;
+  }
 };
 
 /// RC signals that trigger actions or change adjustable variables.
@@ -122,6 +165,6 @@ struct ParametersOf<msg::ReadExternalData> {
 };
 
 /// The messages that hold settings, in the order of the specification's families.
-using ParameterMessages = TypeList<msg::ReadParams3, msg::ReadParamsExt, msg::ReadParamsExt2, msg::ReadProfileNames, msg::ReadAdjVarsCfg, msg::ReadExternalData>;
+using ParameterMessages = TypeList<msg::ReadParams3, msg::ReadParamsExt, msg::ReadParamsExt2, msg::ReadProfileNames, msg::ReadParamsExt3, msg::ReadAdjVarsCfg, msg::ReadExternalData>;
 
 }  // namespace sbgc

@@ -54,13 +54,24 @@ enum class Form : std::uint8_t {
   success,
   error,
   one_byte,
+  disabled,
+  speed,
+  attitude,
+  attitude_packed,
+  speed_attitude,
+  speed_attitude_packed,
+  calibrate,
   wide,
   extended_wide,
+  no_register,
+  wide_register,
+  all,
+  selected,
 };
 
 /// The newest firmware whose protocol is known as a whole, encoded as FIRMWARE_VER; 0 if unknown.
 /// Some messages and values of later firmware are also known.
-inline constexpr std::uint16_t newest_firmware = 2599;
+inline constexpr std::uint16_t newest_firmware = 2740;
 
 /// The pause after a command in milliseconds, so that the board's input buffer does not overflow:
 /// after a small request with a small response, and after the largest ones.

@@ -27,6 +27,9 @@ struct RealtimeData3;
 struct RealtimeData4;
 struct RealtimeDataCustom;
 struct AhrsHelper;
+struct Event;
+struct CanDrvTelemetry;
+struct ExtMotorsState;
 
 enum class BoardErrorCode : std::uint8_t;
 }  // namespace msg
@@ -64,7 +67,7 @@ constexpr auto& eeprom_size(M& details) noexcept {
 /// Starts, changes and ends a data stream.
 using StreamRequest = msg::DataStreamInterval;
 /// The messages that streams consist of.
-using StreamMessages = TypeList<msg::RealtimeData3, msg::RealtimeData4, msg::RealtimeDataCustom, msg::AhrsHelper>;
+using StreamMessages = TypeList<msg::RealtimeData3, msg::RealtimeData4, msg::RealtimeDataCustom, msg::AhrsHelper, msg::Event, msg::CanDrvTelemetry, msg::ExtMotorsState>;
 
 /// The command whose messages the stream consists of.
 template <class Request>

@@ -7,6 +7,7 @@
 
 #include <sbgc/enums.hpp>
 #include <sbgc/messages/parameters.hpp>
+#include <sbgc/messages/parameters_ext3.hpp>
 #include <sbgc/types.hpp>
 #include <sbgc/variable_scale.hpp>
 
@@ -65,6 +66,53 @@ constexpr Optional<std::int32_t> variable_value([[maybe_unused]] const Settings&
     case msg::VariableId::lpf_freq_roll: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt>().lpf_freq.roll);
     case msg::VariableId::lpf_freq_pitch: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt>().lpf_freq.pitch);
     case msg::VariableId::lpf_freq_yaw: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt>().lpf_freq.yaw);
+    case msg::VariableId::timelapse_time: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().timelapse_time);
+    case msg::VariableId::mav_ctrl_mode: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().mav_ctrl_mode);
+    case msg::VariableId::sw_lim_min_roll: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().frame_cam_angle_min.roll);
+    case msg::VariableId::sw_lim_max_roll: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().frame_cam_angle_max.roll);
+    case msg::VariableId::sw_lim_min_pitch: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().frame_cam_angle_min.pitch);
+    case msg::VariableId::sw_lim_max_pitch: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().frame_cam_angle_max.pitch);
+    case msg::VariableId::sw_lim_min_yaw: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().frame_cam_angle_min.yaw);
+    case msg::VariableId::sw_lim_max_yaw: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().frame_cam_angle_max.yaw);
+    case msg::VariableId::follow_range_roll: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().follow_range.roll);
+    case msg::VariableId::follow_range_pitch: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().follow_range.pitch);
+    case msg::VariableId::follow_range_yaw: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().follow_range.yaw);
+    case msg::VariableId::follow_in_dband: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt>().follow_inside_deadband);
+    case msg::VariableId::rc_limit_min_roll: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.roll.rc_min_angle);
+    case msg::VariableId::rc_limit_max_roll: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.roll.rc_max_angle);
+    case msg::VariableId::rc_limit_min_pitch: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.pitch.rc_min_angle);
+    case msg::VariableId::rc_limit_max_pitch: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.pitch.rc_max_angle);
+    case msg::VariableId::rc_limit_min_yaw: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.yaw.rc_min_angle);
+    case msg::VariableId::rc_limit_max_yaw: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.yaw.rc_max_angle);
+    case msg::VariableId::rc_deadband_pitch: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().rc_deadband_pitch);
+    case msg::VariableId::rc_deadband_yaw: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().rc_deadband_yaw);
+    case msg::VariableId::rc_expo_rate_pitch: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().rc_expo_rate_pitch);
+    case msg::VariableId::rc_expo_rate_yaw: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().rc_expo_rate_yaw);
+    case msg::VariableId::shake_amp_roll: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.amplitude.roll);
+    case msg::VariableId::shake_amp_tilt: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.amplitude.pitch);
+    case msg::VariableId::shake_amp_pan: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.amplitude.yaw);
+    case msg::VariableId::shake_freq: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.base_freq);
+    case msg::VariableId::shake_freq_range: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.freq_range);
+    case msg::VariableId::shake_pause_period: return detail::variable_value({1, -500, 20}, settings.template of<msg::ReadParamsExt3>().shake_generator.pause_period);
+    case msg::VariableId::shake_pause_balance: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.pause_balance);
+    case msg::VariableId::shake_pause_randomness: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.pause_randomness);
+    case msg::VariableId::shake_resonance_gain_roll: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.resonance_gain.roll);
+    case msg::VariableId::shake_resonance_gain_tilt: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.resonance_gain.pitch);
+    case msg::VariableId::shake_resonance_gain_pan: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.resonance_gain.yaw);
+    case msg::VariableId::shake_freq_shift_roll: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.freq_shift.roll);
+    case msg::VariableId::shake_freq_shift_tilt: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.freq_shift.pitch);
+    case msg::VariableId::shake_freq_shift_pan: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.freq_shift.yaw);
+    case msg::VariableId::outer_p_roll: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt>().outer_p.roll);
+    case msg::VariableId::outer_p_pitch: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt>().outer_p.pitch);
+    case msg::VariableId::outer_p_yaw: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt>().outer_p.yaw);
+    case msg::VariableId::d_lpf_freq_roll: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt>().d_term_lpf_freq.roll);
+    case msg::VariableId::d_lpf_freq_pitch: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt>().d_term_lpf_freq.pitch);
+    case msg::VariableId::d_lpf_freq_yaw: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt>().d_term_lpf_freq.yaw);
+    case msg::VariableId::imu_angle_corr_roll: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().imu_angle_corr_r);
+    case msg::VariableId::imu_angle_corr_pitch: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().imu_angle_corr_p);
+    case msg::VariableId::sw_lim_width_roll: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().soft_limit_width.roll);
+    case msg::VariableId::sw_lim_width_pitch: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().soft_limit_width.pitch);
+    case msg::VariableId::sw_lim_width_yaw: return detail::variable_value({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().soft_limit_width.yaw);
     default: return {};
   }
 }
@@ -168,15 +216,15 @@ constexpr bool set_variable([[maybe_unused]] Settings& settings, msg::VariableId
       detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.yaw.rc_speed, value);
       return true;
     case msg::VariableId::rc_lpf_roll:
-      if (value < 0 || value > 16) return false;
+      if (value < 0 || value > 255) return false;
       detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.roll.rc_lpf, value);
       return true;
     case msg::VariableId::rc_lpf_pitch:
-      if (value < 0 || value > 16) return false;
+      if (value < 0 || value > 255) return false;
       detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.pitch.rc_lpf, value);
       return true;
     case msg::VariableId::rc_lpf_yaw:
-      if (value < 0 || value > 16) return false;
+      if (value < 0 || value > 255) return false;
       detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.yaw.rc_lpf, value);
       return true;
     case msg::VariableId::rc_trim_roll:
@@ -262,6 +310,194 @@ constexpr bool set_variable([[maybe_unused]] Settings& settings, msg::VariableId
     case msg::VariableId::lpf_freq_yaw:
       if (value < 10 || value > 400) return false;
       detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt>().lpf_freq.yaw, value);
+      return true;
+    case msg::VariableId::timelapse_time:
+      if (value < 1 || value > 3600) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().timelapse_time, value);
+      return true;
+    case msg::VariableId::mav_ctrl_mode:
+      if (value < 0 || value > 2) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().mav_ctrl_mode, value);
+      return true;
+    case msg::VariableId::sw_lim_min_roll:
+      if (value < -3600 || value > 3600) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().frame_cam_angle_min.roll, value);
+      return true;
+    case msg::VariableId::sw_lim_max_roll:
+      if (value < -3600 || value > 3600) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().frame_cam_angle_max.roll, value);
+      return true;
+    case msg::VariableId::sw_lim_min_pitch:
+      if (value < -3600 || value > 3600) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().frame_cam_angle_min.pitch, value);
+      return true;
+    case msg::VariableId::sw_lim_max_pitch:
+      if (value < -3600 || value > 3600) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().frame_cam_angle_max.pitch, value);
+      return true;
+    case msg::VariableId::sw_lim_min_yaw:
+      if (value < -3600 || value > 3600) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().frame_cam_angle_min.yaw, value);
+      return true;
+    case msg::VariableId::sw_lim_max_yaw:
+      if (value < -3600 || value > 3600) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().frame_cam_angle_max.yaw, value);
+      return true;
+    case msg::VariableId::follow_range_roll:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().follow_range.roll, value);
+      return true;
+    case msg::VariableId::follow_range_pitch:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().follow_range.pitch, value);
+      return true;
+    case msg::VariableId::follow_range_yaw:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt2>().follow_range.yaw, value);
+      return true;
+    case msg::VariableId::follow_in_dband:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt>().follow_inside_deadband, value);
+      return true;
+    case msg::VariableId::rc_limit_min_roll:
+      if (value < -3600 || value > 3600) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.roll.rc_min_angle, value);
+      return true;
+    case msg::VariableId::rc_limit_max_roll:
+      if (value < -3600 || value > 3600) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.roll.rc_max_angle, value);
+      return true;
+    case msg::VariableId::rc_limit_min_pitch:
+      if (value < -3600 || value > 3600) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.pitch.rc_min_angle, value);
+      return true;
+    case msg::VariableId::rc_limit_max_pitch:
+      if (value < -3600 || value > 3600) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.pitch.rc_max_angle, value);
+      return true;
+    case msg::VariableId::rc_limit_min_yaw:
+      if (value < -3600 || value > 3600) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.yaw.rc_min_angle, value);
+      return true;
+    case msg::VariableId::rc_limit_max_yaw:
+      if (value < -3600 || value > 3600) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParams3>().rc.yaw.rc_max_angle, value);
+      return true;
+    case msg::VariableId::rc_deadband_pitch:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().rc_deadband_pitch, value);
+      return true;
+    case msg::VariableId::rc_deadband_yaw:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().rc_deadband_yaw, value);
+      return true;
+    case msg::VariableId::rc_expo_rate_pitch:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().rc_expo_rate_pitch, value);
+      return true;
+    case msg::VariableId::rc_expo_rate_yaw:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().rc_expo_rate_yaw, value);
+      return true;
+    case msg::VariableId::shake_amp_roll:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.amplitude.roll, value);
+      return true;
+    case msg::VariableId::shake_amp_tilt:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.amplitude.pitch, value);
+      return true;
+    case msg::VariableId::shake_amp_pan:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.amplitude.yaw, value);
+      return true;
+    case msg::VariableId::shake_freq:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.base_freq, value);
+      return true;
+    case msg::VariableId::shake_freq_range:
+      if (value < 0 || value > 100) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.freq_range, value);
+      return true;
+    case msg::VariableId::shake_pause_period:
+      if (value < 500 || value > 5600) return false;
+      detail::set_variable({1, -500, 20}, settings.template of<msg::ReadParamsExt3>().shake_generator.pause_period, value);
+      return true;
+    case msg::VariableId::shake_pause_balance:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.pause_balance, value);
+      return true;
+    case msg::VariableId::shake_pause_randomness:
+      if (value < 0 || value > 100) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.pause_randomness, value);
+      return true;
+    case msg::VariableId::shake_resonance_gain_roll:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.resonance_gain.roll, value);
+      return true;
+    case msg::VariableId::shake_resonance_gain_tilt:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.resonance_gain.pitch, value);
+      return true;
+    case msg::VariableId::shake_resonance_gain_pan:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.resonance_gain.yaw, value);
+      return true;
+    case msg::VariableId::shake_freq_shift_roll:
+      if (value < -127 || value > 127) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.freq_shift.roll, value);
+      return true;
+    case msg::VariableId::shake_freq_shift_tilt:
+      if (value < -127 || value > 127) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.freq_shift.pitch, value);
+      return true;
+    case msg::VariableId::shake_freq_shift_pan:
+      if (value < -127 || value > 127) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().shake_generator.freq_shift.yaw, value);
+      return true;
+    case msg::VariableId::outer_p_roll:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt>().outer_p.roll, value);
+      return true;
+    case msg::VariableId::outer_p_pitch:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt>().outer_p.pitch, value);
+      return true;
+    case msg::VariableId::outer_p_yaw:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt>().outer_p.yaw, value);
+      return true;
+    case msg::VariableId::d_lpf_freq_roll:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt>().d_term_lpf_freq.roll, value);
+      return true;
+    case msg::VariableId::d_lpf_freq_pitch:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt>().d_term_lpf_freq.pitch, value);
+      return true;
+    case msg::VariableId::d_lpf_freq_yaw:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt>().d_term_lpf_freq.yaw, value);
+      return true;
+    case msg::VariableId::imu_angle_corr_roll:
+      if (value < -1000 || value > 1000) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().imu_angle_corr_r, value);
+      return true;
+    case msg::VariableId::imu_angle_corr_pitch:
+      if (value < -1000 || value > 1000) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().imu_angle_corr_p, value);
+      return true;
+    case msg::VariableId::sw_lim_width_roll:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().soft_limit_width.roll, value);
+      return true;
+    case msg::VariableId::sw_lim_width_pitch:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().soft_limit_width.pitch, value);
+      return true;
+    case msg::VariableId::sw_lim_width_yaw:
+      if (value < 0 || value > 255) return false;
+      detail::set_variable({1, 0, 1}, settings.template of<msg::ReadParamsExt3>().soft_limit_width.yaw, value);
       return true;
     default: return false;
   }

@@ -20,10 +20,14 @@ struct ResetRequest;
 struct ResetRequestExt;
 struct BootMode3;
 struct BootMode3Ext;
+struct ReadStateVarsRequest;
+struct WriteStateVars;
+struct SignMessageRequest;
 struct QueueParamsInfo3Request;
 struct SystemStateRequest;
 struct MavlinkInfoRequest;
 struct MavlinkDebugRequest;
+struct ExtLicenseInfoRequest;
 struct ReadParams3Request;
 struct WriteParams3;
 struct ReadParams;
@@ -32,31 +36,53 @@ struct ReadParamsExtRequest;
 struct WriteParamsExt;
 struct ReadParamsExt2Request;
 struct WriteParamsExt2;
+struct WriteParamsSet;
 struct ReadProfileNamesRequest;
 struct WriteProfileNames;
+struct ProfileSet;
 struct SaveParams3;
 struct UseDefaults;
+struct ReadParamsExt3Request;
+struct WriteParamsExt3;
 struct RealtimeData;
 struct RealtimeData3Request;
 struct RealtimeData4Request;
 struct RealtimeDataCustomRequest;
 struct DataStreamInterval;
+struct CanDrvStateRequest;
+struct RealtimeDataCanDrvRequest;
 struct Control;
 struct ControlExt;
+struct ControlExtCommand;
+struct ControlConfig;
+struct ControlQuatDisabled;
+struct ControlQuatSpeed;
+struct ControlQuatAttitude;
+struct ControlQuatAttitudePacked;
+struct ControlQuatSpeedAttitude;
+struct ControlQuatSpeedAttitudePacked;
+struct ControlQuatStatusRequest;
+struct ControlQuatConfig;
 struct GetAnglesRequest;
 struct GetAnglesExtRequest;
 struct MotorsOn;
 struct MotorsOff;
 struct MotorsOffExt;
+struct SyncMotors;
 struct ExecuteMenu;
 struct ExecuteMenuExt;
 struct HelperData;
 struct HelperDataExt;
+struct ExtMotorsAction;
+struct ExtMotorsControl;
+struct ExtMotorsControlConfig;
+struct ExtMotorsStateRequest;
 struct CalibAcc;
 struct CalibAccExt;
 struct CalibGyro;
 struct CalibGyroExt;
 struct CalibMag;
+struct CalibMagExt;
 struct CalibExtGain;
 struct CalibPoles;
 struct CalibOffset;
@@ -66,25 +92,60 @@ struct CalibMotorMagLinkRequest;
 struct EncodersCalibOffset4;
 struct EncodersCalibFldOffset4;
 struct AutoPidRequest;
+struct AutoPid2;
+struct CalibOrientCorr;
+struct CalibCogging;
+struct CalibAccExtRef;
+struct BodeTestStartStopRequest;
+struct BodeTestDataRequest;
+struct CoggingCalibInfoRequest;
+struct CanDrvHardParamsRequest;
+struct CanDrvCalibrateRequest;
+struct CalibEncoderLutRequest;
+struct CalibEncoderLutResRequest;
+struct CalibCurSensRequest;
+struct EncIntCalibRequest;
+struct VibrationTestStartStopRequest;
+struct VibrationTestDataRequest;
 struct SelectImu3;
 struct SelectImu3Ext;
+struct SelectImu3Calibrate;
 struct AhrsHelperRequest;
 struct AhrsHelperRequestWide;
 struct AhrsHelperRequestExt;
 struct AhrsHelperRequestExtWide;
 struct GyroCorrection;
+struct ExtImuDebugInfoRequest;
+struct ExtImuCmd;
+struct ExtSensCmdRequest;
+struct ImuAdvancedCalibRequest;
 struct BeepSound;
 struct TriggerPin;
 struct ServoOut;
+struct ServoOutExt;
 struct I2cWriteRegBuf;
 struct I2cReadRegBufRequest;
+struct I2cReadRegBufRequestNoRegister;
+struct I2cReadRegBufRequestWideRegister;
 struct ApiVirtChControl;
+struct ApiVirtChHighRes;
+struct ReadRcInputsRequest;
+struct ModuleListRequest;
+struct CanDeviceScanRequest;
+struct TransparentSapiRequest;
+struct UartBypassRequest;
+struct SetDeviceAddrRequest;
+struct SerialProxyRequest;
 struct SetAdjVarsVal;
 struct GetAdjVarsVal;
 struct ReadAdjVarsCfgRequest;
 struct WriteAdjVarsCfg;
 struct AdjVarsStateRequest;
 struct AdjVarsStateRequestExt;
+struct AdjVarsInfoRequest;
+struct AdjVarsInfoRequestAll;
+struct SetAdjVarsValF;
+struct GetAdjVarsValF;
 struct EepromWrite;
 struct ReadFileRequest;
 struct WriteFile;
@@ -95,6 +156,8 @@ struct WriteExternalData;
 struct RunScript;
 struct DebugVarsInfo3Request;
 struct DebugVars3Request;
+struct DebugVars3RequestSelected;
+struct SetDebugPortRequest;
 }  // namespace msg
 
 /// Adds a function for each request to a client: `client.get_angles()`,
@@ -170,6 +233,32 @@ class Calls {
     return self().call(request, options);
   }
 
+  /// Request the statistics of the board's whole life.
+  /// Effect: reads.
+  /// Since firmware 2.68b7, board 3.6.
+  template <class M = msg::ReadStateVarsRequest>
+  CallResult<M> read_state_vars(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Store the statistics of the board's whole life.
+  /// Effect: stores.
+  /// Since firmware 2.68b7, board 3.6.
+  template <class M = msg::WriteStateVars>
+  CallResult<M> write_state_vars(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Sign a message with the keys of the board.
+  /// Effect: reads.
+  template <class M = msg::SignMessageRequest>
+  CallResult<M> sign_message(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
   /// Undocumented body to the board.
   /// Effect: unknown.
   /// Since board 3.0.
@@ -202,6 +291,14 @@ class Calls {
   /// Since board 3.0.
   template <class M = msg::MavlinkDebugRequest>
   CallResult<M> mavlink_debug(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Undocumented body to the board.
+  /// Effect: unknown.
+  template <class M = msg::ExtLicenseInfoRequest>
+  CallResult<M> ext_license_info(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
   }
@@ -276,6 +373,15 @@ class Calls {
     return self().call(request, options);
   }
 
+  /// Begin or end a series of commands that store parameters.
+  /// Effect: sets, moves, restarts.
+  /// Since firmware 2.70b4.
+  template <class M = msg::WriteParamsSet>
+  CallResult<M> write_params_set(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
   /// Request the profile names.
   /// Effect: reads.
   /// Since board 3.0.
@@ -294,6 +400,15 @@ class Calls {
     return self().call(request, options);
   }
 
+  /// Save, clear or load a profile set.
+  /// Effect: stores, moves, erases.
+  /// Since firmware 2.65.
+  template <class M = msg::ProfileSet>
+  CallResult<M> profile_set(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
   /// Save the parameters in use, with all changes to adjustable variables, to the active profile.
   /// Effect: stores.
   /// Since board 3.0.
@@ -307,6 +422,24 @@ class Calls {
   /// Effect: stores, moves, erases.
   template <class M = msg::UseDefaults>
   CallResult<M> use_defaults(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Request the fourth set of parameters of one profile.
+  /// Effect: reads.
+  /// Since firmware 2.66.
+  template <class M = msg::ReadParamsExt3Request>
+  CallResult<M> read_params_ext3(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Store the fourth set of parameters of one profile.
+  /// Effect: stores, moves.
+  /// Since firmware 2.66.
+  template <class M = msg::WriteParamsExt3>
+  CallResult<M> write_params_ext3(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
   }
@@ -355,6 +488,22 @@ class Calls {
     return self().call(request, options);
   }
 
+  /// Undocumented body to the board.
+  /// Effect: unknown.
+  template <class M = msg::CanDrvStateRequest>
+  CallResult<M> can_drv_state(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Undocumented body to the board.
+  /// Effect: unknown.
+  template <class M = msg::RealtimeDataCanDrvRequest>
+  CallResult<M> realtime_data_can_drv(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
   /// Move the camera, with one mode for all axes.
   /// Effect: moves.
   template <class M = msg::Control>
@@ -368,6 +517,96 @@ class Calls {
   /// Since firmware 2.55b5.
   template <class M = msg::ControlExt>
   CallResult<M> control_ext(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Move the camera, with the data that each axis needs.
+  /// Effect: moves.
+  /// Since firmware 2.68.
+  template <class M = msg::ControlExtCommand>
+  CallResult<M> control_ext(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Configure serial control until the next start.
+  /// Effect: sets, moves.
+  /// Since firmware 2.61.
+  template <class M = msg::ControlConfig>
+  CallResult<M> control_config(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// End control with quaternions.
+  /// Effect: moves.
+  /// Since firmware 2.73.
+  template <class M = msg::ControlQuatDisabled>
+  CallResult<M> control_quat_disabled(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Turn the camera at a speed.
+  /// Effect: moves.
+  /// Since firmware 2.73.
+  template <class M = msg::ControlQuatSpeed>
+  CallResult<M> control_quat_speed(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Turn the camera to an attitude.
+  /// Effect: moves.
+  /// Since firmware 2.73.
+  template <class M = msg::ControlQuatAttitude>
+  CallResult<M> control_quat_attitude(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Turn the camera to an attitude, packed.
+  /// Effect: moves.
+  /// Since firmware 2.73.
+  template <class M = msg::ControlQuatAttitudePacked>
+  CallResult<M> control_quat_attitude_packed(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Turn the camera at a speed and hold it to an attitude.
+  /// Effect: moves.
+  /// Since firmware 2.73.
+  template <class M = msg::ControlQuatSpeedAttitude>
+  CallResult<M> control_quat_speed_attitude(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Turn the camera at a speed and hold it to an attitude, packed.
+  /// Effect: moves.
+  /// Since firmware 2.73.
+  template <class M = msg::ControlQuatSpeedAttitudePacked>
+  CallResult<M> control_quat_speed_attitude_packed(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Request the state of the control with quaternions.
+  /// Effect: reads.
+  /// Since firmware 2.73.
+  template <class M = msg::ControlQuatStatusRequest>
+  CallResult<M> control_quat_status(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Configure the control with quaternions.
+  /// Effect: sets.
+  /// Since firmware 2.73.
+  template <class M = msg::ControlQuatConfig>
+  CallResult<M> control_quat_config(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
   }
@@ -415,6 +654,15 @@ class Calls {
     return self().call(request, options);
   }
 
+  /// Power one motor as a synchronous motor for some time, then turn the motors off.
+  /// Effect: moves.
+  /// Since firmware 2.70b9.
+  template <class M = msg::SyncMotors>
+  CallResult<M> sync_motors(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
   /// Execute a menu action.
   /// Effect: sets, stores, moves, restarts.
   template <class M = msg::ExecuteMenu>
@@ -423,8 +671,9 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Execute a menu action, with a parameter of later firmware.
+  /// Execute a menu action and say when to confirm it.
   /// Effect: sets, stores, moves, restarts.
+  /// Since firmware 2.73b8.
   template <class M = msg::ExecuteMenuExt>
   CallResult<M> execute_menu_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
@@ -444,6 +693,42 @@ class Calls {
   /// Since firmware 2.59.
   template <class M = msg::HelperDataExt>
   CallResult<M> helper_data_ext(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Turn external motors on or off, or move them to their home position.
+  /// Effect: moves.
+  /// Since firmware 2.73.
+  template <class M = msg::ExtMotorsAction>
+  CallResult<M> ext_motors_action(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Set targets of external motors.
+  /// Effect: moves.
+  /// Since firmware 2.73.
+  template <class M = msg::ExtMotorsControl>
+  CallResult<M> ext_motors_control(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Configure external motors.
+  /// Effect: sets.
+  /// Since firmware 2.73.
+  template <class M = msg::ExtMotorsControlConfig>
+  CallResult<M> ext_motors_control_config(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Request the state of external motors.
+  /// Effect: reads.
+  /// Since firmware 2.73.
+  template <class M = msg::ExtMotorsStateRequest>
+  CallResult<M> ext_motors_state(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
   }
@@ -485,6 +770,15 @@ class Calls {
   /// Since board 3.0.
   template <class M = msg::CalibMag>
   CallResult<M> calib_mag(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Calibrate the magnetometer of an IMU, or manage its calibrations.
+  /// Effect: stores, restarts, erases.
+  /// Since board 3.0.
+  template <class M = msg::CalibMagExt>
+  CallResult<M> calib_mag_ext(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
   }
@@ -560,8 +854,131 @@ class Calls {
   /// Start or stop the automatic tuning.
   /// Effect: stores, moves.
   /// Since board 3.0.
+  /// Firmware 2.73 and later no longer accepts it.
   template <class M = msg::AutoPidRequest>
   CallResult<M> auto_pid(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Tune the PID controllers automatically, in later firmware.
+  /// Effect: stores, moves.
+  /// Since firmware 2.73.
+  template <class M = msg::AutoPid2>
+  CallResult<M> auto_pid2(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Calibrate the orientation of the IMU.
+  /// Effect: stores, moves.
+  template <class M = msg::CalibOrientCorr>
+  CallResult<M> calib_orient_corr(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Calibrate the cogging of the motors, or delete this calibration.
+  /// Effect: stores, moves, erases.
+  template <class M = msg::CalibCogging>
+  CallResult<M> calib_cogging(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Calibrate the accelerometer with an external reference.
+  /// Effect: stores.
+  /// Since firmware 2.62b7.
+  template <class M = msg::CalibAccExtRef>
+  CallResult<M> calib_acc_ext_ref(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Undocumented body to the board.
+  /// Effect: unknown.
+  template <class M = msg::BodeTestStartStopRequest>
+  CallResult<M> bode_test_start_stop(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Undocumented body to the board.
+  /// Effect: unknown.
+  template <class M = msg::BodeTestDataRequest>
+  CallResult<M> bode_test_data(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Undocumented body to the board.
+  /// Effect: unknown.
+  template <class M = msg::CoggingCalibInfoRequest>
+  CallResult<M> cogging_calib_info(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Undocumented body to the board.
+  /// Effect: unknown.
+  template <class M = msg::CanDrvHardParamsRequest>
+  CallResult<M> can_drv_hard_params(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Undocumented body to the board.
+  /// Effect: unknown.
+  template <class M = msg::CanDrvCalibrateRequest>
+  CallResult<M> can_drv_calibrate(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Undocumented body to the board.
+  /// Effect: unknown.
+  template <class M = msg::CalibEncoderLutRequest>
+  CallResult<M> calib_encoder_lut(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Undocumented body to the board.
+  /// Effect: unknown.
+  template <class M = msg::CalibEncoderLutResRequest>
+  CallResult<M> calib_encoder_lut_res(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Undocumented body to the board.
+  /// Effect: unknown.
+  template <class M = msg::CalibCurSensRequest>
+  CallResult<M> calib_cur_sens(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Undocumented body to the board.
+  /// Effect: unknown.
+  template <class M = msg::EncIntCalibRequest>
+  CallResult<M> enc_int_calib(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Undocumented body to the board.
+  /// Effect: unknown.
+  template <class M = msg::VibrationTestStartStopRequest>
+  CallResult<M> vibration_test_start_stop(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Undocumented body to the board.
+  /// Effect: unknown.
+  template <class M = msg::VibrationTestDataRequest>
+  CallResult<M> vibration_test_data(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
   }
@@ -575,11 +992,20 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Select an IMU, with parameters of later firmware.
+  /// Select an IMU, with parameters that no source describes.
   /// Effect: sets.
   /// Since board 3.0.
   template <class M = msg::SelectImu3Ext>
   CallResult<M> select_imu_3_ext(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Select an IMU and calibrate it, or manage its calibrations.
+  /// Effect: stores, restarts, erases.
+  /// Since firmware 2.60.
+  template <class M = msg::SelectImu3Calibrate>
+  CallResult<M> select_imu_3_calibrate(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
   }
@@ -631,6 +1057,40 @@ class Calls {
     return self().call(request, options);
   }
 
+  /// Request the state of the attitude estimation and of the external IMU.
+  /// Effect: reads.
+  /// Since firmware 2.66.
+  template <class M = msg::ExtImuDebugInfoRequest>
+  CallResult<M> ext_imu_debug_info(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Forward a command to the external IMU.
+  /// Effect: sets, stores, moves.
+  template <class M = msg::ExtImuCmd>
+  CallResult<M> ext_imu_cmd(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Forward a command to an external sensor.
+  /// Effect: sets, stores, moves.
+  /// Since firmware 2.68b7, board 3.6.
+  template <class M = msg::ExtSensCmdRequest>
+  CallResult<M> ext_sens_cmd(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Undocumented body to the board.
+  /// Effect: unknown.
+  template <class M = msg::ImuAdvancedCalibRequest>
+  CallResult<M> imu_advanced_calib(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
   /// Play a melody through the motors, or a standard sound.
   /// Effect: sets.
   /// Since firmware 2.59, board 3.0.
@@ -657,6 +1117,15 @@ class Calls {
     return self().call(request, options);
   }
 
+  /// Send PWM signals to servos of the board and of its CAN motor drivers.
+  /// Effect: moves.
+  /// Since firmware 2.73b2.
+  template <class M = msg::ServoOutExt>
+  CallResult<M> servo_out_ext(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
   /// Write to a device on an I2C bus.
   /// Effect: sets, stores.
   /// Since board 3.0.
@@ -675,11 +1144,95 @@ class Calls {
     return self().call(request, options);
   }
 
+  /// Read from a device without registers.
+  /// Effect: reads.
+  /// Since board 3.0.
+  template <class M = msg::I2cReadRegBufRequestNoRegister>
+  CallResult<M> i2c_read_reg_buf_no_register(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Read from a device with 16-bit register addresses.
+  /// Effect: reads.
+  /// Since board 3.0.
+  template <class M = msg::I2cReadRegBufRequestWideRegister>
+  CallResult<M> i2c_read_reg_buf_wide_register(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
   /// Set the host's virtual RC channels, which can control the camera and more.
   /// Effect: sets, stores, moves, restarts.
   /// Since board 3.0.
   template <class M = msg::ApiVirtChControl>
   CallResult<M> api_virt_ch_control(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Set the host's virtual RC channels in high resolution; they can control the camera and more.
+  /// Effect: sets, stores, moves, restarts.
+  /// Since firmware 2.68b7.
+  template <class M = msg::ApiVirtChHighRes>
+  CallResult<M> api_virt_ch_high_res(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Request the RC signals of selected inputs.
+  /// Effect: sets.
+  template <class M = msg::ReadRcInputsRequest>
+  CallResult<M> read_rc_inputs(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Request the list of the modules connected to the board.
+  /// Effect: reads.
+  template <class M = msg::ModuleListRequest>
+  CallResult<M> module_list(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Search for devices on the CAN bus.
+  /// Effect: reads.
+  template <class M = msg::CanDeviceScanRequest>
+  CallResult<M> can_device_scan(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Send data to a serial port of a device on the CAN bus.
+  /// Effect: sets, stores, moves, restarts, erases.
+  /// Since firmware 2.72, board 3.6.
+  template <class M = msg::TransparentSapiRequest>
+  CallResult<M> transparent_sapi(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Undocumented body to the board.
+  /// Effect: unknown.
+  template <class M = msg::UartBypassRequest>
+  CallResult<M> uart_bypass(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Undocumented body to the board.
+  /// Effect: unknown.
+  template <class M = msg::SetDeviceAddrRequest>
+  CallResult<M> set_device_addr(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Undocumented body to the board.
+  /// Effect: unknown.
+  template <class M = msg::SerialProxyRequest>
+  CallResult<M> serial_proxy(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
   }
@@ -729,11 +1282,46 @@ class Calls {
     return self().call(request, options);
   }
 
-  /// Request the state of adjustable variables, in the form of later firmware.
+  /// Request the state of a trigger slot, two RC signals and two variables.
   /// Effect: reads.
   /// Since firmware 2.62b5.
   template <class M = msg::AdjVarsStateRequestExt>
   CallResult<M> adj_vars_state_ext(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Request names, ranges and values of adjustable variables.
+  /// Effect: reads.
+  template <class M = msg::AdjVarsInfoRequest>
+  CallResult<M> adj_vars_info(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Request names, ranges and values of adjustable variables, starting with the first.
+  /// Effect: reads.
+  template <class M = msg::AdjVarsInfoRequestAll>
+  CallResult<M> adj_vars_info_all(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Set adjustable variables in floating point; the next restart discards them unless
+  /// CMD_SAVE_PARAMS_3 follows.
+  /// Effect: sets, moves.
+  /// Since firmware 2.73b4.
+  template <class M = msg::SetAdjVarsValF>
+  CallResult<M> set_adj_vars_val_f(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Request the values of adjustable variables in floating point.
+  /// Effect: reads.
+  /// Since firmware 2.73b4.
+  template <class M = msg::GetAdjVarsValF>
+  CallResult<M> get_adj_vars_val_f(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
   }
@@ -824,6 +1412,23 @@ class Calls {
   /// Since board 3.0.
   template <class M = msg::DebugVars3Request>
   CallResult<M> debug_vars_3(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Request the values of selected debug variables.
+  /// Effect: reads.
+  /// Since firmware 2.72.
+  template <class M = msg::DebugVars3RequestSelected>
+  CallResult<M> debug_vars_3_selected(
+      const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
+    return self().call(request, options);
+  }
+
+  /// Start or stop the copies of the messages on the board's other ports.
+  /// Effect: sets.
+  template <class M = msg::SetDebugPortRequest>
+  CallResult<M> set_debug_port(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
   }

@@ -16,9 +16,11 @@ namespace sbgc::msg {
 
 static_assert(codec_version == 2, "generated code and runtime do not match");
 
+struct AdjVarsInfo;
 struct AdjVarsState;
 struct ReadAdjVarsCfg;
 struct SetAdjVarsVal;
+struct SetAdjVarsValF;
 
 /// One adjustable variable and its value.
 struct AdjVarValue {
@@ -56,6 +58,41 @@ struct AnalogSlot {
   bool operator==(const AnalogSlot&) const = default;
   using FixedMembers = Members<&AnalogSlot::src_ch, &AnalogSlot::param_id, &AnalogSlot::min_val,
       &AnalogSlot::max_val>;
+};
+
+/// Name, range and value of one adjustable variable.
+struct AdjVarInfo {
+  /// The variable.
+  VariableId var_id{};
+  /// Its name, at most 16 characters.
+  BoundedText<255> name{};
+  /// Its lowest value.
+  std::int16_t range_min{};
+  /// Its highest value.
+  std::int16_t range_max{};
+  /// Its value.
+  std::int32_t value{};
+
+  bool operator==(const AdjVarInfo&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.value(self.var_id, "var_id");
+    cursor.value(self.name, "name");
+    cursor.value(self.range_min, "range_min");
+    cursor.value(self.range_max, "range_max");
+    cursor.value(self.value, "value");
+  }
+};
+
+/// One adjustable variable and its value in floating point.
+struct AdjVarFloat {
+  /// The variable (Appendix B).
+  VariableId id{};
+  /// The value.
+  float value{};
+
+  bool operator==(const AdjVarFloat&) const = default;
+  using FixedMembers = Members<&AdjVarFloat::id, &AdjVarFloat::value>;
 };
 
 /// Values of adjustable variables.
@@ -152,8 +189,10 @@ struct ReadAdjVarsCfgRequest {
   bool operator==(const ReadAdjVarsCfgRequest&) const = default;
 };
 
-/// Current state of one trigger slot and one analog slot. From firmware 2.62b5 on, a 7-byte request
-/// gives these bytes other meanings.
+/// Current state of one trigger slot and one analog slot. The response to the 7-byte request of
+/// firmware 2.62b5 and later differs: RC signals range from -16384 to 16384, ANALOG_RC_DATA is that
+/// of ANALOG_SRC_ID, and the bytes of ANALOG_VALUE are a floating-point number, the value of
+/// ANALOG_VAR_ID.
 ///
 /// CMD_ADJ_VARS_STATE (46), from the board; 15 bytes, and later firmware may append more. Since
 /// board 3.0. Source: Incoming commands L592-L598; Variables L1228-L1232.
@@ -173,14 +212,18 @@ struct AdjVarsState {
   CentredRcSignal analog_rc_data{};
   /// Value of the variable, in its own units.
   std::int32_t analog_value{};
-  /// Reserved; kept as it is.
-  Bytes<6> reserved{};
+  /// RC signal of LUT_SRC_ID; only in the response to the 7-byte request. Range: -1 to 1. Since
+  /// firmware 2.62b5.
+  FineRcSignal lut_src_value{};
+  /// Value of LUT_VAR_ID; only in the response to the 7-byte request. Since firmware 2.62b5.
+  float lut_var_value{};
   /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<240> tail{};
 
   bool operator==(const AdjVarsState&) const = default;
   using FixedMembers = Members<&AdjVarsState::trigger_rc_data, &AdjVarsState::trigger_action,
-      &AdjVarsState::analog_rc_data, &AdjVarsState::analog_value, &AdjVarsState::reserved>;
+      &AdjVarsState::analog_rc_data, &AdjVarsState::analog_value, &AdjVarsState::lut_src_value,
+      &AdjVarsState::lut_var_value>;
 };
 
 /// Request the state of one trigger slot and one analog slot.
@@ -206,7 +249,7 @@ struct AdjVarsStateRequest {
       &AdjVarsStateRequest::analog_slot>;
 };
 
-/// Request the state of adjustable variables, in the form of later firmware.
+/// Request the state of a trigger slot, two RC signals and two variables.
 ///
 /// CMD_ADJ_VARS_STATE (46), to the board, extended form; 7 bytes. Effect: reads. Since firmware
 /// 2.62b5. Source: Outgoing commands L997-L1000.
@@ -219,11 +262,133 @@ struct AdjVarsStateRequestExt {
   static constexpr Availability since{.firmware = 2625};
   using Response = AdjVarsState;
 
-  /// Undocumented.
-  Bytes<7> params{};
+  /// Trigger slot, counted from 0. Range: 0 to 9.
+  std::uint8_t trigger_slot{};
+  /// RC signal to report.
+  std::uint16_t analog_src_id{};
+  /// Variable to report.
+  VariableId analog_var_id{};
+  /// RC signal of a lookup table to report.
+  std::uint16_t lut_src_id{};
+  /// Variable of a lookup table to report.
+  VariableId lut_var_id{};
 
   bool operator==(const AdjVarsStateRequestExt&) const = default;
-  using FixedMembers = Members<&AdjVarsStateRequestExt::params>;
+  using FixedMembers = Members<&AdjVarsStateRequestExt::trigger_slot,
+      &AdjVarsStateRequestExt::analog_src_id, &AdjVarsStateRequestExt::analog_var_id,
+      &AdjVarsStateRequestExt::lut_src_id, &AdjVarsStateRequestExt::lut_var_id>;
+};
+
+/// Names, ranges and values of adjustable variables.
+///
+/// CMD_ADJ_VARS_INFO (132), from the board; 1 to 255 bytes. Source: Later firmware.
+struct AdjVarsInfo {
+  static constexpr CommandFromBoard command = CommandFromBoard::adj_vars_info;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 1;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+
+  /// Number of variables of the board, of which a message holds a part.
+  std::uint8_t total_number{};
+  /// The variables, from START_ID on.
+  BoundedArray<AdjVarInfo, 25> vars{};
+
+  bool operator==(const AdjVarsInfo&) const = default;
+  using FixedMembers = Members<&AdjVarsInfo::total_number>;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.vars, "vars");
+  }
+};
+
+/// Request names, ranges and values of adjustable variables.
+///
+/// CMD_ADJ_VARS_INFO (132), to the board, simple form; 1 byte. Effect: reads. Source: Later
+/// firmware.
+struct AdjVarsInfoRequest {
+  static constexpr CommandToBoard command = CommandToBoard::adj_vars_info;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::simple;
+  static constexpr std::size_t min_size = 1;
+  static constexpr std::size_t max_size = 1;
+  static constexpr Availability since{};
+  using Response = AdjVarsInfo;
+
+  /// First variable to describe.
+  VariableId start_id{};
+
+  bool operator==(const AdjVarsInfoRequest&) const = default;
+  using FixedMembers = Members<&AdjVarsInfoRequest::start_id>;
+};
+
+/// Request names, ranges and values of adjustable variables, starting with the first.
+///
+/// CMD_ADJ_VARS_INFO (132), to the board, all form; 0 bytes. Effect: reads. Unconfirmed. Source:
+/// Later firmware.
+struct AdjVarsInfoRequestAll {
+  static constexpr CommandToBoard command = CommandToBoard::adj_vars_info;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::all;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 0;
+  static constexpr Availability since{};
+  using Response = AdjVarsInfo;
+
+  bool operator==(const AdjVarsInfoRequestAll&) const = default;
+};
+
+/// Values of adjustable variables in floating point.
+///
+/// CMD_SET_ADJ_VARS_VAL_F (134), in both directions; 1 to 201 bytes, and later firmware may append
+/// more. Effect: sets, moves. Since firmware 2.73b4. Source: Later firmware.
+struct SetAdjVarsValF {
+  static constexpr CommandToBoard command = CommandToBoard::set_adj_vars_val_f;
+  static constexpr Direction direction = Direction::both;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 1;
+  static constexpr std::size_t max_size = 201;
+  static constexpr Availability since{.firmware = 2734};
+  using Response = void;
+
+  /// The variables.
+  BoundedArray<AdjVarFloat, 50> params{};
+  /// Bytes appended by later firmware; preserved and written back.
+  BoundedBytes<254> tail{};
+
+  bool operator==(const SetAdjVarsValF&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    std::uint8_t num_params_count = 0;
+    cursor.count(num_params_count, self.params, "num_params");
+    cursor.counted(self.params, num_params_count, "params");
+  }
+};
+
+/// Request the values of adjustable variables in floating point.
+///
+/// CMD_GET_ADJ_VARS_VAL_F (135), to the board; 1 to 41 bytes. Effect: reads. Since firmware 2.73b4.
+/// Source: Later firmware.
+struct GetAdjVarsValF {
+  static constexpr CommandToBoard command = CommandToBoard::get_adj_vars_val_f;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 1;
+  static constexpr std::size_t max_size = 41;
+  static constexpr Availability since{.firmware = 2734};
+  using Response = SetAdjVarsValF;
+
+  /// The variables (Appendix B).
+  BoundedArray<VariableId, 254> id{};
+
+  bool operator==(const GetAdjVarsValF&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    std::uint8_t num_params_count = 0;
+    cursor.count(num_params_count, self.id, "num_params");
+    cursor.counted(self.id, num_params_count, "id");
+  }
 };
 
 /// Store the RC signals that trigger actions or change adjustable variables.

@@ -29,6 +29,79 @@ struct AxisTuning {
   using FixedMembers = Members<&AxisTuning::tracking_error, &AxisTuning::reserved>;
 };
 
+/// How to tune each axis.
+struct AxisTuningConfig {
+  /// What to tune.
+  AxisTuningOptions axis_flags{};
+  /// Gain to aim for.
+  std::uint8_t gain{};
+  /// Strength of the test signal.
+  std::uint16_t stimulus_gain{};
+  /// Effective frequency. Unit: Hz.
+  SmallFrequency effective_freq{};
+  /// Frequency of a known problem. Unit: Hz.
+  SmallFrequency problem_freq{};
+  /// Margin at that frequency. Unit: dB.
+  TenthDecibels problem_margin{};
+  /// Reserved; kept as it is.
+  Bytes<6> reserved{};
+
+  bool operator==(const AxisTuningConfig&) const = default;
+  using FixedMembers = Members<&AxisTuningConfig::axis_flags, &AxisTuningConfig::gain,
+      &AxisTuningConfig::stimulus_gain, &AxisTuningConfig::effective_freq,
+      &AxisTuningConfig::problem_freq, &AxisTuningConfig::problem_margin,
+      &AxisTuningConfig::reserved>;
+};
+
+/// How to tune.
+struct AutoPid2Config {
+  /// Version of the configuration. Always 1.
+  std::uint8_t cfg_version{1};
+  /// How to tune each axis.
+  Axes<AxisTuningConfig> axes{};
+  /// Options.
+  AutoPid2Flags general_flags{};
+  /// Reserved; kept as it is.
+  Bytes<1> reserved_1{};
+  /// Lowest frequency of the test signal. Unit: Hz.
+  TenthHertz test_freq_from{};
+  /// Highest frequency of the test signal. Unit: Hz. Unconfirmed.
+  SmallFrequency test_freq_to{};
+  /// Positions in which to tune.
+  TuningPositions multi_pos_flag{};
+  /// Angle of each position. Unit: deg.
+  std::array<EncoderLimit, 4> multi_pos_angle{};
+  /// Reserved; kept as it is.
+  Bytes<12> reserved_2{};
+
+  bool operator==(const AutoPid2Config&) const = default;
+  using FixedMembers = Members<&AutoPid2Config::cfg_version, &AutoPid2Config::axes,
+      &AutoPid2Config::general_flags, &AutoPid2Config::reserved_1, &AutoPid2Config::test_freq_from,
+      &AutoPid2Config::test_freq_to, &AutoPid2Config::multi_pos_flag,
+      &AutoPid2Config::multi_pos_angle, &AutoPid2Config::reserved_2>;
+};
+
+/// How to calibrate each motor.
+struct CoggingMotor {
+  /// For period: automatic.
+  static constexpr std::uint16_t automatic_period{0};
+
+  /// Angle by which the motor turns. Range: 20 to 360 deg.
+  WideDegrees angle{};
+  /// Smoothing of the result. Range: 0 to 100 %.
+  Percent smooth{};
+  /// Speed of the motion; relative.
+  std::uint8_t speed{};
+  /// Angle after which the cogging repeats. Unit: deg.
+  WideDegrees period{};
+  /// Reserved; kept as it is.
+  Bytes<9> reserved{};
+
+  bool operator==(const CoggingMotor&) const = default;
+  using FixedMembers = Members<&CoggingMotor::angle, &CoggingMotor::smooth, &CoggingMotor::speed,
+      &CoggingMotor::period, &CoggingMotor::reserved>;
+};
+
 /// Calibrate the accelerometer of the active IMU. Confirmed on reception and again at the end; not
 /// at all if a parameter is wrong.
 ///
@@ -64,11 +137,15 @@ struct CalibAccExt {
   CalibImu imu_idx{};
   /// Operation.
   CalibAction action{};
+  /// Without meaning here; the duration of the calibration of a gyroscope. Unit: ms. Since firmware
+  /// 2.60.
+  Milliseconds time_ms{};
   /// Reserved; kept as it is.
-  Bytes<10> reserved{};
+  Bytes<8> reserved{};
 
   bool operator==(const CalibAccExt&) const = default;
-  using FixedMembers = Members<&CalibAccExt::imu_idx, &CalibAccExt::action, &CalibAccExt::reserved>;
+  using FixedMembers = Members<&CalibAccExt::imu_idx, &CalibAccExt::action, &CalibAccExt::time_ms,
+      &CalibAccExt::reserved>;
 };
 
 /// Calibrate the gyroscope of the active IMU. Confirmed on reception and again at the end; not at
@@ -102,32 +179,64 @@ struct CalibGyroExt {
   static constexpr Availability since{};
   using Response = void;
 
+  /// For time_ms: about 4 s.
+  static constexpr std::uint16_t default_time{0};
+
   /// The IMU.
   CalibImu imu_idx{};
   /// Operation.
   CalibAction action{};
+  /// Duration of the calibration of a gyroscope. Unit: ms. Since firmware 2.60.
+  Milliseconds time_ms{};
   /// Reserved; kept as it is.
-  Bytes<10> reserved{};
+  Bytes<8> reserved{};
 
   bool operator==(const CalibGyroExt&) const = default;
   using FixedMembers = Members<&CalibGyroExt::imu_idx, &CalibGyroExt::action,
-      &CalibGyroExt::reserved>;
+      &CalibGyroExt::time_ms, &CalibGyroExt::reserved>;
 };
 
 /// Calibrate the magnetometer.
 ///
-/// CMD_CALIB_MAG (59), to the board; 0 bytes. Effect: stores. Since board 3.0. Source: Outgoing
-/// commands L940-L944.
+/// CMD_CALIB_MAG (59), to the board, simple form; 0 bytes. Effect: stores. Since board 3.0. Source:
+/// Outgoing commands L940-L944.
 struct CalibMag {
   static constexpr CommandToBoard command = CommandToBoard::calib_mag;
   static constexpr Direction direction = Direction::to_board;
-  static constexpr Form form = Form::only;
+  static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{.board = 30};
   using Response = void;
 
   bool operator==(const CalibMag&) const = default;
+};
+
+/// Calibrate the magnetometer of an IMU, or manage its calibrations.
+///
+/// CMD_CALIB_MAG (59), to the board, extended form; 12 bytes. Effect: stores, restarts, erases.
+/// Since board 3.0. Source: Later firmware.
+struct CalibMagExt {
+  static constexpr CommandToBoard command = CommandToBoard::calib_mag;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::extended;
+  static constexpr std::size_t min_size = 12;
+  static constexpr std::size_t max_size = 12;
+  static constexpr Availability since{.board = 30};
+  using Response = void;
+
+  /// The IMU.
+  CalibImu imu_idx{};
+  /// Operation.
+  CalibAction action{};
+  /// Without meaning here; the duration of the calibration of a gyroscope. Unit: ms.
+  Milliseconds time_ms{};
+  /// Reserved; kept as it is.
+  Bytes<8> reserved{};
+
+  bool operator==(const CalibMagExt&) const = default;
+  using FixedMembers = Members<&CalibMagExt::imu_idx, &CalibMagExt::action, &CalibMagExt::time_ms,
+      &CalibMagExt::reserved>;
 };
 
 /// Calibrate the gains of a flight controller's signals.
@@ -325,34 +434,56 @@ struct CalibMotorMagLinkRequest {
 
 /// Calibrate the offsets of the encoders.
 ///
-/// CMD_ENCODERS_CALIB_OFFSET_4 (26), to the board; 0 bytes. Effect: stores. Since board 3.0.
+/// CMD_ENCODERS_CALIB_OFFSET_4 (26), to the board; 0 to 1 bytes. Effect: stores. Since board 3.0.
 /// Source: Outgoing commands L993.
 struct EncodersCalibOffset4 {
   static constexpr CommandToBoard command = CommandToBoard::encoders_calib_offset_4;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
-  static constexpr std::size_t max_size = 0;
+  static constexpr std::size_t max_size = 1;
   static constexpr Availability since{.board = 30};
   using Response = void;
 
+  /// Motor whose encoder to calibrate. Since firmware 2.68b7; before, the body ends here.
+  Optional<CalibMotor> for_motor{};
+
   bool operator==(const EncodersCalibOffset4&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.appended(self.for_motor, "for_motor");
+  }
 };
 
 /// Calibrate the offsets between encoders and the motors' magnetic fields.
 ///
-/// CMD_ENCODERS_CALIB_FLD_OFFSET_4 (27), to the board; 0 bytes. Effect: stores, moves. Since board
-/// 3.0. Source: Outgoing commands L995.
+/// CMD_ENCODERS_CALIB_FLD_OFFSET_4 (27), to the board; 0 to 14 bytes. Effect: stores, moves. Since
+/// board 3.0. Source: Outgoing commands L995.
 struct EncodersCalibFldOffset4 {
   static constexpr CommandToBoard command = CommandToBoard::encoders_calib_fld_offset_4;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
-  static constexpr std::size_t max_size = 0;
+  static constexpr std::size_t max_size = 14;
   static constexpr Availability since{.board = 30};
   using Response = void;
 
+  /// Angle by which each motor turns; 40 degrees if omitted. Unit: deg. Since firmware 2.62b6;
+  /// before, the body ends here.
+  Optional<Axes<Angle14>> calib_angle{};
+  /// Speed at which each motor turns. Unit: deg/s. Since firmware 2.71b1; before, the body ends
+  /// here.
+  Optional<Axes<GyroRate>> calib_speed{};
+  /// Checks to omit. Since firmware 2.70b8; before, the body ends here.
+  Optional<FieldOffsetFlags> calib_flags{};
+
   bool operator==(const EncodersCalibFldOffset4&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.appended(self.calib_angle, "calib_angle");
+    cursor.appended(self.calib_speed, "calib_speed");
+    cursor.appended(self.calib_flags, "calib_flags");
+  }
 };
 
 /// Progress of the automatic tuning.
@@ -390,10 +521,10 @@ struct AutoPid {
 };
 
 /// Start or stop the automatic tuning. With AUTO_PID_CFG_SEND_GUI the board sends CMD_AUTO_PID
-/// repeatedly while it tunes.
+/// repeatedly while it tunes. Later firmware has CMD_AUTO_PID2.
 ///
-/// CMD_AUTO_PID (35), to the board; 19 bytes. Effect: stores, moves. Since board 3.0. Source:
-/// Outgoing commands L806-L811; Variables L1177-L1182.
+/// CMD_AUTO_PID (35), to the board; 19 bytes. Effect: stores, moves. Since board 3.0. Firmware 2.73
+/// and later no longer accepts it. Source: Outgoing commands L806-L811; Variables L1177-L1182.
 struct AutoPidRequest {
   static constexpr CommandToBoard command = CommandToBoard::auto_pid;
   static constexpr Direction direction = Direction::to_board;
@@ -401,10 +532,15 @@ struct AutoPidRequest {
   static constexpr std::size_t min_size = 19;
   static constexpr std::size_t max_size = 19;
   static constexpr Availability since{.board = 30};
+  static constexpr Availability until{.firmware = 2730};
   using Response = void;
 
   /// For cfg_flags: stops the tuning.
   static constexpr std::uint8_t stop_tuning{0};
+  /// For momentum: automatic.
+  static constexpr std::uint8_t automatic_momentum{0};
+  /// For action: starts the tuning.
+  static constexpr std::uint8_t start_tuning{0};
 
   /// Profile to switch to first. Range: 0 to 4.
   std::uint8_t profile_id{};
@@ -412,12 +548,605 @@ struct AutoPidRequest {
   AutoPidFlags cfg_flags{};
   /// Preference for high gains at the cost of stability.
   std::uint8_t gain_vs_stability{};
+  /// Moment of inertia. Since firmware 2.60.
+  std::uint8_t momentum{};
+  /// Operation; only one is documented. Since firmware 2.60.
+  std::uint8_t action{};
   /// Reserved; kept as it is.
-  Bytes<16> reserved{};
+  Bytes<14> reserved{};
 
   bool operator==(const AutoPidRequest&) const = default;
   using FixedMembers = Members<&AutoPidRequest::profile_id, &AutoPidRequest::cfg_flags,
-      &AutoPidRequest::gain_vs_stability, &AutoPidRequest::reserved>;
+      &AutoPidRequest::gain_vs_stability, &AutoPidRequest::momentum, &AutoPidRequest::action,
+      &AutoPidRequest::reserved>;
+};
+
+/// Tune the PID controllers automatically, in later firmware. The configuration is part of the
+/// requests that start the tuning or save it.
+///
+/// CMD_AUTO_PID2 (108), to the board; 11 to 73 bytes. Effect: stores, moves. Since firmware 2.73.
+/// Source: Later firmware.
+struct AutoPid2 {
+  static constexpr CommandToBoard command = CommandToBoard::auto_pid2;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 11;
+  static constexpr std::size_t max_size = 73;
+  static constexpr Availability since{.firmware = 2730};
+  using Response = void;
+
+  /// Operation.
+  AutoPid2Action action{};
+  /// Options of this request.
+  AutoPid2CommandFlags cmd_flags{};
+  /// Reserved; kept as it is.
+  Bytes<8> reserved{};
+  /// How to tune. Present if action is START or START_SAVE or SAVE.
+  Optional<AutoPid2Config> config{};
+
+  bool operator==(const AutoPid2&) const = default;
+  using FixedMembers = Members<&AutoPid2::action, &AutoPid2::cmd_flags, &AutoPid2::reserved>;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.when(self.action == AutoPid2Action::start || self.action == AutoPid2Action::start_save ||
+        self.action == AutoPid2Action::save, self.config, "config");
+  }
+};
+
+/// Calibrate the orientation of the IMU. According to one source, the board later also sends
+/// CMD_READ_PARAMS_EXT2, which holds the result.
+///
+/// CMD_CALIB_ORIENT_CORR (91), to the board; 16 bytes. Effect: stores, moves. Source: Later
+/// firmware.
+struct CalibOrientCorr {
+  static constexpr CommandToBoard command = CommandToBoard::calib_orient_corr;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 16;
+  static constexpr std::size_t max_size = 16;
+  static constexpr Availability since{};
+  using Response = void;
+
+  /// Reserved; kept as it is.
+  Bytes<16> reserved{};
+
+  bool operator==(const CalibOrientCorr&) const = default;
+  using FixedMembers = Members<&CalibOrientCorr::reserved>;
+};
+
+/// Calibrate the cogging of the motors, or delete this calibration.
+///
+/// CMD_CALIB_COGGING (93), to the board; 57 bytes. Effect: stores, moves, erases. Source: Later
+/// firmware.
+struct CalibCogging {
+  static constexpr CommandToBoard command = CommandToBoard::calib_cogging;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 57;
+  static constexpr std::size_t max_size = 57;
+  static constexpr Availability since{};
+  using Response = void;
+
+  /// Operation.
+  CoggingAction action{};
+  /// The motors.
+  CoggingAxes axes{};
+  /// How to calibrate each motor.
+  Axes<CoggingMotor> motors{};
+  /// Number of repetitions. Range: 2 to 255.
+  std::uint8_t iterations_num{};
+  /// Reserved; kept as it is.
+  Bytes<9> reserved{};
+
+  bool operator==(const CalibCogging&) const = default;
+  using FixedMembers = Members<&CalibCogging::action, &CalibCogging::axes, &CalibCogging::motors,
+      &CalibCogging::iterations_num, &CalibCogging::reserved>;
+};
+
+/// Calibrate the accelerometer with an external reference.
+///
+/// CMD_CALIB_ACC_EXT_REF (94), to the board; 20 bytes. Effect: stores. Since firmware 2.62b7.
+/// Source: Later firmware.
+struct CalibAccExtRef {
+  static constexpr CommandToBoard command = CommandToBoard::calib_acc_ext_ref;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 20;
+  static constexpr std::size_t max_size = 20;
+  static constexpr Availability since{.firmware = 2627};
+  using Response = void;
+
+  /// Actual acceleration. Unit: g.
+  Xyz<Acceleration> acc_ref{};
+  /// Reserved; kept as it is.
+  Bytes<14> reserved{};
+
+  bool operator==(const CalibAccExtRef&) const = default;
+  using FixedMembers = Members<&CalibAccExtRef::acc_ref, &CalibAccExtRef::reserved>;
+};
+
+/// Undocumented body from the board.
+///
+/// CMD_BODE_TEST_START_STOP (37), from the board; 0 to 255 bytes. Source: Later firmware.
+struct BodeTestStartStop {
+  static constexpr CommandFromBoard command = CommandFromBoard::bode_test_start_stop;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const BodeTestStartStop&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body to the board.
+///
+/// CMD_BODE_TEST_START_STOP (37), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
+/// firmware.
+struct BodeTestStartStopRequest {
+  static constexpr CommandToBoard command = CommandToBoard::bode_test_start_stop;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+  using Response = void;
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const BodeTestStartStopRequest&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body from the board.
+///
+/// CMD_BODE_TEST_DATA (38), from the board; 0 to 255 bytes. Source: Later firmware.
+struct BodeTestData {
+  static constexpr CommandFromBoard command = CommandFromBoard::bode_test_data;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const BodeTestData&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body to the board.
+///
+/// CMD_BODE_TEST_DATA (38), to the board; 0 to 255 bytes. Effect: unknown. Source: Later firmware.
+struct BodeTestDataRequest {
+  static constexpr CommandToBoard command = CommandToBoard::bode_test_data;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+  using Response = void;
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const BodeTestDataRequest&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body from the board.
+///
+/// CMD_COGGING_CALIB_INFO (92), from the board; 0 to 255 bytes. Source: Later firmware.
+struct CoggingCalibInfo {
+  static constexpr CommandFromBoard command = CommandFromBoard::cogging_calib_info;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const CoggingCalibInfo&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body to the board.
+///
+/// CMD_COGGING_CALIB_INFO (92), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
+/// firmware.
+struct CoggingCalibInfoRequest {
+  static constexpr CommandToBoard command = CommandToBoard::cogging_calib_info;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+  using Response = void;
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const CoggingCalibInfoRequest&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body from the board.
+///
+/// CMD_CAN_DRV_HARD_PARAMS (97), from the board; 0 to 255 bytes. Source: Later firmware.
+struct CanDrvHardParams {
+  static constexpr CommandFromBoard command = CommandFromBoard::can_drv_hard_params;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const CanDrvHardParams&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body to the board.
+///
+/// CMD_CAN_DRV_HARD_PARAMS (97), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
+/// firmware.
+struct CanDrvHardParamsRequest {
+  static constexpr CommandToBoard command = CommandToBoard::can_drv_hard_params;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+  using Response = void;
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const CanDrvHardParamsRequest&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body from the board.
+///
+/// CMD_CAN_DRV_CALIBRATE (99), from the board; 0 to 255 bytes. Source: Later firmware.
+struct CanDrvCalibrate {
+  static constexpr CommandFromBoard command = CommandFromBoard::can_drv_calibrate;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const CanDrvCalibrate&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body to the board.
+///
+/// CMD_CAN_DRV_CALIBRATE (99), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
+/// firmware.
+struct CanDrvCalibrateRequest {
+  static constexpr CommandToBoard command = CommandToBoard::can_drv_calibrate;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+  using Response = void;
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const CanDrvCalibrateRequest&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body from the board.
+///
+/// CMD_CALIB_ENCODER_LUT (117), from the board; 0 to 255 bytes. Source: Later firmware.
+struct CalibEncoderLut {
+  static constexpr CommandFromBoard command = CommandFromBoard::calib_encoder_lut;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const CalibEncoderLut&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body to the board.
+///
+/// CMD_CALIB_ENCODER_LUT (117), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
+/// firmware.
+struct CalibEncoderLutRequest {
+  static constexpr CommandToBoard command = CommandToBoard::calib_encoder_lut;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+  using Response = void;
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const CalibEncoderLutRequest&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body from the board.
+///
+/// CMD_CALIB_ENCODER_LUT_RES (118), from the board; 0 to 255 bytes. Source: Later firmware.
+struct CalibEncoderLutRes {
+  static constexpr CommandFromBoard command = CommandFromBoard::calib_encoder_lut_res;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const CalibEncoderLutRes&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body to the board.
+///
+/// CMD_CALIB_ENCODER_LUT_RES (118), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
+/// firmware.
+struct CalibEncoderLutResRequest {
+  static constexpr CommandToBoard command = CommandToBoard::calib_encoder_lut_res;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+  using Response = void;
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const CalibEncoderLutResRequest&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body from the board.
+///
+/// CMD_CALIB_CUR_SENS (120), from the board; 0 to 255 bytes. Source: Later firmware.
+struct CalibCurSens {
+  static constexpr CommandFromBoard command = CommandFromBoard::calib_cur_sens;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const CalibCurSens&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body to the board.
+///
+/// CMD_CALIB_CUR_SENS (120), to the board; 0 to 255 bytes. Effect: unknown. Source: Later firmware.
+struct CalibCurSensRequest {
+  static constexpr CommandToBoard command = CommandToBoard::calib_cur_sens;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+  using Response = void;
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const CalibCurSensRequest&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body from the board.
+///
+/// CMD_ENC_INT_CALIB (122), from the board; 0 to 255 bytes. Unconfirmed. Source: Later firmware.
+struct EncIntCalib {
+  static constexpr CommandFromBoard command = CommandFromBoard::enc_int_calib;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const EncIntCalib&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body to the board.
+///
+/// CMD_ENC_INT_CALIB (122), to the board; 0 to 255 bytes. Effect: unknown. Unconfirmed. Source:
+/// Later firmware.
+struct EncIntCalibRequest {
+  static constexpr CommandToBoard command = CommandToBoard::enc_int_calib;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+  using Response = void;
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const EncIntCalibRequest&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body from the board.
+///
+/// CMD_VIBRATION_TEST_START_STOP (125), from the board; 0 to 255 bytes. Unconfirmed. Source: Later
+/// firmware.
+struct VibrationTestStartStop {
+  static constexpr CommandFromBoard command = CommandFromBoard::vibration_test_start_stop;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const VibrationTestStartStop&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body to the board.
+///
+/// CMD_VIBRATION_TEST_START_STOP (125), to the board; 0 to 255 bytes. Effect: unknown. Unconfirmed.
+/// Source: Later firmware.
+struct VibrationTestStartStopRequest {
+  static constexpr CommandToBoard command = CommandToBoard::vibration_test_start_stop;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+  using Response = void;
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const VibrationTestStartStopRequest&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body from the board.
+///
+/// CMD_VIBRATION_TEST_DATA (126), from the board; 0 to 255 bytes. Unconfirmed. Source: Later
+/// firmware.
+struct VibrationTestData {
+  static constexpr CommandFromBoard command = CommandFromBoard::vibration_test_data;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const VibrationTestData&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body to the board.
+///
+/// CMD_VIBRATION_TEST_DATA (126), to the board; 0 to 255 bytes. Effect: unknown. Unconfirmed.
+/// Source: Later firmware.
+struct VibrationTestDataRequest {
+  static constexpr CommandToBoard command = CommandToBoard::vibration_test_data;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+  using Response = void;
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const VibrationTestDataRequest&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
 };
 
 }  // namespace sbgc::msg

@@ -17,6 +17,7 @@ namespace sbgc::msg {
 
 static_assert(codec_version == 2, "generated code and runtime do not match");
 
+struct ControlQuatStatus;
 struct GetAngles;
 struct GetAnglesExt;
 
@@ -25,11 +26,43 @@ struct ControlAxis {
   /// Speed of the motion; the acceleration limit in the parameters may restrict it. Unit: deg/s.
   /// Interpreted as FineSpeed if CONTROL_FLAG_HIGH_RES_SPEED is set.
   ControlSpeed speed{};
-  /// Target angle; in MODE_RC the RC signal, -500 to 500. Unit: deg.
+  /// Target angle; in MODE_RC the RC signal, -500 to 500, in MODE_RC_HIGH_RES -16384 to 16384.
+  /// Unit: deg.
   Angle14 angle{};
 
   bool operator==(const ControlAxis&) const = default;
   using FixedMembers = Members<&ControlAxis::speed, &ControlAxis::angle>;
+};
+
+/// Options of each axis.
+struct ControlConfigAxis {
+  /// For rc_lpf: the filter does not change.
+  static constexpr std::uint8_t keep_rc_lpf{0};
+  /// For acc_limit: the limit does not change.
+  static constexpr std::uint16_t keep_acc_limit{0};
+  /// For jerk_slope: the time does not change.
+  static constexpr std::uint8_t keep_jerk_slope{0};
+  /// For jerk_slope: the acceleration changes at once.
+  static constexpr std::uint8_t no_jerk_slope{1};
+
+  /// Low-pass filter of the angle, 0 (off) to 15.
+  std::uint8_t angle_lpf{};
+  /// Low-pass filter of the speed, 0 (off) to 15.
+  std::uint8_t speed_lpf{};
+  /// Low-pass filter of an RC signal. Range: 1 to 255.
+  std::uint8_t rc_lpf{};
+  /// Acceleration limit in all modes. Range: 1 to 65535 deg/s^2. Since firmware 2.70b1.
+  LongAngularAcceleration acc_limit{};
+  /// Time in which the acceleration rises to its limit. Range: 40 to 5100 ms. Since firmware
+  /// 2.70b8.
+  JerkTime jerk_slope{};
+  /// Reserved; kept as it is.
+  Bytes<1> reserved{};
+
+  bool operator==(const ControlConfigAxis&) const = default;
+  using FixedMembers = Members<&ControlConfigAxis::angle_lpf, &ControlConfigAxis::speed_lpf,
+      &ControlConfigAxis::rc_lpf, &ControlConfigAxis::acc_limit, &ControlConfigAxis::jerk_slope,
+      &ControlConfigAxis::reserved>;
 };
 
 /// State of each axis.
@@ -64,8 +97,9 @@ struct AxisStateExt {
 };
 
 /// Move the camera, with one mode for all axes. Overrides RC until a command with MODE_NO_CONTROL
-/// and zeros. Send at most 50 per second. A board keeps the last speed when the link is lost. The
-/// command sets a target or a speed, never a step, so it may be repeated; the last one counts.
+/// and zeros. Send at most 50 per second. A board keeps the last speed when the link is lost;
+/// CMD_CONTROL_CONFIG can set a timeout, and turn confirmations off. The command sets a target or a
+/// speed, never a step, so it may be repeated; the last one counts.
 ///
 /// CMD_CONTROL (67), to the board, simple form; 13 bytes. Effect: moves. Source: Outgoing commands
 /// L694-L715; Variables L1147-L1152.
@@ -104,8 +138,9 @@ struct Control {
 };
 
 /// Move the camera, with a mode for each axis. Overrides RC until a command with MODE_NO_CONTROL
-/// and zeros. Send at most 50 per second. A board keeps the last speed when the link is lost. The
-/// command sets a target or a speed, never a step, so it may be repeated; the last one counts.
+/// and zeros. Send at most 50 per second. A board keeps the last speed when the link is lost;
+/// CMD_CONTROL_CONFIG can set a timeout, and turn confirmations off. The command sets a target or a
+/// speed, never a step, so it may be repeated; the last one counts.
 ///
 /// CMD_CONTROL (67), to the board, extended form; 15 bytes. Effect: moves. Since firmware 2.55b5.
 /// Source: Outgoing commands L694-L715; Variables L1147-L1152.
@@ -138,6 +173,457 @@ struct ControlExt {
 
   bool operator==(const ControlExt&) const = default;
   using FixedMembers = Members<&ControlExt::control_mode, &ControlExt::axes>;
+};
+
+/// Move the camera, with the data that each axis needs. Like CMD_CONTROL, but an axis without data
+/// keeps its state, and speeds and angles may have 32 bits.
+///
+/// CMD_CONTROL_EXT (121), to the board; 2 to 32 bytes. Effect: moves. Since firmware 2.68. Source:
+/// Later firmware.
+struct ControlExtCommand {
+  static constexpr CommandToBoard command = CommandToBoard::control_ext;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 2;
+  static constexpr std::size_t max_size = 32;
+  static constexpr Availability since{.firmware = 2680};
+  using Response = void;
+
+  /// Which of the following fields are present.
+  ControlExtFields data_set{};
+  /// Mode of roll. Present if data_set has ROLL_SPEED or ROLL_ANGLE.
+  Optional<ControlMode> roll_mode{};
+  /// Further options of roll. Present if data_set has ROLL_SPEED or ROLL_ANGLE.
+  Optional<ControlExtFlags> roll_flags{};
+  /// Speed of roll. Unit: deg/s. Interpreted as FineSpeed if CONTROL_FLAG_HIGH_RES_SPEED is set.
+  /// Present if data_set has ROLL_SPEED, and lacks ROLL_SPEED_32BIT.
+  Optional<ControlSpeed> roll_speed{};
+  /// Speed of roll, with 32 bits. Unit: deg/s. Present if data_set has ROLL_SPEED and
+  /// ROLL_SPEED_32BIT. Unconfirmed.
+  Optional<LongFineSpeed> roll_speed_32{};
+  /// Target angle of roll, or an RC signal as in CMD_CONTROL. Unit: deg. Present if data_set has
+  /// ROLL_ANGLE, and lacks ROLL_ANGLE_32BIT.
+  Optional<Angle14> roll_angle{};
+  /// Target angle of roll, with 32 bits. Unit: deg. Present if data_set has ROLL_ANGLE and
+  /// ROLL_ANGLE_32BIT. Unconfirmed.
+  Optional<Angle20> roll_angle_32{};
+  /// Mode of pitch. Present if data_set has PITCH_SPEED or PITCH_ANGLE.
+  Optional<ControlMode> pitch_mode{};
+  /// Further options of pitch. Present if data_set has PITCH_SPEED or PITCH_ANGLE.
+  Optional<ControlExtFlags> pitch_flags{};
+  /// Speed of pitch. Unit: deg/s. Interpreted as FineSpeed if CONTROL_FLAG_HIGH_RES_SPEED is set.
+  /// Present if data_set has PITCH_SPEED, and lacks PITCH_SPEED_32BIT.
+  Optional<ControlSpeed> pitch_speed{};
+  /// Speed of pitch, with 32 bits. Unit: deg/s. Present if data_set has PITCH_SPEED and
+  /// PITCH_SPEED_32BIT. Unconfirmed.
+  Optional<LongFineSpeed> pitch_speed_32{};
+  /// Target angle of pitch, or an RC signal as in CMD_CONTROL. Unit: deg. Present if data_set has
+  /// PITCH_ANGLE, and lacks PITCH_ANGLE_32BIT.
+  Optional<Angle14> pitch_angle{};
+  /// Target angle of pitch, with 32 bits. Unit: deg. Present if data_set has PITCH_ANGLE and
+  /// PITCH_ANGLE_32BIT. Unconfirmed.
+  Optional<Angle20> pitch_angle_32{};
+  /// Mode of yaw. Present if data_set has YAW_SPEED or YAW_ANGLE.
+  Optional<ControlMode> yaw_mode{};
+  /// Further options of yaw. Present if data_set has YAW_SPEED or YAW_ANGLE.
+  Optional<ControlExtFlags> yaw_flags{};
+  /// Speed of yaw. Unit: deg/s. Interpreted as FineSpeed if CONTROL_FLAG_HIGH_RES_SPEED is set.
+  /// Present if data_set has YAW_SPEED, and lacks YAW_SPEED_32BIT.
+  Optional<ControlSpeed> yaw_speed{};
+  /// Speed of yaw, with 32 bits. Unit: deg/s. Present if data_set has YAW_SPEED and
+  /// YAW_SPEED_32BIT. Unconfirmed.
+  Optional<LongFineSpeed> yaw_speed_32{};
+  /// Target angle of yaw, or an RC signal as in CMD_CONTROL. Unit: deg. Present if data_set has
+  /// YAW_ANGLE, and lacks YAW_ANGLE_32BIT.
+  Optional<Angle14> yaw_angle{};
+  /// Target angle of yaw, with 32 bits. Unit: deg. Present if data_set has YAW_ANGLE and
+  /// YAW_ANGLE_32BIT. Unconfirmed.
+  Optional<Angle20> yaw_angle_32{};
+
+  bool operator==(const ControlExtCommand&) const = default;
+  using FixedMembers = Members<&ControlExtCommand::data_set>;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.when((self.data_set.has(ControlExtField::roll_speed) ||
+        self.data_set.has(ControlExtField::roll_angle)), self.roll_mode, "roll_mode");
+    cursor.when((self.data_set.has(ControlExtField::roll_speed) ||
+        self.data_set.has(ControlExtField::roll_angle)), self.roll_flags, "roll_flags");
+    cursor.when(self.data_set.has(ControlExtField::roll_speed) &&
+        !self.data_set.has(ControlExtField::roll_speed_32bit), self.roll_speed, "roll_speed");
+    cursor.when(self.data_set.has(ControlExtField::roll_speed) &&
+        self.data_set.has(ControlExtField::roll_speed_32bit), self.roll_speed_32, "roll_speed_32");
+    cursor.when(self.data_set.has(ControlExtField::roll_angle) &&
+        !self.data_set.has(ControlExtField::roll_angle_32bit), self.roll_angle, "roll_angle");
+    cursor.when(self.data_set.has(ControlExtField::roll_angle) &&
+        self.data_set.has(ControlExtField::roll_angle_32bit), self.roll_angle_32, "roll_angle_32");
+    cursor.when((self.data_set.has(ControlExtField::pitch_speed) ||
+        self.data_set.has(ControlExtField::pitch_angle)), self.pitch_mode, "pitch_mode");
+    cursor.when((self.data_set.has(ControlExtField::pitch_speed) ||
+        self.data_set.has(ControlExtField::pitch_angle)), self.pitch_flags, "pitch_flags");
+    cursor.when(self.data_set.has(ControlExtField::pitch_speed) &&
+        !self.data_set.has(ControlExtField::pitch_speed_32bit), self.pitch_speed, "pitch_speed");
+    cursor.when(self.data_set.has(ControlExtField::pitch_speed) &&
+        self.data_set.has(ControlExtField::pitch_speed_32bit), self.pitch_speed_32,
+        "pitch_speed_32");
+    cursor.when(self.data_set.has(ControlExtField::pitch_angle) &&
+        !self.data_set.has(ControlExtField::pitch_angle_32bit), self.pitch_angle, "pitch_angle");
+    cursor.when(self.data_set.has(ControlExtField::pitch_angle) &&
+        self.data_set.has(ControlExtField::pitch_angle_32bit), self.pitch_angle_32,
+        "pitch_angle_32");
+    cursor.when((self.data_set.has(ControlExtField::yaw_speed) ||
+        self.data_set.has(ControlExtField::yaw_angle)), self.yaw_mode, "yaw_mode");
+    cursor.when((self.data_set.has(ControlExtField::yaw_speed) ||
+        self.data_set.has(ControlExtField::yaw_angle)), self.yaw_flags, "yaw_flags");
+    cursor.when(self.data_set.has(ControlExtField::yaw_speed) &&
+        !self.data_set.has(ControlExtField::yaw_speed_32bit), self.yaw_speed, "yaw_speed");
+    cursor.when(self.data_set.has(ControlExtField::yaw_speed) &&
+        self.data_set.has(ControlExtField::yaw_speed_32bit), self.yaw_speed_32, "yaw_speed_32");
+    cursor.when(self.data_set.has(ControlExtField::yaw_angle) &&
+        !self.data_set.has(ControlExtField::yaw_angle_32bit), self.yaw_angle, "yaw_angle");
+    cursor.when(self.data_set.has(ControlExtField::yaw_angle) &&
+        self.data_set.has(ControlExtField::yaw_angle_32bit), self.yaw_angle_32, "yaw_angle_32");
+  }
+};
+
+/// Configure serial control until the next start. A control command counts only if no other port
+/// has a higher priority. All ports start with priority 0.
+///
+/// CMD_CONTROL_CONFIG (90), to the board; 41 bytes. Effect: sets, moves. Since firmware 2.61.
+/// Source: Later firmware.
+struct ControlConfig {
+  static constexpr CommandToBoard command = CommandToBoard::control_config;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 41;
+  static constexpr std::size_t max_size = 41;
+  static constexpr Availability since{.firmware = 2610};
+  using Response = void;
+
+  /// For timeout_ms: no timeout.
+  static constexpr std::uint16_t no_timeout{0};
+  /// For ch_priority and this_ch_priority: the priority does not change.
+  static constexpr std::uint8_t keep_priority{0};
+
+  /// Time without a control command after which serial control ends. Unit: ms.
+  Milliseconds timeout_ms{};
+  /// Priority of UART1, RC_SERIAL, UART2 and USB_VCP or UART3. Range: 1 to 255.
+  std::array<std::uint8_t, 4> ch_priority{};
+  /// Priority of this port. Range: 1 to 255.
+  std::uint8_t this_ch_priority{};
+  /// Options of each axis.
+  Axes<ControlConfigAxis> axes{};
+  /// Expo rate of RC signals. Range: 0 to 100.
+  std::uint8_t rc_expo_rate{};
+  /// Options.
+  ControlConfigFlags flags{};
+  /// Order of the Euler angles. Since firmware 2.72.
+  EulerOrderChoice euler_order{};
+  /// Reserved; kept as it is.
+  Bytes<9> reserved{};
+
+  bool operator==(const ControlConfig&) const = default;
+  using FixedMembers = Members<&ControlConfig::timeout_ms, &ControlConfig::ch_priority,
+      &ControlConfig::this_ch_priority, &ControlConfig::axes, &ControlConfig::rc_expo_rate,
+      &ControlConfig::flags, &ControlConfig::euler_order, &ControlConfig::reserved>;
+};
+
+/// End control with quaternions. For boards with the feature QUAT_CONTROL. Quaternions are W, X, Y,
+/// Z; X is the axis of pitch, Y of roll and Z of yaw.
+///
+/// CMD_CONTROL_QUAT (140), to the board, disabled form; 2 bytes. Effect: moves. Since firmware
+/// 2.73. Source: Later firmware.
+struct ControlQuatDisabled {
+  static constexpr CommandToBoard command = CommandToBoard::control_quat;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::disabled;
+  static constexpr std::size_t min_size = 2;
+  static constexpr std::size_t max_size = 2;
+  static constexpr Availability since{.firmware = 2730};
+  using Response = void;
+
+  /// Always DISABLED. Always 0.
+  ControlQuatMode mode{};
+  /// Options.
+  ControlQuatFlags flags{};
+
+  bool operator==(const ControlQuatDisabled&) const = default;
+  using FixedMembers = Members<&ControlQuatDisabled::mode, &ControlQuatDisabled::flags>;
+};
+
+/// Turn the camera at a speed. For boards with the feature QUAT_CONTROL. Quaternions are W, X, Y,
+/// Z; X is the axis of pitch, Y of roll and Z of yaw.
+///
+/// CMD_CONTROL_QUAT (140), to the board, speed form; 14 bytes. Effect: moves. Since firmware 2.73.
+/// Source: Later firmware.
+struct ControlQuatSpeed {
+  static constexpr CommandToBoard command = CommandToBoard::control_quat;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::speed;
+  static constexpr std::size_t min_size = 14;
+  static constexpr std::size_t max_size = 14;
+  static constexpr Availability since{.firmware = 2730};
+  using Response = void;
+
+  /// SPEED or SPEED_LIMITED.
+  ControlQuatMode mode{static_cast<ControlQuatMode>(1)};
+  /// Options.
+  ControlQuatFlags flags{};
+  /// Rotation vector of the motion. Unit: rad/s.
+  Xyz<RadianRate> target_speed{};
+
+  bool operator==(const ControlQuatSpeed&) const = default;
+  using FixedMembers = Members<&ControlQuatSpeed::mode, &ControlQuatSpeed::flags,
+      &ControlQuatSpeed::target_speed>;
+};
+
+/// Turn the camera to an attitude. For boards with the feature QUAT_CONTROL. Quaternions are W, X,
+/// Y, Z; X is the axis of pitch, Y of roll and Z of yaw.
+///
+/// CMD_CONTROL_QUAT (140), to the board, attitude form; 18 bytes. Effect: moves. Since firmware
+/// 2.73. Source: Later firmware.
+struct ControlQuatAttitude {
+  static constexpr CommandToBoard command = CommandToBoard::control_quat;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::attitude;
+  static constexpr std::size_t min_size = 18;
+  static constexpr std::size_t max_size = 18;
+  static constexpr Availability since{.firmware = 2730};
+  using Response = void;
+
+  /// Always ATTITUDE. Always 2.
+  ControlQuatMode mode{static_cast<ControlQuatMode>(2)};
+  /// Options.
+  ControlQuatFlags flags{};
+  /// Quaternion of length 1: W, X, Y, Z. Range: -1 to 1.
+  std::array<float, 4> target_attitude{};
+
+  bool operator==(const ControlQuatAttitude&) const = default;
+  using FixedMembers = Members<&ControlQuatAttitude::mode, &ControlQuatAttitude::flags,
+      &ControlQuatAttitude::target_attitude>;
+};
+
+/// Turn the camera to an attitude, packed. For boards with the feature QUAT_CONTROL. Quaternions
+/// are W, X, Y, Z; X is the axis of pitch, Y of roll and Z of yaw.
+///
+/// CMD_CONTROL_QUAT (140), to the board, attitude_packed form; 10 bytes. Effect: moves. Since
+/// firmware 2.73. Source: Later firmware.
+struct ControlQuatAttitudePacked {
+  static constexpr CommandToBoard command = CommandToBoard::control_quat;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::attitude_packed;
+  static constexpr std::size_t min_size = 10;
+  static constexpr std::size_t max_size = 10;
+  static constexpr Availability since{.firmware = 2730};
+  using Response = void;
+
+  /// Always ATTITUDE. Always 2.
+  ControlQuatMode mode{static_cast<ControlQuatMode>(2)};
+  /// Options, with ATTITUDE_PACKED.
+  ControlQuatFlags flags{ControlQuatFlags(2)};
+  /// The attitude.
+  PackedQuaternion target_attitude{};
+
+  bool operator==(const ControlQuatAttitudePacked&) const = default;
+  using FixedMembers = Members<&ControlQuatAttitudePacked::mode, &ControlQuatAttitudePacked::flags,
+      &ControlQuatAttitudePacked::target_attitude>;
+};
+
+/// Turn the camera at a speed and hold it to an attitude. For boards with the feature QUAT_CONTROL.
+/// Quaternions are W, X, Y, Z; X is the axis of pitch, Y of roll and Z of yaw.
+///
+/// CMD_CONTROL_QUAT (140), to the board, speed_attitude form; 30 bytes. Effect: moves. Since
+/// firmware 2.73. Source: Later firmware.
+struct ControlQuatSpeedAttitude {
+  static constexpr CommandToBoard command = CommandToBoard::control_quat;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::speed_attitude;
+  static constexpr std::size_t min_size = 30;
+  static constexpr std::size_t max_size = 30;
+  static constexpr Availability since{.firmware = 2730};
+  using Response = void;
+
+  /// Always SPEED_ATTITUDE. Always 5.
+  ControlQuatMode mode{static_cast<ControlQuatMode>(5)};
+  /// Options.
+  ControlQuatFlags flags{};
+  /// Quaternion of length 1: W, X, Y, Z. Range: -1 to 1.
+  std::array<float, 4> target_attitude{};
+  /// Rotation vector of the motion. Unit: rad/s.
+  Xyz<RadianRate> target_speed{};
+
+  bool operator==(const ControlQuatSpeedAttitude&) const = default;
+  using FixedMembers = Members<&ControlQuatSpeedAttitude::mode, &ControlQuatSpeedAttitude::flags,
+      &ControlQuatSpeedAttitude::target_attitude, &ControlQuatSpeedAttitude::target_speed>;
+};
+
+/// Turn the camera at a speed and hold it to an attitude, packed. For boards with the feature
+/// QUAT_CONTROL. Quaternions are W, X, Y, Z; X is the axis of pitch, Y of roll and Z of yaw.
+///
+/// CMD_CONTROL_QUAT (140), to the board, speed_attitude_packed form; 22 bytes. Effect: moves. Since
+/// firmware 2.73. Source: Later firmware.
+struct ControlQuatSpeedAttitudePacked {
+  static constexpr CommandToBoard command = CommandToBoard::control_quat;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::speed_attitude_packed;
+  static constexpr std::size_t min_size = 22;
+  static constexpr std::size_t max_size = 22;
+  static constexpr Availability since{.firmware = 2730};
+  using Response = void;
+
+  /// Always SPEED_ATTITUDE. Always 5.
+  ControlQuatMode mode{static_cast<ControlQuatMode>(5)};
+  /// Options, with ATTITUDE_PACKED.
+  ControlQuatFlags flags{ControlQuatFlags(2)};
+  /// The attitude.
+  PackedQuaternion target_attitude{};
+  /// Rotation vector of the motion. Unit: rad/s.
+  Xyz<RadianRate> target_speed{};
+
+  bool operator==(const ControlQuatSpeedAttitudePacked&) const = default;
+  using FixedMembers = Members<&ControlQuatSpeedAttitudePacked::mode,
+      &ControlQuatSpeedAttitudePacked::flags, &ControlQuatSpeedAttitudePacked::target_attitude,
+      &ControlQuatSpeedAttitudePacked::target_speed>;
+};
+
+/// State of the control with quaternions.
+///
+/// CMD_CONTROL_QUAT_STATUS (141), from the board; 4 to 97 bytes, and later firmware may append
+/// more. Since firmware 2.73. Source: Later firmware.
+struct ControlQuatStatus {
+  static constexpr CommandFromBoard command = CommandFromBoard::control_quat_status;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 4;
+  static constexpr std::size_t max_size = 97;
+  static constexpr Availability since{.firmware = 2730};
+
+  /// Which of the following fields are present.
+  ControlQuatStatusFields data_set{};
+  /// Mode of the last command. Present if data_set has MODE.
+  Optional<ControlQuatMode> mode{};
+  /// Options of the last command. Present if data_set has MODE.
+  Optional<ControlQuatStatusFlags> flags{};
+  /// Attitude of the last command: W, X, Y, Z. Range: -1 to 1. Present if data_set has
+  /// TARGET_ATTITUDE.
+  Optional<std::array<float, 4>> target_attitude{};
+  /// Attitude that the board stabilizes: W, X, Y, Z. Range: -1 to 1. Present if data_set has
+  /// SETPOINT_ATTITUDE.
+  Optional<std::array<float, 4>> setpoint_attitude{};
+  /// Measured attitude: W, X, Y, Z. Range: -1 to 1. Present if data_set has ACTUAL_ATTITUDE.
+  Optional<std::array<float, 4>> actual_attitude{};
+  /// Speed of the last command. Unit: deg/s. Present if data_set has TARGET_SPEED.
+  Optional<Xyz<GyroRate>> target_speed{};
+  /// Speed that the board stabilizes. Unit: deg/s. Present if data_set has SETPOINT_SPEED.
+  Optional<Xyz<GyroRate>> setpoint_speed{};
+  /// Measured speed. Unit: deg/s. Present if data_set has ACTUAL_SPEED.
+  Optional<Xyz<GyroRate>> actual_speed{};
+  /// Attitude of the last command. Present if data_set has TARGET_ATTITUDE_PACKED.
+  Optional<PackedQuaternion> target_attitude_packed{};
+  /// Attitude that the board stabilizes. Present if data_set has SETPOINT_ATTITUDE_PACKED.
+  Optional<PackedQuaternion> setpoint_attitude_packed{};
+  /// Measured attitude. Present if data_set has ACTUAL_ATTITUDE_PACKED.
+  Optional<PackedQuaternion> actual_attitude_packed{};
+  /// Bytes appended by later firmware; preserved and written back.
+  BoundedBytes<251> tail{};
+
+  bool operator==(const ControlQuatStatus&) const = default;
+  using FixedMembers = Members<&ControlQuatStatus::data_set>;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.when(self.data_set.has(ControlQuatStatusField::mode), self.mode, "mode");
+    cursor.when(self.data_set.has(ControlQuatStatusField::mode), self.flags, "flags");
+    cursor.when(self.data_set.has(ControlQuatStatusField::target_attitude), self.target_attitude,
+        "target_attitude");
+    cursor.when(self.data_set.has(ControlQuatStatusField::setpoint_attitude),
+        self.setpoint_attitude, "setpoint_attitude");
+    cursor.when(self.data_set.has(ControlQuatStatusField::actual_attitude), self.actual_attitude,
+        "actual_attitude");
+    cursor.when(self.data_set.has(ControlQuatStatusField::target_speed), self.target_speed,
+        "target_speed");
+    cursor.when(self.data_set.has(ControlQuatStatusField::setpoint_speed), self.setpoint_speed,
+        "setpoint_speed");
+    cursor.when(self.data_set.has(ControlQuatStatusField::actual_speed), self.actual_speed,
+        "actual_speed");
+    cursor.when(self.data_set.has(ControlQuatStatusField::target_attitude_packed),
+        self.target_attitude_packed, "target_attitude_packed");
+    cursor.when(self.data_set.has(ControlQuatStatusField::setpoint_attitude_packed),
+        self.setpoint_attitude_packed, "setpoint_attitude_packed");
+    cursor.when(self.data_set.has(ControlQuatStatusField::actual_attitude_packed),
+        self.actual_attitude_packed, "actual_attitude_packed");
+  }
+};
+
+/// Request the state of the control with quaternions.
+///
+/// CMD_CONTROL_QUAT_STATUS (141), to the board; 4 bytes. Effect: reads. Since firmware 2.73.
+/// Source: Later firmware.
+struct ControlQuatStatusRequest {
+  static constexpr CommandToBoard command = CommandToBoard::control_quat_status;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 4;
+  static constexpr std::size_t max_size = 4;
+  static constexpr Availability since{.firmware = 2730};
+  using Response = ControlQuatStatus;
+
+  /// Data to send.
+  ControlQuatStatusFields data_set{};
+
+  bool operator==(const ControlQuatStatusRequest&) const = default;
+  using FixedMembers = Members<&ControlQuatStatusRequest::data_set>;
+};
+
+/// Configure the control with quaternions.
+///
+/// CMD_CONTROL_QUAT_CONFIG (142), to the board; 2 to 24 bytes. Effect: sets. Since firmware 2.73.
+/// Source: Later firmware.
+struct ControlQuatConfig {
+  static constexpr CommandToBoard command = CommandToBoard::control_quat_config;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 2;
+  static constexpr std::size_t max_size = 24;
+  static constexpr Availability since{.firmware = 2730};
+  using Response = void;
+
+  /// For acc_limit: no limit.
+  static constexpr std::uint16_t acc_unlimited{0};
+  /// For jerk_slope: the acceleration changes at once.
+  static constexpr std::uint16_t jerk_unlimited{0};
+  /// For attitude_lpf_freq and speed_lpf_freq: no filter.
+  static constexpr std::uint8_t no_filter{0};
+
+  /// Which of the following fields are present.
+  ControlQuatConfigFields data_set{};
+  /// Speed limit of each axis. Unit: deg/s. Present if data_set has MAX_SPEED.
+  Optional<Xyz<ControlSpeedLimit>> max_speed{};
+  /// Acceleration limit of each axis. Range: 1 to 65535 deg/s^2. Present if data_set has ACC_LIMIT.
+  Optional<Xyz<LongAngularAcceleration>> acc_limit{};
+  /// Time in which the acceleration of each axis rises to its limit. Range: 1 to 65535 ms. Present
+  /// if data_set has JERK_SLOPE.
+  Optional<Xyz<Milliseconds>> jerk_slope{};
+  /// Options. Present if data_set has FLAGS.
+  Optional<ControlQuatConfigFlags> flags{};
+  /// Low-pass filter of the attitude. Range: 1 to 255 Hz. Present if data_set has
+  /// ATTITUDE_LPF_FREQ.
+  Optional<SmallFrequency> attitude_lpf_freq{};
+  /// Low-pass filter of the speed. Range: 1 to 255 Hz. Present if data_set has SPEED_LPF_FREQ.
+  Optional<SmallFrequency> speed_lpf_freq{};
+
+  bool operator==(const ControlQuatConfig&) const = default;
+  using FixedMembers = Members<&ControlQuatConfig::data_set>;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.when(self.data_set.has(ControlQuatConfigField::max_speed), self.max_speed, "max_speed");
+    cursor.when(self.data_set.has(ControlQuatConfigField::acc_limit), self.acc_limit, "acc_limit");
+    cursor.when(self.data_set.has(ControlQuatConfigField::jerk_slope), self.jerk_slope,
+        "jerk_slope");
+    cursor.when(self.data_set.has(ControlQuatConfigField::flags), self.flags, "flags");
+    cursor.when(self.data_set.has(ControlQuatConfigField::attitude_lpf_freq),
+        self.attitude_lpf_freq, "attitude_lpf_freq");
+    cursor.when(self.data_set.has(ControlQuatConfigField::speed_lpf_freq), self.speed_lpf_freq,
+        "speed_lpf_freq");
+  }
 };
 
 /// Camera angles and targets.
@@ -265,6 +751,61 @@ struct MotorsOffExt {
   using FixedMembers = Members<&MotorsOffExt::mode>;
 };
 
+/// Power one motor as a synchronous motor for some time, then turn the motors off.
+///
+/// CMD_SYNC_MOTORS (123), to the board; 6 bytes. Effect: moves. Since firmware 2.70b9. Source:
+/// Later firmware.
+struct SyncMotors {
+  static constexpr CommandToBoard command = CommandToBoard::sync_motors;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 6;
+  static constexpr std::size_t max_size = 6;
+  static constexpr Availability since{.firmware = 2709};
+  using Response = void;
+
+  /// For angle: the motor holds its position.
+  static constexpr std::uint16_t hold{0};
+
+  /// The motor.
+  SyncMotorAxis axis{};
+  /// Power of the winding.
+  std::uint8_t power{};
+  /// Duration. Unit: ms.
+  Milliseconds time_ms{};
+  /// Angle to turn.
+  std::uint16_t angle{};
+
+  bool operator==(const SyncMotors&) const = default;
+  using FixedMembers = Members<&SyncMotors::axis, &SyncMotors::power, &SyncMotors::time_ms,
+      &SyncMotors::angle>;
+};
+
+/// An event, if the host has requested such events with CMD_DATA_STREAM_INTERVAL.
+///
+/// CMD_EVENT (102), from the board; 4 bytes, and later firmware may append more. Since firmware
+/// 2.65b7. Source: Later firmware.
+struct Event {
+  static constexpr CommandFromBoard command = CommandFromBoard::event;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 4;
+  static constexpr std::size_t max_size = 4;
+  static constexpr Availability since{.firmware = 2657};
+
+  /// What has happened.
+  EventId event_id{};
+  /// Kind of the event.
+  EventTypes event_type{};
+  /// Data that depend on the event.
+  Bytes<2> param{};
+  /// Bytes appended by later firmware; preserved and written back.
+  BoundedBytes<251> tail{};
+
+  bool operator==(const Event&) const = default;
+  using FixedMembers = Members<&Event::event_id, &Event::event_type, &Event::param>;
+};
+
 /// Execute a menu action.
 ///
 /// CMD_EXECUTE_MENU (69), to the board, simple form; 1 byte. Effect: sets, stores, moves, restarts.
@@ -285,23 +826,23 @@ struct ExecuteMenu {
   using FixedMembers = Members<&ExecuteMenu::cmd_id>;
 };
 
-/// Execute a menu action, with a parameter of later firmware.
+/// Execute a menu action and say when to confirm it.
 ///
 /// CMD_EXECUTE_MENU (69), to the board, extended form; 2 bytes. Effect: sets, stores, moves,
-/// restarts. Source: Outgoing commands L732-L734; Variables L1166-L1167.
+/// restarts. Since firmware 2.73b8. Source: Outgoing commands L732-L734; Variables L1166-L1167.
 struct ExecuteMenuExt {
   static constexpr CommandToBoard command = CommandToBoard::execute_menu;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 2;
   static constexpr std::size_t max_size = 2;
-  static constexpr Availability since{};
+  static constexpr Availability since{.firmware = 2738};
   using Response = void;
 
   /// Which action.
   MenuCommand cmd_id{};
-  /// Its meaning is not documented.
-  std::uint8_t param{};
+  /// When the board confirms the action.
+  ExecuteMenuFlags param{};
 
   bool operator==(const ExecuteMenuExt&) const = default;
   using FixedMembers = Members<&ExecuteMenuExt::cmd_id, &ExecuteMenuExt::param>;
@@ -345,24 +886,30 @@ struct HelperDataExt {
   static constexpr Availability since{.firmware = 2590};
   using Response = void;
 
+  /// For frame_heading: stops the correction of the heading.
+  static constexpr std::int16_t stop_heading_correction{32767};
+
   /// Linear acceleration of the frame; keeps the horizon level during acceleration. Unit: g.
   Xyz<Acceleration> frame_acc{};
   /// Sideways tilt of the frame. Unit: deg. 0: with FRAME_ANGLE_PITCH 0 too, not used.
   Angle14 frame_angle_roll{};
   /// Forward tilt of the frame. Unit: deg. 0: with FRAME_ANGLE_ROLL 0 too, not used.
   Angle14 frame_angle_pitch{};
-  /// Coordinate system of all the vectors.
-  CoordinateSystem coord_sys{};
+  /// Coordinate system of all the vectors, and options.
+  HelperCoordinates coord_sys{};
   /// Angular speed of the frame; useful without encoders and a second IMU. Unit: deg/s. 0: with all
   /// three 0, not used.
   Xyz<GyroRate> frame_speed{};
+  /// Heading of the frame; used with USE_FRAME_HEADING. Range: -360 to 360 deg. Since firmware
+  /// 2.62b7.
+  Angle14 frame_heading{};
   /// Reserved; kept as it is.
-  Bytes<3> reserved{};
+  Bytes<1> reserved{};
 
   bool operator==(const HelperDataExt&) const = default;
   using FixedMembers = Members<&HelperDataExt::frame_acc, &HelperDataExt::frame_angle_roll,
       &HelperDataExt::frame_angle_pitch, &HelperDataExt::coord_sys, &HelperDataExt::frame_speed,
-      &HelperDataExt::reserved>;
+      &HelperDataExt::frame_heading, &HelperDataExt::reserved>;
 };
 
 /// Returns the equivalent message for firmware that no longer accepts this one.

@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// Firmware variables that show the state of the system.
+/// Firmware variables that show the state of the system, and copies of the traffic.
 #pragma once
 
 #include <array>
@@ -65,18 +65,25 @@ struct DebugVarsInfo3 {
 
 /// Request the names and types of the debug variables.
 ///
-/// CMD_DEBUG_VARS_INFO_3 (253), to the board; 0 bytes. Effect: reads. Since board 3.0. Source:
+/// CMD_DEBUG_VARS_INFO_3 (253), to the board; 0 to 1 bytes. Effect: reads. Since board 3.0. Source:
 /// Outgoing commands L847.
 struct DebugVarsInfo3Request {
   static constexpr CommandToBoard command = CommandToBoard::debug_vars_info_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
-  static constexpr std::size_t max_size = 0;
+  static constexpr std::size_t max_size = 1;
   static constexpr Availability since{.board = 30};
   using Response = DebugVarsInfo3;
 
+  /// First variable to describe. Since firmware 2.72; before, the body ends here.
+  Optional<std::uint8_t> start_idx{};
+
   bool operator==(const DebugVarsInfo3Request&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.appended(self.start_idx, "start_idx");
+  }
 };
 
 /// Values of the debug variables.
@@ -112,18 +119,96 @@ struct DebugVars3 {
 
 /// Request the values of the debug variables.
 ///
-/// CMD_DEBUG_VARS_3 (254), to the board; 0 bytes. Effect: reads. Since board 3.0. Source: Outgoing
-/// commands L849.
+/// CMD_DEBUG_VARS_3 (254), to the board, simple form; 0 bytes. Effect: reads. Since board 3.0.
+/// Source: Outgoing commands L849.
 struct DebugVars3Request {
   static constexpr CommandToBoard command = CommandToBoard::debug_vars_3;
   static constexpr Direction direction = Direction::to_board;
-  static constexpr Form form = Form::only;
+  static constexpr Form form = Form::simple;
   static constexpr std::size_t min_size = 0;
   static constexpr std::size_t max_size = 0;
   static constexpr Availability since{.board = 30};
   using Response = DebugVars3;
 
   bool operator==(const DebugVars3Request&) const = default;
+};
+
+/// Request the values of selected debug variables. The response begins with the same masks; then
+/// come the values of the selected variables. Nothing in it tells it from the response with all
+/// values, so it is to be read as bytes.
+///
+/// CMD_DEBUG_VARS_3 (254), to the board, selected form; 4 to 32 bytes. Effect: reads. Since
+/// firmware 2.72. Source: Outgoing commands L849.
+struct DebugVars3RequestSelected {
+  static constexpr CommandToBoard command = CommandToBoard::debug_vars_3;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::selected;
+  static constexpr std::size_t min_size = 4;
+  static constexpr std::size_t max_size = 32;
+  static constexpr Availability since{.firmware = 2720};
+  using Response = void;
+
+  /// Bits of the selected variables, starting with the first variable. At least 1. At most 8.
+  BoundedArray<std::uint32_t, 63> selected_mask{};
+
+  bool operator==(const DebugVars3RequestSelected&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.selected_mask, "selected_mask", 1);
+  }
+};
+
+/// Copy of a message on another port of the board.
+///
+/// CMD_SET_DEBUG_PORT (249), from the board; 4 to 255 bytes. Source: Later firmware.
+struct SetDebugPort {
+  static constexpr CommandFromBoard command = CommandFromBoard::set_debug_port;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 4;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+
+  /// Time since the board started. Unit: ms.
+  MillisecondClock time_ms{};
+  /// Port and direction of the message.
+  DebugPortLine port_and_dir{};
+  /// Command of the message.
+  std::uint8_t cmd_id{};
+  /// Body of the message.
+  BoundedBytes<251> payload{};
+
+  bool operator==(const SetDebugPort&) const = default;
+  using FixedMembers = Members<&SetDebugPort::time_ms, &SetDebugPort::port_and_dir,
+      &SetDebugPort::cmd_id>;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.payload, "payload");
+  }
+};
+
+/// Start or stop the copies of the messages on the board's other ports.
+///
+/// CMD_SET_DEBUG_PORT (249), to the board; 16 bytes. Effect: sets. Source: Later firmware.
+struct SetDebugPortRequest {
+  static constexpr CommandToBoard command = CommandToBoard::set_debug_port;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 16;
+  static constexpr std::size_t max_size = 16;
+  static constexpr Availability since{};
+  using Response = void;
+
+  /// Operation.
+  DebugPortAction action{};
+  /// Messages that are not copied; for boards with the feature PLUS_VER, otherwise 0.
+  DebugPortCommands cmd_filter{};
+  /// Reserved; kept as it is.
+  Bytes<11> reserved{};
+
+  bool operator==(const SetDebugPortRequest&) const = default;
+  using FixedMembers = Members<&SetDebugPortRequest::action, &SetDebugPortRequest::cmd_filter,
+      &SetDebugPortRequest::reserved>;
 };
 
 }  // namespace sbgc::msg

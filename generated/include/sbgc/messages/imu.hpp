@@ -17,6 +17,42 @@ namespace sbgc::msg {
 static_assert(codec_version == 2, "generated code and runtime do not match");
 
 struct AhrsHelper;
+struct ExtImuDebugInfo;
+
+/// State of the attitude estimation.
+struct AhrsDebugInfo {
+  /// What corrects the attitude of the main IMU.
+  AhrsReferences main_imu_ref_src{};
+  /// What corrects the attitude of the frame IMU.
+  AhrsReferences frame_imu_ref_src{};
+  /// Error of the main IMU's gravity vector. Unit: deg.
+  AngleError main_z_err{};
+  /// Error of the main IMU's heading vector. Unit: deg.
+  AngleError main_h_err{};
+  /// Error of the frame IMU's gravity vector. Unit: deg.
+  AngleError frame_z_err{};
+  /// Error of the frame IMU's heading vector. Unit: deg.
+  AngleError frame_h_err{};
+  /// State of the external IMU.
+  ExtImuStatus ext_imu_status{};
+  /// Number of packets from the external IMU.
+  std::uint16_t ext_imu_packets{};
+  /// Number of damaged packets from the external IMU.
+  std::uint16_t ext_imu_parse_err{};
+  /// Error of the external heading correction. Unit: deg.
+  AngleError ext_corr_h_err{};
+  /// Error of the external gravity correction. Unit: deg.
+  AngleError ext_corr_z_err{};
+  /// Reserved; kept as it is.
+  Bytes<13> reserved{};
+
+  bool operator==(const AhrsDebugInfo&) const = default;
+  using FixedMembers = Members<&AhrsDebugInfo::main_imu_ref_src, &AhrsDebugInfo::frame_imu_ref_src,
+      &AhrsDebugInfo::main_z_err, &AhrsDebugInfo::main_h_err, &AhrsDebugInfo::frame_z_err,
+      &AhrsDebugInfo::frame_h_err, &AhrsDebugInfo::ext_imu_status, &AhrsDebugInfo::ext_imu_packets,
+      &AhrsDebugInfo::ext_imu_parse_err, &AhrsDebugInfo::ext_corr_h_err,
+      &AhrsDebugInfo::ext_corr_z_err, &AhrsDebugInfo::reserved>;
+};
 
 /// Select the IMU to configure and calibrate.
 ///
@@ -38,16 +74,16 @@ struct SelectImu3 {
   using FixedMembers = Members<&SelectImu3::imu_type>;
 };
 
-/// Select an IMU, with parameters of later firmware.
+/// Select an IMU, with parameters that no source describes.
 ///
-/// CMD_SELECT_IMU_3 (24), to the board, extended form; 2 to 12 bytes. Effect: sets. Since board
-/// 3.0. Source: Outgoing commands L757-L759; Variables L1168-L1169.
+/// CMD_SELECT_IMU_3 (24), to the board, extended form; 2 to 11 bytes. Effect: sets. Since board
+/// 3.0. Unconfirmed. Source: Outgoing commands L757-L759; Variables L1168-L1169.
 struct SelectImu3Ext {
   static constexpr CommandToBoard command = CommandToBoard::select_imu_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::extended;
   static constexpr std::size_t min_size = 2;
-  static constexpr std::size_t max_size = 12;
+  static constexpr std::size_t max_size = 11;
   static constexpr Availability since{.board = 30};
   using Response = void;
 
@@ -55,7 +91,7 @@ struct SelectImu3Ext {
   SelectedImu imu_type{};
   /// Undocumented.
   std::uint8_t param{};
-  /// Further undocumented parameters. At most 10.
+  /// Further undocumented parameters. At most 9.
   BoundedBytes<253> params{};
 
   bool operator==(const SelectImu3Ext&) const = default;
@@ -64,6 +100,33 @@ struct SelectImu3Ext {
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.params, "params");
   }
+};
+
+/// Select an IMU and calibrate it, or manage its calibrations.
+///
+/// CMD_SELECT_IMU_3 (24), to the board, calibrate form; 12 bytes. Effect: stores, restarts, erases.
+/// Since firmware 2.60. Source: Later firmware.
+struct SelectImu3Calibrate {
+  static constexpr CommandToBoard command = CommandToBoard::select_imu_3;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::calibrate;
+  static constexpr std::size_t min_size = 12;
+  static constexpr std::size_t max_size = 12;
+  static constexpr Availability since{.firmware = 2600};
+  using Response = void;
+
+  /// The IMU.
+  CalibImu imu_type{};
+  /// Operation.
+  CalibAction action{};
+  /// Duration of the operation. Unit: ms.
+  Milliseconds time_ms{};
+  /// Reserved; kept as it is.
+  Bytes<8> reserved{};
+
+  bool operator==(const SelectImu3Calibrate&) const = default;
+  using FixedMembers = Members<&SelectImu3Calibrate::imu_type, &SelectImu3Calibrate::action,
+      &SelectImu3Calibrate::time_ms, &SelectImu3Calibrate::reserved>;
 };
 
 /// Attitude of an IMU as two unit vectors.
@@ -79,7 +142,7 @@ struct AhrsHelper {
   static constexpr Availability since{.board = 30};
 
   /// Unit vector that points up (the Z axis in the normal position); down according to later
-  /// sources. Range: -1 to 1.
+  /// sources. Range: -1 to 1. Unconfirmed.
   Xyz<float> z1_vector{};
   /// Unit vector that points north (the Y axis in the normal position). Range: -1 to 1.
   Xyz<float> h1_vector{};
@@ -207,7 +270,7 @@ struct GyroCorrection {
   static constexpr Availability since{.board = 30};
   using Response = void;
 
-  /// The IMU.
+  /// The IMU. Unconfirmed.
   ImuIndex imu_type{};
   /// Zero offset of each axis. Unit: gyro unit.
   Xyz<GyroOffset> gyro_zero_corr{};
@@ -218,6 +281,172 @@ struct GyroCorrection {
   bool operator==(const GyroCorrection&) const = default;
   using FixedMembers = Members<&GyroCorrection::imu_type, &GyroCorrection::gyro_zero_corr,
       &GyroCorrection::gyro_zero_heading_corr>;
+};
+
+/// State of the attitude estimation and of the external IMU.
+///
+/// CMD_EXT_IMU_DEBUG_INFO (106), from the board; 74 bytes, and later firmware may append more.
+/// Since firmware 2.66. Source: Later firmware.
+struct ExtImuDebugInfo {
+  static constexpr CommandFromBoard command = CommandFromBoard::ext_imu_debug_info;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 74;
+  static constexpr std::size_t max_size = 74;
+  static constexpr Availability since{.firmware = 2660};
+
+  /// State of the attitude estimation.
+  AhrsDebugInfo ahrs_debug_info{};
+  /// Attitude as a rotation matrix, row by row.
+  std::array<float, 9> dcm{};
+  /// Acceleration of the sensor.
+  std::array<float, 3> acc_body{};
+  /// Bytes appended by later firmware; preserved and written back.
+  BoundedBytes<181> tail{};
+
+  bool operator==(const ExtImuDebugInfo&) const = default;
+  using FixedMembers = Members<&ExtImuDebugInfo::ahrs_debug_info, &ExtImuDebugInfo::dcm,
+      &ExtImuDebugInfo::acc_body>;
+};
+
+/// Request the state of the attitude estimation and of the external IMU. The board needs the
+/// feature EXT_IMU.
+///
+/// CMD_EXT_IMU_DEBUG_INFO (106), to the board; 0 bytes. Effect: reads. Since firmware 2.66. Source:
+/// Later firmware.
+struct ExtImuDebugInfoRequest {
+  static constexpr CommandToBoard command = CommandToBoard::ext_imu_debug_info;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 0;
+  static constexpr Availability since{.firmware = 2660};
+  using Response = ExtImuDebugInfo;
+
+  bool operator==(const ExtImuDebugInfoRequest&) const = default;
+};
+
+/// A message of the external IMU.
+///
+/// CMD_EXT_IMU_CMD (110), in both directions; 1 to 255 bytes. Effect: sets, stores, moves. Source:
+/// Later firmware.
+struct ExtImuCmd {
+  static constexpr CommandToBoard command = CommandToBoard::ext_imu_cmd;
+  static constexpr Direction direction = Direction::both;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 1;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+  using Response = void;
+
+  /// Command of the external IMU.
+  std::uint8_t cmd_id{};
+  /// Body of the command.
+  BoundedBytes<254> data{};
+
+  bool operator==(const ExtImuCmd&) const = default;
+  using FixedMembers = Members<&ExtImuCmd::cmd_id>;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// A message of the external sensor.
+///
+/// CMD_EXT_SENS_CMD (150), from the board; 1 to 255 bytes. Since firmware 2.68b7, board 3.6.
+/// Unconfirmed. Source: Later firmware.
+struct ExtSensCmd {
+  static constexpr CommandFromBoard command = CommandFromBoard::ext_sens_cmd;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 1;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{.firmware = 2687, .board = 36};
+
+  /// Command of the sensor.
+  ExtSensCommand cmd_id{};
+  /// Body of the command.
+  BoundedBytes<254> data{};
+
+  bool operator==(const ExtSensCmd&) const = default;
+  using FixedMembers = Members<&ExtSensCmd::cmd_id>;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Forward a command to an external sensor. The board needs the feature EXT_IMU.
+///
+/// CMD_EXT_SENS_CMD (150), to the board; 2 to 255 bytes. Effect: sets, stores, moves. Since
+/// firmware 2.68b7, board 3.6. Source: Later firmware.
+struct ExtSensCmdRequest {
+  static constexpr CommandToBoard command = CommandToBoard::ext_sens_cmd;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 2;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{.firmware = 2687, .board = 36};
+  using Response = void;
+
+  /// Options.
+  ExtSensOptions flags{};
+  /// Command of the sensor.
+  ExtSensCommand cmd_id{};
+  /// Body of the command.
+  BoundedBytes<253> data{};
+
+  bool operator==(const ExtSensCmdRequest&) const = default;
+  using FixedMembers = Members<&ExtSensCmdRequest::flags, &ExtSensCmdRequest::cmd_id>;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body from the board.
+///
+/// CMD_IMU_ADVANCED_CALIB (115), from the board; 0 to 255 bytes. Source: Later firmware.
+struct ImuAdvancedCalib {
+  static constexpr CommandFromBoard command = CommandFromBoard::imu_advanced_calib;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const ImuAdvancedCalib&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body to the board.
+///
+/// CMD_IMU_ADVANCED_CALIB (115), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
+/// firmware.
+struct ImuAdvancedCalibRequest {
+  static constexpr CommandToBoard command = CommandToBoard::imu_advanced_calib;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+  using Response = void;
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const ImuAdvancedCalibRequest&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
 };
 
 /// Returns the equivalent message for firmware that no longer accepts this one.

@@ -23,11 +23,12 @@ struct ReadProfileNames;
 
 /// Controller and motor of each axis.
 struct AxisPid {
-  /// Proportional gain.
+  /// Proportional gain. From firmware 2.73b1 on, it is logarithmic: 5 * exp(raw * ln(52) / 255) -
+  /// 5.
   std::uint8_t p{};
-  /// Integral gain.
+  /// Integral gain. From firmware 2.73b1 on, it is logarithmic: 5 * exp(raw * ln(52) / 255) - 5.
   Hundredths i{};
-  /// Derivative gain.
+  /// Derivative gain. From firmware 2.73b1 on, it is logarithmic: 5 * exp(raw * ln(52) / 255) - 5.
   std::uint8_t d{};
   /// Power of the motor.
   std::uint8_t power{};
@@ -41,7 +42,7 @@ struct AxisPid {
       &AxisPid::invert, &AxisPid::poles>;
 };
 
-/// Remote control of each axis.
+/// Remote control of an axis.
 struct AxisRc {
   /// Angle at the lowest signal. Range: -720 to 720 deg.
   Degrees rc_min_angle{};
@@ -49,7 +50,7 @@ struct AxisRc {
   Degrees rc_max_angle{};
   /// What the signal controls.
   RcMode rc_mode{};
-  /// Low-pass filter of the signal. Range: 0 to 16.
+  /// Low-pass filter of the signal; up to 255 only with LPF_EXTENDED_RANGE.
   std::uint8_t rc_lpf{};
   /// Control speed.
   std::uint8_t rc_speed{};
@@ -71,6 +72,51 @@ struct AxisNotches {
 
   bool operator==(const AxisNotches&) const = default;
   using FixedMembers = Members<&AxisNotches::notch_freq, &AxisNotches::notch_width>;
+};
+
+/// MAVLink channels.
+struct MavChannel {
+  /// Serial port of the channel.
+  BoardPort mav_src{};
+  /// MAVLink system id of the channel.
+  std::uint8_t mav_sys_id{};
+  /// MAVLink component id of the channel.
+  std::uint8_t mav_comp_id{};
+  /// Settings of the channel.
+  MavConfig mav_cfg_flags{};
+  /// Reserved; kept as it is.
+  Bytes<4> reserved{};
+
+  bool operator==(const MavChannel&) const = default;
+  using FixedMembers = Members<&MavChannel::mav_src, &MavChannel::mav_sys_id,
+      &MavChannel::mav_comp_id, &MavChannel::mav_cfg_flags, &MavChannel::reserved>;
+};
+
+/// Step signals: each counts how often an RC signal reaches a level.
+struct StepSignal {
+  /// RC signal that triggers the steps.
+  RcMap step_signal_src{};
+  /// Number of steps and how to trigger them.
+  StepSignalConfig step_signal_cfg{};
+
+  bool operator==(const StepSignal&) const = default;
+  using FixedMembers = Members<&StepSignal::step_signal_src, &StepSignal::step_signal_cfg>;
+};
+
+/// Calibrations of RC signals: an offset is added, then a factor is applied.
+struct RcCalibration {
+  /// Calibrated signal.
+  RcMap rc_calib_src{};
+  /// Offset of the signal.
+  SignalOffset rc_calib_offset{};
+  /// Factor below the center. Unit: %.
+  SignalScale rc_calib_neg_scale{};
+  /// Factor above the center. Unit: %.
+  SignalScale rc_calib_pos_scale{};
+
+  bool operator==(const RcCalibration&) const = default;
+  using FixedMembers = Members<&RcCalibration::rc_calib_src, &RcCalibration::rc_calib_offset,
+      &RcCalibration::rc_calib_neg_scale, &RcCalibration::rc_calib_pos_scale>;
 };
 
 /// Parameters of one profile and general parameters.
@@ -139,7 +185,8 @@ struct ReadParams3 {
   std::uint8_t follow_deadband{};
   /// Expo rate of the follow mode. Range: 0 to 100.
   std::uint8_t follow_expo_rate{};
-  /// Offset of the follow mode. Range: -127 to 127.
+  /// Offset of the follow mode. Range: -127 to 127. Deprecated since firmware 2.70: use
+  /// FOLLOW_OFFSET_EXT of CMD_READ_PARAMS_EXT3.
   Axes<std::int8_t> follow_offset{};
   /// Axis of the main IMU that points up. The same in all copies.
   SensorAxis axis_top{};
@@ -153,9 +200,10 @@ struct ReadParams3 {
   FrameImuPosition frame_imu_pos{};
   /// Dead band of the gyroscope. Unit: gyro unit.
   GyroDeadband gyro_deadband{};
-  /// Sensitivity of the gyroscope.
+  /// Sensitivity of the gyroscope. Deprecated.
   std::uint8_t gyro_sens{};
-  /// 1 enables the controller's I2C pull-ups. Range: 0 to 1.
+  /// 1 enables the controller's I2C pull-ups; in later firmware, an I2C clock of 800 kHz instead of
+  /// 400 kHz. Range: 0 to 1.
   std::uint8_t i2c_internal_pullups{};
   /// Gyroscope calibration at start-up.
   SkipGyroCalibration skip_gyro_calib{};
@@ -214,7 +262,7 @@ struct ReadParams3 {
   /// Order of the motors. The same in all copies.
   AxisOrder order_of_axes{};
   /// Order of the Euler angles.
-  EulerOrder euler_order{};
+  EulerOrderSetting euler_order{};
   /// Selected IMU; write it back unchanged.
   SelectedImu cur_imu{};
   /// Active profile; write it back unchanged. Range: 0 to 4.
@@ -336,9 +384,11 @@ struct ReadParamsExt {
   Axes<std::uint8_t> motor_mag_link{};
   /// Ratio of the gear after the motor.
   Axes<FixedPoint8> motor_gearing{};
-  /// Lowest angle of the joint. Range: -381 to 381 deg.
+  /// Lowest angle of the joint. Range: -381 to 381 deg. Deprecated since firmware 2.61: use
+  /// FRAME_CAM_ANGLE_MIN of CMD_READ_PARAMS_EXT2.
   Axes<EncoderLimit> encoder_limit_min{};
-  /// Highest angle of the joint. Range: -381 to 381 deg.
+  /// Highest angle of the joint. Range: -381 to 381 deg. Deprecated since firmware 2.61: use
+  /// FRAME_CAM_ANGLE_MAX of CMD_READ_PARAMS_EXT2.
   Axes<EncoderLimit> encoder_limit_max{};
   /// Depth of the first notch filter; a negative value makes a peak filter. Range: -100 to 100 dB.
   Axes<Decibels> notch1_gain{};
@@ -431,13 +481,14 @@ struct ReadParamsExt2 {
 
   /// Profile of the parameters. Range: 0 to 4.
   std::uint8_t profile_id{};
-  /// Reserved; kept as it is.
-  Bytes<16> reserved_1{};
+  /// MAVLink channels. Since firmware 2.60.
+  std::array<MavChannel, 2> mav_channels{};
   /// Magnetic linkage of the motor.
   Axes<LongHundredths> motor_mag_link_fine{};
   /// Acceleration limit of each axis. Range: 0 to 1000 deg/s^2. Since firmware 2.59.
   Axes<AngularAcceleration> acc_limiter3{};
-  /// Factor for P, I and D of each axis.
+  /// Factor for P, I and D of each axis. From firmware 2.73b1 on, it is logarithmic: 5 * exp(raw *
+  /// ln(52) / 255) - 5.
   Axes<PidGain> pid_gain{};
   /// Low-pass filter of the frame IMU. Unit: Hz.
   SmallFrequency frame_imu_lpf_freq{};
@@ -445,16 +496,98 @@ struct ReadParamsExt2 {
   AutoPidFlags auto_pid_cfg{};
   /// GAIN_VS_STABILITY for CMD_AUTO_PID.
   std::uint8_t auto_pid_gain{};
-  /// Later firmware holds parameters in all of these bytes.
-  Bytes<119> reserved_2{};
+  /// Lowest angle of the joint. Unit: deg. Since firmware 2.61.
+  Axes<Degrees> frame_cam_angle_min{};
+  /// Highest angle of the joint. Unit: deg. Since firmware 2.61.
+  Axes<Degrees> frame_cam_angle_max{};
+  /// More options of the whole board. The same in all copies. Since firmware 2.61.
+  GeneralFlags2 general_flags2{};
+  /// Speed of automatic motions. Range: 1 to 255. 0: not set. Since firmware 2.61.
+  std::uint8_t auto_speed{};
+  /// Acceleration limit of automatic motions. Unit: deg/s^2. Since firmware 2.61.
+  AngularAcceleration auto_acc_limiter{};
+  /// Correction of the orientation of the main IMU. Unit: deg. Since firmware 2.61.
+  Axes<HundredthDegrees> imu_orientation_corr{};
+  /// Duration of a time lapse. Unit: ms. Since firmware 2.60.
+  Seconds timelapse_time{};
+  /// Delay between an emergency stop and the restart. Unit: ms. Since firmware 2.61.
+  Milliseconds emergency_stop_restart_delay{};
+  /// Share of a time lapse in which the speed changes. Range: 0 to 50 %. Since firmware 2.61.
+  FifthPercent timelapse_acc_part{};
+  /// Moment of inertia of the axis. Since firmware 2.62b7.
+  Axes<std::uint16_t> momentum{};
+  /// Stimulus for the calibration of the momentum. Range: 1 to 255. 0: not set. Since firmware
+  /// 2.62b7.
+  Axes<std::uint8_t> momentum_calib_stimulus{};
+  /// How much the momentum depends on the angle. Since firmware 2.62b7.
+  Axes<Twentieths> momentum_ellipticity{};
+  /// Range of the follow mode. Range: 1 to 180. 0: not set. Since firmware 2.62b7.
+  Axes<std::uint8_t> follow_range{};
+  /// Axis that the motor stabilizes. Since firmware 2.62b7.
+  Axes<StabAxis> stab_axis{};
+  /// Tilt of the outer motor. Range: -90 to 90 deg. The same in all copies. Since firmware 2.62b7.
+  SignedDegrees outer_mot_tilt_angle{};
+  /// Actions at start-up. Since firmware 2.66.
+  std::array<StartupAction, 4> startup_action{};
+  /// RC signals that are conditions of the actions: a first one for each, then a second one. Since
+  /// firmware 2.66.
+  std::array<RcMap, 8> startup_action_src{};
+  /// Thresholds of these signals, in steps of 10. Since firmware 2.66.
+  std::array<std::int8_t, 8> startup_action_threshold{};
+  /// When and how the axis snaps to a fixed position. Since firmware 2.66.
+  Axes<ForcePositionConfig> force_position_cfg{};
+  /// Step signals: each counts how often an RC signal reaches a level. Since firmware 2.66.
+  std::array<StepSignal, 6> step_signals{};
+  /// Calibrations of RC signals: an offset is added, then a factor is applied. Since firmware 2.66.
+  std::array<RcCalibration, 5> rc_calibrations{};
+  /// Limits at which the axes park. Since firmware 2.66.
+  ParkingBorders parking_pos_cfg{};
+  /// Pin that repeats the signals of the LED. The same in all copies. Since firmware 2.66.
+  OutputPin ext_led_pin_id{};
+  /// Pin that signals an event to other devices. The same in all copies. Since firmware 2.66.
+  InterruptConfig interrupt_cfg{};
+  /// How long the motors may be overloaded. Unit: ms. Since firmware 2.66.
+  HundredsOfMilliseconds overload_time{};
+  /// MOMENTUM for CMD_AUTO_PID. 0: automatic. Since firmware 2.66.
+  std::uint8_t auto_pid_momentum{};
+  /// How slowly the acceleration changes. Since firmware 2.66.
+  Axes<std::uint8_t> jerk_slope{};
+  /// Axes that a MAVLink host controls. Since firmware 2.66.
+  MavControlMode mav_ctrl_mode{};
+  /// Baud rate of the serial RC input. The same in all copies. Since firmware 2.66.
+  SerialSpeed rc_serial_speed{};
+  /// Baud rate of UART 2. The same in all copies. Since firmware 2.66.
+  SerialSpeed uart2_speed{};
+  /// Resistance of one phase of the motor. Unit: ohm. Since firmware 2.66.
+  Axes<TenthOhms> motor_res{};
+  /// Limit of the total current. Unit: mA. Since firmware 2.66.
+  TensOfMilliamperes current_limit{};
+  /// Tilt of the middle motor. Range: -90 to 90 deg. The same in all copies. Since firmware 2.67.
+  SignedDegrees middle_mot_tilt_angle{};
   /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<104> tail{};
 
   bool operator==(const ReadParamsExt2&) const = default;
-  using FixedMembers = Members<&ReadParamsExt2::profile_id, &ReadParamsExt2::reserved_1,
+  using FixedMembers = Members<&ReadParamsExt2::profile_id, &ReadParamsExt2::mav_channels,
       &ReadParamsExt2::motor_mag_link_fine, &ReadParamsExt2::acc_limiter3,
       &ReadParamsExt2::pid_gain, &ReadParamsExt2::frame_imu_lpf_freq, &ReadParamsExt2::auto_pid_cfg,
-      &ReadParamsExt2::auto_pid_gain, &ReadParamsExt2::reserved_2>;
+      &ReadParamsExt2::auto_pid_gain, &ReadParamsExt2::frame_cam_angle_min,
+      &ReadParamsExt2::frame_cam_angle_max, &ReadParamsExt2::general_flags2,
+      &ReadParamsExt2::auto_speed, &ReadParamsExt2::auto_acc_limiter,
+      &ReadParamsExt2::imu_orientation_corr, &ReadParamsExt2::timelapse_time,
+      &ReadParamsExt2::emergency_stop_restart_delay, &ReadParamsExt2::timelapse_acc_part,
+      &ReadParamsExt2::momentum, &ReadParamsExt2::momentum_calib_stimulus,
+      &ReadParamsExt2::momentum_ellipticity, &ReadParamsExt2::follow_range,
+      &ReadParamsExt2::stab_axis, &ReadParamsExt2::outer_mot_tilt_angle,
+      &ReadParamsExt2::startup_action, &ReadParamsExt2::startup_action_src,
+      &ReadParamsExt2::startup_action_threshold, &ReadParamsExt2::force_position_cfg,
+      &ReadParamsExt2::step_signals, &ReadParamsExt2::rc_calibrations,
+      &ReadParamsExt2::parking_pos_cfg, &ReadParamsExt2::ext_led_pin_id,
+      &ReadParamsExt2::interrupt_cfg, &ReadParamsExt2::overload_time,
+      &ReadParamsExt2::auto_pid_momentum, &ReadParamsExt2::jerk_slope,
+      &ReadParamsExt2::mav_ctrl_mode, &ReadParamsExt2::rc_serial_speed,
+      &ReadParamsExt2::uart2_speed, &ReadParamsExt2::motor_res, &ReadParamsExt2::current_limit,
+      &ReadParamsExt2::middle_mot_tilt_angle>;
 };
 
 /// Request the third set of parameters of one profile.
@@ -478,6 +611,27 @@ struct ReadParamsExt2Request {
 
   bool operator==(const ReadParamsExt2Request&) const = default;
   using FixedMembers = Members<&ReadParamsExt2Request::profile_id>;
+};
+
+/// Begin or end a series of commands that store parameters. Between the two, the board is in a
+/// state for configuration. At the end it may restart to apply the parameters.
+///
+/// CMD_WRITE_PARAMS_SET (119), to the board; 1 byte. Effect: sets, moves, restarts. Since firmware
+/// 2.70b4. Source: Later firmware.
+struct WriteParamsSet {
+  static constexpr CommandToBoard command = CommandToBoard::write_params_set;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 1;
+  static constexpr std::size_t max_size = 1;
+  static constexpr Availability since{.firmware = 2704};
+  using Response = void;
+
+  /// Whether the series begins or ends.
+  WriteParamsAction action{};
+
+  bool operator==(const WriteParamsSet&) const = default;
+  using FixedMembers = Members<&WriteParamsSet::action>;
 };
 
 /// Profile names.
@@ -517,20 +671,54 @@ struct ReadProfileNamesRequest {
   bool operator==(const ReadProfileNamesRequest&) const = default;
 };
 
+/// Save, clear or load a profile set.
+///
+/// CMD_PROFILE_SET (95), to the board; 10 bytes. Effect: stores, moves, erases. Since firmware
+/// 2.65. Source: Later firmware.
+struct ProfileSet {
+  static constexpr CommandToBoard command = CommandToBoard::profile_set;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 10;
+  static constexpr std::size_t max_size = 10;
+  static constexpr Availability since{.firmware = 2650};
+  using Response = void;
+
+  /// For slot: the backup.
+  static constexpr std::uint8_t backup_slot{6};
+
+  /// Place of the profile set. Range: 1 to 5.
+  std::uint8_t slot{};
+  /// Operation.
+  ProfileSetAction action{};
+  /// Reserved; kept as it is.
+  Bytes<8> reserved{};
+
+  bool operator==(const ProfileSet&) const = default;
+  using FixedMembers = Members<&ProfileSet::slot, &ProfileSet::action, &ProfileSet::reserved>;
+};
+
 /// Save the parameters in use, with all changes to adjustable variables, to the active profile.
 ///
-/// CMD_SAVE_PARAMS_3 (32), to the board; 0 bytes. Effect: stores. Since board 3.0. Source: Outgoing
-/// commands L804.
+/// CMD_SAVE_PARAMS_3 (32), to the board; 0 to 255 bytes. Effect: stores. Since board 3.0. Source:
+/// Outgoing commands L804.
 struct SaveParams3 {
   static constexpr CommandToBoard command = CommandToBoard::save_params_3;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 0;
-  static constexpr std::size_t max_size = 0;
+  static constexpr std::size_t max_size = 255;
   static constexpr Availability since{.board = 30};
   using Response = void;
 
+  /// Variables to save; none stands for all. Since firmware 2.68b9.
+  BoundedArray<VariableId, 255> param_id{};
+
   bool operator==(const SaveParams3&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.param_id, "param_id");
+  }
 };
 
 /// Restore the factory defaults. The parameters of the profile are lost; 253 erases the whole
@@ -549,6 +737,8 @@ struct UseDefaults {
 
   /// For profile_id: erases the EEPROM.
   static constexpr std::uint8_t erase_eeprom{253};
+  /// For profile_id: resets the active profile.
+  static constexpr std::uint8_t reset_active{254};
 
   /// Profile to reset. Range: 0 to 4.
   std::uint8_t profile_id{};

@@ -31,7 +31,7 @@ struct RunScript {
 
   /// Operation.
   ScriptMode mode{};
-  /// Script slot; whether it counts from 0 or from 1 is unknown.
+  /// Script slot, counted from 0.
   std::uint8_t slot{};
   /// Reserved; kept as it is.
   Bytes<32> reserved{};

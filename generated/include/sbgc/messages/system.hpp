@@ -1,6 +1,6 @@
 // Generated from spec/ by generator/: edit those, then run ./dev generate.
 
-/// Board identity, confirmations, errors and restarts.
+/// Board identity, statistics, confirmations, errors and restarts.
 #pragma once
 
 #include <array>
@@ -18,7 +18,9 @@ static_assert(codec_version == 2, "generated code and runtime do not match");
 
 struct BoardInfo;
 struct BoardInfo3;
+struct ReadStateVars;
 struct Reset;
+struct SignMessage;
 
 /// Board version and features.
 ///
@@ -36,23 +38,32 @@ struct BoardInfo {
   BoardVersion board_ver{};
   /// Firmware version.
   FirmwareVersion firmware_ver{};
-  /// Whether debug output is enabled. 0: a host should hide its debug output.
-  std::uint8_t debug_mode{};
+  /// State of the board; before later firmware, only whether debug output is enabled.
+  BoardStateFlags debug_mode{};
   /// Features of the board.
   BoardFeatures board_features{};
   /// How this host is connected.
   ConnectionFlags connection_flags{};
   /// Identifies special firmware builds.
   std::uint32_t frw_extra_id{};
-  /// Later firmware holds more feature bits, IMU models and a base firmware version here.
-  Bytes<7> reserved{};
+  /// More features of the board.
+  BoardFeaturesExt board_features_ext{};
+  /// Model of the main IMU's sensor.
+  std::uint8_t main_imu_sens_model{};
+  /// Model of the frame IMU's sensor.
+  std::uint8_t frame_imu_sens_model{};
+  /// Build of the firmware version.
+  std::uint8_t build_number{};
+  /// Main version on which an experimental version is based.
+  FirmwareVersion base_frw_ver{};
   /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<237> tail{};
 
   bool operator==(const BoardInfo&) const = default;
   using FixedMembers = Members<&BoardInfo::board_ver, &BoardInfo::firmware_ver,
       &BoardInfo::debug_mode, &BoardInfo::board_features, &BoardInfo::connection_flags,
-      &BoardInfo::frw_extra_id, &BoardInfo::reserved>;
+      &BoardInfo::frw_extra_id, &BoardInfo::board_features_ext, &BoardInfo::main_imu_sens_model,
+      &BoardInfo::frame_imu_sens_model, &BoardInfo::build_number, &BoardInfo::base_frw_ver>;
 };
 
 /// Request the board and firmware version.
@@ -135,7 +146,7 @@ struct Confirm {
   Optional<std::uint32_t> addr{};
   /// Result of the file operation. Present if cmd is CMD_WRITE_FILE or CMD_FS_CLEAR_ALL.
   Optional<FileError> err_code{};
-  /// Data of other commands; usually empty. At most 5.
+  /// Data of other commands; usually empty, or 0 for success. At most 5.
   BoundedBytes<254> data{};
 
   bool operator==(const Confirm&) const = default;
@@ -207,8 +218,10 @@ struct BoardInfo3 {
   static constexpr std::size_t max_size = 69;
   static constexpr Availability since{.board = 30};
 
-  /// For script_slot_size: the slot is empty.
+  /// For script_slot_size and script_slot_6_to_10_size: the slot is empty.
   static constexpr std::uint16_t empty_slot{0};
+  /// For profile_set_cur: earlier firmware has no profile sets.
+  static constexpr std::uint8_t no_profile_set{0};
 
   /// Identifies the board.
   Bytes<9> device_id{};
@@ -218,14 +231,38 @@ struct BoardInfo3 {
   LongByteCount eeprom_size{};
   /// Size of the user script in each slot. Unit: byte.
   std::array<ByteCount, 5> script_slot_size{};
+  /// Profile sets in memory.
+  StoredProfileSets profile_set_slots{};
+  /// Selected profile set; 6 is the backup. Range: 1 to 6.
+  std::uint8_t profile_set_cur{};
+  /// Size of the flash memory. Unit: byte.
+  FlashSize flash_size{};
+  /// Information about the calibrations of the IMUs.
+  Bytes<2> imu_calib_info{};
+  /// Size of the user script in each of slots 6 to 10. Unit: byte.
+  std::array<ByteCount, 5> script_slot_6_to_10_size{};
+  /// Hardware on the board.
+  HardwareFlags hw_flags{};
+  /// More features of the board. Since firmware 2.73.
+  BoardFeaturesExt2 board_features_ext2{};
+  /// Number of licensed CAN motor drivers for the main axes. Since firmware 2.72b3.
+  std::uint8_t can_drv_main_limit{};
+  /// Number of licensed CAN motor drivers for auxiliary motors. Since firmware 2.72b3.
+  std::uint8_t can_drv_aux_limit{};
+  /// Number of adjustable variables. Since firmware 2.73.
+  std::uint8_t adj_vars_total_num{};
   /// Reserved; kept as it is.
-  Bytes<34> reserved{};
+  Bytes<10> reserved{};
   /// Bytes appended by later firmware; preserved and written back.
   BoundedBytes<186> tail{};
 
   bool operator==(const BoardInfo3&) const = default;
   using FixedMembers = Members<&BoardInfo3::device_id, &BoardInfo3::mcu_id,
-      &BoardInfo3::eeprom_size, &BoardInfo3::script_slot_size, &BoardInfo3::reserved>;
+      &BoardInfo3::eeprom_size, &BoardInfo3::script_slot_size, &BoardInfo3::profile_set_slots,
+      &BoardInfo3::profile_set_cur, &BoardInfo3::flash_size, &BoardInfo3::imu_calib_info,
+      &BoardInfo3::script_slot_6_to_10_size, &BoardInfo3::hw_flags,
+      &BoardInfo3::board_features_ext2, &BoardInfo3::can_drv_main_limit,
+      &BoardInfo3::can_drv_aux_limit, &BoardInfo3::adj_vars_total_num, &BoardInfo3::reserved>;
 };
 
 /// Request serial numbers, memory and scripts of the board.
@@ -341,6 +378,120 @@ struct BootMode3Ext {
 
   bool operator==(const BootMode3Ext&) const = default;
   using FixedMembers = Members<&BootMode3Ext::confirm, &BootMode3Ext::delay_ms>;
+};
+
+/// Statistics of the board's whole life.
+///
+/// CMD_READ_STATE_VARS (111), from the board; 192 bytes, and later firmware may append more. Since
+/// firmware 2.68b7, board 3.6. Source: Later firmware.
+struct ReadStateVars {
+  static constexpr CommandFromBoard command = CommandFromBoard::read_state_vars;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 192;
+  static constexpr std::size_t max_size = 192;
+  static constexpr Availability since{.firmware = 2687, .board = 36};
+
+  /// Current value of each step signal.
+  std::array<std::uint8_t, 6> step_signal_val{};
+  /// Reason for the last emergency stop.
+  SystemSubError sub_error{};
+  /// Highest acceleration. Unit: g.
+  AccelerationPeak max_acc{};
+  /// Time in operation. Unit: ms.
+  LongSeconds work_time{};
+  /// Number of starts.
+  std::uint16_t startup_cnt{};
+  /// Highest current. Unit: mA.
+  Current max_current{};
+  /// Lowest temperature of the IMU. Unit: degC.
+  PositiveTemperature imu_temp_min{};
+  /// Highest temperature of the IMU. Unit: degC.
+  PositiveTemperature imu_temp_max{};
+  /// Lowest temperature of the microcontroller. Unit: degC.
+  PositiveTemperature mcu_temp_min{};
+  /// Highest temperature of the microcontroller. Unit: degC.
+  PositiveTemperature mcu_temp_max{};
+  /// Numbers of shocks.
+  std::array<std::uint8_t, 4> shock_cnt{};
+  /// Time over which ENERGY is counted. Unit: ms.
+  LongSeconds energy_time{};
+  /// Energy used. Unit: Wh.
+  WattHours energy{};
+  /// Time over which AVG_CURRENT is averaged. Unit: ms.
+  LongSeconds avg_current_time{};
+  /// Average current. Unit: mA.
+  AverageCurrent avg_current{};
+  /// Reserved; kept as it is.
+  Bytes<152> reserved{};
+  /// Bytes appended by later firmware; preserved and written back.
+  BoundedBytes<63> tail{};
+
+  bool operator==(const ReadStateVars&) const = default;
+  using FixedMembers = Members<&ReadStateVars::step_signal_val, &ReadStateVars::sub_error,
+      &ReadStateVars::max_acc, &ReadStateVars::work_time, &ReadStateVars::startup_cnt,
+      &ReadStateVars::max_current, &ReadStateVars::imu_temp_min, &ReadStateVars::imu_temp_max,
+      &ReadStateVars::mcu_temp_min, &ReadStateVars::mcu_temp_max, &ReadStateVars::shock_cnt,
+      &ReadStateVars::energy_time, &ReadStateVars::energy, &ReadStateVars::avg_current_time,
+      &ReadStateVars::avg_current, &ReadStateVars::reserved>;
+};
+
+/// Request the statistics of the board's whole life. The board has the feature STATE_VARS.
+///
+/// CMD_READ_STATE_VARS (111), to the board; 0 bytes. Effect: reads. Since firmware 2.68b7, board
+/// 3.6. Source: Later firmware.
+struct ReadStateVarsRequest {
+  static constexpr CommandToBoard command = CommandToBoard::read_state_vars;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 0;
+  static constexpr Availability since{.firmware = 2687, .board = 36};
+  using Response = ReadStateVars;
+
+  bool operator==(const ReadStateVarsRequest&) const = default;
+};
+
+/// Signature of a message.
+///
+/// CMD_SIGN_MESSAGE (50), from the board; 32 bytes, and later firmware may append more. Source:
+/// Later firmware.
+struct SignMessage {
+  static constexpr CommandFromBoard command = CommandFromBoard::sign_message;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 32;
+  static constexpr std::size_t max_size = 32;
+  static constexpr Availability since{};
+
+  /// The signature.
+  Bytes<32> signature{};
+  /// Bytes appended by later firmware; preserved and written back.
+  BoundedBytes<223> tail{};
+
+  bool operator==(const SignMessage&) const = default;
+  using FixedMembers = Members<&SignMessage::signature>;
+};
+
+/// Sign a message with the keys of the board.
+///
+/// CMD_SIGN_MESSAGE (50), to the board; 33 bytes. Effect: reads. Source: Later firmware.
+struct SignMessageRequest {
+  static constexpr CommandToBoard command = CommandToBoard::sign_message;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 33;
+  static constexpr std::size_t max_size = 33;
+  static constexpr Availability since{};
+  using Response = SignMessage;
+
+  /// Set of keys.
+  std::uint8_t sign_type{};
+  /// The message.
+  Bytes<32> message{};
+
+  bool operator==(const SignMessageRequest&) const = default;
+  using FixedMembers = Members<&SignMessageRequest::sign_type, &SignMessageRequest::message>;
 };
 
 /// Undocumented body from the board.
@@ -521,6 +672,68 @@ struct MavlinkDebugRequest {
   static constexpr void varying_members(auto& self, auto& cursor) noexcept {
     cursor.rest(self.data, "data");
   }
+};
+
+/// Undocumented body from the board.
+///
+/// CMD_EXT_LICENSE_INFO (124), from the board; 0 to 255 bytes. Unconfirmed. Source: Later firmware.
+struct ExtLicenseInfo {
+  static constexpr CommandFromBoard command = CommandFromBoard::ext_license_info;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const ExtLicenseInfo&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body to the board.
+///
+/// CMD_EXT_LICENSE_INFO (124), to the board; 0 to 255 bytes. Effect: unknown. Unconfirmed. Source:
+/// Later firmware.
+struct ExtLicenseInfoRequest {
+  static constexpr CommandToBoard command = CommandToBoard::ext_license_info;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+  using Response = void;
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const ExtLicenseInfoRequest&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Store the statistics of the board's whole life. The board has the feature STATE_VARS. Write back
+/// what you read, and change only what you need.
+///
+/// CMD_WRITE_STATE_VARS (112), to the board; 192 bytes, and later firmware may append more. Effect:
+/// stores. Since firmware 2.68b7, board 3.6. Source: Later firmware.
+struct WriteStateVars : ReadStateVars {
+  static constexpr CommandToBoard command = CommandToBoard::write_state_vars;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 192;
+  static constexpr std::size_t max_size = 192;
+  static constexpr Availability since{.firmware = 2687, .board = 36};
+  using Response = void;
+  using Body = ReadStateVars;
+
+  bool operator==(const WriteStateVars&) const = default;
 };
 
 }  // namespace sbgc::msg

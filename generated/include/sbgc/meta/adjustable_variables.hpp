@@ -77,6 +77,62 @@ struct Meta<msg::AnalogSlot> {
 };
 
 template <>
+struct Meta<msg::AdjVarInfo> {
+  static constexpr FieldInfo fields[] = {
+      {.name = "var_id",
+       .spec_name = "VAR_ID",
+       .summary = "The variable."},
+      {.name = "name",
+       .spec_name = "NAME",
+       .summary = "Its name, at most 16 characters."},
+      {.name = "range_min",
+       .spec_name = "RANGE_MIN",
+       .summary = "Its lowest value."},
+      {.name = "range_max",
+       .spec_name = "RANGE_MAX",
+       .summary = "Its highest value."},
+      {.name = "value",
+       .spec_name = "VALUE",
+       .summary = "Its value.",
+       .is_variable_value = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.var_id);
+    visitor(fields[1], value.name);
+    visitor(fields[2], value.range_min);
+    visitor(fields[3], value.range_max);
+    visitor(fields[4], value.value);
+  }
+  /// Calls `check(field, low, field, high, is_strict)` for each rule that low is not above high.
+  template <class T, class Check>
+  static constexpr void rules(const T& value, Check&& check) {
+    check(fields[2], value.range_min, fields[3], value.range_max, false);
+  }
+};
+
+template <>
+struct Meta<msg::AdjVarFloat> {
+  static constexpr FieldInfo fields[] = {
+      {.name = "id",
+       .spec_name = "ID",
+       .summary = "The variable (Appendix B)."},
+      {.name = "value",
+       .spec_name = "VALUE",
+       .summary = "The value."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.id);
+    visitor(fields[1], value.value);
+  }
+};
+
+template <>
 struct Meta<msg::SetAdjVarsVal> {
   static constexpr MessageInfo info{
       .name = "SetAdjVarsVal",
@@ -210,6 +266,7 @@ struct Meta<msg::AdjVarsState> {
   static constexpr Range trigger_rc_data_range{-500, 500};
   static constexpr Range trigger_action_range{0, 255};
   static constexpr Range analog_rc_data_range{-500, 500};
+  static constexpr Range lut_src_value_range{-16384, 16384};
   static constexpr FieldInfo fields[] = {
       {.name = "trigger_rc_data",
        .spec_name = "TRIGGER_RC_DATA",
@@ -228,10 +285,16 @@ struct Meta<msg::AdjVarsState> {
       {.name = "analog_value",
        .spec_name = "ANALOG_VALUE",
        .summary = "Value of the variable, in its own units."},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
-       .reserved = true},
+      {.name = "lut_src_value",
+       .spec_name = "LUT_SRC_VALUE",
+       .summary = "RC signal of LUT_SRC_ID; only in the response to the 7-byte request.",
+       .unit = &UnitMeta<msg::FineRcSignal>::info,
+       .range = &lut_src_value_range,
+       .since = {.firmware = 2625}},
+      {.name = "lut_var_value",
+       .spec_name = "LUT_VAR_VALUE",
+       .summary = "Value of LUT_VAR_ID; only in the response to the 7-byte request.",
+       .since = {.firmware = 2625}},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -241,7 +304,8 @@ struct Meta<msg::AdjVarsState> {
     visitor(fields[1], value.trigger_action);
     visitor(fields[2], value.analog_rc_data);
     visitor(fields[3], value.analog_value);
-    visitor(fields[4], value.reserved);
+    visitor(fields[4], value.lut_src_value);
+    visitor(fields[5], value.lut_var_value);
     visitor(tail_field, value.tail);
   }
 };
@@ -283,7 +347,7 @@ struct Meta<msg::AdjVarsStateRequestExt> {
   static constexpr MessageInfo info{
       .name = "AdjVarsStateRequestExt",
       .command = "CMD_ADJ_VARS_STATE",
-      .summary = "Request the state of adjustable variables, in the form of later firmware.",
+      .summary = "Request the state of a trigger slot, two RC signals and two variables.",
       .id = 46,
       .direction = Direction::to_board,
       .min_size = 7,
@@ -291,16 +355,172 @@ struct Meta<msg::AdjVarsStateRequestExt> {
       .since = {.firmware = 2625},
       .answers = answers,
       .effects = Effects(Effect::reads)};
+  static constexpr Range trigger_slot_range{0, 9};
   static constexpr FieldInfo fields[] = {
-      {.name = "params",
-       .spec_name = "PARAMS",
-       .summary = "Undocumented."},
+      {.name = "trigger_slot",
+       .spec_name = "TRIGGER_SLOT",
+       .summary = "Trigger slot, counted from 0.",
+       .range = &trigger_slot_range},
+      {.name = "analog_src_id",
+       .spec_name = "ANALOG_SRC_ID",
+       .summary = "RC signal to report."},
+      {.name = "analog_var_id",
+       .spec_name = "ANALOG_VAR_ID",
+       .summary = "Variable to report."},
+      {.name = "lut_src_id",
+       .spec_name = "LUT_SRC_ID",
+       .summary = "RC signal of a lookup table to report."},
+      {.name = "lut_var_id",
+       .spec_name = "LUT_VAR_ID",
+       .summary = "Variable of a lookup table to report."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
   static constexpr void visit(T& value, Visitor&& visitor) {
-    visitor(fields[0], value.params);
+    visitor(fields[0], value.trigger_slot);
+    visitor(fields[1], value.analog_src_id);
+    visitor(fields[2], value.analog_var_id);
+    visitor(fields[3], value.lut_src_id);
+    visitor(fields[4], value.lut_var_id);
+  }
+};
+
+template <>
+struct Meta<msg::AdjVarsInfo> {
+  static constexpr MessageInfo info{
+      .name = "AdjVarsInfo",
+      .command = "CMD_ADJ_VARS_INFO",
+      .summary = "Names, ranges and values of adjustable variables.",
+      .id = 132,
+      .direction = Direction::from_board,
+      .min_size = 1,
+      .max_size = 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "total_number",
+       .spec_name = "TOTAL_NUMBER",
+       .summary = "Number of variables of the board, of which a message holds a part."},
+      {.name = "vars",
+       .spec_name = "vars",
+       .summary = "The variables, from START_ID on."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.total_number);
+    visitor(fields[1], value.vars);
+  }
+};
+
+template <>
+struct Meta<msg::AdjVarsInfoRequest> {
+  static constexpr const char* answers[] = {"AdjVarsInfo"};
+  static constexpr MessageInfo info{
+      .name = "AdjVarsInfoRequest",
+      .command = "CMD_ADJ_VARS_INFO",
+      .summary = "Request names, ranges and values of adjustable variables.",
+      .id = 132,
+      .direction = Direction::to_board,
+      .min_size = 1,
+      .max_size = 1,
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "start_id",
+       .spec_name = "START_ID",
+       .summary = "First variable to describe."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.start_id);
+  }
+};
+
+template <>
+struct Meta<msg::AdjVarsInfoRequestAll> {
+  static constexpr const char* answers[] = {"AdjVarsInfo"};
+  static constexpr MessageInfo info{
+      .name = "AdjVarsInfoRequestAll",
+      .command = "CMD_ADJ_VARS_INFO",
+      .summary = "Request names, ranges and values of adjustable variables, starting with the first.",
+      .id = 132,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<msg::SetAdjVarsValF> {
+  static constexpr MessageInfo info{
+      .name = "SetAdjVarsValF",
+      .command = "CMD_SET_ADJ_VARS_VAL_F",
+      .summary = "Values of adjustable variables in floating point.",
+      .id = 134,
+      .direction = Direction::both,
+      .min_size = 1,
+      .max_size = 201,
+      .since = {.firmware = 2734},
+      .effects = Effects(Effect::sets) | Effect::moves};
+  static constexpr Range num_params_range{1, 40};
+  static constexpr FieldInfo fields[] = {
+      {.name = "num_params",
+       .spec_name = "NUM_PARAMS",
+       .summary = "Number of variables that follow.",
+       .range = &num_params_range},
+      {.name = "params",
+       .spec_name = "params",
+       .summary = "The variables."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], Counter{value.params.size()});
+    visitor(fields[1], value.params);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<msg::GetAdjVarsValF> {
+  static constexpr const char* answers[] = {"SetAdjVarsValF"};
+  static constexpr MessageInfo info{
+      .name = "GetAdjVarsValF",
+      .command = "CMD_GET_ADJ_VARS_VAL_F",
+      .summary = "Request the values of adjustable variables in floating point.",
+      .id = 135,
+      .direction = Direction::to_board,
+      .min_size = 1,
+      .max_size = 41,
+      .since = {.firmware = 2734},
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
+  static constexpr Range num_params_range{1, 40};
+  static constexpr FieldInfo fields[] = {
+      {.name = "num_params",
+       .spec_name = "NUM_PARAMS",
+       .summary = "Number of variables that follow.",
+       .range = &num_params_range},
+      {.name = "id",
+       .spec_name = "ID",
+       .summary = "The variables (Appendix B)."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], Counter{value.id.size()});
+    visitor(fields[1], value.id);
   }
 };
 

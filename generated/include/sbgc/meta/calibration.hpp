@@ -31,6 +31,146 @@ struct Meta<msg::AxisTuning> {
 };
 
 template <>
+struct Meta<msg::AxisTuningConfig> {
+  static constexpr FieldInfo fields[] = {
+      {.name = "axis_flags",
+       .spec_name = "AXIS_FLAGS",
+       .summary = "What to tune."},
+      {.name = "gain",
+       .spec_name = "GAIN",
+       .summary = "Gain to aim for."},
+      {.name = "stimulus_gain",
+       .spec_name = "STIMULUS_GAIN",
+       .summary = "Strength of the test signal."},
+      {.name = "effective_freq",
+       .spec_name = "EFFECTIVE_FREQ",
+       .summary = "Effective frequency.",
+       .unit = &UnitMeta<msg::SmallFrequency>::info},
+      {.name = "problem_freq",
+       .spec_name = "PROBLEM_FREQ",
+       .summary = "Frequency of a known problem.",
+       .unit = &UnitMeta<msg::SmallFrequency>::info},
+      {.name = "problem_margin",
+       .spec_name = "PROBLEM_MARGIN",
+       .summary = "Margin at that frequency.",
+       .unit = &UnitMeta<msg::TenthDecibels>::info},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.axis_flags);
+    visitor(fields[1], value.gain);
+    visitor(fields[2], value.stimulus_gain);
+    visitor(fields[3], value.effective_freq);
+    visitor(fields[4], value.problem_freq);
+    visitor(fields[5], value.problem_margin);
+    visitor(fields[6], value.reserved);
+  }
+};
+
+template <>
+struct Meta<msg::AutoPid2Config> {
+  static constexpr Range cfg_version_range{1, 1};
+  static constexpr FieldInfo fields[] = {
+      {.name = "cfg_version",
+       .spec_name = "CFG_VERSION",
+       .summary = "Version of the configuration.",
+       .range = &cfg_version_range},
+      {.name = "axes",
+       .spec_name = "axes",
+       .summary = "How to tune each axis."},
+      {.name = "general_flags",
+       .spec_name = "GENERAL_FLAGS",
+       .summary = "Options."},
+      {.name = "reserved_1",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+      {.name = "test_freq_from",
+       .spec_name = "TEST_FREQ_FROM",
+       .summary = "Lowest frequency of the test signal.",
+       .unit = &UnitMeta<msg::TenthHertz>::info},
+      {.name = "test_freq_to",
+       .spec_name = "TEST_FREQ_TO",
+       .summary = "Highest frequency of the test signal.",
+       .unit = &UnitMeta<msg::SmallFrequency>::info},
+      {.name = "multi_pos_flag",
+       .spec_name = "MULTI_POS_FLAG",
+       .summary = "Positions in which to tune."},
+      {.name = "multi_pos_angle",
+       .spec_name = "MULTI_POS_ANGLE",
+       .summary = "Angle of each position.",
+       .unit = &UnitMeta<msg::EncoderLimit>::info},
+      {.name = "reserved_2",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.cfg_version);
+    visitor(fields[1], value.axes);
+    visitor(fields[2], value.general_flags);
+    visitor(fields[3], value.reserved_1);
+    visitor(fields[4], value.test_freq_from);
+    visitor(fields[5], value.test_freq_to);
+    visitor(fields[6], value.multi_pos_flag);
+    visitor(fields[7], value.multi_pos_angle);
+    visitor(fields[8], value.reserved_2);
+  }
+};
+
+template <>
+struct Meta<msg::CoggingMotor> {
+  static constexpr Range angle_range{20, 360};
+  static constexpr Range smooth_range{0, 100};
+  static constexpr Special period_special[] = {
+      {0, "automatic"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "angle",
+       .spec_name = "ANGLE",
+       .summary = "Angle by which the motor turns.",
+       .unit = &UnitMeta<msg::WideDegrees>::info,
+       .range = &angle_range},
+      {.name = "smooth",
+       .spec_name = "SMOOTH",
+       .summary = "Smoothing of the result.",
+       .unit = &UnitMeta<msg::Percent>::info,
+       .range = &smooth_range},
+      {.name = "speed",
+       .spec_name = "SPEED",
+       .summary = "Speed of the motion; relative."},
+      {.name = "period",
+       .spec_name = "PERIOD",
+       .summary = "Angle after which the cogging repeats.",
+       .unit = &UnitMeta<msg::WideDegrees>::info,
+       .special = period_special},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.angle);
+    visitor(fields[1], value.smooth);
+    visitor(fields[2], value.speed);
+    visitor(fields[3], value.period);
+    visitor(fields[4], value.reserved);
+  }
+};
+
+template <>
 struct Meta<msg::CalibAcc> {
   static constexpr MessageInfo info{
       .name = "CalibAcc",
@@ -66,6 +206,11 @@ struct Meta<msg::CalibAccExt> {
       {.name = "action",
        .spec_name = "ACTION",
        .summary = "Operation."},
+      {.name = "time_ms",
+       .spec_name = "TIME_MS",
+       .summary = "Without meaning here; the duration of the calibration of a gyroscope.",
+       .unit = &UnitMeta<msg::Milliseconds>::info,
+       .since = {.firmware = 2600}},
       {.name = "reserved",
        .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
@@ -77,7 +222,8 @@ struct Meta<msg::CalibAccExt> {
   static constexpr void visit(T& value, Visitor&& visitor) {
     visitor(fields[0], value.imu_idx);
     visitor(fields[1], value.action);
-    visitor(fields[2], value.reserved);
+    visitor(fields[2], value.time_ms);
+    visitor(fields[3], value.reserved);
   }
 };
 
@@ -110,6 +256,9 @@ struct Meta<msg::CalibGyroExt> {
       .min_size = 12,
       .max_size = 12,
       .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases};
+  static constexpr Special time_ms_special[] = {
+      {0, "about 4 s"},
+  };
   static constexpr FieldInfo fields[] = {
       {.name = "imu_idx",
        .spec_name = "IMU_IDX",
@@ -117,6 +266,12 @@ struct Meta<msg::CalibGyroExt> {
       {.name = "action",
        .spec_name = "ACTION",
        .summary = "Operation."},
+      {.name = "time_ms",
+       .spec_name = "TIME_MS",
+       .summary = "Duration of the calibration of a gyroscope.",
+       .unit = &UnitMeta<msg::Milliseconds>::info,
+       .special = time_ms_special,
+       .since = {.firmware = 2600}},
       {.name = "reserved",
        .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
@@ -128,7 +283,8 @@ struct Meta<msg::CalibGyroExt> {
   static constexpr void visit(T& value, Visitor&& visitor) {
     visitor(fields[0], value.imu_idx);
     visitor(fields[1], value.action);
-    visitor(fields[2], value.reserved);
+    visitor(fields[2], value.time_ms);
+    visitor(fields[3], value.reserved);
   }
 };
 
@@ -148,6 +304,45 @@ struct Meta<msg::CalibMag> {
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
   static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<msg::CalibMagExt> {
+  static constexpr MessageInfo info{
+      .name = "CalibMagExt",
+      .command = "CMD_CALIB_MAG",
+      .summary = "Calibrate the magnetometer of an IMU, or manage its calibrations.",
+      .id = 59,
+      .direction = Direction::to_board,
+      .min_size = 12,
+      .max_size = 12,
+      .since = {.board = 30},
+      .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases};
+  static constexpr FieldInfo fields[] = {
+      {.name = "imu_idx",
+       .spec_name = "IMU_IDX",
+       .summary = "The IMU."},
+      {.name = "action",
+       .spec_name = "ACTION",
+       .summary = "Operation."},
+      {.name = "time_ms",
+       .spec_name = "TIME_MS",
+       .summary = "Without meaning here; the duration of the calibration of a gyroscope.",
+       .unit = &UnitMeta<msg::Milliseconds>::info},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.imu_idx);
+    visitor(fields[1], value.action);
+    visitor(fields[2], value.time_ms);
+    visitor(fields[3], value.reserved);
   }
 };
 
@@ -436,13 +631,20 @@ struct Meta<msg::EncodersCalibOffset4> {
       .id = 26,
       .direction = Direction::to_board,
       .min_size = 0,
-      .max_size = 0,
+      .max_size = 1,
       .since = {.board = 30},
       .effects = Effects(Effect::stores)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "for_motor",
+       .spec_name = "FOR_MOTOR",
+       .summary = "Motor whose encoder to calibrate.",
+       .since = {.firmware = 2687}},
+  };
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
-  static constexpr void visit(T&, Visitor&&) {
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.for_motor);
   }
 };
 
@@ -455,13 +657,32 @@ struct Meta<msg::EncodersCalibFldOffset4> {
       .id = 27,
       .direction = Direction::to_board,
       .min_size = 0,
-      .max_size = 0,
+      .max_size = 14,
       .since = {.board = 30},
       .effects = Effects(Effect::stores) | Effect::moves};
+  static constexpr FieldInfo fields[] = {
+      {.name = "calib_angle",
+       .spec_name = "CALIB_ANGLE",
+       .summary = "Angle by which each motor turns; 40 degrees if omitted.",
+       .unit = &UnitMeta<msg::Angle14>::info,
+       .since = {.firmware = 2626}},
+      {.name = "calib_speed",
+       .spec_name = "CALIB_SPEED",
+       .summary = "Speed at which each motor turns.",
+       .unit = &UnitMeta<msg::GyroRate>::info,
+       .since = {.firmware = 2711}},
+      {.name = "calib_flags",
+       .spec_name = "CALIB_FLAGS",
+       .summary = "Checks to omit.",
+       .since = {.firmware = 2708}},
+  };
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
-  static constexpr void visit(T&, Visitor&&) {
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.calib_angle);
+    visitor(fields[1], value.calib_speed);
+    visitor(fields[2], value.calib_flags);
   }
 };
 
@@ -526,12 +747,19 @@ struct Meta<msg::AutoPidRequest> {
       .min_size = 19,
       .max_size = 19,
       .since = {.board = 30},
+      .until = {.firmware = 2730},
       .effects = Effects(Effect::stores) | Effect::moves};
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special cfg_flags_special[] = {
       {0, "stops the tuning"},
   };
   static constexpr Range gain_vs_stability_range{0, 255};
+  static constexpr Special momentum_special[] = {
+      {0, "automatic"},
+  };
+  static constexpr Special action_special[] = {
+      {0, "starts the tuning"},
+  };
   static constexpr FieldInfo fields[] = {
       {.name = "profile_id",
        .spec_name = "PROFILE_ID",
@@ -545,6 +773,16 @@ struct Meta<msg::AutoPidRequest> {
        .spec_name = "GAIN_VS_STABILITY",
        .summary = "Preference for high gains at the cost of stability.",
        .range = &gain_vs_stability_range},
+      {.name = "momentum",
+       .spec_name = "MOMENTUM",
+       .summary = "Moment of inertia.",
+       .special = momentum_special,
+       .since = {.firmware = 2600}},
+      {.name = "action",
+       .spec_name = "ACTION",
+       .summary = "Operation; only one is documented.",
+       .special = action_special,
+       .since = {.firmware = 2600}},
       {.name = "reserved",
        .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
@@ -557,7 +795,663 @@ struct Meta<msg::AutoPidRequest> {
     visitor(fields[0], value.profile_id);
     visitor(fields[1], value.cfg_flags);
     visitor(fields[2], value.gain_vs_stability);
-    visitor(fields[3], value.reserved);
+    visitor(fields[3], value.momentum);
+    visitor(fields[4], value.action);
+    visitor(fields[5], value.reserved);
+  }
+};
+
+template <>
+struct Meta<msg::AutoPid2> {
+  static constexpr MessageInfo info{
+      .name = "AutoPid2",
+      .command = "CMD_AUTO_PID2",
+      .summary = "Tune the PID controllers automatically, in later firmware.",
+      .id = 108,
+      .direction = Direction::to_board,
+      .min_size = 11,
+      .max_size = 73,
+      .since = {.firmware = 2730},
+      .effects = Effects(Effect::stores) | Effect::moves};
+  static constexpr FieldInfo fields[] = {
+      {.name = "action",
+       .spec_name = "ACTION",
+       .summary = "Operation."},
+      {.name = "cmd_flags",
+       .spec_name = "CMD_FLAGS",
+       .summary = "Options of this request."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+      {.name = "config",
+       .spec_name = "config",
+       .summary = "How to tune."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.action);
+    visitor(fields[1], value.cmd_flags);
+    visitor(fields[2], value.reserved);
+    visitor(fields[3], value.config);
+  }
+};
+
+template <>
+struct Meta<msg::CalibOrientCorr> {
+  static constexpr MessageInfo info{
+      .name = "CalibOrientCorr",
+      .command = "CMD_CALIB_ORIENT_CORR",
+      .summary = "Calibrate the orientation of the IMU.",
+      .id = 91,
+      .direction = Direction::to_board,
+      .min_size = 16,
+      .max_size = 16,
+      .effects = Effects(Effect::stores) | Effect::moves};
+  static constexpr FieldInfo fields[] = {
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.reserved);
+  }
+};
+
+template <>
+struct Meta<msg::CalibCogging> {
+  static constexpr MessageInfo info{
+      .name = "CalibCogging",
+      .command = "CMD_CALIB_COGGING",
+      .summary = "Calibrate the cogging of the motors, or delete this calibration.",
+      .id = 93,
+      .direction = Direction::to_board,
+      .min_size = 57,
+      .max_size = 57,
+      .effects = Effects(Effect::stores) | Effect::moves | Effect::erases};
+  static constexpr Range iterations_num_range{2, 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "action",
+       .spec_name = "ACTION",
+       .summary = "Operation."},
+      {.name = "axes",
+       .spec_name = "AXES",
+       .summary = "The motors."},
+      {.name = "motors",
+       .spec_name = "motors",
+       .summary = "How to calibrate each motor."},
+      {.name = "iterations_num",
+       .spec_name = "ITERATIONS_NUM",
+       .summary = "Number of repetitions.",
+       .range = &iterations_num_range},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.action);
+    visitor(fields[1], value.axes);
+    visitor(fields[2], value.motors);
+    visitor(fields[3], value.iterations_num);
+    visitor(fields[4], value.reserved);
+  }
+};
+
+template <>
+struct Meta<msg::CalibAccExtRef> {
+  static constexpr MessageInfo info{
+      .name = "CalibAccExtRef",
+      .command = "CMD_CALIB_ACC_EXT_REF",
+      .summary = "Calibrate the accelerometer with an external reference.",
+      .id = 94,
+      .direction = Direction::to_board,
+      .min_size = 20,
+      .max_size = 20,
+      .since = {.firmware = 2627},
+      .effects = Effects(Effect::stores)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "acc_ref",
+       .spec_name = "ACC_REF",
+       .summary = "Actual acceleration.",
+       .unit = &UnitMeta<msg::Acceleration>::info},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.acc_ref);
+    visitor(fields[1], value.reserved);
+  }
+};
+
+template <>
+struct Meta<msg::BodeTestStartStop> {
+  static constexpr MessageInfo info{
+      .name = "BodeTestStartStop",
+      .command = "CMD_BODE_TEST_START_STOP",
+      .summary = "Undocumented body from the board.",
+      .id = 37,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::BodeTestStartStopRequest> {
+  static constexpr MessageInfo info{
+      .name = "BodeTestStartStopRequest",
+      .command = "CMD_BODE_TEST_START_STOP",
+      .summary = "Undocumented body to the board.",
+      .id = 37,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 255,
+      .effects = Effects(Effect::unknown)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::BodeTestData> {
+  static constexpr MessageInfo info{
+      .name = "BodeTestData",
+      .command = "CMD_BODE_TEST_DATA",
+      .summary = "Undocumented body from the board.",
+      .id = 38,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::BodeTestDataRequest> {
+  static constexpr MessageInfo info{
+      .name = "BodeTestDataRequest",
+      .command = "CMD_BODE_TEST_DATA",
+      .summary = "Undocumented body to the board.",
+      .id = 38,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 255,
+      .effects = Effects(Effect::unknown)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::CoggingCalibInfo> {
+  static constexpr MessageInfo info{
+      .name = "CoggingCalibInfo",
+      .command = "CMD_COGGING_CALIB_INFO",
+      .summary = "Undocumented body from the board.",
+      .id = 92,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::CoggingCalibInfoRequest> {
+  static constexpr MessageInfo info{
+      .name = "CoggingCalibInfoRequest",
+      .command = "CMD_COGGING_CALIB_INFO",
+      .summary = "Undocumented body to the board.",
+      .id = 92,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 255,
+      .effects = Effects(Effect::unknown)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::CanDrvHardParams> {
+  static constexpr MessageInfo info{
+      .name = "CanDrvHardParams",
+      .command = "CMD_CAN_DRV_HARD_PARAMS",
+      .summary = "Undocumented body from the board.",
+      .id = 97,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::CanDrvHardParamsRequest> {
+  static constexpr MessageInfo info{
+      .name = "CanDrvHardParamsRequest",
+      .command = "CMD_CAN_DRV_HARD_PARAMS",
+      .summary = "Undocumented body to the board.",
+      .id = 97,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 255,
+      .effects = Effects(Effect::unknown)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::CanDrvCalibrate> {
+  static constexpr MessageInfo info{
+      .name = "CanDrvCalibrate",
+      .command = "CMD_CAN_DRV_CALIBRATE",
+      .summary = "Undocumented body from the board.",
+      .id = 99,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::CanDrvCalibrateRequest> {
+  static constexpr MessageInfo info{
+      .name = "CanDrvCalibrateRequest",
+      .command = "CMD_CAN_DRV_CALIBRATE",
+      .summary = "Undocumented body to the board.",
+      .id = 99,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 255,
+      .effects = Effects(Effect::unknown)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::CalibEncoderLut> {
+  static constexpr MessageInfo info{
+      .name = "CalibEncoderLut",
+      .command = "CMD_CALIB_ENCODER_LUT",
+      .summary = "Undocumented body from the board.",
+      .id = 117,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::CalibEncoderLutRequest> {
+  static constexpr MessageInfo info{
+      .name = "CalibEncoderLutRequest",
+      .command = "CMD_CALIB_ENCODER_LUT",
+      .summary = "Undocumented body to the board.",
+      .id = 117,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 255,
+      .effects = Effects(Effect::unknown)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::CalibEncoderLutRes> {
+  static constexpr MessageInfo info{
+      .name = "CalibEncoderLutRes",
+      .command = "CMD_CALIB_ENCODER_LUT_RES",
+      .summary = "Undocumented body from the board.",
+      .id = 118,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::CalibEncoderLutResRequest> {
+  static constexpr MessageInfo info{
+      .name = "CalibEncoderLutResRequest",
+      .command = "CMD_CALIB_ENCODER_LUT_RES",
+      .summary = "Undocumented body to the board.",
+      .id = 118,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 255,
+      .effects = Effects(Effect::unknown)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::CalibCurSens> {
+  static constexpr MessageInfo info{
+      .name = "CalibCurSens",
+      .command = "CMD_CALIB_CUR_SENS",
+      .summary = "Undocumented body from the board.",
+      .id = 120,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::CalibCurSensRequest> {
+  static constexpr MessageInfo info{
+      .name = "CalibCurSensRequest",
+      .command = "CMD_CALIB_CUR_SENS",
+      .summary = "Undocumented body to the board.",
+      .id = 120,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 255,
+      .effects = Effects(Effect::unknown)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::EncIntCalib> {
+  static constexpr MessageInfo info{
+      .name = "EncIntCalib",
+      .command = "CMD_ENC_INT_CALIB",
+      .summary = "Undocumented body from the board.",
+      .id = 122,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::EncIntCalibRequest> {
+  static constexpr MessageInfo info{
+      .name = "EncIntCalibRequest",
+      .command = "CMD_ENC_INT_CALIB",
+      .summary = "Undocumented body to the board.",
+      .id = 122,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 255,
+      .effects = Effects(Effect::unknown)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::VibrationTestStartStop> {
+  static constexpr MessageInfo info{
+      .name = "VibrationTestStartStop",
+      .command = "CMD_VIBRATION_TEST_START_STOP",
+      .summary = "Undocumented body from the board.",
+      .id = 125,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::VibrationTestStartStopRequest> {
+  static constexpr MessageInfo info{
+      .name = "VibrationTestStartStopRequest",
+      .command = "CMD_VIBRATION_TEST_START_STOP",
+      .summary = "Undocumented body to the board.",
+      .id = 125,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 255,
+      .effects = Effects(Effect::unknown)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::VibrationTestData> {
+  static constexpr MessageInfo info{
+      .name = "VibrationTestData",
+      .command = "CMD_VIBRATION_TEST_DATA",
+      .summary = "Undocumented body from the board.",
+      .id = 126,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::VibrationTestDataRequest> {
+  static constexpr MessageInfo info{
+      .name = "VibrationTestDataRequest",
+      .command = "CMD_VIBRATION_TEST_DATA",
+      .summary = "Undocumented body to the board.",
+      .id = 126,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 255,
+      .effects = Effects(Effect::unknown)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
   }
 };
 

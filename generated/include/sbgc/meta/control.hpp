@@ -22,7 +22,7 @@ struct Meta<msg::ControlAxis> {
        .alternative = &speed_alternative},
       {.name = "angle",
        .spec_name = "ANGLE_{AXIS}",
-       .summary = "Target angle; in MODE_RC the RC signal, -500 to 500.",
+       .summary = "Target angle; in MODE_RC the RC signal, -500 to 500, in MODE_RC_HIGH_RES -16384 to 16384.",
        .unit = &UnitMeta<msg::Angle14>::info,
        .range = &angle_range},
   };
@@ -32,6 +32,65 @@ struct Meta<msg::ControlAxis> {
   static constexpr void visit(T& value, Visitor&& visitor) {
     visitor(fields[0], value.speed);
     visitor(fields[1], value.angle);
+  }
+};
+
+template <>
+struct Meta<msg::ControlConfigAxis> {
+  static constexpr Range rc_lpf_range{1, 255};
+  static constexpr Special rc_lpf_special[] = {
+      {0, "the filter does not change"},
+  };
+  static constexpr Range acc_limit_range{1, 65535};
+  static constexpr Special acc_limit_special[] = {
+      {0, "the limit does not change"},
+  };
+  static constexpr Range jerk_slope_range{2, 255};
+  static constexpr Special jerk_slope_special[] = {
+      {0, "the time does not change"},
+      {1, "the acceleration changes at once"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "angle_lpf",
+       .spec_name = "ANGLE_LPF",
+       .summary = "Low-pass filter of the angle, 0 (off) to 15."},
+      {.name = "speed_lpf",
+       .spec_name = "SPEED_LPF",
+       .summary = "Low-pass filter of the speed, 0 (off) to 15."},
+      {.name = "rc_lpf",
+       .spec_name = "RC_LPF",
+       .summary = "Low-pass filter of an RC signal.",
+       .range = &rc_lpf_range,
+       .special = rc_lpf_special},
+      {.name = "acc_limit",
+       .spec_name = "ACC_LIMIT",
+       .summary = "Acceleration limit in all modes.",
+       .unit = &UnitMeta<msg::LongAngularAcceleration>::info,
+       .range = &acc_limit_range,
+       .special = acc_limit_special,
+       .since = {.firmware = 2701}},
+      {.name = "jerk_slope",
+       .spec_name = "JERK_SLOPE",
+       .summary = "Time in which the acceleration rises to its limit.",
+       .unit = &UnitMeta<msg::JerkTime>::info,
+       .range = &jerk_slope_range,
+       .special = jerk_slope_special,
+       .since = {.firmware = 2708}},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.angle_lpf);
+    visitor(fields[1], value.speed_lpf);
+    visitor(fields[2], value.rc_lpf);
+    visitor(fields[3], value.acc_limit);
+    visitor(fields[4], value.jerk_slope);
+    visitor(fields[5], value.reserved);
   }
 };
 
@@ -154,6 +213,603 @@ struct Meta<msg::ControlExt> {
   static constexpr void visit(T& value, Visitor&& visitor) {
     visitor(fields[0], value.control_mode);
     visitor(fields[1], value.axes);
+  }
+};
+
+template <>
+struct Meta<msg::ControlExtCommand> {
+  static constexpr MessageInfo info{
+      .name = "ControlExtCommand",
+      .command = "CMD_CONTROL_EXT",
+      .summary = "Move the camera, with the data that each axis needs.",
+      .id = 121,
+      .direction = Direction::to_board,
+      .min_size = 2,
+      .max_size = 32,
+      .since = {.firmware = 2680},
+      .effects = Effects(Effect::moves)};
+  static constexpr AlternativeUnit roll_speed_alternative{"roll_mode", 0x80, &UnitMeta<msg::FineSpeed>::info};
+  static constexpr Range roll_angle_range{-32768, 32767};
+  static constexpr AlternativeUnit pitch_speed_alternative{"pitch_mode", 0x80, &UnitMeta<msg::FineSpeed>::info};
+  static constexpr Range pitch_angle_range{-32768, 32767};
+  static constexpr AlternativeUnit yaw_speed_alternative{"yaw_mode", 0x80, &UnitMeta<msg::FineSpeed>::info};
+  static constexpr Range yaw_angle_range{-32768, 32767};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data_set",
+       .spec_name = "DATA_SET",
+       .summary = "Which of the following fields are present."},
+      {.name = "roll_mode",
+       .spec_name = "ROLL_MODE",
+       .summary = "Mode of roll."},
+      {.name = "roll_flags",
+       .spec_name = "ROLL_FLAGS",
+       .summary = "Further options of roll."},
+      {.name = "roll_speed",
+       .spec_name = "ROLL_SPEED",
+       .summary = "Speed of roll.",
+       .unit = &UnitMeta<msg::ControlSpeed>::info,
+       .alternative = &roll_speed_alternative},
+      {.name = "roll_speed_32",
+       .spec_name = "ROLL_SPEED_32",
+       .summary = "Speed of roll, with 32 bits.",
+       .unit = &UnitMeta<msg::LongFineSpeed>::info},
+      {.name = "roll_angle",
+       .spec_name = "ROLL_ANGLE",
+       .summary = "Target angle of roll, or an RC signal as in CMD_CONTROL.",
+       .unit = &UnitMeta<msg::Angle14>::info,
+       .range = &roll_angle_range},
+      {.name = "roll_angle_32",
+       .spec_name = "ROLL_ANGLE_32",
+       .summary = "Target angle of roll, with 32 bits.",
+       .unit = &UnitMeta<msg::Angle20>::info},
+      {.name = "pitch_mode",
+       .spec_name = "PITCH_MODE",
+       .summary = "Mode of pitch."},
+      {.name = "pitch_flags",
+       .spec_name = "PITCH_FLAGS",
+       .summary = "Further options of pitch."},
+      {.name = "pitch_speed",
+       .spec_name = "PITCH_SPEED",
+       .summary = "Speed of pitch.",
+       .unit = &UnitMeta<msg::ControlSpeed>::info,
+       .alternative = &pitch_speed_alternative},
+      {.name = "pitch_speed_32",
+       .spec_name = "PITCH_SPEED_32",
+       .summary = "Speed of pitch, with 32 bits.",
+       .unit = &UnitMeta<msg::LongFineSpeed>::info},
+      {.name = "pitch_angle",
+       .spec_name = "PITCH_ANGLE",
+       .summary = "Target angle of pitch, or an RC signal as in CMD_CONTROL.",
+       .unit = &UnitMeta<msg::Angle14>::info,
+       .range = &pitch_angle_range},
+      {.name = "pitch_angle_32",
+       .spec_name = "PITCH_ANGLE_32",
+       .summary = "Target angle of pitch, with 32 bits.",
+       .unit = &UnitMeta<msg::Angle20>::info},
+      {.name = "yaw_mode",
+       .spec_name = "YAW_MODE",
+       .summary = "Mode of yaw."},
+      {.name = "yaw_flags",
+       .spec_name = "YAW_FLAGS",
+       .summary = "Further options of yaw."},
+      {.name = "yaw_speed",
+       .spec_name = "YAW_SPEED",
+       .summary = "Speed of yaw.",
+       .unit = &UnitMeta<msg::ControlSpeed>::info,
+       .alternative = &yaw_speed_alternative},
+      {.name = "yaw_speed_32",
+       .spec_name = "YAW_SPEED_32",
+       .summary = "Speed of yaw, with 32 bits.",
+       .unit = &UnitMeta<msg::LongFineSpeed>::info},
+      {.name = "yaw_angle",
+       .spec_name = "YAW_ANGLE",
+       .summary = "Target angle of yaw, or an RC signal as in CMD_CONTROL.",
+       .unit = &UnitMeta<msg::Angle14>::info,
+       .range = &yaw_angle_range},
+      {.name = "yaw_angle_32",
+       .spec_name = "YAW_ANGLE_32",
+       .summary = "Target angle of yaw, with 32 bits.",
+       .unit = &UnitMeta<msg::Angle20>::info},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data_set);
+    visitor(fields[1], value.roll_mode);
+    visitor(fields[2], value.roll_flags);
+    visitor(fields[3], value.roll_speed);
+    visitor(fields[4], value.roll_speed_32);
+    visitor(fields[5], value.roll_angle);
+    visitor(fields[6], value.roll_angle_32);
+    visitor(fields[7], value.pitch_mode);
+    visitor(fields[8], value.pitch_flags);
+    visitor(fields[9], value.pitch_speed);
+    visitor(fields[10], value.pitch_speed_32);
+    visitor(fields[11], value.pitch_angle);
+    visitor(fields[12], value.pitch_angle_32);
+    visitor(fields[13], value.yaw_mode);
+    visitor(fields[14], value.yaw_flags);
+    visitor(fields[15], value.yaw_speed);
+    visitor(fields[16], value.yaw_speed_32);
+    visitor(fields[17], value.yaw_angle);
+    visitor(fields[18], value.yaw_angle_32);
+  }
+};
+
+template <>
+struct Meta<msg::ControlConfig> {
+  static constexpr MessageInfo info{
+      .name = "ControlConfig",
+      .command = "CMD_CONTROL_CONFIG",
+      .summary = "Configure serial control until the next start.",
+      .id = 90,
+      .direction = Direction::to_board,
+      .min_size = 41,
+      .max_size = 41,
+      .since = {.firmware = 2610},
+      .effects = Effects(Effect::sets) | Effect::moves};
+  static constexpr Special timeout_ms_special[] = {
+      {0, "no timeout"},
+  };
+  static constexpr Range ch_priority_range{1, 255};
+  static constexpr Special ch_priority_special[] = {
+      {0, "the priority does not change"},
+  };
+  static constexpr Range this_ch_priority_range{1, 255};
+  static constexpr Special this_ch_priority_special[] = {
+      {0, "the priority does not change"},
+  };
+  static constexpr Range rc_expo_rate_range{0, 100};
+  static constexpr FieldInfo fields[] = {
+      {.name = "timeout_ms",
+       .spec_name = "TIMEOUT_MS",
+       .summary = "Time without a control command after which serial control ends.",
+       .unit = &UnitMeta<msg::Milliseconds>::info,
+       .special = timeout_ms_special},
+      {.name = "ch_priority",
+       .spec_name = "CH{1..4}_PRIORITY",
+       .summary = "Priority of UART1, RC_SERIAL, UART2 and USB_VCP or UART3.",
+       .range = &ch_priority_range,
+       .special = ch_priority_special},
+      {.name = "this_ch_priority",
+       .spec_name = "THIS_CH_PRIORITY",
+       .summary = "Priority of this port.",
+       .range = &this_ch_priority_range,
+       .special = this_ch_priority_special},
+      {.name = "axes",
+       .spec_name = "axes",
+       .summary = "Options of each axis."},
+      {.name = "rc_expo_rate",
+       .spec_name = "RC_EXPO_RATE",
+       .summary = "Expo rate of RC signals.",
+       .range = &rc_expo_rate_range},
+      {.name = "flags",
+       .spec_name = "FLAGS",
+       .summary = "Options."},
+      {.name = "euler_order",
+       .spec_name = "EULER_ORDER",
+       .summary = "Order of the Euler angles.",
+       .since = {.firmware = 2720}},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.timeout_ms);
+    visitor(fields[1], value.ch_priority);
+    visitor(fields[2], value.this_ch_priority);
+    visitor(fields[3], value.axes);
+    visitor(fields[4], value.rc_expo_rate);
+    visitor(fields[5], value.flags);
+    visitor(fields[6], value.euler_order);
+    visitor(fields[7], value.reserved);
+  }
+};
+
+template <>
+struct Meta<msg::ControlQuatDisabled> {
+  static constexpr MessageInfo info{
+      .name = "ControlQuatDisabled",
+      .command = "CMD_CONTROL_QUAT",
+      .summary = "End control with quaternions.",
+      .id = 140,
+      .direction = Direction::to_board,
+      .min_size = 2,
+      .max_size = 2,
+      .since = {.firmware = 2730},
+      .effects = Effects(Effect::moves)};
+  static constexpr Range mode_range{0, 0};
+  static constexpr FieldInfo fields[] = {
+      {.name = "mode",
+       .spec_name = "MODE",
+       .summary = "Always DISABLED.",
+       .range = &mode_range},
+      {.name = "flags",
+       .spec_name = "FLAGS",
+       .summary = "Options."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.mode);
+    visitor(fields[1], value.flags);
+  }
+};
+
+template <>
+struct Meta<msg::ControlQuatSpeed> {
+  static constexpr MessageInfo info{
+      .name = "ControlQuatSpeed",
+      .command = "CMD_CONTROL_QUAT",
+      .summary = "Turn the camera at a speed.",
+      .id = 140,
+      .direction = Direction::to_board,
+      .min_size = 14,
+      .max_size = 14,
+      .since = {.firmware = 2730},
+      .effects = Effects(Effect::moves)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "mode",
+       .spec_name = "MODE",
+       .summary = "SPEED or SPEED_LIMITED."},
+      {.name = "flags",
+       .spec_name = "FLAGS",
+       .summary = "Options."},
+      {.name = "target_speed",
+       .spec_name = "TARGET_SPEED",
+       .summary = "Rotation vector of the motion.",
+       .unit = &UnitMeta<msg::RadianRate>::info},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.mode);
+    visitor(fields[1], value.flags);
+    visitor(fields[2], value.target_speed);
+  }
+};
+
+template <>
+struct Meta<msg::ControlQuatAttitude> {
+  static constexpr MessageInfo info{
+      .name = "ControlQuatAttitude",
+      .command = "CMD_CONTROL_QUAT",
+      .summary = "Turn the camera to an attitude.",
+      .id = 140,
+      .direction = Direction::to_board,
+      .min_size = 18,
+      .max_size = 18,
+      .since = {.firmware = 2730},
+      .effects = Effects(Effect::moves)};
+  static constexpr Range mode_range{2, 2};
+  static constexpr Range target_attitude_range{-1, 1};
+  static constexpr FieldInfo fields[] = {
+      {.name = "mode",
+       .spec_name = "MODE",
+       .summary = "Always ATTITUDE.",
+       .range = &mode_range},
+      {.name = "flags",
+       .spec_name = "FLAGS",
+       .summary = "Options."},
+      {.name = "target_attitude",
+       .spec_name = "TARGET_ATTITUDE",
+       .summary = "Quaternion of length 1: W, X, Y, Z.",
+       .range = &target_attitude_range},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.mode);
+    visitor(fields[1], value.flags);
+    visitor(fields[2], value.target_attitude);
+  }
+};
+
+template <>
+struct Meta<msg::ControlQuatAttitudePacked> {
+  static constexpr MessageInfo info{
+      .name = "ControlQuatAttitudePacked",
+      .command = "CMD_CONTROL_QUAT",
+      .summary = "Turn the camera to an attitude, packed.",
+      .id = 140,
+      .direction = Direction::to_board,
+      .min_size = 10,
+      .max_size = 10,
+      .since = {.firmware = 2730},
+      .effects = Effects(Effect::moves)};
+  static constexpr Range mode_range{2, 2};
+  static constexpr FieldInfo fields[] = {
+      {.name = "mode",
+       .spec_name = "MODE",
+       .summary = "Always ATTITUDE.",
+       .range = &mode_range},
+      {.name = "flags",
+       .spec_name = "FLAGS",
+       .summary = "Options, with ATTITUDE_PACKED."},
+      {.name = "target_attitude",
+       .spec_name = "TARGET_ATTITUDE",
+       .summary = "The attitude."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.mode);
+    visitor(fields[1], value.flags);
+    visitor(fields[2], value.target_attitude);
+  }
+};
+
+template <>
+struct Meta<msg::ControlQuatSpeedAttitude> {
+  static constexpr MessageInfo info{
+      .name = "ControlQuatSpeedAttitude",
+      .command = "CMD_CONTROL_QUAT",
+      .summary = "Turn the camera at a speed and hold it to an attitude.",
+      .id = 140,
+      .direction = Direction::to_board,
+      .min_size = 30,
+      .max_size = 30,
+      .since = {.firmware = 2730},
+      .effects = Effects(Effect::moves)};
+  static constexpr Range mode_range{5, 5};
+  static constexpr Range target_attitude_range{-1, 1};
+  static constexpr FieldInfo fields[] = {
+      {.name = "mode",
+       .spec_name = "MODE",
+       .summary = "Always SPEED_ATTITUDE.",
+       .range = &mode_range},
+      {.name = "flags",
+       .spec_name = "FLAGS",
+       .summary = "Options."},
+      {.name = "target_attitude",
+       .spec_name = "TARGET_ATTITUDE",
+       .summary = "Quaternion of length 1: W, X, Y, Z.",
+       .range = &target_attitude_range},
+      {.name = "target_speed",
+       .spec_name = "TARGET_SPEED",
+       .summary = "Rotation vector of the motion.",
+       .unit = &UnitMeta<msg::RadianRate>::info},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.mode);
+    visitor(fields[1], value.flags);
+    visitor(fields[2], value.target_attitude);
+    visitor(fields[3], value.target_speed);
+  }
+};
+
+template <>
+struct Meta<msg::ControlQuatSpeedAttitudePacked> {
+  static constexpr MessageInfo info{
+      .name = "ControlQuatSpeedAttitudePacked",
+      .command = "CMD_CONTROL_QUAT",
+      .summary = "Turn the camera at a speed and hold it to an attitude, packed.",
+      .id = 140,
+      .direction = Direction::to_board,
+      .min_size = 22,
+      .max_size = 22,
+      .since = {.firmware = 2730},
+      .effects = Effects(Effect::moves)};
+  static constexpr Range mode_range{5, 5};
+  static constexpr FieldInfo fields[] = {
+      {.name = "mode",
+       .spec_name = "MODE",
+       .summary = "Always SPEED_ATTITUDE.",
+       .range = &mode_range},
+      {.name = "flags",
+       .spec_name = "FLAGS",
+       .summary = "Options, with ATTITUDE_PACKED."},
+      {.name = "target_attitude",
+       .spec_name = "TARGET_ATTITUDE",
+       .summary = "The attitude."},
+      {.name = "target_speed",
+       .spec_name = "TARGET_SPEED",
+       .summary = "Rotation vector of the motion.",
+       .unit = &UnitMeta<msg::RadianRate>::info},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.mode);
+    visitor(fields[1], value.flags);
+    visitor(fields[2], value.target_attitude);
+    visitor(fields[3], value.target_speed);
+  }
+};
+
+template <>
+struct Meta<msg::ControlQuatStatus> {
+  static constexpr MessageInfo info{
+      .name = "ControlQuatStatus",
+      .command = "CMD_CONTROL_QUAT_STATUS",
+      .summary = "State of the control with quaternions.",
+      .id = 141,
+      .direction = Direction::from_board,
+      .min_size = 4,
+      .max_size = 97,
+      .since = {.firmware = 2730}};
+  static constexpr Range target_attitude_range{-1, 1};
+  static constexpr Range setpoint_attitude_range{-1, 1};
+  static constexpr Range actual_attitude_range{-1, 1};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data_set",
+       .spec_name = "DATA_SET",
+       .summary = "Which of the following fields are present."},
+      {.name = "mode",
+       .spec_name = "MODE",
+       .summary = "Mode of the last command."},
+      {.name = "flags",
+       .spec_name = "FLAGS",
+       .summary = "Options of the last command."},
+      {.name = "target_attitude",
+       .spec_name = "TARGET_ATTITUDE",
+       .summary = "Attitude of the last command: W, X, Y, Z.",
+       .range = &target_attitude_range},
+      {.name = "setpoint_attitude",
+       .spec_name = "SETPOINT_ATTITUDE",
+       .summary = "Attitude that the board stabilizes: W, X, Y, Z.",
+       .range = &setpoint_attitude_range},
+      {.name = "actual_attitude",
+       .spec_name = "ACTUAL_ATTITUDE",
+       .summary = "Measured attitude: W, X, Y, Z.",
+       .range = &actual_attitude_range},
+      {.name = "target_speed",
+       .spec_name = "TARGET_SPEED",
+       .summary = "Speed of the last command.",
+       .unit = &UnitMeta<msg::GyroRate>::info},
+      {.name = "setpoint_speed",
+       .spec_name = "SETPOINT_SPEED",
+       .summary = "Speed that the board stabilizes.",
+       .unit = &UnitMeta<msg::GyroRate>::info},
+      {.name = "actual_speed",
+       .spec_name = "ACTUAL_SPEED",
+       .summary = "Measured speed.",
+       .unit = &UnitMeta<msg::GyroRate>::info},
+      {.name = "target_attitude_packed",
+       .spec_name = "TARGET_ATTITUDE_PACKED",
+       .summary = "Attitude of the last command."},
+      {.name = "setpoint_attitude_packed",
+       .spec_name = "SETPOINT_ATTITUDE_PACKED",
+       .summary = "Attitude that the board stabilizes."},
+      {.name = "actual_attitude_packed",
+       .spec_name = "ACTUAL_ATTITUDE_PACKED",
+       .summary = "Measured attitude."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data_set);
+    visitor(fields[1], value.mode);
+    visitor(fields[2], value.flags);
+    visitor(fields[3], value.target_attitude);
+    visitor(fields[4], value.setpoint_attitude);
+    visitor(fields[5], value.actual_attitude);
+    visitor(fields[6], value.target_speed);
+    visitor(fields[7], value.setpoint_speed);
+    visitor(fields[8], value.actual_speed);
+    visitor(fields[9], value.target_attitude_packed);
+    visitor(fields[10], value.setpoint_attitude_packed);
+    visitor(fields[11], value.actual_attitude_packed);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<msg::ControlQuatStatusRequest> {
+  static constexpr const char* answers[] = {"ControlQuatStatus"};
+  static constexpr MessageInfo info{
+      .name = "ControlQuatStatusRequest",
+      .command = "CMD_CONTROL_QUAT_STATUS",
+      .summary = "Request the state of the control with quaternions.",
+      .id = 141,
+      .direction = Direction::to_board,
+      .min_size = 4,
+      .max_size = 4,
+      .since = {.firmware = 2730},
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data_set",
+       .spec_name = "DATA_SET",
+       .summary = "Data to send."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data_set);
+  }
+};
+
+template <>
+struct Meta<msg::ControlQuatConfig> {
+  static constexpr MessageInfo info{
+      .name = "ControlQuatConfig",
+      .command = "CMD_CONTROL_QUAT_CONFIG",
+      .summary = "Configure the control with quaternions.",
+      .id = 142,
+      .direction = Direction::to_board,
+      .min_size = 2,
+      .max_size = 24,
+      .since = {.firmware = 2730},
+      .effects = Effects(Effect::sets)};
+  static constexpr Range acc_limit_range{1, 65535};
+  static constexpr Special acc_limit_special[] = {
+      {0, "no limit"},
+  };
+  static constexpr Range jerk_slope_range{1, 65535};
+  static constexpr Special jerk_slope_special[] = {
+      {0, "the acceleration changes at once"},
+  };
+  static constexpr Range attitude_lpf_freq_range{1, 255};
+  static constexpr Special attitude_lpf_freq_special[] = {
+      {0, "no filter"},
+  };
+  static constexpr Range speed_lpf_freq_range{1, 255};
+  static constexpr Special speed_lpf_freq_special[] = {
+      {0, "no filter"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "data_set",
+       .spec_name = "DATA_SET",
+       .summary = "Which of the following fields are present."},
+      {.name = "max_speed",
+       .spec_name = "MAX_SPEED",
+       .summary = "Speed limit of each axis.",
+       .unit = &UnitMeta<msg::ControlSpeedLimit>::info},
+      {.name = "acc_limit",
+       .spec_name = "ACC_LIMIT",
+       .summary = "Acceleration limit of each axis.",
+       .unit = &UnitMeta<msg::LongAngularAcceleration>::info,
+       .range = &acc_limit_range,
+       .special = acc_limit_special},
+      {.name = "jerk_slope",
+       .spec_name = "JERK_SLOPE",
+       .summary = "Time in which the acceleration of each axis rises to its limit.",
+       .unit = &UnitMeta<msg::Milliseconds>::info,
+       .range = &jerk_slope_range,
+       .special = jerk_slope_special},
+      {.name = "flags",
+       .spec_name = "FLAGS",
+       .summary = "Options."},
+      {.name = "attitude_lpf_freq",
+       .spec_name = "ATTITUDE_LPF_FREQ",
+       .summary = "Low-pass filter of the attitude.",
+       .unit = &UnitMeta<msg::SmallFrequency>::info,
+       .range = &attitude_lpf_freq_range,
+       .special = attitude_lpf_freq_special},
+      {.name = "speed_lpf_freq",
+       .spec_name = "SPEED_LPF_FREQ",
+       .summary = "Low-pass filter of the speed.",
+       .unit = &UnitMeta<msg::SmallFrequency>::info,
+       .range = &speed_lpf_freq_range,
+       .special = speed_lpf_freq_special},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data_set);
+    visitor(fields[1], value.max_speed);
+    visitor(fields[2], value.acc_limit);
+    visitor(fields[3], value.jerk_slope);
+    visitor(fields[4], value.flags);
+    visitor(fields[5], value.attitude_lpf_freq);
+    visitor(fields[6], value.speed_lpf_freq);
   }
 };
 
@@ -310,6 +966,83 @@ struct Meta<msg::MotorsOffExt> {
 };
 
 template <>
+struct Meta<msg::SyncMotors> {
+  static constexpr MessageInfo info{
+      .name = "SyncMotors",
+      .command = "CMD_SYNC_MOTORS",
+      .summary = "Power one motor as a synchronous motor for some time, then turn the motors off.",
+      .id = 123,
+      .direction = Direction::to_board,
+      .min_size = 6,
+      .max_size = 6,
+      .since = {.firmware = 2709},
+      .effects = Effects(Effect::moves)};
+  static constexpr Range power_range{0, 255};
+  static constexpr Special angle_special[] = {
+      {0, "the motor holds its position"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "axis",
+       .spec_name = "AXIS",
+       .summary = "The motor."},
+      {.name = "power",
+       .spec_name = "POWER",
+       .summary = "Power of the winding.",
+       .range = &power_range},
+      {.name = "time_ms",
+       .spec_name = "TIME_MS",
+       .summary = "Duration.",
+       .unit = &UnitMeta<msg::Milliseconds>::info},
+      {.name = "angle",
+       .spec_name = "ANGLE",
+       .summary = "Angle to turn.",
+       .special = angle_special},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.axis);
+    visitor(fields[1], value.power);
+    visitor(fields[2], value.time_ms);
+    visitor(fields[3], value.angle);
+  }
+};
+
+template <>
+struct Meta<msg::Event> {
+  static constexpr MessageInfo info{
+      .name = "Event",
+      .command = "CMD_EVENT",
+      .summary = "An event, if the host has requested such events with CMD_DATA_STREAM_INTERVAL.",
+      .id = 102,
+      .direction = Direction::from_board,
+      .min_size = 4,
+      .max_size = 4,
+      .since = {.firmware = 2657}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "event_id",
+       .spec_name = "EVENT_ID",
+       .summary = "What has happened."},
+      {.name = "event_type",
+       .spec_name = "EVENT_TYPE",
+       .summary = "Kind of the event."},
+      {.name = "param",
+       .spec_name = "PARAM",
+       .summary = "Data that depend on the event."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.event_id);
+    visitor(fields[1], value.event_type);
+    visitor(fields[2], value.param);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
 struct Meta<msg::ExecuteMenu> {
   static constexpr MessageInfo info{
       .name = "ExecuteMenu",
@@ -338,19 +1071,20 @@ struct Meta<msg::ExecuteMenuExt> {
   static constexpr MessageInfo info{
       .name = "ExecuteMenuExt",
       .command = "CMD_EXECUTE_MENU",
-      .summary = "Execute a menu action, with a parameter of later firmware.",
+      .summary = "Execute a menu action and say when to confirm it.",
       .id = 69,
       .direction = Direction::to_board,
       .min_size = 2,
       .max_size = 2,
+      .since = {.firmware = 2738},
       .effects = Effects(Effect::sets) | Effect::stores | Effect::moves | Effect::restarts};
   static constexpr FieldInfo fields[] = {
       {.name = "cmd_id",
        .spec_name = "CMD_ID",
        .summary = "Which action."},
       {.name = "param",
-       .spec_name = "PARAM",
-       .summary = "Its meaning is not documented."},
+       .spec_name = "FLAGS",
+       .summary = "When the board confirms the action."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -431,6 +1165,10 @@ struct Meta<msg::HelperDataExt> {
   static constexpr Special frame_speed_special[] = {
       {0, "with all three 0, not used"},
   };
+  static constexpr Range frame_heading_range{-16384, 16384};
+  static constexpr Special frame_heading_special[] = {
+      {32767, "stops the correction of the heading"},
+  };
   static constexpr FieldInfo fields[] = {
       {.name = "frame_acc",
        .spec_name = "FRAME_ACC",
@@ -450,12 +1188,19 @@ struct Meta<msg::HelperDataExt> {
        .special = frame_angle_pitch_special},
       {.name = "coord_sys",
        .spec_name = "COORD_SYS",
-       .summary = "Coordinate system of all the vectors."},
+       .summary = "Coordinate system of all the vectors, and options."},
       {.name = "frame_speed",
        .spec_name = "FRAME_SPEED",
        .summary = "Angular speed of the frame; useful without encoders and a second IMU.",
        .unit = &UnitMeta<msg::GyroRate>::info,
        .special = frame_speed_special},
+      {.name = "frame_heading",
+       .spec_name = "FRAME_HEADING",
+       .summary = "Heading of the frame; used with USE_FRAME_HEADING.",
+       .unit = &UnitMeta<msg::Angle14>::info,
+       .range = &frame_heading_range,
+       .special = frame_heading_special,
+       .since = {.firmware = 2627}},
       {.name = "reserved",
        .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
@@ -470,7 +1215,8 @@ struct Meta<msg::HelperDataExt> {
     visitor(fields[2], value.frame_angle_pitch);
     visitor(fields[3], value.coord_sys);
     visitor(fields[4], value.frame_speed);
-    visitor(fields[5], value.reserved);
+    visitor(fields[5], value.frame_heading);
+    visitor(fields[6], value.reserved);
   }
 };
 

@@ -79,14 +79,21 @@ struct Meta<msg::DebugVarsInfo3Request> {
       .id = 253,
       .direction = Direction::to_board,
       .min_size = 0,
-      .max_size = 0,
+      .max_size = 1,
       .since = {.board = 30},
       .answers = answers,
       .effects = Effects(Effect::reads)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "start_idx",
+       .spec_name = "START_IDX",
+       .summary = "First variable to describe.",
+       .since = {.firmware = 2720}},
+  };
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
-  static constexpr void visit(T&, Visitor&&) {
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.start_idx);
   }
 };
 
@@ -133,6 +140,102 @@ struct Meta<msg::DebugVars3Request> {
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
   static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<msg::DebugVars3RequestSelected> {
+  static constexpr MessageInfo info{
+      .name = "DebugVars3RequestSelected",
+      .command = "CMD_DEBUG_VARS_3",
+      .summary = "Request the values of selected debug variables.",
+      .id = 254,
+      .direction = Direction::to_board,
+      .min_size = 4,
+      .max_size = 32,
+      .since = {.firmware = 2720},
+      .effects = Effects(Effect::reads)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "selected_mask",
+       .spec_name = "SELECTED_MASK",
+       .summary = "Bits of the selected variables, starting with the first variable.",
+       .min_count = 1,
+       .max_count = 8},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.selected_mask);
+  }
+};
+
+template <>
+struct Meta<msg::SetDebugPort> {
+  static constexpr MessageInfo info{
+      .name = "SetDebugPort",
+      .command = "CMD_SET_DEBUG_PORT",
+      .summary = "Copy of a message on another port of the board.",
+      .id = 249,
+      .direction = Direction::from_board,
+      .min_size = 4,
+      .max_size = 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "time_ms",
+       .spec_name = "TIME_MS",
+       .summary = "Time since the board started.",
+       .unit = &UnitMeta<msg::MillisecondClock>::info},
+      {.name = "port_and_dir",
+       .spec_name = "PORT_AND_DIR",
+       .summary = "Port and direction of the message."},
+      {.name = "cmd_id",
+       .spec_name = "CMD_ID",
+       .summary = "Command of the message."},
+      {.name = "payload",
+       .spec_name = "PAYLOAD",
+       .summary = "Body of the message."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.time_ms);
+    visitor(fields[1], value.port_and_dir);
+    visitor(fields[2], value.cmd_id);
+    visitor(fields[3], value.payload);
+  }
+};
+
+template <>
+struct Meta<msg::SetDebugPortRequest> {
+  static constexpr MessageInfo info{
+      .name = "SetDebugPortRequest",
+      .command = "CMD_SET_DEBUG_PORT",
+      .summary = "Start or stop the copies of the messages on the board's other ports.",
+      .id = 249,
+      .direction = Direction::to_board,
+      .min_size = 16,
+      .max_size = 16,
+      .effects = Effects(Effect::sets)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "action",
+       .spec_name = "ACTION",
+       .summary = "Operation."},
+      {.name = "cmd_filter",
+       .spec_name = "CMD_FILTER",
+       .summary = "Messages that are not copied; for boards with the feature PLUS_VER, otherwise 0."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.action);
+    visitor(fields[1], value.cmd_filter);
+    visitor(fields[2], value.reserved);
   }
 };
 

@@ -11,6 +11,72 @@
 namespace sbgc {
 
 template <>
+struct Meta<msg::AhrsDebugInfo> {
+  static constexpr FieldInfo fields[] = {
+      {.name = "main_imu_ref_src",
+       .spec_name = "MAIN_IMU_REF_SRC",
+       .summary = "What corrects the attitude of the main IMU."},
+      {.name = "frame_imu_ref_src",
+       .spec_name = "FRAME_IMU_REF_SRC",
+       .summary = "What corrects the attitude of the frame IMU."},
+      {.name = "main_z_err",
+       .spec_name = "MAIN_Z_ERR",
+       .summary = "Error of the main IMU's gravity vector.",
+       .unit = &UnitMeta<msg::AngleError>::info},
+      {.name = "main_h_err",
+       .spec_name = "MAIN_H_ERR",
+       .summary = "Error of the main IMU's heading vector.",
+       .unit = &UnitMeta<msg::AngleError>::info},
+      {.name = "frame_z_err",
+       .spec_name = "FRAME_Z_ERR",
+       .summary = "Error of the frame IMU's gravity vector.",
+       .unit = &UnitMeta<msg::AngleError>::info},
+      {.name = "frame_h_err",
+       .spec_name = "FRAME_H_ERR",
+       .summary = "Error of the frame IMU's heading vector.",
+       .unit = &UnitMeta<msg::AngleError>::info},
+      {.name = "ext_imu_status",
+       .spec_name = "EXT_IMU_STATUS",
+       .summary = "State of the external IMU."},
+      {.name = "ext_imu_packets",
+       .spec_name = "EXT_IMU_PACKETS",
+       .summary = "Number of packets from the external IMU."},
+      {.name = "ext_imu_parse_err",
+       .spec_name = "EXT_IMU_PARSE_ERR",
+       .summary = "Number of damaged packets from the external IMU."},
+      {.name = "ext_corr_h_err",
+       .spec_name = "EXT_CORR_H_ERR",
+       .summary = "Error of the external heading correction.",
+       .unit = &UnitMeta<msg::AngleError>::info},
+      {.name = "ext_corr_z_err",
+       .spec_name = "EXT_CORR_Z_ERR",
+       .summary = "Error of the external gravity correction.",
+       .unit = &UnitMeta<msg::AngleError>::info},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.main_imu_ref_src);
+    visitor(fields[1], value.frame_imu_ref_src);
+    visitor(fields[2], value.main_z_err);
+    visitor(fields[3], value.main_h_err);
+    visitor(fields[4], value.frame_z_err);
+    visitor(fields[5], value.frame_h_err);
+    visitor(fields[6], value.ext_imu_status);
+    visitor(fields[7], value.ext_imu_packets);
+    visitor(fields[8], value.ext_imu_parse_err);
+    visitor(fields[9], value.ext_corr_h_err);
+    visitor(fields[10], value.ext_corr_z_err);
+    visitor(fields[11], value.reserved);
+  }
+};
+
+template <>
 struct Meta<msg::SelectImu3> {
   static constexpr MessageInfo info{
       .name = "SelectImu3",
@@ -40,11 +106,11 @@ struct Meta<msg::SelectImu3Ext> {
   static constexpr MessageInfo info{
       .name = "SelectImu3Ext",
       .command = "CMD_SELECT_IMU_3",
-      .summary = "Select an IMU, with parameters of later firmware.",
+      .summary = "Select an IMU, with parameters that no source describes.",
       .id = 24,
       .direction = Direction::to_board,
       .min_size = 2,
-      .max_size = 12,
+      .max_size = 11,
       .since = {.board = 30},
       .effects = Effects(Effect::sets)};
   static constexpr FieldInfo fields[] = {
@@ -57,7 +123,7 @@ struct Meta<msg::SelectImu3Ext> {
       {.name = "params",
        .spec_name = "PARAMS",
        .summary = "Further undocumented parameters.",
-       .max_count = 10},
+       .max_count = 9},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -66,6 +132,45 @@ struct Meta<msg::SelectImu3Ext> {
     visitor(fields[0], value.imu_type);
     visitor(fields[1], value.param);
     visitor(fields[2], value.params);
+  }
+};
+
+template <>
+struct Meta<msg::SelectImu3Calibrate> {
+  static constexpr MessageInfo info{
+      .name = "SelectImu3Calibrate",
+      .command = "CMD_SELECT_IMU_3",
+      .summary = "Select an IMU and calibrate it, or manage its calibrations.",
+      .id = 24,
+      .direction = Direction::to_board,
+      .min_size = 12,
+      .max_size = 12,
+      .since = {.firmware = 2600},
+      .effects = Effects(Effect::stores) | Effect::restarts | Effect::erases};
+  static constexpr FieldInfo fields[] = {
+      {.name = "imu_type",
+       .spec_name = "IMU_TYPE",
+       .summary = "The IMU."},
+      {.name = "action",
+       .spec_name = "ACTION",
+       .summary = "Operation."},
+      {.name = "time_ms",
+       .spec_name = "TIME_MS",
+       .summary = "Duration of the operation.",
+       .unit = &UnitMeta<msg::Milliseconds>::info},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.imu_type);
+    visitor(fields[1], value.action);
+    visitor(fields[2], value.time_ms);
+    visitor(fields[3], value.reserved);
   }
 };
 
@@ -268,6 +373,196 @@ struct Meta<msg::GyroCorrection> {
     visitor(fields[0], value.imu_type);
     visitor(fields[1], value.gyro_zero_corr);
     visitor(fields[2], value.gyro_zero_heading_corr);
+  }
+};
+
+template <>
+struct Meta<msg::ExtImuDebugInfo> {
+  static constexpr MessageInfo info{
+      .name = "ExtImuDebugInfo",
+      .command = "CMD_EXT_IMU_DEBUG_INFO",
+      .summary = "State of the attitude estimation and of the external IMU.",
+      .id = 106,
+      .direction = Direction::from_board,
+      .min_size = 74,
+      .max_size = 74,
+      .since = {.firmware = 2660}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "ahrs_debug_info",
+       .spec_name = "AHRS_DEBUG_INFO",
+       .summary = "State of the attitude estimation."},
+      {.name = "dcm",
+       .spec_name = "DCM",
+       .summary = "Attitude as a rotation matrix, row by row."},
+      {.name = "acc_body",
+       .spec_name = "ACC_BODY",
+       .summary = "Acceleration of the sensor."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.ahrs_debug_info);
+    visitor(fields[1], value.dcm);
+    visitor(fields[2], value.acc_body);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<msg::ExtImuDebugInfoRequest> {
+  static constexpr const char* answers[] = {"ExtImuDebugInfo"};
+  static constexpr MessageInfo info{
+      .name = "ExtImuDebugInfoRequest",
+      .command = "CMD_EXT_IMU_DEBUG_INFO",
+      .summary = "Request the state of the attitude estimation and of the external IMU.",
+      .id = 106,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .since = {.firmware = 2660},
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<msg::ExtImuCmd> {
+  static constexpr MessageInfo info{
+      .name = "ExtImuCmd",
+      .command = "CMD_EXT_IMU_CMD",
+      .summary = "A message of the external IMU.",
+      .id = 110,
+      .direction = Direction::both,
+      .min_size = 1,
+      .max_size = 255,
+      .effects = Effects(Effect::sets) | Effect::stores | Effect::moves};
+  static constexpr FieldInfo fields[] = {
+      {.name = "cmd_id",
+       .spec_name = "CMD_ID",
+       .summary = "Command of the external IMU."},
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Body of the command."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.cmd_id);
+    visitor(fields[1], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::ExtSensCmd> {
+  static constexpr MessageInfo info{
+      .name = "ExtSensCmd",
+      .command = "CMD_EXT_SENS_CMD",
+      .summary = "A message of the external sensor.",
+      .id = 150,
+      .direction = Direction::from_board,
+      .min_size = 1,
+      .max_size = 255,
+      .since = {.firmware = 2687, .board = 36}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "cmd_id",
+       .spec_name = "CMD_ID",
+       .summary = "Command of the sensor."},
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Body of the command."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.cmd_id);
+    visitor(fields[1], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::ExtSensCmdRequest> {
+  static constexpr MessageInfo info{
+      .name = "ExtSensCmdRequest",
+      .command = "CMD_EXT_SENS_CMD",
+      .summary = "Forward a command to an external sensor.",
+      .id = 150,
+      .direction = Direction::to_board,
+      .min_size = 2,
+      .max_size = 255,
+      .since = {.firmware = 2687, .board = 36},
+      .effects = Effects(Effect::sets) | Effect::stores | Effect::moves};
+  static constexpr FieldInfo fields[] = {
+      {.name = "flags",
+       .spec_name = "FLAGS",
+       .summary = "Options."},
+      {.name = "cmd_id",
+       .spec_name = "CMD_ID",
+       .summary = "Command of the sensor."},
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Body of the command."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.flags);
+    visitor(fields[1], value.cmd_id);
+    visitor(fields[2], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::ImuAdvancedCalib> {
+  static constexpr MessageInfo info{
+      .name = "ImuAdvancedCalib",
+      .command = "CMD_IMU_ADVANCED_CALIB",
+      .summary = "Undocumented body from the board.",
+      .id = 115,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::ImuAdvancedCalibRequest> {
+  static constexpr MessageInfo info{
+      .name = "ImuAdvancedCalibRequest",
+      .command = "CMD_IMU_ADVANCED_CALIB",
+      .summary = "Undocumented body to the board.",
+      .id = 115,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 255,
+      .effects = Effects(Effect::unknown)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
   }
 };
 

@@ -21,16 +21,16 @@ struct Meta<msg::AxisPid> {
   static constexpr FieldInfo fields[] = {
       {.name = "p",
        .spec_name = "P",
-       .summary = "Proportional gain.",
+       .summary = "Proportional gain. From firmware 2.73b1 on, it is logarithmic: 5 * exp(raw * ln(52) / 255) - 5.",
        .range = &p_range},
       {.name = "i",
        .spec_name = "I",
-       .summary = "Integral gain.",
+       .summary = "Integral gain. From firmware 2.73b1 on, it is logarithmic: 5 * exp(raw * ln(52) / 255) - 5.",
        .unit = &UnitMeta<msg::Hundredths>::info,
        .range = &i_range},
       {.name = "d",
        .spec_name = "D",
-       .summary = "Derivative gain.",
+       .summary = "Derivative gain. From firmware 2.73b1 on, it is logarithmic: 5 * exp(raw * ln(52) / 255) - 5.",
        .range = &d_range},
       {.name = "power",
        .spec_name = "POWER",
@@ -62,7 +62,7 @@ template <>
 struct Meta<msg::AxisRc> {
   static constexpr Range rc_min_angle_range{-720, 720};
   static constexpr Range rc_max_angle_range{-720, 720};
-  static constexpr Range rc_lpf_range{0, 16};
+  static constexpr Range rc_lpf_range{0, 255};
   static constexpr Range rc_speed_range{0, 255};
   static constexpr Range rc_follow_range{-127, 127};
   static constexpr FieldInfo fields[] = {
@@ -81,7 +81,7 @@ struct Meta<msg::AxisRc> {
        .summary = "What the signal controls."},
       {.name = "rc_lpf",
        .spec_name = "RC_LPF",
-       .summary = "Low-pass filter of the signal.",
+       .summary = "Low-pass filter of the signal; up to 255 only with LPF_EXTENDED_RANGE.",
        .range = &rc_lpf_range},
       {.name = "rc_speed",
        .spec_name = "RC_SPEED",
@@ -102,6 +102,11 @@ struct Meta<msg::AxisRc> {
     visitor(fields[3], value.rc_lpf);
     visitor(fields[4], value.rc_speed);
     visitor(fields[5], value.rc_follow);
+  }
+  /// Calls `check(field, low, field, high, is_strict)` for each rule that low is not above high.
+  template <class T, class Check>
+  static constexpr void rules(const T& value, Check&& check) {
+    check(fields[0], value.rc_min_angle, fields[1], value.rc_max_angle, false);
   }
 };
 
@@ -127,6 +132,87 @@ struct Meta<msg::AxisNotches> {
   static constexpr void visit(T& value, Visitor&& visitor) {
     visitor(fields[0], value.notch_freq);
     visitor(fields[1], value.notch_width);
+  }
+};
+
+template <>
+struct Meta<msg::MavChannel> {
+  static constexpr FieldInfo fields[] = {
+      {.name = "mav_src",
+       .spec_name = "MAV_SRC",
+       .summary = "Serial port of the channel."},
+      {.name = "mav_sys_id",
+       .spec_name = "MAV_SYS_ID",
+       .summary = "MAVLink system id of the channel."},
+      {.name = "mav_comp_id",
+       .spec_name = "MAV_COMP_ID",
+       .summary = "MAVLink component id of the channel."},
+      {.name = "mav_cfg_flags",
+       .spec_name = "MAV_CFG_FLAGS",
+       .summary = "Settings of the channel."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.mav_src);
+    visitor(fields[1], value.mav_sys_id);
+    visitor(fields[2], value.mav_comp_id);
+    visitor(fields[3], value.mav_cfg_flags);
+    visitor(fields[4], value.reserved);
+  }
+};
+
+template <>
+struct Meta<msg::StepSignal> {
+  static constexpr FieldInfo fields[] = {
+      {.name = "step_signal_src",
+       .spec_name = "STEP_SIGNAL_SRC",
+       .summary = "RC signal that triggers the steps."},
+      {.name = "step_signal_cfg",
+       .spec_name = "STEP_SIGNAL_CFG",
+       .summary = "Number of steps and how to trigger them."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.step_signal_src);
+    visitor(fields[1], value.step_signal_cfg);
+  }
+};
+
+template <>
+struct Meta<msg::RcCalibration> {
+  static constexpr FieldInfo fields[] = {
+      {.name = "rc_calib_src",
+       .spec_name = "RC_CALIB_SRC",
+       .summary = "Calibrated signal."},
+      {.name = "rc_calib_offset",
+       .spec_name = "RC_CALIB_OFFSET",
+       .summary = "Offset of the signal.",
+       .unit = &UnitMeta<msg::SignalOffset>::info},
+      {.name = "rc_calib_neg_scale",
+       .spec_name = "RC_CALIB_NEG_SCALE",
+       .summary = "Factor below the center.",
+       .unit = &UnitMeta<msg::SignalScale>::info},
+      {.name = "rc_calib_pos_scale",
+       .spec_name = "RC_CALIB_POS_SCALE",
+       .summary = "Factor above the center.",
+       .unit = &UnitMeta<msg::SignalScale>::info},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.rc_calib_src);
+    visitor(fields[1], value.rc_calib_offset);
+    visitor(fields[2], value.rc_calib_neg_scale);
+    visitor(fields[3], value.rc_calib_pos_scale);
   }
 };
 
@@ -300,7 +386,7 @@ struct Meta<msg::ReadParams3> {
        .summary = "Sensitivity of the gyroscope."},
       {.name = "i2c_internal_pullups",
        .spec_name = "I2C_INTERNAL_PULLUPS",
-       .summary = "1 enables the controller's I2C pull-ups.",
+       .summary = "1 enables the controller's I2C pull-ups; in later firmware, an I2C clock of 800 kHz instead of 400 kHz.",
        .range = &i2c_internal_pullups_range},
       {.name = "skip_gyro_calib",
        .spec_name = "SKIP_GYRO_CALIB",
@@ -759,6 +845,11 @@ struct Meta<msg::ReadParamsExt> {
     visitor(fields[29], value.d_term_lpf_freq);
     visitor(tail_field, value.tail);
   }
+  /// Calls `check(field, low, field, high, is_strict)` for each rule that low is not above high.
+  template <class T, class Check>
+  static constexpr void rules(const T& value, Check&& check) {
+    check(fields[13], value.encoder_limit_min, fields[14], value.encoder_limit_max, false);
+  }
 };
 
 template <>
@@ -818,6 +909,25 @@ struct Meta<msg::ReadParamsExt2> {
   static constexpr Range pid_gain_range{0, 255};
   static constexpr Range frame_imu_lpf_freq_range{0, 255};
   static constexpr Range auto_pid_gain_range{0, 255};
+  static constexpr Range auto_speed_range{1, 255};
+  static constexpr Special auto_speed_special[] = {
+      {0, "not set"},
+  };
+  static constexpr Range timelapse_acc_part_range{0, 250};
+  static constexpr Range momentum_calib_stimulus_range{1, 255};
+  static constexpr Special momentum_calib_stimulus_special[] = {
+      {0, "not set"},
+  };
+  static constexpr Range follow_range_range{1, 180};
+  static constexpr Special follow_range_special[] = {
+      {0, "not set"},
+  };
+  static constexpr Range outer_mot_tilt_angle_range{-90, 90};
+  static constexpr Range auto_pid_momentum_range{0, 255};
+  static constexpr Special auto_pid_momentum_special[] = {
+      {0, "automatic"},
+  };
+  static constexpr Range middle_mot_tilt_angle_range{-90, 90};
   static constexpr FieldInfo fields[] = {
       {.name = "profile_id",
        .spec_name = "PROFILE_ID",
@@ -825,10 +935,10 @@ struct Meta<msg::ReadParamsExt2> {
        .range = &profile_id_range,
        .special = profile_id_special,
        .role = FieldRole::copy},
-      {.name = "reserved_1",
-       .spec_name = "RESERVED",
-       .summary = "Reserved; kept as it is.",
-       .reserved = true},
+      {.name = "mav_channels",
+       .spec_name = "mav_channels",
+       .summary = "MAVLink channels.",
+       .since = {.firmware = 2600}},
       {.name = "motor_mag_link_fine",
        .spec_name = "MOTOR_MAG_LINK_FINE",
        .summary = "Magnetic linkage of the motor.",
@@ -843,7 +953,7 @@ struct Meta<msg::ReadParamsExt2> {
        .since = {.firmware = 2590}},
       {.name = "pid_gain",
        .spec_name = "PID_GAIN",
-       .summary = "Factor for P, I and D of each axis.",
+       .summary = "Factor for P, I and D of each axis. From firmware 2.73b1 on, it is logarithmic: 5 * exp(raw * ln(52) / 255) - 5.",
        .unit = &UnitMeta<msg::PidGain>::info,
        .range = &pid_gain_range},
       {.name = "frame_imu_lpf_freq",
@@ -858,25 +968,221 @@ struct Meta<msg::ReadParamsExt2> {
        .spec_name = "AUTO_PID_GAIN",
        .summary = "GAIN_VS_STABILITY for CMD_AUTO_PID.",
        .range = &auto_pid_gain_range},
-      {.name = "reserved_2",
-       .spec_name = "RESERVED",
-       .summary = "Later firmware holds parameters in all of these bytes.",
-       .reserved = true},
+      {.name = "frame_cam_angle_min",
+       .spec_name = "FRAME_CAM_ANGLE_MIN",
+       .summary = "Lowest angle of the joint.",
+       .unit = &UnitMeta<msg::Degrees>::info,
+       .since = {.firmware = 2610}},
+      {.name = "frame_cam_angle_max",
+       .spec_name = "FRAME_CAM_ANGLE_MAX",
+       .summary = "Highest angle of the joint.",
+       .unit = &UnitMeta<msg::Degrees>::info,
+       .since = {.firmware = 2610}},
+      {.name = "general_flags2",
+       .spec_name = "GENERAL_FLAGS2",
+       .summary = "More options of the whole board.",
+       .role = FieldRole::general,
+       .since = {.firmware = 2610}},
+      {.name = "auto_speed",
+       .spec_name = "AUTO_SPEED",
+       .summary = "Speed of automatic motions.",
+       .range = &auto_speed_range,
+       .special = auto_speed_special,
+       .since = {.firmware = 2610}},
+      {.name = "auto_acc_limiter",
+       .spec_name = "AUTO_ACC_LIMITER",
+       .summary = "Acceleration limit of automatic motions.",
+       .unit = &UnitMeta<msg::AngularAcceleration>::info,
+       .since = {.firmware = 2610}},
+      {.name = "imu_orientation_corr",
+       .spec_name = "IMU_ORIENTATION_CORR",
+       .summary = "Correction of the orientation of the main IMU.",
+       .unit = &UnitMeta<msg::HundredthDegrees>::info,
+       .since = {.firmware = 2610}},
+      {.name = "timelapse_time",
+       .spec_name = "TIMELAPSE_TIME",
+       .summary = "Duration of a time lapse.",
+       .unit = &UnitMeta<msg::Seconds>::info,
+       .since = {.firmware = 2600}},
+      {.name = "emergency_stop_restart_delay",
+       .spec_name = "EMERGENCY_STOP_RESTART_DELAY",
+       .summary = "Delay between an emergency stop and the restart.",
+       .unit = &UnitMeta<msg::Milliseconds>::info,
+       .since = {.firmware = 2610}},
+      {.name = "timelapse_acc_part",
+       .spec_name = "TIMELAPSE_ACC_PART",
+       .summary = "Share of a time lapse in which the speed changes.",
+       .unit = &UnitMeta<msg::FifthPercent>::info,
+       .range = &timelapse_acc_part_range,
+       .since = {.firmware = 2610}},
+      {.name = "momentum",
+       .spec_name = "MOMENTUM",
+       .summary = "Moment of inertia of the axis.",
+       .since = {.firmware = 2627}},
+      {.name = "momentum_calib_stimulus",
+       .spec_name = "MOMENTUM_CALIB_STIMULUS",
+       .summary = "Stimulus for the calibration of the momentum.",
+       .range = &momentum_calib_stimulus_range,
+       .special = momentum_calib_stimulus_special,
+       .since = {.firmware = 2627}},
+      {.name = "momentum_ellipticity",
+       .spec_name = "MOMENTUM_ELLIPTICITY",
+       .summary = "How much the momentum depends on the angle.",
+       .unit = &UnitMeta<msg::Twentieths>::info,
+       .since = {.firmware = 2627}},
+      {.name = "follow_range",
+       .spec_name = "FOLLOW_RANGE",
+       .summary = "Range of the follow mode.",
+       .range = &follow_range_range,
+       .special = follow_range_special,
+       .since = {.firmware = 2627}},
+      {.name = "stab_axis",
+       .spec_name = "STAB_AXIS",
+       .summary = "Axis that the motor stabilizes.",
+       .since = {.firmware = 2627}},
+      {.name = "outer_mot_tilt_angle",
+       .spec_name = "OUTER_MOT_TILT_ANGLE",
+       .summary = "Tilt of the outer motor.",
+       .unit = &UnitMeta<msg::SignedDegrees>::info,
+       .range = &outer_mot_tilt_angle_range,
+       .role = FieldRole::general,
+       .since = {.firmware = 2627}},
+      {.name = "startup_action",
+       .spec_name = "STARTUP_ACTION",
+       .summary = "Actions at start-up.",
+       .since = {.firmware = 2660}},
+      {.name = "startup_action_src",
+       .spec_name = "STARTUP_ACTION_SRC",
+       .summary = "RC signals that are conditions of the actions: a first one for each, then a second one.",
+       .since = {.firmware = 2660}},
+      {.name = "startup_action_threshold",
+       .spec_name = "STARTUP_ACTION_THRESHOLD",
+       .summary = "Thresholds of these signals, in steps of 10.",
+       .since = {.firmware = 2660}},
+      {.name = "force_position_cfg",
+       .spec_name = "FORCE_POSITION_CFG",
+       .summary = "When and how the axis snaps to a fixed position.",
+       .since = {.firmware = 2660}},
+      {.name = "step_signals",
+       .spec_name = "step_signals",
+       .summary = "Step signals: each counts how often an RC signal reaches a level.",
+       .since = {.firmware = 2660}},
+      {.name = "rc_calibrations",
+       .spec_name = "rc_calibrations",
+       .summary = "Calibrations of RC signals: an offset is added, then a factor is applied.",
+       .since = {.firmware = 2660}},
+      {.name = "parking_pos_cfg",
+       .spec_name = "PARKING_POS_CFG",
+       .summary = "Limits at which the axes park.",
+       .since = {.firmware = 2660}},
+      {.name = "ext_led_pin_id",
+       .spec_name = "EXT_LED_PIN_ID",
+       .summary = "Pin that repeats the signals of the LED.",
+       .role = FieldRole::general,
+       .since = {.firmware = 2660}},
+      {.name = "interrupt_cfg",
+       .spec_name = "INTERRUPT_CFG",
+       .summary = "Pin that signals an event to other devices.",
+       .role = FieldRole::general,
+       .since = {.firmware = 2660}},
+      {.name = "overload_time",
+       .spec_name = "OVERLOAD_TIME",
+       .summary = "How long the motors may be overloaded.",
+       .unit = &UnitMeta<msg::HundredsOfMilliseconds>::info,
+       .since = {.firmware = 2660}},
+      {.name = "auto_pid_momentum",
+       .spec_name = "AUTO_PID_MOMENTUM",
+       .summary = "MOMENTUM for CMD_AUTO_PID.",
+       .range = &auto_pid_momentum_range,
+       .special = auto_pid_momentum_special,
+       .since = {.firmware = 2660}},
+      {.name = "jerk_slope",
+       .spec_name = "JERK_SLOPE",
+       .summary = "How slowly the acceleration changes.",
+       .since = {.firmware = 2660}},
+      {.name = "mav_ctrl_mode",
+       .spec_name = "MAV_CTRL_MODE",
+       .summary = "Axes that a MAVLink host controls.",
+       .since = {.firmware = 2660}},
+      {.name = "rc_serial_speed",
+       .spec_name = "RC_SERIAL_SPEED",
+       .summary = "Baud rate of the serial RC input.",
+       .role = FieldRole::general,
+       .since = {.firmware = 2660}},
+      {.name = "uart2_speed",
+       .spec_name = "UART2_SPEED",
+       .summary = "Baud rate of UART 2.",
+       .role = FieldRole::general,
+       .since = {.firmware = 2660}},
+      {.name = "motor_res",
+       .spec_name = "MOTOR_RES",
+       .summary = "Resistance of one phase of the motor.",
+       .unit = &UnitMeta<msg::TenthOhms>::info,
+       .since = {.firmware = 2660}},
+      {.name = "current_limit",
+       .spec_name = "CURRENT_LIMIT",
+       .summary = "Limit of the total current.",
+       .unit = &UnitMeta<msg::TensOfMilliamperes>::info,
+       .since = {.firmware = 2660}},
+      {.name = "middle_mot_tilt_angle",
+       .spec_name = "MIDDLE_MOT_TILT_ANGLE",
+       .summary = "Tilt of the middle motor.",
+       .unit = &UnitMeta<msg::SignedDegrees>::info,
+       .range = &middle_mot_tilt_angle_range,
+       .role = FieldRole::general,
+       .since = {.firmware = 2670}},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
   static constexpr void visit(T& value, Visitor&& visitor) {
     visitor(fields[0], value.profile_id);
-    visitor(fields[1], value.reserved_1);
+    visitor(fields[1], value.mav_channels);
     visitor(fields[2], value.motor_mag_link_fine);
     visitor(fields[3], value.acc_limiter3);
     visitor(fields[4], value.pid_gain);
     visitor(fields[5], value.frame_imu_lpf_freq);
     visitor(fields[6], value.auto_pid_cfg);
     visitor(fields[7], value.auto_pid_gain);
-    visitor(fields[8], value.reserved_2);
+    visitor(fields[8], value.frame_cam_angle_min);
+    visitor(fields[9], value.frame_cam_angle_max);
+    visitor(fields[10], value.general_flags2);
+    visitor(fields[11], value.auto_speed);
+    visitor(fields[12], value.auto_acc_limiter);
+    visitor(fields[13], value.imu_orientation_corr);
+    visitor(fields[14], value.timelapse_time);
+    visitor(fields[15], value.emergency_stop_restart_delay);
+    visitor(fields[16], value.timelapse_acc_part);
+    visitor(fields[17], value.momentum);
+    visitor(fields[18], value.momentum_calib_stimulus);
+    visitor(fields[19], value.momentum_ellipticity);
+    visitor(fields[20], value.follow_range);
+    visitor(fields[21], value.stab_axis);
+    visitor(fields[22], value.outer_mot_tilt_angle);
+    visitor(fields[23], value.startup_action);
+    visitor(fields[24], value.startup_action_src);
+    visitor(fields[25], value.startup_action_threshold);
+    visitor(fields[26], value.force_position_cfg);
+    visitor(fields[27], value.step_signals);
+    visitor(fields[28], value.rc_calibrations);
+    visitor(fields[29], value.parking_pos_cfg);
+    visitor(fields[30], value.ext_led_pin_id);
+    visitor(fields[31], value.interrupt_cfg);
+    visitor(fields[32], value.overload_time);
+    visitor(fields[33], value.auto_pid_momentum);
+    visitor(fields[34], value.jerk_slope);
+    visitor(fields[35], value.mav_ctrl_mode);
+    visitor(fields[36], value.rc_serial_speed);
+    visitor(fields[37], value.uart2_speed);
+    visitor(fields[38], value.motor_res);
+    visitor(fields[39], value.current_limit);
+    visitor(fields[40], value.middle_mot_tilt_angle);
     visitor(tail_field, value.tail);
+  }
+  /// Calls `check(field, low, field, high, is_strict)` for each rule that low is not above high.
+  template <class T, class Check>
+  static constexpr void rules(const T& value, Check&& check) {
+    check(fields[8], value.frame_cam_angle_min, fields[9], value.frame_cam_angle_max, false);
   }
 };
 
@@ -911,6 +1217,31 @@ struct Meta<msg::ReadParamsExt2Request> {
   template <class T, class Visitor>
   static constexpr void visit(T& value, Visitor&& visitor) {
     visitor(fields[0], value.profile_id);
+  }
+};
+
+template <>
+struct Meta<msg::WriteParamsSet> {
+  static constexpr MessageInfo info{
+      .name = "WriteParamsSet",
+      .command = "CMD_WRITE_PARAMS_SET",
+      .summary = "Begin or end a series of commands that store parameters.",
+      .id = 119,
+      .direction = Direction::to_board,
+      .min_size = 1,
+      .max_size = 1,
+      .since = {.firmware = 2704},
+      .effects = Effects(Effect::sets) | Effect::moves | Effect::restarts};
+  static constexpr FieldInfo fields[] = {
+      {.name = "action",
+       .spec_name = "ACTION",
+       .summary = "Whether the series begins or ends."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.action);
   }
 };
 
@@ -961,6 +1292,46 @@ struct Meta<msg::ReadProfileNamesRequest> {
 };
 
 template <>
+struct Meta<msg::ProfileSet> {
+  static constexpr MessageInfo info{
+      .name = "ProfileSet",
+      .command = "CMD_PROFILE_SET",
+      .summary = "Save, clear or load a profile set.",
+      .id = 95,
+      .direction = Direction::to_board,
+      .min_size = 10,
+      .max_size = 10,
+      .since = {.firmware = 2650},
+      .effects = Effects(Effect::stores) | Effect::moves | Effect::erases};
+  static constexpr Range slot_range{1, 5};
+  static constexpr Special slot_special[] = {
+      {6, "the backup"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "slot",
+       .spec_name = "SLOT",
+       .summary = "Place of the profile set.",
+       .range = &slot_range,
+       .special = slot_special},
+      {.name = "action",
+       .spec_name = "ACTION",
+       .summary = "Operation."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.slot);
+    visitor(fields[1], value.action);
+    visitor(fields[2], value.reserved);
+  }
+};
+
+template <>
 struct Meta<msg::SaveParams3> {
   static constexpr MessageInfo info{
       .name = "SaveParams3",
@@ -969,13 +1340,20 @@ struct Meta<msg::SaveParams3> {
       .id = 32,
       .direction = Direction::to_board,
       .min_size = 0,
-      .max_size = 0,
+      .max_size = 255,
       .since = {.board = 30},
       .effects = Effects(Effect::stores)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "param_id",
+       .spec_name = "PARAM_ID",
+       .summary = "Variables to save; none stands for all.",
+       .since = {.firmware = 2689}},
+  };
 
   /// Calls `visitor(field, member)` for each member in wire order.
   template <class T, class Visitor>
-  static constexpr void visit(T&, Visitor&&) {
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.param_id);
   }
 };
 
@@ -993,6 +1371,7 @@ struct Meta<msg::UseDefaults> {
   static constexpr Range profile_id_range{0, 4};
   static constexpr Special profile_id_special[] = {
       {253, "erases the EEPROM"},
+      {254, "resets the active profile"},
   };
   static constexpr FieldInfo fields[] = {
       {.name = "profile_id",

@@ -19,7 +19,7 @@ struct Meta<msg::BeepSound> {
       .id = 89,
       .direction = Direction::to_board,
       .min_size = 12,
-      .max_size = 72,
+      .max_size = 112,
       .since = {.firmware = 2590, .board = 30},
       .effects = Effects(Effect::sets)};
   static constexpr Range note_length_range{1, 255};
@@ -55,11 +55,11 @@ struct Meta<msg::BeepSound> {
        .reserved = true},
       {.name = "note_freq_hz",
        .spec_name = "NOTE_FREQ_HZ",
-       .summary = "The notes of a custom melody.",
+       .summary = "The notes of a custom melody; at most 30 in firmware of the specification's time.",
        .unit = &UnitMeta<msg::NoteFrequency>::info,
        .range = &note_freq_hz_range,
        .special = note_freq_hz_special,
-       .max_count = 30},
+       .max_count = 50},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -131,6 +131,43 @@ struct Meta<msg::ServoOut> {
   template <class T, class Visitor>
   static constexpr void visit(T& value, Visitor&& visitor) {
     visitor(fields[0], value.servo_time);
+  }
+};
+
+template <>
+struct Meta<msg::ServoOutExt> {
+  static constexpr MessageInfo info{
+      .name = "ServoOutExt",
+      .command = "CMD_SERVO_OUT_EXT",
+      .summary = "Send PWM signals to servos of the board and of its CAN motor drivers.",
+      .id = 133,
+      .direction = Direction::to_board,
+      .min_size = 4,
+      .max_size = 255,
+      .since = {.firmware = 2732},
+      .effects = Effects(Effect::moves)};
+  static constexpr Range servo_time_range{-1, 20000};
+  static constexpr Special servo_time_special[] = {
+      {-1, "the pin is set free and floats"},
+      {0, "the pin is low all the time"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "servo_bits",
+       .spec_name = "SERVO_BITS",
+       .summary = "Outputs to set."},
+      {.name = "servo_time",
+       .spec_name = "SERVO_TIME",
+       .summary = "Pulse of each selected output, from the lowest bit to the highest.",
+       .unit = &UnitMeta<msg::ServoPulse>::info,
+       .range = &servo_time_range,
+       .special = servo_time_special},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.servo_bits);
+    visitor(fields[1], value.servo_time);
   }
 };
 
@@ -231,6 +268,78 @@ struct Meta<msg::I2cReadRegBufRequest> {
 };
 
 template <>
+struct Meta<msg::I2cReadRegBufRequestNoRegister> {
+  static constexpr const char* answers[] = {"I2cReadRegBuf"};
+  static constexpr MessageInfo info{
+      .name = "I2cReadRegBufRequestNoRegister",
+      .command = "CMD_I2C_READ_REG_BUF",
+      .summary = "Read from a device without registers.",
+      .id = 40,
+      .direction = Direction::to_board,
+      .min_size = 2,
+      .max_size = 2,
+      .since = {.board = 30},
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
+  static constexpr Range data_len_range{1, 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "device_addr",
+       .spec_name = "DEVICE_ADDR",
+       .summary = "The device."},
+      {.name = "data_len",
+       .spec_name = "DATA_LEN",
+       .summary = "Number of bytes to read.",
+       .unit = &UnitMeta<msg::SmallByteCount>::info,
+       .range = &data_len_range},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.device_addr);
+    visitor(fields[1], value.data_len);
+  }
+};
+
+template <>
+struct Meta<msg::I2cReadRegBufRequestWideRegister> {
+  static constexpr const char* answers[] = {"I2cReadRegBuf"};
+  static constexpr MessageInfo info{
+      .name = "I2cReadRegBufRequestWideRegister",
+      .command = "CMD_I2C_READ_REG_BUF",
+      .summary = "Read from a device with 16-bit register addresses.",
+      .id = 40,
+      .direction = Direction::to_board,
+      .min_size = 4,
+      .max_size = 4,
+      .since = {.board = 30},
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
+  static constexpr Range data_len_range{1, 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "device_addr",
+       .spec_name = "DEVICE_ADDR",
+       .summary = "The device."},
+      {.name = "reg_addr",
+       .spec_name = "REG_ADDR",
+       .summary = "First register."},
+      {.name = "data_len",
+       .spec_name = "DATA_LEN",
+       .summary = "Number of bytes to read.",
+       .unit = &UnitMeta<msg::SmallByteCount>::info,
+       .range = &data_len_range},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.device_addr);
+    visitor(fields[1], value.reg_addr);
+    visitor(fields[2], value.data_len);
+  }
+};
+
+template <>
 struct Meta<msg::ApiVirtChControl> {
   static constexpr MessageInfo info{
       .name = "ApiVirtChControl",
@@ -261,6 +370,102 @@ struct Meta<msg::ApiVirtChControl> {
   template <class T, class Visitor>
   static constexpr void visit(T& value, Visitor&& visitor) {
     visitor(fields[0], value.val_ch);
+  }
+};
+
+template <>
+struct Meta<msg::ApiVirtChHighRes> {
+  static constexpr MessageInfo info{
+      .name = "ApiVirtChHighRes",
+      .command = "CMD_API_VIRT_CH_HIGH_RES",
+      .summary = "Set the host's virtual RC channels in high resolution; they can control the camera and more.",
+      .id = 116,
+      .direction = Direction::to_board,
+      .min_size = 2,
+      .max_size = 64,
+      .since = {.firmware = 2687},
+      .effects = Effects(Effect::sets) | Effect::stores | Effect::moves | Effect::restarts};
+  static constexpr Range val_ch_range{-16384, 16384};
+  static constexpr Special val_ch_special[] = {
+      {-32768, "undefined, as if the signal were lost"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "val_ch",
+       .spec_name = "VAL_CH{1..32}",
+       .summary = "Signal of each channel, starting with the first.",
+       .unit = &UnitMeta<msg::FineRcSignal>::info,
+       .range = &val_ch_range,
+       .special = val_ch_special,
+       .min_count = 1,
+       .max_count = 32},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.val_ch);
+  }
+};
+
+template <>
+struct Meta<msg::ReadRcInputs> {
+  static constexpr MessageInfo info{
+      .name = "ReadRcInputs",
+      .command = "CMD_READ_RC_INPUTS",
+      .summary = "RC signals of selected inputs.",
+      .id = 100,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 254};
+  static constexpr Range rc_val_range{-16384, 16384};
+  static constexpr Special rc_val_special[] = {
+      {-32768, "undefined"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "rc_val",
+       .spec_name = "RC_VAL",
+       .summary = "Signal of each requested input, in the order of the request.",
+       .unit = &UnitMeta<msg::FineRcSignal>::info,
+       .range = &rc_val_range,
+       .special = rc_val_special,
+       .max_count = 127},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.rc_val);
+  }
+};
+
+template <>
+struct Meta<msg::ReadRcInputsRequest> {
+  static constexpr const char* answers[] = {"ReadRcInputs"};
+  static constexpr MessageInfo info{
+      .name = "ReadRcInputsRequest",
+      .command = "CMD_READ_RC_INPUTS",
+      .summary = "Request the RC signals of selected inputs.",
+      .id = 100,
+      .direction = Direction::to_board,
+      .min_size = 2,
+      .max_size = 129,
+      .answers = answers,
+      .effects = Effects(Effect::sets)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "cfg_flags",
+       .spec_name = "CFG_FLAGS",
+       .summary = "Options."},
+      {.name = "rc_src",
+       .spec_name = "RC_SRC",
+       .summary = "The inputs; more than 127 signals do not fit into the response.",
+       .max_count = 127},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.cfg_flags);
+    visitor(fields[1], value.rc_src);
   }
 };
 

@@ -7,6 +7,7 @@
 #include <sbgc/meta.hpp>
 #include <sbgc/meta/enums.hpp>
 #include <sbgc/meta/units.hpp>
+#include <sbgc/meta/imu.hpp>
 
 namespace sbgc {
 
@@ -32,7 +33,173 @@ struct Meta<msg::AxisSensors> {
 };
 
 template <>
+struct Meta<msg::Motor4Control> {
+  static constexpr FieldInfo fields[] = {
+      {.name = "ff_speed",
+       .spec_name = "FF_SPEED",
+       .summary = "Feed-forward speed.",
+       .unit = &UnitMeta<msg::GyroRate>::info},
+      {.name = "angle_error",
+       .spec_name = "ANGLE_ERROR",
+       .summary = "Error of the angle.",
+       .unit = &UnitMeta<msg::Angle14>::info},
+      {.name = "pid_out",
+       .spec_name = "PID_OUT",
+       .summary = "Output of the PID controller."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.ff_speed);
+    visitor(fields[1], value.angle_error);
+    visitor(fields[2], value.pid_out);
+  }
+};
+
+template <>
+struct Meta<msg::MotorPowerState> {
+  static constexpr Range mot_power_range{-10000, 10000};
+  static constexpr FieldInfo fields[] = {
+      {.name = "mot_power",
+       .spec_name = "MOT_POWER",
+       .summary = "Output of the motor; 10000 is full power.",
+       .range = &mot_power_range},
+      {.name = "mot_current",
+       .spec_name = "MOT_CURRENT",
+       .summary = "Current of the motor.",
+       .unit = &UnitMeta<msg::Current>::info},
+      {.name = "mot_temp",
+       .spec_name = "MOT_TEMP",
+       .summary = "Temperature of the motor.",
+       .unit = &UnitMeta<msg::Temperature>::info},
+      {.name = "mot_flags",
+       .spec_name = "MOT_FLAGS",
+       .summary = "State of the motor."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.mot_power);
+    visitor(fields[1], value.mot_current);
+    visitor(fields[2], value.mot_temp);
+    visitor(fields[3], value.mot_flags);
+    visitor(fields[4], value.reserved);
+  }
+};
+
+template <>
+struct Meta<msg::SystemPowerState> {
+  static constexpr FieldInfo fields[] = {
+      {.name = "motors",
+       .spec_name = "motors",
+       .summary = "State of each motor."},
+      {.name = "state",
+       .spec_name = "STATE",
+       .summary = "State of the motor power."},
+      {.name = "battery_voltage",
+       .spec_name = "BATTERY_VOLTAGE",
+       .summary = "Battery voltage.",
+       .unit = &UnitMeta<msg::Voltage>::info},
+      {.name = "total_current",
+       .spec_name = "TOTAL_CURRENT",
+       .summary = "Current of the whole system.",
+       .unit = &UnitMeta<msg::Current>::info},
+      {.name = "system_flags",
+       .spec_name = "SYSTEM_FLAGS",
+       .summary = "Problems with the motors or their drivers."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.motors);
+    visitor(fields[1], value.state);
+    visitor(fields[2], value.battery_voltage);
+    visitor(fields[3], value.total_current);
+    visitor(fields[4], value.system_flags);
+  }
+};
+
+template <>
+struct Meta<msg::CommErrors> {
+  static constexpr FieldInfo fields[] = {
+      {.name = "i2c_errors",
+       .spec_name = "I2C_ERRORS",
+       .summary = "Number of errors on the I2C bus."},
+      {.name = "serial_errors",
+       .spec_name = "SERIAL_ERRORS",
+       .summary = "Number of errors on the serial line."},
+      {.name = "can_errors",
+       .spec_name = "CAN_ERRORS",
+       .summary = "Number of errors on the CAN bus."},
+      {.name = "can_err_flags",
+       .spec_name = "CAN_ERR_FLAGS",
+       .summary = "State of the CAN bus."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.i2c_errors);
+    visitor(fields[1], value.serial_errors);
+    visitor(fields[2], value.can_errors);
+    visitor(fields[3], value.can_err_flags);
+  }
+};
+
+template <>
+struct Meta<msg::SystemStatus> {
+  static constexpr FieldInfo fields[] = {
+      {.name = "flags",
+       .spec_name = "FLAGS",
+       .summary = "State of the system."},
+      {.name = "calib_mode",
+       .spec_name = "CALIB_MODE",
+       .summary = "Calibration or other task that is running."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.flags);
+    visitor(fields[1], value.calib_mode);
+    visitor(fields[2], value.reserved);
+  }
+};
+
+template <>
+struct Meta<msg::SoftLimitDistances> {
+  static constexpr Special dist_special[] = {
+      {32767, "unknown"},
+  };
+  static constexpr FieldInfo fields[] = {
+      {.name = "dist",
+       .spec_name = "DIST",
+       .summary = "Distances to the limits; the first is probably that to the lower one.",
+       .unit = &UnitMeta<msg::Angle14>::info,
+       .special = dist_special},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.dist);
+  }
+};
+
+template <>
 struct Meta<msg::StreamConfig> {
+  static constexpr Range drv_id_range{0, 6};
   static constexpr FieldInfo fields[] = {
       {.name = "flags",
        .spec_name = "FLAGS",
@@ -40,6 +207,25 @@ struct Meta<msg::StreamConfig> {
       {.name = "imu_type",
        .spec_name = "IMU_TYPE",
        .summary = "IMU whose attitude to send."},
+      {.name = "event_id",
+       .spec_name = "EVENT_ID",
+       .summary = "Event to report."},
+      {.name = "event_type",
+       .spec_name = "EVENT_TYPE",
+       .summary = "Kinds of the event to report."},
+      {.name = "telemetry_flags",
+       .spec_name = "FLAGS",
+       .summary = "Data to send."},
+      {.name = "drv_id",
+       .spec_name = "DRV_ID",
+       .summary = "CAN motor driver whose data to send.",
+       .range = &drv_id_range},
+      {.name = "motor",
+       .spec_name = "MOTOR",
+       .summary = "External motor whose state to send."},
+      {.name = "data_set",
+       .spec_name = "DATA_SET",
+       .summary = "Data to send."},
       {.name = "rest",
        .spec_name = "",
        .summary = "What is not used of the 8 bytes; filled up with zeros.",
@@ -52,7 +238,13 @@ struct Meta<msg::StreamConfig> {
   static constexpr void visit(T& value, Visitor&& visitor) {
     visitor(fields[0], value.flags);
     visitor(fields[1], value.imu_type);
-    visitor(fields[2], value.rest);
+    visitor(fields[2], value.event_id);
+    visitor(fields[3], value.event_type);
+    visitor(fields[4], value.telemetry_flags);
+    visitor(fields[5], value.drv_id);
+    visitor(fields[6], value.motor);
+    visitor(fields[7], value.data_set);
+    visitor(fields[8], value.rest);
   }
 };
 
@@ -263,6 +455,7 @@ struct Meta<msg::RealtimeData4> {
   static constexpr Range frame_imu_temperature_range{-127, 127};
   static constexpr Range imu_g_err_range{0, 255};
   static constexpr Range imu_h_err_range{0, 255};
+  static constexpr Range motor_out_range{-10000, 10000};
   static constexpr FieldInfo fields[] = {
       {.name = "axes",
        .spec_name = "axes",
@@ -385,6 +578,28 @@ struct Meta<msg::RealtimeData4> {
        .summary = "Angle between the estimated and the reference heading vector.",
        .unit = &UnitMeta<msg::AngleError>::info,
        .range = &imu_h_err_range},
+      {.name = "motor_out",
+       .spec_name = "MOTOR_OUT",
+       .summary = "Output of each motor; 10000 is full power.",
+       .range = &motor_out_range,
+       .since = {.firmware = 2610}},
+      {.name = "calib_mode",
+       .spec_name = "CALIB_MODE",
+       .summary = "Calibration or other task that is running.",
+       .since = {.firmware = 2610}},
+      {.name = "can_imu_ext_sens_err",
+       .spec_name = "CAN_IMU_EXT_SENS_ERR",
+       .summary = "Errors of the external sensor of a CAN IMU.",
+       .since = {.firmware = 2610}},
+      {.name = "actual_angle",
+       .spec_name = "ACTUAL_ANGLE",
+       .summary = "Actual angles of the camera.",
+       .unit = &UnitMeta<msg::Angle14>::info,
+       .since = {.firmware = 2720}},
+      {.name = "system_state_flags",
+       .spec_name = "SYSTEM_STATE_FLAGS",
+       .summary = "State of the system.",
+       .since = {.firmware = 2730}},
       {.name = "reserved_3",
        .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
@@ -423,7 +638,12 @@ struct Meta<msg::RealtimeData4> {
     visitor(fields[26], value.frame_imu_temperature);
     visitor(fields[27], value.imu_g_err);
     visitor(fields[28], value.imu_h_err);
-    visitor(fields[29], value.reserved_3);
+    visitor(fields[29], value.motor_out);
+    visitor(fields[30], value.calib_mode);
+    visitor(fields[31], value.can_imu_ext_sens_err);
+    visitor(fields[32], value.actual_angle);
+    visitor(fields[33], value.system_state_flags);
+    visitor(fields[34], value.reserved_3);
     visitor(tail_field, value.tail);
   }
 };
@@ -458,7 +678,7 @@ struct Meta<msg::RealtimeDataCustom> {
       .id = 88,
       .direction = Direction::from_board,
       .min_size = 2,
-      .max_size = 110,
+      .max_size = 255,
       .since = {.firmware = 2590, .board = 30}};
   static constexpr Range rc_data_range{-16384, 16384};
   static constexpr Special rc_data_special[] = {
@@ -470,6 +690,7 @@ struct Meta<msg::RealtimeDataCustom> {
   static constexpr Special rc_channels_special[] = {
       {-32768, "undefined"},
   };
+  static constexpr Range adc_ch_raw_range{0, 4096};
   static constexpr FieldInfo fields[] = {
       {.name = "timestamp_ms",
        .spec_name = "TIMESTAMP_MS",
@@ -519,6 +740,74 @@ struct Meta<msg::RealtimeDataCustom> {
        .spec_name = "ACC_DATA",
        .summary = "Accelerometer after calibration.",
        .unit = &UnitMeta<msg::Acceleration>::info},
+      {.name = "motor4_control",
+       .spec_name = "MOTOR4_CONTROL",
+       .summary = "Control of a fourth motor."},
+      {.name = "ahrs_debug_info",
+       .spec_name = "AHRS_DEBUG_INFO",
+       .summary = "State of the attitude estimation."},
+      {.name = "encoder_raw24",
+       .spec_name = "ENCODER_RAW24",
+       .summary = "Raw values of the encoders."},
+      {.name = "imu_angles_rad",
+       .spec_name = "IMU_ANGLES_RAD",
+       .summary = "Angles of the main IMU (Euler), in radians.",
+       .unit = &UnitMeta<msg::Radians>::info},
+      {.name = "script_vars_float",
+       .spec_name = "SCRIPT_VARS_FLOAT",
+       .summary = "Floating-point variables of the script."},
+      {.name = "script_vars_int16",
+       .spec_name = "SCRIPT_VARS_INT16",
+       .summary = "Integer variables of the script."},
+      {.name = "system_power_state",
+       .spec_name = "SYSTEM_POWER_STATE",
+       .summary = "State of the motors and of the supply."},
+      {.name = "frame_cam_rate",
+       .spec_name = "FRAME_CAM_RATE",
+       .summary = "Speed of the camera relative to the frame.",
+       .unit = &UnitMeta<msg::GyroRate>::info},
+      {.name = "imu_angles_20",
+       .spec_name = "IMU_ANGLES_20",
+       .summary = "Angles of the main IMU (Euler), in high resolution.",
+       .unit = &UnitMeta<msg::Angle20>::info},
+      {.name = "target_angles_20",
+       .spec_name = "TARGET_ANGLES_20",
+       .summary = "Target angles (Euler), in high resolution.",
+       .unit = &UnitMeta<msg::Angle20>::info},
+      {.name = "comm_errors",
+       .spec_name = "COMM_ERRORS",
+       .summary = "Counters of communication errors."},
+      {.name = "system_state",
+       .spec_name = "SYSTEM_STATE",
+       .summary = "State of the system."},
+      {.name = "imu_quat",
+       .spec_name = "IMU_QUAT",
+       .summary = "Attitude of the main IMU."},
+      {.name = "target_quat",
+       .spec_name = "TARGET_QUAT",
+       .summary = "Target attitude."},
+      {.name = "imu_to_frame_quat",
+       .spec_name = "IMU_TO_FRAME_QUAT",
+       .summary = "Rotation from the main IMU to the frame."},
+      {.name = "adc_ch_raw",
+       .spec_name = "ADC_CH_RAW",
+       .summary = "Raw values of the analog inputs.",
+       .range = &adc_ch_raw_range},
+      {.name = "sw_limits_dist",
+       .spec_name = "SW_LIMITS_DIST",
+       .summary = "Distances of each axis to its software limits."},
+      {.name = "follow_dist",
+       .spec_name = "FOLLOW_DIST",
+       .summary = "Distance in follow mode.",
+       .unit = &UnitMeta<msg::Angle14>::info},
+      {.name = "ext_target_limit_min",
+       .spec_name = "EXT_TARGET_LIMIT_MIN",
+       .summary = "Lower limits of an external target.",
+       .unit = &UnitMeta<msg::LongAngle14>::info},
+      {.name = "ext_target_limit_max",
+       .spec_name = "EXT_TARGET_LIMIT_MAX",
+       .summary = "Upper limits of an external target.",
+       .unit = &UnitMeta<msg::LongAngle14>::info},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -535,6 +824,26 @@ struct Meta<msg::RealtimeDataCustom> {
     visitor(fields[8], value.h1_vector);
     visitor(fields[9], value.rc_channels);
     visitor(fields[10], value.acc_data);
+    visitor(fields[11], value.motor4_control);
+    visitor(fields[12], value.ahrs_debug_info);
+    visitor(fields[13], value.encoder_raw24);
+    visitor(fields[14], value.imu_angles_rad);
+    visitor(fields[15], value.script_vars_float);
+    visitor(fields[16], value.script_vars_int16);
+    visitor(fields[17], value.system_power_state);
+    visitor(fields[18], value.frame_cam_rate);
+    visitor(fields[19], value.imu_angles_20);
+    visitor(fields[20], value.target_angles_20);
+    visitor(fields[21], value.comm_errors);
+    visitor(fields[22], value.system_state);
+    visitor(fields[23], value.imu_quat);
+    visitor(fields[24], value.target_quat);
+    visitor(fields[25], value.imu_to_frame_quat);
+    visitor(fields[26], value.adc_ch_raw);
+    visitor(fields[27], value.sw_limits_dist);
+    visitor(fields[28], value.follow_dist);
+    visitor(fields[29], value.ext_target_limit_min);
+    visitor(fields[30], value.ext_target_limit_max);
     visitor(tail_field, value.tail);
   }
 };
@@ -593,12 +902,16 @@ struct Meta<msg::DataStreamInterval> {
        .summary = "Message to send."},
       {.name = "interval_ms",
        .spec_name = "INTERVAL_MS",
-       .summary = "Time between samples.",
+       .summary = "Time between samples; a divider with SYNC_TO_DATA.",
        .unit = &UnitMeta<msg::Milliseconds>::info,
        .special = interval_ms_special},
       {.name = "config",
        .spec_name = "CONFIG",
        .summary = "Options of the message; unused bytes are 0."},
+      {.name = "sync_to_data",
+       .spec_name = "SYNC_TO_DATA",
+       .summary = "Event that triggers the samples.",
+       .since = {.firmware = 2701}},
       {.name = "reserved",
        .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
@@ -611,7 +924,207 @@ struct Meta<msg::DataStreamInterval> {
     visitor(fields[0], value.cmd_id);
     visitor(fields[1], value.interval_ms);
     visitor(fields[2], value.config);
-    visitor(fields[3], value.reserved);
+    visitor(fields[3], value.sync_to_data);
+    visitor(fields[4], value.reserved);
+  }
+};
+
+template <>
+struct Meta<msg::CanDrvTelemetry> {
+  static constexpr MessageInfo info{
+      .name = "CanDrvTelemetry",
+      .command = "CMD_CAN_DRV_TELEMETRY",
+      .summary = "Live data of a CAN motor driver.",
+      .id = 127,
+      .direction = Direction::from_board,
+      .min_size = 3,
+      .max_size = 35,
+      .since = {.firmware = 2720, .board = 36}};
+  static constexpr Range drv_id_range{0, 6};
+  static constexpr FieldInfo fields[] = {
+      {.name = "drv_id",
+       .spec_name = "DRV_ID",
+       .summary = "The driver.",
+       .range = &drv_id_range},
+      {.name = "timestamp_ms",
+       .spec_name = "TIMESTAMP_MS",
+       .summary = "Time of the sample.",
+       .unit = &UnitMeta<msg::MillisecondClock>::info},
+      {.name = "can_bus_flags",
+       .spec_name = "CAN_BUS_FLAGS",
+       .summary = "State of the CAN bus; its bits are not documented."},
+      {.name = "can_bus_err_cnt",
+       .spec_name = "CAN_BUS_ERR_CNT",
+       .summary = "Number of errors on the CAN bus."},
+      {.name = "temp_board",
+       .spec_name = "TEMP_BOARD",
+       .summary = "Temperature of the driver.",
+       .unit = &UnitMeta<msg::Temperature>::info},
+      {.name = "temp_motor",
+       .spec_name = "TEMP_MOTOR",
+       .summary = "Temperature of the motor.",
+       .unit = &UnitMeta<msg::Temperature>::info},
+      {.name = "avg_current",
+       .spec_name = "AVG_CURRENT",
+       .summary = "Average current.",
+       .unit = &UnitMeta<msg::Current>::info},
+      {.name = "bus_voltage",
+       .spec_name = "BUS_VOLTAGE",
+       .summary = "Supply voltage.",
+       .unit = &UnitMeta<msg::Millivolts>::info},
+      {.name = "pin_state",
+       .spec_name = "PIN_STATE",
+       .summary = "State of the pins."},
+      {.name = "phase_current",
+       .spec_name = "PHASE_CURRENT",
+       .summary = "Current of each phase.",
+       .unit = &UnitMeta<msg::SignedCurrent>::info},
+      {.name = "encoder_error_cnt",
+       .spec_name = "ENCODER_ERROR_CNT",
+       .summary = "Number of errors of the encoder."},
+      {.name = "iq_current",
+       .spec_name = "IQ_CURRENT",
+       .summary = "Current that makes torque.",
+       .unit = &UnitMeta<msg::SignedCurrent>::info},
+      {.name = "id_current",
+       .spec_name = "ID_CURRENT",
+       .summary = "Current that makes the field.",
+       .unit = &UnitMeta<msg::SignedCurrent>::info},
+      {.name = "motor_speed",
+       .spec_name = "MOTOR_SPEED",
+       .summary = "Speed of the motor.",
+       .unit = &UnitMeta<msg::RevolutionsPerMinute>::info},
+      {.name = "pid_pos_err",
+       .spec_name = "PID_POS_ERR",
+       .summary = "Error of the position controller."},
+      {.name = "pid_speed_err",
+       .spec_name = "PID_SPEED_ERR",
+       .summary = "Error of the speed controller."},
+      {.name = "iq_ref",
+       .spec_name = "IQ_REF",
+       .summary = "Target of the torque current.",
+       .unit = &UnitMeta<msg::CurrentShare>::info},
+      {.name = "pid_current_err",
+       .spec_name = "PID_CURRENT_ERR",
+       .summary = "Error of the current controller."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.drv_id);
+    visitor(fields[1], value.timestamp_ms);
+    visitor(fields[2], value.can_bus_flags);
+    visitor(fields[3], value.can_bus_err_cnt);
+    visitor(fields[4], value.temp_board);
+    visitor(fields[5], value.temp_motor);
+    visitor(fields[6], value.avg_current);
+    visitor(fields[7], value.bus_voltage);
+    visitor(fields[8], value.pin_state);
+    visitor(fields[9], value.phase_current);
+    visitor(fields[10], value.encoder_error_cnt);
+    visitor(fields[11], value.iq_current);
+    visitor(fields[12], value.id_current);
+    visitor(fields[13], value.motor_speed);
+    visitor(fields[14], value.pid_pos_err);
+    visitor(fields[15], value.pid_speed_err);
+    visitor(fields[16], value.iq_ref);
+    visitor(fields[17], value.pid_current_err);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<msg::CanDrvState> {
+  static constexpr MessageInfo info{
+      .name = "CanDrvState",
+      .command = "CMD_CAN_DRV_STATE",
+      .summary = "Undocumented body from the board.",
+      .id = 98,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::CanDrvStateRequest> {
+  static constexpr MessageInfo info{
+      .name = "CanDrvStateRequest",
+      .command = "CMD_CAN_DRV_STATE",
+      .summary = "Undocumented body to the board.",
+      .id = 98,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 255,
+      .effects = Effects(Effect::unknown)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::RealtimeDataCanDrv> {
+  static constexpr MessageInfo info{
+      .name = "RealtimeDataCanDrv",
+      .command = "CMD_REALTIME_DATA_CAN_DRV",
+      .summary = "Undocumented body from the board.",
+      .id = 101,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::RealtimeDataCanDrvRequest> {
+  static constexpr MessageInfo info{
+      .name = "RealtimeDataCanDrvRequest",
+      .command = "CMD_REALTIME_DATA_CAN_DRV",
+      .summary = "Undocumented body to the board.",
+      .id = 101,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 255,
+      .effects = Effects(Effect::unknown)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
   }
 };
 

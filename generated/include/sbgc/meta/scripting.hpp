@@ -28,7 +28,7 @@ struct Meta<msg::RunScript> {
        .summary = "Operation."},
       {.name = "slot",
        .spec_name = "SLOT",
-       .summary = "Script slot; whether it counts from 0 or from 1 is unknown."},
+       .summary = "Script slot, counted from 0."},
       {.name = "reserved",
        .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",

@@ -20,9 +20,6 @@ struct Meta<msg::BoardInfo> {
       .direction = Direction::from_board,
       .min_size = 18,
       .max_size = 18};
-  static constexpr Special debug_mode_special[] = {
-      {0, "a host should hide its debug output"},
-  };
   static constexpr FieldInfo fields[] = {
       {.name = "board_ver",
        .spec_name = "BOARD_VER",
@@ -32,8 +29,7 @@ struct Meta<msg::BoardInfo> {
        .summary = "Firmware version."},
       {.name = "debug_mode",
        .spec_name = "DEBUG_MODE",
-       .summary = "Whether debug output is enabled.",
-       .special = debug_mode_special},
+       .summary = "State of the board; before later firmware, only whether debug output is enabled."},
       {.name = "board_features",
        .spec_name = "BOARD_FEATURES",
        .summary = "Features of the board."},
@@ -43,10 +39,21 @@ struct Meta<msg::BoardInfo> {
       {.name = "frw_extra_id",
        .spec_name = "FRW_EXTRA_ID",
        .summary = "Identifies special firmware builds."},
-      {.name = "reserved",
-       .spec_name = "RESERVED",
-       .summary = "Later firmware holds more feature bits, IMU models and a base firmware version here.",
-       .reserved = true},
+      {.name = "board_features_ext",
+       .spec_name = "BOARD_FEATURES_EXT",
+       .summary = "More features of the board."},
+      {.name = "main_imu_sens_model",
+       .spec_name = "MAIN_IMU_SENS_MODEL",
+       .summary = "Model of the main IMU's sensor."},
+      {.name = "frame_imu_sens_model",
+       .spec_name = "FRAME_IMU_SENS_MODEL",
+       .summary = "Model of the frame IMU's sensor."},
+      {.name = "build_number",
+       .spec_name = "BUILD_NUMBER",
+       .summary = "Build of the firmware version."},
+      {.name = "base_frw_ver",
+       .spec_name = "BASE_FRW_VER",
+       .summary = "Main version on which an experimental version is based."},
   };
 
   /// Calls `visitor(field, member)` for each member in wire order.
@@ -58,7 +65,11 @@ struct Meta<msg::BoardInfo> {
     visitor(fields[3], value.board_features);
     visitor(fields[4], value.connection_flags);
     visitor(fields[5], value.frw_extra_id);
-    visitor(fields[6], value.reserved);
+    visitor(fields[6], value.board_features_ext);
+    visitor(fields[7], value.main_imu_sens_model);
+    visitor(fields[8], value.frame_imu_sens_model);
+    visitor(fields[9], value.build_number);
+    visitor(fields[10], value.base_frw_ver);
     visitor(tail_field, value.tail);
   }
 };
@@ -164,7 +175,7 @@ struct Meta<msg::Confirm> {
        .summary = "Result of the file operation."},
       {.name = "data",
        .spec_name = "DATA",
-       .summary = "Data of other commands; usually empty.",
+       .summary = "Data of other commands; usually empty, or 0 for success.",
        .max_count = 5},
   };
 
@@ -253,6 +264,13 @@ struct Meta<msg::BoardInfo3> {
   static constexpr Special script_slot_size_special[] = {
       {0, "the slot is empty"},
   };
+  static constexpr Range profile_set_cur_range{1, 6};
+  static constexpr Special profile_set_cur_special[] = {
+      {0, "earlier firmware has no profile sets"},
+  };
+  static constexpr Special script_slot_6_to_10_size_special[] = {
+      {0, "the slot is empty"},
+  };
   static constexpr FieldInfo fields[] = {
       {.name = "device_id",
        .spec_name = "deviceID",
@@ -269,6 +287,45 @@ struct Meta<msg::BoardInfo3> {
        .summary = "Size of the user script in each slot.",
        .unit = &UnitMeta<msg::ByteCount>::info,
        .special = script_slot_size_special},
+      {.name = "profile_set_slots",
+       .spec_name = "PROFILE_SET_SLOTS",
+       .summary = "Profile sets in memory."},
+      {.name = "profile_set_cur",
+       .spec_name = "PROFILE_SET_CUR",
+       .summary = "Selected profile set; 6 is the backup.",
+       .range = &profile_set_cur_range,
+       .special = profile_set_cur_special},
+      {.name = "flash_size",
+       .spec_name = "FLASH_SIZE",
+       .summary = "Size of the flash memory.",
+       .unit = &UnitMeta<msg::FlashSize>::info},
+      {.name = "imu_calib_info",
+       .spec_name = "IMU_CALIB_INFO",
+       .summary = "Information about the calibrations of the IMUs."},
+      {.name = "script_slot_6_to_10_size",
+       .spec_name = "SCRIPT_SLOT{6..10}_SIZE",
+       .summary = "Size of the user script in each of slots 6 to 10.",
+       .unit = &UnitMeta<msg::ByteCount>::info,
+       .special = script_slot_6_to_10_size_special},
+      {.name = "hw_flags",
+       .spec_name = "HW_FLAGS",
+       .summary = "Hardware on the board."},
+      {.name = "board_features_ext2",
+       .spec_name = "BOARD_FEATURES_EXT2",
+       .summary = "More features of the board.",
+       .since = {.firmware = 2730}},
+      {.name = "can_drv_main_limit",
+       .spec_name = "CAN_DRV_MAIN_LIMIT",
+       .summary = "Number of licensed CAN motor drivers for the main axes.",
+       .since = {.firmware = 2723}},
+      {.name = "can_drv_aux_limit",
+       .spec_name = "CAN_DRV_AUX_LIMIT",
+       .summary = "Number of licensed CAN motor drivers for auxiliary motors.",
+       .since = {.firmware = 2723}},
+      {.name = "adj_vars_total_num",
+       .spec_name = "ADJ_VARS_TOTAL_NUM",
+       .summary = "Number of adjustable variables.",
+       .since = {.firmware = 2730}},
       {.name = "reserved",
        .spec_name = "RESERVED",
        .summary = "Reserved; kept as it is.",
@@ -282,7 +339,17 @@ struct Meta<msg::BoardInfo3> {
     visitor(fields[1], value.mcu_id);
     visitor(fields[2], value.eeprom_size);
     visitor(fields[3], value.script_slot_size);
-    visitor(fields[4], value.reserved);
+    visitor(fields[4], value.profile_set_slots);
+    visitor(fields[5], value.profile_set_cur);
+    visitor(fields[6], value.flash_size);
+    visitor(fields[7], value.imu_calib_info);
+    visitor(fields[8], value.script_slot_6_to_10_size);
+    visitor(fields[9], value.hw_flags);
+    visitor(fields[10], value.board_features_ext2);
+    visitor(fields[11], value.can_drv_main_limit);
+    visitor(fields[12], value.can_drv_aux_limit);
+    visitor(fields[13], value.adj_vars_total_num);
+    visitor(fields[14], value.reserved);
     visitor(tail_field, value.tail);
   }
 };
@@ -423,6 +490,178 @@ struct Meta<msg::BootMode3Ext> {
   static constexpr void visit(T& value, Visitor&& visitor) {
     visitor(fields[0], value.confirm);
     visitor(fields[1], value.delay_ms);
+  }
+};
+
+template <>
+struct Meta<msg::ReadStateVars> {
+  static constexpr MessageInfo info{
+      .name = "ReadStateVars",
+      .command = "CMD_READ_STATE_VARS",
+      .summary = "Statistics of the board's whole life.",
+      .id = 111,
+      .direction = Direction::from_board,
+      .min_size = 192,
+      .max_size = 192,
+      .since = {.firmware = 2687, .board = 36}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "step_signal_val",
+       .spec_name = "STEP_SIGNAL_VAL",
+       .summary = "Current value of each step signal."},
+      {.name = "sub_error",
+       .spec_name = "SUB_ERROR",
+       .summary = "Reason for the last emergency stop."},
+      {.name = "max_acc",
+       .spec_name = "MAX_ACC",
+       .summary = "Highest acceleration.",
+       .unit = &UnitMeta<msg::AccelerationPeak>::info},
+      {.name = "work_time",
+       .spec_name = "WORK_TIME",
+       .summary = "Time in operation.",
+       .unit = &UnitMeta<msg::LongSeconds>::info},
+      {.name = "startup_cnt",
+       .spec_name = "STARTUP_CNT",
+       .summary = "Number of starts."},
+      {.name = "max_current",
+       .spec_name = "MAX_CURRENT",
+       .summary = "Highest current.",
+       .unit = &UnitMeta<msg::Current>::info},
+      {.name = "imu_temp_min",
+       .spec_name = "IMU_TEMP_MIN",
+       .summary = "Lowest temperature of the IMU.",
+       .unit = &UnitMeta<msg::PositiveTemperature>::info},
+      {.name = "imu_temp_max",
+       .spec_name = "IMU_TEMP_MAX",
+       .summary = "Highest temperature of the IMU.",
+       .unit = &UnitMeta<msg::PositiveTemperature>::info},
+      {.name = "mcu_temp_min",
+       .spec_name = "MCU_TEMP_MIN",
+       .summary = "Lowest temperature of the microcontroller.",
+       .unit = &UnitMeta<msg::PositiveTemperature>::info},
+      {.name = "mcu_temp_max",
+       .spec_name = "MCU_TEMP_MAX",
+       .summary = "Highest temperature of the microcontroller.",
+       .unit = &UnitMeta<msg::PositiveTemperature>::info},
+      {.name = "shock_cnt",
+       .spec_name = "SHOCK_CNT",
+       .summary = "Numbers of shocks."},
+      {.name = "energy_time",
+       .spec_name = "ENERGY_TIME",
+       .summary = "Time over which ENERGY is counted.",
+       .unit = &UnitMeta<msg::LongSeconds>::info},
+      {.name = "energy",
+       .spec_name = "ENERGY",
+       .summary = "Energy used.",
+       .unit = &UnitMeta<msg::WattHours>::info},
+      {.name = "avg_current_time",
+       .spec_name = "AVG_CURRENT_TIME",
+       .summary = "Time over which AVG_CURRENT is averaged.",
+       .unit = &UnitMeta<msg::LongSeconds>::info},
+      {.name = "avg_current",
+       .spec_name = "AVG_CURRENT",
+       .summary = "Average current.",
+       .unit = &UnitMeta<msg::AverageCurrent>::info},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.step_signal_val);
+    visitor(fields[1], value.sub_error);
+    visitor(fields[2], value.max_acc);
+    visitor(fields[3], value.work_time);
+    visitor(fields[4], value.startup_cnt);
+    visitor(fields[5], value.max_current);
+    visitor(fields[6], value.imu_temp_min);
+    visitor(fields[7], value.imu_temp_max);
+    visitor(fields[8], value.mcu_temp_min);
+    visitor(fields[9], value.mcu_temp_max);
+    visitor(fields[10], value.shock_cnt);
+    visitor(fields[11], value.energy_time);
+    visitor(fields[12], value.energy);
+    visitor(fields[13], value.avg_current_time);
+    visitor(fields[14], value.avg_current);
+    visitor(fields[15], value.reserved);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<msg::ReadStateVarsRequest> {
+  static constexpr const char* answers[] = {"ReadStateVars"};
+  static constexpr MessageInfo info{
+      .name = "ReadStateVarsRequest",
+      .command = "CMD_READ_STATE_VARS",
+      .summary = "Request the statistics of the board's whole life.",
+      .id = 111,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .since = {.firmware = 2687, .board = 36},
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<msg::SignMessage> {
+  static constexpr MessageInfo info{
+      .name = "SignMessage",
+      .command = "CMD_SIGN_MESSAGE",
+      .summary = "Signature of a message.",
+      .id = 50,
+      .direction = Direction::from_board,
+      .min_size = 32,
+      .max_size = 32};
+  static constexpr FieldInfo fields[] = {
+      {.name = "signature",
+       .spec_name = "SIGNATURE",
+       .summary = "The signature."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.signature);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<msg::SignMessageRequest> {
+  static constexpr const char* answers[] = {"SignMessage"};
+  static constexpr MessageInfo info{
+      .name = "SignMessageRequest",
+      .command = "CMD_SIGN_MESSAGE",
+      .summary = "Sign a message with the keys of the board.",
+      .id = 50,
+      .direction = Direction::to_board,
+      .min_size = 33,
+      .max_size = 33,
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "sign_type",
+       .spec_name = "SIGN_TYPE",
+       .summary = "Set of keys."},
+      {.name = "message",
+       .spec_name = "MESSAGE",
+       .summary = "The message."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.sign_type);
+    visitor(fields[1], value.message);
   }
 };
 
@@ -620,6 +859,67 @@ struct Meta<msg::MavlinkDebugRequest> {
   static constexpr void visit(T& value, Visitor&& visitor) {
     visitor(fields[0], value.data);
   }
+};
+
+template <>
+struct Meta<msg::ExtLicenseInfo> {
+  static constexpr MessageInfo info{
+      .name = "ExtLicenseInfo",
+      .command = "CMD_EXT_LICENSE_INFO",
+      .summary = "Undocumented body from the board.",
+      .id = 124,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::ExtLicenseInfoRequest> {
+  static constexpr MessageInfo info{
+      .name = "ExtLicenseInfoRequest",
+      .command = "CMD_EXT_LICENSE_INFO",
+      .summary = "Undocumented body to the board.",
+      .id = 124,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 255,
+      .effects = Effects(Effect::unknown)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::WriteStateVars> : Meta<msg::ReadStateVars> {
+  static constexpr MessageInfo info{
+      .name = "WriteStateVars",
+      .command = "CMD_WRITE_STATE_VARS",
+      .summary = "Store the statistics of the board's whole life.",
+      .id = 112,
+      .direction = Direction::to_board,
+      .min_size = 192,
+      .max_size = 192,
+      .since = {.firmware = 2687, .board = 36},
+      .effects = Effects(Effect::stores)};
 };
 
 }  // namespace sbgc

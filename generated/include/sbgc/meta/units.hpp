@@ -244,6 +244,216 @@ struct UnitMeta<msg::LongByteCount> {
 };
 
 template <>
+struct UnitMeta<msg::LongSeconds> {
+  static constexpr UnitInfo info{"ms", 1000, 1};
+};
+
+template <>
+struct UnitMeta<msg::WattHours> {
+  static constexpr UnitInfo info{"Wh", 1, 1};
+};
+
+template <>
+struct UnitMeta<msg::AverageCurrent> {
+  static constexpr UnitInfo info{"mA", 1000, 1};
+};
+
+template <>
+struct UnitMeta<msg::PositiveTemperature> {
+  static constexpr UnitInfo info{"degC", 1, 1};
+};
+
+template <>
+struct UnitMeta<msg::AccelerationPeak> {
+  static constexpr UnitInfo info{"g", 1, 16};
+};
+
+template <>
+struct UnitMeta<msg::FlashSize> {
+  static constexpr UnitInfo info{"byte", 32768, 1};
+};
+
+template <>
+struct UnitMeta<msg::Seconds> {
+  static constexpr UnitInfo info{"ms", 1000, 1};
+};
+
+template <>
+struct UnitMeta<msg::HundredsOfMilliseconds> {
+  static constexpr UnitInfo info{"ms", 100, 1};
+};
+
+template <>
+struct UnitMeta<msg::HundredthDegrees> {
+  static constexpr UnitInfo info{"deg", 1, 100};
+};
+
+template <>
+struct UnitMeta<msg::TensOfMilliamperes> {
+  static constexpr UnitInfo info{"mA", 10, 1};
+};
+
+template <>
+struct UnitMeta<msg::TenthOhms> {
+  static constexpr UnitInfo info{"ohm", 1, 10};
+};
+
+template <>
+struct UnitMeta<msg::FifthPercent> {
+  static constexpr UnitInfo info{"%", 1, 5};
+};
+
+template <>
+struct UnitMeta<msg::Twentieths> {
+  static constexpr UnitInfo info{"", 1, 20};
+};
+
+template <>
+struct UnitMeta<msg::SignalOffset> {
+  static constexpr UnitInfo info{"", 1, 128};
+};
+
+template <>
+struct UnitMeta<msg::SignalScale> {
+  static constexpr UnitInfo info{"%", 1, 1, 80.0 / 1};
+};
+
+template <>
+struct UnitMeta<msg::TenthDegreesWidth> {
+  static constexpr UnitInfo info{"deg", 1, 10};
+};
+
+template <>
+struct UnitMeta<msg::CoarseCurrent> {
+  static constexpr UnitInfo info{"mA", 500, 1};
+};
+
+template <>
+struct UnitMeta<msg::HundredthOhms> {
+  static constexpr UnitInfo info{"ohm", 1, 100};
+};
+
+template <>
+struct UnitMeta<msg::InverseQuality> {
+  static constexpr UnitInfo info{"", 1, 50, 1.0 / 5};
+};
+
+template <>
+struct UnitMeta<msg::ShakeFrequency> {
+  static constexpr UnitInfo info{"Hz", 1, 20, 3.0 / 10};
+};
+
+template <>
+struct UnitMeta<msg::ShakeResonance> {
+  static constexpr UnitInfo info{"Hz", 1, 10, 3.0 / 10};
+};
+
+template <>
+struct UnitMeta<msg::ShakeFactor> {
+  static constexpr UnitInfo info{"", 1, 10, 3.0 / 2};
+};
+
+template <>
+struct UnitMeta<msg::ShakePause> {
+  static constexpr UnitInfo info{"ms", 20, 1, 500.0 / 1};
+};
+
+template <>
+struct UnitMeta<msg::FifthDecibels> {
+  static constexpr UnitInfo info{"dB", 1, 5};
+};
+
+template <>
+struct UnitMeta<msg::SignedCurrent> {
+  static constexpr UnitInfo info{"mA", 1, 1};
+};
+
+template <>
+struct UnitMeta<msg::CurrentShare> {
+  static constexpr UnitInfo info{"%", 25, 8192};
+};
+
+template <>
+struct UnitMeta<msg::RevolutionsPerMinute> {
+  static constexpr UnitInfo info{"rpm", 1, 1};
+};
+
+template <>
+struct UnitMeta<msg::Radians> {
+  static constexpr UnitInfo info{"rad", 1, 1};
+};
+
+template <>
+struct UnitMeta<msg::LongFineSpeed> {
+  static constexpr UnitInfo info{"deg/s", 1, 1000};
+};
+
+template <>
+struct UnitMeta<msg::ControlSpeedLimit> {
+  static constexpr UnitInfo info{"deg/s", 4000, 32767};
+};
+
+template <>
+struct UnitMeta<msg::RadianRate> {
+  static constexpr UnitInfo info{"rad/s", 1, 1};
+};
+
+template <>
+struct UnitMeta<msg::Angle20> {
+  static constexpr UnitInfo info{"deg", 45, 131072};
+};
+
+template <>
+struct UnitMeta<msg::LongAngularAcceleration> {
+  static constexpr UnitInfo info{"deg/s^2", 1, 1};
+};
+
+template <>
+struct UnitMeta<msg::JerkTime> {
+  static constexpr UnitInfo info{"ms", 20, 1};
+};
+
+template <>
+struct UnitMeta<msg::QuaternionPart> {
+  static constexpr UnitInfo info{"", 125000, 92681723247};
+};
+
+template <>
+struct UnitMeta<msg::ExtMotorSpeedLimit> {
+  static constexpr UnitInfo info{"deg/s", 2, 1};
+};
+
+template <>
+struct UnitMeta<msg::ExtMotorAccelerationLimit> {
+  static constexpr UnitInfo info{"deg/s^2", 2, 1};
+};
+
+template <>
+struct UnitMeta<msg::MicroradianRate> {
+  static constexpr UnitInfo info{"rad/s", 1, 1000000};
+};
+
+template <>
+struct UnitMeta<msg::Millivolts> {
+  static constexpr UnitInfo info{"V", 1, 1000};
+};
+
+template <>
+struct UnitMeta<msg::WideDegrees> {
+  static constexpr UnitInfo info{"deg", 1, 1};
+};
+
+template <>
+struct UnitMeta<msg::TenthHertz> {
+  static constexpr UnitInfo info{"Hz", 1, 10};
+};
+
+template <>
+struct UnitMeta<msg::TenthDecibels> {
+  static constexpr UnitInfo info{"dB", 1, 10};
+};
+
+template <>
 struct UnitMeta<msg::Pages> {
   static constexpr UnitInfo info{"byte", 64, 1};
 };

@@ -74,4 +74,48 @@ constexpr ResponsePolicy response_policy(const AdjVarsStateRequestExt&) noexcept
       .timeout_ms = 500};
 }
 
+constexpr ResponsePolicy response_policy(const AdjVarsInfoRequest&) noexcept {
+  return {.responses = {.command = 132,
+              .form_count = 1,
+              .forms = {{{.id = 132,
+               .min_size = 1,
+               .max_size = max_body_size,
+               .size = 255}}}},
+      .response_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const AdjVarsInfoRequestAll&) noexcept {
+  return {.responses = {.command = 132,
+              .form_count = 1,
+              .forms = {{{.id = 132,
+               .min_size = 1,
+               .max_size = max_body_size,
+               .size = 255}}}},
+      .response_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const SetAdjVarsValF&) noexcept {
+  return {.responses = {.command = 134,
+              .confirmed = Confirmed::always},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const GetAdjVarsValF&) noexcept {
+  return {.responses = {.command = 135,
+              .form_count = 1,
+              .forms = {{{.id = 134,
+               .min_size = 1,
+               .max_size = max_body_size,
+               .size = 201}}}},
+      .response_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
 }  // namespace sbgc::msg

@@ -77,6 +77,20 @@ constexpr ResponsePolicy response_policy(const CalibMag&) noexcept {
       .timeout_ms = 500};
 }
 
+constexpr ResponsePolicy response_policy(const CalibMagExt& request) noexcept {
+  if (request.action == CalibAction::reset || request.action == CalibAction::enable_temperature || request.action == CalibAction::disable_temperature) {
+    return {.responses = {.command = 59,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .restarts_board = true,
+      .timeout_ms = 500};
+  }
+  return {.responses = {.command = 59,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
 constexpr ResponsePolicy response_policy(const CalibExtGain&) noexcept {
   return {.responses = {.command = 71,
               .confirmed = Confirmed::always},
@@ -141,6 +155,111 @@ constexpr ResponsePolicy response_policy(const EncodersCalibFldOffset4&) noexcep
 
 constexpr ResponsePolicy response_policy(const AutoPidRequest&) noexcept {
   return {.responses = {.command = 35,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const AutoPid2&) noexcept {
+  return {.responses = {.command = 108,
+              .confirmed = Confirmed::always},
+      .confirmations = 1,
+      .timeout_ms = 2000};
+}
+
+constexpr ResponsePolicy response_policy(const CalibOrientCorr&) noexcept {
+  return {.responses = {.command = 91,
+              .confirmed = Confirmed::always},
+      .confirmations = 1,
+      .timeout_ms = 30000};
+}
+
+constexpr ResponsePolicy response_policy(const CalibCogging&) noexcept {
+  return {.responses = {.command = 93,
+              .confirmed = Confirmed::always},
+      .confirmations = 1,
+      .timeout_ms = 30000};
+}
+
+constexpr ResponsePolicy response_policy(const CalibAccExtRef&) noexcept {
+  return {.responses = {.command = 94,
+              .confirmed = Confirmed::always},
+      .confirmations = 1,
+      .timeout_ms = 30000};
+}
+
+constexpr ResponsePolicy response_policy(const BodeTestStartStopRequest&) noexcept {
+  return {.responses = {.command = 37,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const BodeTestDataRequest&) noexcept {
+  return {.responses = {.command = 38,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const CoggingCalibInfoRequest&) noexcept {
+  return {.responses = {.command = 92,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const CanDrvHardParamsRequest&) noexcept {
+  return {.responses = {.command = 97,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const CanDrvCalibrateRequest&) noexcept {
+  return {.responses = {.command = 99,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const CalibEncoderLutRequest&) noexcept {
+  return {.responses = {.command = 117,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const CalibEncoderLutResRequest&) noexcept {
+  return {.responses = {.command = 118,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const CalibCurSensRequest&) noexcept {
+  return {.responses = {.command = 120,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const EncIntCalibRequest&) noexcept {
+  return {.responses = {.command = 122,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const VibrationTestStartStopRequest&) noexcept {
+  return {.responses = {.command = 125,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const VibrationTestDataRequest&) noexcept {
+  return {.responses = {.command = 126,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .timeout_ms = 500};

@@ -34,4 +34,18 @@ constexpr ResponsePolicy response_policy(const DebugVars3Request&) noexcept {
       .timeout_ms = 500};
 }
 
+constexpr ResponsePolicy response_policy(const DebugVars3RequestSelected&) noexcept {
+  return {.responses = {.command = 254},
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const SetDebugPortRequest&) noexcept {
+  return {.responses = {.command = 249,
+              .confirmed = Confirmed::always},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
 }  // namespace sbgc::msg

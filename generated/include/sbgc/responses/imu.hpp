@@ -26,6 +26,20 @@ constexpr ResponsePolicy response_policy(const SelectImu3Ext&) noexcept {
       .timeout_ms = 500};
 }
 
+constexpr ResponsePolicy response_policy(const SelectImu3Calibrate& request) noexcept {
+  if (request.action == CalibAction::reset || request.action == CalibAction::enable_temperature || request.action == CalibAction::disable_temperature) {
+    return {.responses = {.command = 24,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .restarts_board = true,
+      .timeout_ms = 500};
+  }
+  return {.responses = {.command = 24,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
 constexpr ResponsePolicy response_policy(const AhrsHelperRequest&) noexcept {
   return {.responses = {.command = 56,
               .form_count = 1,
@@ -90,6 +104,39 @@ constexpr ResponsePolicy response_policy(const AhrsHelperRequestExtWide& request
 
 constexpr ResponsePolicy response_policy(const GyroCorrection&) noexcept {
   return {.responses = {.command = 75,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const ExtImuDebugInfoRequest&) noexcept {
+  return {.responses = {.command = 106,
+              .form_count = 1,
+              .forms = {{{.id = 106,
+               .min_size = 74,
+               .max_size = max_body_size,
+               .size = 74}}}},
+      .response_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const ExtImuCmd&) noexcept {
+  return {.responses = {.command = 110,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const ExtSensCmdRequest&) noexcept {
+  return {.responses = {.command = 150,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const ImuAdvancedCalibRequest&) noexcept {
+  return {.responses = {.command = 115,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .timeout_ms = 500};

@@ -94,6 +94,14 @@ constexpr ResponsePolicy response_policy(const WriteParamsExt2&) noexcept {
       .timeout_ms = 2000};
 }
 
+constexpr ResponsePolicy response_policy(const WriteParamsSet&) noexcept {
+  return {.responses = {.command = 119,
+              .confirmed = Confirmed::always},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .timeout_ms = 2000};
+}
+
 constexpr ResponsePolicy response_policy(const ReadProfileNamesRequest&) noexcept {
   return {.responses = {.command = 28,
               .form_count = 1,
@@ -112,6 +120,13 @@ constexpr ResponsePolicy response_policy(const WriteProfileNames&) noexcept {
       .confirmations = 1,
       .retry_is_safe = true,
       .timeout_ms = 2000};
+}
+
+constexpr ResponsePolicy response_policy(const ProfileSet&) noexcept {
+  return {.responses = {.command = 95,
+              .confirmed = Confirmed::always},
+      .confirmations = 1,
+      .timeout_ms = 5000};
 }
 
 constexpr ResponsePolicy response_policy(const SaveParams3&) noexcept {

@@ -33,6 +33,12 @@ constexpr ResponsePolicy response_policy(const ServoOut&) noexcept {
       .timeout_ms = 500};
 }
 
+constexpr ResponsePolicy response_policy(const ServoOutExt&) noexcept {
+  return {.responses = {.command = 133},
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
 constexpr ResponsePolicy response_policy(const I2cWriteRegBuf&) noexcept {
   return {.responses = {.command = 39,
               .confirmed = Confirmed::always},
@@ -51,10 +57,50 @@ constexpr ResponsePolicy response_policy(const I2cReadRegBufRequest&) noexcept {
       .timeout_ms = 500};
 }
 
+constexpr ResponsePolicy response_policy(const I2cReadRegBufRequestNoRegister&) noexcept {
+  return {.responses = {.command = 40,
+              .form_count = 1,
+              .forms = {{{.id = 40,
+               .min_size = 0,
+               .max_size = max_body_size,
+               .size = 255}}}},
+      .response_required = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const I2cReadRegBufRequestWideRegister&) noexcept {
+  return {.responses = {.command = 40,
+              .form_count = 1,
+              .forms = {{{.id = 40,
+               .min_size = 0,
+               .max_size = max_body_size,
+               .size = 255}}}},
+      .response_required = true,
+      .timeout_ms = 500};
+}
+
 constexpr ResponsePolicy response_policy(const ApiVirtChControl&) noexcept {
   return {.responses = {.command = 45,
               .confirmed = Confirmed::unlikely},
       .confirmations = 1,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const ApiVirtChHighRes&) noexcept {
+  return {.responses = {.command = 116},
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const ReadRcInputsRequest&) noexcept {
+  return {.responses = {.command = 100,
+              .form_count = 1,
+              .forms = {{{.id = 100,
+               .min_size = 0,
+               .max_size = max_body_size,
+               .size = 254}}}},
+      .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};
 }

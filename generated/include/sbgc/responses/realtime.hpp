@@ -36,8 +36,47 @@ constexpr StreamChange stream_change(const DataStreamInterval& request) noexcept
               (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::z1_h1_vectors) ? 12 : 0) +
               (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::z1_h1_vectors) ? 12 : 0) +
               (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::rc_channels) ? 36 : 0) +
-              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::acc_data) ? 6 : 0)); break;
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::acc_data) ? 6 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::motor4_control) ? 8 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::ahrs_debug_info) ? 26 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::encoder_raw24) ? 9 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::imu_angles_rad) ? 12 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::script_vars_float) ? 40 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::script_vars_int16) ? 20 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::system_power_state) ? 46 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::frame_cam_rate) ? 6 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::imu_angles_20) ? 12 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::target_angles_20) ? 12 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::comm_errors) ? 7 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::system_state) ? 13 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::imu_quat) ? 8 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::target_quat) ? 8 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::imu_to_frame_quat) ? 8 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::adc_ch_raw) ? 8 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::sw_limits_dist) ? 12 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::follow_dist) ? 6 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::ext_target_limit) ? 12 : 0) +
+              (request.config.flags && request.config.flags->has(RealtimeDataCustomFlag::ext_target_limit) ? 12 : 0)); break;
     case 56: change.size = 24; break;
+    case 102: change.size = 4; break;
+    case 127: change.size = static_cast<std::uint8_t>(3 +
+              (request.config.telemetry_flags && request.config.telemetry_flags->has(CanDrvTelemetryFlag::can_bus_flags) ? 1 : 0) +
+              (request.config.telemetry_flags && request.config.telemetry_flags->has(CanDrvTelemetryFlag::can_bus_err_cnt) ? 2 : 0) +
+              (request.config.telemetry_flags && request.config.telemetry_flags->has(CanDrvTelemetryFlag::temp_board) ? 1 : 0) +
+              (request.config.telemetry_flags && request.config.telemetry_flags->has(CanDrvTelemetryFlag::temp_motor) ? 1 : 0) +
+              (request.config.telemetry_flags && request.config.telemetry_flags->has(CanDrvTelemetryFlag::avg_current) ? 2 : 0) +
+              (request.config.telemetry_flags && request.config.telemetry_flags->has(CanDrvTelemetryFlag::bus_voltage) ? 2 : 0) +
+              (request.config.telemetry_flags && request.config.telemetry_flags->has(CanDrvTelemetryFlag::pin_state) ? 1 : 0) +
+              (request.config.telemetry_flags && request.config.telemetry_flags->has(CanDrvTelemetryFlag::phase_current) ? 6 : 0) +
+              (request.config.telemetry_flags && request.config.telemetry_flags->has(CanDrvTelemetryFlag::encoder_error_cnt) ? 2 : 0) +
+              (request.config.telemetry_flags && request.config.telemetry_flags->has(CanDrvTelemetryFlag::iq_id_current) ? 2 : 0) +
+              (request.config.telemetry_flags && request.config.telemetry_flags->has(CanDrvTelemetryFlag::iq_id_current) ? 2 : 0) +
+              (request.config.telemetry_flags && request.config.telemetry_flags->has(CanDrvTelemetryFlag::motor_speed) ? 2 : 0) +
+              (request.config.telemetry_flags && request.config.telemetry_flags->has(CanDrvTelemetryFlag::pid_pos_err) ? 2 : 0) +
+              (request.config.telemetry_flags && request.config.telemetry_flags->has(CanDrvTelemetryFlag::pid_speed_err) ? 2 : 0) +
+              (request.config.telemetry_flags && request.config.telemetry_flags->has(CanDrvTelemetryFlag::iq_ref) ? 2 : 0) +
+              (request.config.telemetry_flags && request.config.telemetry_flags->has(CanDrvTelemetryFlag::pid_current_err) ? 2 : 0)); break;
+    case 131: change.size = 50; break;
     default: change.size = max_body_size; break;
   }
   return change;
@@ -93,7 +132,27 @@ constexpr ResponsePolicy response_policy(const RealtimeDataCustomRequest& reques
               (request.flags.has(RealtimeDataCustomFlag::z1_h1_vectors) ? 12 : 0) +
               (request.flags.has(RealtimeDataCustomFlag::z1_h1_vectors) ? 12 : 0) +
               (request.flags.has(RealtimeDataCustomFlag::rc_channels) ? 36 : 0) +
-              (request.flags.has(RealtimeDataCustomFlag::acc_data) ? 6 : 0)),
+              (request.flags.has(RealtimeDataCustomFlag::acc_data) ? 6 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::motor4_control) ? 8 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::ahrs_debug_info) ? 26 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::encoder_raw24) ? 9 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::imu_angles_rad) ? 12 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::script_vars_float) ? 40 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::script_vars_int16) ? 20 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::system_power_state) ? 46 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::frame_cam_rate) ? 6 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::imu_angles_20) ? 12 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::target_angles_20) ? 12 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::comm_errors) ? 7 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::system_state) ? 13 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::imu_quat) ? 8 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::target_quat) ? 8 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::imu_to_frame_quat) ? 8 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::adc_ch_raw) ? 8 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::sw_limits_dist) ? 12 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::follow_dist) ? 6 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::ext_target_limit) ? 12 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::ext_target_limit) ? 12 : 0)),
                .max_size = max_body_size,
                .size = static_cast<std::uint8_t>(2 +
               (request.flags.has(RealtimeDataCustomFlag::imu_angles) ? 6 : 0) +
@@ -105,7 +164,27 @@ constexpr ResponsePolicy response_policy(const RealtimeDataCustomRequest& reques
               (request.flags.has(RealtimeDataCustomFlag::z1_h1_vectors) ? 12 : 0) +
               (request.flags.has(RealtimeDataCustomFlag::z1_h1_vectors) ? 12 : 0) +
               (request.flags.has(RealtimeDataCustomFlag::rc_channels) ? 36 : 0) +
-              (request.flags.has(RealtimeDataCustomFlag::acc_data) ? 6 : 0))}}}},
+              (request.flags.has(RealtimeDataCustomFlag::acc_data) ? 6 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::motor4_control) ? 8 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::ahrs_debug_info) ? 26 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::encoder_raw24) ? 9 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::imu_angles_rad) ? 12 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::script_vars_float) ? 40 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::script_vars_int16) ? 20 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::system_power_state) ? 46 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::frame_cam_rate) ? 6 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::imu_angles_20) ? 12 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::target_angles_20) ? 12 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::comm_errors) ? 7 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::system_state) ? 13 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::imu_quat) ? 8 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::target_quat) ? 8 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::imu_to_frame_quat) ? 8 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::adc_ch_raw) ? 8 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::sw_limits_dist) ? 12 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::follow_dist) ? 6 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::ext_target_limit) ? 12 : 0) +
+              (request.flags.has(RealtimeDataCustomFlag::ext_target_limit) ? 12 : 0))}}}},
       .response_required = true,
       .retry_is_safe = true,
       .timeout_ms = 500};
@@ -118,6 +197,20 @@ constexpr ResponsePolicy response_policy(const DataStreamInterval& request) noex
       .retry_is_safe = true,
       .timeout_ms = 500,
       .stream = stream_change(request)};
+}
+
+constexpr ResponsePolicy response_policy(const CanDrvStateRequest&) noexcept {
+  return {.responses = {.command = 98,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const RealtimeDataCanDrvRequest&) noexcept {
+  return {.responses = {.command = 101,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
 }
 
 }  // namespace sbgc::msg

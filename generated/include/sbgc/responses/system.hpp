@@ -104,6 +104,38 @@ constexpr ResponsePolicy response_policy(const BootMode3Ext& request) noexcept {
       .timeout_ms = 500};
 }
 
+constexpr ResponsePolicy response_policy(const ReadStateVarsRequest&) noexcept {
+  return {.responses = {.command = 111,
+              .form_count = 1,
+              .forms = {{{.id = 111,
+               .min_size = 192,
+               .max_size = max_body_size,
+               .size = 192}}}},
+      .response_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const WriteStateVars&) noexcept {
+  return {.responses = {.command = 112,
+              .confirmed = Confirmed::always},
+      .confirmations = 1,
+      .retry_is_safe = true,
+      .timeout_ms = 2000};
+}
+
+constexpr ResponsePolicy response_policy(const SignMessageRequest&) noexcept {
+  return {.responses = {.command = 50,
+              .form_count = 1,
+              .forms = {{{.id = 50,
+               .min_size = 32,
+               .max_size = max_body_size,
+               .size = 32}}}},
+      .response_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
 constexpr ResponsePolicy response_policy(const QueueParamsInfo3Request&) noexcept {
   return {.responses = {.command = 30,
               .confirmed = Confirmed::possible},
@@ -127,6 +159,13 @@ constexpr ResponsePolicy response_policy(const MavlinkInfoRequest&) noexcept {
 
 constexpr ResponsePolicy response_policy(const MavlinkDebugRequest&) noexcept {
   return {.responses = {.command = 251,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const ExtLicenseInfoRequest&) noexcept {
+  return {.responses = {.command = 124,
               .confirmed = Confirmed::possible},
       .confirmations = 1,
       .timeout_ms = 500};

@@ -1,0 +1,313 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// Modules on the board's CAN bus, and connections through the board.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <sbgc/codec.hpp>
+#include <sbgc/enums.hpp>
+#include <sbgc/response.hpp>
+#include <sbgc/units.hpp>
+
+namespace sbgc::msg {
+
+static_assert(codec_version == 2, "generated code and runtime do not match");
+
+struct CanDeviceScan;
+struct ModuleList;
+
+/// The modules.
+struct ModuleInfo {
+  /// The module.
+  ModuleId id{};
+  /// Hardware version.
+  ModuleVersion board_ver{};
+  /// Version of the bootloader.
+  ModuleVersion bootloader_ver{};
+  /// Firmware version.
+  ModuleVersion firmware_ver{};
+  /// Reserved; kept as it is.
+  Bytes<6> reserved{};
+
+  bool operator==(const ModuleInfo&) const = default;
+  using FixedMembers = Members<&ModuleInfo::id, &ModuleInfo::board_ver, &ModuleInfo::bootloader_ver,
+      &ModuleInfo::firmware_ver, &ModuleInfo::reserved>;
+};
+
+/// The devices.
+struct CanDevice {
+  /// Identifies the device.
+  Bytes<12> uid{};
+  /// Id assigned to the device.
+  CanDeviceId id{};
+  /// Kind of the device.
+  CanDeviceType type{};
+
+  bool operator==(const CanDevice&) const = default;
+  using FixedMembers = Members<&CanDevice::uid, &CanDevice::id, &CanDevice::type>;
+};
+
+/// Modules connected to the board.
+///
+/// CMD_MODULE_LIST (76), from the board; 1 to 248 bytes, and later firmware may append more.
+/// Source: Later firmware.
+struct ModuleList {
+  static constexpr CommandFromBoard command = CommandFromBoard::module_list;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 1;
+  static constexpr std::size_t max_size = 248;
+  static constexpr Availability since{};
+
+  /// The modules.
+  BoundedArray<ModuleInfo, 19> modules{};
+  /// Bytes appended by later firmware; preserved and written back.
+  BoundedBytes<254> tail{};
+
+  bool operator==(const ModuleList&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    std::uint8_t device_num_count = 0;
+    cursor.count(device_num_count, self.modules, "device_num");
+    cursor.counted(self.modules, device_num_count, "modules");
+  }
+};
+
+/// Request the list of the modules connected to the board.
+///
+/// CMD_MODULE_LIST (76), to the board; 0 bytes. Effect: reads. Source: Later firmware.
+struct ModuleListRequest {
+  static constexpr CommandToBoard command = CommandToBoard::module_list;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 0;
+  static constexpr Availability since{};
+  using Response = ModuleList;
+
+  bool operator==(const ModuleListRequest&) const = default;
+};
+
+/// Devices on the CAN bus.
+///
+/// CMD_CAN_DEVICE_SCAN (96), from the board; 0 to 252 bytes. Source: Later firmware.
+struct CanDeviceScan {
+  static constexpr CommandFromBoard command = CommandFromBoard::can_device_scan;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 252;
+  static constexpr Availability since{};
+
+  /// The devices. At most 18.
+  BoundedArray<CanDevice, 18> devices{};
+
+  bool operator==(const CanDeviceScan&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.devices, "devices");
+  }
+};
+
+/// Search for devices on the CAN bus. The board has the feature CAN_PORT.
+///
+/// CMD_CAN_DEVICE_SCAN (96), to the board; 0 bytes. Effect: reads. Source: Later firmware.
+struct CanDeviceScanRequest {
+  static constexpr CommandToBoard command = CommandToBoard::can_device_scan;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 0;
+  static constexpr Availability since{};
+  using Response = CanDeviceScan;
+
+  bool operator==(const CanDeviceScanRequest&) const = default;
+};
+
+/// Data from a serial port of a device on the CAN bus.
+///
+/// CMD_TRANSPARENT_SAPI (151), from the board; 1 to 255 bytes. Since firmware 2.72, board 3.6.
+/// Source: Later firmware.
+struct TransparentSapi {
+  static constexpr CommandFromBoard command = CommandFromBoard::transparent_sapi;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 1;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{.firmware = 2720, .board = 36};
+
+  /// Device and port that sent the data. Unconfirmed.
+  TransparentTarget target{};
+  /// The data.
+  BoundedBytes<254> payload{};
+
+  bool operator==(const TransparentSapi&) const = default;
+  using FixedMembers = Members<&TransparentSapi::target>;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.payload, "payload");
+  }
+};
+
+/// Send data to a serial port of a device on the CAN bus. The effect is that of the data. The
+/// device's own data come at any time.
+///
+/// CMD_TRANSPARENT_SAPI (151), to the board; 1 to 255 bytes. Effect: sets, stores, moves, restarts,
+/// erases. Since firmware 2.72, board 3.6. Source: Later firmware.
+struct TransparentSapiRequest {
+  static constexpr CommandToBoard command = CommandToBoard::transparent_sapi;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 1;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{.firmware = 2720, .board = 36};
+  using Response = void;
+
+  /// Device and port that receive the data.
+  TransparentTarget target{};
+  /// The data.
+  BoundedBytes<254> payload{};
+
+  bool operator==(const TransparentSapiRequest&) const = default;
+  using FixedMembers = Members<&TransparentSapiRequest::target>;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.payload, "payload");
+  }
+};
+
+/// Undocumented body from the board.
+///
+/// CMD_UART_BYPASS (60), from the board; 0 to 255 bytes. Unconfirmed. Source: Later firmware.
+struct UartBypass {
+  static constexpr CommandFromBoard command = CommandFromBoard::uart_bypass;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const UartBypass&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body to the board.
+///
+/// CMD_UART_BYPASS (60), to the board; 0 to 255 bytes. Effect: unknown. Unconfirmed. Source: Later
+/// firmware.
+struct UartBypassRequest {
+  static constexpr CommandToBoard command = CommandToBoard::uart_bypass;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+  using Response = void;
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const UartBypassRequest&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body from the board.
+///
+/// CMD_SET_DEVICE_ADDR (107), from the board; 0 to 255 bytes. Source: Later firmware.
+struct SetDeviceAddr {
+  static constexpr CommandFromBoard command = CommandFromBoard::set_device_addr;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const SetDeviceAddr&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body to the board.
+///
+/// CMD_SET_DEVICE_ADDR (107), to the board; 0 to 255 bytes. Effect: unknown. Source: Later
+/// firmware.
+struct SetDeviceAddrRequest {
+  static constexpr CommandToBoard command = CommandToBoard::set_device_addr;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+  using Response = void;
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const SetDeviceAddrRequest&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body from the board.
+///
+/// CMD_SERIAL_PROXY (113), from the board; 0 to 255 bytes. Source: Later firmware.
+struct SerialProxy {
+  static constexpr CommandFromBoard command = CommandFromBoard::serial_proxy;
+  static constexpr Direction direction = Direction::from_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const SerialProxy&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+/// Undocumented body to the board.
+///
+/// CMD_SERIAL_PROXY (113), to the board; 0 to 255 bytes. Effect: unknown. Source: Later firmware.
+struct SerialProxyRequest {
+  static constexpr CommandToBoard command = CommandToBoard::serial_proxy;
+  static constexpr Direction direction = Direction::to_board;
+  static constexpr Form form = Form::only;
+  static constexpr std::size_t min_size = 0;
+  static constexpr std::size_t max_size = 255;
+  static constexpr Availability since{};
+  using Response = void;
+
+  /// Undocumented content.
+  BoundedBytes<255> data{};
+
+  bool operator==(const SerialProxyRequest&) const = default;
+  [[gnu::always_inline]]
+  static constexpr void varying_members(auto& self, auto& cursor) noexcept {
+    cursor.rest(self.data, "data");
+  }
+};
+
+}  // namespace sbgc::msg

@@ -1,0 +1,360 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// Run-time metadata of the messages in <sbgc/messages/modules.hpp>.
+#pragma once
+
+#include <sbgc/messages/modules.hpp>
+#include <sbgc/meta.hpp>
+#include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/units.hpp>
+
+namespace sbgc {
+
+template <>
+struct Meta<msg::ModuleInfo> {
+  static constexpr FieldInfo fields[] = {
+      {.name = "id",
+       .spec_name = "ID",
+       .summary = "The module."},
+      {.name = "board_ver",
+       .spec_name = "BOARD_VER",
+       .summary = "Hardware version."},
+      {.name = "bootloader_ver",
+       .spec_name = "BOOTLOADER_VER",
+       .summary = "Version of the bootloader."},
+      {.name = "firmware_ver",
+       .spec_name = "FIRMWARE_VER",
+       .summary = "Firmware version."},
+      {.name = "reserved",
+       .spec_name = "RESERVED",
+       .summary = "Reserved; kept as it is.",
+       .reserved = true},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.id);
+    visitor(fields[1], value.board_ver);
+    visitor(fields[2], value.bootloader_ver);
+    visitor(fields[3], value.firmware_ver);
+    visitor(fields[4], value.reserved);
+  }
+};
+
+template <>
+struct Meta<msg::CanDevice> {
+  static constexpr FieldInfo fields[] = {
+      {.name = "uid",
+       .spec_name = "UID",
+       .summary = "Identifies the device."},
+      {.name = "id",
+       .spec_name = "ID",
+       .summary = "Id assigned to the device."},
+      {.name = "type",
+       .spec_name = "TYPE",
+       .summary = "Kind of the device."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.uid);
+    visitor(fields[1], value.id);
+    visitor(fields[2], value.type);
+  }
+};
+
+template <>
+struct Meta<msg::ModuleList> {
+  static constexpr MessageInfo info{
+      .name = "ModuleList",
+      .command = "CMD_MODULE_LIST",
+      .summary = "Modules connected to the board.",
+      .id = 76,
+      .direction = Direction::from_board,
+      .min_size = 1,
+      .max_size = 248};
+  static constexpr Range device_num_range{0, 19};
+  static constexpr FieldInfo fields[] = {
+      {.name = "device_num",
+       .spec_name = "DEVICE_NUM",
+       .summary = "Number of modules that follow.",
+       .range = &device_num_range},
+      {.name = "modules",
+       .spec_name = "modules",
+       .summary = "The modules."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], Counter{value.modules.size()});
+    visitor(fields[1], value.modules);
+    visitor(tail_field, value.tail);
+  }
+};
+
+template <>
+struct Meta<msg::ModuleListRequest> {
+  static constexpr const char* answers[] = {"ModuleList"};
+  static constexpr MessageInfo info{
+      .name = "ModuleListRequest",
+      .command = "CMD_MODULE_LIST",
+      .summary = "Request the list of the modules connected to the board.",
+      .id = 76,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<msg::CanDeviceScan> {
+  static constexpr MessageInfo info{
+      .name = "CanDeviceScan",
+      .command = "CMD_CAN_DEVICE_SCAN",
+      .summary = "Devices on the CAN bus.",
+      .id = 96,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 252};
+  static constexpr FieldInfo fields[] = {
+      {.name = "devices",
+       .spec_name = "devices",
+       .summary = "The devices.",
+       .max_count = 18},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.devices);
+  }
+};
+
+template <>
+struct Meta<msg::CanDeviceScanRequest> {
+  static constexpr const char* answers[] = {"CanDeviceScan"};
+  static constexpr MessageInfo info{
+      .name = "CanDeviceScanRequest",
+      .command = "CMD_CAN_DEVICE_SCAN",
+      .summary = "Search for devices on the CAN bus.",
+      .id = 96,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 0,
+      .answers = answers,
+      .effects = Effects(Effect::reads)};
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T&, Visitor&&) {
+  }
+};
+
+template <>
+struct Meta<msg::TransparentSapi> {
+  static constexpr MessageInfo info{
+      .name = "TransparentSapi",
+      .command = "CMD_TRANSPARENT_SAPI",
+      .summary = "Data from a serial port of a device on the CAN bus.",
+      .id = 151,
+      .direction = Direction::from_board,
+      .min_size = 1,
+      .max_size = 255,
+      .since = {.firmware = 2720, .board = 36}};
+  static constexpr FieldInfo fields[] = {
+      {.name = "target",
+       .spec_name = "TARGET",
+       .summary = "Device and port that sent the data."},
+      {.name = "payload",
+       .spec_name = "PAYLOAD",
+       .summary = "The data."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.target);
+    visitor(fields[1], value.payload);
+  }
+};
+
+template <>
+struct Meta<msg::TransparentSapiRequest> {
+  static constexpr MessageInfo info{
+      .name = "TransparentSapiRequest",
+      .command = "CMD_TRANSPARENT_SAPI",
+      .summary = "Send data to a serial port of a device on the CAN bus.",
+      .id = 151,
+      .direction = Direction::to_board,
+      .min_size = 1,
+      .max_size = 255,
+      .since = {.firmware = 2720, .board = 36},
+      .effects = Effects(Effect::sets) | Effect::stores | Effect::moves | Effect::restarts | Effect::erases};
+  static constexpr FieldInfo fields[] = {
+      {.name = "target",
+       .spec_name = "TARGET",
+       .summary = "Device and port that receive the data."},
+      {.name = "payload",
+       .spec_name = "PAYLOAD",
+       .summary = "The data."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.target);
+    visitor(fields[1], value.payload);
+  }
+};
+
+template <>
+struct Meta<msg::UartBypass> {
+  static constexpr MessageInfo info{
+      .name = "UartBypass",
+      .command = "CMD_UART_BYPASS",
+      .summary = "Undocumented body from the board.",
+      .id = 60,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::UartBypassRequest> {
+  static constexpr MessageInfo info{
+      .name = "UartBypassRequest",
+      .command = "CMD_UART_BYPASS",
+      .summary = "Undocumented body to the board.",
+      .id = 60,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 255,
+      .effects = Effects(Effect::unknown)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::SetDeviceAddr> {
+  static constexpr MessageInfo info{
+      .name = "SetDeviceAddr",
+      .command = "CMD_SET_DEVICE_ADDR",
+      .summary = "Undocumented body from the board.",
+      .id = 107,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::SetDeviceAddrRequest> {
+  static constexpr MessageInfo info{
+      .name = "SetDeviceAddrRequest",
+      .command = "CMD_SET_DEVICE_ADDR",
+      .summary = "Undocumented body to the board.",
+      .id = 107,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 255,
+      .effects = Effects(Effect::unknown)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::SerialProxy> {
+  static constexpr MessageInfo info{
+      .name = "SerialProxy",
+      .command = "CMD_SERIAL_PROXY",
+      .summary = "Undocumented body from the board.",
+      .id = 113,
+      .direction = Direction::from_board,
+      .min_size = 0,
+      .max_size = 255};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+template <>
+struct Meta<msg::SerialProxyRequest> {
+  static constexpr MessageInfo info{
+      .name = "SerialProxyRequest",
+      .command = "CMD_SERIAL_PROXY",
+      .summary = "Undocumented body to the board.",
+      .id = 113,
+      .direction = Direction::to_board,
+      .min_size = 0,
+      .max_size = 255,
+      .effects = Effects(Effect::unknown)};
+  static constexpr FieldInfo fields[] = {
+      {.name = "data",
+       .spec_name = "DATA",
+       .summary = "Undocumented content."},
+  };
+
+  /// Calls `visitor(field, member)` for each member in wire order.
+  template <class T, class Visitor>
+  static constexpr void visit(T& value, Visitor&& visitor) {
+    visitor(fields[0], value.data);
+  }
+};
+
+}  // namespace sbgc

@@ -1,0 +1,63 @@
+// Generated from spec/ by generator/: edit those, then run ./dev generate.
+
+/// Response policies of the requests in <sbgc/messages/modules.hpp>.
+#pragma once
+
+#include <cstdint>
+
+#include <sbgc/response_policy.hpp>
+#include <sbgc/messages/modules.hpp>
+
+namespace sbgc::msg {
+
+constexpr ResponsePolicy response_policy(const ModuleListRequest&) noexcept {
+  return {.responses = {.command = 76,
+              .form_count = 1,
+              .forms = {{{.id = 76,
+               .min_size = 1,
+               .max_size = max_body_size,
+               .size = 248}}}},
+      .response_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const CanDeviceScanRequest&) noexcept {
+  return {.responses = {.command = 96,
+              .form_count = 1,
+              .forms = {{{.id = 96,
+               .min_size = 0,
+               .max_size = max_body_size,
+               .size = 252}}}},
+      .response_required = true,
+      .retry_is_safe = true,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const TransparentSapiRequest&) noexcept {
+  return {.responses = {.command = 151},
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const UartBypassRequest&) noexcept {
+  return {.responses = {.command = 60,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const SetDeviceAddrRequest&) noexcept {
+  return {.responses = {.command = 107,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+constexpr ResponsePolicy response_policy(const SerialProxyRequest&) noexcept {
+  return {.responses = {.command = 113,
+              .confirmed = Confirmed::possible},
+      .confirmations = 1,
+      .timeout_ms = 500};
+}
+
+}  // namespace sbgc::msg
