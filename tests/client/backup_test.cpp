@@ -81,7 +81,7 @@ class BackupTest : public TaskTest {
       board.edit<msg::ReadParamsExt>(
           profile, [&](msg::ReadParamsExt& params) { params.reserved[0] = profile; });
       board.edit<msg::ReadParamsExt2>(profile, [&](msg::ReadParamsExt2& params) {
-        params.reserved_2[7] = static_cast<std::uint8_t>(200 + profile);
+        params.auto_pid_momentum = static_cast<std::uint8_t>(200 + profile);
       });
     }
     board.edit<msg::ReadProfileNames>(0, [](auto& names) {
@@ -264,7 +264,7 @@ TEST_F(BackupTest, RestoringBringsEverythingBack) {
   for (std::uint8_t profile = 0; profile < 5; ++profile) {
     board.edit<msg::ReadParams3>(profile, [](auto& params) { ++params.gyro_trust; });
   }
-  board.edit<msg::ReadParamsExt2>(2, [](auto& params) { params.reserved_2[7] = 0; });
+  board.edit<msg::ReadParamsExt2>(2, [](auto& params) { params.auto_pid_momentum = 0; });
   board.edit<msg::ReadExternalData>(0, [](auto& external) { external.data[127] = 0; });
   board.edit<msg::ReadProfileNames>(
       0, [](auto& names) { ASSERT_TRUE(names.profile_name[1].assign(std::string_view("Other"))); });

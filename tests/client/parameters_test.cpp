@@ -56,7 +56,7 @@ class ParametersTest : public TaskTest {
       board.edit<msg::ReadParamsExt>(
           profile, [&](msg::ReadParamsExt& params) { params.reserved[0] = profile; });
       board.edit<msg::ReadParamsExt2>(
-          profile, [&](msg::ReadParamsExt2& params) { params.reserved_2[118] = profile; });
+          profile, [&](msg::ReadParamsExt2& params) { params.auto_pid_momentum = profile; });
     }
   }
   std::size_t writes() {
@@ -437,7 +437,7 @@ TEST_F(ParametersTest, DifferencesAreFoundFieldByField) {
   ParameterSet after = before;
   msg::ReadParamsExt2 changed = *before.get<msg::ReadParamsExt2>(3);
   changed.pid_gain.yaw = msg::PidGain(95);
-  changed.reserved_2[118] = static_cast<std::uint8_t>(changed.reserved_2[118] + 1);
+  ++changed.auto_pid_momentum;
   ASSERT_TRUE(after.set(changed));
   msg::ReadProfileNames names = *before.get<msg::ReadProfileNames>();
   ASSERT_TRUE(names.profile_name[4].assign(std::string_view("Drone")));
@@ -447,7 +447,7 @@ TEST_F(ParametersTest, DifferencesAreFoundFieldByField) {
   ASSERT_THAT(changes[0].fields, SizeIs(2));
   EXPECT_EQ(changes[0].fields[0].path, "pid_gain.yaw");
   EXPECT_EQ(changes[0].fields[0].after_meaning, "2");
-  EXPECT_EQ(changes[0].fields[1].path, "reserved_2[118]");
+  EXPECT_EQ(changes[0].fields[1].path, "auto_pid_momentum");
   EXPECT_THAT(to_text(changes), HasSubstr("ReadParamsExt2 of profile 4:\n"));
   EXPECT_THAT(to_text(changes), HasSubstr("  profile_name[4]: \"Profile 5\" -> \"Drone\"\n"));
 }

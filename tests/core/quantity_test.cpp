@@ -26,11 +26,16 @@ concept IsQuantity = RawValue<T> && requires {
 /// Calls `use` with raw values: all of 8 and 16 bits, a sample of wider ones.
 template <class Raw, class Use>
 void for_raw_values(const Use& use) {
-  constexpr std::int64_t lowest = std::numeric_limits<Raw>::min();
-  constexpr std::int64_t highest = std::numeric_limits<Raw>::max();
-  constexpr std::int64_t step = sizeof(Raw) > 2 ? 999983 : 1;
-  for (std::int64_t raw = lowest; raw <= highest; raw += step) use(static_cast<Raw>(raw));
-  use(static_cast<Raw>(highest));
+  if constexpr (std::is_floating_point_v<Raw>) {
+    for (const Raw raw : {Raw{-1.5}, Raw{0}, Raw{0.25}, Raw{1000000}}) use(raw);
+    return;
+  } else {
+    constexpr std::int64_t lowest = std::numeric_limits<Raw>::min();
+    constexpr std::int64_t highest = std::numeric_limits<Raw>::max();
+    constexpr std::int64_t step = sizeof(Raw) > 2 ? 999983 : 1;
+    for (std::int64_t raw = lowest; raw <= highest; raw += step) use(static_cast<Raw>(raw));
+    use(static_cast<Raw>(highest));
+  }
 }
 
 template <class Q>

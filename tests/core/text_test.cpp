@@ -110,12 +110,14 @@ TEST(Text, TextsAreQuotedAndHarmless) {
 }
 
 TEST(Text, FloatsHaveAllTheirDigits) {
-  EXPECT_EQ(detail::float_text(0.1F), "0.1");
-  EXPECT_EQ(detail::float_text(-1.0F), "-1");
-  EXPECT_EQ(detail::float_text(1e-30F), "1e-30");
-  EXPECT_EQ(detail::float_text(0.1F + 1e-8F), "0.10000001");
-  EXPECT_EQ(detail::float_text(std::numeric_limits<float>::infinity()), "inf");
-  EXPECT_EQ(detail::float_text(std::numeric_limits<float>::quiet_NaN()), "nan");
+  EXPECT_EQ(detail::real_text(double{0.1F}, sizeof(float)), "0.1");
+  EXPECT_EQ(detail::real_text(double{-1.0F}, sizeof(float)), "-1");
+  EXPECT_EQ(detail::real_text(double{1e-30F}, sizeof(float)), "1e-30");
+  EXPECT_EQ(detail::real_text(double{0.1F + 1e-8F}, sizeof(float)), "0.10000001");
+  EXPECT_EQ(detail::real_text(double{std::numeric_limits<float>::infinity()}, sizeof(float)),
+            "inf");
+  EXPECT_EQ(detail::real_text(double{std::numeric_limits<float>::quiet_NaN()}, sizeof(float)),
+            "nan");
 }
 
 TEST(Text, TheValueOfAVariableHasItsUnit) {

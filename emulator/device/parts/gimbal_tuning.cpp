@@ -82,7 +82,7 @@ Tuning tuning_of(const Parameters& parameters, const Availability& versions, boo
       out.joint_max = joints.encoder_limit_max[axis].degrees();
     }
   }
-  tuning.rotation_order = rotation_order(main.euler_order);
+  tuning.rotation_order = rotation_order(main.euler_order.order());
   tuning.gyro_trust = main.gyro_trust;
   const double stop = main.bat_threshold_motors.volts();
   // The threshold applies to the reading of the sensor.

@@ -2065,27 +2065,6 @@ enum class FileError : std::uint8_t {
   wrong_params = 10,
 };
 
-/// Kind of content of a file.
-/// Source: Later firmware.
-enum class FileType : std::uint8_t {
-  /// SCRIPT: A user script.
-  script = 1,
-  /// IMU_CALIB: Calibrations of an IMU.
-  imu_calib = 3,
-  /// COGGING_CORRECTION: Correction of the cogging of a motor.
-  cogging_correction = 4,
-  /// ADJ_VAR_LUT: Lookup table of an adjustable variable.
-  adj_var_lut = 5,
-  /// PROFILE_SET: Profile set.
-  profile_set = 6,
-  /// PARAMS: Parameters.
-  params = 7,
-  /// TUNE: Results of tuning.
-  tune = 8,
-  /// CANDRV: Data of a CAN motor driver.
-  candrv = 10,
-};
-
 /// Operation on a script.
 /// Source: Outgoing commands L936.
 enum class ScriptMode : std::uint8_t {
@@ -4844,49 +4823,6 @@ class TransparentTarget {
 
   friend constexpr bool operator==(const TransparentTarget&, const TransparentTarget&) = default;
   friend constexpr auto operator<=>(const TransparentTarget&, const TransparentTarget&) = default;
-
- private:
-  constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {
-    if (((value << shift) & ~mask) != 0) return false;
-    raw_ = static_cast<raw_type>((raw_ & ~mask) | (value << shift));
-    return true;
-  }
-
-  raw_type raw_{};
-};
-
-/// Identifies a file.
-/// Source: Later firmware.
-class FileId {
- public:
-  using raw_type = std::uint16_t;
-
-  constexpr FileId() = default;
-  constexpr explicit FileId(raw_type raw) noexcept : raw_(raw) {}
-
-  /// Returns the integer on the wire.
-  constexpr raw_type raw() const noexcept { return raw_; }
-
-  /// Kind of content.
-  constexpr FileType type() const noexcept {
-    return static_cast<FileType>(raw_ & 0xFF);
-  }
-  /// Returns false and changes nothing if the value does not fit into its bits.
-  constexpr bool set_type(FileType value) noexcept {
-    return set(static_cast<raw_type>(value), 0xFF, 0);
-  }
-
-  /// Its meaning depends on the type.
-  constexpr raw_type subtype() const noexcept {
-    return static_cast<raw_type>((raw_ & 0xFF00) >> 8);
-  }
-  /// Returns false and changes nothing if the value does not fit into its bits.
-  constexpr bool set_subtype(raw_type value) noexcept {
-    return set(static_cast<raw_type>(value), 0xFF00, 8);
-  }
-
-  friend constexpr bool operator==(const FileId&, const FileId&) = default;
-  friend constexpr auto operator<=>(const FileId&, const FileId&) = default;
 
  private:
   constexpr bool set(unsigned value, unsigned mask, unsigned shift) noexcept {

@@ -56,6 +56,7 @@ class Message:
     effect: Effect | None = None
     example: dict[str, Any] = field(default_factory=dict, hash=False)
     unconfirmed: bool = False
+    has_own_name: bool = False
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 
     @property
@@ -71,6 +72,8 @@ class Message:
     @property
     def call(self) -> str:
         """The name of the function that sends the message."""
+        if self.has_own_name:
+            return self.identifier
         suffix = form_suffix(self.form)
         return f"{self.command_identifier}_{suffix}" if suffix else self.command_identifier
 

@@ -525,7 +525,7 @@ class Calls {
   /// Effect: moves.
   /// Since firmware 2.68.
   template <class M = msg::ControlExtCommand>
-  CallResult<M> control_ext(
+  CallResult<M> control_ext_command(
       const std::type_identity_t<M>& request = {}, const CallOptions& options = {}) {
     return self().call(request, options);
   }

@@ -115,22 +115,22 @@ struct ExtMotorsControl {
   /// Format of the targets.
   ExtMotorsControlFields data_set{};
   /// Targets, 16 bits. Present if data_set lacks SETPOINT_32BIT and PARAM1_16BIT and PARAM1_32BIT.
-  Optional<BoundedArray<std::int16_t, 126>> setpoint16{};
+  Optional<BoundedArray<std::int16_t, 8>> setpoint16{};
   /// Targets, 32 bits. Present if data_set has SETPOINT_32BIT, and lacks PARAM1_16BIT and
   /// PARAM1_32BIT.
-  Optional<BoundedArray<std::int32_t, 63>> setpoint32{};
+  Optional<BoundedArray<std::int32_t, 8>> setpoint32{};
   /// Targets of 16 bits, parameters of 16 bits. Present if data_set has PARAM1_16BIT, and lacks
   /// SETPOINT_32BIT.
-  Optional<BoundedArray<ExtMotorTarget16, 63>> setpoint16_param16{};
+  Optional<BoundedArray<ExtMotorTarget16, 8>> setpoint16_param16{};
   /// Targets of 16 bits, parameters of 32 bits. Present if data_set has PARAM1_32BIT, and lacks
   /// SETPOINT_32BIT and PARAM1_16BIT.
-  Optional<BoundedArray<ExtMotorTarget16Param32, 42>> setpoint16_param32{};
+  Optional<BoundedArray<ExtMotorTarget16Param32, 8>> setpoint16_param32{};
   /// Targets of 32 bits, parameters of 16 bits. Present if data_set has SETPOINT_32BIT and
   /// PARAM1_16BIT.
-  Optional<BoundedArray<ExtMotorTarget32Param16, 42>> setpoint32_param16{};
+  Optional<BoundedArray<ExtMotorTarget32Param16, 8>> setpoint32_param16{};
   /// Targets of 32 bits, parameters of 32 bits. Present if data_set has SETPOINT_32BIT and
   /// PARAM1_32BIT, and lacks PARAM1_16BIT.
-  Optional<BoundedArray<ExtMotorTarget32, 31>> setpoint32_param32{};
+  Optional<BoundedArray<ExtMotorTarget32, 8>> setpoint32_param32{};
 
   bool operator==(const ExtMotorsControl&) const = default;
   using FixedMembers = Members<&ExtMotorsControl::for_motors, &ExtMotorsControl::data_set>;

@@ -113,14 +113,14 @@ struct ServoOut {
 /// Send PWM signals to servos of the board and of its CAN motor drivers. Outputs that are not
 /// selected keep their signals. Most servos take 500 to 2500 us, with 1500 us as their center.
 ///
-/// CMD_SERVO_OUT_EXT (133), to the board; 4 to 255 bytes. Effect: moves. Since firmware 2.73b2.
+/// CMD_SERVO_OUT_EXT (133), to the board; 4 to 68 bytes. Effect: moves. Since firmware 2.73b2.
 /// Source: Later firmware.
 struct ServoOutExt {
   static constexpr CommandToBoard command = CommandToBoard::servo_out_ext;
   static constexpr Direction direction = Direction::to_board;
   static constexpr Form form = Form::only;
   static constexpr std::size_t min_size = 4;
-  static constexpr std::size_t max_size = 255;
+  static constexpr std::size_t max_size = 68;
   static constexpr Availability since{.firmware = 2732};
   using Response = void;
 
@@ -132,7 +132,7 @@ struct ServoOutExt {
   /// Outputs to set.
   ServoOutputs servo_bits{};
   /// Pulse of each selected output, from the lowest bit to the highest. Range: -1 to 20000 us.
-  BoundedArray<ServoPulse, 125> servo_time{};
+  BoundedArray<ServoPulse, 32> servo_time{};
 
   bool operator==(const ServoOutExt&) const = default;
   using FixedMembers = Members<&ServoOutExt::servo_bits>;

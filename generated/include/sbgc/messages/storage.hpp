@@ -109,7 +109,7 @@ struct ReadFileRequest {
   using Response = sbgc::TypeList<ReadFile, ReadFileError>;
 
   /// File id.
-  FileId file_id{};
+  std::uint16_t file_id{};
   /// Start of the block. Unit: byte.
   Pages page_offset{};
   /// Maximum number of bytes to read; they must fit into one message. Range: 0 to 251 byte.
@@ -136,7 +136,7 @@ struct WriteFile {
   using Response = void;
 
   /// File id; a missing file is created.
-  FileId file_id{};
+  std::uint16_t file_id{};
   /// Size of the whole file. Unit: byte.
   ByteCount file_size{};
   /// Start of the block. Unit: byte.

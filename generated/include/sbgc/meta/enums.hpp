@@ -1305,21 +1305,6 @@ struct EnumMeta<msg::FileError> {
 };
 
 template <>
-struct EnumMeta<msg::FileType> {
-  static constexpr ValueInfo values[] = {
-      {"SCRIPT", 1, "A user script."},
-      {"IMU_CALIB", 3, "Calibrations of an IMU."},
-      {"COGGING_CORRECTION", 4, "Correction of the cogging of a motor."},
-      {"ADJ_VAR_LUT", 5, "Lookup table of an adjustable variable."},
-      {"PROFILE_SET", 6, "Profile set."},
-      {"PARAMS", 7, "Parameters."},
-      {"TUNE", 8, "Results of tuning."},
-      {"CANDRV", 10, "Data of a CAN motor driver."},
-  };
-  static constexpr EnumInfo info{"FileType", values, false};
-};
-
-template <>
 struct EnumMeta<msg::ScriptMode> {
   static constexpr ValueInfo values[] = {
       {"STOP", 0, "Stop it."},
@@ -2532,15 +2517,6 @@ struct PackedMeta<msg::TransparentTarget> {
       {.name = "wait", .mask = 0x40, .shift = 6},
   };
   static constexpr PackedInfo info{"TransparentTarget", "", nullptr, parts};
-};
-
-template <>
-struct PackedMeta<msg::FileId> {
-  static constexpr PartInfo parts[] = {
-      {.name = "type", .mask = 0xFF, .shift = 0, .values = &EnumMeta<msg::FileType>::info},
-      {.name = "subtype", .mask = 0xFF00, .shift = 8},
-  };
-  static constexpr PackedInfo info{"FileId", "", nullptr, parts};
 };
 
 template <>

@@ -143,7 +143,7 @@ struct Meta<msg::ServoOutExt> {
       .id = 133,
       .direction = Direction::to_board,
       .min_size = 4,
-      .max_size = 255,
+      .max_size = 68,
       .since = {.firmware = 2732},
       .effects = Effects(Effect::moves)};
   static constexpr Range servo_time_range{-1, 20000};

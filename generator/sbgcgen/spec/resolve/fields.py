@@ -278,6 +278,9 @@ class FieldResolver:
         smallest = max(1, min_size_of(type_))
         before = sum(f.size or 0 for f in earlier if not f.is_variable)
         capacity = max(0, (self.max_body - before) // smallest)
+        if counting == "bits":
+            flags = next(f.type for f in earlier if f.name == counter)
+            capacity = min(capacity, 8 * (size_of(flags) or 0))
         field = Field(
             name=self.types.identifier(str(node.get("as", snake_case(name.base))), at),
             spec_name=name.spec_name,

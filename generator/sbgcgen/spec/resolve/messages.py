@@ -206,6 +206,7 @@ class MessageResolver:
                 **(original.example if original else {}),
                 **self.fields.examples.example(body.fields, draft.get("example"), draft.name),
             },
+            has_own_name="as" in draft.node,
             unconfirmed=bool(draft.get("unconfirmed", False)) or draft.command.unconfirmed,
             leaves=tuple(leaves(body.fields)) if body.min_size <= limit else (),
             at=draft.at,

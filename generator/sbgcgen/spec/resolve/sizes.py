@@ -52,8 +52,8 @@ def max_size(fields: tuple[Field, ...], limit: int) -> int:
     by_name = {field.name: field for field in fields}
     for field in fields:
         if field.dim in ("counted", "rest"):
-            count = field.max_count
-            if field.counter and by_name[field.counter].maximum is not None:
+            count = field.capacity if field.counting == "bits" else field.max_count
+            if field.has_hidden_counter and by_name[field.counter].maximum is not None:
                 maximum = by_name[field.counter].maximum
                 assert maximum is not None
                 count = int(maximum)

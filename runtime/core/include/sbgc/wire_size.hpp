@@ -93,7 +93,8 @@ enum class Counting : unsigned char { bytes, minus_1 };
 
 namespace detail {
 
-/// Returns the value of the counter of a list, which is not empty if it counts all elements but one.
+/// Returns the value of the counter of a list, which is not empty if it counts all elements but
+/// one.
 template <Counting counting, class List>
 constexpr std::size_t counter_of(const List& list) noexcept {
   if constexpr (counting == Counting::bytes) {

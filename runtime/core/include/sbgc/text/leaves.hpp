@@ -158,7 +158,7 @@ class LeafWalk {
       integer(static_cast<std::underlying_type_t<T>>(value), field, path, wire_size<T>,
               {.names = &EnumMeta<T>::info});
     } else if constexpr (std::is_floating_point_v<T>) {
-      real(value, field, path, nullptr, wire_size<T>);
+      real(static_cast<double>(value), field, path, nullptr, wire_size<T>);
     } else if constexpr (std::is_arithmetic_v<T>) {
       integer(static_cast<std::int64_t>(value), field, path, wire_size<T>,
               {.is_u64 = std::is_same_v<T, std::uint64_t>});
@@ -245,7 +245,7 @@ class LeafWalk {
   void quantity(Q value, const FieldInfo& field, const FieldPath& path) {
     const UnitInfo* const unit = unit_in_force(UnitMeta<Q>::info, field, path);
     if constexpr (std::is_floating_point_v<typename Q::raw_type>) {
-      real(value.raw(), field, path, unit, wire_size<Q>);
+      real(static_cast<double>(value.raw()), field, path, unit, wire_size<Q>);
     } else {
       integer(value.raw(), field, path, wire_size<Q>, {.unit = unit});
     }
