@@ -110,14 +110,17 @@ TEST(Text, TextsAreQuotedAndHarmless) {
 }
 
 TEST(Text, FloatsHaveAllTheirDigits) {
-  EXPECT_EQ(detail::real_text(double{0.1F}, sizeof(float)), "0.1");
-  EXPECT_EQ(detail::real_text(double{-1.0F}, sizeof(float)), "-1");
-  EXPECT_EQ(detail::real_text(double{1e-30F}, sizeof(float)), "1e-30");
-  EXPECT_EQ(detail::real_text(double{0.1F + 1e-8F}, sizeof(float)), "0.10000001");
-  EXPECT_EQ(detail::real_text(double{std::numeric_limits<float>::infinity()}, sizeof(float)),
-            "inf");
-  EXPECT_EQ(detail::real_text(double{std::numeric_limits<float>::quiet_NaN()}, sizeof(float)),
-            "nan");
+  const auto text = [](float value) {
+    return detail::real_text(static_cast<double>(value), sizeof value);
+  };
+  EXPECT_EQ(text(0.1F), "0.1");
+  EXPECT_EQ(text(-1.0F), "-1");
+  EXPECT_EQ(text(1e-30F), "1e-30");
+  EXPECT_EQ(text(0.1F + 1e-8F), "0.10000001");
+  EXPECT_EQ(text(std::numeric_limits<float>::infinity()), "inf");
+  EXPECT_EQ(text(std::numeric_limits<float>::quiet_NaN()), "nan");
+  EXPECT_EQ(detail::real_text(0.1, sizeof(double)), "0.1");
+  EXPECT_EQ(detail::real_text(0.1 + 1e-16, sizeof(double)), "0.10000000000000009");
 }
 
 TEST(Text, TheValueOfAVariableHasItsUnit) {

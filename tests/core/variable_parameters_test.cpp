@@ -29,7 +29,8 @@ struct Settings {
     return std::get<M>(messages);
   }
 
-  std::tuple<msg::ReadParams3, msg::ReadParamsExt, msg::ReadParamsExt2> messages;
+  std::tuple<msg::ReadParams3, msg::ReadParamsExt, msg::ReadParamsExt2, msg::ReadParamsExt3>
+      messages;
 };
 
 std::vector<std::uint8_t> bytes_of(const Settings& settings) {
