@@ -15,10 +15,10 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from sbgcgen.model import Context, Message
+from sbgcgen.model import Context, Field, Message, Struct
 from sbgcgen.oracle.announced import announced_types, announcing
 from sbgcgen.oracle.codec import CodecError
-from sbgcgen.oracle.compose import Choice, Places, compose
+from sbgcgen.oracle.compose import Choice, Places, compose, satisfying
 from sbgcgen.oracle.encoding import encode
 from sbgcgen.oracle.frames import Forms, choose_message
 from sbgcgen.oracle.json_values import plain
@@ -76,9 +76,22 @@ def _telling(context: Context, value: Any, forms: Forms) -> dict[str, Any]:
         fields = announcing(context.announced, message, value)
         assert announced_types(context.announced, message, fields) == value
     else:
-        fields = compose(message, Choice(Places(), short=True, forced={path: value}))
+        forced = {path: value, **_conditions_of(path, message.fields)}
+        fields = compose(message, Choice(Places(), short=True, forced=forced))
     return {
         "id": message.id,
         "direction": message.direction,
         "hex": encode(message, fields).hex(),
     }
+
+
+def _conditions_of(path: str, fields: tuple[Field, ...]) -> dict[str, Any]:
+    """Values of the fields on which the presence of a field depends."""
+    name, _, rest = path.partition(".")
+    field = next(f for f in fields if f.name == name)
+    found: dict[str, Any] = {}
+    if field.when and not field.when.from_context:
+        found[field.when.source] = satisfying(field.when)[0]
+    if rest and isinstance(field.type, Struct):
+        found.update(_conditions_of(rest, field.type.fields))
+    return found
