@@ -1027,7 +1027,7 @@ using BeeperModes = Flags<BeeperMode>;
 
 /// Axes with adaptive PID control; 0 disables it.
 /// Source: Variables L1067.
-enum class AdaptivePidAxe : std::uint8_t {
+enum class AdaptivePidAxis : std::uint8_t {
   /// EN_ROLL: Roll.
   roll = 0x01,
   /// EN_PITCH: Pitch.
@@ -1035,7 +1035,7 @@ enum class AdaptivePidAxe : std::uint8_t {
   /// EN_YAW: Yaw.
   yaw = 0x04,
 };
-using AdaptivePidAxes = Flags<AdaptivePidAxe>;
+using AdaptivePidAxes = Flags<AdaptivePidAxis>;
 
 /// Options of the whole board.
 /// Source: Variables L1073.
@@ -1714,7 +1714,7 @@ inline constexpr bool is_flag<msg::EncoderFlag> = true;
 template <>
 inline constexpr bool is_flag<msg::BeeperMode> = true;
 template <>
-inline constexpr bool is_flag<msg::AdaptivePidAxe> = true;
+inline constexpr bool is_flag<msg::AdaptivePidAxis> = true;
 template <>
 inline constexpr bool is_flag<msg::GeneralFlag> = true;
 template <>

@@ -682,7 +682,7 @@ struct EnumMeta<msg::BeeperMode> {
 };
 
 template <>
-struct EnumMeta<msg::AdaptivePidAxe> {
+struct EnumMeta<msg::AdaptivePidAxis> {
   static constexpr ValueInfo values[] = {
       {"EN_ROLL", 1, "Roll."},
       {"EN_PITCH", 2, "Pitch."},
