@@ -52,17 +52,19 @@ TEST(Visit, APlainLambdaGetsItsMessage) {
   EXPECT_EQ(calls, 1);
 }
 
-int functions_called = 0;
-void count_read_params(const msg::ReadParams3&) { ++functions_called; }
+int& calls_of_function() {
+  static int calls = 0;
+  return calls;
+}
+void count_read_params(const msg::ReadParams3&) { ++calls_of_function(); }
 
 TEST(Visit, AFunctionGetsExactlyItsMessage) {
-  functions_called = 0;
   EXPECT_TRUE(visit(*Framed(msg::ReadParams3{}), Direction::from_board, count_read_params));
-  EXPECT_EQ(functions_called, 1);
+  EXPECT_EQ(calls_of_function(), 1);
   // WriteParams3 derives from ReadParams3.
   EXPECT_TRUE(visit(*Framed(msg::WriteParams3{}), Direction::to_board, count_read_params));
   EXPECT_TRUE(visit(*Framed(msg::WriteParams3{}), Direction::to_board, &count_read_params));
-  EXPECT_EQ(functions_called, 1);
+  EXPECT_EQ(calls_of_function(), 1);
 }
 
 TEST(Visit, OthersAreSkipped) {

@@ -142,7 +142,8 @@ inline std::string to_string(const Violation& violation) {
 }
 
 namespace msg {
-using sbgc::to_string;  // for argument-dependent lookup
+// NOLINTNEXTLINE(misc-unused-using-decls): for argument-dependent lookup
+using sbgc::to_string;
 }  // namespace msg
 
 }  // namespace sbgc
