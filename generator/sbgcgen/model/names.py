@@ -76,7 +76,7 @@ def form_suffix(form: str | None) -> str:
 
 
 def singular(plural: str) -> str:
-    """The name of one flag of a set: SystemErrors -> SystemError, Switches -> Switch, PidAxes -> PidAxis."""
+    """The name of one flag of a set: SystemErrors -> SystemError, Switches -> Switch, Axes -> Axis."""
     if re.search(r"(ch|sh|ss)es\Z", plural):
         return plural[:-2]
     if plural.endswith("Axes"):
