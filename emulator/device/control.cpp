@@ -90,12 +90,13 @@ Outcome execute(RequestContext& context, msg::MenuCommand action) {
 /// the simulation knows the frame.
 template <class Data>
 bool is_help(const Data& data) {
-  bool tells = data.frame_acc != Xyz<msg::Acceleration>{} ||
-               data.frame_angle_roll != msg::Angle14{} || data.frame_angle_pitch != msg::Angle14{};
+  bool is_used = data.frame_acc != Xyz<msg::Acceleration>{} ||
+                 data.frame_angle_roll != msg::Angle14{} ||
+                 data.frame_angle_pitch != msg::Angle14{};
   if constexpr (requires { data.frame_speed; }) {
-    tells = tells || data.frame_speed != Xyz<msg::GyroRate>{};
+    is_used = is_used || data.frame_speed != Xyz<msg::GyroRate>{};
   }
-  return tells;
+  return is_used;
 }
 
 /// Assumption: an unknown COORD_SYS counts as the default one.

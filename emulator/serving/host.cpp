@@ -99,7 +99,7 @@ void Host::end_or_linger() {
 void Host::end(std::error_code error) {
   if (is_closed_) return;
   close();
-  if (const auto told = std::exchange(on_end, nullptr)) told(error);
+  if (const auto handler = std::exchange(on_end, nullptr)) handler(error);
 }
 
 void Host::close() {

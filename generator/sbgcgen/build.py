@@ -75,14 +75,14 @@ def _report_hidden_mistakes(spec: Spec, found: Diagnostics) -> None:
     recovery = recover_shape(spec, found)
     if recovery is None:
         return
-    behind = Diagnostics()
-    check_syntax(recovery.spec, behind)
-    recovery.report(behind, found)
-    if behind.found and not recover_syntax(recovery, behind):
+    after_recovery = Diagnostics()
+    check_syntax(recovery.spec, after_recovery)
+    recovery.report(after_recovery, found)
+    if after_recovery.found and not recover_syntax(recovery, after_recovery):
         return
-    behind = Diagnostics()
-    _checked(recovery.spec, behind)
-    recovery.report(behind, found)
+    after_recovery = Diagnostics()
+    _checked(recovery.spec, after_recovery)
+    recovery.report(after_recovery, found)
 
 
 def load_layout(spec_dir: Path) -> Layout:

@@ -111,7 +111,7 @@ TEST_F(Examples, TiltMovesOnlyIfSomebodyAgrees) {
   EXPECT_EQ(moves.wait_for(0).size(), 0U);
   const ProgramResult result = run_program("echo yes | " + tilt);
   EXPECT_EQ(result.status, 0) << result.output;
-  EXPECT_EQ(moves.wait_for(1).back(), *msg::Angle14::from_degrees(-30));
+  EXPECT_EQ(moves.wait_for(1).back(), msg::Angle14(-30_deg));
 }
 
 TEST_F(Examples, AsyncStream) {

@@ -207,7 +207,7 @@ TEST_F(MotionTest, ARefusedTargetIsAnErrorAtOnce) {
   ASSERT_FALSE(moved);
   EXPECT_EQ(moved.error().code, ErrorCode::board_error);
   EXPECT_EQ(moved.error().message,
-            "CMD_CONTROL: the board refused: WRONG_STATE; the camera stands still");
+            "CMD_CONTROL: the board refused: WRONG_STATE; the camera is not turning");
 }
 
 TEST_F(MotionTest, ARefusedStopIsAnErrorWhileTheCameraTurns) {

@@ -7,14 +7,13 @@ JSON and text output are not for microcontrollers.
 from __future__ import annotations
 
 import re
-import shutil
 import subprocess
 from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
-INCLUDES = [*ROOT.glob("runtime/*/include"), ROOT / "generated/include"]
+from compiler import COMPILERS, INCLUDES
+
 HOSTED = re.compile(r"^sbgc/(json|parse_json|to_json|text|fmt|ostream|io/|client/)")
 FLAGS = [
     "-std=c++20",
@@ -44,8 +43,6 @@ ALLOWED = {
 }
 # Functions that a compiler may call in freestanding code; the last one is in its own library.
 RUNTIME_CALLS = {"memcpy", "memmove", "memset", "memcmp", "bcmp", "__popcountdi2"}
-
-COMPILERS = [name for name in ("g++", "clang++") if shutil.which(name)]
 
 
 def headers() -> list[str]:

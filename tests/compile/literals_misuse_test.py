@@ -3,16 +3,10 @@
 from __future__ import annotations
 
 import re
-import shutil
-import subprocess
-from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
-INCLUDES = [*ROOT.glob("runtime/*/include"), ROOT / "generated/include"]
-FLAGS = ["-std=c++20", "-Wall", "-Wextra"]
-COMPILERS = [name for name in ("g++", "clang++") if shutil.which(name)]
+from compiler import COMPILERS, Compiler
 
 HEAD = """
 #include <optional>
@@ -99,31 +93,11 @@ void use(double x, msg::Control& control) {
 """
 
 
-class Compiler:
-    """Compiles source text after HEAD, which it reads only once."""
-
-    def __init__(self, name: str, folder: Path) -> None:
-        header = folder / "head.hpp"
-        header.write_text(HEAD, encoding="utf-8")
-        flags = [*FLAGS, *(f"-I{path}" for path in INCLUDES)]
-        flags += ["-fno-color-diagnostics"] if name == "clang++" else []
-        compiled = header.with_suffix(".hpp.pch" if name == "clang++" else ".hpp.gch")
-        command = [name, *flags, "-x", "c++-header", str(header), "-o", str(compiled)]
-        subprocess.run(command, check=True)
-        head = ["-include-pch", str(compiled)] if name == "clang++" else ["-include", str(header)]
-        self.command = [name, *flags, *head, "-fsyntax-only", "-x", "c++", "-"]
-
-    def compile(self, source: str) -> subprocess.CompletedProcess[str]:
-        return subprocess.run(
-            self.command, input=source, capture_output=True, text=True, check=False
-        )
-
-
 @pytest.fixture(name="compiler", params=COMPILERS, scope="module")
 def each_compiler(
     request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
 ) -> Compiler:
-    return Compiler(request.param, tmp_path_factory.mktemp(request.param))
+    return Compiler(request.param, HEAD, tmp_path_factory.mktemp(request.param))
 
 
 def test_right_forms_compile(compiler: Compiler) -> None:

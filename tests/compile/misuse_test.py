@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-import shutil
-import subprocess
 from dataclasses import dataclass
-from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
-INCLUDES = [*ROOT.glob("runtime/*/include"), ROOT / "generated/include"]
-COMPILERS = [name for name in ("g++", "clang++") if shutil.which(name)]
+from compiler import COMPILERS, Compiler
 
 
 @dataclass(frozen=True)
@@ -73,38 +68,23 @@ MISUSES = [
 ]
 
 
-class Compiler:
-    """Reads the headers of all cases once."""
-
-    def __init__(self, name: str, folder: Path) -> None:
-        header = folder / "head.hpp"
-        header.write_text(HEADERS, encoding="utf-8")
-        flags = ["-std=c++20", *(f"-I{path}" for path in INCLUDES)]
-        is_clang = name == "clang++"
-        compiled = header.with_suffix(".hpp.pch" if is_clang else ".hpp.gch")
-        subprocess.run([name, *flags, "-x", "c++-header", header, "-o", compiled], check=True)
-        head = ["-include-pch", str(compiled)] if is_clang else ["-include", str(header)]
-        self.command = [name, *flags, *head, "-fsyntax-only", "-x", "c++", "-"]
-
-    def errors_of(self, source: str) -> list[str]:
-        """Compiles `source` and returns the lines with errors."""
-        done = subprocess.run(
-            self.command, input=source, capture_output=True, text=True, check=False
-        )
-        errors = [line for line in done.stderr.splitlines() if "error: " in line]
-        assert (done.returncode != 0) == bool(errors), done.stderr
-        return errors
+def errors_of(compiler: Compiler, source: str) -> list[str]:
+    """Compiles `source` and returns the lines with errors."""
+    done = compiler.compile(source)
+    errors = [line for line in done.stderr.splitlines() if "error: " in line]
+    assert (done.returncode != 0) == bool(errors), done.stderr
+    return errors
 
 
 @pytest.fixture(name="compiler", params=COMPILERS, scope="module")
 def each_compiler(
     request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
 ) -> Compiler:
-    return Compiler(request.param, tmp_path_factory.mktemp(request.param))
+    return Compiler(request.param, HEADERS, tmp_path_factory.mktemp(request.param))
 
 
 @pytest.mark.parametrize("misuse", MISUSES, ids=lambda misuse: misuse.name)
 def test_the_compiler_says_what_is_wrong(compiler: Compiler, misuse: Misuse) -> None:
-    assert not compiler.errors_of(misuse.code.replace("WRONG", misuse.right))
-    errors = compiler.errors_of(misuse.code.replace("WRONG", misuse.wrong))
+    assert not errors_of(compiler, misuse.code.replace("WRONG", misuse.right))
+    errors = errors_of(compiler, misuse.code.replace("WRONG", misuse.wrong))
     assert len(errors) == 1 and misuse.says in errors[0], errors

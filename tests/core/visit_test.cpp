@@ -52,6 +52,21 @@ TEST(Visit, APlainLambdaGetsItsMessage) {
   EXPECT_EQ(calls, 1);
 }
 
+int& calls_of_function() {
+  static int calls = 0;
+  return calls;
+}
+void count_read_params(const msg::ReadParams3&) { ++calls_of_function(); }
+
+TEST(Visit, AFunctionGetsExactlyItsMessage) {
+  EXPECT_TRUE(visit(*Framed(msg::ReadParams3{}), Direction::from_board, count_read_params));
+  EXPECT_EQ(calls_of_function(), 1);
+  // WriteParams3 derives from ReadParams3.
+  EXPECT_TRUE(visit(*Framed(msg::WriteParams3{}), Direction::to_board, count_read_params));
+  EXPECT_TRUE(visit(*Framed(msg::WriteParams3{}), Direction::to_board, &count_read_params));
+  EXPECT_EQ(calls_of_function(), 1);
+}
+
 TEST(Visit, OthersAreSkipped) {
   int calls = 0;
   const auto count = [&](const msg::Control&) { ++calls; };

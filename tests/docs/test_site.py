@@ -48,6 +48,18 @@ def test_guides_link_pages_of_the_site(files: dict[str, str]) -> None:
             assert normpath(path).lstrip("/") in files, f"{name}: {link}"
 
 
+def test_types_have_the_names_of_the_generated_code(files: dict[str, str]) -> None:
+    headers = [data.decode() for name, data in target("cpp").files(LAYOUT, ROOT) if "enums" in name]
+    code = "".join(headers)
+    pages = [text for path, text in files.items() if path.startswith(("enums/", "packed/"))]
+    shown = [name for text in pages for name in re.findall(r"<code>sbgc::([\w:]+)", text)]
+    assert len(shown) >= len(pages) > 50
+    for name in shown:
+        namespace, _, type_ = name.rpartition("::")
+        assert f"namespace sbgc::{namespace} {{" in code, name
+        assert re.search(rf"^(enum class|class|using) {type_}\b", code, re.M), name
+
+
 def page_part(text: str) -> str:
     """Returns the part that is specific to this page."""
     return text[text.index("<main") : text.index("</main>")]

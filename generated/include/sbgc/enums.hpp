@@ -2309,7 +2309,7 @@ using BeeperModes = Flags<BeeperMode>;
 
 /// Axes with adaptive PID control; 0 disables it.
 /// Source: Variables L1067.
-enum class AdaptivePidAxe : std::uint8_t {
+enum class AdaptivePidAxis : std::uint8_t {
   /// EN_ROLL: Roll.
   roll = 0x01,
   /// EN_PITCH: Pitch.
@@ -2317,7 +2317,7 @@ enum class AdaptivePidAxe : std::uint8_t {
   /// EN_YAW: Yaw.
   yaw = 0x04,
 };
-using AdaptivePidAxes = Flags<AdaptivePidAxe>;
+using AdaptivePidAxes = Flags<AdaptivePidAxis>;
 
 /// Options of the whole board.
 /// Source: Variables L1073.
@@ -3220,7 +3220,7 @@ using FieldOffsetFlags = Flags<FieldOffsetFlag>;
 
 /// Motors whose cogging to calibrate.
 /// Source: Later firmware.
-enum class CoggingAxe : std::uint8_t {
+enum class CoggingAxis : std::uint8_t {
   /// ROLL: The roll motor.
   roll = 0x01,
   /// PITCH: The pitch motor.
@@ -3228,7 +3228,7 @@ enum class CoggingAxe : std::uint8_t {
   /// YAW: The yaw motor.
   yaw = 0x04,
 };
-using CoggingAxes = Flags<CoggingAxe>;
+using CoggingAxes = Flags<CoggingAxis>;
 
 /// Options of CMD_AUTO_PID2.
 /// Source: Later firmware.
@@ -4964,7 +4964,7 @@ inline constexpr bool is_flag<msg::EncoderFlag> = true;
 template <>
 inline constexpr bool is_flag<msg::BeeperMode> = true;
 template <>
-inline constexpr bool is_flag<msg::AdaptivePidAxe> = true;
+inline constexpr bool is_flag<msg::AdaptivePidAxis> = true;
 template <>
 inline constexpr bool is_flag<msg::GeneralFlag> = true;
 template <>
@@ -5046,7 +5046,7 @@ inline constexpr bool is_flag<msg::CalibratedLimit> = true;
 template <>
 inline constexpr bool is_flag<msg::FieldOffsetFlag> = true;
 template <>
-inline constexpr bool is_flag<msg::CoggingAxe> = true;
+inline constexpr bool is_flag<msg::CoggingAxis> = true;
 template <>
 inline constexpr bool is_flag<msg::AutoPid2CommandFlag> = true;
 template <>

@@ -45,8 +45,9 @@ class FieldRule:
 class Struct:
     """A reusable group of fields; `size` is None if it varies.
 
-    A region has a fixed size, whichever of its conditional fields are present; its last field keeps
-    the bytes that they do not use. Its conditions refer to fields of the enclosing message.
+    A tagged union (`is_region`) has a fixed size, whichever of its conditional fields are present;
+    its last field keeps the bytes that they do not use. Its conditions refer to fields of the
+    enclosing message.
     """
 
     name: str
@@ -81,7 +82,7 @@ def scalar_of(type_: Type) -> Scalar | None:
 
 @dataclass(frozen=True)
 class Special:
-    """A sentinel: a raw value with its own meaning; `name` is its constant in C++, or ""."""
+    """A sentinel: a raw value with its own meaning; `name` identifies its constant, or is ""."""
 
     value: int
     meaning: str
@@ -216,12 +217,13 @@ class Field:
     `dim` is the number of elements: "one", "axis", "xyz", "fixed" (`count`), "counted" (the value
     of the field `counter`) or "rest" (to the end of the body; with an `index`, the first of the
     named elements, at least `min_count`). `offset` is from the start of the struct; None after a
-    variable part. `role` is the field's role in a set of settings: "copy" (selects one of several
-    copies), "general" (the same in all copies), "state" (not a setting), or "". `typical` is an
+    variable part. `role` is the field's role in a parameter set: "copy" (selects one of several
+    copies), "general" (the same in all copies), "state" (not a parameter), or "". `typical` is an
     ordinary value as JSON represents it; None if the spec names none. `appended`: firmware before
     `since` ends the body before the field. `counting` is how the counter of a list counts:
-    "elements", "bytes", "bits" (the list has an element for each bit that is set) or "minus_1". `default` is the
-    raw value in a new message; it is the only valid one of a `constant`. `aliases` are former names.
+    "elements", "bytes", "bits" (the list has an element for each bit that is set) or "minus_1". `default` is
+    the raw value in a new message; it is the only valid one of a `constant`. `aliases` are former
+    names.
     An `unconfirmed` field comes from a single source or is contradicted by another.
     """
 
@@ -290,8 +292,8 @@ def field_rules(struct: Struct, path: str = "") -> Iterator[tuple[str, FieldRule
 class Leaf:
     """One value or run of bytes of a body, with its full path.
 
-    `cases` are the leaves that a region may hold, depending on other fields. A body may end before
-    an `optional` leaf.
+    `cases` are the leaves that a tagged union may hold, depending on other fields. A body may end
+    before an `optional` leaf.
     """
 
     path: str

@@ -137,7 +137,7 @@ class Family:
 
     @property
     def definitions(self) -> tuple[Message, ...]:
-        """Messages that define a C++ type; one in both directions defines it once.
+        """Messages that define a type; one in both directions defines it once.
 
         Messages with the body of another come last, after the message that defines the body.
         """
@@ -175,7 +175,7 @@ def copy_field(message: Message) -> Field | None:
 
 
 def conditions(message: Message) -> list[Condition]:
-    """All conditions on fields and contexts of the message: those of its fields and regions."""
-    regions = [m.type for m in message.fields if isinstance(m.type, Struct) and m.type.is_region]
-    inner = [member for region in regions for member in region.fields]
+    """All conditions on fields and contexts: those of the fields and tagged unions."""
+    unions = [m.type for m in message.fields if isinstance(m.type, Struct) and m.type.is_region]
+    inner = [member for union in unions for member in union.fields]
     return [member.when for member in (*message.fields, *inner) if member.when]

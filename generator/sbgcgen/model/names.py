@@ -76,9 +76,11 @@ def form_suffix(form: str | None) -> str:
 
 
 def singular(plural: str) -> str:
-    """The name of one flag of a set: SystemErrors -> SystemError, Switches -> Switch."""
+    """The name of one flag of a set: SystemErrors -> SystemError, Switches -> Switch, Axes -> Axis."""
     if re.search(r"(ch|sh|ss)es\Z", plural):
         return plural[:-2]
+    if plural.endswith("Axes"):
+        return f"{plural[:-2]}is"
     return plural[:-1] if plural.endswith("s") else f"{plural}Bit"
 
 

@@ -79,7 +79,7 @@ class Layout:
 
     @property
     def definitions(self) -> tuple[Message, ...]:
-        """Messages that define a C++ type, in the order of families."""
+        """Messages that define a type, in the order of families."""
         return tuple(m for family in self.families for m in family.definitions)
 
     @property

@@ -39,8 +39,8 @@ def announcing(announcement: Announcement, message: Message, types: list[str]) -
     elements: list[Fields] = []
     for number, (name, count) in enumerate(runs):
         kind_name = announcement.kind.partition(".")[0]
-        told = {kind_name: values[name], announcement.count: count if count > 1 else number % 2}
-        choice = Choice(Places(), short=True, forced=told)
+        forced = {kind_name: values[name], announcement.count: count if count > 1 else number % 2}
+        choice = Choice(Places(), short=True, forced=forced)
         elements.append(compose_fields(_element(announcement, message), choice))
     choice = Choice(Places(), short=True, forced={announcement.list: elements})
     return compose(message, choice)

@@ -1,6 +1,6 @@
 """A second codec that interprets the Layout model: slow, small, and obviously correct.
 
-It shares no code or template with the generated C++, so an agreement of both confirms the model.
+It shares no source or template with the generated code, so an agreement of both confirms the model.
 decoding.py and encoding.py are its two halves and frames.py adds the framing; this module has their
 common parts. The test vectors come from this codec (vectors.py). Bodies are `bytes`. Messages are
 the `fields` of `sbgc decode --format jsonl`: objects for structs and axes, lists for arrays,
@@ -49,7 +49,8 @@ def keys_of(field: Field) -> tuple[str, ...]:
 def fixed_part(fields: tuple[Field, ...]) -> tuple[Field, ...]:
     """The leading fields with a fixed offset and size in every body.
 
-    The C++ codec checks their total size once, which determines the field and offset of an error.
+    The generated codec checks their total size once, which determines the field and offset of an
+    error.
     """
     if any(f.is_counter for f in fields):
         return ()

@@ -176,7 +176,7 @@ def _read_blob(type_: Blob, reader: _Reader, name: str) -> str:
 
 
 def _read_region(type_: Struct, reader: _Reader, around: Fields) -> Fields:
-    """Read a region: its size is fixed, and its conditions refer to the fields `around` it."""
+    """Read a tagged union: its size is fixed; its conditions refer to the fields `around` it."""
     assert type_.size is not None
     inner = _Reader(reader.take(type_.size, ""))
     values: Fields = {}

@@ -32,7 +32,8 @@ class _Writer:
 def encode(message: Message, fields: Fields, limit: int = 255) -> bytes:
     """Encode fields to a body of at most `limit` bytes.
 
-    Also rejects values of the wrong kind or size, which the types of the members prevent in C++.
+    Also rejects values of the wrong kind or size, which the types of members prevent in generated
+    code.
     """
     writer = _Writer(limit)
     given = dict(fields)
@@ -156,7 +157,8 @@ def _hex(text: str, size: int | None, name: str, writer: _Writer) -> bytes:
 def _write_value(type_: Type, value: Any, writer: _Writer, name: str) -> None:
     if isinstance(type_, Struct):
         inner = _Writer(type_.size or writer.limit, writer.at) if type_.size else writer
-        # In errors, the C++ codec names a fixed-size struct, but the member of any other struct.
+        # In errors, the generated codec names a fixed-size struct, but the member of any other
+        # struct.
         _write_fields(type_.fields, value, inner, f"{name}." if type_.size else "")
         if inner is not writer:
             writer.put(bytes(inner.data), name)

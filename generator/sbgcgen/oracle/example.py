@@ -122,8 +122,8 @@ def example_of(message: Message, layout: Layout) -> Example:
     pieces = tuple(taker.fields(message.fields, vector.fields, _Place()))
     assert taker.at == len(vector.body), f"{message.name}: {taker.at} of {len(vector.body)} bytes"
     before = tuple(
-        write_frame(framing, told["id"], bytes.fromhex(told["hex"]))
-        for told in vector_line.get("after", ())
+        write_frame(framing, earlier["id"], bytes.fromhex(earlier["hex"]))
+        for earlier in vector_line.get("after", ())
     )
     return Example(
         message=message,

@@ -45,11 +45,11 @@ class Recovery:
     _misspelled: list[Map] = field(default_factory=list)  # nodes that had misspelled keys
     _dropped: list[tuple[Map, str]] = field(default_factory=list)
 
-    def report(self, behind: Diagnostics, found: Diagnostics) -> None:
+    def report(self, after_recovery: Diagnostics, found: Diagnostics) -> None:
         """Add the findings about the copy that also apply to the original."""
-        telling = _OF_ONE_ENTRY if self.lost_entries else _OF_ONE_ENTRY | _OF_NAMES
-        for finding in behind.found:
-            if finding.code in telling or not (self.lost_keys or self.lost_entries):
+        reliable = _OF_ONE_ENTRY if self.lost_entries else _OF_ONE_ENTRY | _OF_NAMES
+        for finding in after_recovery.found:
+            if finding.code in reliable or not (self.lost_keys or self.lost_entries):
                 found.add(finding.position, finding.code, finding.message, finding.hint)
 
     def repair(self, error: ShapeError) -> bool:
@@ -140,9 +140,9 @@ def _is_about_files(spec: Spec, error: ShapeError) -> bool:
     )
 
 
-def recover_syntax(recovery: Recovery, behind: Diagnostics) -> bool:
+def recover_syntax(recovery: Recovery, after_recovery: Diagnostics) -> bool:
     """Remove contradictions from fields and parts; returns false if there are others."""
-    places = {finding.position for finding in behind.found}
+    places = {finding.position for finding in after_recovery.found}
     for content in recovery.spec.families.values():
         _mend(recovery, content, places)
     return not places

@@ -22,7 +22,7 @@ class FramePart:
 
 def frame_parts(framing: Framing) -> list[FramePart]:
     """The parts of a frame in wire order."""
-    behind = f"{framing.header_size} + size"
+    after_body = f"{framing.header_size} + size"
     parts = [_part(framing, part, str(framing.place(part))) for part in framing.header]
     most = framing.max_body
     parts.append(
@@ -30,7 +30,7 @@ def frame_parts(framing: Framing) -> list[FramePart]:
     )
     for part in framing.trailer:
         offset = framing.place(part)
-        parts.append(_part(framing, part, f"{behind} + {offset}" if offset else behind))
+        parts.append(_part(framing, part, f"{after_body} + {offset}" if offset else after_body))
     return parts
 
 

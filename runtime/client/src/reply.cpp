@@ -8,6 +8,7 @@
 #include <sbgc/text/status.hpp>
 
 #include "board_text.hpp"
+#include "entry_of_each.hpp"
 
 namespace sbgc::detail {
 
@@ -29,13 +30,8 @@ struct Decoder<M> {
   decltype(&decode_in_context<M>) function = &decode_in_context<M>;
 };
 
-template <class... Ms>
-struct Decoders : Decoder<Ms>... {
-  explicit Decoders(TypeList<Ms...> /*messages*/) noexcept {}
-};
-
 /// Makes the compiler emit decode_in_context() for every message that needs it.
-[[gnu::used]] const Decoders decoders(AllMessages{});
+[[gnu::used]] const auto decoders = entries_for<Decoder>(AllMessages{});
 
 }  // namespace
 

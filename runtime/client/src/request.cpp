@@ -10,6 +10,8 @@
 #include <sbgc/responses/all.hpp>
 #include <sbgc/text.hpp>
 
+#include "entry_of_each.hpp"
+
 namespace sbgc::detail {
 
 namespace {
@@ -110,13 +112,8 @@ struct Preparer<M> {
   decltype(&prepare<M>) function = &prepare<M>;
 };
 
-template <class... Ms>
-struct Preparers : Preparer<Ms>... {
-  explicit Preparers(TypeList<Ms...> /*messages*/) noexcept {}
-};
-
 /// Makes the compiler emit prepare() for every message to the board.
-[[gnu::used]] const Preparers preparers(AllMessages{});
+[[gnu::used]] const auto preparers = entries_for<Preparer>(AllMessages{});
 
 }  // namespace
 

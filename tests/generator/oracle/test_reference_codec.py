@@ -296,7 +296,7 @@ def everything_said() -> dict[int, tuple[list[Message], list[Line]]]:
 
 
 def all_leaves(leaves: tuple[Leaf, ...]) -> Iterator[Leaf]:
-    """Yields the leaves, including the alternatives of regions."""
+    """Yields the leaves, including the alternatives of tagged unions."""
     for leaf in leaves:
         yield leaf
         yield from all_leaves(leaf.cases)

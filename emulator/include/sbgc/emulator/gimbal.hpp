@@ -26,7 +26,7 @@ using Vector = Xyz<double>;
 enum class AxisMode : std::uint8_t {
   remote,       ///< no control: use the RC signal of the axis
   speed,        ///< turn with `speed`
-  angle,        ///< move to `angle` with `speed`; 0 selects the speed of the settings
+  angle,        ///< move to `angle` with `speed`; 0 selects the speed in the parameters
   speed_angle,  ///< turn with `speed` and be pulled to `angle`; half a second after the command (an
                 ///< assumption) only the angle counts
   signal,       ///< `signal` replaces the RC signal
@@ -42,7 +42,7 @@ struct AxisCommand {
 
 /// The tuning of one axis by the parameters.
 struct AxisTuning {
-  double p = 10, i = 0.1, d = 10;  ///< as in the settings, multiplied by the gain factor
+  double p = 10, i = 0.1, d = 10;  ///< as in the parameters, multiplied by the gain factor
   double power = 100;              ///< 0..255; 0 means no holding torque
   double acceleration = 0;         ///< limit in deg/s^2; 0 means only the limit of the motor
   double speed = 50;  ///< default speed of moves, deg/s; with 0, a move without a speed of its own

@@ -132,6 +132,12 @@ struct Control {
     return detail::set_in_common_unit(
         axes, index, [](auto& one) -> auto& { return one.speed; }, value, control_mode, 0x80, true);
   }
+  /// As above, in the usual unit.
+  template <std::int64_t numerator, std::int64_t denominator>
+  [[nodiscard]] constexpr bool set_speed(
+      std::size_t index, Physical<ControlSpeed::unit_type, numerator, denominator> value) noexcept {
+    return set_speed(index, ControlSpeed(value));
+  }
 
   bool operator==(const Control&) const = default;
   using FixedMembers = Members<&Control::control_mode, &Control::axes>;
@@ -169,6 +175,12 @@ struct ControlExt {
   }
   constexpr void set_speed(std::size_t index, FineSpeed value) noexcept {
     detail::set_in_unit(axes[index].speed, value, control_mode[index], 0x80, true);
+  }
+  /// As above, in the usual unit.
+  template <std::int64_t numerator, std::int64_t denominator>
+  constexpr void set_speed(
+      std::size_t index, Physical<ControlSpeed::unit_type, numerator, denominator> value) noexcept {
+    set_speed(index, ControlSpeed(value));
   }
 
   bool operator==(const ControlExt&) const = default;

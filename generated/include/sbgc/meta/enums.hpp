@@ -1481,7 +1481,7 @@ struct EnumMeta<msg::BeeperMode> {
 };
 
 template <>
-struct EnumMeta<msg::AdaptivePidAxe> {
+struct EnumMeta<msg::AdaptivePidAxis> {
   static constexpr ValueInfo values[] = {
       {"EN_ROLL", 1, "Roll."},
       {"EN_PITCH", 2, "Pitch."},
@@ -2089,7 +2089,7 @@ struct EnumMeta<msg::FieldOffsetFlag> {
 };
 
 template <>
-struct EnumMeta<msg::CoggingAxe> {
+struct EnumMeta<msg::CoggingAxis> {
   static constexpr ValueInfo values[] = {
       {"ROLL", 1, "The roll motor."},
       {"PITCH", 2, "The pitch motor."},

@@ -123,7 +123,7 @@ def quantity_json(q: Quantity) -> dict[str, Any]:
 
 
 def variable_json(variable: Variable) -> dict[str, Any]:
-    """An adjustable variable and the settings that it sets, as plain data."""
+    """An adjustable variable and the parameters that it sets, as plain data."""
     quantity = variable.quantity
     return {
         "name": variable.name,

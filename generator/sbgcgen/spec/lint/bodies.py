@@ -132,7 +132,7 @@ def _check_varying(field: Field, found: Diagnostics) -> None:
         found.add(field.at, "SBGC043", text, "write NAME[]; the announcement determines the count")
 
 
-# Regions
+# Tagged unions
 
 
 def _check_struct(struct: Struct, found: Diagnostics) -> None:
@@ -149,7 +149,7 @@ def _check_struct(struct: Struct, found: Diagnostics) -> None:
 
 
 def _check_regions(message: Message, found: Diagnostics) -> None:
-    """A region must be a single field at a fixed offset, after the fields that it depends on."""
+    """A tagged union is a single field at a fixed offset, after the fields that it depends on."""
     earlier: dict[str, Field] = {}
     for field in message.fields:
         if isinstance(field.type, Struct) and field.type.is_region:

@@ -68,7 +68,7 @@ class FieldResolver:
     # Structs and types
 
     def struct(self, name: str, around: tuple[Field, ...] = ()) -> Struct:
-        """The resolved struct with this name; a region may refer to the fields `around` it."""
+        """The resolved struct with this name; a tagged union may refer to fields `around` it."""
         if name not in self.structs:
             family, node, at = self._nodes[name]
             is_region = "size" in node
@@ -124,14 +124,13 @@ class FieldResolver:
         return list(self.structs.values())
 
     def _region_rest(self, node: Map, fields: tuple[Field, ...]) -> Field:
-        """The member that keeps the bytes of a region that its conditional fields do not use."""
+        """The member with the bytes of a tagged union that its conditional fields do not use."""
         size = int(node["size"])
         for field in fields:
             if field.when is None or (field.size or size + 1) > size:
                 message = f"'{field.name}' is not a conditional field of at most {size} bytes"
-                self.found.add(
-                    field.at, "SBGC033", message, "give it a 'when', or widen the region"
-                )
+                hint = "give it a 'when', or increase the size of the tagged union"
+                self.found.add(field.at, "SBGC033", message, hint)
         return Field(
             name="rest",
             spec_name="",

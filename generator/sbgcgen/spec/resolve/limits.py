@@ -57,7 +57,7 @@ class LimitResolver:
         return minimum, maximum, special
 
     def _special(self, node: Map) -> tuple[Special, ...]:
-        """The special values: texts, or mappings that also give a name in C++."""
+        """The special values: texts, or mappings that also give an identifier."""
         result = []
         for key, content in (node.get("special") or {}).items():
             if not isinstance(content, Map):

@@ -129,7 +129,7 @@ class MessageResolver:
         if not candidates:
             known = sorted({n for n, _ in self.drafts})
             hint = did_you_mean(name, known)
-            hint = hint or "name the C++ message, such as BoardInfo"
+            hint = hint or "use the identifier of a message, such as BoardInfo"
             self.found.add(at, "SBGC021", f"there is no message '{name}'", hint)
             return None
         if name in self.open:

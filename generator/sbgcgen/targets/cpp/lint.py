@@ -122,7 +122,7 @@ def _check_units(layout: Layout, found: Diagnostics) -> None:
         name = unit_name(quantity)
         first = seen.setdefault(name, quantity)
         if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", name) or not can_be_a_name(name):
-            text = f"the unit of {quantity.name} can not be a part of names in C++"
+            text = f"the unit of {quantity.name} cannot be a part of names in C++"
             found.add(quantity.at, "SBGC022", text, f"its literals would end in '_{name}'")
         elif first.unit != quantity.unit:
             text = f"literals of {quantity.name} would be those of {first.name}: 1_{name}"

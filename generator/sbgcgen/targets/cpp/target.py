@@ -26,7 +26,7 @@ class Cpp(Target):
         check_names(spec, layout, found)
 
     def example(self, example: Example) -> Code:
-        """For whoever stands at the host: encode what goes to the board, else decode."""
+        """The code of a host: it encodes what goes to the board, and decodes the rest."""
         message = example.message
         if message.in_both_directions or message.direction == "to_board":
             steps = worked.steps_of(example)

@@ -16,7 +16,7 @@ class Row:
     """A row of a field table: a field with all its leaves, or a group of fields.
 
     `path` has a * for each axis and [] for each index; `leaves` is empty for a group. Rows of
-    fields in a region have `is_case`.
+    fields in a tagged union have `is_case`.
     """
 
     path: str

@@ -27,8 +27,8 @@ std::string hex(std::uint64_t address) { return fmt::format("{:#x}", address); }
 Result<void> check_place(const BoardIdentity& board, std::uint64_t address, std::size_t size) {
   constexpr std::uint64_t addressable = std::uint64_t{1} << 32U;
   const auto& details = board.details;
-  const std::uint64_t told = details ? roles::eeprom_size(*details).raw() : 0;
-  const std::uint64_t limit = told != 0 ? told : addressable;
+  const std::uint64_t reported = details ? roles::eeprom_size(*details).raw() : 0;
+  const std::uint64_t limit = reported != 0 ? reported : addressable;
   if (size <= limit && address <= limit - size) return {};
   return ClientError{ErrorCode::invalid,
                      fmt::format("{} bytes at {} exceed the EEPROM, which has {} bytes", size,

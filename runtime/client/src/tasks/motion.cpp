@@ -179,7 +179,7 @@ Task<Result<MoveProgress>> move_to(MoveTarget target, MoveOptions options) {
     error.message += fmt::format("; stopping it failed: {}", stopped.error().message);
   } else {
     // A board that rejects the target also rejects the stop.
-    error.message += error.code == ErrorCode::board_error ? "; the camera stands still"
+    error.message += error.code == ErrorCode::board_error ? "; the camera is not turning"
                                                           : "; it has been stopped";
   }
   co_return error;

@@ -86,8 +86,8 @@ class JsonReader {
     return path + "[" + std::to_string(index) + "]";
   }
 
-  // Counters are implied by their lists, and tails are rare. Everything else is required: a setting
-  // omitted by mistake would be overwritten with 0.
+  // Counters are implied by their lists, and tails are rare. Everything else is required: a
+  // parameter omitted by mistake would be overwritten with 0.
   template <class T>
   static bool may_be_missing(const FieldInfo&, const Optional<T>&) {
     return true;

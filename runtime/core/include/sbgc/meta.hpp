@@ -97,12 +97,12 @@ struct VariableInfo {
   UnitInfo unit{};
 };
 
-/// The role of a field in a message that holds settings.
+/// The role of a field in a message that holds parameters.
 enum class FieldRole : std::uint8_t {
-  setting,  ///< a setting, or any field of a message without settings
-  general,  ///< a setting of the whole board, the same in all copies of the settings
-  copy,     ///< the index of the copy of the settings, from 0
-  state,    ///< state of the board, not a setting; written back as it was read
+  setting,  ///< a parameter, or any field of a message without parameters
+  general,  ///< a parameter of the whole board, the same in all copies of the parameters
+  copy,     ///< the index of the copy of the parameters, from 0
+  state,    ///< state of the board, not a parameter; written back as it was read
 };
 
 /// One member of a message or struct.

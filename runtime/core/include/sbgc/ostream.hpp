@@ -16,10 +16,10 @@ requires is_printable<T> std::ostream& operator<<(std::ostream& stream, const T&
 
 // For argument-dependent lookup.
 namespace msg {
-using sbgc::operator<<;
+using sbgc::operator<<;  // NOLINT(misc-unused-using-decls)
 }  // namespace msg
 namespace io {
-using sbgc::operator<<;
+using sbgc::operator<<;  // NOLINT(misc-unused-using-decls)
 }  // namespace io
 
 }  // namespace sbgc

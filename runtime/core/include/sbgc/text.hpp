@@ -6,7 +6,7 @@
 ///     packed values              "2.43b9", "RC_MODE_ANGLE, inverted 1"
 ///     messages                   "GetAngles{axes.roll.imu_angle = -30 deg, …}"
 ///     statuses, violations       "params: The body ends before this field does",
-///                                "axes.pitch.angle: 800 deg is above 720 deg"
+///                                "rc.pitch.rc_max_angle: 800 deg is above 720 deg"
 ///
 /// The text of a message lists all values in wire order, except reserved bytes that are 0 and the
 /// counts of lists. Include the tables of the messages to print: <sbgc/meta/control.hpp>, for
@@ -136,7 +136,7 @@ inline std::string violation_text(const Violation& violation) {
   return "is not allowed";
 }
 
-/// "axes.pitch.angle: 800 deg is above 720 deg".
+/// "rc.pitch.rc_max_angle: 800 deg is above 720 deg".
 inline std::string to_string(const Violation& violation) {
   std::string value = detail::limit_text(violation.value, violation.unit);
   if (violation.named != nullptr) value = violation.named->name;
@@ -145,7 +145,8 @@ inline std::string to_string(const Violation& violation) {
 }
 
 namespace msg {
-using sbgc::to_string;  // for argument-dependent lookup
+// NOLINTNEXTLINE(misc-unused-using-decls): for argument-dependent lookup
+using sbgc::to_string;
 }  // namespace msg
 
 }  // namespace sbgc

@@ -18,18 +18,27 @@ overloaded(Functions...) -> overloaded<Functions...>;
 
 namespace detail {
 
+template <class R, class M, bool never_throws>
+Type<std::remove_cvref_t<M>> parameter(R (*)(M) noexcept(never_throws));
 template <class F, class R, class M, bool never_throws>
 Type<std::remove_cvref_t<M>> parameter(R (F::*)(M) noexcept(never_throws));
 template <class F, class R, class M, bool never_throws>
 Type<std::remove_cvref_t<M>> parameter(R (F::*)(M) const noexcept(never_throws));
 
-template <class Visitor>
+/// Returns the parameter type of a function or lambda that has one.
+template <class Function>
+  requires std::is_function_v<std::remove_pointer_t<Function>>
+auto parameter_of() -> decltype(parameter(static_cast<std::decay_t<Function>>(nullptr)));
+template <class Function>
+auto parameter_of() -> decltype(parameter(&Function::operator()));
+
+template <class Function>
 concept HasOneParameter = requires {
-  parameter(&Visitor::operator());
+  parameter_of<Function>();
 };
 
 /// The messages accepted by a function that may have several parameter types, such as a generic
-/// lambda.
+/// lambda. A class with several operator() also accepts messages that derive from its parameters.
 template <class Function>
 struct Accepted {
   template <class M>
@@ -43,12 +52,12 @@ struct Accepted {
   }
 };
 
-/// A plain lambda accepts exactly its parameter type. (Some messages derive from another one with
-/// the same body and would otherwise convert to it.)
+/// A function or plain lambda accepts exactly its parameter type. (Some messages derive from
+/// another one with the same body and would otherwise convert to it.)
 template <class Function>
   requires HasOneParameter<std::remove_const_t<Function>>
 struct Accepted<Function> {
-  using Parameter = typename decltype(parameter(&Function::operator()))::type;
+  using Parameter = typename decltype(parameter_of<std::remove_const_t<Function>>())::type;
 
   template <class M>
   static constexpr bool has = std::same_as<M, Parameter>&& std::invocable<Function&, const M&>;

@@ -2,8 +2,8 @@
 ///
 ///     sbgc::AsyncClient client(context.get_executor());
 ///     client.async_connect("/dev/ttyUSB0", {}, [&](sbgc::Result<void> connected) {
-///       client.async_call(sbgc::GetAnglesRequest{}, {}, [](sbgc::Result<sbgc::GetAngles> angles) {
-///         …
+///       client.async_call(sbgc::msg::GetAnglesRequest{}, {},
+///                         [](sbgc::Result<sbgc::msg::GetAngles> angles) { … });
 ///
 /// Include the messages you use, such as <sbgc/messages/realtime.hpp>.
 #pragma once

@@ -52,7 +52,7 @@
     lines: plain(more).split(" ").map((word) => isLines.exec(word)).filter(Boolean)
       .map(([, first, last]) => [Number(first), Number(last ?? first)]),
     text: plain(about),
-    told: plain(about).split(/[^\p{L}\p{N}_/°.]+|\.(?= |$)/u),
+    textWords: plain(about).split(/[^\p{L}\p{N}_/°.]+|\.(?= |$)/u),
   });
 
   // Lines of the specification, as in "L1148" or "L1148-L1160".
@@ -73,11 +73,11 @@
     const lines = isLines.exec(word);
     if (lines) return fitLines(entry, Number(lines[1]), Number(lines[2] ?? lines[1]));
     const tight = squeeze(word);
-    const isTold = !isProse && entry.told.includes(word);
+    const isInText = !isProse && entry.textWords.includes(word);
     const inName = fitName(entry, word, tight, isProse);
-    if (inName >= 50) return isTold ? inName + 6 : inName;
-    if (isTold) return 52;
-    if (!isProse && word.length > 2 && entry.told.some((w) => w.startsWith(word))) return 46;
+    if (inName >= 50) return isInText ? inName + 6 : inName;
+    if (isInText) return 52;
+    if (!isProse && word.length > 2 && entry.textWords.some((w) => w.startsWith(word))) return 46;
     if (inName > 0) return inName;
     return word.length > 2 && !/^\d+$/.test(word) && entry.text.includes(word) ? 10 : 0;
   };

@@ -1,0 +1,31 @@
+"""A compiler that reads the headers of many small programs once."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+INCLUDES = [*ROOT.glob("runtime/*/include"), ROOT / "generated/include"]
+COMPILERS = [name for name in ("g++", "clang++") if shutil.which(name)]
+
+
+class Compiler:
+    """Checks source text that follows `head`, with warnings, without writing anything."""
+
+    def __init__(self, name: str, head: str, folder: Path) -> None:
+        header = folder / "head.hpp"
+        header.write_text(head, encoding="utf-8")
+        is_clang = name == "clang++"
+        flags = ["-std=c++20", "-Wall", "-Wextra", *(f"-I{path}" for path in INCLUDES)]
+        flags += ["-fno-color-diagnostics"] if is_clang else []
+        compiled = header.with_suffix(".hpp.pch" if is_clang else ".hpp.gch")
+        subprocess.run([name, *flags, "-x", "c++-header", header, "-o", compiled], check=True)
+        included = ["-include-pch", str(compiled)] if is_clang else ["-include", str(header)]
+        self.command = [name, *flags, *included, "-fsyntax-only", "-x", "c++", "-"]
+
+    def compile(self, source: str) -> subprocess.CompletedProcess[str]:
+        return subprocess.run(
+            self.command, input=source, capture_output=True, text=True, check=False
+        )
