@@ -151,6 +151,7 @@ class Line {
   std::optional<Instant> text_due_{};
   std::size_t frame_bytes_ = 0;  // bytes of the current frame; 0 between frames
   std::size_t frame_size_ = 0;
+  Framing framing_{};
   std::deque<Arrival> arrivals_{};
   Instant last_arrival_;
   LineCounters counters_{};
