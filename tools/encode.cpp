@@ -82,7 +82,7 @@ void check_rest(const Json& line, const MessageInfo& info) {
 }
 
 /// Returns the framing that the line names, or the one that every board understands.
-Framing framing_of(const Json& line) {
+Framing framing_named_in(const Json& line) {
   if (!line.contains("framing")) return basic_framing;
   const std::string name = text_of(line, "framing");
   std::string known;
@@ -110,7 +110,7 @@ std::vector<std::uint8_t> encode_line(const std::string& text, const EncodeOptio
     if (name != Meta<M>::info.name) return;
     known = true;
     check_rest(line, Meta<M>::info);
-    frame = encode_fields<M>(*fields, framing_of(line), !options.no_validate);
+    frame = encode_fields<M>(*fields, framing_named_in(line), !options.no_validate);
   });
   if (!known) throw InputError(fmt::format("unknown message '{}'", name));
   return frame;

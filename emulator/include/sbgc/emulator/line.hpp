@@ -10,6 +10,7 @@
 
 #include <sbgc/emulator/uart.hpp>
 #include <sbgc/line.hpp>
+#include <sbgc/protocol.hpp>
 #include <sbgc/time.hpp>
 
 namespace sbgc::emulator {

@@ -98,8 +98,9 @@ def _written(layout: Layout) -> Iterator[bytes]:
     """Steps in which the fuzzer writes a frame: id, body size and space, then the body."""
     for size in (0, 1, 15, 16, 124, 250):
         for space in (size + 4, 255):
-            yield bytes((_WRITE_FRAME, layout.messages[0].id if layout.messages else 1, size))
-            yield bytes((space,)) + counting(size)
+            for framing in range(len(layout.framings)):
+                id = layout.messages[0].id if layout.messages else 1
+                yield bytes((_WRITE_FRAME + framing, id, size, space)) + counting(size)
 
 
 def _no_frames(layout: Layout) -> Iterator[bytes]:

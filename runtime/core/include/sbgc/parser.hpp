@@ -42,7 +42,8 @@ struct ParserCounters {
 template <class Formats>
 class BasicParser {
  public:
-  constexpr explicit BasicParser(const Formats& formats = {}) noexcept : formats_(formats) {}
+  constexpr BasicParser() noexcept = default;
+  constexpr explicit BasicParser(const Formats& formats) noexcept : formats_(formats) {}
 
   /// The accepted framings. A change applies to the bytes that have not yet been inspected; the
   /// sink may make it.
