@@ -32,6 +32,7 @@ PLACES = {
     "MENU_CMD": "CMD_EXECUTE_MENU.CMD_ID",
     "MOTOR_OUTPUT": "OUTPUT_*",
     "SERIAL_SPEED": "SERIAL_SPEED",
+    "device": "CMD_TRANSPARENT_SAPI.TARGET:device",
     "CMD_ID of the GPS_IMU protocol": "CMD_EXT_SENS_CMD.CMD_ID",
 }
 FLAGS = ("FLAGS", "FEATURES", "StateFlags")
@@ -98,6 +99,8 @@ class Extractor:
         names = re.split(r", | / ", cells[1])
         if self.section == 7:  # in section 2 a suffix does not say what it replaces
             names = _suffixed(names)
+        if len({name.split("_")[0] for name in names}) > 1 and names[0][:4] != "CMD_":
+            return  # names without their first word
         if len(names) != len(ids) or not all(re.fullmatch(r"[A-Z][A-Z0-9_]*", n) for n in names):
             return
         if self.section == 2:
@@ -151,7 +154,7 @@ class Extractor:
         """Fields with @offsets; a version in parentheses at the end of a line is of its fields before."""
         starts = [match.start() for match in AT.finditer(text)]
         for start, end in zip(starts, [*starts[1:], len(text)]):
-            part = re.split(r"; |, (?=@)|\"", text[start:end])[0]
+            part = re.split(r"; *$|, *$|\"", split(text[start:end], ";")[0])[0]
             offset, rest = part[1:].split(" ", 1)
             fields = parse_fields(rest.split(" = ")[0], number)
             if fields:

@@ -2,7 +2,7 @@
 
     NAME TYPE[COUNT]... remark, NAME TYPE, group[3]: {NAME TYPE, ...}, repeated {NAME TYPE, ...}
 
-`?3 NAME TYPE` is present if bit 3 of the flags is set. Remarks may have a unit, a range and versions.
+`?3 NAME TYPE` is present if bit 3 of the flags is set, `?1+2 NAME TYPE` if both are. Remarks may have a unit, a range and versions.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ Fact = dict[str, Any]
 
 TYPE = r"[uif]\d+|bytes|text|string"
 FIELD = re.compile(
-    rf"(?:\?(?P<bit>\d+) )?(?P<name>[A-Z][A-Z0-9_]*) (?P<type>{TYPE})\b"
+    rf"(?:\?(?P<bits>\d+(?:\+\d+)*) )?(?P<name>[A-Z][A-Z0-9_]*) (?P<type>{TYPE})\b"
     r"(?P<counts>(?:\[[A-Z0-9_]*\])*)(?P<remark>.*)",
     re.S,
 )
@@ -74,11 +74,17 @@ def split(text: str, at: str) -> list[str]:
 def remark_facts(remark: str) -> Fact:
     """Returns the unit, the range and the version that a remark states."""
     facts: Fact = {}
-    open_ = re.sub(r"\([^()]*\)", " ", remark)  # parentheses hold values, which have no unit
+    open_ = remark
+    while "(" in open_:  # parentheses hold values, which have no unit
+        shorter = re.sub(r"\([^()]*\)?", " ", open_)
+        open_ = shorter if shorter != open_ else open_.replace("(", " ")
     unit = UNIT.search(open_)
     if unit:
         scale, name = WORDS.get(unit["unit"], (Fraction(1), unit["unit"]))
         facts["unit"] = [str(scale * Fraction(unit["scale"] or 1)), name]
+    factor = re.match(r" (0\.\d+)\s*(?:$|\()", remark)
+    if factor and not unit:
+        facts["unit"] = [str(Fraction(factor[1])), None]
     limits = RANGE.search(open_)
     if limits:
         facts["range"] = [int(limits[1]), int(limits[2])]
@@ -101,8 +107,8 @@ def parse_field(text: str, line: int) -> Fact | None:
     if re.search(r"\brepeated\b|for each set bit", remark):
         count = None
     field: Fact = {"name": match["name"], "type": match["type"], "count": count}
-    if match["bit"]:
-        field["bit"] = int(match["bit"])
+    if match["bits"]:
+        field["mask"] = sum(1 << int(bit) for bit in match["bits"].split("+"))
     return {**field, **remark_facts(remark), "line": line}
 
 
@@ -119,8 +125,16 @@ def _parse_group(text: str, line: int) -> Fact | None:
 
 def parse_fields(text: str, line: int) -> list[Fact] | None:
     """Returns the fields of a list, or None if one of them is not in the notation."""
-    found = [parse_field(part, line) for part in split(text, ",;")]
-    return None if None in found else [field for field in found if field is not None]
+    found: list[Fact] = []
+    for part in split(text, ",;"):
+        field = parse_field(part, line)
+        if field is None:
+            return None
+        if found and f"bytes[{found[-1].get('name')}]" in part:
+            field["type"] = "string"  # a length, then that many characters
+            found.pop()
+        found.append(field)
+    return found
 
 
 NUMBERED = re.compile(
@@ -154,7 +168,10 @@ def _names(name: str, count: int) -> list[str] | None:
     if "/" in name:
         first, *others = name.split("/")
         stem = first[: first.rfind("_") + 1]
-        names = [first, *(stem + other for other in others)]
+        end = others[-1].find("_")  # of MOT_ROLL/PITCH/YAW_DISABLED, that ends all
+        suffix = others[-1][end:] if end > 0 else ""
+        names = [first + suffix, *(stem + other + suffix for other in others[:-1])]
+        names.append(stem + others[-1])
         return names if len(names) == count else None
     if count == 1:
         return [name]

@@ -407,6 +407,7 @@ def _compare_variable(what: str, old: Variable, new: Variable, changes: Changes)
     level = Level.MEANING if narrowed else Level.COMPATIBLE
     ranges = [f"{v.minimum}..{v.maximum}" for v in (old, new)]
     changes.compare(level, f"{what}: range", ranges[0], ranges[1], new.at)
+    changes.since(what, old.since, new.since, new.at)
     level = Level.MEANING if old.settings else Level.COMPATIBLE
     sets = [" ".join(f"{s.message}.{s.path}" for s in v.settings) for v in (old, new)]
     changes.compare(level, f"{what}: sets", sets[0], sets[1], new.at)

@@ -98,6 +98,7 @@ def test_words_are_the_promised_ones(model: dict[str, Any]) -> None:
     assert {m["direction"] for m in model["messages"]} == {"from_board", "to_board"}
     forms = {"simple", "extended", "success", "error", None}
     assert {m["form"] for m in model["messages"]} == forms
+    assert {m.get("form_name") for m in model["messages"]} > forms
     for message in model["messages"]:
         assert ("form_name" in message) == (message["form"] is not None)
         name = message.get("form_name")
