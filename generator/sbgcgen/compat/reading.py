@@ -139,4 +139,15 @@ def _framing(facts: Facts) -> Facts:
     return {**facts, **parts, "checksums": checksums}
 
 
-_UPGRADES: dict[str, Callable[[Facts], Facts]] = {"Answer": _answer, "Framing": _framing}
+def _condition(facts: Facts) -> Facts:
+    """Formerly, a condition had the values that it accepts, but not their numbers."""
+    if "numbers" in facts:
+        return facts
+    return {**facts, "numbers": tuple(value.value for value in facts.get("values", ()))}
+
+
+_UPGRADES: dict[str, Callable[[Facts], Facts]] = {
+    "Answer": _answer,
+    "Condition": _condition,
+    "Framing": _framing,
+}
