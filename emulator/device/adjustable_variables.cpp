@@ -49,10 +49,8 @@ Outcome handle(RequestContext& context, const msg::SetAdjVarsVal& request) {
 Outcome handle(RequestContext& context, const msg::AdjVarsStateRequest& request) {
   return report(context, request.trigger_slot, request.analog_slot);
 }
-/// Assumption, because these parameters are undocumented: the first two are those of the simple
-/// form.
 Outcome handle(RequestContext& context, const msg::AdjVarsStateRequestExt& request) {
-  return report(context, request.params[0], request.params[1]);
+  return report(context, request.trigger_slot, 0);
 }
 
 }  // namespace sbgc::emulator

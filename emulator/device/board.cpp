@@ -203,6 +203,18 @@ class Board::Core {
               outcome = Outcome::malformed;
               return;
             }
+            if constexpr (!accesses_parameters<M>) {
+              const Unknown unknown = limit_to(device.versions(), message);
+              if (unknown.fields) {
+                outcome = Outcome::malformed;
+                return;
+              }
+              if (unknown.values) {
+                RequestContext context(device, port, request.id, Confirmed::never, now);
+                outcome = context.refuse(msg::BoardErrorCode::wrong_params);
+                return;
+              }
+            }
             const Confirmed confirmed = response_policy(message).responses.confirmed;
             RequestContext context(device, port, request.id, confirmed, now);
             outcome = carry_out(context, message);

@@ -24,6 +24,9 @@ std::optional<AxisMode> mode_of(msg::ControlModeKind kind) {
     case msg::ControlModeKind::speed_angle: return AxisMode::speed_angle;
     case msg::ControlModeKind::rc: return AxisMode::signal;
     case msg::ControlModeKind::angle_rel_frame: return AxisMode::relative_angle;
+    case msg::ControlModeKind::rc_high_res: return AxisMode::signal;
+    case msg::ControlModeKind::ignore: return AxisMode::remote;
+    case msg::ControlModeKind::angle_shortest: return AxisMode::angle;
   }
   return {};
 }

@@ -13,7 +13,7 @@ Device::Device(BoardOptions of, Memory kept, Instant now)
     : options(std::move(of)),
       memory(std::move(kept)),
       eeprom(memory),
-      parameters(memory),
+      parameters(memory, {options.firmware.raw(), options.board.raw()}),
       files(memory),
       gimbal(options.gimbal, now),
       ports(options),

@@ -148,7 +148,7 @@ TEST_P(RoundTrip, BuffersMayBeExactButNotSmaller) {
     if (!message->decode(body)) continue;
     ++checked;
     check_buffers(body, [&](std::span<std::uint8_t> out) { return message->encode(out); });
-    ByteVector frame(Framing::frame_size(body.size()));
+    ByteVector frame(frame_size(body.size()));
     ASSERT_TRUE(write_frame(info().id, body, frame));
     check_buffers(frame, [&](std::span<std::uint8_t> out) { return message->encode_frame(out); });
   }

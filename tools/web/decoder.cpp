@@ -95,7 +95,7 @@ class Decoding {
     const DecodedFrame decoded = decoder_.decode(frame, direction_);
     Json line;
     line["frame"] = decoded.to_json();
-    line["size"] = Framing::frame_size(frame.body.size());
+    line["size"] = frame_size(frame.framing, frame.body.size());
     line["body"] = frame_header_size;
     line["rows"] = rows_of(decoded);
     if (!decoded.status) line["reason"] = text(decoded.status.code);
@@ -111,7 +111,7 @@ class Decoding {
 
   std::optional<Direction> direction_;
   FrameDecoder decoder_;
-  Parser parser_;
+  ParserOfAll parser_;
   HexDecoder hex_;
   std::vector<std::uint8_t> bytes_;
   std::uint64_t size_ = 0;

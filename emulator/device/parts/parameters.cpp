@@ -5,7 +5,10 @@
 
 namespace sbgc::emulator {
 
-Parameters::Parameters(Memory& memory) : memory_(memory), eeprom_(memory) { reload(); }
+Parameters::Parameters(Memory& memory, const Availability& versions)
+    : memory_(memory), versions_(versions), eeprom_(memory) {
+  reload();
+}
 
 void Parameters::reload() {
   variables_.clear();
@@ -26,7 +29,7 @@ void Parameters::select_profile(std::uint8_t profile) {
 }
 
 std::optional<std::int32_t> Parameters::variable(msg::VariableId id) const {
-  if (find_variable(id) == nullptr) return std::nullopt;
+  if (find_variable(id) == nullptr || !knows(versions_, id)) return std::nullopt;
   const Optional<std::int32_t> now = variable_value(in_use_, id);
   // Another variable may have changed the same parameter meanwhile.
   const auto set = variables_.find(id);
@@ -36,7 +39,7 @@ std::optional<std::int32_t> Parameters::variable(msg::VariableId id) const {
 
 bool Parameters::set_variable(msg::VariableId id, std::int32_t value) {
   const VariableInfo* const known = find_variable(id);
-  if (known == nullptr || value < known->range.lowest || value > known->range.highest) {
+  if (known == nullptr || !knows(versions_, id) || value < known->range.lowest || value > known->range.highest) {
     return false;
   }
   if (variable_value(in_use_, id) && !sbgc::set_variable(in_use_, id, value)) return false;
@@ -72,7 +75,7 @@ void Parameters::save() {
 void Parameters::use_defaults(std::uint8_t profile) {
   ParameterMessages::for_each([&]<class M>(Type<M>) {
     if constexpr (is_of_profile<M>) {
-      M defaults = factory_parameters<M>(profile);
+      M defaults = factory<M>(profile);
       share(record<M>(0), defaults);
       static_cast<void>(write(profile, defaults));
     }

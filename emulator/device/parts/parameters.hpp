@@ -20,7 +20,10 @@
 #include <sbgc/response_policy.hpp>
 #include <sbgc/type_list.hpp>
 #include <sbgc/types.hpp>
+#include <sbgc/validate.hpp>
 
+#include "device/firmware_limits.hpp"
+#include "device/known_values.hpp"
 #include "device/parts/eeprom.hpp"
 #include "device/parts/eeprom_records.hpp"
 #include "device/parts/factory_parameters.hpp"
@@ -57,7 +60,7 @@ class Parameters {
  public:
   /// Loads the EEPROM. Factory parameters replace missing or damaged ones, but only as active
   /// parameters, not in the EEPROM.
-  explicit Parameters(Memory& memory);
+  explicit Parameters(Memory& memory, const Availability& versions = newest);
 
   /// Reloads all parameters, as at a restart.
   void reload();
@@ -157,14 +160,17 @@ class Parameters {
   static void share([[maybe_unused]] const M& from, [[maybe_unused]] M& to) {
     if constexpr (is_of_profile<M>) ParametersOf<M>::share(from, to);
   }
-  /// Returns the address of the record of a copy.
+  /// Returns the address of the record of a copy. Records are in the order of the firmware that
+  /// introduced them, so that later ones do not move earlier ones.
   template <class M>
   static std::size_t place(std::uint8_t copy) {
     std::size_t before = 0;
     bool found = false;
     ParameterMessages::for_each([&]<class Other>(Type<Other>) {
       found = found || std::is_same_v<M, Other>;
-      if (!found) before += ParametersOf<Other>::copies;
+      const bool is_older = Other::since.firmware < M::since.firmware;
+      const bool is_as_old = Other::since.firmware == M::since.firmware;
+      if (is_older || (is_as_old && !found)) before += ParametersOf<Other>::copies;
     });
     return layout::parameters + (before + copy) * record_size();
   }
@@ -179,8 +185,15 @@ class Parameters {
   M record(std::uint8_t copy) const {
     M message{};
     const auto body = read_record(eeprom_, place<M>(copy), {M::command, copy});
-    if (!body || !decode(std::span(*body), message)) message = factory_parameters<M>(copy);
+    if (!body || !decode(std::span(*body), message)) message = factory<M>(copy);
     set_copy(message, copy);
+    return message;
+  }
+  /// The factory parameters, as far as the firmware knows them.
+  template <class M>
+  M factory(std::uint8_t copy) const {
+    M message = factory_parameters<M>(copy);
+    limit_to(versions_, message);
     return message;
   }
   template <class M>
@@ -208,6 +221,7 @@ class Parameters {
   void forget_variables();
 
   Memory& memory_;
+  Availability versions_;
   Eeprom eeprom_;
   OneOfEach<ParameterMessages> in_use_{};
   std::map<msg::VariableId, Variable> variables_{};  ///< variables that were set

@@ -20,6 +20,7 @@ from sbgcgen.model import (
     Condition,
     Effect,
     EffectCase,
+    Framing,
     Layout,
     Message,
     Position,
@@ -33,7 +34,7 @@ from sbgcgen.spec.load import MAIN_FILE
 def compare(old: Layout, new: Layout) -> list[Change]:
     """All changes, the worst first; those of equal severity are grouped by kind of entry."""
     changes = Changes(new.versions)
-    _compare_framing(old, new, changes)
+    _compare_framings(old, new, changes)
     _compare_versions(old, new, changes)
     _compare_line(old, new, changes)
     commands = _compare_commands(old, new, changes)
@@ -45,17 +46,32 @@ def compare(old: Layout, new: Layout) -> list[Change]:
     return sorted(changes.found, key=lambda change: rank.index(change.level))
 
 
-def _compare_framing(old: Layout, new: Layout, changes: Changes) -> None:
+def _compare_framings(old: Layout, new: Layout, changes: Changes) -> None:
     at = Position(f"spec/{MAIN_FILE}")
+    now = {framing.name: framing for framing in new.framings}
+    for framing in old.framings:
+        if framing.name in now:
+            _compare_framing(framing, now[framing.name], changes)
+        else:
+            changes.deleted(Level.WIRE, f"framing {framing.name}", at)
+    known = [framing.name for framing in old.framings]
+    for name in now:
+        if name not in known:
+            changes.added(f"framing {name}", at)
+
+
+def _compare_framing(old: Framing, new: Framing, changes: Changes) -> None:
+    at = Position(f"spec/{MAIN_FILE}")
+    framing = f"framing {new.name}"
     for key in ("start", "header", "trailer", "max_body"):
-        before, now = getattr(old.framing, key), getattr(new.framing, key)
-        changes.compare(Level.WIRE, f"framing: {key}", before, now, at)
-    for checksum in new.framing.checksums:
-        other = old.framing.checksum(checksum.name)
+        changes.compare(Level.WIRE, f"{framing}: {key}", getattr(old, key), getattr(new, key), at)
+    for checksum in new.checksums:
+        other = old.checksum(checksum.name)
         if other is not None:
-            what = f"framing: {checksum.name}"
-            changes.compare(Level.WIRE, f"{what}: kind", other.kind, checksum.kind, at)
-            changes.compare(Level.WIRE, f"{what}: covers", other.covers, checksum.covers, at)
+            what = f"{framing}: {checksum.name}"
+            for key in ("kind", "covers", "crc"):
+                before, now = getattr(other, key), getattr(checksum, key)
+                changes.compare(Level.WIRE, f"{what}: {key}", before, now, at)
 
 
 def _compare_versions(old: Layout, new: Layout, changes: Changes) -> None:

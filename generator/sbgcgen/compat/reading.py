@@ -128,7 +128,8 @@ def _answer(facts: Facts) -> Facts:
 
 
 def _framing(facts: Facts) -> Facts:
-    """Formerly, the model had only the sizes of header and trailer."""
+    """Formerly, there was one framing, of which the model had only the sizes of the parts."""
+    facts = {"name": "v1", **facts}
     if "header" in facts:
         return facts
     checksums = (
@@ -146,8 +147,14 @@ def _condition(facts: Facts) -> Facts:
     return {**facts, "numbers": tuple(value.value for value in facts.get("values", ()))}
 
 
+def _layout(facts: Facts) -> Facts:
+    """Formerly, there was one framing."""
+    return facts if "framings" in facts else {**facts, "framings": (facts["framing"],)}
+
+
 _UPGRADES: dict[str, Callable[[Facts], Facts]] = {
     "Answer": _answer,
     "Condition": _condition,
     "Framing": _framing,
+    "Layout": _layout,
 }

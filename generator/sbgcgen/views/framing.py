@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from sbgcgen.model import BODY, ID, SIZE, START, Framing
 
-_KINDS = {"sum8": "the sum of {}, modulo 256"}
+_KINDS = {"sum8": "the sum of {}, modulo 256", "crc16": "CRC-16 of {}"}
 _ALL_BYTES = "all bytes of the body"
 
 

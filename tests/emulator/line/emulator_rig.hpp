@@ -29,7 +29,7 @@ inline Bytes stream_of(std::uint16_t interval_ms) {
   return frame_of(request);
 }
 
-constexpr std::size_t sample_size = Framing::frame_size(msg::RealtimeData4::max_size);
+constexpr std::size_t sample_size = frame_size(msg::RealtimeData4::max_size);
 
 /// One host on one port.
 struct Bench {
