@@ -140,6 +140,13 @@ def _framing(facts: Facts) -> Facts:
     return {**facts, **parts, "checksums": checksums}
 
 
+def _condition(facts: Facts) -> Facts:
+    """Formerly, a condition had the values that it accepts, but not their numbers."""
+    if "numbers" in facts:
+        return facts
+    return {**facts, "numbers": tuple(value.value for value in facts.get("values", ()))}
+
+
 def _layout(facts: Facts) -> Facts:
     """Formerly, there was one framing."""
     return facts if "framings" in facts else {**facts, "framings": (facts["framing"],)}
@@ -147,6 +154,7 @@ def _layout(facts: Facts) -> Facts:
 
 _UPGRADES: dict[str, Callable[[Facts], Facts]] = {
     "Answer": _answer,
+    "Condition": _condition,
     "Framing": _framing,
     "Layout": _layout,
 }

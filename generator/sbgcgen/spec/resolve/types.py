@@ -140,8 +140,9 @@ class TypeResolver(Entries):
         for _, name, value, at in self.spec.entries("variables"):
             identifier = self.identifier(snake_case(name), at)
             summary = str(value.get("summary", ""))
+            since = self.availability(value)
             values.append(
-                EnumValue(name, identifier, value["id"], summary, False, "", Availability(), (), at)
+                EnumValue(name, identifier, value["id"], summary, False, "", since, (), at)
             )
         return Enum(
             name=VARIABLE_ID,

@@ -76,6 +76,7 @@ class VariableResolver:
                 if setting is not None
             ),
             is_switch=is_switch,
+            since=self.types.availability(node),
             at=at,
         )
 
