@@ -17,6 +17,13 @@ class Identifier:
 
 
 @dataclass(frozen=True)
+class Alias(Identifier):
+    """A former name in code, and in the protocol."""
+
+    spec_name: str = ""
+
+
+@dataclass(frozen=True)
 class Scalar:
     """A number on the wire, little-endian."""
 
@@ -77,6 +84,14 @@ class Availability:
     def is_after(self, other: Availability) -> bool:
         """True if some versions that have the other thing do not have this one."""
         return self.firmware > other.firmware or self.board > other.board
+
+    def later(self, other: Availability) -> Availability:
+        """The first versions that have both things."""
+        firmware = self if self.firmware >= other.firmware else other
+        board = self if self.board >= other.board else other
+        return Availability(
+            firmware.firmware, board.board, firmware.firmware_text, board.board_text
+        )
 
 
 @dataclass(frozen=True)
@@ -140,7 +155,7 @@ class EnumValue:
     errata: tuple[str, ...]
     at: Position = field(default=NOWHERE, compare=False, repr=False)
     number: int | None = None
-    aliases: tuple[Identifier, ...] = ()
+    aliases: tuple[Alias, ...] = ()
     unconfirmed: bool = False
     former: Former | None = None
 

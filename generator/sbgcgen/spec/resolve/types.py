@@ -141,7 +141,18 @@ class TypeResolver(Entries):
             identifier = self.identifier(snake_case(name), at)
             summary = str(value.get("summary", ""))
             values.append(
-                EnumValue(name, identifier, value["id"], summary, False, "", Availability(), (), at)
+                EnumValue(
+                    name,
+                    identifier,
+                    value["id"],
+                    summary,
+                    ours=False,
+                    wire="",
+                    since=self.availability(value),
+                    errata=(),
+                    at=at,
+                    unconfirmed=bool(value.get("unconfirmed", False)),
+                )
             )
         return Enum(
             name=VARIABLE_ID,
