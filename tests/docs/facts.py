@@ -114,7 +114,8 @@ def shapes_of(fact: Fact) -> re.Pattern[str]:
         shapes = [r"\s+".join(re.escape(word) for word in fact.wanted.split())]
     else:
         number = fact.wanted.numerator
-        shapes = [str(number), r"\d+/\d+", r"\d+\.\d+", f"0x0*{number & 0xFFFFFFFF:x}"]
+        digits = f"0*{number}" if number >= 0 else str(number)  # 02 in a row of bytes
+        shapes = [digits, r"\d+/\d+", r"\d+\.\d+", f"0x0*{number & 0xFFFFFFFF:x}"]
     return re.compile("|".join(rf"(?<!\w){shape}(?!\w)" for shape in shapes), re.IGNORECASE)
 
 

@@ -16,7 +16,7 @@ from sbgcgen.model import (
     Message,
     Variable,
 )
-from sbgcgen.model.packed_text import part_of
+from sbgcgen.model.packed_text import part_of, raw_of, text_of
 from sbgcgen.views.rows import Row, rows_of
 
 
@@ -101,6 +101,22 @@ class History:
         for news in self.of_firmware:
             found.setdefault(self.release_of(news.since), []).append(news)
         return [Release(text, tuple(news)) for text, news in found.items()]
+
+    @property
+    def choices(self) -> list[tuple[str, list[tuple[int, str]]]]:
+        """The firmware versions that differ, with their numbers, by release."""
+        found = {news.since.firmware: news.text for news in self.of_firmware}
+        type_ = self._layout.versions.firmware
+        if type_ is not None and self._layout.newest_firmware:
+            newest = self._layout.newest_firmware
+            found.setdefault(newest, text_of(type_, newest))
+        by_release: dict[str, dict[int, str]] = {}
+        for number, text in sorted(found.items()):
+            release = self.release_of(Availability(number, firmware_text=text))
+            whole = raw_of(type_, release) if type_ is not None else None
+            of_release = by_release.setdefault(release, {} if whole is None else {whole: release})
+            of_release[number] = text
+        return [(release, sorted(of.items())) for release, of in by_release.items()]
 
     def release_of(self, since: Availability) -> str:
         """The release to which a firmware version belongs: 2.68 for 2.68b7."""

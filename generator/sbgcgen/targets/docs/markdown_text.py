@@ -113,7 +113,7 @@ def bit_map(packed: Packed) -> str:
         return ""
     bits = 8 * packed.scalar.size
     owners = [
-        next((part.name for part in parts if part.mask >> bit & 1), "") for bit in range(bits)
+        next((part.name for part in parts if part.bits >> bit & 1), "") for bit in range(bits)
     ]
     runs: list[tuple[str, int]] = []
     for owner in reversed(owners):
