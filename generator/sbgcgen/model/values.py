@@ -37,6 +37,12 @@ class Scalar:
     def is_float(self) -> bool:
         return self.minimum is None
 
+    def holds(self, number: int) -> bool:
+        """True if a value of this type can be the number."""
+        if self.minimum is None or self.maximum is None:
+            return True
+        return self.minimum <= number <= self.maximum
+
 
 def _integer(name: str, size: int, signed: bool) -> Scalar:
     bits = 8 * size
