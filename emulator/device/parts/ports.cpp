@@ -61,7 +61,9 @@ void Ports::send_frame(std::size_t port, std::span<const std::uint8_t> frame) {
   if (holds_) to.held.push_back({to.output.size(), frame.size(), {}});
   to.output.insert(to.output.end(), frame.begin(), frame.end());
   ++counters.sent;
-  report(port, {Framing::id(frame.data()), Framing::body(frame.data()), 0}, {});
+  const Frame sent{Framing::id(frame.data()), Framing::body(frame.data()), 0};
+  report(port, sent, {});
+  if (on_sent) on_sent(port, sent);
 }
 
 void Ports::Port::forget_sent() {
