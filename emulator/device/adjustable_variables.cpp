@@ -30,10 +30,9 @@ Outcome report(RequestContext& context, std::uint8_t trigger, std::uint8_t analo
   return context.answer(context.device.slots.state(context.device, trigger, analog));
 }
 
-/// The signal of an input in the widest range; a missing one is reported as undefined.
+/// The signal of an input in the widest range. Assumption: a missing one is reported as centered.
 msg::FineRcSignal fine_signal(std::optional<double> signal) {
-  return signal ? saturated<msg::FineRcSignal>(std::clamp(*signal, -1.0, 1.0))
-                : msg::FineRcSignal(msg::RealtimeDataCustom::undefined);
+  return saturated<msg::FineRcSignal>(std::clamp(signal.value_or(0), -1.0, 1.0));
 }
 
 std::optional<double> signal_of(const Device& device, std::uint16_t source) {
