@@ -51,6 +51,26 @@ std::vector<M> all(const Packets& packets) {
   return result;
 }
 
+/// Returns a request with the values of a new message or, if that has no body, with as few elements
+/// as possible.
+template <Message M>
+M any_request() {
+  M request{};
+  std::array<std::uint8_t, max_body_size> body{};
+  if (encode(request, body)) return request;
+  body = {};
+  EXPECT_TRUE(decode(std::span<const std::uint8_t>(body).first(M::min_size), request));
+  return request;
+}
+
+/// The newest board and firmware, with all features.
+inline emulator::BoardOptions newest_board() {
+  emulator::BoardOptions options;
+  options.board = msg::BoardVersion(36);
+  options.firmware = msg::FirmwareVersion(newest_firmware);
+  return options;
+}
+
 /// A board that has started, and a host on one of its ports.
 class Host {
  public:
