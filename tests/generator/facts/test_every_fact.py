@@ -147,9 +147,8 @@ def test_a_change_shows(path: str, facts: Facts) -> None:
 @pytest.mark.parametrize(
     ("path", "value"),
     [
-        ("main.framing.start", 0x24),
-        ("main.framing.header", ["start", "size", "id", "header_checksum"]),
-        ("main.framing.checksums.*.covers", ["id"]),
+        ("main.framings.*.start", 0x25),
+        ("main.framings.*.checksums.*.covers", ["id"]),
     ],
 )
 def test_the_framing_is_in_the_code_and_in_the_vectors(path: str, value: Any, facts: Facts) -> None:
