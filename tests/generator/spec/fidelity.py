@@ -206,7 +206,7 @@ class Comparison:
             yield Check("board", line, name, define.get("board"), board)
 
     def framing(self) -> Iterator[Check]:
-        framing = self.model["framing"]
+        framing = self.model["framings"][0]  # v1, the only one of the text
         parts = [f for f in self.facts["framing"] if f["part"] != "example"]
         header = [f for f in parts if not f["part"].startswith("body")]
         yield Check("framing", parts[0]["line"], "start", parts[0]["value"], framing["start"])
