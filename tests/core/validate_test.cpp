@@ -87,7 +87,7 @@ TEST(Validate, PathsThroughAxesAndLists) {
   params.axis_top = msg::SensorAxis::z;
   const auto before = violations_of(params);
   params.axes.pitch.invert = 2;
-  params.rc.yaw.rc_lpf = 17;
+  params.rc.yaw.rc_follow = -128;
   params.servo_out[3] = 33;
   Violations added;
   for (const ViolationCopy& violation : violations_of(params)) {
@@ -96,7 +96,7 @@ TEST(Validate, PathsThroughAxesAndLists) {
     }
   }
   EXPECT_EQ(added, (Violations{{"axes.pitch.invert", 2, 1, Rule::maximum},
-                               {"rc.yaw.rc_lpf", 17, 16, Rule::maximum},
+                               {"rc.yaw.rc_follow", -128, -127, Rule::minimum},
                                {"servo_out[3]", 33, 32, Rule::maximum}}));
 }
 

@@ -60,7 +60,7 @@ std::vector<std::size_t> differences(const Settings& a, const Settings& b) {
 
 bool has_no_setting(msg::VariableId id) {
   return id == msg::VariableId::frame_heading_angle ||
-         id == msg::VariableId::gyro_heading_correction;
+         id == msg::VariableId::gyro_heading_correction || id == msg::VariableId::h_corr_factor;
 }
 
 /// Returns the change of the variable for one step of the setting.

@@ -114,6 +114,10 @@ msg::ReadParamsExt2 factory_parameters(std::uint8_t copy) {
   out.auto_pid_cfg = msg::AutoPidFlag::roll | msg::AutoPidFlag::pitch | msg::AutoPidFlag::yaw |
                      msg::AutoPidFlag::send_gui;
   out.auto_pid_gain = 127;
+  out.general_flags2 = msg::GeneralFlags2Bit::save_system_stat;
+  out.auto_speed = 50;
+  out.auto_acc_limiter = msg::AngularAcceleration(100);
+  out.timelapse_time = msg::Seconds(60);
   return out;
 }
 

@@ -121,6 +121,8 @@ class Parameters {
 
   /// Returns the value of the variable; nothing if this board does not have it.
   std::optional<std::int32_t> variable(msg::VariableId id) const;
+  /// The number of variables that this board has.
+  std::uint8_t variable_count() const;
   /// Sets a variable until a restart or save(). Returns false if there is no such variable or the
   /// value is out of range. Afterwards variable() returns exactly this value, even if the
   /// parameters can only approximate it.
@@ -129,10 +131,17 @@ class Parameters {
   std::optional<msg::VariableId> set_variables(std::span<const msg::AdjVarValue> values);
   /// Stores the active parameters in the active profile.
   void save();
+  /// Stores only these variables. Precondition: the board has them.
+  void save(std::span<const msg::VariableId> variables);
 
   /// Restores the factory parameters of one profile, in the EEPROM and the active ones; keeps
   /// general parameters. Precondition: the profile exists.
   void use_defaults(std::uint8_t profile);
+  /// The stored parameters of all profiles, for restore_profiles().
+  std::vector<std::uint8_t> profiles() const;
+  /// Stores and activates them. Returns false, without effect, if they are of another size.
+  bool restore_profiles(std::span<const std::uint8_t> profiles);
+
   /// Erases the whole EEPROM, including files and user data. Activates factory parameters and the
   /// first profile.
   void erase();
@@ -173,6 +182,15 @@ class Parameters {
       if (is_older || (is_as_old && !found)) before += ParametersOf<Other>::copies;
     });
     return layout::parameters + (before + copy) * record_size();
+  }
+  /// Calls `use(address)` for each record that belongs to a profile.
+  template <class Use>
+  static void for_each_record(const Use& use) {
+    ParameterMessages::for_each([&]<class M>(Type<M>) {
+      if constexpr (is_of_profile<M>) {
+        for (std::uint8_t copy = 0; copy < ParametersOf<M>::copies; ++copy) use(place<M>(copy));
+      }
+    });
   }
   template <class M>
   M stored(std::uint8_t copy) const {

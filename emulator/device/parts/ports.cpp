@@ -67,7 +67,9 @@ void Ports::send_frame(std::size_t port, std::span<const std::uint8_t> frame) {
   static_cast<void>(write_frame(to.framing, message.id, message.body, std::span(to.output).subspan(begin)));
   if (holds_) to.held.push_back({begin, to.output.size() - begin, {}});
   ++counters.sent;
-  report(port, frame_at(to.output.data() + begin), {});
+  const Frame sent = frame_at(to.output.data() + begin);
+  report(port, sent, {});
+  if (on_sent) on_sent(port, sent);
 }
 
 void Ports::Port::forget_sent() {

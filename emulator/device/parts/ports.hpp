@@ -105,6 +105,7 @@ class Ports {
 
   Instant now{};  ///< for `on_traffic`
   const std::function<void(const Board::Traffic&)>* on_traffic{};
+  std::function<void(std::size_t port, const Frame& frame)> on_sent{};  ///< each frame to a host
   BoardCounters counters{};
 
   void report(std::size_t port, const Frame& frame, std::optional<Outcome> outcome) const;

@@ -5,6 +5,7 @@ It holds every size, offset, name and reference. Targets print them and never co
 
 from sbgcgen.model.position import NOWHERE, Position
 from sbgcgen.model.values import (
+    Alias,
     Availability,
     Deprecation,
     Enum,
@@ -71,6 +72,7 @@ __all__ = [
     "SIZE",
     "START",
     "Addition",
+    "Alias",
     "Alternative",
     "Announced",
     "Announcement",

@@ -10,6 +10,7 @@ from typing import Any, Union
 from sbgcgen.model.position import NOWHERE, Position
 from sbgcgen.model.values import (
     SCALARS,
+    Alias,
     Availability,
     Deprecation,
     Enum,
@@ -39,6 +40,10 @@ class FieldRule:
     high: str
     is_strict: bool
     at: Position = field(default=NOWHERE, compare=False, repr=False)
+
+    def text(self, path: str) -> str:
+        """The rule with the paths of its fields, which are at the level of `path`."""
+        return f"{path}{self.low} {'<' if self.is_strict else '<='} {path}{self.high}"
 
 
 @dataclass(frozen=True)
@@ -259,7 +264,7 @@ class Field:
     counting: str = "elements"
     default: int = 0
     constant: bool = False
-    aliases: tuple[Identifier, ...] = ()
+    aliases: tuple[Alias, ...] = ()
     unconfirmed: bool = False
     at: Position = field(default=NOWHERE, compare=False, repr=False)
 

@@ -79,4 +79,5 @@ class Variable:
     settings: tuple[VariableSetting, ...] = ()
     is_switch: bool = False
     since: Availability = Availability()
+    unconfirmed: bool = False
     at: Position = field(default=NOWHERE, compare=False, repr=False)

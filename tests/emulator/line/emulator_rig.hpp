@@ -61,7 +61,7 @@ struct Bench {
 
 inline std::size_t frames_in(const Bytes& bytes, msg::CommandFromBoard id) {
   std::size_t result = 0;
-  Parser parser;
+  ParserOfAll parser;
   parser.feed(bytes, [&](const Frame& frame) {
     result += frame.id == static_cast<std::uint8_t>(id) ? 1U : 0U;
   });

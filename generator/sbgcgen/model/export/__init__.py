@@ -101,7 +101,7 @@ def _command(command: Command) -> dict[str, Any]:
         "documented": not command.undocumented,
     }
     if command.aliases:
-        result["formerly"] = [alias.name for alias in command.aliases]
+        result["formerly"] = [alias.spec_name for alias in command.aliases]
     if command.unconfirmed:
         result["unconfirmed"] = True
     return result

@@ -77,6 +77,7 @@ class VariableResolver:
             ),
             is_switch=is_switch,
             since=self.types.availability(node),
+            unconfirmed=bool(node.get("unconfirmed", False)),
             at=at,
         )
 
