@@ -149,7 +149,7 @@ def _condition(facts: Facts) -> Facts:
 
 def _layout(facts: Facts) -> Facts:
     """Formerly, there was one framing."""
-    return facts if "framings" in facts else {**facts, "framings": (facts["framing"],)}
+    return {**facts, "framings": (facts["framing"],)} if "framing" in facts else facts
 
 
 _UPGRADES: dict[str, Callable[[Facts], Facts]] = {

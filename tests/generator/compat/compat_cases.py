@@ -165,11 +165,11 @@ CASES: dict[str, Case] = {
         WIRE,
         "message State: keeps its tail: yes → no",
     ),
-    "start byte": ([("start: 0x3E", "start: 0x24")], WIRE, "framing: start: 62 → 36"),
+    "start byte": ([("start: 0x3E", "start: 0x24")], WIRE, "framing v1: start: 62 → 36"),
     "order of the header": (
         [("header: [start, id, size,", "header: [start, size, id,")],
         WIRE,
-        "framing: header: start, id, size, header_checksum → start, size, id, header_checksum",
+        "framing v1: header: start, id, size, header_checksum → start, size, id, header_checksum",
     ),
     "bytes of a checksum": (
         [
@@ -179,7 +179,7 @@ CASES: dict[str, Case] = {
             )
         ],
         WIRE,
-        "framing: body_checksum: covers: body → id, body",
+        "framing v1: body_checksum: covers: body → id, body",
     ),
     "variable's id": ([("TRIM: {id: 1", "TRIM: {id: 2")], WIRE, "variable TRIM: id: 1 → 2"),
     "variable's type": (
