@@ -14,6 +14,7 @@ from sbgcgen.oracle.compose import (
     Places,
     all_types,
     compose,
+    counter_size,
     documented_length,
     first_that_fits,
     full_context,
@@ -141,6 +142,14 @@ class _Maker:
             case: dict[str, Any] = {"context": full_context(self.message)}
             if member.when and not member.when.from_context:
                 case["forced"] = {member.when.source: satisfying(member.when)[0]}
+            if member.counting == "bits":
+                prefix = path[: len(path) - len(member.name)]
+                masks = (0, 1, (1 << 8 * counter_size(beside, member)) - 1)
+                for mask in masks:
+                    forced = {**case.get("forced", {}), f"{prefix}{member.counter}": mask}
+                    choice = self.choice(**{**case, "forced": forced})
+                    self.add(choice, f"{path} with an element for each bit of {mask:#x}")
+                continue
             if member.dim in ("counted", "rest") and not path.endswith("[]"):
                 documented = documented_length(beside, member)
                 least = member.min_count
@@ -164,18 +173,14 @@ class _Maker:
         """Tails, as later firmware appends them: one byte, and as many as fit."""
         if not self.message.keeps_tail:
             return
-        context = full_context(self.message)
-        short = [self.choice(short=True, context=c) for c in (context, {})]
-        body = first_that_fits(self.message, *short)
+        context, body = self.whole(short=True)
         for size in sorted({1, 255 - len(body)}):
             tail = bytes((251 * i + 165) % 256 for i in range(size))
             self.add_body(body + tail, context, f"a tail of {size} bytes")
 
     def truncated(self) -> None:
         """Truncated bodies, one for each distinct error, and one body that is too long."""
-        context = full_context(self.message)
-        choices = [self.choice(context=context), self.choice(short=True, context=context)]
-        whole = first_that_fits(self.message, *choices, self.choice(short=True))
+        context, whole = self.whole()
         reported: set[tuple[str, str]] = set()
         for size in (len(whole) + 1, *range(len(whole) - 1, -1, -1)):
             body = (whole + b"\x5a")[:size]
@@ -211,6 +216,17 @@ class _Maker:
                 self.add_refused({**absent, source: value}, f"missing for this {source}")
 
     # Inputs
+
+    def whole(self, short: bool = False) -> tuple[Fields, bytes]:
+        """A body with as many fields as fit, and its context."""
+        for context in (full_context(self.message), typical_context(self.message), {}):
+            for is_short in (True,) if short else (False, True):
+                try:
+                    choice = self.choice(short=is_short, context=context)
+                    return context, encode(self.message, compose(self.message, choice))
+                except CodecError:
+                    continue
+        raise AssertionError(f"no body of {self.message.name} fits")
 
     def value_of_no_condition(self, source: str) -> Optional[int]:
         """A value of a field that satisfies no condition on it; None if there is none."""
