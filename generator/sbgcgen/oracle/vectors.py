@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, Optional
 
-from sbgcgen.model import Message, conditions
+from sbgcgen.model import Blob, Message, conditions
 from sbgcgen.oracle.codec import CodecError, Fields
 from sbgcgen.oracle.compose import (
     Choice,
@@ -24,6 +24,7 @@ from sbgcgen.oracle.compose import (
 )
 from sbgcgen.oracle.decoding import decode
 from sbgcgen.oracle.encoding import encode
+from sbgcgen.oracle.room import has_room
 
 
 @dataclass(frozen=True)
@@ -156,7 +157,9 @@ class _Maker:
                 lengths = {0, 1, max(0, least - 1), least, documented, member.capacity}
             else:
                 empty = self.choice(short=True, lengths={path: 0}, **case)
-                lengths = {0, 1, 255 - len(first_that_fits(self.message, empty))}
+                rest = 255 - len(first_that_fits(self.message, empty))
+                assert isinstance(member.type, Blob)
+                lengths = {0, 1, min(rest, member.type.size or rest)}
             for length in sorted(lengths):
                 choice = self.choice(short=True, lengths={path: length}, **case)
                 self.add(choice, f"{path} of length {length}")
@@ -275,7 +278,9 @@ class _Maker:
             self._add(Vector(self.message, why, body, fields, context))
 
     def add_refused(self, fields: Fields, why: str) -> None:
-        """Add fields with the error of encoding them, if there is one."""
+        """Add fields with the error of encoding them, if there is one and they can be held."""
+        if not has_room(self.message.fields, fields):
+            return
         try:
             encode(self.message, fields)
         except CodecError as error:
