@@ -51,10 +51,10 @@ TEST(Validate, MaximumAndSpecialValues) {
 
 TEST(Validate, Count) {
   msg::BeepSound message = good_beep();
-  while (message.note_freq_hz.size() < 30) message.note_freq_hz.push_back(msg::NoteFrequency(1000));
+  while (message.note_freq_hz.size() < 50) message.note_freq_hz.push_back(msg::NoteFrequency(1000));
   EXPECT_EQ(violations_of(message), Violations{});
   message.note_freq_hz.push_back(msg::NoteFrequency(1000));
-  EXPECT_EQ(violations_of(message), (Violations{{"note_freq_hz", 31, 30, Rule::count}}));
+  EXPECT_EQ(violations_of(message), (Violations{{"note_freq_hz", 51, 50, Rule::count}}));
 }
 
 TEST(Validate, FewestElements) {

@@ -1,6 +1,5 @@
 // Tests of a session that changes its framing.
 
-#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -28,10 +27,13 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
+constexpr std::uint8_t get_angles = 73;
+
 /// A board that answers each request in its framing, if it knows that.
 void answer(Simulation& line, const Written& request, Framing newest = Framing::v2) {
   if (request.framing > newest) return;
-  line.say_bytes(frame_of(request.id, body_of(18), request.framing));
+  const std::size_t size = request.id == board_info || request.id == get_angles ? 18 : 54;
+  line.say_bytes(frame_of(request.id, body_of(size), request.framing));
 }
 
 std::vector<Framing> framings_of(const std::vector<Written>& written) {
@@ -122,7 +124,6 @@ TEST(SessionFraming, ATrialLosesNoFrameOfEither) {
 // A request before the trial is answered in the old framing, one after it in the new one.
 TEST(SessionFraming, NothingIsInFlightDuringATrial) {
   Simulation line;
-  std::vector<std::pair<std::uint8_t, std::size_t>> open;
   line.board = [&](const Written& request) { answer(line, request); };
   const Handle before = line.send(sbgc::msg::GetAnglesRequest{});
   const Handle trial = try_v2(line);

@@ -97,6 +97,7 @@ class Decoding {
     line["frame"] = decoded.to_json();
     line["size"] = frame_size(frame.framing, frame.body.size());
     line["body"] = frame_header_size;
+    line["checksum"] = frame_header_size + frame.body.size();
     line["rows"] = rows_of(decoded);
     if (!decoded.status) line["reason"] = text(decoded.status.code);
     add_line(out, line);
