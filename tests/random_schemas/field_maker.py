@@ -105,8 +105,6 @@ class FieldMaker(TypeMaker):
             if self.chance(0.2):
                 lowest = str(node.get("range", INTEGERS[kind.number][1])).partition("..")[0]
                 node["typical"] = int(lowest)
-        if self.chance(0.1) and not scope.in_message:  # in a message, it would be appended
-            node["since"] = self.since()
         if self.chance(0.1):
             node["deprecated"] = self.random.choice((True, {"since": self.since()}))
         self.grow(node, kind)
@@ -121,14 +119,16 @@ class FieldMaker(TypeMaker):
     def grow(self, node: Node, kind: Kind) -> None:
         """Adds what later firmware says about a field: a default, a former name, doubts."""
         if kind.number in INTEGERS and not {"special", "align", "typical"} & set(node):
-            low, high = INTEGERS[kind.number]
-            if "range" in node:
-                low, high = map(int, node["range"].split("..")) if kind.number else (low, high)
-            names = [name for name, _ in kind.values] if not kind.is_flags else []
-            if self.chance(0.1):
-                node["default"] = self.random.choice([low, high, *names])
-            elif self.chance(0.05) and "range" not in node:
-                node["constant"] = self.random.choice((low, high))
+            known: list[Any] = [name for name, _ in kind.values]
+            if kind.name in INTEGERS:
+                limits = node.get("range", "%d..%d" % INTEGERS[kind.name])
+                known = [int(limit) for limit in limits.split("..")]
+            elif "range" in node:
+                known = []
+            if known and self.chance(0.1):
+                node["default"] = self.random.choice(known)
+            elif known and self.chance(0.05) and "range" not in node:
+                node["constant"] = self.random.choice(known)
         if self.chance(0.1) and node["name"].isidentifier():
             node["was"] = self.unique("FORMER_NAME_")
         if self.chance(0.1):
