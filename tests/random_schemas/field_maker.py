@@ -259,7 +259,7 @@ class FieldMaker(TypeMaker):
         if MAX_BODY // max(1, kind.least) * kind.memory > MAX_MEMORY:
             kind = self.number_kind()
         counter, number = self.field_name(), self.random.choice(UNSIGNED)
-        node = {"name": counter, "type": number}
+        node: Node = {"name": counter, "type": number}
         if self.chance(0.5):
             node["range"] = f"0..{self.random.choice((1, 2, 3))}"
         scope.add(self.said(node), SIZES[number], 0, True)
@@ -350,8 +350,8 @@ class FieldMaker(TypeMaker):
             node: Node = {"name": name, "type": kind.name, "when": self.condition(inner)}
             inner.fields.append(self.decorate(node, kind, inner))
         if not inner.fields:
-            node = {"name": "ONLY", "type": "u8", "when": self.condition(inner)}
-            inner.fields.append(self.said(node))
+            only: Node = {"name": "ONLY", "type": "u8", "when": self.condition(inner)}
+            inner.fields.append(self.said(only))
         node = {"name": self.field_name(), "struct": self.unique("Region"), "size": size}
         scope.add(self.said({**node, "fields": inner.fields}), size, 50, True)
         scope.has_region = True

@@ -107,7 +107,7 @@ class SpecMaker(MessageMaker):
     def framings(self) -> Node:
         """Returns the framing with sums, perhaps also the one with a CRC."""
         header = {"kind": "sum8", "covers": ["id", "size"]}
-        crc = {"kind": "crc16", "covers": ["id", "size", "header_checksum", "body"]}
+        crc: Node = {"kind": "crc16", "covers": ["id", "size", "header_checksum", "body"]}
         crc |= {"polynomial": 0x8005, "initial": 0, "final_xor": 0, "check": 0xBCDD}
         crc |= {"reflect_in": True, "reflect_out": False}
         common = {

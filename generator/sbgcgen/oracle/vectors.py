@@ -222,7 +222,8 @@ class _Maker:
 
     def whole(self, short: bool = False) -> tuple[Fields, bytes]:
         """A body with as many fields as fit, and its context."""
-        for context in (full_context(self.message), typical_context(self.message), {}):
+        contexts: list[Fields] = [full_context(self.message), typical_context(self.message), {}]
+        for context in contexts:
             for is_short in (True,) if short else (False, True):
                 try:
                     choice = self.choice(short=is_short, context=context)

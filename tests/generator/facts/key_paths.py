@@ -96,9 +96,9 @@ def nodes(spec: Spec, definition: str) -> Iterator[Any]:
     for place in places(spec):
         _, schema = resolved(place.schema)
         if isinstance(place.value, list) and "items" in schema:
-            found = ((schema["items"], item) for item in list(place.value))
+            found = [(schema["items"], item) for item in place.value]
         else:
-            found = iter([(place.schema, place.value)])
+            found = [(place.schema, place.value)]
         for own, value in found:
             name, inner = resolved(own)
             names = (name, *(resolved(branch)[0] for branch in inner.get("anyOf", ())))

@@ -39,7 +39,9 @@ def values_named(layout: Layout, id_: int, direction: str, body: bytes, name: st
     """Returns what a body has under a name of the protocol."""
     message = choose_message(forms_of(layout), direction, id_, len(body))
     fields: Fields = decode(message, body)
-    paths = [leaf.path for leaf in message.leaves if leaf.spec_name == name and "[]" not in leaf.path]
+    paths = [
+        leaf.path for leaf in message.leaves if leaf.spec_name == name and "[]" not in leaf.path
+    ]
     found = []
     for path in paths:
         value: Any = fields
