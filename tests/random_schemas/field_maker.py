@@ -105,10 +105,9 @@ class FieldMaker(TypeMaker):
             if self.chance(0.2):
                 lowest = str(node.get("range", INTEGERS[kind.number][1])).partition("..")[0]
                 node["typical"] = int(lowest)
-        if self.chance(0.1) and not scope.in_message:  # in a message, it would be appended
-            node["since"] = self.since()
         if self.chance(0.1):
             node["deprecated"] = self.random.choice((True, {"since": self.since()}))
+        self.grow(node, kind)
         alike = [k for k in self.quantities if (k.number, k.unit) == (kind.number, kind.unit)]
         others = [k for k in alike if k != kind]
         if kind.is_quantity and others and scope.flags and scope.in_message and self.chance(0.4):
@@ -116,6 +115,41 @@ class FieldMaker(TypeMaker):
             other = self.random.choice(others).name
             node["alternative"] = {"type": other, "of": of, "flag": flag}
         return self.said(node)
+
+    def grow(self, node: Node, kind: Kind) -> None:
+        """Adds what later firmware says about a field: a default, a former name, doubts."""
+        if kind.number in INTEGERS and not {"special", "align", "typical"} & set(node):
+            known: list[Any] = [name for name, _ in kind.values]
+            if kind.name in INTEGERS:
+                limits = node.get("range", "%d..%d" % INTEGERS[kind.name])
+                known = [int(limit) for limit in limits.split("..")]
+            elif "range" in node:
+                known = []
+            if known and self.chance(0.1):
+                node["default"] = self.random.choice(known)
+            elif known and self.chance(0.05) and "range" not in node:
+                node["constant"] = self.random.choice(known)
+        if self.chance(0.1) and node["name"].isidentifier():
+            node["was"] = self.unique("FORMER_NAME_")
+        if self.chance(0.1):
+            node["unconfirmed"] = True
+
+    def rules(self, fields: list[Node]) -> list[str]:
+        """Returns a rule for two fields of the same type and number, if there are such."""
+        plain = [f for f in fields if f.get("type") in INTEGERS and f["name"].isidentifier()]
+        plain = [f for f in plain if "when" not in f and "since" not in f and "constant" not in f]
+        pairs = [
+            (one["name"], other["name"])
+            for one in plain
+            for other in plain
+            if one is not other and one["type"] == other["type"]
+        ]
+        counters = {f["name"].partition("[")[2].rstrip("]") for f in fields if "name" in f}
+        pairs = [pair for pair in pairs if not set(pair) & counters]
+        if not pairs or self.chance(0.5):
+            return []
+        low, high = self.random.choice(pairs)
+        return [f"{low} {self.random.choice(('<', '<='))} {high}"]
 
     def add_number(self, scope: Scope) -> None:
         """Adds a number, once or several times."""
@@ -225,7 +259,7 @@ class FieldMaker(TypeMaker):
         if MAX_BODY // max(1, kind.least) * kind.memory > MAX_MEMORY:
             kind = self.number_kind()
         counter, number = self.field_name(), self.random.choice(UNSIGNED)
-        node = {"name": counter, "type": number}
+        node: Node = {"name": counter, "type": number}
         if self.chance(0.5):
             node["range"] = f"0..{self.random.choice((1, 2, 3))}"
         scope.add(self.said(node), SIZES[number], 0, True)
@@ -279,7 +313,11 @@ class FieldMaker(TypeMaker):
         if not inner.fields:
             self.add_number(inner)
         kind = Kind(name, inner.least, inner.memory + 8, inner.fixed, needs_family=family)
-        return replace(kind, takes_rest=inner.takes_rest), {"fields": inner.fields}
+        node: Node = {"fields": inner.fields}
+        rules = self.rules(inner.fields)
+        if rules:
+            node["rules"] = rules
+        return replace(kind, takes_rest=inner.takes_rest), node
 
     def add_variable_value(self, scope: Scope) -> None:
         """Adds the value of an adjustable variable."""
@@ -311,6 +349,9 @@ class FieldMaker(TypeMaker):
             name = "REST_OF_IT" if (name := self.field_name()) == "REST" else name
             node: Node = {"name": name, "type": kind.name, "when": self.condition(inner)}
             inner.fields.append(self.decorate(node, kind, inner))
+        if not inner.fields:
+            only: Node = {"name": "ONLY", "type": "u8", "when": self.condition(inner)}
+            inner.fields.append(self.said(only))
         node = {"name": self.field_name(), "struct": self.unique("Region"), "size": size}
         scope.add(self.said({**node, "fields": inner.fields}), size, 50, True)
         scope.has_region = True

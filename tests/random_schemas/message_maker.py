@@ -134,12 +134,29 @@ class MessageMaker(FieldMaker):
                 content["tail"] = self.random.choice(("keep", "refuse"))
             if not scope.fixed and self.chance(0.2):
                 content["max_size"] = MAX_BODY
+            if scope.fixed and scope.least and self.chance(0.3):
+                self.name_reserved(scope, content)
+            rules = self.rules(scope.fields)
+            if rules:
+                content["rules"] = rules
+            if self.chance(0.1):
+                content["unconfirmed"] = True
             node[direction] = self.side(direction, name, content, scope)
             if self.chance(0.5):  # named after the command
                 del node[direction]["as"]
                 name = command.removeprefix("CMD_")
                 name += "Request" if both and direction == "to_board" else ""
             self.add_body(name, scope, direction)
+
+    def name_reserved(self, scope: Scope, content: Node) -> None:
+        """States the size of the body in every firmware: its last fields had no names before."""
+        content["size"] = scope.least
+        kind = self.number_kind()
+        more = self.said({"name": self.field_name(), "type": kind.name})
+        more["since"] = {"firmware": self.random.choice(("2.90", "2.91"))}
+        if kind.least <= scope.budget:
+            scope.add(more, kind.least, kind.memory, True)
+            content["size"] += kind.least
 
     def add_forms(self) -> None:
         """Adds a command with several forms, distinguished by size."""

@@ -21,6 +21,7 @@ from sbgcgen.oracle.frames import choose_message, forms_of
 from sbgcgen.oracle.vector_line import line
 from sbgcgen.oracle.json_values import integer_of
 from sbgcgen.oracle.vectors import Vector
+from sbgcgen.oracle.room import has_room
 
 MAX_BODY = 255
 
@@ -67,6 +68,8 @@ class RandomMessages:
             try:
                 body = encode(self.message, fields)
             except CodecError as error:
+                if not has_room(self.message.fields, fields):
+                    return None
                 return Vector(self.message, "changed fields", None, fields, {}, error)
             return self.decoded(body, context, "changed fields")
         try:

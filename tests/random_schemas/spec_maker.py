@@ -98,22 +98,34 @@ class SpecMaker(MessageMaker):
         return {
             **({"line": line} if self.chance(0.7) else {}),
             "protocol": {"name": "Random", "revision": "1"},
-            "framing": {
-                "start": 0x3E,
-                "header": ["start", "id", "size", "header_checksum"],
-                "max_body": MAX_BODY,
-                "trailer": ["body_checksum"],
-                "checksums": {
-                    "header_checksum": {"kind": "sum8", "covers": ["id", "size"]},
-                    "body_checksum": {"kind": "sum8", "covers": ["body"]},
-                },
-                "source": "Framing L1",
-                "errata": ["E001"],
-            },
+            "framings": self.framings(),
             "versions": {"firmware": "FirmwareVersion", "board": "BoardVersion"},
             "indices": {"axis": ["ROLL", "PITCH", "YAW"], "xyz": ["X", "Y", "Z"]},
             "families": list(self.families),
         }
+
+    def framings(self) -> Node:
+        """Returns the framing with sums, perhaps also the one with a CRC."""
+        header = {"kind": "sum8", "covers": ["id", "size"]}
+        crc: Node = {"kind": "crc16", "covers": ["id", "size", "header_checksum", "body"]}
+        crc |= {"polynomial": 0x8005, "initial": 0, "final_xor": 0, "check": 0xBCDD}
+        crc |= {"reflect_in": True, "reflect_out": False}
+        common = {
+            "header": ["start", "id", "size", "header_checksum"],
+            "max_body": MAX_BODY,
+            "source": "Framing L1",
+            "errata": ["E001"],
+        }
+        first = {"header_checksum": header, "body_checksum": {"kind": "sum8", "covers": ["body"]}}
+        second = {"header_checksum": header, "frame_checksum": crc}
+        found: Node = {
+            "v1": {"start": 0x3E, **common, "trailer": ["body_checksum"], "checksums": first}
+        }
+        if self.chance(0.7):
+            since = {"firmware": "2.68"}
+            found["v2"] = {"start": 0x24, "since": since, **common, "trailer": ["frame_checksum"]}
+            found["v2"]["checksums"] = second
+        return found
 
     def errata_file(self) -> Node:
         """Returns errata.yaml."""

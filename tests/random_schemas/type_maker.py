@@ -161,6 +161,12 @@ class TypeMaker:
                 content[key]["ours"] = True
             if self.chance(0.2):
                 content[key]["since"] = self.since()
+            elif self.chance(0.1):
+                content[key]["before"] = {"firmware": "2.60", "summary": "Something else."}
+            if self.chance(0.1):
+                content[key]["was"] = self.unique("FORMER_VALUE_")
+            if self.chance(0.1):
+                content[key]["unconfirmed"] = True
         node = {"type": number, "values": content}
         if self.chance(0.5) and any(key.startswith(prefix) for key in content):
             node["prefix"] = prefix
@@ -215,7 +221,7 @@ class TypeMaker:
             part["type"] = self.make_flags(number, width).name
         elif what < 0.5:
             part["type"] = self.make_flags_in_place(number, bit, width).name
-        elif what < 0.6 and not in_place:
+        elif what < 0.6 and not in_place and width > 1:
             part["signed"] = True
         elif what < 0.7 and not in_place and width > 1:
             part["bits"] = f"{bit}..{bit + width - 2}" if width > 2 else bit
@@ -270,4 +276,6 @@ class TypeMaker:
             kind = self.random.choice(kinds)
             low, high = sorted(self.random.randint(*INTEGERS[kind.number]) for _ in range(2))
             node = {"id": identity, "type": kind.name, "range": f"{low}..{high}"}
+            if self.chance(0.3):
+                node["since"] = self.since()
             self.section(self.any_family(), "variables")[self.unique("VARIABLE_")] = self.said(node)

@@ -155,8 +155,9 @@ def compare_cases(owner: str, old: Fields, new: Fields, changes: Changes) -> Non
     for before, now in pairs:
         if where_old[id(before)] != where_new[id(now)]:
             label = f"{owner}.{now.spec_name}: place"
-            texts = (len(where_old[id(before)]), len(where_new[id(now)]))
-            changes.add(Level.WIRE, label, *(f"after {n} others" for n in texts), now.at)
+            counts = (len(where_old[id(before)]), len(where_new[id(now)]))
+            was, is_ = f"after {counts[0]} others", f"after {counts[1]} others"
+            changes.add(Level.WIRE, label, was, is_, now.at)
     kept = {id(before) for before, _ in pairs}
     for field in old:
         if id(field) not in kept and not _is_padding(field):
@@ -172,8 +173,10 @@ def compare_cases(owner: str, old: Fields, new: Fields, changes: Changes) -> Non
 def compare_structs(owner: str, old: Struct, new: Struct, changes: Changes) -> None:
     """Compare the fields and rules of two structs."""
     compare_rules(owner, old, new, changes)
-    compare = compare_cases if old.is_region and new.is_region else compare_fields
-    compare(owner, old.fields, new.fields, changes)
+    if old.is_region and new.is_region:
+        compare_cases(owner, old.fields, new.fields, changes)
+    else:
+        compare_fields(owner, old.fields, new.fields, changes)
 
 
 def compare_fields(
@@ -333,7 +336,9 @@ def _compare_defaults(label: str, old: Field, new: Field, changes: Changes) -> N
 
 def compare_rules(what: str, old: Struct, new: Struct, changes: Changes) -> None:
     """Another rule makes values invalid that were valid."""
-    before, now = [{f"{r.low} {'<' if r.is_strict else '<='} {r.high}" for r in s.rules} for s in (old, new)]
+    before, now = [
+        {f"{r.low} {'<' if r.is_strict else '<='} {r.high}" for r in s.rules} for s in (old, new)
+    ]
     for rule in sorted(now - before):
         changes.added(f"{what}: rule", new.at, rule, Level.MEANING)
     for rule in sorted(before - now):

@@ -183,9 +183,10 @@ class Condition:
         if value is None:
             return False
         if self.is_on_flags:
+            known = value
 
             def has(flag: EnumValue) -> bool:
-                return value & flag.value == flag.value
+                return known & flag.value == flag.value
 
             return (
                 all(map(has, self.flags))

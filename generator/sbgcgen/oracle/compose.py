@@ -19,7 +19,7 @@ from sbgcgen.model import (
     conditions,
     element_of,
 )
-from sbgcgen.oracle.codec import LISTS, CodecError, Fields, is_bytes, keys_of
+from sbgcgen.oracle.codec import LISTS, CodecError, Fields, is_bytes, keys_of, scalar_of
 from sbgcgen.oracle.edges import Edge, counting, edges
 from sbgcgen.oracle.encoding import counter_of, encode
 from sbgcgen.oracle.typical import typical
@@ -146,6 +146,12 @@ def variable_parts(
             yield name + "[]" * is_list, member, fields
         elif isinstance(member.type, Struct) and member.type.size is None:
             yield from variable_parts(member.type.fields, f"{name}{'[]' * is_list}.")
+
+
+def counter_size(beside: tuple[Field, ...], member: Field) -> int:
+    """The size of the field whose bits count the elements of a list."""
+    counter = next(other for other in beside if other.name == member.counter)
+    return scalar_of(counter.type).size
 
 
 def documented_length(beside: tuple[Field, ...], member: Field) -> int:

@@ -7,13 +7,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, Optional
 
-from sbgcgen.model import Message, conditions
+from sbgcgen.model import Blob, Message, conditions
 from sbgcgen.oracle.codec import CodecError, Fields
 from sbgcgen.oracle.compose import (
     Choice,
     Places,
     all_types,
     compose,
+    counter_size,
     documented_length,
     first_that_fits,
     full_context,
@@ -23,6 +24,7 @@ from sbgcgen.oracle.compose import (
 )
 from sbgcgen.oracle.decoding import decode
 from sbgcgen.oracle.encoding import encode
+from sbgcgen.oracle.room import has_room
 
 
 @dataclass(frozen=True)
@@ -141,13 +143,23 @@ class _Maker:
             case: dict[str, Any] = {"context": full_context(self.message)}
             if member.when and not member.when.from_context:
                 case["forced"] = {member.when.source: satisfying(member.when)[0]}
+            if member.counting == "bits":
+                prefix = path[: len(path) - len(member.name)]
+                masks = (0, 1, (1 << 8 * counter_size(beside, member)) - 1)
+                for mask in masks:
+                    forced = {**case.get("forced", {}), f"{prefix}{member.counter}": mask}
+                    choice = self.choice(**{**case, "forced": forced})
+                    self.add(choice, f"{path} with an element for each bit of {mask:#x}")
+                continue
             if member.dim in ("counted", "rest") and not path.endswith("[]"):
                 documented = documented_length(beside, member)
                 least = member.min_count
                 lengths = {0, 1, max(0, least - 1), least, documented, member.capacity}
             else:
                 empty = self.choice(short=True, lengths={path: 0}, **case)
-                lengths = {0, 1, 255 - len(first_that_fits(self.message, empty))}
+                rest = 255 - len(first_that_fits(self.message, empty))
+                assert isinstance(member.type, Blob)
+                lengths = {0, 1, min(rest, member.type.size or rest)}
             for length in sorted(lengths):
                 choice = self.choice(short=True, lengths={path: length}, **case)
                 self.add(choice, f"{path} of length {length}")
@@ -164,18 +176,14 @@ class _Maker:
         """Tails, as later firmware appends them: one byte, and as many as fit."""
         if not self.message.keeps_tail:
             return
-        context = full_context(self.message)
-        short = [self.choice(short=True, context=c) for c in (context, {})]
-        body = first_that_fits(self.message, *short)
+        context, body = self.whole(short=True)
         for size in sorted({1, 255 - len(body)}):
             tail = bytes((251 * i + 165) % 256 for i in range(size))
             self.add_body(body + tail, context, f"a tail of {size} bytes")
 
     def truncated(self) -> None:
         """Truncated bodies, one for each distinct error, and one body that is too long."""
-        context = full_context(self.message)
-        choices = [self.choice(context=context), self.choice(short=True, context=context)]
-        whole = first_that_fits(self.message, *choices, self.choice(short=True))
+        context, whole = self.whole()
         reported: set[tuple[str, str]] = set()
         for size in (len(whole) + 1, *range(len(whole) - 1, -1, -1)):
             body = (whole + b"\x5a")[:size]
@@ -211,6 +219,18 @@ class _Maker:
                 self.add_refused({**absent, source: value}, f"missing for this {source}")
 
     # Inputs
+
+    def whole(self, short: bool = False) -> tuple[Fields, bytes]:
+        """A body with as many fields as fit, and its context."""
+        contexts: list[Fields] = [full_context(self.message), typical_context(self.message), {}]
+        for context in contexts:
+            for is_short in (True,) if short else (False, True):
+                try:
+                    choice = self.choice(short=is_short, context=context)
+                    return context, encode(self.message, compose(self.message, choice))
+                except CodecError:
+                    continue
+        raise AssertionError(f"no body of {self.message.name} fits")
 
     def value_of_no_condition(self, source: str) -> Optional[int]:
         """A value of a field that satisfies no condition on it; None if there is none."""
@@ -259,7 +279,9 @@ class _Maker:
             self._add(Vector(self.message, why, body, fields, context))
 
     def add_refused(self, fields: Fields, why: str) -> None:
-        """Add fields with the error of encoding them, if there is one."""
+        """Add fields with the error of encoding them, if there is one and they can be held."""
+        if not has_room(self.message.fields, fields):
+            return
         try:
             encode(self.message, fields)
         except CodecError as error:

@@ -94,10 +94,16 @@ def places(spec: Spec) -> Iterator[Place]:
 def nodes(spec: Spec, definition: str) -> Iterator[Any]:
     """Yields the mappings of a spec that have a definition of the schema."""
     for place in places(spec):
-        name, schema = resolved(place.schema)
-        names = (name, *(resolved(branch)[0] for branch in schema.get("anyOf", ())))
-        if definition in names and isinstance(place.value, dict):
-            yield place.value
+        _, schema = resolved(place.schema)
+        if isinstance(place.value, list) and "items" in schema:
+            found = [(schema["items"], item) for item in place.value]
+        else:
+            found = [(place.schema, place.value)]
+        for own, value in found:
+            name, inner = resolved(own)
+            names = (name, *(resolved(branch)[0] for branch in inner.get("anyOf", ())))
+            if definition in names and isinstance(value, dict):
+                yield value
 
 
 def _walk(schema: Schema, node: Any, path: str) -> Iterator[Place]:

@@ -86,14 +86,24 @@ class Facts:
             yield from self.uses(path, **TABLE["unused"][path])
 
     def uses(
-        self, path: str, value: Any, beside: Optional[dict[str, Any]] = None, having: str = ""
+        self,
+        path: str,
+        value: Any,
+        beside: Optional[dict[str, Any]] = None,
+        having: str = "",
+        named: str = "",
+        without: str = "",
     ) -> Iterator[tuple[Made, Made]]:
         """Yields the output with a key that the spec does not use, and without it."""
         definition, _, key = path.rpartition(".")
         for node in nodes(self.spec, definition):
-            if having and having not in node:
+            if having and having not in node or named not in str(node.get("name", "")):
+                continue
+            if without and without not in node:
                 continue
             with ExitStack() as stack:
+                if without:
+                    stack.enter_context(changed(node, without, ABSENT))
                 for other, content in (beside or {}).items():
                     stack.enter_context(changed(node, other, content))
                 before = self.before
@@ -145,15 +155,19 @@ def test_a_change_shows(path: str, facts: Facts) -> None:
 
 
 @pytest.mark.parametrize(
-    ("path", "value"),
+    ("path", "value", "times"),
     [
-        ("main.framings.*.start", 0x25),
-        ("main.framings.*.checksums.*.covers", ["id"]),
+        ("main.framings.*.start", 0x25, 1),
+        ("main.framings.*.header", ["start", "size", "id", "header_checksum"], 2),
+        ("main.framings.*.checksums.*.covers", ["id"], 1),
     ],
 )
-def test_the_framing_is_in_the_code_and_in_the_vectors(path: str, value: Any, facts: Facts) -> None:
-    place = facts.places[path][0]
-    with changed(place.parent, place.key, value):
+def test_the_framing_is_in_the_code_and_in_the_vectors(
+    path: str, value: Any, times: int, facts: Facts
+) -> None:
+    with ExitStack() as stack:
+        for place in facts.places[path][:times]:
+            stack.enter_context(changed(place.parent, place.key, value))
         made = facts.made()
         assert made.model != facts.before.model and not made.is_refused
         assert (
