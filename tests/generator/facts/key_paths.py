@@ -94,10 +94,17 @@ def places(spec: Spec) -> Iterator[Place]:
 def nodes(spec: Spec, definition: str) -> Iterator[Any]:
     """Yields the mappings of a spec that have a definition of the schema."""
     for place in places(spec):
-        name, schema = resolved(place.schema)
-        names = (name, *(resolved(branch)[0] for branch in schema.get("anyOf", ())))
-        if definition in names and isinstance(place.value, dict):
-            yield place.value
+        _, schema = resolved(place.schema)
+        yield from _of_definition(place.schema, place.value, definition)
+        for item in place.value if isinstance(place.value, list) and "items" in schema else ():
+            yield from _of_definition(schema["items"], item, definition)
+
+
+def _of_definition(schema: Schema, value: Any, definition: str) -> Iterator[Any]:
+    name, schema = resolved(schema)
+    names = (name, *(resolved(branch)[0] for branch in schema.get("anyOf", ())))
+    if definition in names and isinstance(value, dict):
+        yield value
 
 
 def _walk(schema: Schema, node: Any, path: str) -> Iterator[Place]:

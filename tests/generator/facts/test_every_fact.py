@@ -7,6 +7,7 @@ the keys that affect only documentation, and values that the test cannot derive.
 
 from __future__ import annotations
 
+import re
 from collections import defaultdict
 from collections.abc import Iterator
 from contextlib import ExitStack
@@ -86,12 +87,20 @@ class Facts:
             yield from self.uses(path, **TABLE["unused"][path])
 
     def uses(
-        self, path: str, value: Any, beside: Optional[dict[str, Any]] = None, having: str = ""
+        self,
+        path: str,
+        value: Any = None,
+        beside: Optional[dict[str, Any]] = None,
+        having: str = "",
+        named: str = "",
+        instead_of: str = "",
     ) -> Iterator[tuple[Made, Made]]:
         """Yields the output with a key that the spec does not use, and without it."""
         definition, _, key = path.rpartition(".")
         for node in nodes(self.spec, definition):
-            if having and having not in node:
+            if any(other and other not in node for other in (having, instead_of)):
+                continue
+            if named and not re.search(named, str(node.get("name", node.get("summary")))):
                 continue
             with ExitStack() as stack:
                 for other, content in (beside or {}).items():
@@ -100,6 +109,9 @@ class Facts:
                 if beside:
                     before = self.made()
                     assert before.model is not None
+                if instead_of:
+                    value = node[instead_of]
+                    stack.enter_context(changed(node, instead_of, ABSENT))
                 with changed(node, key, value):
                     yield self.made(), before
 
