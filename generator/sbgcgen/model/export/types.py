@@ -55,7 +55,10 @@ def _value(value: EnumValue) -> dict[str, Any]:
     if value.unconfirmed:
         result["unconfirmed"] = True
     if value.former:
-        result["before"] = {**(version(value.former.firmware) or {}), "summary": value.former.summary}
+        result["before"] = {
+            **(version(value.former.firmware) or {}),
+            "summary": value.former.summary,
+        }
     return result
 
 
@@ -105,6 +108,8 @@ def _part(part: Part) -> dict[str, Any]:
         result["sign"] = part.sign
     if part.quantity:
         result["quantity"] = part.quantity.name
+        result["unit"] = part.quantity.unit
+        result["scale"] = number(part.quantity.scale)
     return result
 
 
