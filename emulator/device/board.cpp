@@ -78,6 +78,9 @@ class Board::Core {
     device.calibrations.drop_port(port);
     device.auto_tuning.drop_port(port);
     device.scripts.drop_port(port);
+    device.control_link.drop_port(port);
+    device.tasks.drop_port(port);
+    device.debug_copies.drop_port(port);
     device.ports.close(port);
     request_times_[port] = idle_times_[port] = Instant::never;
   }
@@ -125,6 +128,7 @@ class Board::Core {
   void step(Do&& something) {
     const std::uint32_t before = device.memory.revision;
     something();
+    device.events.watch(device, clock_);
     if (!device.options.waits_for_saving) return;
     const std::uint32_t after = device.memory.revision;
     if (after != before) device.memory.is_unsaved = true;
@@ -160,6 +164,7 @@ class Board::Core {
 
   void carry_out_next(std::size_t port, Instant now) {
     const QueuedRequest request = device.ports.take(port);
+    device.debug_copies.copy(device, port, {request.id, request.body, 0}, false, now);
     const Outcome outcome = carry_out_frame(port, request, now);
     BoardCounters& counters = device.ports.counters;
     if (outcome == Outcome::refused) ++counters.refused;
@@ -202,6 +207,18 @@ class Board::Core {
             if (!decode(std::span(request.body), message)) {
               outcome = Outcome::malformed;
               return;
+            }
+            if constexpr (!accesses_parameters<M>) {
+              const Unknown unknown = limit_to(device.versions(), message);
+              if (unknown.fields) {
+                outcome = Outcome::malformed;
+                return;
+              }
+              if (unknown.values && !checks_values<M>) {
+                RequestContext context(device, port, request.id, Confirmed::never, now);
+                outcome = context.refuse(msg::BoardErrorCode::wrong_params);
+                return;
+              }
             }
             const Confirmed confirmed = response_policy(message).responses.confirmed;
             RequestContext context(device, port, request.id, confirmed, now);

@@ -6,8 +6,11 @@
 #include <optional>
 
 #include <sbgc/meta/calibration.hpp>
+#include <sbgc/meta/enums.hpp>
 #include <sbgc/parameters.hpp>
+#include <sbgc/validate.hpp>
 
+#include "device/calibration_actions.hpp"
 #include "device/device.hpp"
 #include "device/handlers.hpp"
 
@@ -28,10 +31,12 @@ std::optional<std::size_t> index_of(const Device& device, msg::CalibImu imu) {
 }
 
 /// Starts a calibration that is confirmed on reception and, if `confirms_end`, again at its end.
-Outcome begin(RequestContext& context, Kind kind, std::size_t imu, bool confirms_end) {
+Outcome begin(RequestContext& context, Kind kind, std::size_t imu, bool confirms_end,
+              Duration length = {}) {
   std::optional<Calibrations::Requester> requester;
   if (confirms_end) requester = Calibrations::Requester{context.port, context.command};
-  if (!context.device.calibrations.start(context.device, kind, imu, requester, context.now)) {
+  if (!context.device.calibrations.start(context.device, kind, imu, requester, context.now,
+                                         length)) {
     return context.refuse(msg::BoardErrorCode::wrong_state);
   }
   return context.confirm();
@@ -44,6 +49,21 @@ Outcome begin_silently(RequestContext& context, Kind kind) {
     return context.refuse(msg::BoardErrorCode::wrong_state);
   }
   return Outcome::executed;
+}
+
+/// The duration that a host requests; 0 is the usual one.
+template <class Request>
+Duration length_of(const Request& request) {
+  return milliseconds(request.time_ms.raw());
+}
+
+/// True if the model names the value.
+template <class E>
+bool is_known(E value) {
+  for (const ValueInfo& info : EnumMeta<E>::values) {
+    if (info.value == static_cast<std::int64_t>(value)) return true;
+  }
+  return false;
 }
 
 Outcome restart(RequestContext& context) {
@@ -60,6 +80,30 @@ struct Sensor {
   /// Enables or disables the temperature calibration, if there is one.
   void (*use_temperature)(ImuCalibration& imu, bool used);
 };
+
+/// The options of CMD_AUTO_PID that correspond to a later configuration; nothing if it enables no
+/// axis. Assumption: later firmware tunes in the same way.
+std::optional<msg::AutoPidFlags> tuning_flags(const msg::AutoPid2Config& config) {
+  constexpr std::array axis_flags{msg::AutoPidFlag::roll, msg::AutoPidFlag::pitch,
+                                  msg::AutoPidFlag::yaw};
+  msg::AutoPidFlags flags;
+  bool has_axis = false;
+  for (std::size_t axis = 0; axis < axis_flags.size(); ++axis) {
+    const msg::AxisTuningOptions options = config.axes[axis].axis_flags;
+    if (!options.enabled()) continue;
+    has_axis = true;
+    flags.set(axis_flags[axis]);
+    if (options.tune_lpf()) flags.set(msg::AutoPidFlag::tune_lpf_freq);
+  }
+  if (!has_axis) return {};
+  if (config.general_flags.has(msg::AutoPid2Flag::start_from_current)) {
+    flags.set(msg::AutoPidFlag::keep_current);
+  }
+  if (config.general_flags.has(msg::AutoPid2Flag::all_profiles)) {
+    flags.set(msg::AutoPidFlag::all_profiles);
+  }
+  return flags;
+}
 
 constexpr Sensor gyro{Kind::gyro,
                       Kind::gyro_temperature,
@@ -95,7 +139,7 @@ constexpr Sensor acc{Kind::acc,
                      }};
 
 Outcome carry_out(RequestContext& context, const Sensor& sensor, msg::CalibImu which,
-                  msg::CalibAction action) {
+                  msg::CalibAction action, Duration length = {}) {
   Device& device = context.device;
   const auto imu = index_of(device, which);
   if (!imu) return RequestContext::ignore();
@@ -107,7 +151,7 @@ Outcome carry_out(RequestContext& context, const Sensor& sensor, msg::CalibImu w
     return context.refuse(msg::BoardErrorCode::wrong_state);
   }
   switch (action) {
-    case msg::CalibAction::regular: return begin(context, sensor.regular, *imu, true);
+    case msg::CalibAction::regular: return begin(context, sensor.regular, *imu, true, length);
     case msg::CalibAction::temperature: return begin(context, sensor.temperature, *imu, true);
     case msg::CalibAction::restore_factory: return begin(context, sensor.from_sensor, *imu, true);
     case msg::CalibAction::store_in_sensor: return begin(context, sensor.to_sensor, *imu, true);
@@ -134,17 +178,52 @@ Outcome handle(RequestContext& context, const msg::CalibGyro&) {
   return carry_out(context, gyro, msg::CalibImu::active, msg::CalibAction::regular);
 }
 Outcome handle(RequestContext& context, const msg::CalibGyroExt& request) {
-  return carry_out(context, gyro, request.imu_idx, request.action);
+  return carry_out(context, gyro, request.imu_idx, request.action, length_of(request));
 }
 
 Outcome handle(RequestContext& context, const msg::CalibMag&) {
   return begin(context, Kind::mag, 0, false);
+}
+/// Assumption: a magnetometer has no temperature calibration and no memory of its own.
+Outcome handle(RequestContext& context, const msg::CalibMagExt& request) {
+  const auto imu = index_of(context.device, request.imu_idx);
+  if (!imu) return RequestContext::ignore();
+  switch (request.action) {
+    case msg::CalibAction::regular: return begin(context, Kind::mag, *imu, false);
+    case msg::CalibAction::reset:
+    case msg::CalibAction::enable_temperature:
+    case msg::CalibAction::disable_temperature:
+      if (context.device.calibrations.under_way()) {
+        return context.refuse(msg::BoardErrorCode::wrong_state);
+      }
+      return restart(context);
+    case msg::CalibAction::temperature:
+    case msg::CalibAction::restore_factory:
+    case msg::CalibAction::store_in_sensor:
+      return context.refuse(msg::BoardErrorCode::not_supported);
+  }
+  return RequestContext::ignore();
 }
 Outcome handle(RequestContext& context, const msg::CalibExtGain&) {
   return begin_silently(context, Kind::ext_gain);
 }
 Outcome handle(RequestContext& context, const msg::CalibPoles&) {
   return begin_silently(context, Kind::poles);
+}
+
+Outcome handle(RequestContext& context, const msg::CalibOrientCorr&) {
+  return begin_silently(context, Kind::orientation);
+}
+Outcome handle(RequestContext& context, const msg::CalibCogging& request) {
+  if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
+  switch (request.action) {
+    case msg::CoggingAction::calibrate: return begin_silently(context, Kind::cogging);
+    case msg::CoggingAction::erase: return context.confirm();
+  }
+  return context.refuse(msg::BoardErrorCode::wrong_params);
+}
+Outcome handle(RequestContext& context, const msg::CalibAccExtRef&) {
+  return begin_silently(context, Kind::acc_reference);
 }
 
 Outcome handle(RequestContext& context, const msg::CalibOffset&) {
@@ -170,8 +249,10 @@ Outcome handle(RequestContext& context, const msg::CalibBat& request) {
   return context.confirm();
 }
 
-Outcome handle(RequestContext& context, const msg::EncodersCalibOffset4&) {
+Outcome handle(RequestContext& context, const msg::EncodersCalibOffset4& request) {
   if (!context.device.has_encoders()) return context.refuse(msg::BoardErrorCode::not_supported);
+  const bool is_motor = !request.for_motor || is_known(*request.for_motor);
+  if (!is_motor) return context.refuse(msg::BoardErrorCode::wrong_params);
   return begin(context, Kind::encoder_offset, 0, false);
 }
 Outcome handle(RequestContext& context, const msg::EncodersCalibFldOffset4&) {
@@ -207,6 +288,31 @@ Outcome handle(RequestContext& context, const msg::AutoPidRequest& request) {
     return context.refuse(msg::BoardErrorCode::wrong_state);
   }
   return context.confirm();
+}
+
+Outcome handle(RequestContext& context, const msg::AutoPid2& request) {
+  Device& device = context.device;
+  switch (request.action) {
+    case msg::AutoPid2Action::stop: device.auto_tuning.stop(); return context.confirm();
+    case msg::AutoPid2Action::read:
+    case msg::AutoPid2Action::save: return context.confirm();
+    case msg::AutoPid2Action::start:
+    case msg::AutoPid2Action::start_save: break;
+    default: return context.refuse(msg::BoardErrorCode::wrong_params);
+  }
+  if (!request.config) return context.refuse(msg::BoardErrorCode::cmd_size);
+  const auto flags = tuning_flags(*request.config);
+  if (!flags) return context.refuse(msg::BoardErrorCode::wrong_params);
+  if (!device.auto_tuning.start(device, device.parameters.profile(), *flags,
+                                request.config->axes.roll.gain, context.port, context.now)) {
+    return context.refuse(msg::BoardErrorCode::wrong_state);
+  }
+  return context.confirm();
+}
+
+Outcome calibrate_gyro(RequestContext& context, msg::CalibImu which, msg::CalibAction action,
+                       Duration length) {
+  return carry_out(context, gyro, which, action, length);
 }
 
 }  // namespace sbgc::emulator

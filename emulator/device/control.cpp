@@ -1,21 +1,24 @@
 // spec/control.yaml: camera motion, motors, menu, external motion data.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <initializer_list>
 #include <optional>
 
-#include <sbgc/meta/enums.hpp>
+#include <sbgc/meta/control.hpp>
+#include <sbgc/validate.hpp>
 
 #include "device/device.hpp"
 #include "device/handlers.hpp"
-#include "device/known_values.hpp"
 #include "device/parts/live_data.hpp"
 #include "device/parts/menu.hpp"
 
 namespace sbgc::emulator {
 namespace {
 
+/// Returns the mode that a command sets. MODE_IGNORE sets none and is handled before.
 std::optional<AxisMode> mode_of(msg::ControlModeKind kind) {
   switch (kind) {
     case msg::ControlModeKind::no_control: return AxisMode::remote;
@@ -24,53 +27,133 @@ std::optional<AxisMode> mode_of(msg::ControlModeKind kind) {
     case msg::ControlModeKind::speed_angle: return AxisMode::speed_angle;
     case msg::ControlModeKind::rc: return AxisMode::signal;
     case msg::ControlModeKind::angle_rel_frame: return AxisMode::relative_angle;
+    case msg::ControlModeKind::rc_high_res: return AxisMode::signal;
+    case msg::ControlModeKind::ignore: return AxisMode::remote;
+    case msg::ControlModeKind::angle_shortest: return AxisMode::angle;
   }
   return {};
 }
 
-/// The speed in degrees per second. Firmware that does not know the unit flag ignores it.
-template <class Request>
-double speed_of(const Availability& versions, const Request& request, std::size_t axis) {
-  return knows(versions, msg::ControlFlag::high_res_speed)
-             ? request.real_speed(axis)
-             : request.axes[axis].speed.degrees_per_second();
+/// What a command says about one axis.
+struct AxisTarget {
+  msg::ControlMode mode{};
+  double speed{};        ///< deg/s
+  double angle{};        ///< degrees
+  std::int32_t signal{};  ///< the raw angle, which is an RC signal in some modes
+};
+
+/// Sets the signal of modes that control an axis like a receiver.
+void set_signal(const Device& device, std::size_t axis, const AxisTarget& target,
+                AxisCommand& command) {
+  const auto raw = static_cast<std::int16_t>(std::clamp<std::int32_t>(target.signal, -32768, 32767));
+  double signal = msg::CentredRcSignal(raw).fraction();
+  if (target.mode.mode() == msg::ControlModeKind::rc_high_res) {
+    command.is_lost = raw == msg::RealtimeDataCustom::undefined;
+    signal = msg::FineRcSignal(raw).fraction();
+  }
+  // "Should be in range -500...500": like the signal of a receiver, it saturates.
+  const auto& parameters = device.parameters.of<msg::ReadParams3>();
+  command.signal = RemoteControl::shaped(parameters, axis, std::clamp(signal, -1.0, 1.0));
+  // FORCE_RC_SPEED, which has the bit of AUTO_TASK.
+  if (!target.mode.flags().has(msg::ControlFlag::auto_task) || command.is_lost) return;
+  command.mode = AxisMode::speed;
+  command.speed = command.signal * parameters.rc[axis].rc_speed;
 }
 
 /// Returns nothing if there is no such mode.
-std::optional<AxisCommand> command_of(msg::ControlMode mode, const msg::ControlAxis& target,
-                                      double speed) {
-  const auto axis_mode = mode_of(mode.mode());
+std::optional<AxisCommand> command_of(Device& device, std::size_t axis, const AxisTarget& target,
+                                      Instant now) {
+  const auto axis_mode = mode_of(target.mode.mode());
   if (!axis_mode) return {};
   AxisCommand command{*axis_mode};
-  command.speed = speed;
-  // The angle determines the direction, so the sign of the speed is ignored.
-  if (*axis_mode == AxisMode::angle || *axis_mode == AxisMode::relative_angle) {
-    command.speed = std::abs(command.speed);
+  command.speed = target.speed;
+  command.angle = target.angle;
+  if (target.mode.mode() == msg::ControlModeKind::angle_shortest) {
+    constexpr double turn = 360;
+    const double from = device.gimbal.sample(now).targets[axis];
+    command.angle = from + std::remainder(target.angle - from, turn);
   }
-  command.angle = target.angle.degrees();
-  // "Should be in range -500...500": like the signal of a receiver, it saturates.
-  command.signal = std::clamp(msg::CentredRcSignal(target.angle.raw()).fraction(), -1.0, 1.0);
+  // In servo mode, angles are those of the motors.
+  if (command.mode == AxisMode::angle && device.modes.servo) command.mode = AxisMode::relative_angle;
+  // The angle determines the direction, so the sign of the speed is ignored.
+  if (command.mode == AxisMode::angle || command.mode == AxisMode::relative_angle) {
+    command.speed = std::abs(command.speed);
+    if (target.mode.flags().has(msg::ControlFlag::auto_task)) {
+      command.speed = device.parameters.of<msg::ReadParamsExt2>().auto_speed;
+    }
+  }
+  if (command.mode == AxisMode::signal) set_signal(device, axis, target, command);
   return command;
 }
 
+/// True if the end of the motion is to be confirmed.
+bool is_task(const AxisTarget& target) {
+  const msg::ControlModeKind mode = target.mode.mode();
+  return target.mode.flags().has(msg::ControlFlag::auto_task) &&
+         (mode == msg::ControlModeKind::angle || mode == msg::ControlModeKind::angle_rel_frame);
+}
+
+/// Moves the axes that have a target.
+Outcome control(RequestContext& context, const Axes<std::optional<AxisTarget>>& targets) {
+  Device& device = context.device;
+  if (!device.control_link.admits(context.port)) return RequestContext::ignore();
+  Axes<std::optional<AxisCommand>> commands;
+  bool has_task = false;
+  for (std::size_t axis = 0; axis < targets.size(); ++axis) {
+    const auto& target = targets[axis];
+    if (!target || target->mode.mode() == msg::ControlModeKind::ignore) continue;
+    commands[axis] = command_of(device, axis, *target, context.now);
+    if (!commands[axis]) {
+      return context.refuse(msg::BoardErrorCode::wrong_params, target->mode.raw());
+    }
+    has_task = has_task || is_task(*target);
+  }
+  device.quaternions.end();
+  device.modes.retracted = false;
+  device.control_link.commanded(context.now);
+  for (std::size_t axis = 0; axis < commands.size(); ++axis) {
+    if (commands[axis]) device.gimbal.command(axis, *commands[axis], context.now);
+  }
+  if (has_task) {
+    device.tasks.confirm_end(context.port, context.command, Tasks::Kind::motion, context.now);
+  }
+  return device.control_link.confirms() ? context.confirm() : Outcome::executed;
+}
+
+/// Both forms of CMD_CONTROL have data for each axis.
 template <class Request>
 Outcome control(RequestContext& context, const Request& request,
                 const Axes<msg::ControlMode>& modes) {
-  Axes<AxisCommand> commands;
-  for (std::size_t axis = 0; axis < commands.size(); ++axis) {
-    const auto command =
-        command_of(modes[axis], request.axes[axis], speed_of(context.versions(), request, axis));
-    if (!command) return context.refuse(msg::BoardErrorCode::wrong_params, modes[axis].raw());
-    commands[axis] = *command;
-    if (command->mode == AxisMode::signal) {
-      commands[axis].signal = RemoteControl::shaped(
-          context.device.parameters.of<msg::ReadParams3>(), axis, command->signal);
-    }
+  Axes<std::optional<AxisTarget>> targets;
+  for (std::size_t axis = 0; axis < targets.size(); ++axis) {
+    const msg::Angle14 angle = request.axes[axis].angle;
+    targets[axis] = {modes[axis], request.real_speed(axis), angle.degrees(), angle.raw()};
   }
-  for (std::size_t axis = 0; axis < commands.size(); ++axis) {
-    context.device.gimbal.command(axis, commands[axis], context.now);
+  return control(context, targets);
+}
+
+/// One axis of CMD_CONTROL_EXT; nothing if the request has no data for it.
+template <class Speed, class Speed32, class Angle, class Angle32>
+std::optional<AxisTarget> target_of(const Optional<msg::ControlMode>& mode, const Speed& speed,
+                                    const Speed32& speed_32, const Angle& angle,
+                                    const Angle32& angle_32) {
+  if (!mode) return {};
+  AxisTarget target{.mode = *mode};
+  if (speed) {
+    target.speed = mode->flags().has(msg::ControlFlag::high_res_speed)
+                       ? msg::FineSpeed(speed->raw()).degrees_per_second()
+                       : speed->degrees_per_second();
   }
-  return context.confirm();
+  if (speed_32) target.speed = speed_32->degrees_per_second();
+  if (angle) {
+    target.angle = angle->degrees();
+    target.signal = angle->raw();
+  }
+  if (angle_32) {
+    target.angle = angle_32->degrees();
+    target.signal = angle_32->raw();
+  }
+  return target;
 }
 
 Outcome turn_motors(RequestContext& context, bool on) {
@@ -86,6 +169,55 @@ Outcome execute(RequestContext& context, msg::MenuCommand action) {
   return context.refuse(msg::BoardErrorCode::wrong_params, static_cast<std::uint32_t>(action));
 }
 
+/// True if the board can follow quaternions.
+bool has_quaternions(const RequestContext& context) {
+  return context.device.features_ext2().has(msg::BoardFeaturesExt2Bit::quat_control);
+}
+
+constexpr double degrees_per_radian = 180 / 3.14159265358979323846;
+
+Vector in_degrees(const Xyz<msg::RadianRate>& speed) {
+  return {speed.x.radians_per_second() * degrees_per_radian,
+          speed.y.radians_per_second() * degrees_per_radian,
+          speed.z.radians_per_second() * degrees_per_radian};
+}
+
+Quaternion quaternion(const std::array<float, 4>& wire) {
+  Quaternion out{};
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = static_cast<double>(wire[i]);
+  return out;
+}
+Quaternion quaternion(msg::PackedQuaternion wire) { return unpacked(wire); }
+
+/// Executes a form of CMD_CONTROL_QUAT if its mode is one of that form.
+template <class Request>
+Outcome control_attitude(RequestContext& context, const Request& request,
+                         std::initializer_list<msg::ControlQuatMode> modes) {
+  Device& device = context.device;
+  if (!has_quaternions(context)) return context.refuse(msg::BoardErrorCode::not_supported);
+  if (std::find(modes.begin(), modes.end(), request.mode) == modes.end()) {
+    return context.refuse(msg::BoardErrorCode::wrong_params,
+                          static_cast<std::uint32_t>(request.mode));
+  }
+  if (!device.control_link.admits(context.port)) return RequestContext::ignore();
+  QuaternionControl::Target target{.mode = request.mode, .flags = request.flags};
+  if constexpr (requires { request.target_attitude; }) {
+    target.attitude = rotation_of(quaternion(request.target_attitude));
+    if (!target.attitude) return context.refuse(msg::BoardErrorCode::wrong_params);
+  }
+  if constexpr (requires { request.target_speed; }) {
+    target.speed = in_degrees(request.target_speed);
+  }
+  device.control_link.commanded(context.now);
+  device.quaternions.command(device, target, context.now);
+  using Flag = msg::ControlQuatFlag;
+  const bool is_attitude = request.mode == msg::ControlQuatMode::attitude;
+  if (is_attitude && request.flags.has(Flag::auto_task)) {
+    device.tasks.confirm_end(context.port, context.command, Tasks::Kind::attitude, context.now);
+  }
+  return request.flags.has(Flag::confirm) ? context.confirm() : Outcome::executed;
+}
+
 /// True if any value is nonzero, as zeros mean unused. The values themselves do not matter, because
 /// the simulation knows the frame.
 template <class Data>
@@ -94,7 +226,8 @@ bool is_help(const Data& data) {
                  data.frame_angle_roll != msg::Angle14{} ||
                  data.frame_angle_pitch != msg::Angle14{};
   if constexpr (requires { data.frame_speed; }) {
-    is_used = is_used || data.frame_speed != Xyz<msg::GyroRate>{};
+    is_used = is_used || data.frame_speed != Xyz<msg::GyroRate>{} ||
+              data.coord_sys.flags().has(msg::HelperDataFlag::use_frame_heading);
   }
   return is_used;
 }
@@ -117,6 +250,54 @@ Outcome handle(RequestContext& context, const msg::ControlExt& request) {
   return control(context, request, request.control_mode);
 }
 
+Outcome handle(RequestContext& context, const msg::ControlExtCommand& r) {
+  return control(context,
+                 Axes<std::optional<AxisTarget>>{
+                     target_of(r.roll_mode, r.roll_speed, r.roll_speed_32, r.roll_angle,
+                               r.roll_angle_32),
+                     target_of(r.pitch_mode, r.pitch_speed, r.pitch_speed_32, r.pitch_angle,
+                               r.pitch_angle_32),
+                     target_of(r.yaw_mode, r.yaw_speed, r.yaw_speed_32, r.yaw_angle,
+                               r.yaw_angle_32)});
+}
+
+Outcome handle(RequestContext& context, const msg::ControlConfig& request) {
+  if (!is_valid(request)) return context.refuse(msg::BoardErrorCode::wrong_params);
+  context.device.control_link.configure(context.device, request, context.port, context.now);
+  // Confirms the configuration itself unless the host wants no confirmations.
+  return context.device.control_link.confirms() ? context.confirm() : Outcome::executed;
+}
+
+Outcome handle(RequestContext& context, const msg::ControlQuatDisabled& request) {
+  return control_attitude(context, request, {msg::ControlQuatMode::disabled});
+}
+Outcome handle(RequestContext& context, const msg::ControlQuatSpeed& request) {
+  return control_attitude(context, request,
+                          {msg::ControlQuatMode::speed, msg::ControlQuatMode::speed_limited});
+}
+Outcome handle(RequestContext& context, const msg::ControlQuatAttitude& request) {
+  return control_attitude(context, request, {msg::ControlQuatMode::attitude});
+}
+Outcome handle(RequestContext& context, const msg::ControlQuatAttitudePacked& request) {
+  return control_attitude(context, request, {msg::ControlQuatMode::attitude});
+}
+Outcome handle(RequestContext& context, const msg::ControlQuatSpeedAttitude& request) {
+  return control_attitude(context, request, {msg::ControlQuatMode::speed_attitude});
+}
+Outcome handle(RequestContext& context, const msg::ControlQuatSpeedAttitudePacked& request) {
+  return control_attitude(context, request, {msg::ControlQuatMode::speed_attitude});
+}
+Outcome handle(RequestContext& context, const msg::ControlQuatStatusRequest& request) {
+  if (!has_quaternions(context)) return context.refuse(msg::BoardErrorCode::not_supported);
+  return context.answer(
+      context.device.quaternions.status(context.device, request.data_set, context.now));
+}
+Outcome handle(RequestContext& context, const msg::ControlQuatConfig& request) {
+  if (!has_quaternions(context)) return context.refuse(msg::BoardErrorCode::not_supported);
+  context.device.quaternions.configure(request);
+  return context.confirm();
+}
+
 Outcome handle(RequestContext& context, const msg::GetAnglesRequest& /*request*/) {
   msg::GetAngles data;
   measure(context.device, context.now, data);
@@ -137,12 +318,14 @@ Outcome handle(RequestContext& context, const msg::MotorsOff& /*request*/) {
   return turn_motors(context, false);
 }
 
-// Assumption: braking and a safe stop end like a normal stop, without motor current.
+// Assumption: brakes are as strong as the friction of a motor without current.
 Outcome handle(RequestContext& context, const msg::MotorsOffExt& request) {
   switch (request.mode) {
     case msg::MotorsOffMode::normal:
-    case msg::MotorsOffMode::brake:
-    case msg::MotorsOffMode::safe_stop: return turn_motors(context, false);
+    case msg::MotorsOffMode::brake: return turn_motors(context, false);
+    case msg::MotorsOffMode::safe_stop:
+      context.device.tasks.stop_safely(context.device, context.now);
+      return context.confirm();
   }
   return context.refuse(msg::BoardErrorCode::wrong_params,
                         static_cast<std::uint32_t>(request.mode));
@@ -153,7 +336,27 @@ Outcome handle(RequestContext& context, const msg::ExecuteMenu& request) {
 }
 
 Outcome handle(RequestContext& context, const msg::ExecuteMenuExt& request) {
-  return execute(context, request.cmd_id);
+  if (!execute_menu(context.device, request.cmd_id, context.now)) {
+    return context.refuse(msg::BoardErrorCode::wrong_params,
+                          static_cast<std::uint32_t>(request.cmd_id));
+  }
+  using Flag = msg::ExecuteMenuFlag;
+  const bool confirms_end = request.param.has(Flag::confirm_on_finish);
+  if (confirms_end) {
+    context.device.tasks.confirm_end(context.port, context.command, Tasks::Kind::action,
+                                     context.now);
+  }
+  return request.param.has(Flag::confirm) || !confirms_end ? context.confirm() : Outcome::executed;
+}
+
+Outcome handle(RequestContext& context, const msg::SyncMotors& request) {
+  const auto axis = static_cast<std::size_t>(request.axis);
+  if (axis >= Axes<int>::size()) return context.refuse(msg::BoardErrorCode::wrong_params);
+  // Assumption: the unit of ANGLE, which no source gives, is that of Angle14.
+  const double degrees = request.angle * msg::LongAngle14(1).degrees();
+  context.device.tasks.synchronize(context.device, axis, degrees,
+                                   milliseconds(request.time_ms.raw()), context.now);
+  return context.confirm();
 }
 
 Outcome handle(RequestContext& context, const msg::HelperData& request) {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include <sbgc/detail/meta_limits.hpp>
+#include <sbgc/meta/system.hpp>
 #include <sbgc/roles.hpp>
 
 #include "device/parts/gimbal_tuning.hpp"
@@ -13,13 +15,40 @@ Device::Device(BoardOptions of, Memory kept, Instant now)
     : options(std::move(of)),
       memory(std::move(kept)),
       eeprom(memory),
-      parameters(memory),
+      parameters(memory, {options.firmware.raw(), options.board.raw()}),
       files(memory),
       gimbal(options.gimbal, now),
       ports(options),
-      restarts(*this, now) {}
+      restarts(*this, now) {
+  ports.on_sent = [this](std::size_t port, const Frame& frame) {
+    debug_copies.copy(*this, port, frame, true, ports.now);
+  };
+}
 
 Availability Device::versions() const { return {options.firmware.raw(), options.board.raw()}; }
+
+msg::BoardFeatures Device::features() const {
+  msg::BoardFeatures features = options.features;
+  // Assumption: boards since 3.6 have a CAN bus.
+  constexpr std::uint8_t first_with_can = 36;
+  if (versions().board >= first_with_can) features.set(msg::BoardFeature::can_port);
+  return features;
+}
+
+/// A feature shows only if the firmware has its commands.
+msg::BoardFeaturesExt Device::features_ext() const {
+  using enum msg::BoardFeaturesExtBit;
+  msg::BoardFeaturesExt features = options.features_ext;
+  if (!is_supported<msg::ExtImuDebugInfoRequest>(versions())) features.set(ext_imu, false);
+  if (!is_supported<msg::ReadStateVarsRequest>(versions())) features.set(state_vars, false);
+  return features;
+}
+
+msg::BoardFeaturesExt2 Device::features_ext2() const {
+  constexpr Availability since =
+      sbgc::detail::field_info<msg::BoardInfo3>("board_features_ext2").since;
+  return is_available(since, versions()) ? options.features_ext2 : msg::BoardFeaturesExt2{};
+}
 
 bool Device::has_frame_imu() const {
   return options.has_frame_imu &&
@@ -42,6 +71,24 @@ double Device::measured_battery(const Sample& sample) const {
   return sample.battery * battery_factor();
 }
 
+void Device::save_profile_set(std::size_t slot) {
+  memory.profile_sets[slot] = parameters.profiles();
+  ++memory.revision;
+}
+
+void Device::clear_profile_set(std::size_t slot) {
+  memory.profile_sets[slot].clear();
+  ++memory.revision;
+}
+
+bool Device::load_profile_set(std::size_t slot, Instant now) {
+  if (!parameters.restore_profiles(memory.profile_sets[slot])) return false;
+  memory.profile_set = static_cast<std::uint8_t>(slot + 1);
+  ++memory.revision;
+  apply_parameters(now);
+  return true;
+}
+
 void Device::select_profile(std::uint8_t profile, Instant now) {
   parameters.select_profile(profile);
   apply_parameters(now);
@@ -49,10 +96,21 @@ void Device::select_profile(std::uint8_t profile, Instant now) {
 
 void Device::apply_parameters(Instant now) {
   if (!has_frame_imu()) cur_imu = msg::SelectedImu::main;
-  gimbal.tune(tuning_of(parameters, versions(), has_encoders(), battery_factor()), now);
+  if (is_writing_parameters) return;
+  gimbal.tune(tuning(), now);
   correct_gyros(now);
   remote.apply(*this, now);
   slots.apply_parameters(*this, now);
+}
+
+Tuning Device::tuning() const {
+  Tuning tuning = tuning_of(parameters, versions(), has_encoders(), battery_factor());
+  for (std::size_t i = 0; i < tuning.axes.size(); ++i) {
+    bool& follows = tuning.axes[i].follows;
+    follows = (follows || modes.follows) && !modes.follow_off;
+  }
+  control_link.adjust(tuning);
+  return tuning;
 }
 
 void Device::forget_calibrations() {
@@ -72,7 +130,10 @@ void Device::correct_gyros(Instant now) {
   }
 }
 
-void Device::set_motors(bool on, Instant now) { gimbal.set_motors(on, now); }
+void Device::set_motors(bool on, Instant now) {
+  tasks.forget_stop();
+  gimbal.set_motors(on, now);
+}
 
 void Device::calibrate_at_start(Instant now) {
   const msg::SkipGyroCalibration skip = parameters.of<msg::ReadParams3>().skip_gyro_calib;

@@ -10,17 +10,25 @@
 
 #include "device/parts/auto_tuning.hpp"
 #include "device/parts/calibrations.hpp"
+#include "device/parts/control_link.hpp"
+#include "device/parts/debug_copies.hpp"
 #include "device/parts/eeprom.hpp"
+#include "device/parts/events.hpp"
+#include "device/parts/external_motors.hpp"
 #include "device/parts/file_system.hpp"
 #include "device/parts/i2c_bus.hpp"
+#include "device/parts/modes.hpp"
 #include "device/parts/outputs.hpp"
 #include "device/parts/parameters.hpp"
 #include "device/parts/ports.hpp"
+#include "device/parts/quaternion_control.hpp"
 #include "device/parts/remote_control.hpp"
 #include "device/parts/restarts.hpp"
 #include "device/parts/scripts.hpp"
 #include "device/parts/slots.hpp"
+#include "device/parts/state_variables.hpp"
 #include "device/parts/streams.hpp"
+#include "device/parts/tasks.hpp"
 
 namespace sbgc::emulator {
 
@@ -47,7 +55,21 @@ struct Device {
   Scripts scripts;
   Outputs outputs;  ///< pins, servos, sounds
   I2cBus i2c;
+  ControlLink control_link;         ///< CMD_CONTROL_CONFIG
+  QuaternionControl quaternions;    ///< CMD_CONTROL_QUAT
+  Tasks tasks;                      ///< automatic tasks, safe stops
+  ExternalMotors external_motors;   ///< CMD_EXT_MOTORS_*
+  StateVariables state_variables;   ///< CMD_READ_STATE_VARS
+  Events events;                    ///< CMD_EVENT
+  DebugCopies debug_copies;         ///< CMD_SET_DEBUG_PORT
+  Modes modes;                      ///< switches until the board restarts
+  bool is_writing_parameters{};     ///< between the two requests of CMD_WRITE_PARAMS_SET
 
+  /// Stores, forgets or loads the parameters of all profiles. load_profile_set() returns false,
+  /// without effect, if the slot is empty. Precondition: the slot exists; they count from 0.
+  void save_profile_set(std::size_t slot);
+  void clear_profile_set(std::size_t slot);
+  bool load_profile_set(std::size_t slot, Instant now);
   /// Switches to another profile. Precondition: it exists.
   void select_profile(std::uint8_t profile, Instant now);
   /// Passes the active parameters to the gimbal and the inputs. Call it after each change.
@@ -61,8 +83,15 @@ struct Device {
   /// The errors that live data report.
   Flags<msg::SystemError> errors(Instant now);
 
+  /// The active tuning of the gimbal.
+  Tuning tuning() const;
+
   /// The versions of the board and its firmware.
   Availability versions() const;
+  /// The features that this board and firmware have.
+  msg::BoardFeatures features() const;
+  msg::BoardFeaturesExt features_ext() const;
+  msg::BoardFeaturesExt2 features_ext2() const;
   /// True if there is an IMU on the frame and the parameters use it.
   bool has_frame_imu() const;
   /// The cycle time of the controller.
@@ -99,6 +128,13 @@ void for_each_part(Device& device, Use&& use) {
   use(device.scripts);
   use(device.outputs);
   use(device.i2c);
+  use(device.control_link);
+  use(device.quaternions);
+  use(device.tasks);
+  use(device.external_motors);
+  use(device.state_variables);
+  use(device.debug_copies);
+  use(device.events);
   use(device.streams);
 }
 

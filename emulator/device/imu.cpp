@@ -5,8 +5,10 @@
 
 #include <sbgc/meta/enums.hpp>
 
+#include "device/calibration_actions.hpp"
 #include "device/device.hpp"
 #include "device/handlers.hpp"
+#include "device/parts/custom_data.hpp"
 #include "device/parts/live_data.hpp"
 #include "physics/attitude.hpp"
 
@@ -19,6 +21,10 @@ Outcome select_imu(RequestContext& context, msg::SelectedImu imu) {
   if (!exists) return RequestContext::ignore();
   context.device.cur_imu = imu;
   return context.confirm();
+}
+
+bool has_external_imu(const Device& device) {
+  return device.features_ext().has(msg::BoardFeaturesExtBit::ext_imu);
 }
 
 double degrees_per_second(msg::GyroOffset offset) {
@@ -55,30 +61,35 @@ Outcome report_attitude_only(RequestContext& context, const Request& request) {
   return report_attitude(context, request.mode);
 }
 
-/// The mode bits that the simulation supports: those of the earlier form.
-constexpr unsigned known_bits = [] {
-  unsigned bits = 0;
-  for (const ValueInfo& value : EnumMeta<msg::AhrsHelperModeBit>::info.values) {
-    bits |= static_cast<unsigned>(value.value);
-  }
-  return bits;
-}();
+/// Options of the form with a wide mode.
+struct WideOptions {
+  bool translates = false;  ///< one of the vectors
+  bool disables = false;    ///< the correction
+};
+
+WideOptions wide_options(msg::AhrsHelperMode) { return {}; }
+/// Assumption: translating one vector is like translating both, and the place of the sensor does
+/// not matter.
+WideOptions wide_options(msg::AhrsHelperWideMode mode) {
+  using enum msg::AhrsHelperWideModeBit;
+  return {mode.has(translate_z1_only) || mode.has(translate_h1_only), mode.has(disable_correction)};
+}
 
 template <class Request>
 Outcome report_or_set_attitude(RequestContext& context, const Request& request) {
   const auto mode = request.mode;
   using Bit = typename decltype(request.mode)::flag_type;
   if (!mode.has(Bit::set)) return report_attitude(context, mode);
-  if ((mode.raw() & ~known_bits) != 0) {
-    return context.refuse(msg::BoardErrorCode::not_supported, mode.raw());
-  }
+  const WideOptions options = wide_options(mode);
+  if (options.disables) return context.confirm();
   if (mode.has(Bit::z1_only) && mode.has(Bit::h1_only)) {
     return context.refuse(msg::BoardErrorCode::wrong_params, mode.raw());
   }
   Gimbal::Attitude attitude;
   attitude.of_frame = mode.has(Bit::frame_imu);
   attitude.reference_only = mode.has(Bit::reference_only);
-  attitude.translates = mode.has(Bit::translate) && knows_joints(context.device);
+  attitude.translates =
+      (mode.has(Bit::translate) || options.translates) && knows_joints(context.device);
   if (!mode.has(Bit::h1_only)) {
     attitude.up = direction(request.z1_vector);
     if (!attitude.up) return context.refuse(msg::BoardErrorCode::wrong_params, mode.raw());
@@ -99,6 +110,17 @@ Outcome handle(RequestContext& context, const msg::SelectImu3& request) {
 /// Ignores the other parameters, which are undocumented.
 Outcome handle(RequestContext& context, const msg::SelectImu3Ext& request) {
   return select_imu(context, request.imu_type);
+}
+
+/// Assumption: the gyroscope is calibrated, as its duration is a parameter.
+Outcome handle(RequestContext& context, const msg::SelectImu3Calibrate& request) {
+  if (request.imu_type == msg::CalibImu::frame && !context.device.has_frame_imu()) {
+    return RequestContext::ignore();
+  }
+  if (request.imu_type == msg::CalibImu::main) context.device.cur_imu = msg::SelectedImu::main;
+  if (request.imu_type == msg::CalibImu::frame) context.device.cur_imu = msg::SelectedImu::frame;
+  return calibrate_gyro(context, request.imu_type, request.action,
+                        milliseconds(request.time_ms.raw()));
 }
 
 Outcome handle(RequestContext& context, const msg::AhrsHelperRequest& request) {
@@ -131,6 +153,51 @@ Outcome handle(RequestContext& context, const msg::GyroCorrection& request) {
   ++device.memory.revision;
   device.correct_gyros(context.now);
   return context.confirm();
+}
+
+Outcome handle(RequestContext& context, const msg::ExtImuDebugInfoRequest&) {
+  Device& device = context.device;
+  if (!has_external_imu(device)) return context.refuse(msg::BoardErrorCode::not_supported);
+  const Sample sample = device.gimbal.sample(context.now);
+  const Rotation attitude = Pose(sample.angles, device.tuning().rotation_order).rotation();
+  msg::ExtImuDebugInfo info;
+  info.ahrs_debug_info = attitude_debug(device, context.now);
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      info.dcm[3 * row + column] = static_cast<float>(attitude.rows[row][column]);
+    }
+    info.acc_body[row] = static_cast<float>(sample.acceleration[row]);
+  }
+  return context.answer(info);
+}
+
+/// The emulated external IMU has no protocol of its own: it repeats the command without data.
+Outcome handle(RequestContext& context, const msg::ExtImuCmd& request) {
+  if (!has_external_imu(context.device)) {
+    return context.refuse(msg::BoardErrorCode::not_supported);
+  }
+  msg::ExtImuCmd answer;
+  answer.cmd_id = request.cmd_id;
+  static_cast<void>(context.confirm());
+  return context.answer(answer);
+}
+
+/// The emulated sensor answers queries without data and confirms all other commands.
+Outcome handle(RequestContext& context, const msg::ExtSensCmdRequest& request) {
+  using enum msg::ExtSensCommand;
+  if (!has_external_imu(context.device)) {
+    return context.refuse(msg::BoardErrorCode::not_supported);
+  }
+  static_cast<void>(context.confirm());
+  msg::ExtSensCmd answer;
+  switch (request.cmd_id) {
+    case get_device_info: answer.cmd_id = device_info; break;
+    case get_data: answer.cmd_id = data; break;
+    case get_user_conf_log: answer.cmd_id = user_conf_log; break;
+    case reset: answer.cmd_id = reset_notify; break;
+    default: answer.cmd_id = msg::ExtSensCommand::confirm; break;
+  }
+  return context.answer(answer);
 }
 
 }  // namespace sbgc::emulator

@@ -30,8 +30,10 @@ Outcome handle(RequestContext& context, const msg::RealtimeData4Request& /*reque
 }
 
 Outcome handle(RequestContext& context, const msg::RealtimeDataCustomRequest& request) {
+  const auto blocks = known_blocks(context.device, request.flags);
+  if (!blocks) return context.refuse(msg::BoardErrorCode::wrong_params, request.flags.raw());
   msg::RealtimeDataCustom data;
-  measure(context.device, request.flags, context.now, data);
+  measure(context.device, context.port, *blocks, context.now, data);
   return context.answer(data);
 }
 

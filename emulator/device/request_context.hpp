@@ -11,13 +11,20 @@
 #include <sbgc/emulator/board.hpp>
 #include <sbgc/message.hpp>
 #include <sbgc/messages.hpp>
+#include <sbgc/parameters.hpp>
 #include <sbgc/response_policy.hpp>
 #include <sbgc/roles.hpp>
 #include <sbgc/time.hpp>
 
+#include "device/firmware_limits.hpp"
+
 namespace sbgc::emulator {
 
 struct Device;
+
+/// True if a message holds parameters of the board.
+template <class M>
+inline constexpr bool holds_parameters = requires { ParametersOf<M>::copies; };
 
 /// Returns the frame to send in place of one that reports a change of the memory if saving failed:
 /// CMD_ERROR replaces a confirmation, other frames stay unchanged. Returns nothing if this board
@@ -70,10 +77,13 @@ class RequestContext {
 
  private:
   void send_frame(std::span<const std::uint8_t> frame);
+  /// Leaves out what the firmware does not know, but parameters are sent as they are stored.
   template <Message M>
   void send(const M& message) {
+    M known = message;
+    if constexpr (!holds_parameters<M>) limit_to(versions(), known);
     std::array<std::uint8_t, max_frame_size> frame{};
-    if (const WriteResult written = encode_frame(message, frame)) {
+    if (const WriteResult written = encode_frame(known, frame)) {
       send_frame(std::span(frame).first(written.size));
     }
   }

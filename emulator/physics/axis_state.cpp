@@ -18,7 +18,9 @@ bool is_remote(AxisMode mode) { return mode == AxisMode::remote || mode == AxisM
 
 /// Returns the signal that controls the axis, if any.
 std::optional<double> signal_of(const AxisOrders& orders) {
-  if (orders.command.mode == AxisMode::signal) return orders.command.signal;
+  if (orders.command.mode == AxisMode::signal) {
+    return orders.command.is_lost ? std::nullopt : std::optional(orders.command.signal);
+  }
   return orders.remote;
 }
 

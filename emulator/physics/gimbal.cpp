@@ -79,7 +79,7 @@ void Gimbal::command(std::size_t axis, const AxisCommand& command, Instant now) 
   mechanics.advance(now);
   mechanics.orders[axis].command = {command.mode, within(command.speed, -top_speed, top_speed),
                                     within(command.angle, -top_angle, top_angle),
-                                    within(command.signal, -1, 1)};
+                                    within(command.signal, -1, 1), command.is_lost};
   mechanics.apply_orders(axis, true);
 }
 

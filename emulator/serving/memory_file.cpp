@@ -29,6 +29,8 @@ constexpr const char* format_name = "sbgc-board-memory";
 constexpr std::uint64_t format_version = 1;
 /// Larger than any valid file.
 constexpr std::size_t largest_file = std::size_t{1} << 20U;
+/// More than the parameters of all profiles.
+constexpr std::size_t largest_blob = Memory::eeprom_size;
 /// Bytes per line of text.
 constexpr std::size_t line_size = 64;
 /// Exceeds all values of a board and is small enough that arithmetic does not overflow.
@@ -60,6 +62,23 @@ void for_each_member_of_owner(Saved& owner, Use&& use) {
   use("mcu_id", owner.mcu_id);
 }
 
+/// Members that files of earlier versions lack.
+template <class Saved, class Use>
+void for_each_later_member(Saved& memory, Use&& use) {
+  use("profile_sets", memory.profile_sets);
+  use("profile_set", memory.profile_set);
+  use("state_variables", memory.state_variables);
+}
+
+using Blob = std::vector<std::uint8_t>;
+using Blobs = std::array<Blob, Memory::profile_set_slots>;
+
+bool is_default(std::uint8_t profile_set) { return profile_set == Memory{}.profile_set; }
+bool is_default(const Blob& bytes) { return bytes.empty(); }
+bool is_default(const Blobs& blobs) {
+  return std::ranges::all_of(blobs, [](const Blob& bytes) { return bytes.empty(); });
+}
+
 struct ToJson {
   template <class T>
     requires std::is_arithmetic_v<T>
@@ -88,6 +107,12 @@ struct ToJson {
         owner, [&](const char* name, const auto& member) { result[name] = value(member); });
     return result;
   }
+  static Json value(const Blob& bytes) { return eeprom(bytes); }
+  static Json value(const Blobs& blobs) {
+    Json result = Json::array();
+    for (const Blob& bytes : blobs) result.push_back(value(bytes));
+    return result;
+  }
   static Json eeprom(std::span<const std::uint8_t> bytes) {
     Json lines = Json::array();
     for (; !bytes.empty(); bytes = bytes.subspan(std::min(bytes.size(), line_size))) {
@@ -99,14 +124,19 @@ struct ToJson {
 
 Json document_of(const SavedMemory& saved) {
   const Memory& memory = saved.memory;
-  return {{"format", format_name},
-          {"version", format_version},
-          {"board", ToJson::value(saved.owner)},
-          {"profile", memory.profile},
-          {"battery_factor", memory.battery_factor},
-          {"imus", ToJson::value(memory.imus)},
-          {"sensors", ToJson::value(memory.sensors)},
-          {"eeprom", ToJson::eeprom(memory.eeprom)}};
+  Json document{{"format", format_name},
+                {"version", format_version},
+                {"board", ToJson::value(saved.owner)},
+                {"profile", memory.profile},
+                {"battery_factor", memory.battery_factor},
+                {"imus", ToJson::value(memory.imus)},
+                {"sensors", ToJson::value(memory.sensors)},
+                {"eeprom", ToJson::eeprom(memory.eeprom)}};
+  // Only if there is something to save, so that files stay the same for boards without these.
+  for_each_later_member(memory, [&](const char* name, const auto& member) {
+    if (!is_default(member)) document[name] = ToJson::value(member);
+  });
+  return document;
 }
 
 /// Returns the checksum of a document as written.
@@ -143,11 +173,17 @@ class Reader {
       use("imus", saved.memory.imus);
       use("sensors", saved.memory.sensors);
       use("eeprom", saved.memory.eeprom);
+      for_each_later_member(saved.memory, [&](const char* name, auto& member) {
+        if (document.contains(name)) use(name, member);
+      });
       use("crc32", checksum);
     });
     constexpr unsigned profiles = ParametersOf<msg::ReadParams3>::copies;
     if (saved.memory.profile >= profiles) {
       fail("profile", fmt::format("expected a number below {}", profiles));
+    }
+    if (saved.memory.profile_set < 1 || saved.memory.profile_set > Memory::profile_set_slots) {
+      fail("profile_set", fmt::format("expected a number from 1 to {}", Memory::profile_set_slots));
     }
     if (saved.memory.battery_factor < 0) fail("battery_factor", "must not be negative");
     if (error_.empty() && checksum != checksum_of(document_of(saved))) {
@@ -230,16 +266,29 @@ class Reader {
   void value(const Json& json, const std::string& path, MemoryOwner& out) {
     members(json, path, [&](auto& use) { for_each_member_of_owner(out, use); });
   }
-  /// The EEPROM.
-  void value(const Json& json, const std::string& path, std::vector<std::uint8_t>& out) {
-    constexpr std::size_t lines = Memory::eeprom_size / line_size;
-    if (!json.is_array() || json.size() != lines) {
+  /// Bytes in lines; all lines but the last one are full.
+  void value(const Json& json, const std::string& path, Blob& out) {
+    const std::size_t whole = path == "eeprom" ? Memory::eeprom_size : largest_blob;
+    const std::size_t lines = (whole + line_size - 1) / line_size;
+    const bool fits = json.is_array() && json.size() <= lines;
+    if (!fits || (path == "eeprom" && json.size() != lines)) {
       return fail(path, fmt::format("expected a list of {} strings", lines));
     }
-    out.assign(Memory::eeprom_size, 0);
-    for (std::size_t i = 0; i < lines; ++i) {
-      bytes(json[i], at(path, i), std::span(out).subspan(i * line_size, line_size));
+    out.clear();
+    for (std::size_t i = 0; i < json.size(); ++i) {
+      const bool is_last = path != "eeprom" && i + 1 == json.size();
+      const std::size_t size =
+          is_last && json[i].is_string() ? json[i].get_ref<const std::string&>().size() / 2
+                                         : line_size;
+      out.resize(out.size() + std::min(size, line_size));
+      bytes(json[i], at(path, i), std::span(out).last(std::min(size, line_size)));
     }
+  }
+  void value(const Json& json, const std::string& path, Blobs& out) {
+    if (!json.is_array() || json.size() != out.size()) {
+      return fail(path, fmt::format("expected a list of {}", out.size()));
+    }
+    for (std::size_t i = 0; i < out.size(); ++i) value(json[i], at(path, i), out[i]);
   }
 
   void bytes(const Json& json, const std::string& path, std::span<std::uint8_t> out) {

@@ -98,17 +98,19 @@ class SpecMaker(MessageMaker):
         return {
             **({"line": line} if self.chance(0.7) else {}),
             "protocol": {"name": "Random", "revision": "1"},
-            "framing": {
-                "start": 0x3E,
-                "header": ["start", "id", "size", "header_checksum"],
-                "max_body": MAX_BODY,
-                "trailer": ["body_checksum"],
-                "checksums": {
-                    "header_checksum": {"kind": "sum8", "covers": ["id", "size"]},
-                    "body_checksum": {"kind": "sum8", "covers": ["body"]},
+            "framings": {
+                "v1": {
+                    "start": 0x3E,
+                    "header": ["start", "id", "size", "header_checksum"],
+                    "max_body": MAX_BODY,
+                    "trailer": ["body_checksum"],
+                    "checksums": {
+                        "header_checksum": {"kind": "sum8", "covers": ["id", "size"]},
+                        "body_checksum": {"kind": "sum8", "covers": ["body"]},
+                    },
+                    "source": "Framing L1",
+                    "errata": ["E001"],
                 },
-                "source": "Framing L1",
-                "errata": ["E001"],
             },
             "versions": {"firmware": "FirmwareVersion", "board": "BoardVersion"},
             "indices": {"axis": ["ROLL", "PITCH", "YAW"], "xyz": ["X", "Y", "Z"]},

@@ -215,7 +215,7 @@ class TypeMaker:
             part["type"] = self.make_flags(number, width).name
         elif what < 0.5:
             part["type"] = self.make_flags_in_place(number, bit, width).name
-        elif what < 0.6 and not in_place:
+        elif what < 0.6 and not in_place and width > 1:
             part["signed"] = True
         elif what < 0.7 and not in_place and width > 1:
             part["bits"] = f"{bit}..{bit + width - 2}" if width > 2 else bit

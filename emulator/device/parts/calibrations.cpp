@@ -40,14 +40,18 @@ constexpr Duration length_of(Kind kind) {
     case Kind::ext_gain: return seconds(5);
     case Kind::poles: return seconds(10);
     case Kind::encoder_offset: return seconds(1);
-    case Kind::encoder_field: return seconds(10);
+    case Kind::encoder_field:
+    case Kind::orientation:
+    case Kind::momentum: return seconds(10);
+    case Kind::cogging: return seconds(20);
+    case Kind::acc_reference: return seconds(2);
   }
   return {};
 }
 
 constexpr bool needs_rest(Kind kind) {
   return kind == Kind::gyro || kind == Kind::acc || kind == Kind::gyro_temperature ||
-         kind == Kind::acc_temperature;
+         kind == Kind::acc_temperature || kind == Kind::acc_reference;
 }
 
 const Vector& gyro_of(const Sample& sample, std::size_t imu) {
@@ -93,6 +97,16 @@ Direction up(const Vector& acceleration) {
   return {axis, acceleration[axis] < 0};
 }
 
+/// All directions of the accelerometer.
+std::uint8_t calibrated_limits() {
+  msg::CalibratedLimits limits;
+  for (const std::size_t axis : {0U, 1U, 2U}) {
+    limits.set(Direction{axis, false}.limit());
+    limits.set(Direction{axis, true}.limit());
+  }
+  return limits.raw();
+}
+
 constexpr std::size_t max_temperature_slots =
     sbgc::detail::highest<msg::CalibInfo>("temp_calib_acc_slot_num");
 
@@ -135,10 +149,11 @@ Duration Calibrations::scaled(const BoardOptions& options, Duration length) {
 }
 
 bool Calibrations::start(Device& device, Kind kind, std::size_t imu,
-                         std::optional<Requester> requester, Instant now) {
+                         std::optional<Requester> requester, Instant now, Duration length) {
   if (run_ || device.auto_tuning.is_running()) return false;
   Run run{.kind = kind, .imu = imu, .profile = device.parameters.profile(), .requester = requester};
-  const Duration length = scaled(device.options, length_of(kind));
+  if (length == Duration{}) length = length_of(kind);
+  length = scaled(device.options, length);
   const Duration cycle = Device::cycle();
   run.steps_needed = length <= cycle ? 1 : steps;
   run.steps_left = patience * run.steps_needed;
@@ -234,7 +249,28 @@ bool Calibrations::store(Device& device, const Run& run, Instant now) {
     case Kind::acc_from_sensor: copy_acc(sensor, imu); break;
     case Kind::gyro_to_sensor: copy_gyro(imu, sensor); break;
     case Kind::acc_to_sensor: copy_acc(imu, sensor); break;
-    case Kind::mag: break;  // the emulated magnetometer needs no correction
+    // The emulated magnetometer and motors need no correction.
+    case Kind::mag:
+    case Kind::cogging: break;
+    case Kind::acc_reference:
+      // The reference replaces the measurements of all directions.
+      imu.acc_limits = calibrated_limits();
+      break;
+    case Kind::orientation:
+      // Assumption: an IMU that is mounted with a small error.
+      return change_parameters<msg::ReadParamsExt2>(device, run.profile, now, [&](auto& parameters) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const auto hundredths = std::lround(200 * random(5 + axis) - 100);
+          parameters.imu_orientation_corr[axis] =
+              msg::HundredthDegrees(static_cast<std::int16_t>(hundredths));
+        }
+      });
+    case Kind::momentum:
+      return change_parameters<msg::ReadParamsExt2>(device, run.profile, now, [&](auto& parameters) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          parameters.momentum[axis] = static_cast<std::uint16_t>(100 + 100 * random(8 + axis));
+        }
+      });
     case Kind::ext_gain:
       // Assumption: gains of a flight controller that differs slightly from board to board.
       return change_parameters<msg::ReadParams3>(device, run.profile, now, [&](auto& parameters) {

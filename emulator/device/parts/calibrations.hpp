@@ -32,6 +32,10 @@ class Calibrations {
     poles,
     encoder_offset,
     encoder_field,
+    orientation,    ///< of the main IMU on the camera
+    cogging,        ///< of the motors
+    acc_reference,  ///< of the accelerometer, by an external reference
+    momentum,       ///< of the axes
   };
 
   /// The sender of a request, notified at the end by a confirmation of its command or CMD_ERROR.
@@ -43,8 +47,9 @@ class Calibrations {
   /// `imu` is 0 for the main and 1 for the frame IMU; kinds without an IMU ignore it. Returns
   /// false, without effect, if a calibration or tuning is in progress. Precondition: the board has
   /// this IMU, and encoders if the kind needs them.
+  /// `length` replaces the usual duration if it is not 0.
   bool start(Device& device, Kind kind, std::size_t imu, std::optional<Requester> requester,
-             Instant now);
+             Instant now, Duration length = {});
   /// The calibration in progress.
   std::optional<Kind> under_way() const;
   /// Returns CMD_CALIB_INFO of this IMU. Precondition: the board has it.

@@ -90,9 +90,10 @@ Number number(NumberType type, double value) {
 
 }  // namespace
 
-msg::DebugVarsInfo3 debug_variables_info() {
+msg::DebugVarsInfo3 debug_variables_info(std::size_t first) {
   msg::DebugVarsInfo3 info;
-  for (const Variable& variable : variables) {
+  for (std::size_t i = first; i < variables.size(); ++i) {
+    const Variable& variable = variables[i];
     msg::DebugVarInfo one;
     one.var_name.assign(variable.name);
     one.var_type.set_kind(variable.kind);

@@ -114,6 +114,25 @@ msg::ReadParamsExt2 factory_parameters(std::uint8_t copy) {
   out.auto_pid_cfg = msg::AutoPidFlag::roll | msg::AutoPidFlag::pitch | msg::AutoPidFlag::yaw |
                      msg::AutoPidFlag::send_gui;
   out.auto_pid_gain = 127;
+  out.general_flags2 = msg::GeneralFlags2Bit::save_system_stat;
+  out.auto_speed = 50;
+  out.auto_acc_limiter = msg::AngularAcceleration(100);
+  out.timelapse_time = msg::Seconds(60);
+  return out;
+}
+
+template <>
+msg::ReadParamsExt3 factory_parameters(std::uint8_t copy) {
+  msg::ReadParamsExt3 out;
+  out.profile_id = copy;
+  for (std::size_t axis = 0; axis < axes; ++axis) {
+    out.stab_threshold_angle[axis] = msg::SmallDegrees(30);
+    out.enc_limit_return_speed[axis] = 50;
+  }
+  for (std::size_t motor = 0; motor < out.ext_motor_drv_ids.size(); ++motor) {
+    out.ext_motor_drv_ids[motor] = static_cast<std::uint8_t>(motor + 1);
+  }
+  out.rc_deadband_pitch = out.rc_deadband_yaw = 10;
   return out;
 }
 

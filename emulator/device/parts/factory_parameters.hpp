@@ -21,6 +21,8 @@ msg::ReadParamsExt factory_parameters(std::uint8_t copy);
 template <>
 msg::ReadParamsExt2 factory_parameters(std::uint8_t copy);
 template <>
+msg::ReadParamsExt3 factory_parameters(std::uint8_t copy);
+template <>
 msg::ReadProfileNames factory_parameters(std::uint8_t copy);
 template <>
 msg::ReadAdjVarsCfg factory_parameters(std::uint8_t copy);

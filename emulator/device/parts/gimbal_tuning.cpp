@@ -3,11 +3,10 @@
 #include <sbgc/detail/meta_limits.hpp>
 
 namespace sbgc::emulator {
-namespace {
 
 /// The first rotation comes first, as in the name of the order. In the orders for two axes, yaw is
 /// the outermost one; unknown orders count as the first.
-std::array<std::uint8_t, 3> rotation_order(msg::EulerOrder order) {
+std::array<std::uint8_t, 3> rotation_order_of(msg::EulerOrder order) {
   constexpr std::uint8_t roll = 0, pitch = 1, yaw = 2;
   switch (order) {
     case msg::EulerOrder::pitch_roll_yaw:
@@ -19,6 +18,8 @@ std::array<std::uint8_t, 3> rotation_order(msg::EulerOrder order) {
   }
   return {pitch, roll, yaw};
 }
+
+namespace {
 
 bool follows(const msg::ReadParams3& parameters, std::size_t axis) {
   constexpr std::size_t yaw = 2;
@@ -82,7 +83,7 @@ Tuning tuning_of(const Parameters& parameters, const Availability& versions, boo
       out.joint_max = joints.encoder_limit_max[axis].degrees();
     }
   }
-  tuning.rotation_order = rotation_order(main.euler_order.order());
+  tuning.rotation_order = rotation_order_of(main.euler_order.order());
   tuning.gyro_trust = main.gyro_trust;
   const double stop = main.bat_threshold_motors.volts();
   // The threshold applies to the reading of the sensor.

@@ -8,6 +8,8 @@
 #include <sbgc/responses/realtime.hpp>
 
 #include "device/device.hpp"
+#include "device/parts/custom_data.hpp"
+#include "device/parts/modules.hpp"
 #include "physics/quantities.hpp"
 
 namespace sbgc::emulator {
@@ -93,6 +95,10 @@ bool use_if(const Device& device, const msg::DataStreamInterval& request, Use&& 
   return is_supported<M>(device.versions()) && use();
 }
 
+msg::RealtimeDataCustomFlags blocks_of(const msg::DataStreamInterval& request) {
+  return request.config.flags ? *request.config.flags : msg::RealtimeDataCustomFlags{};
+}
+
 bool is_of_frame(const msg::DataStreamInterval& request) {
   return request.config.imu_type && *request.config.imu_type == msg::ImuIndex::frame;
 }
@@ -130,9 +136,34 @@ void measure(Device& device, std::size_t port, Instant now, msg::RealtimeData4& 
       saturated<msg::AngleError>(is_frame ? sample.frame_gravity_error : sample.gravity_error);
   data.imu_h_err =
       saturated<msg::AngleError>(is_frame ? sample.frame_heading_error : sample.heading_error);
+  constexpr double full_output = 10000;
+  for (std::size_t axis = 0; axis < data.motor_out.size(); ++axis) {
+    data.motor_out[axis] = saturated_raw<std::int16_t>(full_output * sample.power[axis]);
+  }
+  data.calib_mode = calibration_mode(device);
+  data.actual_angle = angles(sample.angles);
+  data.system_state_flags = state_flags(device, now);
 }
 
-void measure(Device& device, msg::RealtimeDataCustomFlags blocks, Instant now,
+std::optional<msg::RealtimeDataCustomFlags> known_blocks(const Device& device,
+                                                         msg::RealtimeDataCustomFlags blocks) {
+  msg::RealtimeDataCustomRequest request{.flags = blocks};
+  limit_to(device.versions(), request);
+  // A message of this size, whatever its values.
+  msg::RealtimeDataCustom data;
+  std::array<std::uint8_t, max_body_size> body{};
+  std::array<std::uint8_t, max_body_size> empty{};
+  std::size_t size = 0;
+  Code code = Code::too_short;
+  while (size <= empty.size() && code == Code::too_short) {
+    code = decode(std::span(empty).first(size), data, {request.flags}).code;
+    ++size;
+  }
+  if (code != Code::ok || !encode(data, body)) return {};
+  return request.flags;
+}
+
+void measure(Device& device, std::size_t port, msg::RealtimeDataCustomFlags blocks, Instant now,
              msg::RealtimeDataCustom& data) {
   using Flag = msg::RealtimeDataCustomFlag;
   const Sample sample = device.gimbal.sample(now);
@@ -168,6 +199,7 @@ void measure(Device& device, msg::RealtimeDataCustomFlags blocks, Instant now,
   // No receiver is connected.
   if (blocks.has(Flag::rc_channels)) data.rc_channels.emplace().fill(fine({}));
   if (blocks.has(Flag::acc_data)) data.acc_data = sensor<msg::Acceleration>(sample.acceleration);
+  measure_later(device, port, blocks, now, data);
 }
 
 void measure(Device& device, Instant now, msg::GetAngles& data) {
@@ -200,7 +232,16 @@ bool can_stream(Device& device, const msg::DataStreamInterval& request, Instant 
   const auto yes = [] { return true; };
   return use_if<msg::RealtimeData3>(device, request, yes) ||
          use_if<msg::RealtimeData4>(device, request, yes) ||
-         use_if<msg::RealtimeDataCustom>(device, request, yes) ||
+         use_if<msg::RealtimeDataCustom>(
+             device, request, [&] { return known_blocks(device, blocks_of(request)).has_value(); }) ||
+         use_if<msg::Event>(device, request, yes) ||
+         use_if<msg::CanDrvTelemetry>(
+             device, request, [&] { return *request.config.drv_id < can_drivers(device); }) ||
+         use_if<msg::ExtMotorsState>(device, request,
+                                     [&] {
+                                       return ExternalMotors::are_supported(device) &&
+                                              *request.config.motor < ExternalMotors::count;
+                                     }) ||
          use_if<msg::AhrsHelper>(device, request, [&] {
            if (is_of_frame(request)) return knows_frame(device, now);
            return !request.config.imu_type || *request.config.imu_type == msg::ImuIndex::main;
@@ -210,10 +251,11 @@ bool can_stream(Device& device, const msg::DataStreamInterval& request, Instant 
 bool offer_sample(Device& device, std::size_t port, const msg::DataStreamInterval& request,
                   Instant now) {
   // Checking the room first saves a measurement.
-  const std::size_t size = Framing::frame_size(stream_change(request).size);
+  const std::size_t size = frame_size(device.ports.framing(port), stream_change(request).size);
   if (device.ports.room(port) < size) return false;
   const auto offer = [&]<class M>(M data, auto&&... what) {
     measure(device, what..., now, data);
+    limit_to(device.versions(), data);
     return device.ports.offer(port, data);
   };
   return use_if<msg::RealtimeData3>(device, request,
@@ -222,11 +264,24 @@ bool offer_sample(Device& device, std::size_t port, const msg::DataStreamInterva
                                     [&] { return offer(msg::RealtimeData4{}, port); }) ||
          use_if<msg::RealtimeDataCustom>(device, request,
                                          [&] {
-                                           return offer(msg::RealtimeDataCustom{},
-                                                        request.config.flags
-                                                            ? *request.config.flags
-                                                            : msg::RealtimeDataCustomFlags{});
+                                           const auto blocks =
+                                               known_blocks(device, blocks_of(request));
+                                           return blocks && offer(msg::RealtimeDataCustom{}, port,
+                                                                  *blocks);
                                          }) ||
+         use_if<msg::CanDrvTelemetry>(device, request,
+                                      [&] {
+                                        return offer(msg::CanDrvTelemetry{},
+                                                     std::size_t{*request.config.drv_id},
+                                                     *request.config.telemetry_flags);
+                                      }) ||
+         use_if<msg::ExtMotorsState>(
+             device, request,
+             [&] {
+               return device.ports.offer(
+                   port, device.external_motors.state(device, *request.config.motor,
+                                                      *request.config.data_set, now));
+             }) ||
          use_if<msg::AhrsHelper>(device, request,
                                  [&] { return offer(msg::AhrsHelper{}, is_of_frame(request)); });
 }

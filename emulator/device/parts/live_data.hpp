@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include <sbgc/messages/control.hpp>
 #include <sbgc/messages/imu.hpp>
@@ -15,8 +16,11 @@ struct Device;
 /// Fills `data` with current measurements. Precondition for the attitude: the board knows it.
 void measure(Device& device, std::size_t port, Instant now, msg::RealtimeData3& data);
 void measure(Device& device, std::size_t port, Instant now, msg::RealtimeData4& data);
-void measure(Device& device, msg::RealtimeDataCustomFlags blocks, Instant now,
+void measure(Device& device, std::size_t port, msg::RealtimeDataCustomFlags blocks, Instant now,
              msg::RealtimeDataCustom& data);
+/// Returns the requested blocks that the firmware knows; nothing if they do not fit into a body.
+std::optional<msg::RealtimeDataCustomFlags> known_blocks(const Device& device,
+                                                         msg::RealtimeDataCustomFlags blocks);
 void measure(Device& device, Instant now, msg::GetAngles& data);
 void measure(Device& device, Instant now, msg::GetAnglesExt& data);
 void measure(Device& device, bool of_frame, Instant now, msg::AhrsHelper& data);

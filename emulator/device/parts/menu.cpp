@@ -5,6 +5,7 @@
 
 #include "device/device.hpp"
 #include "device/parts/gimbal_tuning.hpp"
+#include "device/parts/later_menu.hpp"
 #include "physics/quantities.hpp"
 
 namespace sbgc::emulator {
@@ -24,7 +25,7 @@ std::optional<std::uint8_t> profile_of(msg::MenuCommand action) {
 }
 
 std::optional<std::uint8_t> script_of(msg::MenuCommand action) {
-  if (action < msg::MenuCommand::run_script1 || action > msg::MenuCommand::run_script5) return {};
+  if (action < msg::MenuCommand::run_script1 || action > msg::MenuCommand::run_script10) return {};
   return static_cast<std::uint8_t>(static_cast<unsigned>(action) -
                                    static_cast<unsigned>(msg::MenuCommand::run_script1));
 }
@@ -124,9 +125,11 @@ bool execute_menu(Device& device, msg::MenuCommand action, Instant now) {
     case msg::MenuCommand::button_press: {
       // A single press. An action that presses the button again does nothing.
       const msg::MenuCommand pressed = device.parameters.of<msg::ReadParams3>().menu_cmd[0];
+      Events::emit(device, msg::EventId::menu_button, msg::EventType::on, now);
+      Events::emit(device, msg::EventId::menu_button, msg::EventType::off, now);
       return pressed == msg::MenuCommand::button_press || execute_menu(device, pressed, now);
     }
-    default: return false;
+    default: return execute_later_action(device, action, now);
   }
   return true;
 }

@@ -85,7 +85,8 @@ std::array<msg::ServoPulse, Outputs::servos> Outputs::free_servos() {
 }
 
 bool Outputs::set_pin(const Device& device, msg::OutputPin pin, msg::PinState state) {
-  if (!knows(device.versions(), pin) || !index_of(state) || is_input(device, pin)) return false;
+  const bool exist = knows(device.versions(), pin) && knows(device.versions(), state);
+  if (!exist || is_input(device, pin)) return false;
   const auto& parameters = device.parameters.of<msg::ReadParams3>();
   for (std::size_t i = 0; i < servo_pin.size(); ++i) {
     const bool is_servo =
@@ -125,6 +126,25 @@ bool Outputs::set_servos(const Device& device, const msg::ServoOut& request) {
   for (std::size_t i = 0; i < servo_pin.size(); ++i) {
     if (servos_[i] != floating) pins_[*index_of(servo_pin[i])].reset();
   }
+  return true;
+}
+
+bool Outputs::set_servos(const Device& device, const msg::ServoOutExt& request) {
+  msg::ServoOut wanted;
+  wanted.servo_time = servos_;
+  auto drivers = driver_servos_;
+  std::size_t index = 0;
+  for (std::size_t bit = 0; bit < servo_pins + driver_servos; ++bit) {
+    if (((request.servo_bits.raw() >> bit) & 1U) == 0) continue;
+    const msg::ServoPulse pulse = request.servo_time[index++];
+    if (bit < servo_pins) {
+      wanted.servo_time[bit] = pulse;
+    } else {
+      drivers[bit - servo_pins] = pulse;
+    }
+  }
+  if (index != request.servo_time.size() || !set_servos(device, wanted)) return false;
+  driver_servos_ = drivers;
   return true;
 }
 

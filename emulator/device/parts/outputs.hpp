@@ -22,6 +22,9 @@ class Outputs {
   /// The number of servo outputs with a pin; the others are reserved.
   static constexpr std::size_t servo_pins = 4;
 
+  /// The number of servo outputs of CAN motor drivers.
+  static constexpr std::size_t driver_servos = 14;
+
   /// The current sound.
   struct Sound {
     msg::BeepModes mode{};
@@ -38,8 +41,13 @@ class Outputs {
   /// Returns false, without effect, if a pulse does not fit into the period of SERVO_RATE.
   /// Assumption: a servo takes its pin from any other use.
   bool set_servos(const Device& device, const msg::ServoOut& request);
+  /// Sets only the selected servos; those of drivers have no pin of the board.
+  bool set_servos(const Device& device, const msg::ServoOutExt& request);
   /// The pulse as in CMD_SERVO_OUT. Precondition: index < servos.
   msg::ServoPulse servo(std::size_t index) const { return servos_[index]; }
+
+  /// The same for the outputs of drivers. Precondition: index < driver_servos.
+  msg::ServoPulse driver_servo(std::size_t index) const { return driver_servos_[index]; }
 
   /// Plays a melody or a standard sound in place of the current one. Returns false, without effect,
   /// if the message describes neither.
@@ -58,6 +66,8 @@ class Outputs {
   std::array<std::optional<msg::PinState>, pin_count> pins_{};
   std::array<msg::ServoPulse, servos> servos_ = free_servos();
   std::optional<Sound> sound_{};
+
+  std::array<msg::ServoPulse, driver_servos> driver_servos_{};
 
   static std::array<msg::ServoPulse, servos> free_servos();
 };

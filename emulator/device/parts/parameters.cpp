@@ -1,11 +1,16 @@
 #include "device/parts/parameters.hpp"
 
+#include <algorithm>
+
 #include <sbgc/meta/variables.hpp>
 #include <sbgc/variable_parameters.hpp>
 
 namespace sbgc::emulator {
 
-Parameters::Parameters(Memory& memory) : memory_(memory), eeprom_(memory) { reload(); }
+Parameters::Parameters(Memory& memory, const Availability& versions)
+    : memory_(memory), versions_(versions), eeprom_(memory) {
+  reload();
+}
 
 void Parameters::reload() {
   variables_.clear();
@@ -26,7 +31,7 @@ void Parameters::select_profile(std::uint8_t profile) {
 }
 
 std::optional<std::int32_t> Parameters::variable(msg::VariableId id) const {
-  if (find_variable(id) == nullptr) return std::nullopt;
+  if (find_variable(id) == nullptr || !knows(versions_, id)) return std::nullopt;
   const Optional<std::int32_t> now = variable_value(in_use_, id);
   // Another variable may have changed the same parameter meanwhile.
   const auto set = variables_.find(id);
@@ -34,9 +39,16 @@ std::optional<std::int32_t> Parameters::variable(msg::VariableId id) const {
   return now ? *now : 0;
 }
 
+std::uint8_t Parameters::variable_count() const {
+  return static_cast<std::uint8_t>(
+      std::ranges::count_if(EnumMeta<msg::VariableId>::values, [this](const ValueInfo& value) {
+        return is_available(value.since, versions_);
+      }));
+}
+
 bool Parameters::set_variable(msg::VariableId id, std::int32_t value) {
   const VariableInfo* const known = find_variable(id);
-  if (known == nullptr || value < known->range.lowest || value > known->range.highest) {
+  if (known == nullptr || !knows(versions_, id) || value < known->range.lowest || value > known->range.highest) {
     return false;
   }
   if (variable_value(in_use_, id) && !sbgc::set_variable(in_use_, id, value)) return false;
@@ -69,14 +81,50 @@ void Parameters::save() {
   forget_variables();
 }
 
+void Parameters::save(std::span<const msg::VariableId> variables) {
+  // The stored parameters, with only these variables changed.
+  OneOfEach<ParameterMessages> kept;
+  ParameterMessages::for_each([&]<class M>(Type<M>) {
+    if constexpr (is_of_profile<M>) kept.template of<M>() = stored<M>(profile());
+  });
+  for (const msg::VariableId id : variables) {
+    const Optional<std::int32_t> value = variable_value(in_use_, id);
+    if (value) static_cast<void>(sbgc::set_variable(kept, id, *value));
+  }
+  ParameterMessages::for_each([&]<class M>(Type<M>) {
+    if constexpr (is_of_profile<M>) static_cast<void>(store(profile(), kept.template of<M>()));
+  });
+}
+
 void Parameters::use_defaults(std::uint8_t profile) {
   ParameterMessages::for_each([&]<class M>(Type<M>) {
     if constexpr (is_of_profile<M>) {
-      M defaults = factory_parameters<M>(profile);
+      M defaults = factory<M>(profile);
       share(record<M>(0), defaults);
       static_cast<void>(write(profile, defaults));
     }
   });
+}
+
+std::vector<std::uint8_t> Parameters::profiles() const {
+  std::vector<std::uint8_t> all;
+  for_each_record([&](std::size_t address) {
+    const auto bytes = eeprom_.bytes(address, record_size());
+    all.insert(all.end(), bytes.begin(), bytes.end());
+  });
+  return all;
+}
+
+bool Parameters::restore_profiles(std::span<const std::uint8_t> profiles) {
+  std::size_t size = 0;
+  for_each_record([&](std::size_t) { size += record_size(); });
+  if (profiles.size() != size) return false;
+  for_each_record([&](std::size_t address) {
+    eeprom_.write(address, profiles.first(record_size()));
+    profiles = profiles.subspan(record_size());
+  });
+  reload();
+  return true;
 }
 
 void Parameters::erase() {

@@ -20,7 +20,10 @@
 #include <sbgc/response_policy.hpp>
 #include <sbgc/type_list.hpp>
 #include <sbgc/types.hpp>
+#include <sbgc/validate.hpp>
 
+#include "device/firmware_limits.hpp"
+#include "device/known_values.hpp"
 #include "device/parts/eeprom.hpp"
 #include "device/parts/eeprom_records.hpp"
 #include "device/parts/factory_parameters.hpp"
@@ -57,7 +60,7 @@ class Parameters {
  public:
   /// Loads the EEPROM. Factory parameters replace missing or damaged ones, but only as active
   /// parameters, not in the EEPROM.
-  explicit Parameters(Memory& memory);
+  explicit Parameters(Memory& memory, const Availability& versions = newest);
 
   /// Reloads all parameters, as at a restart.
   void reload();
@@ -118,6 +121,8 @@ class Parameters {
 
   /// Returns the value of the variable; nothing if this board does not have it.
   std::optional<std::int32_t> variable(msg::VariableId id) const;
+  /// The number of variables that this board has.
+  std::uint8_t variable_count() const;
   /// Sets a variable until a restart or save(). Returns false if there is no such variable or the
   /// value is out of range. Afterwards variable() returns exactly this value, even if the
   /// parameters can only approximate it.
@@ -126,10 +131,17 @@ class Parameters {
   std::optional<msg::VariableId> set_variables(std::span<const msg::AdjVarValue> values);
   /// Stores the active parameters in the active profile.
   void save();
+  /// Stores only these variables. Precondition: the board has them.
+  void save(std::span<const msg::VariableId> variables);
 
   /// Restores the factory parameters of one profile, in the EEPROM and the active ones; keeps
   /// general parameters. Precondition: the profile exists.
   void use_defaults(std::uint8_t profile);
+  /// The stored parameters of all profiles, for restore_profiles().
+  std::vector<std::uint8_t> profiles() const;
+  /// Stores and activates them. Returns false, without effect, if they are of another size.
+  bool restore_profiles(std::span<const std::uint8_t> profiles);
+
   /// Erases the whole EEPROM, including files and user data. Activates factory parameters and the
   /// first profile.
   void erase();
@@ -157,16 +169,28 @@ class Parameters {
   static void share([[maybe_unused]] const M& from, [[maybe_unused]] M& to) {
     if constexpr (is_of_profile<M>) ParametersOf<M>::share(from, to);
   }
-  /// Returns the address of the record of a copy.
+  /// Returns the address of the record of a copy. Records are in the order of the firmware that
+  /// introduced them, so that later ones do not move earlier ones.
   template <class M>
   static std::size_t place(std::uint8_t copy) {
     std::size_t before = 0;
     bool found = false;
     ParameterMessages::for_each([&]<class Other>(Type<Other>) {
       found = found || std::is_same_v<M, Other>;
-      if (!found) before += ParametersOf<Other>::copies;
+      const bool is_older = Other::since.firmware < M::since.firmware;
+      const bool is_as_old = Other::since.firmware == M::since.firmware;
+      if (is_older || (is_as_old && !found)) before += ParametersOf<Other>::copies;
     });
     return layout::parameters + (before + copy) * record_size();
+  }
+  /// Calls `use(address)` for each record that belongs to a profile.
+  template <class Use>
+  static void for_each_record(const Use& use) {
+    ParameterMessages::for_each([&]<class M>(Type<M>) {
+      if constexpr (is_of_profile<M>) {
+        for (std::uint8_t copy = 0; copy < ParametersOf<M>::copies; ++copy) use(place<M>(copy));
+      }
+    });
   }
   template <class M>
   M stored(std::uint8_t copy) const {
@@ -179,8 +203,15 @@ class Parameters {
   M record(std::uint8_t copy) const {
     M message{};
     const auto body = read_record(eeprom_, place<M>(copy), {M::command, copy});
-    if (!body || !decode(std::span(*body), message)) message = factory_parameters<M>(copy);
+    if (!body || !decode(std::span(*body), message)) message = factory<M>(copy);
     set_copy(message, copy);
+    return message;
+  }
+  /// The factory parameters, as far as the firmware knows them.
+  template <class M>
+  M factory(std::uint8_t copy) const {
+    M message = factory_parameters<M>(copy);
+    limit_to(versions_, message);
     return message;
   }
   template <class M>
@@ -208,6 +239,7 @@ class Parameters {
   void forget_variables();
 
   Memory& memory_;
+  Availability versions_;
   Eeprom eeprom_;
   OneOfEach<ParameterMessages> in_use_{};
   std::map<msg::VariableId, Variable> variables_{};  ///< variables that were set

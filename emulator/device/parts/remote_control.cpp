@@ -98,9 +98,19 @@ void RemoteControl::apply(Device& device, Instant now) const {
 
 void RemoteControl::set_channels(Device& device, const msg::ApiVirtChControl& signals,
                                  Instant now) {
+  set(device, signals, now);
+}
+
+void RemoteControl::set_channels(Device& device, const msg::ApiVirtChHighRes& signals,
+                                 Instant now) {
+  set(device, signals, now);
+}
+
+template <class Signals>
+void RemoteControl::set(Device& device, const Signals& signals, Instant now) {
   for (std::size_t i = 0; i < signals.val_ch.size(); ++i) {
-    const msg::CentredRcSignal signal = signals.val_ch[i];
-    if (signal.raw() == msg::ApiVirtChControl::undefined) {
+    const auto signal = signals.val_ch[i];
+    if (signal.raw() == Signals::undefined) {
       signals_[i].reset();
     } else {
       // "Value may go outside these limits and will be clipped."

@@ -24,6 +24,8 @@ class RemoteControl {
 
   /// CMD_API_VIRT_CH_CONTROL: sets the signals of all virtual channels until the next message.
   void set_channels(Device& device, const msg::ApiVirtChControl& signals, Instant now);
+  /// The same in high resolution (CMD_API_VIRT_CH_HIGH_RES).
+  void set_channels(Device& device, const msg::ApiVirtChHighRes& signals, Instant now);
   /// The signal of a source of RC_MAP_* or SRC_CH, -1..1; empty if there is none.
   std::optional<double> signal(msg::RcMap source) const;
   /// The raw signal of the source that is mapped to an axis.
@@ -47,6 +49,8 @@ class RemoteControl {
  private:
   enum class Position : std::uint8_t { none, low, middle, high };
 
+  template <class Signals>
+  void set(Device& device, const Signals& signals, Instant now);
   void follow_command_channel(Device& device, Instant now);
 
   std::array<std::optional<double>, channels> signals_{};

@@ -28,6 +28,8 @@ void Restarts::restart_now(Device& device, Instant now, bool to_bootloader, bool
   if (power_off) device.i2c.power_off();
   device.gyro_headings = {};
   device.cur_imu = msg::SelectedImu::main;
+  device.modes = {};
+  device.is_writing_parameters = false;
   device.gimbal.set_motors(false, now);
   device.gimbal.restart(now);
   if (to_bootloader) {
@@ -58,7 +60,11 @@ void Restarts::begin_running(Device& device, Instant now) {
   device.ports.restart(false);
   device.apply_parameters(now);
   device.calibrate_at_start(now);
-  device.set_motors(true, now);
+  device.state_variables.start(device, now);
+  const auto flags = device.parameters.of<msg::ReadParamsExt2>().general_flags2;
+  const bool stays_off = knows(device.versions(), msg::GeneralFlags2Bit::motors_off_at_startup) &&
+                         flags.has(msg::GeneralFlags2Bit::motors_off_at_startup);
+  if (!stays_off) device.set_motors(true, now);
 }
 
 Instant Restarts::next() const { return scheduled_ ? earlier(scheduled_->at, changes_) : changes_; }

@@ -118,6 +118,10 @@ msg::AdjVarsState Slots::state(const Device& device, std::size_t trigger,
   return state;
 }
 
+std::optional<double> Slots::signal(const Device& device, std::size_t trigger) const {
+  return device.remote.signal(triggers_[trigger].config.src_ch);
+}
+
 /// apply_parameters() is called when the board has started.
 void Slots::restart(Device& /*device*/, Instant /*now*/) { *this = {}; }
 

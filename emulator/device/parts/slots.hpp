@@ -27,6 +27,9 @@ class Slots {
   /// The current state of two slots. Precondition: trigger < triggers, analog < analogs.
   msg::AdjVarsState state(const Device& device, std::size_t trigger, std::size_t analog) const;
 
+  /// The signal of a trigger slot. Same precondition.
+  std::optional<double> signal(const Device& device, std::size_t trigger) const;
+
   Instant next() const { return next_; }
   void advance(Device& device, Instant now);
   void restart(Device& device, Instant now);

@@ -10,13 +10,31 @@
 
 namespace sbgc::emulator {
 
+namespace {
+
+bool is_of_events(const msg::DataStreamInterval& request) {
+  return request.cmd_id == msg::Event::command;
+}
+
+/// The interval of a stream that counts attitudes of the IMU, one in each cycle.
+std::int64_t interval_of(const msg::DataStreamInterval& request, const StreamChange& change) {
+  if (change.interval_us == 0 || request.sync_to_data != msg::StreamSync::imu_attitude) {
+    return change.interval_us;
+  }
+  return Device::cycle().us * request.interval_ms.raw();
+}
+
+}  // namespace
+
 Instant Streams::Stream::due() const {
+  if (is_of_events(request)) return Instant::never;
   return start + microseconds(samples * interval_us) + microseconds(interval_us);
 }
 
 Streams::Change Streams::change(Device& device, std::size_t port,
                                 const msg::DataStreamInterval& request, Instant now) {
   const StreamChange change = stream_change(request);
+  const std::int64_t interval = interval_of(request, change);
   if (!can_stream(device, request, now)) return Change::bad_command;
   auto stream = std::find_if(streams_.begin(), streams_.end(), [&](const Stream& other) {
     return other.port == port && other.request.cmd_id == request.cmd_id &&
@@ -35,8 +53,26 @@ Streams::Change Streams::change(Device& device, std::size_t port,
   } else {
     skip(device, *stream, now);
   }
-  *stream = {port, change.config, request, change.interval_us, now, 0, false};
+  *stream = {port, change.config, request, interval, now, 0, false};
   return Change::done;
+}
+
+void Streams::emit(Device& device, const msg::Event& event, Instant /*now*/) {
+  for (const Stream& stream : streams_) {
+    if (!is_of_events(stream.request)) continue;
+    // Assumption: 0 stands for all events and all kinds of them.
+    const msg::StreamConfig& config = stream.request.config;
+    const msg::EventId id = config.event_id ? *config.event_id : msg::EventId{};
+    const msg::EventTypes types = config.event_type ? *config.event_type : msg::EventTypes{};
+    const bool wants_id = id == msg::EventId{} || id == event.event_id;
+    const bool wants_type = types.raw() == 0 || (types.raw() & event.event_type.raw()) != 0;
+    if (wants_id && wants_type) static_cast<void>(device.ports.offer(stream.port, event));
+  }
+}
+
+bool Streams::wants_events() const {
+  return std::any_of(streams_.begin(), streams_.end(),
+                     [](const Stream& stream) { return is_of_events(stream.request); });
 }
 
 void Streams::skip(Device& device, Stream& stream, Instant now) {

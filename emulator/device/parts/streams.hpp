@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <sbgc/messages/control.hpp>
 #include <sbgc/messages/realtime.hpp>
 #include <sbgc/response_policy.hpp>
 #include <sbgc/time.hpp>
@@ -26,6 +27,10 @@ class Streams {
   void has_room(Device& device, std::size_t port, Instant now);
   /// Counts the samples skipped until `now`.
   void count_skipped(Device& device, Instant now);
+
+  /// Sends an event to the ports that want it.
+  void emit(Device& device, const msg::Event& event, Instant now);
+  bool wants_events() const;
 
   /// The time of the next sample that is not held up.
   Instant next() const;

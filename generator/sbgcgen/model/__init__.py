@@ -59,7 +59,7 @@ from sbgcgen.model.messages import (
     copy_field,
 )
 from sbgcgen.model.variables import Variable, VariableSetting
-from sbgcgen.model.framing import BODY, CHECKSUM_SIZES, ID, SIZE, START, Checksum, Framing
+from sbgcgen.model.framing import BODY, CHECKSUM_SIZES, ID, SIZE, START, Checksum, Crc, Framing
 from sbgcgen.model.protocol import Erratum, Layout, Line
 from sbgcgen.model.revisions import Addition, Revision
 
@@ -67,6 +67,7 @@ __all__ = [
     "BODY",
     "CHECKSUM_SIZES",
     "Checksum",
+    "Crc",
     "ID",
     "SIZE",
     "START",

@@ -298,7 +298,7 @@ class Leaf:
     """One value or run of bytes of a body, with its full path.
 
     `cases` are the leaves that a tagged union may hold, depending on other fields. A body may end
-    before an `optional` leaf.
+    before an `optional` leaf. `when` is the condition of the field or of a group that it is in.
     """
 
     path: str
@@ -309,6 +309,7 @@ class Leaf:
     offset: int | None
     cases: tuple[Leaf, ...] = ()
     optional: bool = False
+    when: Condition | None = None
 
     @property
     def size(self) -> int | None:

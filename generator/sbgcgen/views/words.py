@@ -23,7 +23,7 @@ from sbgcgen.model import (
     field_rules,
 )
 from sbgcgen.model.names import slug
-from sbgcgen.views.framing import frame_parts, sums_in
+from sbgcgen.views.framing import crc_text, frame_parts, sums_in
 
 
 def to_json(value: Any) -> str:
@@ -88,6 +88,7 @@ def title_of(name: str) -> str:
 
 
 FILTERS: dict[str, Callable[..., Any]] = {
+    "crc_text": crc_text,
     "frame_parts": frame_parts,
     "sums_in": sums_in,
     "to_json": to_json,

@@ -1,8 +1,6 @@
 // Tests of older and newer boards and firmware: they reject unknown requests, or ignore them if
 // they cannot report errors.
 
-#include <type_traits>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -62,8 +60,7 @@ TEST(Availability, OfEveryRequestIsThatOfTheModel) {
     AllMessages::for_each([&]<class M>(Type<M>) {
       if constexpr (M::direction != Direction::from_board) {
         const auto unknown = host.board.counters().unknown;
-        M request{};
-        if constexpr (std::is_same_v<M, msg::ApiVirtChControl>) request.val_ch.push_back({});
+        const M request = any_request<M>();
         host.ask(request, milliseconds(2));
         const bool is_known =
             is_supported<M>(Availability{options.firmware.raw(), options.board.raw()});

@@ -23,7 +23,10 @@ using emulator::RequestContext;
 template <class Request>
 void expect_answer_of_model(const Request& request) {
   SCOPED_TRACE(Meta<Request>::info.name);
-  Device device({}, {}, {});
+  emulator::BoardOptions newest_board;
+  newest_board.firmware = msg::FirmwareVersion(newest_firmware);
+  newest_board.board = msg::BoardVersion(36);
+  Device device(newest_board, {}, {});
   const auto port = device.ports.open(false).value();
   const ResponsePolicy policy = response_policy(request);
   RequestContext context(device, port, policy.responses.command, policy.responses.confirmed, {});

@@ -23,6 +23,7 @@ struct Packet {
   std::uint8_t id{};
   std::vector<std::uint8_t> body{};
   Instant at{};
+  Framing framing{};
 };
 
 using Packets = std::vector<Packet>;
@@ -48,6 +49,26 @@ std::vector<M> all(const Packets& packets) {
     if (is<M>(one)) result.push_back(message<M>(one));
   }
   return result;
+}
+
+/// Returns a request with the values of a new message or, if that has no body, with as few elements
+/// as possible.
+template <Message M>
+M any_request() {
+  M request{};
+  std::array<std::uint8_t, max_body_size> body{};
+  if (encode(request, body)) return request;
+  body = {};
+  EXPECT_TRUE(decode(std::span<const std::uint8_t>(body).first(M::min_size), request));
+  return request;
+}
+
+/// The newest board and firmware, with all features.
+inline emulator::BoardOptions newest_board() {
+  emulator::BoardOptions options;
+  options.board = msg::BoardVersion(36);
+  options.firmware = msg::FirmwareVersion(newest_firmware);
+  return options;
 }
 
 /// A board that has started, and a host on one of its ports.
@@ -76,7 +97,7 @@ class Host {
   template <Message M>
   void send(const M& message) {
     std::array<std::uint8_t, max_frame_size> frame{};
-    const WriteResult written = encode_frame(message, frame);
+    const WriteResult written = encode_frame(framing, message, frame);
     ASSERT_TRUE(written);
     send_bytes(std::span(frame).first(written.size));
   }
@@ -99,17 +120,18 @@ class Host {
   emulator::Board board;
   std::size_t port;
   Instant now{};
+  Framing framing = basic_framing;  ///< of requests
 
  private:
   void collect(Packets& into) {
     const auto bytes = board.output(port);
     parser_.feed(bytes, [&](const Frame& frame) {
-      into.push_back({frame.id, {frame.body.begin(), frame.body.end()}, now});
+      into.push_back({frame.id, {frame.body.begin(), frame.body.end()}, now, frame.framing});
     });
     board.sent(port, bytes.size(), now);
   }
 
-  Parser parser_;
+  ParserOfAll parser_;
 };
 
 }  // namespace sbgc::test

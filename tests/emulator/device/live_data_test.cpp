@@ -346,15 +346,22 @@ TEST(LiveData, LaterFirmwareHasAModeOfTwoBytesInFrontOfTheVectors) {
   }
 }
 
-TEST(LiveData, WhatOfAnAttitudeIsNotSimulatedIsRefused) {
+TEST(LiveData, AnAttitudeCanBeLeftUncorrected) {
+  using enum msg::AhrsHelperWideModeBit;
   emulator::BoardOptions options;
   options.firmware = msg::FirmwareVersion(2740);
   Host host(options);
-  msg::AhrsHelperRequestExtWide set;
-  set.mode = msg::AhrsHelperWideModeBit::set | msg::AhrsHelperWideModeBit::disable_correction;
-  set.z1_vector = {0, 0, 1};
-  set.h1_vector = {0, 1, 0};
-  EXPECT_EQ(host.get<msg::ErrorExt>(set).error_code, msg::BoardErrorCode::not_supported);
+  msg::AhrsHelperRequestExtWide set_attitude;
+  // Upside down.
+  set_attitude.z1_vector = {0, 0, -1};
+  set_attitude.h1_vector = {0, 1, 0};
+  const auto up = [&] { return host.board.gimbal().sample(host.now).up.z; };
+  set_attitude.mode = set | disable_correction;
+  EXPECT_THAT(host.ask(set_attitude), SizeIs(0));
+  EXPECT_GT(up(), 0.9);
+  set_attitude.mode = set;
+  EXPECT_THAT(host.ask(set_attitude), SizeIs(0));
+  EXPECT_LT(up(), -0.9);
 }
 
 TEST(LiveData, AnAttitudeThatIsNoneIsRefused) {

@@ -177,7 +177,7 @@ TEST(Sounds, WhatIsNoSoundIsRefused) {
   EXPECT_EQ(refusal(host, melody), msg::BoardErrorCode::wrong_params) << "no length";
   melody.note_length = msg::NoteLength(5);
   EXPECT_TRUE(is_confirmed(host, melody));
-  while (melody.note_freq_hz.size() < 31) melody.note_freq_hz.push_back(msg::NoteFrequency(554));
+  while (melody.note_freq_hz.size() < 51) melody.note_freq_hz.push_back(msg::NoteFrequency(554));
   EXPECT_EQ(refusal(host, melody), msg::BoardErrorCode::wrong_params) << "too many";
 }
 

@@ -226,8 +226,9 @@ TEST(Parameters, ErasingLeavesNothing) {
 TEST(FactorySettings, AreAllowedOnOldBoardsToo) {
   ParameterMessages::for_each([]<class M>(Type<M>) {
     for (std::uint8_t copy = 0; copy < ParametersOf<M>::copies; ++copy) {
-      const M message = factory_parameters<M>(copy);
+      M message = factory_parameters<M>(copy);
       for (const Availability versions : {newest, Availability{2400, 30}}) {
+        emulator::limit_to(versions, message);
         validate(message, versions, [&](const Violation& violation) {
           std::array<char, 128> path{};
           violation.path.write(path.data(), path.size());

@@ -1,5 +1,7 @@
 // Tests of slots: RC signals that start actions and change variables.
 
+#include <bit>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -149,7 +151,19 @@ TEST(Slots, LaterFirmwareAsksWithMoreBytes) {
   Host host(options);
   host.ask(config());
   move(host, 450, 500);
-  EXPECT_EQ(host.get<msg::AdjVarsState>(msg::AdjVarsStateRequestExt{}), state(host));
+  const msg::AdjVarsStateRequestExt request{.trigger_slot = 0,
+                                            .analog_src_id = msg::RcMap(msg::RcInput{}).raw(),
+                                            .analog_var_id = msg::VariableId::p_pitch,
+                                            .lut_src_id = channel(1).raw(),
+                                            .lut_var_id = msg::VariableId::p_roll};
+  const auto answer = host.get<msg::AdjVarsState>(request);
+  EXPECT_EQ(answer.trigger_rc_data.raw(), 450 * 16384 / 500 + 1) << "in high resolution";
+  EXPECT_EQ(answer.analog_rc_data.raw(), 0) << "no signal";
+  const auto parameters = host.get<msg::ReadParams3>(msg::ReadParams3Request{.profile_id = 255});
+  EXPECT_EQ(std::bit_cast<float>(answer.analog_value),
+            static_cast<float>(parameters.axes.pitch.p));
+  EXPECT_EQ(answer.lut_src_value.raw(), 450 * 16384 / 500 + 1);
+  EXPECT_EQ(answer.lut_var_value, static_cast<float>(parameters.axes.roll.p));
 }
 
 TEST(Slots, OnlyThoseThatExist) {

@@ -16,6 +16,12 @@ struct BoardOptions {
   msg::BoardFeatures features = msg::BoardFeature::three_axis | msg::BoardFeature::bat_monitoring |
                                 msg::BoardFeature::encoders | msg::BoardFeature::bode_test |
                                 msg::BoardFeature::scripting | msg::BoardFeature::current_sensor;
+  /// Features that the firmware has; it reports those that it knows.
+  msg::BoardFeaturesExt features_ext = msg::BoardFeaturesExtBit::ext_imu |
+                                       msg::BoardFeaturesExtBit::state_vars;
+  msg::BoardFeaturesExt2 features_ext2 =
+      msg::BoardFeaturesExt2Bit::plus_ver | msg::BoardFeaturesExt2Bit::ext_motors |
+      msg::BoardFeaturesExt2Bit::quat_control | msg::BoardFeaturesExt2Bit::shake_generator;
   Bytes<9> device_id{{0x53, 0x42, 0x47, 0x43, 0, 0, 0, 0, 1}};
   Bytes<12> mcu_id{{'e', 'm', 'u', 'l', 'a', 't', 'e', 'd', 0, 0, 0, 1}};
   bool has_frame_imu = true;

@@ -37,7 +37,8 @@ struct AxisCommand {
   AxisMode mode{};
   double speed{};
   double angle{};
-  double signal{};  ///< -1..1
+  double signal{};     ///< -1..1
+  bool is_lost = false;  ///< `signal` is lost: the axis holds its target
 };
 
 /// The tuning of one axis by the parameters.

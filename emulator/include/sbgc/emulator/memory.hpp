@@ -33,6 +33,11 @@ struct Memory {
   std::array<ImuCalibration, 2> sensors{};  ///< factory calibrations, in the EEPROM of each sensor
   double battery_factor = 1;                ///< calibration of the voltage measurement
   std::uint8_t profile = 0;                 ///< the active one
+  static constexpr std::size_t profile_set_slots = 6;  ///< the last one is the backup
+  /// The parameters of all profiles in each slot; empty slots have no bytes.
+  std::array<std::vector<std::uint8_t>, profile_set_slots> profile_sets{};
+  std::uint8_t profile_set = 1;               ///< the selected slot, counted from 1
+  std::vector<std::uint8_t> state_variables{};  ///< body of CMD_READ_STATE_VARS; empty: none
   std::uint32_t revision = 0;               ///< grows with each change; not saved
   /// True if there may be unsaved changes; rewriting the same bytes then counts as a change. Only
   /// used with BoardOptions::waits_for_saving; not saved.

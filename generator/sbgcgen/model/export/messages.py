@@ -109,8 +109,8 @@ def _leaf(leaf: Leaf) -> dict[str, Any]:
         result["counted_by"] = field.counter
     if field.counting != "elements":
         result["counted_in"] = field.counting
-    if field.when:
-        result["when"] = _condition(field.when)
+    if leaf.when:
+        result["when"] = _condition(leaf.when)
     if field.alternative:
         other = field.alternative
         result["alternative"] = {

@@ -140,6 +140,7 @@ def variable_json(variable: Variable) -> dict[str, Any]:
         "scale": number(quantity.scale) if quantity else None,
         "add": number(quantity.offset) if quantity else None,
         "summary": variable.summary,
+        "since": version(variable.since),
         "errata": list(variable.errata),
         "sets": [
             {

@@ -53,7 +53,7 @@ def sizes_of(message: Message, layout: Layout) -> str:
     """The body sizes that select this form of the command: "13", "16 to 255"."""
     forms = forms_of(layout)
     taken = []
-    for size in range(layout.framing.max_body + 1):
+    for size in range(layout.max_body + 1):
         try:
             if choose_message(forms, message.direction, message.id, size).name == message.name:
                 taken.append(size)

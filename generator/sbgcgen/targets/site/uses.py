@@ -93,7 +93,8 @@ def references(layout: Layout) -> References:
         found.of_errata(variable.errata, use)
         if variable.quantity:
             found.of_type(variable.quantity.name, use)
-    found.of_errata(layout.framing.errata, Use("framing", "framing", "framing.html"))
+    for framing in layout.framings:
+        found.of_errata(framing.errata, Use("framing", framing.name, "framing.html"))
     return found
 
 

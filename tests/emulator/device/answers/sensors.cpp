@@ -44,7 +44,6 @@ void Table::add_calibration() {
              EXPECT_GT(info[0].progress.raw(), 0);
              EXPECT_LT(info[0].progress.raw(), 100);
            }});
-  add<msg::CalibMotorMagLinkRequest>({.comes = Comes::nothing});
   add<msg::EncodersCalibOffset4>({.comes = Comes::confirmation});
   add<msg::EncodersCalibFldOffset4>({.comes = Comes::confirmation});
   add<msg::AutoPidRequest>(

@@ -47,11 +47,6 @@ void Table::add_system() {
   add<msg::BootMode3Ext>({.request = boot});
   boot.confirm = msg::ResetOption::notify;
   add<msg::BootMode3Ext>({.request = boot});
-  // The responses to these are undocumented.
-  add<msg::QueueParamsInfo3Request>({.comes = Comes::nothing});
-  add<msg::SystemStateRequest>({.comes = Comes::nothing});
-  add<msg::MavlinkInfoRequest>({.comes = Comes::nothing});
-  add<msg::MavlinkDebugRequest>({.comes = Comes::nothing});
 }
 
 void Table::add_storage() {

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <sbgc/availability.hpp>
 #include <sbgc/meta/all.hpp>
 #include <sbgc/responses/all.hpp>
 
@@ -54,6 +55,10 @@ class Table {
 
   template <Message M>
   void add(Entry<M> entry) {
+    const auto& options = entry.options;
+    if (!is_supported<M>(Availability{options.firmware.raw(), options.board.raw()})) {
+      entry.options = newest_board();
+    }
     checks_.emplace(Meta<M>::info.name, [entry = std::move(entry)] {
       Host host(entry.options);
       if (entry.before) entry.before(host);
@@ -77,6 +82,11 @@ class Table {
   void add_variables();
   void add_storage();
   void add_scripting_and_debug();
+  void add_undocumented();
+  void add_later_control();
+  void add_external_motors();
+  void add_later_parameters();
+  void add_later_devices();
 
   std::multimap<std::string, Check> checks_;
 };

@@ -1,0 +1,20 @@
+/// Blocks of CMD_REALTIME_DATA_CUSTOM of later firmware.
+#pragma once
+
+#include <cstddef>
+
+#include <sbgc/messages/imu.hpp>
+#include <sbgc/messages/realtime.hpp>
+#include <sbgc/time.hpp>
+
+namespace sbgc::emulator {
+
+struct Device;
+
+/// The state of the attitude estimation, as hosts see it.
+msg::AhrsDebugInfo attitude_debug(Device& device, Instant now);
+/// Fills the blocks from MOTOR4_CONTROL on.
+void measure_later(Device& device, std::size_t port, msg::RealtimeDataCustomFlags blocks,
+                   Instant now, msg::RealtimeDataCustom& data);
+
+}  // namespace sbgc::emulator

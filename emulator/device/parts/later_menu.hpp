@@ -1,0 +1,14 @@
+/// The menu actions of firmware after the specification.
+#pragma once
+
+#include <sbgc/enums.hpp>
+#include <sbgc/time.hpp>
+
+namespace sbgc::emulator {
+
+struct Device;
+
+/// Executes such an action. Returns false if there is no such action.
+bool execute_later_action(Device& device, msg::MenuCommand action, Instant now);
+
+}  // namespace sbgc::emulator

@@ -1,0 +1,28 @@
+/// The state of the board that flags report.
+#pragma once
+
+#include <sbgc/enums.hpp>
+#include <sbgc/time.hpp>
+
+namespace sbgc::emulator {
+
+struct Device;
+
+/// Switches of hosts and of menu actions, valid until the board restarts.
+struct Modes {
+  bool servo = false;       ///< angles are those of the motors
+  bool tripod = false;      ///< the tripod mode
+  bool shakes = false;      ///< the shake generator
+  bool retracted = false;   ///< the camera is in the retracted position
+  bool follow_off = false;  ///< no axis follows the frame
+  bool follows = false;     ///< every axis follows the frame
+};
+
+/// The flags of live data; those of CMD_BOARD_INFO are the lowest ones.
+msg::StateFlags state_flags(Device& device, Instant now);
+/// The calibration or other task that is running.
+msg::CalibMode calibration_mode(const Device& device);
+/// The state of the motor power.
+msg::PowerState power_state(const Device& device);
+
+}  // namespace sbgc::emulator

@@ -1,0 +1,34 @@
+/// The modules on the board's CAN bus.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <sbgc/messages/modules.hpp>
+#include <sbgc/messages/realtime.hpp>
+#include <sbgc/time.hpp>
+
+namespace sbgc::emulator {
+
+struct Device;
+
+/// A module: IMUs of the camera and, if the board has one, of the frame, and a driver for each
+/// external motor. Assumption: a board with a CAN bus has all of them there.
+struct Module {
+  msg::ModuleId id{};
+  msg::CanDeviceId can_id{};
+  msg::CanDeviceKind kind{};
+  msg::TransparentDevice transparent{};  ///< 0: unreachable by CMD_TRANSPARENT_SAPI
+  std::uint16_t firmware{};
+};
+
+/// The number of drivers.
+std::size_t can_drivers(const Device& device);
+std::vector<Module> modules_of(const Device& device);
+
+/// Fills `data` with live data of a driver. Precondition: it exists.
+void measure(Device& device, std::size_t driver, msg::CanDrvTelemetryFlags fields, Instant now,
+             msg::CanDrvTelemetry& data);
+
+}  // namespace sbgc::emulator

@@ -1,0 +1,204 @@
+// Tests of the board with each of several firmware versions: it answers the requests that the
+// firmware has, treats all others as unknown, and sends nothing that the firmware does not have.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <type_traits>
+
+#include <gtest/gtest.h>
+
+#include <sbgc/availability.hpp>
+#include <sbgc/dispatch.hpp>
+#include <sbgc/meta/all.hpp>
+#include <sbgc/parameters.hpp>
+#include <sbgc/responses/all.hpp>
+#include <sbgc/roles.hpp>
+#include <sbgc/text.hpp>
+#include <sbgc/validate.hpp>
+
+#include "replies.hpp"
+
+namespace sbgc::test {
+namespace {
+
+emulator::BoardOptions board_with(std::uint16_t firmware) {
+  emulator::BoardOptions options;
+  // Boards of version 3.6 came with later firmware.
+  options.board = msg::BoardVersion(firmware < 2687 ? 30 : 36);
+  options.firmware = msg::FirmwareVersion(firmware);
+  return options;
+}
+
+Availability versions_of(const emulator::BoardOptions& options) {
+  return {options.firmware.raw(), options.board.raw()};
+}
+
+/// Fails the test unless a board with these versions may send the packet.
+void expect_sendable(const Packet& packet, const Availability& versions) {
+  const Code code =
+      select(Direction::from_board, packet.id, packet.body.size(), [&]<class M>(Type<M>) {
+        SCOPED_TRACE(Meta<M>::info.name);
+        // Old requests have the responses of newer ones (E020, E120).
+        EXPECT_TRUE(is_supported<M>(versions));
+        if constexpr (!detail::HasContext<M>) {
+          M message{};
+          ASSERT_TRUE(decode(std::span(packet.body), message));
+          validate(message, versions,
+                   [](const Violation& violation) { ADD_FAILURE() << to_string(violation); });
+        }
+      });
+  EXPECT_EQ(code, Code::ok) << int{packet.id};
+}
+
+bool is_refusal(const Packets& packets, msg::BoardErrorCode reason) {
+  const auto errors = all<msg::ErrorExt>(packets);
+  return packets.size() == 1 && errors.size() == 1 && errors[0].error_code == reason;
+}
+
+class EachFirmware : public ::testing::TestWithParam<std::uint16_t> {
+ protected:
+  const emulator::BoardOptions options_ = board_with(GetParam());
+  const Availability versions_ = versions_of(options_);
+};
+
+TEST_P(EachFirmware, AnswersWhatItKnowsAndNothingElse) {
+  AllMessages::for_each([&]<class M>(Type<M>) {
+    if constexpr (M::direction != Direction::from_board) {
+      SCOPED_TRACE(Meta<M>::info.name);
+      Host host(options_);
+      const M request = any_request<M>();
+      const ResponsePolicy policy = response_policy(request);
+      const Packets packets = host.ask(request, milliseconds(60));
+      const auto& counters = host.board.counters();
+      if (!is_supported<M>(versions_)) {
+        EXPECT_EQ(counters.unknown, 1U);
+        EXPECT_TRUE(is_refusal(packets, msg::BoardErrorCode::unknown_command) ||
+                    is_refusal(packets, msg::BoardErrorCode::cmd_size));
+        return;
+      }
+      EXPECT_EQ(counters.unknown, 0U);
+      for (const Packet& one : packets) expect_sendable(one, versions_);
+      // An answer that is certain comes, or the board says why not. There are no external motors in
+      // the request.
+      if (std::is_same_v<M, msg::ExtMotorsStateRequest>) return;
+      const bool is_refused = counters.refused != 0;
+      bool is_answered = false;
+      for (const Packet& one : packets) {
+        is_answered = is_answered || policy.responses.form_of({one.id, one.body}) != nullptr;
+      }
+      if (policy.response_required && !is_refused) EXPECT_TRUE(is_answered);
+    }
+  });
+}
+
+TEST_P(EachFirmware, SendsSamplesThatItHas) {
+  Host host(options_);
+  for (const auto command :
+       {msg::CommandFromBoard::realtime_data_3, msg::CommandFromBoard::realtime_data_4,
+        msg::CommandFromBoard::realtime_data_custom, msg::CommandFromBoard::ext_motors_state,
+        msg::CommandFromBoard::can_drv_telemetry, msg::CommandFromBoard::event}) {
+    msg::DataStreamInterval request;
+    request.cmd_id = command;
+    request.interval_ms = msg::Milliseconds(10);
+    // Every option has a value: the encoder takes those of the command.
+    std::array<std::uint8_t, msg::DataStreamInterval::min_size> body{
+        static_cast<std::uint8_t>(command), 10};
+    ASSERT_TRUE(decode(std::span<const std::uint8_t>(body), request));
+    host.ask(request);
+  }
+  host.ask(msg::ExecuteMenu{msg::MenuCommand::motor_off});
+  const Packets packets = host.listen(milliseconds(200));
+  for (const Packet& one : packets) expect_sendable(one, versions_);
+  const bool has_streams = is_supported<msg::DataStreamInterval>(versions_);
+  EXPECT_EQ(packets.empty(), !has_streams);
+}
+
+TEST_P(EachFirmware, HasFactoryParametersThatItKnows) {
+  Host host(options_);
+  ParameterMessages::for_each([&]<class M>(Type<M>) {
+    if (!is_supported<M>(versions_)) return;
+    M parameters{};
+    ParametersOf<M>::Readers::for_each([&]<class Request>(Type<Request>) {
+      if (is_supported<Request>(versions_)) parameters = host.get<M>(Request{});
+    });
+    validate(parameters, versions_, [](const Violation& violation) {
+      ADD_FAILURE() << Meta<M>::info.name << ": " << to_string(violation);
+    });
+  });
+}
+
+TEST_P(EachFirmware, IsAsItIntroducesItself) {
+  Host host(options_);
+  const auto info = host.get<msg::BoardInfo>(msg::BoardInfoRequest{});
+  EXPECT_EQ(info.firmware_ver, options_.firmware);
+  const auto details = host.get<msg::BoardInfo3>(msg::BoardInfo3Request{});
+  const auto has = [&](bool flag, auto request) {
+    EXPECT_EQ(flag, is_supported<decltype(request)>(versions_));
+    if (!flag) return;
+    EXPECT_TRUE(all<msg::ErrorExt>(host.ask(request)).empty());
+  };
+  has(info.board_features_ext.has(msg::BoardFeaturesExtBit::state_vars),
+      msg::ReadStateVarsRequest{});
+  has(info.board_features_ext.has(msg::BoardFeaturesExtBit::ext_imu),
+      msg::ExtImuDebugInfoRequest{});
+  has(details.board_features_ext2.has(msg::BoardFeaturesExt2Bit::ext_motors),
+      msg::ExtMotorsStateRequest{.for_motors = msg::ExtMotor::motor1});
+  has(details.board_features_ext2.has(msg::BoardFeaturesExt2Bit::quat_control),
+      msg::ControlQuatStatusRequest{});
+}
+
+INSTANTIATE_TEST_SUITE_P(Firmware, EachFirmware,
+                         ::testing::Values(2430, 2550, 2605, 2660, 2687, 2709, 2730, 2740),
+                         [](const auto& one) { return std::to_string(one.param); });
+
+// A field at the end of a request, flags and values are new at different times.
+
+TEST(FirmwareLimits, ARequestThatIsTooLongIsRefused) {
+  msg::SaveParams3 request;
+  request.param_id.push_back(msg::VariableId::p_roll);
+  Host old(board_with(2688));
+  EXPECT_EQ(refusal(old, request), msg::BoardErrorCode::cmd_size);
+  Host later(board_with(2689));
+  EXPECT_TRUE(is_confirmed(later, request));
+  msg::DebugVarsInfo3Request start;
+  start.start_idx = std::uint8_t{3};
+  Host before(board_with(2719));
+  EXPECT_EQ(refusal(before, start), msg::BoardErrorCode::cmd_size);
+  Host after(board_with(2720));
+  const auto all_variables = after.get<msg::DebugVarsInfo3>(msg::DebugVarsInfo3Request{});
+  const auto rest = after.get<msg::DebugVarsInfo3>(start);
+  ASSERT_EQ(rest.vars.size() + 3, all_variables.vars.size());
+  EXPECT_EQ(rest.vars[0], all_variables.vars[3]);
+}
+
+TEST(FirmwareLimits, ALaterModeIsRefused) {
+  msg::Control request;
+  request.control_mode.set_mode(msg::ControlModeKind::angle_shortest);
+  Host old(board_with(2706));
+  EXPECT_EQ(refusal(old, request), msg::BoardErrorCode::wrong_params);
+  Host later(board_with(2707));
+  EXPECT_TRUE(is_confirmed(later, request));
+}
+
+TEST(FirmwareLimits, LaterBlocksAreLeftOut) {
+  const msg::RealtimeDataCustomRequest request{
+      .flags = msg::RealtimeDataCustomFlag::imu_angles | msg::RealtimeDataCustomFlag::imu_quat};
+  Host old(board_with(2729));
+  EXPECT_EQ(old.ask(request).at(0).body.size(), 2U + 6);
+  Host later(board_with(2730));
+  EXPECT_EQ(later.ask(request).at(0).body.size(), 2U + 6 + 8);
+}
+
+TEST(FirmwareLimits, ReservedBytesAreZero) {
+  const auto state = [](std::uint16_t firmware) {
+    Host host(board_with(firmware));
+    return host.get<msg::RealtimeData4>(msg::RealtimeData4Request{}).system_state_flags.raw();
+  };
+  EXPECT_EQ(state(2729), 0U);
+  EXPECT_NE(state(2730), 0U);
+}
+
+}  // namespace
+}  // namespace sbgc::test
