@@ -56,8 +56,7 @@ TEST(ControlLink, OnlyTheHighestPriorityCounts) {
 
 TEST(ControlLink, ConfirmationsCanBeOff) {
   Host host(newest_board());
-  EXPECT_THAT(host.ask(msg::ControlConfig{.flags = msg::ControlConfigFlag::no_confirm}),
-              IsEmpty());
+  EXPECT_THAT(host.ask(msg::ControlConfig{.flags = msg::ControlConfigFlag::no_confirm}), IsEmpty());
   EXPECT_THAT(host.ask(turn_yaw(20)), IsEmpty());
   EXPECT_GT(yaw_speed(host), 0);
 }

@@ -16,7 +16,8 @@ using ::testing::IsEmpty;
 using ::testing::SizeIs;
 using EventKind = msg::EventType;
 
-void subscribe(Host& host, msg::EventId id, msg::EventTypes types = EventKind::on | EventKind::off) {
+void subscribe(Host& host, msg::EventId id,
+               msg::EventTypes types = EventKind::on | EventKind::off) {
   msg::DataStreamInterval request;
   request.cmd_id = msg::CommandFromBoard::event;
   request.interval_ms = msg::Milliseconds(1);
@@ -44,7 +45,8 @@ TEST(Events, TellTheStateOfTheMotors) {
   subscribe(host, msg::EventId::motor_state);
   EXPECT_THAT(events_of(host, host.ask(msg::MotorsOffExt{}), seconds(1)),
               ::testing::ElementsAre("2 off"));
-  EXPECT_THAT(events_of(host, host.ask(msg::MotorsOn{}), seconds(1)), ::testing::ElementsAre("2 on"));
+  EXPECT_THAT(events_of(host, host.ask(msg::MotorsOn{}), seconds(1)),
+              ::testing::ElementsAre("2 on"));
   EXPECT_THAT(events_of(host, host.ask(msg::MotorsOn{}), seconds(1)), IsEmpty()) << "no change";
 }
 
@@ -53,9 +55,9 @@ TEST(Events, OnlyTheKindsThatAreWanted) {
   subscribe(host, msg::EventId::motor_state, EventKind::on);
   EXPECT_THAT(events_of(host, host.ask(msg::MotorsOffExt{}), seconds(1)), IsEmpty());
   EXPECT_THAT(events_of(host, host.ask(msg::MotorsOn{}), seconds(1)), SizeIs(1));
-  EXPECT_THAT(events_of(host, host.ask(msg::ExecuteMenu{msg::MenuCommand::camera_photo_event}),
-                     seconds(1)),
-              IsEmpty())
+  EXPECT_THAT(
+      events_of(host, host.ask(msg::ExecuteMenu{msg::MenuCommand::camera_photo_event}), seconds(1)),
+      IsEmpty())
       << "another event";
 }
 
@@ -75,13 +77,14 @@ TEST(Events, OfButtonCameraAndPosition) {
   EXPECT_THAT(
       events_of(host, host.ask(msg::ExecuteMenu{msg::MenuCommand::button_press}), seconds(1)),
       ::testing::ElementsAre("1 on", "1 off"));
-  EXPECT_THAT(events_of(host, host.ask(msg::ExecuteMenu{msg::MenuCommand::camera_photo_event}),
-                     seconds(1)),
-              ::testing::ElementsAre("4 on"));
+  EXPECT_THAT(
+      events_of(host, host.ask(msg::ExecuteMenu{msg::MenuCommand::camera_photo_event}), seconds(1)),
+      ::testing::ElementsAre("4 on"));
   EXPECT_THAT(
       events_of(host, host.ask(msg::ExecuteMenu{msg::MenuCommand::retracted_position}), seconds(1)),
       ::testing::ElementsAre("6 on"));
-  EXPECT_THAT(events_of(host, host.ask(msg::Control{}), seconds(1)), ::testing::ElementsAre("6 off"));
+  EXPECT_THAT(events_of(host, host.ask(msg::Control{}), seconds(1)),
+              ::testing::ElementsAre("6 off"));
 }
 
 TEST(Events, AScriptStartsAndEnds) {

@@ -86,8 +86,8 @@ TEST(EarlierMemory, KeepsAllItsParameters) {
       if constexpr (requires { message.profile_id; }) message.profile_id = copy;
       std::array<std::uint8_t, max_body_size> body{};
       const auto size = encode(message, body).size;
-      EXPECT_TRUE(emulator::write_record(eeprom, address, {M::command, copy},
-                                         std::span(body).first(size)));
+      EXPECT_TRUE(
+          emulator::write_record(eeprom, address, {M::command, copy}, std::span(body).first(size)));
       address += emulator::record_size();
     }
   };

@@ -1,12 +1,13 @@
 // Tests of control with quaternions.
 
+#include "device/parts/quaternion_control.hpp"
+
 #include <array>
 #include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "device/parts/quaternion_control.hpp"
 #include "replies.hpp"
 
 namespace sbgc::test {
@@ -34,8 +35,8 @@ msg::ControlQuatStatus quaternion_status(Host& host) {
 
 TEST(QuaternionControl, TurnsToAnAttitude) {
   Host host(newest_board());
-  EXPECT_TRUE(is_confirmed(
-      host, msg::ControlQuatAttitude{QuatMode::attitude, QuatFlag::confirm, rotated_about(1, -20)}));
+  EXPECT_TRUE(is_confirmed(host, msg::ControlQuatAttitude{QuatMode::attitude, QuatFlag::confirm,
+                                                          rotated_about(1, -20)}));
   host.listen(seconds(4));
   EXPECT_NEAR(host.board.gimbal().sample(host.now).targets.pitch, -20, 0.01);
   const auto now = quaternion_status(host);
@@ -59,9 +60,8 @@ TEST(QuaternionControl, TurnsAtASpeed) {
   EXPECT_NEAR((*quaternion_status(host).setpoint_speed).z.degrees_per_second(), 10, 0.1);
   // A limit applies from the next command on.
   msg::ControlQuatConfig config{.data_set = msg::ControlQuatConfigField::max_speed};
-  config.max_speed = Xyz<msg::ControlSpeedLimit>{msg::ControlSpeedLimit(41),
-                                                 msg::ControlSpeedLimit(41),
-                                                 msg::ControlSpeedLimit(41)};
+  config.max_speed = Xyz<msg::ControlSpeedLimit>{
+      msg::ControlSpeedLimit(41), msg::ControlSpeedLimit(41), msg::ControlSpeedLimit(41)};
   EXPECT_TRUE(is_confirmed(host, config));
   EXPECT_TRUE(is_confirmed(host, request));
   host.listen(seconds(1));
@@ -73,8 +73,8 @@ TEST(QuaternionControl, TurnsAtASpeed) {
 
 TEST(QuaternionControl, ATaskIsConfirmedAtItsEnd) {
   Host host(newest_board());
-  const Packets start = host.ask(
-      msg::ControlQuatAttitude{QuatMode::attitude, QuatFlag::confirm | QuatFlag::auto_task, rotated_about(1, -30)});
+  const Packets start = host.ask(msg::ControlQuatAttitude{
+      QuatMode::attitude, QuatFlag::confirm | QuatFlag::auto_task, rotated_about(1, -30)});
   EXPECT_EQ(confirmations<msg::ControlQuatAttitude>(start), 1);
   const Packets later = host.listen(seconds(5));
   ASSERT_THAT(all<msg::Confirm>(later), SizeIs(1));
@@ -85,7 +85,8 @@ TEST(QuaternionControl, ATaskIsConfirmedAtItsEnd) {
 TEST(QuaternionControl, ATaskThatCannotEndIsGivenUp) {
   Host host(newest_board());
   host.board.gimbal().jam(1, true, host.now);
-  host.ask(msg::ControlQuatAttitude{QuatMode::attitude, QuatFlag::auto_task, rotated_about(1, -30)});
+  host.ask(
+      msg::ControlQuatAttitude{QuatMode::attitude, QuatFlag::auto_task, rotated_about(1, -30)});
   EXPECT_THAT(host.listen(seconds(9)), IsEmpty());
   const Packets end = host.listen(seconds(2));
   EXPECT_THAT(all<msg::ErrorExt>(end), SizeIs(1));
@@ -122,8 +123,7 @@ TEST(QuaternionControl, RefusesWhatItCannotFollow) {
   auto options = newest_board();
   options.features_ext2 = {};
   Host without(options);
-  EXPECT_EQ(refusal(without, msg::ControlQuatStatusRequest{}),
-            msg::BoardErrorCode::not_supported);
+  EXPECT_EQ(refusal(without, msg::ControlQuatStatusRequest{}), msg::BoardErrorCode::not_supported);
 }
 
 TEST(QuaternionControl, AnotherCommandEndsIt) {
