@@ -191,8 +191,7 @@ bool execute_later_action(Device& device, Command action, Instant now) {
     case Command::auto_pid_gain_only:
       static_cast<void>(device.auto_tuning.start(device, now));
       break;
-    case Command::set_cur_pos_as_home:
-      return execute_menu(device, Command::set_angle, now);
+    case Command::set_cur_pos_as_home: return execute_menu(device, Command::set_angle, now);
     case Command::stop_script: device.scripts.stop(); break;
     case Command::set_rc_trim: trim_rc(device, now); break;
     default: return false;

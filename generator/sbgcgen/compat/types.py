@@ -141,7 +141,9 @@ def _cut_text(part: Part) -> str:
     if part.is_digits:
         modulo = f" % {part.modulo}" if part.modulo else ""
         return f"value / {part.divide}{modulo}"
-    sign = ", signed" if part.signed else f", negative if {part.sign:#x} is set" if part.sign else ""
+    sign = (
+        ", signed" if part.signed else f", negative if {part.sign:#x} is set" if part.sign else ""
+    )
     return f"(value & {part.mask:#x}) >> {part.shift}{sign}"
 
 

@@ -55,7 +55,10 @@ def _value(value: EnumValue) -> dict[str, Any]:
     if value.unconfirmed:
         result["unconfirmed"] = True
     if value.former:
-        result["before"] = {**(version(value.former.firmware) or {}), "summary": value.former.summary}
+        result["before"] = {
+            **(version(value.former.firmware) or {}),
+            "summary": value.former.summary,
+        }
     return result
 
 
